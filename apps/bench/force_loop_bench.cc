@@ -107,8 +107,8 @@ void passes(benchmark::State& state) {
   const AlignedVector<double> inverse_skin_squared(grains.x[0].size(), 0.0);
   const GrainView<2> g = grains.view(x_list, inverse_skin_squared);
   const int n_blocks = (grains.size() + kGrainBlock - 1) / kGrainBlock;
-  // All grains form a single group, so that each pass covers all pairs: a pass over one of several groups would cover
-  // only the pairs of that group.
+  // All grains form a single group, so that each pass covers all pairs. With several groups, a pass over one
+  // group would cover only the pairs of this group.
   const auto rows_of = [&](const PairArrays<2>& list) {
     return RowSums<2>({&list}, row_kind<2>(law), grains.size(), SweepPlan(list, n_blocks, 1, n_blocks));
   };

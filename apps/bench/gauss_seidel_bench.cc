@@ -1,7 +1,7 @@
 // Benchmark of the sweeps of GaussSeidel over frictional contacts, in updates of contacts per second ("items"):
 //   floc_bench --benchmark_filter=sweeps
-// Grains on a lattice, half of whose neighbours touch, are pushed together. The arguments are the number of threads and
-// whether the cell is under stress.
+// Grains on a lattice, which touch some of their neighbours, are pushed together. The arguments are the number
+// of threads and whether the cell is under stress.
 
 #include <benchmark/benchmark.h>
 
@@ -23,11 +23,14 @@ struct Step {
   std::vector<StepContact<Dim>> contacts;
 };
 
-/// Bodies on a triangular lattice in 2D, with 4 contacts each, and on a face-centred cubic lattice in 3D, with 6.
+/// Grains on a triangular lattice with 4 contacts each in 2D, and on a face-centred cubic lattice with 6
+/// contacts each in 3D. Both are means: the contacts are drawn at random.
 template <int Dim>
 class LatticeStep {
  public:
-  /// @param general  whether the arms are not along the normals
+  /// @param general  whether the vectors from the centres to the contact points have a random component along
+  /// the surface
+  /// @param cell     whether the cell deforms under stress
   LatticeStep(bool general, bool cell) : general_(general) {
     const int side = Dim == 2 ? 55 : 15;
     for (int n = 0, n_places = static_cast<int>(std::pow(side, Dim)); n < n_places; ++n) {
@@ -62,7 +65,8 @@ class LatticeStep {
       if (place[a] + shift[a] < 0 || place[a] + shift[a] >= side) return;
       other += shift[a] * stride;
     }
-    // Two thirds of the six neighbours of a triangular lattice, and half of the twelve of a cubic one, touch.
+    // On average, grains touch four of their six neighbours on a triangular lattice, and six of their twelve
+    // neighbours on a face-centred cubic lattice.
     const bool is_neighbour = Dim == 2 ? branch.prod() != 1.0 : branch.squaredNorm() == 2.0;
     if (other <= n || !is_neighbour || uniform_(engine_) > (Dim == 2 ? 2.0 / 3.0 : 0.5)) return;
     if constexpr (Dim == 2) branch = Vec<2>(branch[0] + 0.5 * branch[1], std::sqrt(0.75) * branch[1]);

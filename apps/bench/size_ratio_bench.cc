@@ -1,13 +1,14 @@
 // Benchmark of packings of grains of different sizes.
 //
-// Disks with size ratios 1:2 and 1:30, under a pressure of 1e-4 times the normal stiffness, with friction: contact
-// updates per second of the time stepping, including new lists of pairs. Diameters d have a uniform distribution, as in
-// scenes, or one that is uniform by area, P(d) ~ d^-2 (Voivret et al., Phys. Rev. Lett. 102, 178001), in which most
-// grains are small and touch no other grain. Compare only results of the same call and the same distribution.
-// FLOC_BENCH_RATIO=100 adds a size ratio.
+// In 2D the benchmark measures contact updates per second of the time stepping, including new lists of pairs.
+// Disks with friction and size ratios 1:2 and 1:30 are under a pressure of 1e-4 times the normal stiffness.
+// Their diameters d have a uniform distribution, as in scenes, or a distribution that is uniform by area, P(d)
+// ~ d^-2 (Voivret et al., Phys. Rev. Lett. 102, 178001), in which most grains are small and touch no other
+// grain. Compare only results of one call for one distribution. FLOC_BENCH_RATIO=100 adds a size ratio.
 //
-// Spheres of one size, and with a size ratio 1:20 and a distribution uniform by volume, P(d) ~ d^-3: pairs found per
-// second and contact updates per second. The packing is a gas whose spheres have been enlarged until some touch.
+// In 3D it measures pairs found per second and contact updates per second. The spheres have one size, or a size
+// ratio 1:20 with a distribution uniform by volume, P(d) ~ d^-3. The packing is a gas whose spheres have been
+// enlarged until some touch.
 
 #include <benchmark/benchmark.h>
 
@@ -106,8 +107,8 @@ void size_ratio(benchmark::State& state) {
   const Packing<2>& start = dense(static_cast<double>(state.range(0)), sizes, load);
   const Vec<2> stress = load == kBiaxial ? Vec<2>(kPressure * Vec<2>(0.5, 1.5)) : Vec<2>::Constant(kPressure);
   DynamicsSettings settings = settings_of(start);
-  // Ten chunks of time steps are made before the time is measured, so that the skin (the margin of the lists of pairs)
-  // adapts.
+  // Ten chunks of time steps are made before the time is measured. During these steps the skin, the margin of
+  // the lists of pairs, adapts to the motion.
   Packing<2> packing = moved_for(start, stress, 10 * kStepsPerChunk * settings.time_step, settings);
   std::int64_t updates = 0;
   for (auto _ : state) {

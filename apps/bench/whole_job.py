@@ -4,8 +4,8 @@ relaxation to equilibrium, a whole load path, and two jobs at a time.
 
   apps/bench/whole_job.py BUILD_DIRECTORY [SCENE]
 
-needs the benchmarks (cmake -DFLOC_BUILD_BENCHMARKS=ON). Times are processor times, except for the two jobs. The load
-path is that of SCENE, by default data/scenes/type2_no_rolling.toml, which takes a minute or two.
+It needs the benchmarks (cmake -DFLOC_BUILD_BENCHMARKS=ON). Times are processor times, except for the two jobs. The
+load path is that of SCENE, by default data/scenes/type2_no_rolling.toml, which takes a minute or two.
 """
 import csv
 import json

@@ -208,8 +208,8 @@ void bind_arrays(py::class_<NamedState>& bound) {
                                constexpr py::ssize_t kItem = sizeof(std::int64_t);
                                if (!id.empty())
                                  return view(self, py::dtype::of<std::int64_t>(), {n}, {kItem}, id.data());
-                               // Without imported identifiers, the indices of the grains are returned. This array
-                               // is made read-only, because the views of the memory of the state are so too.
+                               // Without imported identifiers, the indices of the grains are returned. This
+                               // array is made read-only, like the views of the memory of the state.
                                py::array_t<std::int64_t> indices(n);
                                std::iota(indices.mutable_data(), indices.mutable_data() + n, std::int64_t{0});
                                py::detail::array_proxy(indices.ptr())->flags &=

@@ -19,7 +19,8 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::SizeIs;
 
-/// Two cases of two seeds, made without snakemake: what its rules call, one after the other.
+/// Fixture: a campaign of two cases with two seeds each. The test calls the commands of the Snakefile itself,
+/// without snakemake.
 class CampaignPage : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -65,11 +66,12 @@ TEST_F(CampaignPage, HoldsEverythingInOneFile) {
   int n = 0;
   for (std::sregex_iterator m(html.begin(), html.end(), address), end; m != end; ++m, ++n)
     EXPECT_EQ((*m)[2], "data:");
-  EXPECT_EQ(n, 2);  // a picture a case
+  EXPECT_EQ(n, 2);  // two cases with one picture each
   EXPECT_THAT(html, Not(AnyOf(HasSubstr("url(http"), HasSubstr("@import"), HasSubstr("fetch("))));
 }
 
-/// Clicks in the page as a reader would, once it is loaded, and leaves what it saw then as json in the document.
+/// Script that is appended to the page: once the page is loaded, it clicks as a reader would and writes what
+/// the page then shows into the document, as JSON.
 constexpr const char* kClicks = R"(<pre id="seen"></pre><script>addEventListener('load', () => {
   const seen = {};
   const table = document.getElementById('means');
@@ -142,7 +144,7 @@ TEST_F(CampaignInBrowser, SortsATableByAClickOnAHeadingAndBackByAnother) {
 
 TEST_F(CampaignInBrowser, SwitchesTheCurvesOfACaseOffAndOn) {
   EXPECT_THAT(seen_.at("curves"), SizeIs(2));
-  EXPECT_EQ(seen_.at("before"), json({4, 4}));  // of phi, z, B and n_negative
+  EXPECT_EQ(seen_.at("before"), json({4, 4}));  // four curves: phi, z, B and n_negative
   EXPECT_EQ(seen_.at("off"), json({0, 4}));
   EXPECT_EQ(seen_.at("on"), json({4, 4}));
   EXPECT_EQ(rendered_.n_images, 2);
@@ -157,7 +159,7 @@ TEST_F(CampaignInBrowser, ShowsTheNumbersOfTheCsv) {
     for (std::size_t k = 0; k < columns.size(); ++k)
       EXPECT_EQ(seen_.at("cells").at(static_cast<std::size_t>(row)).at(k),
                 means.text(row, means.column(columns[k])));
-  // The cell shows the number to five digits and sorts by the whole one.
+  // A cell shows its number with five digits, but is sorted by the full number.
   EXPECT_THAT(page(), HasSubstr("data-v=\"" + means.text(0, means.column("mean")) + "\">" +
                                 fmt::format("{:.5g}", means.number(0, means.column("mean"))) + "</td>"));
 }

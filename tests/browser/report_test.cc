@@ -31,12 +31,12 @@ TEST_F(Report, HoldsEverythingInOneFile) {
   for (const char* section : {"Warnings", "Force networks", "Plots", "Consolidation", "States",
                               "Dimensionless groups", "Provenance", "Scene", "kappa", "SHA-256", "protocol = "})
     EXPECT_THAT(html, HasSubstr(section));
-  // Every address is data within the page, and there is no script to run.
+  // All pictures are embedded in the page as data, and the page has no script.
   const std::regex address("(src|href)=\"([a-z]+:)");
   int n = 0;
   for (std::sregex_iterator m(html.begin(), html.end(), address), end; m != end; ++m, ++n)
     EXPECT_EQ((*m)[2], "data:");
-  EXPECT_EQ(n, 8);  // three pictures, five plots
+  EXPECT_EQ(n, 8);  // 3 pictures and 5 plots
   EXPECT_THAT(html, Not(HasSubstr("<script")));
   EXPECT_TRUE(page() == html);
 }
@@ -60,7 +60,7 @@ TEST_F(Report, RefusesWhatIsNoRun) {
   EXPECT_EQ(floc("report run -o absent/r.html").code, 1);
 }
 
-/// Tests that need a browser.
+/// Fixture of the tests that need a browser.
 class Browser : public Report {
  protected:
   void SetUp() override {
@@ -98,8 +98,8 @@ TEST_F(Browser, PrintsThePage) {
   EXPECT_EQ(o.code, 0);
   const std::string pdf = content_of(file("report.pdf"));
   EXPECT_THAT(pdf, StartsWith("%PDF"));
-  // Pages of A4 or letter, more than one, and pictures that are not left out: as vectors they take more than
-  // this.
+  // The PDF has several pages (A4 or letter) and contains the pictures: as vector graphics they take more than
+  // 100 kB.
   const std::regex page_object("/Type ?/Page\\b");
   EXPECT_GT(std::distance(std::sregex_iterator(pdf.begin(), pdf.end(), page_object), std::sregex_iterator()),
             2);

@@ -21,7 +21,7 @@ std::string shipped(const std::string& scene) {
   return source_directory() + "/data/scenes/" + scene + ".toml --set grains.count=40 ";
 }
 
-/// A kind of states, and the arguments of `floc run` that make some.
+/// Kind of states, with the arguments of `floc run` that make states of this kind.
 struct StateKind {
   const char* name;
   std::string scene;
@@ -48,15 +48,15 @@ double number(const json& row, const char* name) {
   return row.at(name).is_null() ? std::nan("") : row.at(name).get<double>();
 }
 
-/// How many states of a kind had bounds, bounds of B_S, and none.
+/// Numbers of states whose bounds hold, whose bounds on B_S hold too, and whose bounds are refused.
 struct Coverage {
   int hold = 0, hold_B_S = 0, refused = 0;
 };
 
-/// A share of a modulus by which forces that balance to 1e-5 may put B_reuss above it.
+/// Relative amount by which B_reuss may exceed a modulus because forces are balanced only to 1e-5.
 constexpr double kSlack = 1e-5;
 
-/// Checks that the moduli printed of a state agree with those that the method `bounds` gives of it.
+/// Checks that the moduli of a state agree with those that the method `bounds` gives for the same state.
 void check_state(const std::string& what, const json& exact, const json* by_bounds, Coverage& covered) {
   const double B = number(exact, "B"), B_S = number(exact, "B_S"), G = number(exact, "G");
   const bool hold = exact.at("bounds_hold"), hold_B_S = exact.at("bounds_hold_B_S");
@@ -92,7 +92,7 @@ void check_state(const std::string& what, const json& exact, const json* by_boun
   expect_within("B_S", "error_B_S", B_S);
 }
 
-/// Every state of a run, with the options of `floc moduli`.
+/// Checks every state of a run. @param options  options of `floc moduli`
 void check_run(const ScratchDirectory& scratch, const std::string& run, const std::string& options,
                Coverage& covered) {
   const auto moduli = [&](const std::string& method) {
@@ -143,8 +143,8 @@ TEST(BoundsOfModuli, HoldWhereTheColumnSaysSoAndAreRefusedElsewhere) {
     EXPECT_GT(covered[kind.name].hold + covered[kind.name].refused, 0);
 }
 
-/// A square lattice, a thousand times as stiff along one axis as along the other, and as strongly loaded: B_reuss is
-/// B, 250.25, and B_S is 1/(1/1 + 1/1000).
+/// A square lattice that is a thousand times stiffer along one axis, with stresses in the same ratio. B_reuss
+/// equals B = 250.25, far above B_S = 1/(1/1 + 1/1000).
 TEST(BoundsOfModuli, DoNotTellB_SUnderADeviator) {
   const ScratchDirectory scratch;
   write_text(scratch.file("g.csv"), "id,x,y,r\n0,0,0,0.5\n1,0.999,0,0.5\n2,0,0.999,0.5\n3,0.999,0.999,0.5\n");

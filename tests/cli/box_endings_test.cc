@@ -44,7 +44,7 @@ std::vector<BoxKind> box_kinds() {
   return all;
 }
 
-/// Grains between walls under 0.1, then 0.3, without a stop_time.
+/// Scene of grains between walls, under pressures of 0.1 and then 0.3. It has no stop_time.
 std::string scene_of(const BoxKind& kind) {
   const bool plane = kind.dimension == 2;
   return "[scene]\nunits = \"reduced\"\ndimension = " + std::to_string(kind.dimension) +
@@ -56,8 +56,9 @@ std::string scene_of(const BoxKind& kind) {
          "solid_fraction = 0.3\n[[load]]\nto = 0.3\nsteps = 1\n[equilibrium]\n";
 }
 
-/// A state is "stopped" only where the scene says when to stop; the run and floc verify count the same negative
-/// eigenvalues. In space, wet grains of seed 2 whose bridges form on contact have groups that roll at no cost.
+/// A state ends as "stopped" only if the scene gives a stop_time. The run and floc verify count equally many
+/// negative eigenvalues. In 3D, the wet grains of seed 2, whose bridges form on contact, have groups that roll
+/// at no cost.
 TEST(BoxEndings, NoStateIsStoppedUnlessTheSceneSaysWhen) {
   const ScratchDirectory scratch;
   int n_runs = 0, n_states = 0, n_given_up = 0;
@@ -86,7 +87,7 @@ TEST(BoxEndings, NoStateIsStoppedUnlessTheSceneSaysWhen) {
   std::cout << n_runs << " kinds of boxes, " << n_states << " states, " << n_given_up << " given up\n";
 }
 
-/// The scene says when to stop; a box that may not settle in the time it has is given up, and what blocks it is named.
+/// If the scene gives a stop_time that is too short, the run gives up and names the condition that is not met.
 TEST(BoxEndings, WhatDoesNotSettleIsGivenUpAndSaysWhatBlocks) {
   const ScratchDirectory scratch;
   const std::string scene = scene_of(box_kinds().front());

@@ -15,7 +15,7 @@
 namespace floc::test {
 namespace {
 
-/// With one part of the text exchanged for another.
+/// Returns the text with one part replaced.
 std::string with(std::string text, const std::string& old, const std::string& replacement) {
   text.replace(text.find(old), old.size(), replacement);
   return text;
@@ -45,8 +45,8 @@ TEST_P(BoxRun, MakesStatesThatVerifyAndRowsThatSayWhatWallsBear) {
   EXPECT_EQ(floc("info out/state-0000.h5").code, 0);
 }
 
-/// Every other law of a plane and of space: attraction across gaps, also from walls, and springs against rolling and
-/// twisting.
+/// Runs a box with the laws that no other test of boxes uses, in 2D and 3D: attraction at a distance, also from
+/// walls, rolling and twisting springs.
 TEST_P(BoxRun, HoldsGrainsOfAllLaws) {
   const std::string friction = "friction = {coefficient = 0.4, stiffness = 1.5e3}\n";
   const std::string rolling = "rolling = {coefficient = 0.05, stiffness = 10.0}\n";
@@ -72,8 +72,8 @@ TEST_P(BoxRun, HoldsGrainsOfAllLaws) {
   }
 }
 
-/// The values of floc network and floc structure of a box agree with the row of the run; columns that need periodic
-/// images are empty.
+/// The values that floc network and floc structure print for a box agree with the row of path.csv; columns that
+/// need periodic images are empty.
 TEST_P(BoxRun, IsMeasuredBetweenItsGrains) {
   ASSERT_EQ(run(box_scene(GetParam()), "-o out").code, 0);
   const Outcome network = floc(
@@ -88,8 +88,9 @@ TEST_P(BoxRun, IsMeasuredBetweenItsGrains) {
   EXPECT_GT(row.number(0, row.column("M1")), 0.0);
   for (const char* name : {"hyperstaticity", "energy_share_95"})
     EXPECT_TRUE(row.is_empty(0, row.column(name))) << name;
-  // Over all grains, contacts with walls included, particle pressures make up the mean stress of the contacts, which at
-  // rest is what the walls bear less their friction, up to net forces of 1e-5 F0.
+  // The mean of the particle pressures, weighted with the volumes of the grains, is the mean stress of the
+  // contacts, those with walls included. At rest it equals the pressure on the walls minus their friction, up
+  // to net forces of 1e-5 F0.
   const CsvTable stress = CsvTable::read(file("s.csv"));
   double mean = 0.0, volume = 0.0, expected = 0.0;
   for (int i = 0; i < stress.n_rows(); ++i) {
@@ -109,7 +110,7 @@ TEST_P(BoxRun, IsMeasuredBetweenItsGrains) {
       "--profile p.csv --format csv --columns phi,xi");
   ASSERT_EQ(structure.code, 0) << structure.err;
   const CsvTable probes = CsvTable::read(file("e.csv"));
-  // But for what overlaps the walls.
+  // The two void ratios differ by the overlaps of grains with walls.
   EXPECT_NEAR(probes.number(probes.n_rows() - 1, probes.column("void_ratio_cell")),
               path.number(1, path.column("void_ratio")), 1e-4);
   EXPECT_EQ(CsvTable::read(file("g.csv")).n_rows(), 75);
@@ -132,7 +133,7 @@ TEST_P(BoxRun, SurvivesTenKillsWithoutATrace) {
   kill_and_resume(10, 11, box_scene(GetParam()), 2);
 }
 
-/// A saved box is where the next run starts: its walls stand where they stood.
+/// A run can start from a saved box: the walls of the new run start at their saved places.
 TEST_P(BoxRun, StartsFromAStateWithWalls) {
   ASSERT_EQ(run(box_scene(GetParam()), "--until 0 -o first").code, 0);
   std::string next =
@@ -147,7 +148,7 @@ TEST_P(BoxRun, StartsFromAStateWithWalls) {
   EXPECT_EQ(floc("verify again/state-*.h5").code, 0);
 }
 
-/// Walls across an axis may bear another pressure than the rest.
+/// Walls across one axis may bear another pressure than the other walls.
 TEST_P(BoxRun, PutsAStressOfItsOwnOnAnAxis) {
   const Outcome made =
       run(with(box_scene(GetParam()), "to = 0.2", "control = \"triaxial\"\nto = 0.2"), "-o out");
@@ -160,7 +161,8 @@ TEST_P(BoxRun, PutsAStressOfItsOwnOnAnAxis) {
   EXPECT_EQ(floc("verify out/state-0001.h5").code, 0);
 }
 
-/// Moduli of a boxed sample lie between its bounds; a row of increments names walls after the grains.
+/// Moduli of a box of grains lie between their bounds, and the table of increments lists walls after the
+/// grains.
 TEST_P(BoxRun, HasModuliBetweenItsBounds) {
   ASSERT_EQ(run(box_scene(GetParam()), "--until 0 -o out").code, 0);
   const Outcome made = floc("moduli out/state-0000.h5 --increments inc.csv --format csv");
@@ -169,12 +171,12 @@ TEST_P(BoxRun, HasModuliBetweenItsBounds) {
   const CsvTable row = CsvTable::read(file("moduli.csv"));
   const auto value = [&row](const char* name) { return row.number(0, row.column(name)); };
   EXPECT_GT(value("B_reuss"), 0.0);
-  // Forces balance and walls bear their pressure within 1e-3 alone.
+  // Forces balance, and walls bear their pressure, only within 1e-3.
   EXPECT_LE(value("B_reuss"), 1.01 * value("B_S"));
   EXPECT_LE(value("B_S"), value("B") * (1.0 + 1e-9));
   EXPECT_LE(value("B"), value("B_voigt"));
   EXPECT_NEAR(value("p_wall"), 0.1, 2e-4);
-  // P is the mean stress of the contacts, and p_wall the pressure of the walls, whichever command says it.
+  // Every command prints the mean stress of the contacts as P and the pressure of the walls as p_wall.
   const CsvTable path = CsvTable::read(file("out/path.csv"));
   EXPECT_NEAR(value("P"), path.number(0, path.column("p")), 1e-12);
   EXPECT_GT(std::abs(value("P") - value("p_wall")), 1e-4);
@@ -192,7 +194,7 @@ TEST_P(BoxRun, HasModuliBetweenItsBounds) {
   EXPECT_GE(last, 60);
 }
 
-/// Other programs get the grains in a box that begins at zero, and are told of its walls.
+/// In exported files the box begins at zero, and its walls are listed.
 TEST_P(BoxRun, IsExportedWithItsWalls) {
   ASSERT_EQ(run(box_scene(GetParam()), "--until 0 -o out").code, 0);
   ASSERT_EQ(floc("convert out/state-0000.h5 box.data").code, 0);
@@ -207,7 +209,8 @@ TEST_P(BoxRun, IsExportedWithItsWalls) {
 
 INSTANTIATE_TEST_SUITE_P(Dimensions, BoxRun, testing::Values(2, 3));
 
-/// A box of which the aggregate still has mechanisms is recorded as it is when its time is over.
+/// If time runs out while the aggregate in a box still has mechanisms, the state is saved with the ending
+/// "stopped".
 TEST(BoxRun, RecordsWhatHasNotSettledAsStopped) {
   const ScratchDirectory scratch;
   write_text(scratch.file("box.toml"), with(box_scene(3), "stop_time = 200", "stop_time = 2"));
@@ -217,7 +220,7 @@ TEST(BoxRun, RecordsWhatHasNotSettledAsStopped) {
   EXPECT_NE(run_floc("verify out/state-0000.h5", scratch.path()).code, 0);
 }
 
-/// The groups of the published study.
+/// `floc scene check` prints the dimensionless groups of a published study of boxes.
 TEST(BoxSceneCheck, PrintsItsGroups) {
   const ScratchDirectory scratch;
   write_text(scratch.file("box.toml"), box_scene(3));
@@ -280,7 +283,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadBox{"stop_time = 200", "stop_time = 200\nenergy_ratio = 1e-3",
                            "used only with equilibrium.end = \"energy_ratio\""}));
 
-/// A stress on an axis needs walls that move along it; one that stays what it was does not.
+/// A stress can be imposed on an axis only if its walls can move; an axis with fixed walls is refused.
 TEST(BoxRefusal, OfAStressThatNoWallCarries) {
   const ScratchDirectory scratch;
   const std::string fixed =
@@ -297,7 +300,7 @@ TEST(BoxRefusal, OfAStressThatNoWallCarries) {
   EXPECT_THAT(refused.err, testing::HasSubstr("axis 3 has no walls that could move under the imposed stress"));
 }
 
-/// Keys of boxes have no place beside a periodic cell.
+/// A scene with a periodic cell rejects the keys of boxes.
 TEST(BoxRefusal, OfKeysInAPeriodicScene) {
   const ScratchDirectory scratch;
   write_text(scratch.file("bad.toml"),
@@ -309,7 +312,7 @@ TEST(BoxRefusal, OfKeysInAPeriodicScene) {
       testing::HasSubstr("assembly.kinetic_pressure is not allowed here: it describes the gas between walls"));
 }
 
-/// Commands that support periodic cells alone name this as the reason of their failure.
+/// Commands that support only periodic cells say so in their message.
 TEST(BoxRefusal, OfCommandsThatKnowPeriodicCellsAlone) {
   const ScratchDirectory scratch;
   write_text(scratch.file("box.toml"), box_scene(2));

@@ -24,7 +24,7 @@ using testing::Not;
 
 constexpr const char* kTables[] = {"runs.csv", "means.csv", "fits.csv"};
 
-/// A directory with the small scene in it.
+/// Fixture: a scratch directory that contains the small scene.
 class Campaigns : public testing::Test {
  protected:
   void SetUp() override { write_text(file("small.toml"), small_scene()); }
@@ -39,7 +39,7 @@ class Campaigns : public testing::Test {
   ScratchDirectory scratch_;
 };
 
-/// Tests that need snakemake; the small campaign is run once, in whole/.
+/// Fixture of the tests that need snakemake. The small campaign is run once, in the directory whole/.
 class CampaignOnSnakemake : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -63,7 +63,7 @@ class CampaignOnSnakemake : public testing::Test {
   inline static Outcome whole_;
 };
 
-/// The number in a column of the row of a table that has these texts.
+/// Returns the number in a column of a table, from the row whose columns have the texts `row`.
 double number_at(const CsvTable& table, const std::map<std::string, std::string>& row,
                  const std::string& column) {
   for (int k = 0; k < table.n_rows(); ++k) {
@@ -83,7 +83,7 @@ TEST_F(CampaignOnSnakemake, MakesTwelveRunsTheirTablesAndAPage) {
   EXPECT_THAT(runs.columns(),
               ElementsAre("case", "contact.friction.coefficient", "contact.rolling.coefficient", "seed", "step",
                           "branch", "P_star", "phi", "z", "B", "n_negative", "kept_share"));
-  EXPECT_EQ(runs.n_rows(), 12 * 9);  // every state of every run
+  EXPECT_EQ(runs.n_rows(), 12 * 9);  // 12 runs with 9 states each
   EXPECT_THAT(content_of(file("whole/index.html")), HasSubstr("12 of 12 runs are done"));
   EXPECT_EQ(CsvTable::read(file("whole/outcomes.csv")).n_rows(), 12);
   EXPECT_THAT(snakemake(file("whole")).out, HasSubstr("Nothing to be done"));
@@ -135,7 +135,7 @@ TEST_F(CampaignOnSnakemake, TakesMeansOverTheSeeds) {
   EXPECT_NEAR(number_at(means, row, "deviation"), deviation, 1e-8);
   EXPECT_NEAR(number_at(means, row, "stderr"), deviation / std::sqrt(3.0), 1e-8);
   EXPECT_EQ(number_at(means, row, "n"), 3);
-  // B of the state that floc moduli prints alone.
+  // `floc moduli` prints the same B for the single state.
   const Outcome alone = floc("moduli --columns B whole/runs/" + label + "/seed-2/state-0007.h5");
   EXPECT_EQ(
       number_at(CsvTable::read(file("whole/runs.csv")), {{"case", label}, {"seed", "2"}, {"step", "7"}}, "B"),
@@ -156,14 +156,14 @@ TEST_F(CampaignOnSnakemake, JudgesMeansByTheirReference) {
                 2.6 * std::sqrt(std::pow(number("deviation"), 2) / number("n") + s_ref * s_ref / n_ref), 1e-12);
     EXPECT_EQ(means.text(k, means.column("agrees")), of_phi ? "false" : "true");
   }
-  EXPECT_EQ(n_phi, 2);  // friction 0.5 alone
+  EXPECT_EQ(n_phi, 2);  // only the cases with friction 0.5
   EXPECT_EQ(n_z, 4);
 }
 
 TEST_F(CampaignOnSnakemake, KilledAndTakenUpAgainGivesTheSameTables) {
   ASSERT_EQ(floc("campaign plan whole.toml -o broken").code, 0);
   const std::string place = file("broken");
-  // snakemake itself, with runs done, at work and not begun.
+  // Kills snakemake while some runs are done, some are in progress and some have not begun.
   pid_t engine = start_snakemake(place, "--cores 2");
   const auto n_done = [&] {
     int n = 0;
@@ -179,7 +179,7 @@ TEST_F(CampaignOnSnakemake, KilledAndTakenUpAgainGivesTheSameTables) {
       << "runs outlive the snakemake that was killed";
   EXPECT_LT(n_done(), 12);
 
-  // A floc while it goes on.
+  // Kills one `floc run` while snakemake goes on.
   EXPECT_EQ(snakemake(place, "--unlock").code, 0);
   engine = start_snakemake(place, "--cores 2 --rerun-incomplete");
   std::vector<pid_t> running;
@@ -220,7 +220,7 @@ TEST_F(CampaignOnSnakemake, ARunThatFailsIsListedAndStopsNoOther) {
   EXPECT_EQ(listed.code, 3);
   EXPECT_THAT(listed.out, HasSubstr("coefficient=0.2_max_time=1,2,failed,3,run,"));
   EXPECT_THAT(listed.err, HasSubstr("4 of 8 runs failed"));
-  // They are made again, and no other.
+  // A second run of snakemake repeats only the runs that failed.
   const Outcome again = snakemake(file("some"), "--cores 1 --dry-run --quiet");
   EXPECT_THAT(again.out, AllOf(HasSubstr("run_1 "), HasSubstr("run_2 "), Not(HasSubstr("run_3 "))));
 }
@@ -273,7 +273,7 @@ TEST_F(Campaigns, HaveARuleARunWithSceneChangesAndSeed) {
         "--table '0008-3-compare.csv: compare state-0001.h5 state-0008.h5'", "rule table_means:", "rule page:"})
     EXPECT_THAT(rules, HasSubstr(part));
   EXPECT_THAT(rules, Not(HasSubstr("run_13")));
-  EXPECT_EQ(floc("campaign plan planned.toml -o planned").code, 0);  // a second time, from the list
+  EXPECT_EQ(floc("campaign plan planned.toml -o planned").code, 0);  // from the list of seeds, a second time
   EXPECT_EQ(content_of(file("planned/campaign.toml")), small_campaign());
 }
 

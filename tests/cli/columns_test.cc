@@ -73,7 +73,7 @@ TEST_F(Columns, UnknownOnesAreRefusedBeforeWorkWithTheNearest) {
 }
 
 TEST_F(Columns, OfAnotherCommandAreRefusedBeforeWork) {
-  // No file is there: whoever began to work would name it.
+  // None of these files exists: a command that opened them would name them in its message.
   for (const char* command : {"moduli none.h5",
                               "modes none.h5",
                               "network none.h5",
@@ -106,7 +106,7 @@ TEST_F(Columns, OfAnotherCommandAreRefusedBeforeWork) {
               HasSubstr("--columns: no column of floc moduli is named pore_size"));
 }
 
-/// Letters of the longest line.
+/// Returns the number of characters in the longest line.
 std::size_t widest(const std::string& text) {
   std::istringstream lines(text);
   std::size_t most = 0;
@@ -132,7 +132,8 @@ TEST_F(Columns, OnATerminalFitItsWidthAndInAPipeAreAll) {
   EXPECT_GT(header(floc("moduli run/state-0003.h5").out).size(), 60u);
 }
 
-/// The names of a table that `floc help columns` describes. That of "moduli" also names "moduli --increments".
+/// Returns the columns that `floc help columns` describes for a table. The description of "moduli" includes
+/// "moduli --increments".
 std::vector<std::string> described(const std::string& table) {
   const Outcome o = run_floc("help columns " + table.substr(0, table.find(" --")) + " --format json");
   EXPECT_EQ(o.code, 0) << o.err;
@@ -205,7 +206,7 @@ TEST_F(Columns, AreAllDescribedAndNothingElseIs) {
       {"export --grains", content_of(file("eg.csv"))},
       {"export --contacts", content_of(file("ec.csv"))},
   };
-  // Columns of other dimensions, options and boundaries than those above.
+  // Columns that only other dimensions, options or boundaries print.
   const std::set<std::string> elsewhere = {"isotropic_rolling?",
                                            "deviatoric_rolling?",
                                            "isotropic_twisting",

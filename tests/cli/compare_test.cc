@@ -16,7 +16,8 @@ using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Two blocks of four disks; later one has turned and lost a grain to the other, all shifted across the cell.
+/// Fixture: two states of two blocks of four disks. In the second state one block has rotated and lost a grain
+/// to the other block, and all grains are shifted across the cell boundary.
 class Compare : public testing::Test {
  protected:
   void SetUp() override {
@@ -60,7 +61,8 @@ TEST_F(Compare, CountsWhatWasKeptLostAndGained) {
   EXPECT_EQ(row.at("n_rigid"), 2);
   EXPECT_EQ(row.at("rigid_largest"), 4);
   EXPECT_EQ(row.at("rigid_share"), 7.0 / 8.0);
-  // One of eight moved by (5, 3): 7/8 of it against the mean, the others 1/8.
+  // One of eight grains moved by (5, 3). Relative to the mean displacement it moved by 7/8 of this vector, and
+  // the others by 1/8.
   const double size = std::sqrt(34.0);
   EXPECT_NEAR(row.at("displacement_largest").get<double>(), 7.0 / 8.0 * size, 1e-12);
   EXPECT_NEAR(row.at("displacement_rms").get<double>(), size * std::sqrt(7.0 / 64.0), 1e-12);

@@ -46,7 +46,7 @@ std::string driven_stage(const std::string& control, double strain, int steps) {
   return fmt::format("[[load]]\ncontrol = \"{}\"\naxis = 2\nstrain = {}\nsteps = {}\n", control, strain, steps);
 }
 
-/// Runs whose last state another scene goes on from, without a pressure of its own.
+/// Fixture: runs whose last state is the start of another scene, which gives no pressure of its own.
 class ContinuedState : public testing::Test {
  protected:
   void run(const std::string& name, const std::string& text) const {
@@ -59,6 +59,7 @@ class ContinuedState : public testing::Test {
   ScratchDirectory scratch_;
 };
 
+/// Expects the same value in a row of each table, within a relative tolerance.
 /// @param column  column of both tables
 void expect_same(const CsvTable& a, int row_a, const CsvTable& b, int row_b, const char* column,
                  double relative) {
@@ -77,7 +78,7 @@ TEST_F(ContinuedState, KeepsItsStressesAndGoesOnAsIfItHadNotEnded) {
     expect_same(b, 0, a, 2, column, 1e-9);
     expect_same(b, 1, whole, 3, column, 1e-3);
   }
-  // Its scene is read again by whoever checks the states.
+  // `floc verify` reads the scene of the second run again.
   EXPECT_EQ(run_floc("verify b", scratch_.path()).code, 0);
 }
 
@@ -91,10 +92,10 @@ TEST_F(ContinuedState, GoesOnInASkewedCell) {
   EXPECT_EQ(printed("b/state-0000.h5", "cell"), printed("a/state-0002.h5", "cell"));
   EXPECT_THAT(printed("b/state-0000.h5", "cell"), testing::Not(HasSubstr(",0;0,")));
   const CsvTable b = path("b"), whole = path("whole");
-  // The shear strain of a stage counts from its own height, so that the two steps are not quite the same.
+  // Each stage computes its shear strain from the height at its own start, so the two steps differ slightly.
   for (const char* column : {"P", "phi", "stress_1", "stress_2"}) expect_same(b, 1, whole, 3, column, 5e-2);
   EXPECT_EQ(run_floc("verify b", scratch_.path()).code, 0);
-  // Under one pressure it relaxes in its skewed cell.
+  // With an isotropic pressure, the grains relax while the cell stays skewed.
   run("c", std::string(kDiskContacts) + kFromState + "pressure = 1e-3\n");
   EXPECT_NEAR(path("c").number(0, path("c").column("stress_1")), 1e-3, 1e-7);
   EXPECT_EQ(run_floc("verify c", scratch_.path()).code, 0);

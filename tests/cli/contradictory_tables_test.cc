@@ -5,7 +5,8 @@
 #include "support/places.h"
 #include "support/run_arguments.h"
 
-/// Tables of floc fit that contradict themselves, by every fit that reads a path; and `--columns` given twice.
+/// Tests that every fit of a load path rejects tables that contradict themselves, and that `--columns` may not
+/// be given twice.
 namespace floc::test {
 namespace {
 
@@ -33,7 +34,8 @@ class ContradictoryTables : public testing::Test {
   int n_refused_ = 0, n_accepted_ = 0;
 };
 
-/// A path with phi and void ratios that are so many times those of phi.
+/// Returns a path with phi and void ratios. The void ratios are those that follow from phi, multiplied by
+/// `times`.
 std::string both(double times, int decimals = 17) {
   std::string table = "branch,P_star,phi,void_ratio\n";
   for (int k = 0; k < 12; ++k) {
@@ -57,7 +59,7 @@ TEST_F(ContradictoryTables, AreRefusedByEveryFit) {
       refused(fit(which, both(times)),
               AllOf(HasSubstr("phi = 0.4"), HasSubstr("void_ratio = "), HasSubstr("contradict")));
     accepted(fit(which, both(1.0)));
-    accepted(fit(which, both(1.0, 3)));  // as papers print them
+    accepted(fit(which, both(1.0, 3)));  // rounded to three decimals, as in printed tables
     accepted(fit(which, both(2.0), {"--columns", "phi=phi"}));
     accepted(fit(which, both(2.0), {"--columns", "void_ratio=void_ratio"}));
     refused(fit(which, both(1.0), {"--columns", "phi=phi,phi=void_ratio"}),

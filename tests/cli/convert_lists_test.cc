@@ -10,7 +10,7 @@
 #include "support/places.h"
 #include "support/run_arguments.h"
 
-/// Lists of contacts that say more, less or other things than the positions beside them.
+/// Tests of contact lists that contradict the positions of the grains, or that hold more or fewer contacts.
 namespace floc::test {
 namespace {
 
@@ -22,7 +22,7 @@ using testing::Not;
 const std::string kPackings = source_directory() + "/data/packings/";
 const std::string kLammpsLaw = "normal.stiffness=1000,friction.coefficient=0.5,friction.stiffness=800";
 
-/// Columns of a `dump local` of two computes.
+/// Returns the value of the option --columns for a LAMMPS `dump local` file with the output of two computes.
 std::string lammps_columns(const std::string& pair, const std::string& force) {
   return "id1=c_" + pair + "[1],id2=c_" + pair + "[2],force1=c_" + force + "[1],force2=c_" + force +
          "[2],shear_force1=c_" + force + "[4],shear_force2=c_" + force + "[5]";
@@ -30,7 +30,7 @@ std::string lammps_columns(const std::string& pair, const std::string& force) {
 
 class ConvertLists : public testing::Test {
  protected:
-  /// Two rows of two disks that touch, and the pairs 1-2 and 3-4 at a gap; all in a 4 x 4 cell.
+  /// Converts four disks in a 4 x 4 cell: pairs 1-3 and 2-4 touch, pairs 1-2 and 3-4 have a gap.
   Outcome convert(const std::string& contacts, const std::string& law, std::vector<std::string> more = {},
                   const std::string& x = "2.01") {
     write_text(scratch_.file("g.csv"),
@@ -167,7 +167,8 @@ TEST_F(ConvertLists, AreComparedWithGeometryAndLawAndStrictAcceptsNoDoubt) {
   EXPECT_EQ(convert(good, "normal.stiffness=50", {"--strict", "--tolerance", "100"}).code, 0);
 }
 
-/// A simple cubic cell of one bead of Hertz's law, with its three contacts with its own images and their stiffnesses.
+/// One bead under Hertz's law in a simple cubic cell. It has three contacts with its own images, with given
+/// stiffnesses.
 TEST_F(ConvertLists, WithStiffnessesOfAnotherLawAreSaidToHaveThemByConvertModuliAndVerify) {
   const double E = 1e4, nu = 0.3, overlap = 1e-3;
   const double kn = E / (1 - nu * nu) * std::sqrt(0.25 * overlap), force = 2.0 / 3.0 * kn * overlap;

@@ -42,7 +42,7 @@ TEST(Convert, TakesAPackingFromStdin) {
   EXPECT_EQ(said["law"], "normal.stiffness=2");
   EXPECT_EQ(said["source"], "stdin");
   EXPECT_EQ(said["target"], "0.01,0.02");
-  // One contact of force 0.2 and branch 0.9 in an area of 16, along x: P = 0.18/16/2.
+  // One contact along x, with force 0.2 and branch length 0.9, in a cell of area 16: P = 0.2 * 0.9/16/2.
   EXPECT_NEAR(said["P"].get<double>(), 0.18 / 32.0, 1e-16);
 }
 
@@ -102,7 +102,7 @@ TEST(Info, SaysWhereAStateComesFrom) {
   const auto said = info(scratch.file("s.h5"));
   EXPECT_THAT(said["program"].get<std::string>(), StartsWith("floc "));
   EXPECT_THAT(said["source"].get<std::string>(), StartsWith("disks16.txt, SHA-256 d74e8cd04c9f398c"));
-  EXPECT_NEAR(said["P_star"].get<double>(), 1e-3, 1e-12);  // P/K_N: nothing adheres
+  EXPECT_NEAR(said["P_star"].get<double>(), 1e-3, 1e-12);  // P_star = P/K_N, since there is no adhesion
   EXPECT_EQ(said["z"], 4.125);
   EXPECT_THAT(floc_arguments({"info", scratch.file("s.h5"), "--format", "table"}).out,
               HasSubstr("n_grains        16\n"));

@@ -47,14 +47,15 @@ TEST_F(Draw, MakesAFilmStripOfAPath) {
   const json rows = json::parse(o.out);
   ASSERT_EQ(rows.size(), 3u);
   EXPECT_THAT(rows[2]["file"].get<std::string>(), HasSubstr("state-0007.h5"));
-  // Without steps four are spread from the first to the last.
+  // Without --steps, floc draws four states, evenly spread from the first to the last.
   const json spread = json::parse(floc("draw run -o spread.svg --format json").out);
   ASSERT_EQ(spread.size(), 4u);
   EXPECT_THAT(spread[0]["file"].get<std::string>(), HasSubstr("state-0000.h5"));
   EXPECT_THAT(spread[3]["file"].get<std::string>(), HasSubstr("state-0008.h5"));
 }
 
-/// Whether any pixel in the last columns of a png is not white: `margin` points of a page at 200 pixels per inch.
+/// Returns whether any pixel in the last columns of a png is not white. @param margin  width of these columns
+/// (points); pixels are 1/200 inch wide
 bool writes_into_margin(const std::string& png, double margin) {
   cairo_surface_t* image = cairo_image_surface_create_from_png(png.c_str());
   const int width = cairo_image_surface_get_width(image), height = cairo_image_surface_get_height(image);
@@ -84,13 +85,13 @@ TEST_F(Draw, KeepsEveryWordOnThePageHoweverNarrowItIs) {
 }
 
 TEST_F(Draw, ShowsOfAForceNoMoreThanALineOfTheLegend) {
-  // Six disks as large as the page: 0.15 of their diameter would be wider than the caption above.
+  // Six large disks fill the page. A line of 0.15 of their diameter would be wider than the caption above.
   ASSERT_EQ(floc("run small.toml -o six --set grains.count=6 --until 2").code, 0);
   ASSERT_EQ(floc("draw six --columns 1 --bare -o bare.svg").code, 0);
   ASSERT_EQ(floc("draw six --columns 1 -o six.svg").code, 0);
   const std::string svg = content_of(file("six.svg"));
   double widest = 0.0;
-  // Samples of the legend are lines of 16 points in the colour of text.
+  // Legend samples are lines 16 points long, in the colour of the text.
   const std::string text_colour = "stroke=\"rgb(11.764706%";
   EXPECT_THAT(svg, HasSubstr("<svg"));
   for (std::size_t at = 0; (at = svg.find("stroke-width=\"", at)) != std::string::npos; at += 14) {
@@ -190,7 +191,7 @@ TEST_F(Draw, DrawsSpheres) {
   for (const std::string rest : {"--forces none", "--forces particle-pressure", "--compare spheres.h5",
                                  "--slab y,0,0.2 --sphere-size 0", "--bare", "--image"})
     EXPECT_EQ(floc("draw spheres.h5 -o other.pdf " + rest).code, 0) << rest;
-  // In one strip with disks they are refused, in a directory each has its picture.
+  // A strip may not mix disks and spheres; in a directory of pictures each state has its own file.
   const Outcome strip = floc("draw run/state-0004.h5 spheres.h5 -o strip.svg");
   EXPECT_EQ(strip.code, 4);
   EXPECT_THAT(strip.err, HasSubstr("spheres.h5: this is a state in 3D, but the states before it are not"));

@@ -7,14 +7,15 @@
 #include "support/places.h"
 #include "support/run_program.h"
 
-/// Results are printed with the source of error that limits them.
+/// Tests that results are printed with the source of error that limits them.
 namespace floc::test {
 namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// One disk that touches its images in a square cell of side 1: P is its stiffness times the overlap.
+/// Prints the moduli of one disk that touches its own images in a square cell of side 1. P is the stiffness
+/// times the overlap.
 Outcome moduli_of_a_square_lattice(const ScratchDirectory& scratch, const std::string& radius,
                                    const std::string& stiffness) {
   write_text(scratch.file("one.csv"), "x,y,radius\n0.3,0.4," + radius + "\n");

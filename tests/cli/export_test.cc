@@ -18,7 +18,7 @@ using testing::HasSubstr;
 
 class Export : public SmallRun {
  protected:
-  /// Writes the tables of a state and makes it again with the command that is printed.
+  /// Exports the tables of a state, then recreates the state with the command that `floc export` prints.
   static void round_trip(const std::string& state, const std::string& again) {
     const Outcome out = floc("export " + state + " --grains g.csv --contacts c.csv");
     ASSERT_EQ(out.code, 0) << out.err;
@@ -105,7 +105,8 @@ TEST_F(Export, RollingStiffnessesOfAContactAreThoseListed) {
   EXPECT_THAT(none.err, HasSubstr("one.csv:2"));
 }
 
-/// Contacts of LAMMPS beside grains of any other format, and of any format beside the grains of LAMMPS.
+/// Reads the contacts of LAMMPS together with grains in another format, and contacts in another format together
+/// with the grains of LAMMPS.
 TEST_F(Export, AnyContactFileGoesWithAnyGrainFile) {
   const std::string lammps = source_directory() + "/data/packings/lammps/";
   const std::string law = " --law normal.stiffness=1000,friction.coefficient=0.5,friction.stiffness=800";
@@ -121,10 +122,11 @@ TEST_F(Export, AnyContactFileGoesWithAnyGrainFile) {
   const std::string cell = json::parse(floc("info l.h5 --format json").out).at(0).at("cell");
   const std::string wanted = " --columns n_contacts,B,G";
   const std::string moduli = floc("moduli l.h5" + wanted).out;
-  // Grains keep the numbers that the dump gives them.
+  // Grains keep the ids of the dump.
   ASSERT_EQ(floc("convert " + lammps + "disks.dump a.h5" + law + " --contacts lc.csv").code, 0);
   EXPECT_EQ(floc("moduli a.h5" + wanted).out, floc("moduli l.h5" + wanted).out);
-  // Images go with positions brought into the cell, those of the dump may lie outside: the nearest is meant.
+  // The image indices in lc.csv hold for positions inside the cell, but the dump may have positions outside.
+  // This list has no image indices, so that the nearest image is taken.
   std::string shifted = "id1,id2,normal_force,shear_force1,shear_force2\n";
   const CsvTable contacts = CsvTable::read(file("lc.csv"));
   for (int r = 0; r < contacts.n_rows(); ++r) {

@@ -33,7 +33,7 @@ std::string elastic_table() {
   return text;
 }
 
-/// A plateau, and two pressures at which the density grows.
+/// Table with a plateau, followed by only two pressures at which the density grows.
 std::string too_short_table() {
   std::string text = "branch,P_star,phi\n";
   for (int k = 0; k < 8; ++k) text += fmt::format("load,{},0.5\n", 0.01 * std::pow(10.0, k / 8.0));

@@ -13,7 +13,7 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// A tablet that follows Heckel's law, with pressures in MPa.
+/// Table of a tablet that follows Heckel's law exactly; pressures are in MPa.
 std::string tablet() {
   std::string text = "p [MPa],D\n";
   for (double p = 5; p < 300; p += 15) text += fmt::format("{},{:.6f}\n", p, 1 - std::exp(-0.55 - p / 85));

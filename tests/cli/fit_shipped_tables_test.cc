@@ -17,7 +17,7 @@ using testing::HasSubstr;
 const std::string kOedometer = source_directory() + "/data/tables/oedometer/oedometer.csv";
 const std::string kReload = source_directory() + "/data/tables/reload";
 
-/// Constants of the clay for which data/tables/oedometer/make.py computes the table.
+/// Parameters of the clay that data/tables/oedometer/make.py used to compute the table.
 constexpr double kLambda = 0.110, kKappa = 0.020, kLargestStress = 1600.0;
 
 void expect_inside(const json& parameter, double truth) {
@@ -30,7 +30,8 @@ TEST(Oedometer, VirginSlopeIsThatItWasMadeWith) {
                              " --loading virgin --law log --window 200,6400 --format json");
   ASSERT_EQ(o.code, 0) << o.err;
   const json fit = json::parse(o.out).at(0);
-  // Of the two rows of a load the second one counts. The point at 1600 kPa is that of the first loading.
+  // The table has two rows per load, and the second one is fitted. The point at 1600 kPa is taken from the
+  // first loading.
   EXPECT_EQ(fit["rows_used"], json({12, 14, 16, 18, 35, 37}));
   EXPECT_EQ(fit["pressure_unit"], "kPa");
   expect_inside(fit["parameters"]["lambda"], kLambda);
@@ -56,7 +57,7 @@ TEST(Oedometer, ReloadingTellsThePressureItHadSeen) {
   EXPECT_EQ(fit["largest_before"], kLargestStress);
   const json P_c = fit["parameters"]["P_c"];
   expect_inside(P_c, kLargestStress);
-  // Pressures are a factor of two apart.
+  // Neighbouring pressures of the table differ by a factor of two.
   EXPECT_LT(P_c["high95"].get<double>() / P_c["low95"].get<double>(), 2.1);
   expect_inside(fit["parameters"]["kappa"], kKappa);
 }
@@ -70,11 +71,11 @@ TEST(ShippedPaths, GiveLambdaOfTheModelWithinItsErrors) {
   EXPECT_EQ(pooled["sample"], "pooled");
   EXPECT_EQ(pooled["errors_from"], "samples");
   EXPECT_EQ(pooled["weights"], "scatter");
-  // Published for the same model with 1400 grains: 0.194 and 0.7745 [GRC2008].
+  // The published values for the same model with 1400 grains are 0.194 and 0.7745 [GRC2008].
   const json lambda = pooled["parameters"]["lambda"], phi_max = pooled["parameters"]["Phi_max"];
   EXPECT_LT(lambda["low95"], 0.194);
   EXPECT_GT(lambda["high95"], 0.194);
-  // 400 grains are denser by finite size: a few per cent at most.
+  // Because of their finite size, samples of 400 grains are denser, by a few per cent at most.
   EXPECT_NEAR(phi_max["value"], 0.7745, 0.03);
   EXPECT_FALSE(pooled["regimes"]["plateau_end"].is_null());
   EXPECT_GT(pooled["bootstrap"]["n"], 25);
@@ -88,7 +89,7 @@ TEST(ShippedPaths, PublishedProtocolFitsTheMeanFromAPressureOfTheGridOn) {
   ASSERT_EQ(fits.size(), 1u);
   EXPECT_EQ(fits[0]["sample"], "pooled");
   EXPECT_EQ(fits[0]["protocol"], "published");
-  // The pressure of the grid nearest to 0.03, held; the window ends with the curve.
+  // P0_star is fixed at the pressure of the grid that is nearest to 0.03. The window ends with the curve.
   EXPECT_NEAR(fits[0]["parameters"]["P0_star"]["value"], 0.01 * std::pow(10.0, 0.5), 1e-12);
   EXPECT_TRUE(fits[0]["parameters"]["P0_star"]["stderr"].is_null());
   EXPECT_EQ(fits[0]["window"][1], 13.33);
@@ -101,7 +102,7 @@ TEST(ShippedPaths, ReloadingTellsThePressureTheyHadSeen) {
   ASSERT_EQ(fits.size(), 2u);
   for (const json& fit : fits) {
     EXPECT_EQ(fit["largest_before"], 1.0);
-    // Pressures are a factor of 1.33 apart.
+    // Neighbouring pressures differ by a factor of 1.33.
     EXPECT_NEAR(std::log(fit["parameters"]["P_c"]["value"].get<double>()), 0.0, std::log(1.34));
     EXPECT_LT(fit["parameters"]["P_c"]["low95"], 1.0);
     EXPECT_GT(fit["parameters"]["P_c"]["high95"], 1.0);
@@ -115,7 +116,7 @@ TEST(ShippedPaths, UnloadingIsElastic) {
   const json fit = json::parse(o.out).at(0);
   EXPECT_EQ(fit["n_points"], 14);
   EXPECT_TRUE(fit["state"].is_null());
-  // floc moduli gives 24 000 to 28 000 for such states (docs/tutorials/powder2d.md).
+  // `floc moduli` gives B = 24 000 to 28 000 for such states (docs/tutorials/powder2d.md).
   EXPECT_NEAR(fit["parameters"]["B"]["value"], 26000, 6000);
 }
 
@@ -125,7 +126,8 @@ TEST(ShippedPaths, UnloadingsThatAreCurvedHaveTheModulusOfTheirStraightPart) {
         run_floc("fit elastic " + demo_tables() + "/seed-" + std::to_string(seed) + " --format json");
     ASSERT_EQ(o.code, 0) << o.err;
     const json B = json::parse(o.out).at(0)["parameters"]["B"];
-    // As above. The line through a whole branch gave up to 52 000, with an interval from 38 000 on.
+    // `floc moduli` gives B = 24 000 to 28 000. A line through the whole unloading branch would give up to 52
+    // 000, with a lower limit of 38 000.
     EXPECT_NEAR(B["value"], 24000, 4000) << seed;
     EXPECT_LT(B["low95"], 24000) << seed;
     EXPECT_GT(B["high95"], 23000) << seed;
@@ -133,7 +135,7 @@ TEST(ShippedPaths, UnloadingsThatAreCurvedHaveTheModulusOfTheirStraightPart) {
 }
 
 TEST(ShippedTables, ThePrintedPlateauDoesNotIdentifyTheDenseSideOfACompaction) {
-  // Adhesive samples alone have p_crit >= p_D, and e_min runs away from them.
+  // Only adhesive samples have p_crit >= p_D; if they alone are fitted, e_min has no finite best value.
   const std::string sweep = source_directory() + "/data/tables/compaction/sweep_4000.csv";
   const Outcome o = run_floc("fit dynamic-compaction " + sweep + " --plateau p_crit --format json");
   ASSERT_EQ(o.code, 0) << o.err;
@@ -146,7 +148,7 @@ TEST(ShippedTables, ThePrintedPlateauDoesNotIdentifyTheDenseSideOfACompaction) {
 
 TEST(FitElastic, TheModulusOfAStateStandsBesideTheFit) {
   const ScratchDirectory dir;
-  // Four disks of a compressed triangular lattice: B = sqrt(3)/2 K_N.
+  // Four disks of a compressed triangular lattice, whose bulk modulus is B = sqrt(3)/2 K_N.
   write_text(dir.file("grains.csv"),
              "x,y,r\n0.0,0.0,0.5\n0.999,0.0,0.5\n0.4995,0.8651594,0.5\n1.4985,0.8651594,0.5\n");
   ASSERT_EQ(run_floc("convert grains.csv crystal.h5 --columns radius=r --cell \"1.998,0;0,1.7303188\" --law "
@@ -161,7 +163,7 @@ TEST(FitElastic, TheModulusOfAStateStandsBesideTheFit) {
   ASSERT_EQ(o.code, 0) << o.err;
   const json fit = json::parse(o.out).at(0);
   EXPECT_NEAR(fit["state"]["B"], 500 * std::sqrt(3.0), 1e-3);
-  // The table has six decimals of a density that changes by 2e-3.
+  // Densities in the table are rounded to six decimals and change by only 2e-3 in all.
   EXPECT_NEAR(fit["parameters"]["B"]["value"], 900, 2);
   EXPECT_TRUE(fit["state"]["rms"].is_number());
 }
@@ -198,7 +200,8 @@ TEST(Units, ComeFromTheHeaderAndStayWithPressures) {
   EXPECT_THAT(csv.out, HasSubstr("P0_star,100,,,,true,kPa"));
 }
 
-/// Samples that follow the law, their plateau at p or at p_crit = sc^2/se; six decimals.
+/// Table of samples that follow the law, rounded to six decimals. @param at_p_crit  evaluates the plateau at
+/// p_crit = sc^2/se instead of p
 std::string compacted_samples(bool at_p_crit) {
   std::string table = "e,p,sc,se\n";
   for (const double p : {0.01, 1.0, 10.0, 100.0})
@@ -219,7 +222,7 @@ TEST(FitDynamicCompaction, ReadsATable) {
         compacted_samples(at_p_crit));
     ASSERT_EQ(o.code, 0) << o.err;
     const json fit = json::parse(o.out).at(0);
-    // The table has six decimals.
+    // Void ratios in the table are rounded to six decimals.
     EXPECT_NEAR(fit["parameters"]["C"]["value"], 0.24, 1e-3);
     EXPECT_EQ(fit["plateau"], at_p_crit ? "p_crit" : "p");
   }
@@ -253,10 +256,11 @@ TEST(FitForceDistribution, FitsEveryFormOfATable) {
   for (const json& fit : fits) forms.push_back(fit["form"]);
   EXPECT_THAT(forms,
               ElementsAre("tail_positive", "tail_negative", "power_exponential", "quadratic_exponential"));
-  // Quantiles of exponentials of scale 2 and 0.5; the mean of 99 of them is 2 % short.
+  // The forces are 99 quantiles of exponential distributions with means 2 and 0.5. The mean of the quantiles is
+  // 2 % too small.
   EXPECT_NEAR(fits[0]["parameters"]["f_0"]["value"], 2.0, 0.06);
   EXPECT_NEAR(fits[1]["parameters"]["f_0"]["value"], 0.5, 0.015);
-  // An exponential is the quadratic form at beta = 1.
+  // The quadratic form with beta = 1 is an exponential.
   EXPECT_NEAR(fits[3]["parameters"]["beta"]["value"], 1.0, 0.1);
   for (const json& fit : fits) EXPECT_GT(fit["p_value"], 0.01) << fit["form"];
 }

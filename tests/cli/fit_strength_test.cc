@@ -21,7 +21,7 @@ double degrees_of_sine(double sine) {
   return std::asin(sine) * 180.0 / std::numbers::pi;
 }
 
-/// Value of a parameter of the first test of a kind in the csv table that `fit strength` prints.
+/// Returns a parameter of the first test of a kind, from the csv table that `fit strength` prints.
 double value_of(const std::string& printed, const std::string& sample, const std::string& kind,
                 const std::string& parameter) {
   std::istringstream in(printed);
@@ -35,7 +35,8 @@ double value_of(const std::string& printed, const std::string& sample, const std
   return std::nan("");
 }
 
-/// Table of a drained test under a lateral stress (kPa): a line to the peak, then a plateau, on which the volume grows.
+/// Table of a drained test under a lateral stress (kPa). The stress rises linearly to the peak, then falls to a
+/// plateau on which the volume grows.
 std::string drained_table(double lateral, double peak, const std::string& unit, double scale, double percent) {
   std::string text = fmt::format("eps [{}],s1 [{}],s3 [{}],eps_v\n", percent == 1 ? "-" : "%", unit, unit);
   for (int k = 0; k <= 40; ++k)
@@ -47,7 +48,8 @@ std::string drained_table(double lateral, double peak, const std::string& unit, 
 
 TEST(FitStrength, OfTestsInDifferentUnitsIsOneMohrCoulombLine) {
   const ScratchDirectory dir;
-  // sin(30 degrees) = 1/2: N = 3, and a cohesion of 10 kPa adds 20 sqrt(3).
+  // Mohr-Coulomb line with friction angle phi and cohesion c: sigma_1 = N sigma_3 + 2 c sqrt(N), N = (1 + sin
+  // phi)/(1 - sin phi). For 30 degrees and 10 kPa, N = 3 and 2 c sqrt(N) = 20 sqrt(3) kPa.
   const auto peak = [](double lateral) { return 3 * lateral + 20 * std::sqrt(3.0); };
   write_text(dir.file("a.csv"), drained_table(50, peak(50), "kPa", 1, 1));
   write_text(dir.file("b.csv"), drained_table(100, peak(100), "MPa", 1e-3, 100));
@@ -72,7 +74,7 @@ TEST(FitStrength, OfSamplesAtFailureIsTheLineThroughTheRows) {
                              "sigma1,sigma3\n200,50\n350,100\n650,200\n");
   ASSERT_EQ(o.code, 0) << o.err;
   const json parameters = json::parse(o.out).at(0).at("parameters");
-  // N = 3 and 2 c sqrt(3) = 50.
+  // The rows lie on sigma_1 = 3 sigma_3 + 50: N = 3 and 2 c sqrt(N) = 50.
   EXPECT_NEAR(parameters.at("friction_angle_peak").at("value").get<double>(), 30, 1e-9);
   EXPECT_NEAR(parameters.at("cohesion_peak").at("value").get<double>(), 25 / std::sqrt(3.0), 1e-9);
 }

@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// The small scene without rolling resistance, whose moments have a limit of their own.
+/// The small scene without rolling resistance, because rolling moments have a limit of their own.
 std::string scene_without_rolling() {
   std::string text = small_scene();
   const std::size_t begin = text.find("rolling =");
@@ -61,11 +61,12 @@ class ForcesCommand : public testing::Test {
 TEST_F(ForcesCommand, LeaveAnEquilibriumWithFrictionAsItIs) {
   const json closest = row("slipping/state-0001.h5");
   EXPECT_EQ(closest.at("selection"), "closest");
-  // The state is in balance to its own tolerance, and its forces move by about as much.
+  // The saved forces balance only within the tolerance of the state, so the balanced forces differ from them by
+  // about as much.
   EXPECT_LT(closest.at("moved").get<double>(), 1e-4);
   EXPECT_LT(closest.at("net_force").get<double>(), 1e-10);
   EXPECT_LT(closest.at("stress_error").get<double>(), 1e-10);
-  // Its history of loading is not in its geometry.
+  // The geometry does not determine the forces: they depend on the loading history.
   EXPECT_GT(closest.at("force_freedom").get<double>(), 1e-3);
   const json canonical = row("slipping/state-0001.h5 --selection canonical");
   EXPECT_EQ(canonical.at("force_freedom"), 0.0);
@@ -104,7 +105,7 @@ TEST_F(ForcesCommand, RefuseInWordsWhatHasNone) {
 }
 
 TEST_F(ForcesCommand, EndWithThreeWhereNoForcesBalanceTheLoad) {
-  // A shear stress above the pressure, without friction.
+  // The shear stress exceeds the pressure, which is impossible without friction.
   const Outcome o = forces("frictionless/state-0001.h5 --stress 1,1,5");
   EXPECT_EQ(o.code, 3);
   EXPECT_THAT(o.err,

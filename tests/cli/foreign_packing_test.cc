@@ -24,15 +24,15 @@ const std::string kLammpsColumns =
     "id1=c_pair[1],id2=c_pair[2],force1=c_force[1],force2=c_force[2],shear_force1=c_force[4],shear_force2=c_"
     "force[5]";
 
-/// A file of good grains in a 4 x 4 cell, and bad ones beside it.
+/// Fixture: a file of valid grains in a 4 x 4 cell. Each test adds an invalid file.
 class ForeignPacking : public testing::Test {
  protected:
   std::string file(const std::string& name, const std::string& text) {
     write_text(scratch_.file(name), text);
     return scratch_.file(name);
   }
-  /// Expects that `floc convert` rejects a csv of grains and a csv of contacts with a message, and leaves no file
-  /// behind.
+  /// Expects that `floc convert` rejects a csv of grains and a csv of contacts with a message, and leaves no
+  /// output file behind.
   void expect_refusal(const std::string& grains, const std::string& contacts, const std::string& message,
                       const std::string& cell = "4,0;0,4") {
     std::vector<std::string> arguments = {
@@ -135,7 +135,8 @@ TEST_F(ForeignPacking, OfLammpsAndYadeIsReadAnalysedAndWrittenInOtherFormats) {
     for (const std::string extension : {".vtu", ".xyz", ".data"})
       EXPECT_EQ(floc_arguments({"convert", scratch_.file(name + ".h5"), scratch_.file(name + extension)}).code,
                 0);
-  // Forces found again from the geometry: pressure to the stiffness of a contact times rounding.
+  // Forces are computed again from the geometry: the pressure is exact up to the rounding of positions times
+  // the stiffness of a contact.
   ASSERT_EQ(floc_arguments({"convert", scratch_.file("disks.xyz"), scratch_.file("again.h5"), "--law",
                             kLammpsLaw, "--tolerance", "1"})
                 .code,
@@ -151,7 +152,8 @@ TEST_F(ForeignPacking, ThatIsNoEquilibriumIsSaidToBeAndRefusedUnlessForced) {
   const Outcome converted = floc_arguments(
       {"convert", file("g.csv", kGrains), state, "--law", "normal.stiffness=2", "--cell", "4,0;0,4"});
   EXPECT_EQ(converted.code, 0);
-  // One contact of force 0.2 pushes both grains; P = 0.2 * 0.9 / 16 / 2 and F1 = P a give 0.2/F1 = 35.6.
+  // One contact with force 0.2 pushes both grains. With P = 0.2 * 0.9/16/2 and F1 = P a, its force is 0.2/F1 =
+  // 35.6.
   EXPECT_THAT(converted.err, HasSubstr("warning: this state is not in equilibrium: net force of grain 1 in "
                                        "units of the force scale F1 is 35.6, but the limit is 0.001"));
   const Outcome refused = floc_arguments({"moduli", state, "--format", "csv"});
@@ -182,8 +184,8 @@ TEST_F(ForeignPacking, IsAStepOfAPipeline) {
   const Outcome head = shell("\"$0\" moduli " + all + " --format csv | head -1");
   EXPECT_THAT(head.out, StartsWith("file,dimension,"));
   EXPECT_THAT(head.err, IsEmpty());
-  // A reader that is gone when the table comes: no words, and the code of a program that SIGPIPE ended, also
-  // where the caller ignores that signal.
+  // If the reader of the pipe has exited before the table is written, floc prints nothing and exits with the
+  // code of a program that SIGPIPE ended, even if the parent process ignores SIGPIPE.
   for (const std::string ignored : {"", "trap '' PIPE; "}) {
     const Outcome gone =
         shell(ignored + "{ sleep 0.2; \"$0\" moduli " + all + " --format csv; echo code $? >&2; } | true");

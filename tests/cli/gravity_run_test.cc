@@ -11,7 +11,7 @@
 namespace floc::test {
 namespace {
 
-/// Grains that fall on a floor, in a second or so.
+/// Scene of grains that fall onto a floor; the run takes about a second.
 std::string bed_scene(int dimension, const std::string& vertical = "floor") {
   const bool plane = dimension == 2;
   std::string text =

@@ -14,14 +14,14 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A file of bins: its columns that tell distributions apart.
+/// File of histograms, with the columns that distinguish its distributions.
 struct Histograms {
   std::string command;
   std::vector<std::string> key;
 };
 
-/// Checks every distribution of a file: bins in order with finite ends, and all values counted in them or outside.
-/// @return how many distributions it has
+/// Checks every distribution of a file: bins are ordered and have finite ends, and every value is counted in a
+/// bin or as outside. @return number of distributions
 int check_bins(const CsvTable& table, const std::vector<std::string>& key, const std::string& what) {
   std::map<std::string, std::int64_t> counted, n, outside;
   std::map<std::string, double> last;
@@ -74,7 +74,8 @@ TEST_F(HistogramsOfCommands, HoldEveryValueOrSayThatItIsOutside) {
   EXPECT_GT(n_distributions, 100);
 }
 
-/// P* = 1e-6 with forces of F0, and P = 0, where P is what equilibrium leaves of it.
+/// Two states with forces of order F0: one at P* = 1e-6, and one at P = 0, where the printed P is within the
+/// tolerance of equilibrium.
 TEST(Histograms, OfSmallPressuresHaveNoUnitOfNoise) {
   const ScratchDirectory scratch;
   write_text(scratch.file("s.toml"), R"([scene]

@@ -9,7 +9,8 @@
 #include "support/places.h"
 #include "support/run_arguments.h"
 
-/// Packings of other programs from the file to the table: walls, free ends, gravity, bonds, gaps and formats.
+/// Tests of packings of other programs, from the input file to the printed table: walls, free sides, gravity,
+/// bonds, gaps and formats.
 namespace floc::test {
 namespace {
 
@@ -57,8 +58,8 @@ TEST_F(Imports, OfAClusterHaveContactsAndNoModuli) {
               HasSubstr("ends in free space along every axis, so it resists no strain and has no moduli"));
 }
 
-/// A column of n spheres between walls across x and y, on a floor, under gravity: the force below sphere k is the weight of
-/// the n - k spheres above.
+/// A column of n spheres on a floor, between walls across x and y, under gravity. The force below sphere k is
+/// the weight of spheres k to n.
 TEST_F(Imports, UnderGravityAreInBalanceWithTheirWeight) {
   constexpr int kSpheres = 5;
   const double stiffness = 1e5, weight = 2.0 * 9.81;
@@ -75,7 +76,8 @@ TEST_F(Imports, UnderGravityAreInBalanceWithTheirWeight) {
       convert("column.csv", {"--walls", "x=0:1,y=0:1,z=0:", "--gravity=0,0,-9.81"}, "normal.stiffness=1e5");
   ASSERT_EQ(o.code, 0) << o.err;
   EXPECT_THAT(o.err, Not(HasSubstr("warning")));
-  EXPECT_NEAR(row("info").at("p_wall").get<double>() * 3.0, kSpheres * weight, 1e-9);  // the mean of three axes
+  // p_wall is the mean over the three axes
+  EXPECT_NEAR(row("info").at("p_wall").get<double>() * 3.0, kSpheres * weight, 1e-9);
   EXPECT_EQ(row("verify").at("equilibrium"), true);
   const Outcome without = convert("column.csv", {"--walls", "x=0:1,y=0:1,z=0:"}, "normal.stiffness=1e5");
   EXPECT_THAT(without.err, HasSubstr("not in equilibrium"));
@@ -83,7 +85,7 @@ TEST_F(Imports, UnderGravityAreInBalanceWithTheirWeight) {
   EXPECT_THAT(moduli.err, HasSubstr("these moduli are zero"));
 }
 
-/// Face-centred cubic spheres of unit diameter a gap apart.
+/// A face-centred cubic crystal of spheres of unit diameter, with a small gap between neighbours.
 TEST_F(Imports, OfHardGrainsTouchAcrossTheGapThatIsGiven) {
   const double a = std::sqrt(2.0) * (1.0 + 1e-7);
   std::string text = "x,y,z,radius\n";
@@ -98,7 +100,8 @@ TEST_F(Imports, OfHardGrainsTouchAcrossTheGapThatIsGiven) {
   EXPECT_EQ(row("verify").at("equilibrium"), true);
 }
 
-/// A square lattice of disks joined by bonds across gaps: C11 = K_N, C12 = 0 and C33 = K_T/2 for a free rotation.
+/// A square lattice of disks that are joined by bonds across gaps: C11 = K_N, C12 = 0, and C33 = K_T/2 because
+/// the grains can rotate freely.
 TEST_F(Imports, HoldBondsAcrossGaps) {
   std::string grains = "id,x,y,radius\n", bonds = "id1,id2,image1,image2,normal_force,kn,kt\n";
   for (int i = 0; i < 9; ++i) {
@@ -120,7 +123,7 @@ TEST_F(Imports, HoldBondsAcrossGaps) {
     EXPECT_NEAR(moduli.at("C33").get<double>(), 250.0, 1e-9);
     EXPECT_EQ(row("verify").at("equilibrium"), true);
   }
-  // Grains touch across the side of a narrower cell, and the bond joins one more pair.
+  // In a narrower cell, grains touch across its sides, and the single bond joins one more pair.
   write("one.csv", "id1,id2,kn\n0,1,7\n");
   ASSERT_EQ(convert("grains.csv", {"--bonds", scratch_.file("one.csv"), "--cell", "2.97,0;0,3.03"}).code, 0);
   EXPECT_EQ(row("network").at("n_contacts"), 4);

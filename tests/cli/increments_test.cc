@@ -20,7 +20,7 @@ using testing::HasSubstr;
 using testing::SizeIs;
 using testing::StartsWith;
 
-/// Rows of a csv file, each a list of fields.
+/// Returns the rows of a csv file, each as a list of fields.
 std::vector<std::vector<std::string>> rows_of(const std::string& path) {
   std::vector<std::vector<std::string>> rows;
   std::ifstream lines(path);
@@ -32,7 +32,7 @@ std::vector<std::vector<std::string>> rows_of(const std::string& path) {
   return rows;
 }
 
-/// A square lattice of disks under an isotropic pressure, with K_N = 2; a saved equilibrium.
+/// Fixture: a saved equilibrium of disks in a square lattice under isotropic pressure, with K_N = 2.
 class Increments : public testing::Test {
  protected:
   void SetUp() override {
@@ -71,8 +71,8 @@ TEST_F(Increments, OfASquareLatticeAreThoseOfItsTwoContacts) {
                           "deviatoric_in_95", "dead_end", "backbone", "scalar_backbone"));
   for (int k = 1; k <= 2; ++k) {
     EXPECT_EQ(rows[k][0], "square.h5");
-    EXPECT_NEAR(std::stod(rows[k][7]), 1.0, 1e-12);    // unit stress on unit length
-    EXPECT_NEAR(std::stod(rows[k][11]), 0.25, 1e-12);  // 1/(2 K_N)
+    EXPECT_NEAR(std::stod(rows[k][7]), 1.0, 1e-12);    // force of a unit stress on a unit length
+    EXPECT_NEAR(std::stod(rows[k][11]), 0.25, 1e-12);  // energy of a unit force, 1/(2 K_N)
     EXPECT_EQ(rows[k][21], "false");
     EXPECT_EQ(rows[k][22], "true");
     EXPECT_EQ(rows[k][23], "true");
@@ -88,9 +88,11 @@ TEST_F(Increments, OfASquareLatticeAreThoseOfItsTwoContacts) {
   const json full = json::parse(moduli("square.h5 --strains full --format json").out).at(0);
   EXPECT_EQ(full.at("indeterminacy"), row.at("indeterminacy"));
   EXPECT_EQ(full.at("energy_share_95"), row.at("energy_share_95"));
-  // Two contacts of three components, three unknowns and two strains, two translations.
+  // The indeterminacy is 2 contacts times 3 force components, minus 3 unknowns per grain, minus 2 strains, plus
+  // 2 translations.
   EXPECT_EQ(row.at("indeterminacy"), 3);
-  // G = K_N/2 times r^2/A, over K_N Phi.
+  // The modulus is G = K_N/2 r^2/A, with the squared branch length r^2 and the area A of the cell; G_star =
+  // G/(K_N Phi).
   EXPECT_NEAR(row.at("G_star").get<double>(), 0.5 / row.at("phi").get<double>(), 1e-12);
 }
 
@@ -99,7 +101,7 @@ TEST_F(Increments, OfManyStatesStandInOneFile) {
   const auto rows = written();
   ASSERT_THAT(rows, SizeIs(1 + 2 + 4 + 2));
   EXPECT_EQ(rows[3][0], "chain.h5");
-  EXPECT_EQ(rows[3][7], "");  // a mechanism leaves the stress no answer
+  EXPECT_EQ(rows[3][7], "");  // with a mechanism, no response to the stress exists
   EXPECT_EQ(rows[8][0], "square.h5");
 }
 
@@ -123,7 +125,7 @@ TEST_F(Increments, AreRefusedInWordsWhereOneFileCannotHoldThem) {
 }
 
 TEST_F(Increments, OfRattlersAreNone) {
-  // Without adhesion a disk on one contact is a rattler.
+  // A disk with only one contact, without adhesion, is a rattler.
   State<2> state;
   state.packing = square_frames_around({{2.0, 1.0}}, 5, 1.0, elastic_law(1.0, 0.6, 0.1));
   write_state(scratch_.file("rattler.h5"), state);

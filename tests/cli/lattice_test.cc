@@ -18,7 +18,7 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// Disks and spheres that overlap a little, as states.
+/// Fixture: states of slightly overlapping disks and spheres.
 class LatticeCommand : public testing::Test {
  protected:
   void SetUp() override {
@@ -73,7 +73,7 @@ TEST_F(LatticeCommand, SavesALatticeWhoseModuliAreThoseOfTheDirectSolution) {
       EXPECT_NEAR(row.at(name).get<double>(), moduli.at(name).get<double>(),
                   1e-10 * row.at("C11").get<double>())
           << name << beams;
-    // And the strain of the load is what these moduli make of it.
+    // The strain under the load is C^-1 times the stress, with the printed moduli C.
     Eigen::Matrix3d C;
     const auto entry = [&](const char* name) { return row.at(name).get<double>(); };
     C << entry("C11"), entry("C12"), entry("C13"), entry("C12"), entry("C22"), entry("C23"), entry("C13"),
@@ -83,7 +83,7 @@ TEST_F(LatticeCommand, SavesALatticeWhoseModuliAreThoseOfTheDirectSolution) {
     EXPECT_GT(entry("B"), 0.0);
     EXPECT_LT(entry("B"), entry("B_hs_upper"));
     EXPECT_LT(entry("B_hs_upper"), entry("B_voigt"));
-    EXPECT_EQ(entry("B_hs_lower"), 0.0);  // there are voids
+    EXPECT_EQ(entry("B_hs_lower"), 0.0);  // zero, since the material contains voids
   }
 }
 
@@ -210,7 +210,7 @@ TEST_F(LatticeCommand, SaysThatBareContactsHaveNoStrengthInTension) {
   EXPECT_EQ(json::parse(o.out).at(0).at("holds"), false);
 }
 
-/// Any mixture of options gives a row of finite numbers, or words.
+/// For any combination of options the command prints finite numbers or an error message.
 TEST_F(LatticeCommand, SurvivesAnyMixtureOfOptions) {
   RandomStream random(4, 0);
   const auto one_of = [&](std::vector<std::string> choices) { return choices[random.below(choices.size())]; };

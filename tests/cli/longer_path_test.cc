@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Runs of sixty disks that end with a stage whose length the tests choose.
+/// Fixture: runs of sixty disks; each test chooses the length of the last stage.
 class LongerPath : public testing::Test {
  protected:
   Outcome run(const std::string& directory, const std::string& changes, const std::string& options = "") const {
@@ -32,10 +32,10 @@ TEST_F(LongerPath, ResumedIsTheRunThatHadItFromTheBeginning) {
   ASSERT_EQ(longer.code, 0) << longer.err;
   ASSERT_EQ(run("whole", "--set load.0.strain=0.016").code, 0);
   EXPECT_EQ(rows("a"), rows("whole"));
-  // Its states are those of one run for whoever reads the directory.
+  // To other commands, the directory looks like that of a single run.
   EXPECT_EQ(run_floc("verify a", scratch_.path()).code, 0);
   EXPECT_EQ(run_floc("fit strength a", scratch_.path()).code, 0);
-  // And once more, and the same again.
+  // The stage is lengthened once more, then the same command is repeated.
   EXPECT_EQ(run("a", "--set load.0.strain=0.02", "--resume").code, 0);
   EXPECT_EQ(run("a", "--set load.0.strain=0.02", "--resume").code, 0);
 }

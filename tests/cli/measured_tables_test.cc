@@ -8,8 +8,8 @@
 #include "support/places.h"
 #include "support/run_arguments.h"
 
-/// Tables of measurements with other quantities than phi and void_ratio, other names and other units, by every fit that
-/// reads a path.
+/// Tests that every fit of a load path reads tables of measurements with other quantities, names and units than
+/// phi and void_ratio.
 namespace floc::test {
 namespace {
 
@@ -20,22 +20,22 @@ using testing::HasSubstr;
 constexpr const char* kFits[] = {"consolidation", "preconsolidation", "elastic", "cycle"};
 constexpr double kInitial = 0.95;  // void ratio before the test
 
-/// The void ratios of a path that bends, unloads and loads again.
+/// Pressures and void ratios of a path with a bend, an unloading and a reloading.
 std::vector<std::pair<double, double>> path() {
   std::vector<std::pair<double, double>> rows;
   double largest = 0.0;
   for (const double P :
        {10.0, 20.0, 40.0, 80.0, 160.0, 320.0, 160.0, 80.0, 40.0, 80.0, 160.0, 320.0, 640.0, 1280.0}) {
     largest = std::max(largest, P);
-    // Without scatter, rounding would decide what the fits say of residuals. The first row has none: some columns take its
-    // void ratio as known.
+    // Points without scatter would leave rounding errors as the residuals of the fits. The first row gets no
+    // scatter, because some columns need its exact void ratio.
     const double scatter = 4e-4 * std::sin(7.0 * static_cast<double>(rows.size()));
     rows.emplace_back(P, 0.9 - 0.1 * std::log(largest / 10.0) + 0.02 * std::log(largest / P) + scatter);
   }
   return rows;
 }
 
-/// A column that stands for the void ratio.
+/// Column of a table from which the void ratio can be computed.
 struct Column {
   const char* header;
   std::function<double(double e)> value;
@@ -85,11 +85,11 @@ std::string table_of(const std::string& pressure, double unit, const Column& col
   return table;
 }
 
-/// Whether two printed fits have the same numbers, to rounding.
+/// Returns whether two printed fits contain the same numbers, up to rounding.
 bool agree(const json& a, const json& b) {
   if (a.is_number() && b.is_number())
     return std::abs(a.get<double>() - b.get<double>()) <= 1e-6 * std::max(1.0, std::abs(a.get<double>()));
-  if (a.is_string()) return b.is_string();  // warnings contain numbers too
+  if (a.is_string()) return b.is_string();  // texts may differ, since warnings contain numbers
   if (a.size() != b.size()) return false;
   for (auto x = a.begin(), y = b.begin(); x != a.end(); ++x, ++y)
     if (a.is_structured() && !agree(*x, *y)) return false;

@@ -18,11 +18,12 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// A square lattice of frames in which one disk hangs on the node and rolls on it, and one touches nothing.
+/// Fixture: square frames of disks. One more disk is attached to a node of the frame and can roll on it;
+/// another touches nothing.
 class ModesCommand : public testing::Test {
  protected:
   void SetUp() override {
-    // Adhesive: without adhesion a disk held by one contact would be a rattler too.
+    // The law has adhesion, because a disk with only one contact is a rattler without it.
     Law law = elastic_law(1.0, 0.5, 0.0);
     law += test::constant_adhesion(1e-3);
     State<2> state;

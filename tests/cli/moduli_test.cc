@@ -19,7 +19,7 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// A directory with the packing of 16 disks in it as packing.h5.
+/// Fixture: a scratch directory in which packing.h5 is a packing of 16 disks.
 class ModuliCommand : public testing::Test {
  protected:
   void SetUp() override {
@@ -65,7 +65,7 @@ TEST_F(ModuliCommand, OfAConvertedPackingGiveItsShearModulus) {
   const Outcome o = moduli("packing.h5 --prestress --strains full --format json");
   ASSERT_EQ(o.code, 0) << o.err;
   const json row = json::parse(o.out).at(0);
-  // The modulus from the stresses of two strained states: validation.FormatOfJamBashbulk.
+  // This value is checked against the stresses of two strained states in validation.FormatOfJamBashbulk.
   EXPECT_NEAR(row.at("C33").get<double>(), 0.0498734432608, 1e-12);
   EXPECT_EQ(row.at("G_shear"), row.at("C33"));
   EXPECT_NEAR(row.at("P").get<double>(), 1e-3, 1e-12);
@@ -75,11 +75,11 @@ TEST_F(ModuliCommand, OfAConvertedPackingGiveItsShearModulus) {
   const json diagonal = json::parse(moduli("packing.h5 --format json").out).at(0);
   EXPECT_FALSE(diagonal.contains("C33"));
   EXPECT_TRUE(diagonal.at("G_shear").is_null());
-  // Two and three strains are solved for together, and the BLAS of the machine may round them differently.
+  // The two calls solve for two and three strains at a time, and the BLAS library may round them differently.
   EXPECT_NEAR(diagonal.at("B").get<double>() / row.at("B_without_prestress").get<double>(), 1.0, 1e-13);
 }
 
-/// A stretch of one axis at constant stress of the other: S = C^-1.
+/// Axial stretch at constant stress on the other axis: E_1 and E_2 follow from the compliance S = C^-1.
 TEST_F(ModuliCommand, AreToldAxisByAxis) {
   const json row = json::parse(moduli("packing.h5 --format json").out).at(0);
   const auto number = [&](const char* key) { return row.at(key).get<double>(); };
@@ -88,13 +88,13 @@ TEST_F(ModuliCommand, AreToldAxisByAxis) {
   EXPECT_NEAR(number("E_2") / (C22 - C12 * C12 / C11), 1.0, 1e-12);
   EXPECT_NEAR(number("nu_12") / (C12 / C22), 1.0, 1e-12);
   EXPECT_NEAR(number("nu_21") / (C12 / C11), 1.0, 1e-12);
-  // Free shear makes every stretch easier.
+  // Axial moduli are lower if shear strains are free.
   const json full = json::parse(moduli("packing.h5 --strains full --format json").out).at(0);
   EXPECT_LT(full.at("E_1").get<double>(), number("E_1"));
 }
 
 TEST_F(ModuliCommand, HaveMeanFieldEstimatesBesideTheBounds) {
-  // Springs that are all alike: the estimate for different ones is the printed one.
+  // All springs are equal, so the estimate for unequal springs equals the printed bound.
   const json row = json::parse(moduli("packing.h5 --format json").out).at(0);
   const auto number = [&](const char* key) { return row.at(key).get<double>(); };
   EXPECT_NEAR(number("B_reuss_mean_field") / number("B_reuss_printed"), 1.0, 1e-12);
@@ -136,7 +136,7 @@ TEST_F(ModuliCommand, GiveARowForEachRollingStiffness) {
   EXPECT_EQ(rows[2].at("rolling_stiffness"), 2.0);
 }
 
-/// Two grains in contact and nothing around them: the cell can be strained at no cost.
+/// Two grains in contact and no others: the cell can be strained without elastic energy.
 TEST_F(ModuliCommand, AreZeroAlongAMechanismThatIsCountedAndWarnedAbout) {
   State<2> pair;
   pair.packing = unit_grains<2>({{1.0, 1.0}, {2.0 - 0x1p-10, 1.0}}, 4.0,
@@ -150,7 +150,8 @@ TEST_F(ModuliCommand, AreZeroAlongAMechanismThatIsCountedAndWarnedAbout) {
   const json row = json::parse(o.out).at(0);
   EXPECT_EQ(row.at("n_coupled_mechanisms"), 2);
   for (const char* key : {"C11", "C22", "C12", "B", "B_S", "G"}) EXPECT_EQ(row.at(key), 0.0) << key;
-  // Adhesion and overlap cancel in the contact to the last bit: no pressure, and nothing to scale forces with.
+  // In this contact adhesion and repulsion cancel exactly, so the pressure is zero and there is no scale for
+  // forces.
   EXPECT_EQ(row.at("B_reuss"), 0.0);
   EXPECT_TRUE(row.at("Z2").is_null());
 }

@@ -19,8 +19,8 @@ using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Gives contacts along the first axis the force f where they lie below the middle of the cell along the last one,
-/// -f above; the others carry nothing.
+/// Sets the normal forces of contacts along the first axis: f below the middle of the cell along the last axis,
+/// -f above. All other contacts have no force.
 template <int Dim>
 void load_in_two_layers(double f, Packing<Dim>& packing) {
   const double middle = 0.5 * packing.cell.matrix(Dim - 1, Dim - 1) - 1e-6;
@@ -31,8 +31,8 @@ void load_in_two_layers(double f, Packing<Dim>& packing) {
   }
 }
 
-/// Two layers of a square lattice of 6 x 4 disks, and of a cubic one of 4 x 4 x 4 spheres: one under pressure, one
-/// under tension.
+/// Fixture: a square lattice of 6 x 4 disks and a cubic one of 4 x 4 x 4 spheres, each with one layer under
+/// pressure and one under tension.
 class Bonds : public testing::Test {
  protected:
   void SetUp() override {
@@ -61,7 +61,7 @@ TEST_F(Bonds, ColumnsComeWhenAskedFor) {
   const Outcome o = floc("network layers.h5 spheres.h5 --with bonds,phases --format json");
   ASSERT_EQ(o.code, 0) << o.err;
   const json flat = json::parse(o.out).at(0), solid = json::parse(o.out).at(1);
-  // The columns are added to those of the plain table, which stay.
+  // --with adds columns and keeps those of the plain table.
   EXPECT_EQ(std::distance(plain.begin(), plain.end()) + 10 + 5 + 14, std::distance(flat.begin(), flat.end()));
   EXPECT_EQ(flat.at("n_bonds"), 48);
   EXPECT_EQ(flat.at("z_bonds"), 4.0);
@@ -70,12 +70,13 @@ TEST_F(Bonds, ColumnsComeWhenAskedFor) {
   EXPECT_EQ(flat.at("z_bonds_near_zero"), 2.0);
   EXPECT_EQ(flat.at("minus_share"), 0.5);
   EXPECT_EQ(flat.at("mean_plus"), 0.5);
-  // Diameters are 1.02 of the spacing.
+  // Diameters are 1.02 times the lattice spacing.
   const double phi = std::acos(-1.0) / 4.0 * 1.02 * 1.02;
   EXPECT_NEAR(flat.at("virial_strength").get<double>(), 4.0 * phi / std::acos(-1.0) / 1.02, 1e-12);
   EXPECT_NEAR(flat.at("rumpf_strength").get<double>(), phi / (1.0 - phi) / 1.02, 1e-12);
   EXPECT_NEAR(flat.at("p0").get<double>(), 1.0 / 1.02, 1e-12);
-  // Twelve of 24 bonds across are unlike, the others and all along are like.
+  // Bonds along the layers join grains of the same sign. Of the 24 bonds across the layers, 12 join grains of
+  // opposite signs.
   EXPECT_EQ(flat.at("n_signed_bonds"), 48);
   EXPECT_EQ(flat.at("like_share"), 0.75);
   EXPECT_NEAR(flat.at("like_share_shuffled").get<double>(), 2.0 * 12 * 11 / (24.0 * 23.0), 1e-12);
@@ -106,7 +107,8 @@ TEST_F(Bonds, ExponentsOfEitherSideAndOfBoth) {
         return r;
     return -1;
   };
-  // All at 0.5: the inverse mean above zero and above 0.1; no slope in the window that tension has, 0 to 1.
+  // All forces are 0.5, so the exponent is the inverse mean of the force minus the lower limit (0 or 0.1). In
+  // the window from 0 to 1, used for tensions, the exponent is 0.
   const int tail = find("layers.h5", "+", 0.0, true), from = find("layers.h5", "+", 0.1, true);
   ASSERT_GE(tail, 0);
   ASSERT_GE(from, 0);
@@ -130,7 +132,7 @@ TEST_F(Bonds, PhasesAndPressuresGoToFiles) {
   int n = 0;
   for (int r = 0; r < p.n_rows(); ++r) n += static_cast<int>(p.integer(r, 4));
   EXPECT_EQ(n, 24);
-  // Three of four neighbours are like, for every grain.
+  // Every grain has four neighbours, of which three have the same sign.
   ASSERT_EQ(l.n_rows(), 2);
   EXPECT_EQ(l.text(0, 1), "positive");
   EXPECT_NEAR(l.number(0, 2), 0.7, 1e-12);
@@ -141,7 +143,7 @@ TEST_F(Bonds, PhasesAndPressuresGoToFiles) {
 }
 
 TEST_F(Bonds, ForcesAreMeasuredInThePressureToo) {
-  // No mean stress: nothing to measure in.
+  // The mean stress is zero, so forces cannot be divided by it.
   const Outcome none = floc("network layers.h5 --pdf f.csv --unit P");
   EXPECT_THAT(none.err, HasSubstr("P cannot be distinguished from zero, because of rounding or the tolerance "
                                   "of equilibrium: give --unit mean"));
@@ -150,7 +152,7 @@ TEST_F(Bonds, ForcesAreMeasuredInThePressureToo) {
   square.target_stress.setConstant(0.04);
   write_state(scratch_.file("square.h5"), square);
   ASSERT_EQ(floc("network square.h5 --pdf f.csv --unit P").code, 0);
-  EXPECT_NEAR(table("f.csv").number(0, 2), 0.04 * 1.02, 1e-12);  // P a
+  EXPECT_NEAR(table("f.csv").number(0, 2), 0.04 * 1.02, 1e-12);  // P a, with the diameter a
 }
 
 TEST_F(Bonds, AreDrawnAndPlotted) {
@@ -163,7 +165,7 @@ TEST_F(Bonds, AreDrawnAndPlotted) {
     EXPECT_EQ(json::parse(o.out).at(0).at("shows"), "pressures");
     EXPECT_THAT(content_of(scratch_.file("p.gp")), HasSubstr("pressure of a grain / p_0"));
   }
-  // 36 like bonds in blue and orange, none else.
+  // Of the bonds, 36 join grains of the same sign and are drawn in blue or orange; the others are not drawn.
   const Outcome o = floc("draw layers.h5 --forces phases -o l.svg --format json");
   EXPECT_EQ(json::parse(o.out).at(0).at("n_compression"), 18);
   EXPECT_EQ(json::parse(o.out).at(0).at("n_tension"), 18);

@@ -20,7 +20,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// A square lattice under pressure, a chain that pulls, a packing of spheres.
+/// Fixture: three states: a square lattice under pressure, a chain under tension and a packing of spheres.
 class Network : public testing::Test {
  protected:
   void SetUp() override {
@@ -53,7 +53,7 @@ TEST_F(Network, CountsAndWeighsContacts) {
   EXPECT_EQ(row.at("z_minus"), 0.0);
   EXPECT_EQ(row.at("z_star"), 4.0);
   EXPECT_EQ(row.at("x22"), 0.0);
-  EXPECT_NEAR(row.at("mean_normal_force").get<double>(), 0.04, 1e-14);  // K_N times the overlap of 2 %
+  EXPECT_NEAR(row.at("mean_normal_force").get<double>(), 0.04, 1e-14);  // K_N times an overlap of 2 %
   EXPECT_NEAR(row.at("moment_2").get<double>(), 1.0, 1e-12);
   EXPECT_EQ(row.at("M1"), 0.0);
   EXPECT_EQ(row.at("pressed_share"), 1.0);
@@ -62,7 +62,7 @@ TEST_F(Network, CountsAndWeighsContacts) {
   EXPECT_EQ(row.at("pulled_share"), 0.0);
   EXPECT_EQ(row.at("indeterminacy"), 3);
   EXPECT_EQ(row.at("energy_share_95"), 1.0);
-  EXPECT_TRUE(row.at("correlation_normal").is_null());  // equal forces vary with nothing
+  EXPECT_TRUE(row.at("correlation_normal").is_null());  // equal forces have no correlation
   EXPECT_NEAR(row.at("P").get<double>(), 0.04, 1e-14);
 }
 
@@ -145,7 +145,8 @@ TEST_F(Network, WritesParticleStressesThatAddUp) {
 }
 
 TEST_F(Network, TellsTheForceCarryingStructureOfSpheres) {
-  // fcc of Hertz contacts, a = E = 1, h = 0.01, one contact of 192 without force.
+  // A face-centred cubic crystal of spheres under Hertz's law, with a = E = 1 and overlaps of h = 0.01. In the
+  // second state one of its 192 contacts has no force.
   State<3> fcc;
   fcc.packing = tiled<3>(crystal_of(face_centred_cubic(), 0.99, 1.0, elastic_law(1.0, 0.5, 0.0)), {2, 2, 2});
   make_hertzian(1.0, 14.0 / 17.0, fcc.packing);
@@ -165,7 +166,8 @@ TEST_F(Network, TellsTheForceCarryingStructureOfSpheres) {
   EXPECT_NEAR(row.at("p_max").get<double>(), 2.0 / std::acos(-1.0) * 0.1, 1e-12);
   EXPECT_NEAR(row.at("stress_spread").get<double>(), 0.0, 1e-14);
   EXPECT_NEAR(row.at("fabric33").get<double>(), 0.0, 1e-14);
-  // A contact between (0, 0, 0) and (0, 1/2, 1/2) open: n n = (0, 1/2, 1/2) is missing of 192 * (1, 1, 1)/3.
+  // The contact between (0, 0, 0) and (0, 1/2, 1/2) is opened: the sum of the diagonals of n n, 192 (1, 1,
+  // 1)/3, loses (0, 1/2, 1/2).
   Contact<3>& open = fcc.packing.contacts[0];
   open.normal_force = open.elastic_force = 0.0;
   write_state(scratch_.file("open.h5"), fcc);

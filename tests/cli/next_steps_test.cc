@@ -18,10 +18,11 @@ struct Kind {
   const char* name;
   std::string scene;
   std::string arguments = "";
-  bool is_fitted = false;  ///< its path is long enough for a fit
+  bool is_fitted = false;  ///< whether the path is long enough for a fit
 };
 
-/// Undamped by liquid or tails: spheres under Hertz' law, loaded as `stages` say.
+/// Scene of spheres under Hertz's law, without liquid and tail adhesion. @param stages  tables [[load]] of the
+/// scene
 std::string spheres(const std::string& stages) {
   return scene_text("hertz") + stages;
 }
@@ -46,7 +47,7 @@ std::vector<Kind> kinds() {
   };
 }
 
-/// The commands below "You may run next:".
+/// Returns the commands that are listed below "You may run next:".
 std::vector<std::string> commands_in(const std::string& text) {
   std::vector<std::string> commands;
   std::istringstream in(text.substr(std::min(text.find("You may run next:"), text.size())));

@@ -7,7 +7,7 @@
 #include "support/places.h"
 #include "support/run_arguments.h"
 
-/// Output is written completely, or the command fails with a message.
+/// Tests that output is written completely or that the command fails with a message.
 namespace floc::test {
 namespace {
 
@@ -20,7 +20,7 @@ class Output : public testing::Test {
  protected:
   Output() { EXPECT_EQ(floc_arguments({"convert", jambashbulk_file(), file("s.h5")}).code, 0); }
   std::string file(const std::string& name) const { return scratch_.file(name); }
-  /// Runs a line of the shell in the scratch directory; $0 is floc.
+  /// Runs a shell command in the scratch directory, with $0 set to the path of floc.
   Outcome shell(const std::string& line) const {
     return run_arguments("/bin/sh", {"-c", "cd '" + scratch_.path() + "' && " + line, floc_program()});
   }
@@ -42,7 +42,8 @@ TEST_F(Output, ToAFullDiskIsAFailureWithItsReason) {
 }
 
 TEST_F(Output, OfSideTablesIsWholeOrAbsentAndItsReasonSaid) {
-  // The limit holds for the file that receives stderr too, so it has to be larger than the warnings.
+  // The file size limit also holds for the file that receives stderr, so it must exceed the size of the
+  // warnings.
   ASSERT_EQ(floc_arguments({"convert", source_directory() + "/data/packings/lammps/disks.dump",
                             file("disks.h5"), "--law", "normal.stiffness=1000"})
                 .code,

@@ -11,7 +11,7 @@
 #include "support/places.h"
 #include "support/run_arguments.h"
 
-/// `floc moduli --solver petsc`, alone and under mpirun.
+/// Tests of `floc moduli --solver petsc`, as a single process and under mpirun.
 namespace floc::test {
 namespace {
 
@@ -22,7 +22,8 @@ using testing::Not;
 
 const std::string kPackingFolder = source_directory() + "/data/packings/";
 
-/// Open MPI as root and on fewer processors than processes; leaks of MPI are none of floc's.
+/// Environment in which Open MPI runs as root and with more processes than processors. Memory leaks of MPI are
+/// ignored.
 const std::string kEnvironment =
     "export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 "
     "OMPI_MCA_mpi_yield_when_idle=1 "
@@ -34,7 +35,7 @@ class Petsc : public testing::Test {
     if (!has_parallel_solver()) GTEST_SKIP() << "built without PETSc";
   }
   std::string file(const std::string& name) const { return scratch_.file(name); }
-  /// A line of the shell in the scratch directory; $0 is floc.
+  /// Runs a shell command in the scratch directory, with $0 set to the path of floc.
   Outcome shell(const std::string& line) const {
     return run_arguments("/bin/sh",
                          {"-c", "cd '" + scratch_.path() + "' && " + kEnvironment + line, floc_program()});
@@ -42,7 +43,7 @@ class Petsc : public testing::Test {
   Outcome together(int n_processes, const std::string& arguments) const {
     return shell("mpirun -n " + std::to_string(n_processes) + " \"$0\" moduli " + arguments);
   }
-  /// Packings that other programs left, under a law of our own.
+  /// Converts a shipped packing of LAMMPS, with a contact law chosen here.
   void convert(const std::string& name) const {
     const Outcome made =
         floc_arguments({"convert", kPackingFolder + "lammps/" + name + ".dump", file(name + ".h5"), "--law",
@@ -60,7 +61,7 @@ std::vector<std::string> entries_of(const json& row) {
   return names;
 }
 
-/// Every entry of C, and B, B_S and G.
+/// Compares all entries of C, and B, B_S and G.
 void expect_same_moduli(const json& row, const json& exact, double tolerance) {
   std::vector<std::string> names = entries_of(exact);
   ASSERT_GE(names.size(), 3u);
@@ -99,7 +100,7 @@ TEST_F(Petsc, GivesTheSameOnOneTwoAndFourProcesses) {
     const Outcome o = together(n, options + name + " disks.h5 granular.h5");
     ASSERT_EQ(o.code, 0) << o.err;
     EXPECT_EQ(o.out, "");
-    // Only the first process prints warnings.
+    // Warnings are printed once, by the first process.
     EXPECT_EQ(o.err.find("is not in equilibrium"), o.err.rfind("is not in equilibrium")) << o.err;
     const json rows = json::parse(content_of(file(name)));
     ASSERT_EQ(rows.size(), 2u);
@@ -168,7 +169,8 @@ TEST_F(Petsc, OnAFullDiskIsAFailureWithItsReason) {
   EXPECT_FALSE(fs::exists(file("out.csv")));
 }
 
-/// The first process waits for what a pipe never gives, the second for the first, and that is killed.
+/// The first process waits for a pipe that never gets any data, and the second one waits for the first. Then
+/// the second one is killed.
 TEST_F(Petsc, EndsWithinAMinuteWhereAProcessDiesAndLeavesNoTable) {
   const auto start = std::chrono::steady_clock::now();
   const Outcome o = shell(

@@ -18,7 +18,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 const std::string kDemoScene = source_directory() + "/data/scenes/demo.toml ";
-/// A scene whose small samples take a fraction of a second.
+/// Arguments for a scene whose small samples take a fraction of a second.
 const std::string kQuick =
     source_directory() +
     "/data/scenes/type1_rolling_small.toml --set load.0.to=0.1 --set load.0.steps_per_decade=2 ";
@@ -119,7 +119,7 @@ TEST_F(PlanCommand, WritesACampaignWhoseRunsItChecks) {
     EXPECT_NEAR(row["ratio"], double(row["achieved"]) / double(row["promised"]), 1e-9);
   }
   EXPECT_LE(checked["phi"]["promised"], 0.03);
-  // A campaign that floc plan has not written promises nothing.
+  // A campaign file without the table [plan] holds no promised errors.
   const std::string text = content_of(scratch_.file("p.toml"));
   write_text(scratch_.file("q.toml"), text.substr(0, text.find("[plan]")));
   ASSERT_EQ(run_floc("campaign plan q.toml -o q", scratch_.path()).code, 0);
@@ -127,7 +127,7 @@ TEST_F(PlanCommand, WritesACampaignWhoseRunsItChecks) {
 }
 
 TEST_F(PlanCommand, LeavesOutSettingsThatTheSceneRefuses) {
-  // A tolerance of 1e-2 is not smaller than the first pressure of the scene.
+  // The tolerance must be below 1e-2, because the first pressure of the scene is smaller than that.
   for (const auto& row : rows(kDemoScene + "--want phi=0.2")) EXPECT_LT(row["tolerance"], 1e-2);
 }
 

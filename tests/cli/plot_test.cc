@@ -49,7 +49,7 @@ TEST_F(PlotCommand, GivesTheSameBytesAgainInEveryFormat) {
   }
 }
 
-/// Rows of a block of a data file, each as numbers.
+/// Returns the rows of numbers in one block of a data file.
 std::vector<std::vector<double>> block(const std::string& text, const std::string& name) {
   std::istringstream lines(text.substr(text.find("# " + name)));
   std::vector<std::vector<double>> rows;
@@ -66,7 +66,8 @@ TEST_F(PlotCommand, CoordinationGoesUpAndDownThePath) {
   ASSERT_EQ(floc("plot run -o z.svg --show coordination").code, 0);
   const std::string data = content_of(file("z.dat"));
   const auto loading = block(data, "loading"), unloading = block(data, "unloading");
-  // Seven pressures of loading, P = 0 left out; the turn belongs to both.
+  // The loading has seven pressures without P = 0. The state at the largest pressure belongs to loading and
+  // unloading.
   ASSERT_EQ(loading.size(), 7u);
   ASSERT_EQ(unloading.size(), 2u);
   EXPECT_EQ(loading.back(), unloading.front());
@@ -83,8 +84,8 @@ TEST_F(PlotCommand, ModuliOfStatesAndOfTheirTableAreTheSame) {
   ASSERT_EQ(states.size(), 7u);
   ASSERT_EQ(rows.size(), 7u);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    // The table has the pressure that the contacts carry, the states the one imposed: within the tolerance of
-    // stress.
+    // Pressures in the table come from the contact forces, those of the states are the imposed ones. They agree
+    // within the tolerance of stress.
     EXPECT_NEAR(rows[i][0], states[i][0], 1e-5);
     for (std::size_t k = 1; k < 7; ++k) {
       if (std::isnan(rows[i][k]) && std::isnan(states[i][k])) continue;
@@ -93,12 +94,12 @@ TEST_F(PlotCommand, ModuliOfStatesAndOfTheirTableAreTheSame) {
   }
   int n_bounded = 0;
   for (const auto& row : states) {
-    EXPECT_LE(row[3], row[6]);  // G, Voigt
+    EXPECT_LE(row[3], row[6]);  // G and its Voigt bound
     EXPECT_EQ(std::isnan(row[4]), std::isnan(row[5]));
-    if (std::isnan(row[4])) continue;  // attractions across gaps: these are no bounds
+    if (std::isnan(row[4])) continue;  // with attractions at a distance there are no bounds
     ++n_bounded;
-    EXPECT_LE(row[4], row[1]);  // Reuss, B
-    EXPECT_LE(row[1], row[5]);  // B, Voigt
+    EXPECT_LE(row[4], row[1]);  // Reuss bound and B
+    EXPECT_LE(row[1], row[5]);  // B and its Voigt bound
   }
   EXPECT_GT(n_bounded, 0);
 }
@@ -133,7 +134,7 @@ TEST_F(PlotCommand, ScatteringOfSpheresIsInTheirVolume) {
 }
 
 TEST_F(PlotCommand, HasNoLegendOfWhatIsNotDrawn) {
-  // The path without its unloading.
+  // Writes the path without its unloading to a file.
   std::istringstream lines(content_of(file("run/path.csv")));
   std::string up;
   for (std::string line; std::getline(lines, line);)
@@ -154,7 +155,7 @@ TEST_F(PlotCommand, HasNoLegendOfWhatIsNotDrawn) {
 }
 
 TEST_F(PlotCommand, WordsOfGnuplotStayWithItUnlessItFails) {
-  // Two states: one point of each curve, which gnuplot warns about.
+  // With two states each curve has only one point, about which gnuplot warns.
   const Outcome o = floc("plot run/state-0000.h5 run/state-0001.h5 -o few.svg --show moduli");
   EXPECT_EQ(o.code, 0) << o.err;
   EXPECT_THAT(o.err, ::testing::Not(HasSubstr("warning: Skipping"))) << o.err;
@@ -162,7 +163,7 @@ TEST_F(PlotCommand, WordsOfGnuplotStayWithItUnlessItFails) {
 }
 
 TEST_F(PlotCommand, RegimesAreNamedAboveTheCurveAndApart) {
-  // Samples whose mean shows where all three begin.
+  // The mean of these samples shows where all three regimes begin.
   ASSERT_EQ(floc("plot " + demo_tables() + " -o regimes.svg").code, 0);
   const std::string script = content_of(file("regimes.gp"));
   std::vector<double> places;
@@ -172,7 +173,7 @@ TEST_F(PlotCommand, RegimesAreNamedAboveTheCurveAndApart) {
     places.push_back(std::log10(std::atof(line.c_str() + line.find("first ") + 6)));
   }
   ASSERT_EQ(places.size(), 3u);
-  // Of the 3.1 decades of the axis.
+  // Names are at least 0.2 decades apart, on an axis of 3.1 decades.
   EXPECT_GT(places[1] - places[0], 0.2);
   EXPECT_GT(places[2] - places[1], 0.2);
 }
@@ -197,11 +198,11 @@ TEST_F(PlotCommand, ForcesAreThoseOfLoadingAndAllCurvesAreSeen) {
   const Outcome o = floc("plot run -o f.svg --show forces");
   ASSERT_EQ(o.code, 0) << o.err;
   const std::string data = content_of(file("f.dat")), script = content_of(file("f.gp"));
-  EXPECT_THAT(data, ::testing::Not(HasSubstr("P* = 0:")));  // locked-in forces alone
+  EXPECT_THAT(data, ::testing::Not(HasSubstr("P* = 0:")));  // the state without load is left out
   EXPECT_THAT(data, HasSubstr("# P* = 0.01:"));
   EXPECT_THAT(data, HasSubstr("# P* = 1:"));
-  // Beside a state without load, whose few locked-in forces reach far, the axis is at most three times as wide as
-  // the narrowest curve needs, and the legend says how many forces lie beyond.
+  // The state without load has few contact forces, with widely spread values. The axis is at most three times
+  // as wide as the narrowest curve needs, and the legend counts the forces beyond it.
   ASSERT_EQ(floc("plot run -o wide.svg --show forces --steps 0,7").code, 0);
   const std::string wide = content_of(file("wide.gp"));
   double low = 0.0, high = 0.0;
@@ -213,13 +214,13 @@ TEST_F(PlotCommand, ForcesAreThoseOfLoadingAndAllCurvesAreSeen) {
     narrowest = std::min(narrowest, rows.back()[0] - std::min(0.0, rows.front()[0]));
   }
   EXPECT_LE(high - low, 3.5 * 1.1 * narrowest);
-  // A state of another branch says which.
+  // The label of a state names its branch if the states belong to different branches.
   ASSERT_EQ(floc("plot run -o two.svg --show forces --steps 7,8").code, 0);
   EXPECT_THAT(content_of(file("two.dat")), HasSubstr("# P* = 0.1, unload:"));
 }
 
 TEST_F(PlotCommand, TestsWithADrivenAxisBeginAtZeroStrainWithTheirOwnStresses) {
-  // An isotropic state, an oedometric stage along 2, then a biaxial one along 1.
+  // Table of an isotropic state, an oedometric stage along axis 2 and a biaxial one along axis 1.
   write_text(file("tests.csv"),
              "step,branch,stress_1,stress_2,strain_1,strain_2,control,axis\n"
              "0,load,1,1,0,0.5,,\n"
@@ -231,14 +232,14 @@ TEST_F(PlotCommand, TestsWithADrivenAxisBeginAtZeroStrainWithTheirOwnStresses) {
   EXPECT_THAT(content_of(file("tests.svg")), HasSubstr("</svg>"));
   const auto test = block(content_of(file("tests.dat")), "test"),
              lateral = block(content_of(file("tests.dat")), "lateral");
-  ASSERT_EQ(test.size(), 6u);  // a gap between the two
+  ASSERT_EQ(test.size(), 6u);  // three points, a gap and two points
   ASSERT_EQ(lateral.size(), 6u);
   const std::vector<std::vector<double>> expected = {{0, 0, 0}, {0.1, 2.0 / 3, 0.1}, {0.15, 2.0 / 3, 0.15}};
   for (int k = 0; k < 3; ++k)
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(test[k][c], expected[k][c], 1e-12) << k << c;
   EXPECT_EQ(lateral[2], (std::vector<double>{4, 0.5}));
   EXPECT_TRUE(std::isnan(test[3][0]));
-  // The second starts from what axis 1 bears where the first ended.
+  // The second stage starts from the stress that axis 1 bears at the end of the first stage.
   EXPECT_NEAR(test[4][1], -2.0 / 3, 1e-12);
   EXPECT_EQ(lateral[4], (std::vector<double>{2, 2}));
   EXPECT_NEAR(test[5][0], 0.1, 1e-12);
@@ -280,7 +281,7 @@ TEST_F(PlotCommand, RoseDiagramsHoldAllContactsThatPress) {
   ASSERT_EQ(rows.size(), 2u * 2u * 36u + 1u);
   double sum = 0.0;
   for (std::size_t k = 0; k + 1 < rows.size(); k += 2) {
-    sum += rows[k][1] * std::numbers::pi / 36;  // each bin twice, by its two edges
+    sum += rows[k][1] * std::numbers::pi / 36;  // each bin appears twice, with its lower and its upper edge
     EXPECT_LE(rows[k][2], rows[k][1]);
   }
   EXPECT_NEAR(sum, 2.0, 1e-12);

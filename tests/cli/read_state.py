@@ -1,5 +1,5 @@
-"""Recomputes gaps, net forces and stress of a state file with h5py and numpy alone, by the contract of the state
-file, and compares them with what the file says. Uses nothing of floc.
+"""Recomputes gaps, net forces and stress of a state file with h5py and numpy, as docs/states.md describes them, and
+compares them with the numbers in the file. Uses no code of floc.
 
 Usage: read_state.py STATE [largest net force allowed, in units of the largest contact force]
 """
@@ -41,7 +41,7 @@ def main(path, net_force_allowed):
     check("gap", gap, c["gap"], rounding)
     check("normal", normal, c["normal"], rounding / distance.min())
 
-    # The static normal force of the law, from the gap alone.
+    # Static normal force of the law, computed from the gap alone.
     elastic = np.where(gap < 0, -law["normal_stiffness"] * gap, 0.0)
     adhesive = np.zeros_like(gap)
     if law["adhesion"] != "none":

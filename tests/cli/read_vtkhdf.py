@@ -1,5 +1,5 @@
-"""Reads a VTKHDF file with h5py and numpy alone, and with VTK where it is installed, and computes from it the net forces on the
-grains. Uses nothing of floc.
+"""Reads a VTKHDF file with h5py and numpy and, if it is installed, with VTK. Computes the net forces on the grains
+from the file. Uses no code of floc.
 
 Usage: read_vtkhdf.py FILE [largest net force allowed, in units of the largest contact force]
 """
@@ -11,7 +11,8 @@ import numpy as np
 
 
 def layout(group):
-    """Requires the datasets of VTK's specification of UnstructuredGrid and returns numbers of points and cells."""
+    """Checks that the group has the datasets of VTK's specification of UnstructuredGrid. Returns the numbers of
+    points and cells."""
     assert list(group.attrs["Version"]) == [1, 0], group.attrs["Version"]
     assert group.attrs["Type"] == b"UnstructuredGrid", group.attrs["Type"]
     n_points, n_cells, n_ids = (int(group[f"NumberOf{kind}"][0]) for kind in ("Points", "Cells", "ConnectivityIds"))
@@ -27,7 +28,8 @@ def layout(group):
 
 
 def net_forces(group):
-    """Sums the forces of contacts on the grains. The normal force is positive in tension: it pulls the first grain along."""
+    """Sums the forces of the contacts on each grain. The normal force is positive in tension: it then pulls the first
+    grain towards the second."""
     x = group["Points"][:]
     n_grains = int((group["Types"][:] == 1).sum())
     lines = group["Connectivity"][n_grains:].reshape(-1, 2)
@@ -46,7 +48,7 @@ def net_forces(group):
 
 
 def compare_with_vtk(path, n_points, n_cells):
-    """Opens the file as ParaView does, where VTK is installed."""
+    """Opens the file in the way of ParaView, if VTK is installed."""
     try:
         from vtkmodules.vtkIOHDF import vtkHDFReader
     except ImportError:

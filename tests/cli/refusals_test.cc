@@ -10,8 +10,8 @@
 #include "support/places.h"
 #include "support/run_program.h"
 
-/// Input that the program rejects, and the message with which it does so: the place (file, line, array, option), the
-/// value, and the expectation.
+/// Tests of rejected input: each message must name the place (file, line, array or option), the value, and the
+/// values that are allowed.
 namespace floc::test {
 namespace {
 
@@ -43,8 +43,8 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 struct Refusal {
   const char* name;
-  std::vector<std::pair<std::string, std::string>> files;  ///< name and content
-  std::vector<std::string> commands;                       ///< the last is refused
+  std::vector<std::pair<std::string, std::string>> files;  ///< names and contents of input files
+  std::vector<std::string> commands;                       ///< commands to run, of which the last must fail
   const char* message;
 };
 void PrintTo(const Refusal& refusal, std::ostream* out) {
@@ -385,7 +385,7 @@ const Refusal kOfCommands[] = {
 INSTANTIATE_TEST_SUITE_P(Commands, Refused, ::testing::ValuesIn(kOfCommands),
                          [](const auto& test) { return std::string(test.param.name); });
 
-/// A run that is resumed rejects files in its directory that it did not write.
+/// When a run is resumed, it rejects files in its directory that it did not write.
 TEST(RefusedRun, FindsWhatIsNotItsOwn) {
   const ScratchDirectory scratch;
   const std::string run = "run " + source_directory() +
@@ -424,7 +424,8 @@ TEST(RefusedRun, GoesOnFromNoCheckpointOfAnotherVersion) {
               HasSubstr("d/checkpoint/checkpoint.h5: this is not a checkpoint of this version of floc: "));
 }
 
-/// Samples that begin with a saved state at rest are all the same, and a study makes its own.
+/// If a scene starts from a saved state at rest, all samples are the same, and a study needs different samples.
+/// So both commands refuse it.
 TEST(RefusedRun, OfSamplesFromAStateAtRest) {
   const ScratchDirectory scratch;
   ASSERT_EQ(run_floc("run " + source_directory() +

@@ -12,7 +12,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-/// The directory of a run of two states of spheres.
+/// Fixture: the directory of a run with two states of spheres.
 class ReportOfSpheres : public ::testing::Test {
  protected:
   void SetUp() override {

@@ -10,7 +10,7 @@
 #include "floc/io/state_file.h"
 #include "support/run_program.h"
 
-/// States of rigid grains, with and without corners, given to every command that reads states.
+/// Tests of every command that reads states, with states of rigid grains with and without corners.
 namespace floc::test {
 namespace {
 
@@ -29,7 +29,7 @@ class RigidStates : public ::testing::Test {
   ScratchDirectory scratch_;
 };
 
-/// A command: `S` stands for the state file.
+/// Arguments of a command, in which `S` stands for the state file.
 struct Case {
   const char* arguments;
   bool reads_bricks, reads_spheres;  ///< whether the command accepts the state

@@ -8,7 +8,7 @@
 #include "support/small_run.h"
 #include "support/two_runs.h"
 
-/// A directory belongs to one run, of one process at a time.
+/// Tests that a directory belongs to one run, and to one process at a time.
 namespace floc::test {
 namespace {
 
@@ -30,7 +30,8 @@ TEST(TwoRuns, OnOneDirectoryNeverMix) {
 TEST(TwoRuns, TheSecondIsToldWhoHoldsTheDirectory) {
   const ScratchDirectory scratch;
   write_text(scratch.file("small.toml"), small_scene());
-  // So many grains that it runs for longer than the others take to be refused; it is killed in the end.
+  // This run has so many grains that it still goes on when the other commands have been refused. It is killed
+  // at the end.
   const pid_t first = start_run(scratch.path(), "small.toml -o run --set grains.count=2000");
   while (!fs::exists(scratch.file("run/checkpoint"))) ::usleep(2000);
   char host[256] = {};
@@ -44,7 +45,8 @@ TEST(TwoRuns, TheSecondIsToldWhoHoldsTheDirectory) {
   }
   ::kill(first, SIGKILL);
   (void)wait_for(first);
-  EXPECT_TRUE(fs::exists(scratch.file("run/run.lock")));  // it is killed, and its lock gone all the same
+  // the process was killed and left its lock file, which no longer counts
+  EXPECT_TRUE(fs::exists(scratch.file("run/run.lock")));
   EXPECT_EQ(run_floc("run small.toml -o run --overwrite --until 0", scratch.path()).code, 0);
   EXPECT_FALSE(fs::exists(scratch.file("run/run.lock")));
 }
@@ -98,7 +100,7 @@ TEST_F(RunDirectoryOf, AnEnsembleHasOneScene) {
 
 TEST_F(RunDirectoryOf, ACutRowIsRefusedUntilResumeHasMendedIt) {
   const std::string whole = content_of(file("run/path.csv"));
-  // In the middle of the row, within its last cell, and without its end.
+  // Cuts the table in the middle of the last row, within its last cell, and before its final newline.
   for (const std::size_t cut : {std::size_t{90}, std::size_t{4}, std::size_t{1}}) {
     copy_run(file("run"), file("cut"));
     write_text(file("cut/path.csv"), whole.substr(0, whole.size() - cut));

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// A directory with the small scene in it.
+/// Fixture: a scratch directory that contains the small scene.
 class RunSeeds : public testing::Test {
  protected:
   void SetUp() override { write_text(scratch_.file("small.toml"), small_scene()); }
@@ -40,7 +40,7 @@ TEST_F(RunSeeds, MakesTheSampleThatEachSeedMakesAlone) {
 }
 
 TEST_F(RunSeeds, ExitsWithTheWorstOfItsSamplesAndNamesIt) {
-  // A file stands where seed 2 wants its directory.
+  // A file blocks the directory of seed 2.
   fs::create_directories(file("some"));
   write_text(file("some/seed-2"), "in the way");
   const Outcome some = run("-o some --seeds 1..2 --until 0 --resume");

@@ -10,7 +10,8 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-/// Four copies of an equilibrium of the small scene, taken up in pressure twice; a second or two.
+/// Scene that starts from four copies of an equilibrium of the small scene and raises the pressure twice; it
+/// takes a second or two.
 std::string tiled_scene() {
   std::string text = small_scene();
   const auto cut = [&text](const std::string& from, const std::string& to, const std::string& instead) {
@@ -49,7 +50,8 @@ TEST_F(RunFromAState, CopiesOfAnEquilibriumAreThatEquilibrium) {
   EXPECT_EQ(four.at("n_grains").get<int>(), 4 * one.at("n_grains").get<int>());
   EXPECT_EQ(four.at("n_contacts").get<int>(), 4 * one.at("n_contacts").get<int>());
   EXPECT_EQ(four.at("n_negative"), 0);
-  // The solution of a periodic network is periodic; solving and rounding leave 1e-10 (moduli --tolerance).
+  // The solution of a periodic network is periodic. The error of solver and rounding is at most 1e-10 (see
+  // moduli --tolerance).
   for (const char* modulus : {"phi", "B", "B_S", "G", "B_reuss", "B_voigt"})
     EXPECT_NEAR(four.at(modulus).get<double>() / one.at(modulus).get<double>(), 1.0, 1e-9) << modulus;
   const auto about = row("info copies/state-0000.h5"), parent = row("info run/state-0003.h5");
@@ -63,7 +65,8 @@ TEST_F(RunFromAState, IsContinuedBitByBit) {
   const Outcome whole = floc("run " + agitated + " -o whole");
   ASSERT_EQ(whole.code, 0) << whole.err;
   EXPECT_THAT(whole.err, HasSubstr("starting state: run/state-0003.h5, 40 grains"));
-  EXPECT_GT(row("info whole/state-0000.h5").at("n_steps"), 0);  // agitated, it moves before it is at rest
+  // agitated grains have to move before they come to rest
+  EXPECT_GT(row("info whole/state-0000.h5").at("n_steps"), 0);
   const pid_t child = start_run(file("."), agitated + " -o broken");
   ::usleep(100000);
   ::kill(child, SIGTERM);

@@ -14,7 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A directory with the small scene in it, and a whole run of it that several claims read.
+/// Fixture: a scratch directory that contains the small scene, and a complete run of this scene that several
+/// tests read.
 class RunCommand : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -59,8 +60,8 @@ TEST_F(RunCommand, MakesStatesThatVerify) {
 }
 
 TEST_F(RunCommand, GivesTheSameFilesForTwoThreads) {
-  // Three blocks of grains, so that both threads have work (tests/unit/relaxation sees them at it), pressed at
-  // once: threads that share a core with other tests are slow.
+  // The scene has three blocks of grains, so that both threads have work (tests/unit/relaxation checks this).
+  // It is compressed in one step, because threads are slow if they share a core with other tests.
   std::string scene = small_scene();
   const auto replace = [&scene](const std::string& old, const std::string& with) {
     scene.replace(scene.find(old), old.size(), with);
@@ -73,7 +74,7 @@ TEST_F(RunCommand, GivesTheSameFilesForTwoThreads) {
   EXPECT_TRUE(content_of(file("one/state-0000.h5")) == content_of(file("two/state-0000.h5")));
 }
 
-/// Of an ensemble the program says so once, and not in the log of each sample.
+/// For several seeds, the program prints this warning once, and not in the log of each sample.
 TEST_F(RunCommand, SaysThatThreadsAreOfNoUseToFewGrains) {
   const std::string words = "40 disks: 1 of 2 threads is used, since ";
   const auto n_told = [&](const std::string& text) {
@@ -96,7 +97,7 @@ TEST_F(RunCommand, SurvivesTwentyKillsWithoutATrace) {
   kill_and_resume(20, 5);
 }
 
-/// The small scene, pressed and then shortened along its last axis.
+/// The small scene, compressed isotropically and then along its last axis.
 std::string triaxial_scene() {
   const std::string scene = small_scene();
   const auto load = scene.find("[[load]]"), run = scene.find("[run]");
@@ -117,7 +118,7 @@ TEST_F(RunCommand, SurvivesKillsOnATriaxialTurn) {
 TEST_F(RunCommand, StoppedBySignalsWritesACheckpointAndContinues) {
   for (const int signal : {SIGINT, SIGTERM}) {
     fs::remove_all(file("stopped"));
-    // No checkpoint by the clock: the one found is the signal's.
+    // Checkpoints at intervals are switched off, so the one that is found was written because of the signal.
     const pid_t child = start_run(scratch_->path(), "small.toml -o stopped --set run.checkpoint_every=1e6");
     for (int k = 0; k < 60000 && !fs::exists(file("stopped/checkpoint")); ++k) ::usleep(1000);
     ::usleep(50000);
@@ -128,7 +129,8 @@ TEST_F(RunCommand, StoppedBySignalsWritesACheckpointAndContinues) {
     EXPECT_TRUE(fs::exists(file("stopped/checkpoint/checkpoint.h5")));
     ASSERT_EQ(run("small.toml -o stopped --resume --set run.checkpoint_every=1e6").code, 0);
   }
-  // The scene's text differs from the whole run's by the override, so files do too; the physics may not.
+  // State files contain the scene with its override, so they differ from those of the whole run. The moduli
+  // must agree.
   const Outcome whole = run_floc("moduli whole/state-0008.h5 --format json", scratch_->path());
   const Outcome stopped = run_floc("moduli stopped/state-0008.h5 --format json", scratch_->path());
   const auto C11 = [](const Outcome& o) { return nlohmann::json::parse(o.out).at(0).at("C11").get<double>(); };
@@ -189,7 +191,7 @@ TEST_F(RunCommand, CompletesARowThatAKillLeftOut) {
 }
 
 TEST_F(RunCommand, ReportsADirectoryThatCannotBeWritten) {
-  // Not even root can make a directory below a file.
+  // Even root cannot create a directory below a file.
   write_text(file("taken"), "a file, no directory");
   const Outcome failed = run("small.toml -o taken/results");
   EXPECT_EQ(failed.code, 1);
@@ -197,7 +199,7 @@ TEST_F(RunCommand, ReportsADirectoryThatCannotBeWritten) {
 }
 
 TEST_F(RunCommand, ReportsAFullDiskAndLeavesNoHalfWrittenFile) {
-  // A file-size limit stands in for the full disk: the kernel refuses the write in the same place.
+  // A file size limit replaces a full disk: the kernel refuses the same write.
   const Outcome failed =
       run_floc("--version >/dev/null; trap '' XFSZ; ulimit -f 4; " + floc_program() + " run small.toml -o full",
                scratch_->path());

@@ -31,9 +31,9 @@ TEST(SceneCheck, PrintsTheGroupsOfTheDemo) {
   EXPECT_EQ(group(o.out, "K_T/K_N"), 1.0);
   EXPECT_NEAR(group(o.out, "K_R/(K_N a^2)"), 1e-4, 1e-19);
   EXPECT_EQ(group(o.out, "T0"), 1.0);
-  // The default step in sqrt(m_min/K_N), with m_min = 1/4.
+  // The default time step is a fraction of sqrt(m_min/K_N), with the smallest mass m_min = 1/4.
   EXPECT_NEAR(group(o.out, "time_step"), RelaxationOptions{}.time_step * 0.5 / std::sqrt(1e5), 1e-18);
-  // Two at assembly (P* = 0 and 0.01), 25 up, 13 down.
+  // Two equilibria at assembly (P* = 0 and 0.01), 25 on loading and 13 on unloading.
   EXPECT_EQ(group(o.out, "equilibria"), 40);
 }
 
@@ -87,7 +87,7 @@ TEST(SceneCheck, WarnsOfWhatWillNotComeOutAsMeant) {
           "cell.strain_rate_cap = 1e-09: at this strain rate the compression of the gas from solid_fraction"));
 }
 
-/// Settings whose motion the time step cannot resolve, or that make it so short that no equilibrium is reached.
+/// Scenes whose motion is too fast for the time step, or whose time step is too short to reach an equilibrium.
 TEST(SceneCheck, WarnsOfTimeStepsThatLeadNowhere) {
   struct {
     const char *scene, *changes, *warning;
@@ -146,7 +146,8 @@ TEST(SceneCheck, TellsWhatIsDrawnFromASieveCurveBesideIt) {
   EXPECT_EQ(group(o.out, "passing(1)"), 1.0);
   EXPECT_THAT(content_of(dir.file("sizes.csv")),
               testing::StartsWith("d_from,d_to,n_grains,share,share_asked,passing,passing_asked\n0.05,0.3,"));
-  // Forty grains are too few for it, and those of the state are those that were announced.
+  // With 40 grains the size distribution has too few large grains. The grains of the state have the announced
+  // sizes.
   const Outcome few = run_floc("scene check s.toml --sizes few.csv --set grains.count=40", dir.path());
   EXPECT_THAT(few.err, HasSubstr("because there are too few large grains"));
   ASSERT_EQ(run_floc("run s.toml -o run --until 0 --set grains.count=40", dir.path()).code, 0);

@@ -9,8 +9,8 @@
 #include "support/places.h"
 #include "support/run_arguments.h"
 
-/// Grains far too soft for what presses them, as where the stiffness is in other units: every law, in both
-/// dimensions, by every command that meets it.
+/// Tests of grains that are much too soft for the pressure, as if the stiffness were given in other units. They
+/// try every law in 2D and 3D, and every command that can meet such grains.
 namespace floc::test {
 namespace {
 
@@ -36,7 +36,7 @@ const std::map<std::string, double> kNumbers = {{"normal.stiffness", 100.0},
                                                 {"twisting.coefficient", 0.04},
                                                 {"twisting.stiffness", 2.0}};
 
-/// The law as the tables of a scene.
+/// Returns the tables of a scene that describe the law.
 std::string contact_tables(LawParameters law) {
   std::string text = "[contact]\n";
   for (const DeclaredSlot& slot : declared_slots())
@@ -47,7 +47,7 @@ std::string contact_tables(LawParameters law) {
   return text;
 }
 
-/// A few grains of one size under a pressure at which the mean contact overlaps by some tenth of a radius.
+/// Scene of a few equal grains under a pressure at which contacts overlap by some tenth of a radius on average.
 std::string soft_scene(const Law& law, int dimension) {
   const double pressure = law.contact_modulus(dimension, 1.0) / (law.force_exponent() != 1.0 ? 180.0 : 12.0);
   return fmt::format(
@@ -59,7 +59,7 @@ std::string soft_scene(const Law& law, int dimension) {
       dimension, contact_tables(law), pressure);
 }
 
-/// A right-angled lattice of grains of radius 1/2 that overlap by 0.14 of a radius along the first axis.
+/// Rows of a square or cubic lattice of grains of radius 1/2 that overlap by 0.14 radii along the first axis.
 std::string lattice_rows(int dimension) {
   std::string rows = "x,y,z,radius\n";
   for (int i = 0; i < 3; ++i)
@@ -71,7 +71,8 @@ std::string lattice_rows(int dimension) {
 
 class SoftPackings : public testing::Test {
  protected:
-  /// Expects that the message of a command holds `words`, that grains overlap too far, and asks to check the units.
+  /// Expects that the message of a command says that grains overlap too far and asks to check the units. @param
+  /// words  another part of the message
   void expect_said(const std::vector<std::string>& arguments, const std::string& words,
                    const std::string& question = "consistent with the units of lengths and forces?") {
     const Outcome o = floc_arguments(arguments);
@@ -84,7 +85,7 @@ class SoftPackings : public testing::Test {
     SCOPED_TRACE(fmt::format("{} in {}D", law_text(law), dimension));
     const std::string overlap = "% of the contacts overlap by more than a tenth of a radius";
     write_text(scratch_.file("g.csv"), lattice_rows(dimension));
-    // Rigid contacts have no stiffness that could be too small, and no scene of them can be too soft.
+    // Rigid contacts have no stiffness, so the message about them cannot ask for its units.
     const std::string question = law.is_rigid() ? "are the positions and the radii in the same unit of length?"
                                                 : "consistent with the units of lengths and forces?";
     expect_said({"convert", scratch_.file("g.csv"), scratch_.file("s.h5"), "--overwrite", "--law",
@@ -95,7 +96,7 @@ class SoftPackings : public testing::Test {
     expect_said({"moduli", scratch_.file("s.h5"), "--force"}, overlap);
     write_text(scratch_.file("s.toml"), soft_scene(law, dimension));
     expect_said({"scene", "check", scratch_.file("s.toml")}, "grains in contact would overlap by about 0.");
-    if (!law.has_damping()) return;  // a gas that nothing damps takes long to come to rest
+    if (!law.has_damping()) return;  // without damping, a gas takes too long to come to rest
     std::filesystem::remove_all(scratch_.file("run"));
     expect_said({"run", scratch_.file("s.toml"), "-o", scratch_.file("run")}, "  warning: ");
     ++n_run_;
@@ -141,8 +142,8 @@ TEST_F(SoftPackings, OfEqualGrainsAreHeldAgainstTheDensestThereAre) {
                     Not(HasSubstr("a tenth of a radius"))));
 }
 
-/// A cluster that does not span the cell has no stiffness against its own images under no stress. Newton steps took
-/// this one into them, where its list of contacts lacked 172 pairs.
+/// A cluster under no stress that does not span the cell has no stiffness. Newton steps once moved this cluster
+/// into its own images, and its list of contacts then lacked 172 pairs.
 TEST_F(SoftPackings, OfAClusterUnderNoStressListAllOfTheirContacts) {
   const std::string out = scratch_.file("cluster");
   const Outcome made =

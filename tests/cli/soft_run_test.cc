@@ -7,7 +7,7 @@
 namespace floc::test {
 namespace {
 
-/// The small scene on springs ten times as soft while its grains rearrange.
+/// The small scene, with springs that are ten times softer while grains rearrange.
 std::string scene_on_soft_springs() {
   return small_scene() + "[equilibrium]\nsoftening = 10\n";
 }
@@ -42,7 +42,7 @@ TEST(SoftRun, KeepsNoAccountOfEnergy) {
   EXPECT_NE(refused.err.find("softer springs"), std::string::npos) << refused.err;
 }
 
-/// The contacts of grains on soft springs are followed as others are.
+/// Contacts are tracked during a soft collapse in the same way as during other motions.
 TEST(SoftRun, TracksContacts) {
   const ScratchDirectory scratch;
   write_text(scratch.file("small.toml"), scene_on_soft_springs());

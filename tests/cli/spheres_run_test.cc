@@ -14,7 +14,8 @@
 namespace floc::test {
 namespace {
 
-/// Glass beads, put together without friction, under rising and falling pressure: four equilibria in seconds.
+/// Scene of glass beads, assembled without friction, then loaded and unloaded: four equilibria in a few
+/// seconds.
 std::string beads() {
   return scene_text("beads") + R"([[load]]
 name = "load"
@@ -68,7 +69,7 @@ TEST_F(SpheresRun, SurvivesTenKillsWithoutATrace) {
   kill_and_resume(10, 7, beads(), 4);
 }
 
-/// Put together with little friction, shaken, then pressed with all of it.
+/// The beads are assembled without friction, shaken, then compressed with full friction.
 TEST_F(SpheresRun, ShakesWhatItHasPutTogetherAndSurvivesKills) {
   const std::string shaken =
       exchanged(beads(), "friction = 0.02", "friction = 0\nvibration = {dilation = 1.02, collisions = 20}");
@@ -78,7 +79,8 @@ TEST_F(SpheresRun, ShakesWhatItHasPutTogetherAndSurvivesKills) {
   kill_and_resume(5, 8, shaken, 5);
 }
 
-/// The first equilibrium again, shaken: another packing, of as many beads, made from a seed.
+/// A shaken start from the first equilibrium gives another packing of the same number of beads, which depends
+/// on the seed.
 TEST_F(SpheresRun, StartsFromAShakenState) {
   ASSERT_EQ(run(beads(), "--until 0 -o first").code, 0);
   std::string shaken = exchanged(beads(), "protocol = \"direct\"",

@@ -1,5 +1,6 @@
-"""Changes every dataset and attribute of state files, one at a time, and holds what floc verify says of each against what it
-is to say: not an equilibrium, or refused as not a state, by name; or nothing, for what is free.
+"""Changes every dataset and attribute of state files, one at a time, and checks the answer of floc verify: the state
+is not in equilibrium, or the file is refused with the name of the changed part, or, for parts that may have any
+value, no complaint.
 
 Usage: spoil_state.py FLOC SCRATCH STATE...
 """
@@ -17,7 +18,7 @@ import numpy as np
 
 SEAL = 80  # bytes behind the content
 
-# What a state may hold in any value: it says where a state comes from, or nothing depends on it.
+# Parts of a state file that may have any value: they describe the origin of the state, or nothing depends on them.
 FREE = {
     "path@time": "simulated time",
     "path@n_steps": "time steps",
@@ -29,9 +30,10 @@ FREE = {
 
 
 def free(f, name):
-    """Whether a place is free in this file."""
+    """Returns whether a part of this file may have any value."""
     imposed = f["equilibrium/target_side"][:] if "equilibrium/target_side" in f else None
-    # What a stage starts from decides only what it imposes: not a length on an axis under stress, nor the other way round.
+    # The stress at the start of a stage matters only for axes under imposed stress, the length only for axes of
+    # imposed length.
     if name == "path/turn_stress":
         return imposed is not None and imposed[np.argmax(np.abs(f[name][:]))] != 0
     if name == "path/turn_sides":
@@ -40,7 +42,8 @@ def free(f, name):
 
 
 def changed(name, value):
-    """A value of the same type that is another, in one place: clearly, but for the speed of what is at rest."""
+    """Returns a value of the same type that differs in one place. The difference is large, except for speeds of
+    grains at rest."""
     value = np.asarray(value)
     if name.startswith("equilibrium@worst"):
         return value + 1000000
@@ -60,7 +63,7 @@ def changed(name, value):
 
 
 def places(content):
-    """Datasets, then attributes of groups, as (path, attribute or None)."""
+    """Returns all datasets, then all attributes of groups, as (path, attribute or None)."""
     found = []
     with h5py.File(content, "r") as f:
         for name in f.attrs:
@@ -76,7 +79,7 @@ def places(content):
 
 
 def group_of(name):
-    """The place that a refusal names at least."""
+    """Returns the part of a name that an error message must contain at least."""
     return name.split("@")[0].split("/")[0]
 
 

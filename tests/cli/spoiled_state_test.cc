@@ -49,8 +49,8 @@ std::vector<Kind> kinds() {
   };
 }
 
-/// Changes every dataset and attribute of states of every kind, except those that may have any value (listed in the
-/// script): floc verify reports each time that the file is no state, or no equilibrium.
+/// Changes every dataset and attribute of states of every kind, except those that may have any value (listed in
+/// the script). Each time floc verify must report that the file is no valid state or no equilibrium.
 TEST(SpoiledState, IsNoticedWhateverIsChanged) {
   const ScratchDirectory scratch;
   std::string states;

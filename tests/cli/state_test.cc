@@ -19,7 +19,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 const std::string kScripts = source_directory() + "/tests/cli/";
-/// The Python that Debian's python3-h5py belongs to.
+/// Interpreter for which Debian installs python3-h5py.
 const std::string kPython = "/usr/bin/python3";
 
 TEST(StateFromPython, HasGapsForcesAndStressAsTheContractSays) {
@@ -67,7 +67,7 @@ TEST(BadState, WithoutAnyOfItsPartsIsRefusedByThePartsName) {
   EXPECT_EQ(result.code, 0) << result.err;
 }
 
-/// Writes the header of a state, changed by `change`, and nothing more.
+/// Writes a file that contains only the header of a state, changed by `change`, and runs `floc info` on it.
 template <class Change>
 Outcome info_of_header(const std::string& format, std::int64_t version, std::int64_t dimension,
                        const Change& change) {

@@ -19,7 +19,8 @@ using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Disks anywhere, a square lattice of frames with a rattler in each, spheres.
+/// Fixture: states of randomly placed disks, of a square lattice of frames with a rattler in each, and of
+/// spheres.
 class Structure : public testing::Test {
  protected:
   void SetUp() override {
@@ -50,7 +51,7 @@ TEST_F(Structure, GivesPoresAndWhatWasMeasuredHow) {
   EXPECT_FALSE(row.at("pore_unbounded").get<bool>());
   EXPECT_TRUE(row.at("xi").is_null());
   EXPECT_NEAR(row.at("mesh_spacing").get<double>(), 1.02 / 16.0, 1e-12);
-  EXPECT_EQ(row.at("mesh1"), 63);  // the first product of small primes at 4/0.06375
+  EXPECT_EQ(row.at("mesh1"), 63);  // at least 4/0.06375 points, rounded up to a product of small primes
 }
 
 TEST_F(Structure, WritesSeriesOfEachState) {
@@ -68,7 +69,8 @@ TEST_F(Structure, WritesSeriesOfEachState) {
   EXPECT_NEAR(mean, 8.0 * std::numbers::pi * 0.51 * 0.51 / 16.0, 1e-12);
   const CsvTable z = table("z.csv");
   EXPECT_THAT(z.columns(), ElementsAre("file", "gap", "z", "z_pushed", "gap_rescaled"));
-  // Without adhesion the dead grain of the frame is a rattler: pushed, it touches two.
+  // A grain inside a frame, without force and adhesion, is a rattler. Pushed against the others, it touches two
+  // of them.
   EXPECT_EQ(z.number(0, 1), 0.0);
   EXPECT_NEAR(z.number(0, 2), 2.0, 1e-15);
   EXPECT_NEAR(z.number(1, 3) - z.number(1, 2), 2.0 * 2 / 8, 1e-12);
@@ -130,7 +132,8 @@ TEST_F(Structure, OfBothDimensionsHasNeitherOneFileNorAnAverage) {
 }
 
 TEST_F(Structure, ComparesStatesInRescaledDistance) {
-  // One crystal at two densities: the same places in units that shrink with it.
+  // One crystal at two densities: relative to the diameter, neighbours are farther away in the loose one,
+  // and rescaled distances make the positions comparable.
   for (const double r : {1.0, 0.8}) {
     State<3> bcc;
     bcc.packing = crystal_of(body_centred_cubic(), r, 1.0001, elastic_law(3.0, 0.0, 0.0));
@@ -146,7 +149,7 @@ TEST_F(Structure, ComparesStatesInRescaledDistance) {
   EXPECT_NEAR(g.number(g.n_rows() - 1, rescaled), g.number(g.n_rows() - 1, r) / 0.8, 1e-12);
   const int gap = z.column("gap_rescaled");
   EXPECT_NEAR(z.number(0, gap), 0.0, 1e-12);
-  EXPECT_NEAR(z.number(z.n_rows() / 2, gap), 1.0001 / 0.8 - 1.0001, 1e-12);  // no gap in the dense one
+  EXPECT_NEAR(z.number(z.n_rows() / 2, gap), 1.0001 / 0.8 - 1.0001, 1e-12);  // the dense crystal has no gaps
   ASSERT_EQ(p.n_rows(), 2);
   EXPECT_EQ(p.text(1, p.column("reference")), "loose.h5");
   for (int row : {0, 1})
@@ -167,7 +170,7 @@ TEST_F(Structure, PorosityAndProfilesGoToFiles) {
   EXPECT_THAT(e.columns(),
               ElementsAre("file", "half_side", "void_ratio", "porosity", "void_ratio_cell", "porosity_cell"));
   ASSERT_EQ(e.n_rows(), 10);
-  // The whole cell, and a cube in the middle of the sphere at its centre.
+  // The largest probe is the whole cell. The smallest is a cube that lies inside the sphere at the centre.
   const double phi = std::sqrt(3.0) * std::numbers::pi / 8.0;
   EXPECT_NEAR(e.number(4, 5), 1.0 - phi, 1e-12);
   EXPECT_NEAR(e.number(4, 2), 1.0 / phi - 1.0, 1e-12);
@@ -182,7 +185,7 @@ TEST_F(Structure, PorosityAndProfilesGoToFiles) {
   EXPECT_EQ(along_z.code, 4);
   EXPECT_THAT(along_z.err,
               HasSubstr("frames.h5: this state is in 2D and has no axis z: give --profile-axis x or y"));
-  // The last axis unless another is given.
+  // By default the profile is taken along the last axis.
   ASSERT_EQ(structure("frames.h5 --profile last.csv").code, 0);
   ASSERT_EQ(structure("frames.h5 --profile y.csv --profile-axis y").code, 0);
   EXPECT_EQ(content_of(scratch_.file("last.csv")), content_of(scratch_.file("y.csv")));

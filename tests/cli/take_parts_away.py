@@ -1,5 +1,5 @@
-"""Takes each dataset and each attribute of a state file away in turn, seals the rest as floc does, and requires
-`floc info` to refuse it with exit code 4 and the name of what is missing.
+"""Removes each dataset and each attribute of a state file in turn, seals the rest in the way of floc, and requires
+`floc info` to refuse the file with exit code 4 and the name of the missing part.
 
 Usage: take_parts_away.py FLOC STATE SCRATCH_DIRECTORY
 """
@@ -12,12 +12,12 @@ import sys
 import h5py
 
 SEAL_SIZE = 80
-# Words for a reader, or of later versions: nothing needs them.
+# These attributes inform human readers or belong to later versions; floc does not need them.
 UNREAD = {"units", "meaning", "boundary", "scene_sha256", "ending"}
 
 
 def parts(path):
-    """Every dataset and attribute that floc reads, as (object, attribute or None)."""
+    """Returns every dataset and attribute that floc reads, as (object, attribute or None)."""
     found = []
 
     def visit(name, item):

@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A run that is tracked, and the same one that is not.
+/// Fixture: a run with --track-contacts, and the same run without.
 class TrackContacts : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -67,7 +67,7 @@ TEST_F(TrackContacts, RowsAddUpAndEndWithWhatCompareFinds) {
 }
 
 TEST_F(TrackContacts, GoesOnWhereItStopped) {
-  // Stopped between two steps, then inside one whenever the signal comes.
+  // The run is stopped once between two steps, and then at random times within a step.
   ASSERT_EQ(run_floc("run small.toml -o halves --track-contacts 0.05 --until 2", scratch_->path()).code, 0);
   int n_interrupted = 0;
   for (double seconds = 0.05; seconds < 5.0 && n_interrupted < 2; seconds *= 1.3) {
@@ -85,7 +85,7 @@ TEST_F(TrackContacts, GoesOnWhereItStopped) {
 TEST_F(TrackContacts, RefusesATimeThatIsNone) {
   EXPECT_EQ(run_floc("run small.toml -o none --track-contacts 0", scratch_->path()).code, 2);
   const Outcome o = run_floc("run small.toml -o plain --resume --track-contacts 1", scratch_->path());
-  EXPECT_EQ(o.code, 0);  // nothing is left to run
+  EXPECT_EQ(o.code, 0);  // the run is already complete
 }
 
 }  // namespace

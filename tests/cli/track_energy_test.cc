@@ -21,7 +21,7 @@ using ::testing::HasSubstr;
 const char* const kRun =
     "run small.toml --set equilibrium.finish=\"\\\"dynamic\\\"\" --until 1 --track-energy -o ";
 
-/// A short run of which the account is kept.
+/// Fixture: a short run with --track-energy.
 class TrackEnergy : public ::testing::Test {
  protected:
   void SetUp() override { write_text(scratch_.file("small.toml"), small_scene()); }
@@ -45,7 +45,7 @@ TEST_F(TrackEnergy, ClosesAndLosesNoEnergyTwice) {
   const int last = rows.n_rows() - 1;
   EXPECT_GT(at(last, "viscous"), 0.0);
   EXPECT_LT(at(last, "kinetic"), 1e-9);
-  // At the largest time step that is stable; a quarter of it leaves a fifth of that.
+  // The time step is the largest stable one. With a quarter of it the error is five times smaller.
   EXPECT_LT(std::abs(at(last, "error")), 0.1 * (at(last, "viscous") + at(last, "sliding")));
 }
 
@@ -61,7 +61,8 @@ TEST_F(TrackEnergy, GoesOnWhereItStoppedWithTheSameTable) {
   EXPECT_EQ(content_of(file("halves/state-0001.h5")), content_of(file("whole/state-0001.h5")));
 }
 
-/// A stage that changes the law puts in what the stored energy changes by; the account goes on from a state alike.
+/// A stage that changes the law adds the change of the stored energy to the column `law`. The balance continues
+/// correctly when the run is resumed.
 TEST_F(TrackEnergy, HasAColumnForChangesOfTheLaw) {
   const std::string scene = small_scene();
   write_text(file("small.toml"),
@@ -74,14 +75,14 @@ TEST_F(TrackEnergy, HasAColumnForChangesOfTheLaw) {
   EXPECT_EQ(content_of(file("halves/energy.csv")), content_of(file("whole/energy.csv")));
   const CsvTable rows = CsvTable::read(file("whole/energy.csv"));
   const auto at = [&rows](int row, const char* name) { return rows.number(row, rows.column(name)); };
-  int first = 0;  // row of the stage
+  int first = 0;  // first row of the stage that changes the law
   while (at(first, "step") < 2) ++first;
   ASSERT_GT(first, 0);
   EXPECT_EQ(at(first - 1, "law"), 0.0);
   EXPECT_GT(std::abs(at(first, "law")), 0.0);
   const int last = rows.n_rows() - 1;
   EXPECT_EQ(at(last, "law"), at(first, "law"));
-  // Of the change nothing is left to the error, which stays that of the motion.
+  // The change of the law adds nothing to the error, which comes from the motion alone.
   EXPECT_LT(std::abs(at(last, "error") - at(first - 1, "error")), 0.1 * std::abs(at(last, "law")));
 }
 
@@ -100,7 +101,8 @@ TEST_F(TrackEnergy, IsRefusedWhereNoMotionLeadsToAnEquilibrium) {
   for (const char* directory : {"none", "sheared"}) EXPECT_FALSE(std::filesystem::exists(file(directory)));
 }
 
-/// Why no account is kept of a shipped scene as it is, or with equilibrium.finish = "dynamic"; empty where one is.
+/// Returns the reason why --track-energy is refused for a shipped scene, empty if it is accepted. @param
+/// dynamic  whether equilibrium.finish = "dynamic" is set
 std::string refusal_of(const Scene& scene, bool dynamic) {
   if (scene.assembly.box) return "the scene has walls (table [box])";
   if (scene.law.is_rigid()) return dynamic ? "" : "store no elastic energy";
@@ -111,7 +113,7 @@ std::string refusal_of(const Scene& scene, bool dynamic) {
   return scene.assembly.vibration ? "assembly.vibration moves the grains" : "";
 }
 
-/// Before anything is written, of one run or of several.
+/// The refusal comes before any file is written, for one run and for several.
 TEST_F(TrackEnergy, IsRefusedForShippedScenesOfWhichNoAccountIsKept) {
   std::map<std::string, int> n_refused;
   for (const auto& entry : std::filesystem::directory_iterator(source_directory() + "/data/scenes")) {
@@ -136,7 +138,8 @@ TEST_F(TrackEnergy, IsRefusedForShippedScenesOfWhichNoAccountIsKept) {
   EXPECT_GE(n_refused["assembly.vibration moves the grains"], 2);
 }
 
-/// A shipped scene, and the equilibrium with which each of its kinds of control has been reached.
+/// A shipped scene, and the number of an equilibrium up to which the run uses every kind of control of the
+/// scene.
 struct ShippedPath {
   const char* scene;
   int until;
@@ -147,7 +150,8 @@ void PrintTo(const ShippedPath& path, std::ostream* out) {
 
 class EnergyOfShippedPath : public ::testing::TestWithParam<ShippedPath> {
  protected:
-  /// Returns the error of the energy balance at the end of the path of a few grains, over the work of its boundary.
+  /// Returns the error of the energy balance at the end of a path of a few grains, divided by the work of its
+  /// boundary.
   double error_at(double time_step) const {
     const std::string directory = fmt::format("at-{}", time_step);
     const Outcome o = run_floc(
@@ -165,7 +169,8 @@ class EnergyOfShippedPath : public ::testing::TestWithParam<ShippedPath> {
   ScratchDirectory scratch_;
 };
 
-/// The error falls to a quarter, up to how the paths of two time steps part.
+/// With a quarter of the time step, the error falls to about a quarter. The ratio is not exactly a quarter,
+/// because the two paths differ.
 TEST_P(EnergyOfShippedPath, ClosesWithTheTimeStepOfTheRun) {
   const double coarse = error_at(0.36), fine = error_at(0.09);
   std::cout << GetParam().scene << ": error over work " << coarse << " and at a quarter of the step " << fine

@@ -16,7 +16,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// A scene so small that a sample takes a fraction of a second.
+/// Arguments for a scene so small that a sample takes a fraction of a second.
 const std::string kSmall = source_directory() +
                            "/data/scenes/type1_rolling_small.toml --set grains.count=40 --set load.0.to=0.1 "
                            "--set load.0.steps_per_decade=2 ";
@@ -60,7 +60,8 @@ TEST(TradeoffCommand, FirstColumnIsTheParameterAndObservablesCanBeChosen) {
   EXPECT_THAT(o.out, testing::Not(HasSubstr(",z_plus,")));
 }
 
-/// Shipped scenes of other kinds, so small that a sample takes a fraction of a second, and an observable of each.
+/// Shipped scenes of other kinds, reduced so that a sample takes a fraction of a second, with one observable
+/// each.
 const std::vector<std::tuple<std::string, std::string, std::string>> kOtherKinds = {
     {"beads-hertz", "spheres_demo.toml --set grains.count=50 --set load.0.to=1e5", "B"},
     {"spheres-cohesive-walls", "compaction_demo.toml --set grains.count=50", "n_wall_contacts"},
@@ -84,7 +85,7 @@ TEST(TradeoffCommand, StudiesEveryKindOfSceneInTheSameTable) {
     for (const auto& row : nlohmann::json::parse(o.out)) {
       EXPECT_EQ(row["kind"], kind);
       EXPECT_GT(row["n_states"], 0) << kind;
-      // A small sample may have too few forces for a tail.
+      // A small sample may have too few forces to fit a tail.
       const bool is_tail = std::string(row["observable"]).starts_with("tail_");
       EXPECT_TRUE(is_tail || row["reference_value"].is_number()) << kind << " " << row["observable"];
       EXPECT_FALSE(row["unit"].is_null()) << kind;
@@ -215,7 +216,7 @@ TEST(ModuliWithinAnAccuracy, AreThoseOfTheCheapestMethodThatKeepsIt) {
   EXPECT_EQ(exact[0]["method"], "factor");
 }
 
-/// Packings of other programs, disks and spheres.
+/// Required accuracies are met for packings of disks and spheres from other programs.
 TEST(ModuliWithinAnAccuracy, AreKeptOnShippedPackings) {
   const ScratchDirectory scratch;
   const std::string packings = source_directory() + "/data/packings/";
@@ -257,7 +258,7 @@ TEST(ModuliWithinAnAccuracy, AreRefusedInWordsWhereTheyCannotBe) {
               HasSubstr("needs --method factor; give it instead of --accuracy"));
   EXPECT_EQ(refusal("0.1 --method bounds").code, 2);
   EXPECT_EQ(refusal("0.1 --rolling-stiffness 1").code, 2);
-  // The numbers are given all the same, with their errors.
+  // Although the accuracy is not reached, the numbers are printed with their errors.
   const Outcome beyond = refusal("1.1e-14");
   EXPECT_EQ(beyond.code, 3);
   EXPECT_THAT(

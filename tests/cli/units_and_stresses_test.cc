@@ -24,7 +24,8 @@ struct NamedUnit {
 constexpr NamedUnit kPressures[] = {{"Pa", 1.0},  {"hPa", 1e2}, {"kPa", 1e3},   {"MPa", 1e6},
                                     {"GPa", 1e9}, {"bar", 1e5}, {"kN/m2", 1e3}, {"N/mm^2", 1e6}};
 
-/// One loading in Pa, lambda = 0.2, a little scattered, with its pressures in a unit.
+/// Table of one loading with lambda = 0.2 and a little scatter. @param header  name of the pressure column
+/// @param size  unit of the printed pressures (Pa)
 std::string path_in(const std::string& header, double size, int sample) {
   std::string text = header + ",phi\n";
   for (int k = 0; k < 12; ++k) {
@@ -35,7 +36,8 @@ std::string path_in(const std::string& header, double size, int sample) {
   return text;
 }
 
-/// Commands that pool tables or columns: all pairs of units give what one unit gives, and a missing one is refused.
+/// Commands that pool several tables or columns convert their units: every pair of units gives the same result
+/// as a single unit. A missing unit is refused.
 TEST(UnitsOfTables, AreConvertedOrRefusedWhereTablesArePooled) {
   const ScratchDirectory scratch;
   int n_pairs = 0, n_refused = 0;
@@ -108,7 +110,7 @@ TEST(UnitsOfTables, ModuliOfAStateTakeTheUnitOfTheTable) {
   };
   const Outcome expected = fit("P", 1.0, "solid.h5");
   ASSERT_EQ(expected.code, 0) << expected.err;
-  // A simple cubic crystal: B = K_N/(3 d).
+  // Simple cubic crystal of spheres of spacing d: B = K_N/(3 d).
   EXPECT_NEAR(of(expected, "B"), 1e6 / (3 * 0.999), 1e-3);
   for (const auto& [header, unit, state] : {std::tuple{"P [Pa]", 1.0, "solid.h5"},
                                             {"P [kPa]", 1e3, "solid.h5"},
@@ -187,13 +189,13 @@ TEST_F(UnitsOfRuns, AreConvertedOrRefusedWhereRunsAreCompared) {
   EXPECT_EQ(compared("P [kPa]", "P").code, 4);
   EXPECT_EQ(compared("P", "P [m]").code, 4);
   with_header("run", "P");
-  // Tables that are read by the exact names of floc's own columns refuse others.
+  // Some commands find the columns of floc by their exact names; these reject names with another unit.
   with_header("other", "P_star [kPa]");
   write_text(file("m.csv"), "P_star [kPa],B,B_S,G,B_reuss,B_voigt,G_voigt\n1,1,1,1,1,1,1\n");
   EXPECT_EQ(floc("plot m.csv --show moduli -o m.svg").code, 4);
 }
 
-/// The beads of the shipped scene, compressed along one axis and let go.
+/// Fixture: the beads of the shipped scene, compressed along one axis and then unloaded.
 class OedometerOfBeads : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -227,7 +229,8 @@ energy = 1e-7
   inline static ScratchDirectory* scratch_ = nullptr;
 };
 
-/// Slope of the mean and of the driven stress against ln Phi between neighbouring states of the unloading.
+/// B and M are the slopes of the mean stress and of the stress on the driven axis against ln Phi, between
+/// neighbouring states of the unloading.
 TEST_F(OedometerOfBeads, HasBOfItsMeanAndMOfItsDrivenStress) {
   const Outcome o = floc("fit elastic run --format json");
   ASSERT_EQ(o.code, 0) << o.err;
@@ -243,7 +246,7 @@ TEST_F(OedometerOfBeads, HasBOfItsMeanAndMOfItsDrivenStress) {
   const double change = std::log(at(first, "phi") / at(last, "phi"));
   const double mean = (at(first, "p") - at(last, "p")) / change;
   const double along = (at(first, driven) - at(last, driven)) / change;
-  EXPECT_GT(along / mean, 1.2);  // they differ by far
+  EXPECT_GT(along / mean, 1.2);  // the two slopes differ clearly
   const json B = fit["parameters"]["B"], M = fit["parameters"]["M"];
   if (!B["value"].is_null()) {
     EXPECT_NEAR(B["value"].get<double>() / mean, 1.0, 0.15);
@@ -299,7 +302,7 @@ TEST_F(OedometerOfBeads, NamesTheStressOnItsDrivenAxisBesideTheMean) {
   EXPECT_THAT(content_of(scratch_->file("f.gp")) + content_of(scratch_->file("f.svg")), HasSubstr("(driven)"));
 }
 
-/// A stage that makes the adhesion three times as strong makes P* = 1 three times as large a stress.
+/// A stage triples the adhesion, and so triples the stress that corresponds to P* = 1.
 TEST(UnitOfReducedPressure, IsThatOfTheFirstRows) {
   const ScratchDirectory scratch;
   write_text(scratch.file("path.csv"), R"(step,branch,P_star,P,phi,state

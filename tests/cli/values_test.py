@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Gives every numeric option of every command numbers that it cannot take, and every path option a directory, a missing
-file and files that cannot be read. The options are those of the program's help, so a new one is tried without a change
-here; where it is text, it has to be said below which kind of text it is.
+"""Gives invalid numbers to every numeric option of every command, and a directory, a missing file and unreadable
+files to every path option. The list of options comes from the help of the program, so new options are tested
+automatically. For a new option with text, the kind of text has to be added below.
 
     values_test.py --floc PROGRAM --source DIRECTORY
 """
@@ -16,9 +16,9 @@ import sys
 import tempfile
 import time
 
-# Seconds that a call may take on a machine that is busy with other things.
+# Largest time (s) that a call may take on a busy machine.
 LIMIT = 20.0
-# Numbers that no option takes, and numbers that some options take.
+# Numbers that no option accepts, and numbers that some options accept.
 NEVER = ["nan", "inf", "-inf", "0x10"]
 NEVER_WHOLE = ["18446744073709551616", "1.5"]
 SOMETIMES = ["-1", "0", "1e300"]
@@ -70,8 +70,8 @@ SHEARED = "sigma1,sigma3,strain,volumetric_strain\n" + "".join(
     f"{100 + min(20 * k, 160)},100,{0.001 * k},{-2e-4 * k}\n" for k in range(30))
 FORCES = "normal_force\n" + "".join(f"{0.1 * k + 0.05}\n" for k in range(30))
 
-# A call of each command that takes milliseconds: its arguments by their names in the help, and options. {n} is a name of
-# its own for each call.
+# For each command, a call that takes milliseconds: its arguments, by their names in the help, and its options. Each
+# call replaces {n} by a different name.
 CALLS = {
     "run": ({"SCENE": "scene.toml"}, "-o=run-{n} --until=0"),
     "scene check": ({"SCENE": "scene.toml"}, ""),
@@ -101,7 +101,7 @@ CALLS = {
     "draw": ({"STATE": "balls.h5"}, "-o=out/{n}.png"),
     "plot": ({"INPUT": "disks.h5"}, "-o=out/{n}.svg"),
     "report": ({"DIR": "made"}, "-o=out/{n}.html"),
-    # A scene that the study refuses, but only after it has looked at its options.
+    # The study refuses this scene, but only after it has checked its options.
     "tradeoff": ({"SCENE": "saved.toml"}, ""),
     "plan": ({"SCENE": "scene.toml"}, "--budget=1h --pilot"),
     "demo": ({"DIR": "demo-{n}"}, ""),
@@ -115,7 +115,7 @@ CALLS = {
     "campaign page": ({"DIR": "plan"}, "-o=out/{n}.html"),
     "help columns": ({"TABLE": "moduli"}, ""),
 }
-# Options that another call tries: they exclude what the call above has, or need more.
+# Options that need another call, because they exclude options of the call above or need additional ones.
 INSTEAD = {
     ("run", "--jobs"): "-o=run-{n} --until=0 --seeds=1..1",
     ("run", "--seeds"): "-o=run-{n} --until=0",
@@ -128,14 +128,15 @@ INSTEAD = {
     ("lattice", "--curve"): "--matrix=0.05 --per-diameter=3 --strength=grain=1e-9",
     ("lattice", "--cracks"): "--matrix=0.05 --per-diameter=3 --strength=grain=1e-9",
 }
-# What stands beside the argument that is tried.
+# Arguments that are given in addition to the tested argument.
 BESIDE = {("compare", "STATE"): "{} disks.h5"}
-# A run of a campaign that fails is told, in words and in a file, and is no failure of the campaign.
+# A failing run of a campaign is reported in a message and in a file, but the command itself succeeds.
 TOLD = {("campaign run", "SCENE"), ("campaign run", "--set")}
 ARGUMENTS_INSTEAD = {("draw", "--steps"): {"STATE": "made"}, ("plot", "--steps"): {"INPUT": "made"}}
 
-# What the text of an option is: "in" a file that is read, "out" a file that is written, "dir" a directory that is read,
-# "new" a file or directory that is made, "into" a directory that may be there, a pattern with a number in place of {}, or "words".
+# Kinds of text of the options: "in" (a file that is read), "out" (a file that is written), "dir" (a directory that is
+# read), "new" (a file or directory that is made), "into" (a directory that may exist), a pattern with {} in place of
+# a number, or "words".
 TEXTS = {
     "SCENE": "in", "STATE": "in", "TABLE": "in", "INPUT": "in", "FILE": "in", "IN": "in", "DIR": "dir", "NAME": "new",
     "--output": "out", "--seeds": "{}..2", "--set": "equilibrium.force={}", "--columns": "words",
@@ -156,7 +157,7 @@ TEXTS = {
     "--prices": "in", "--budget": "{}s", "--want": "phi={}", "--observables": "words", "--check": "dir",
     ("tradeoff", "--plot"): "words",  # it is written after a study of minutes
 }
-# Paths that files name, and where.
+# Paths inside input files, with a command that reads the file.
 KEYS = {
     "grains.diameter.file": (["scene", "check"], "key.toml", SCENE.replace(
         'distribution = "constant", value = 1.0', 'distribution = "list", file = "PATH"')),
@@ -204,7 +205,7 @@ class Sweep:
                               text=True, timeout=LIMIT, errors="replace")
 
     def line(self, name, option, value):
-        """Arguments of a call of a command with an option, or an argument, at a value."""
+        """Returns the arguments of a call in which an option or argument has a given value."""
         arguments, options = CALLS[name]
         arguments = {**arguments, **ARGUMENTS_INSTEAD.get((name, option), {})}
         words = INSTEAD.get((name, option), options).split()
@@ -227,7 +228,8 @@ class Sweep:
 
     @staticmethod
     def names_of(option):
-        """ "-o,--output" as "--output", "IN... OUT" as both. """
+        """Returns the names of an option or argument: ["--output"] for "-o,--output", ["IN", "OUT"] for "IN...
+        OUT"."""
         if option.is_argument:
             return re.findall(r"[A-Z]+", option.names)
         return [option.names.split(",")[-1]]

@@ -21,7 +21,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Runs `floc verify` on the packing of 16 disks after `spoil` changed it.
+/// Changes the packing of 16 disks by `spoil` and runs `floc verify` on it.
 template <class Spoil>
 Outcome verify_spoiled(const Spoil& spoil) {
   const ScratchDirectory scratch;
@@ -33,7 +33,7 @@ Outcome verify_spoiled(const Spoil& spoil) {
   return floc_arguments({"verify", path, "--format", "json"});
 }
 
-/// Expects exit code 5, the criteria that fail, and a message on stderr.
+/// Expects exit code 5, the names of the failed criteria, and a message on stderr.
 void expect_failed(const Outcome& result, const std::string& criteria, const std::string& message) {
   EXPECT_EQ(result.code, 5);
   const auto row = nlohmann::json::parse(result.out).at(0);
@@ -50,7 +50,7 @@ TEST(Verify, PassesARealPacking) {
   EXPECT_LT(row["force"].get<double>(), 1e-11);
   EXPECT_LT(row["stress"].get<double>(), 1e-11);
   EXPECT_LT(row["mean_stress"].get<double>(), 1e-10);
-  EXPECT_LT(row["boundary_balance"].get<double>(), 1e-11 * 1e-3);  // of the stress
+  EXPECT_LT(row["boundary_balance"].get<double>(), 1e-11 * 1e-3);  // the bound is 1e-11 times the stress
   EXPECT_EQ(row["stability"], 0);
 }
 
@@ -138,8 +138,9 @@ TEST(Verify, HoldsMassesAgainstTheDensityOfTheScene) {
   expect_failed(with_masses(1.5), "mass", "of grain 3, whose radius is");
 }
 
-/// A contact that was taken away and one that looks for its grain in another cell leave the stress and its
-/// transmission through the faces of the cell unlike, even where the file agrees with itself.
+/// If a contact is removed, or refers to the wrong periodic image of its grain, the stress computed from the
+/// contacts differs from the stress transmitted through the faces of the cell. All other checks of the file may
+/// pass.
 TEST(Verify, HoldsTheForcesAcrossTheFacesOfTheCellAgainstTheStress) {
   const auto expect_both = [](const Outcome& result) {
     EXPECT_EQ(result.code, 5);
@@ -168,8 +169,8 @@ TEST(Verify, HoldsTheForcesAcrossTheFacesOfTheCellAgainstTheStress) {
   }
 }
 
-/// A ring of four equal disks of diameter 1 around the cell that only distant attractions hold: pushed sideways
-/// it buckles.
+/// A ring of four equal disks of diameter 1 across the cell, held only by attractions at a distance: it buckles
+/// if it is pushed sideways.
 TEST(Verify, NamesAnUnstableState) {
   const ScratchDirectory scratch;
   State<2> s;

@@ -21,14 +21,14 @@ void expect_rest(const std::string& options) {
   EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
 }
 
-/// One of its grains touches few others and hangs on its bridges: without the geometric terms of their pull it would
-/// be on a saddle, with them it is not.
+/// One grain has few contacts and is held by its liquid bridges. The state is a minimum only if the geometric
+/// terms of the capillary forces are included; without them it would be a saddle point.
 TEST(WetRun, ComesToRestWhereTheirPullAloneHoldsAGrain) {
   expect_rest("--seed 1");
 }
 
-/// One of its grains has two nearly opposite contacts: without the geometric terms of their tangential forces its spin
-/// about the line through both would be unstable, with them it is not.
+/// One grain has two nearly opposite contacts. Its rotation about the line through both is stable only if the
+/// geometric terms of the tangential forces are included.
 TEST(WetRun, ComesToRestWhereFrictionHoldsASpin) {
   expect_rest("--seed 45 --set equilibrium.finish=dynamic");
 }

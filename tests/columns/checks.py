@@ -1,4 +1,4 @@
-"""How a printed value is compared with what its description makes it."""
+"""Kinds of comparison between a printed value and the value that its description gives."""
 import math
 
 import numpy as np
@@ -15,7 +15,7 @@ def matches(actual, expected, allowed):
 
 
 class Close:
-    """A number or an array of numbers. @param scale  of terms that cancel in it"""
+    """Compares numbers within a tolerance. @param scale  size of terms that cancel in the expected value"""
 
     def __init__(self, expected, scale=0.0, tolerance=TOLERANCE):
         self.expected, self.scale, self.tolerance = expected, abs(scale), tolerance
@@ -32,7 +32,7 @@ class Close:
 
 
 class Same:
-    """Exactly this."""
+    """Requires exactly the expected value."""
 
     def __init__(self, expected):
         self.expected = expected
@@ -50,7 +50,7 @@ class Same:
 
 
 class Holds:
-    """A condition on the value, in words."""
+    """Requires that the value satisfies a condition; `words` describes the condition."""
 
     def __init__(self, words, condition):
         self.words, self.condition = words, condition
@@ -60,7 +60,7 @@ class Holds:
 
 
 class Exempt:
-    """Not checked here, and why not."""
+    """Marks a column that is not checked, with the reason."""
 
     def __init__(self, reason):
         self.reason = reason
@@ -70,13 +70,14 @@ class Exempt:
 
 
 class Tally:
-    """What was compared, and what was wrong."""
+    """Counts the comparisons and collects the faults."""
 
     def __init__(self):
         self.columns, self.exempt, self.states, self.faults, self.n_values = {}, {}, set(), [], 0
 
     def row(self, table, state, row, expected):
-        """Compares a row, or a table by columns: what is printed has to be expected and the other way round."""
+        """Compares a row, or a table by columns. Every printed column must be expected, and every expected column
+        printed."""
         self.states.add(state)
         for name in row:
             check = expected.get(name)

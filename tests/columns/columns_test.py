@@ -3,9 +3,9 @@
 
     columns_test.py --floc PROGRAM --source DIRECTORY [--only TABLE]
 
-Samples of 20 to 60 grains of every kind are made, in a temporary directory; the arrays are read with h5py, and nothing
-of floc computes the numbers that its tables are compared with. A column that docs/columns.md names, or that a table has,
-and that no recomputation is given for is a fault.
+Samples of 20 to 60 grains of every kind are made in a temporary directory, and their arrays are read with h5py. The
+expected numbers are computed without code of floc. A column that docs/columns.md describes, or that a table has, is a
+fault if no recomputation exists for it.
 """
 import argparse
 import csv
@@ -26,7 +26,7 @@ from checks import Tally
 from scenes import SCENES
 from state import State
 
-# Tables of docs/columns.md that are checked here, and what makes them.
+# Tables of docs/columns.md that are checked here, and the commands that print them.
 TABLES = {**moduli.TABLES, **network.TABLES, **structure.TABLES, **info.TABLES, **path.TABLES}
 
 
@@ -41,11 +41,11 @@ class Program:
         return done.stdout
 
     def rows(self, *arguments):
-        """Rows of a table with every digit."""
+        """Returns the rows of a table with all digits."""
         return json.loads(self.run(*arguments, "--format", "json"))
 
     def table(self, file):
-        """A csv file as lists by column: numbers, flags, text, None where a place is empty."""
+        """Returns a csv file as one list per column, with numbers, flags and texts, and None for empty cells."""
         with open(self.directory / file, newline="", encoding="utf-8") as stream:
             names, *rows = csv.reader(stream)
         return {name: [cell_value(row[k]) for row in rows] for k, name in enumerate(names)}
@@ -63,7 +63,7 @@ def cell_value(text):
 
 
 def described(source):
-    """Names of the columns by table, as docs/columns.md has them."""
+    """Returns the names of the columns that docs/columns.md lists for each table."""
     tables, name = {}, None
     for line in (source / "docs/columns.md").read_text(encoding="utf-8").splitlines():
         if line.startswith("## "):
@@ -106,7 +106,7 @@ def main():
 
 
 def complain_of_missing(tables, tally):
-    """Columns that are described and never were compared."""
+    """Returns the described columns that were never compared."""
     seen = {*tally.columns, *tally.exempt}
     for table in TABLES:
         for pattern in tables[table]:

@@ -1,11 +1,12 @@
-"""What follows from how contacts are connected, by brute force on small networks."""
+"""Properties that follow from the connections of contacts alone, computed by brute force on small networks."""
 import numpy as np
 
 from state import parts_of
 
 
 def graph(net):
-    """(nodes, edges (i, j, image)) of a network; all walls are one node, the upper ones its images."""
+    """Returns the graph of a network: number of nodes and edges (i, j, image). All walls are one node; upper walls
+    are images of this node."""
     s = net.state
     edges = []
     for k in net.k:
@@ -20,7 +21,7 @@ def graph(net):
 
 
 def scalar_backbone(net):
-    """Contacts that carry current if a gradient is imposed across the cell, for almost all conductances."""
+    """Returns the contacts that carry a current under a gradient across the cell, for almost all conductances."""
     n, edges = graph(net)
     random = np.random.default_rng(1)
     carries = np.zeros(len(edges), bool)
@@ -46,7 +47,8 @@ def scalar_backbone(net):
 
 
 def dead_end_contacts(net):
-    """Contacts beyond some grain of which lies no loop around the cell, nor two contacts with walls."""
+    """Returns the contacts of side branches: the part beyond some grain has no loop around the cell and at most one
+    contact with walls."""
     n, edges = graph(net)
     out = np.zeros(len(edges), bool)
     ground = net.state.n
@@ -70,8 +72,8 @@ def dead_end_contacts(net):
 
 
 def structural_parts(net, dead, modes):
-    """Independent motions that are free by how grains are connected: those that floc modes lists, of which the
-    translations are checked here. None where it lists none."""
+    """Returns the number of independent motions that are free because of the connections of the grains. `modes` has
+    the motions that floc modes lists; their translations are checked here. Returns None if it lists none."""
     if modes is None:
         return None
     held = net.connected & ~dead

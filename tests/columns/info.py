@@ -11,7 +11,8 @@ TABLES = {"info": "floc info"}
 
 
 def residuals(s):
-    """Net force, net moment, stress and kinetic energy beside what they should be, in F1 and a."""
+    """Returns the deviations of net force, net moment, stress and kinetic energy from their targets, in units of F1
+    and a."""
     P = s.target.mean()
     F1, a = s.own_scales(P)
     force, moment = s.net()
@@ -30,7 +31,7 @@ def residuals(s):
 
 def residual_columns(s):
     names = ("residual_force", "residual_moment", "residual_stress", "kinetic_energy")
-    # What is left of forces that balance has the rounding of these.
+    # The residuals of balanced forces have the rounding errors of these forces.
     return {name: Close(value, 1e-6) for name, value in zip(names, residuals(s))}
 
 
@@ -43,7 +44,7 @@ def n_negative(s):
 
 
 def says_law(s, text):
-    """Each setting of the law once, by the keys of a scene."""
+    """Returns whether a text contains each setting of the law once, under its key in a scene."""
     said = dict(part.split("=") for part in text.split(", "))
     if said.pop("normal.law", None) != ("rigid" if s.rigid else None):
         return False

@@ -9,7 +9,7 @@ from stiffness import ZERO, Network
 
 
 def term(square, stiffness):
-    """square/stiffness, none without a force."""
+    """Returns square/stiffness, or 0 if the force is zero."""
     return np.where(square == 0, 0.0, square / np.where(square == 0, 1.0, stiffness))
 
 
@@ -19,13 +19,13 @@ def complementary(s, kr):
 
 
 def entries(C, full):
-    """Entries of C by the names of columns; shear entries only with full strains."""
+    """Returns the entries of C by the names of their columns. Shear entries exist only with full strains."""
     n = len(C)
     return {f"C{a + 1}{b + 1}": C[a, b] for a in range(n) for b in range(a, n)}
 
 
 def constants(C, dim):
-    """B, B_S and G of the block of the normal strains."""
+    """Returns B, B_S and G, computed from the block of normal strains."""
     block = C[:dim, :dim]
     S = np.linalg.pinv(block, rcond=1e-9)
     G = ((dim - 1) * np.trace(block) - (block.sum() - np.trace(block))) / (2 * dim * (dim - 1))
@@ -33,7 +33,7 @@ def constants(C, dim):
 
 
 class Step:
-    """Response of the contacts to a unit of a diagonal stress."""
+    """Response of the contacts to an isotropic or deviatoric stress of 1."""
 
     def __init__(self, net, deviatoric):
         s = net.state
@@ -79,7 +79,7 @@ class Step:
 
 
 def mean_field(s, net):
-    """Means of the sizes of all grains and of the contacts that touch."""
+    """Returns mean-field estimates from mean sizes of all grains and means over the touching contacts."""
     t = net.k[s.touching[net.k]]
     d = 2 * s.radius
     squares = net_complementary(s, net)[s.touching[net.k]]
@@ -112,7 +112,7 @@ def net_complementary(s, net):
 
 
 def voigt(net):
-    """Bounds by equal strains: the affine stiffness over the volume."""
+    """Returns the Voigt bounds, from the stiffness for affine displacements divided by the volume."""
     m, n = net.n_grain_unknowns(), net.n_strains()
     affine = net.K()[m:m + n, m:m + n] / net.state.volume
     B, _, G = constants(affine, net.state.dim)
@@ -120,14 +120,14 @@ def voigt(net):
 
 
 def bounds_hold(net, prestress, B_reuss):
-    """(whether B_reuss <= B <= B_voigt is a theorem, whether B_reuss <= B_S is one as well)."""
+    """Returns whether B_reuss <= B <= B_voigt is a theorem for this state, and whether B_reuss <= B_S is one."""
     s = net.state
     negative = (np.vstack([s.kn[net.k], s.kt[net.k], net.kr, s.ktw[net.k]]) < 0).any()
     force, _ = s.net()
     balanced = np.linalg.norm(force, axis=1).max() < 1e-3 * s.F1(s.target.mean())
     of_B = bool(not negative and not s.distant[net.k].any() and balanced and not prestress)
-    # B_S keeps shear strains clamped, with --strains full too, and they bear any shear stress: it is the normal
-    # stresses that have to be equal.
+    # B_S keeps shear strains at zero, also with --strains full, so shear stresses may have any value. Only the normal
+    # stresses have to be equal.
     normal = np.diag(s.load_stress)
     largest = np.abs(normal - normal.mean()).max()
     return of_B, of_B and bool(B_reuss == 0 or largest <= 1e-4 * abs(np.trace(s.load_stress)) / s.dim)
@@ -142,7 +142,7 @@ def near_mechanisms(net):
 
 
 def rounding_floor(s):
-    """Net force that the last digits of the positions, and of the forces, leave."""
+    """Returns the net force that rounding of the positions and of the forces can cause."""
     half = 0.5 * np.finfo(float).eps
     k = np.maximum(np.abs(s.kn), s.kt)
     stiffness = np.bincount(s.i, k, s.n) + np.bincount(s.j[~s.on_wall], k[~s.on_wall], s.n)
@@ -164,7 +164,8 @@ def budget(s, net, step, B, error_B):
 
 
 def columns(s, row, options, context):
-    """Each column of a row and what it should be. @param context  {"modes": counts of floc modes}"""
+    """Returns the expected value of each column of a row. @param context  {"modes": numbers of motions from floc
+    modes}"""
     full = options.get("strains") == "full"
     prestress = options.get("prestress", False)
     kr = options.get("rolling_stiffness")
@@ -206,7 +207,7 @@ def columns(s, row, options, context):
         vanishing = int((np.abs(np.linalg.eigvalsh(plain)) <= 1e-9 * size).sum())
         out["n_negative"] = Same(n_negative)
         out["n_coupled_mechanisms"] = Same(vanishing)
-        # Motions that cost nothing and are not free by how the grains are connected.
+        # Motions that need no energy, but are not free because of the connections of the grains.
         out["n_mechanisms"] = Same(n_zero - kinds) if kinds is not None else Exempt("see the plain row")
     out["residual"] = Holds("below 1e-12", lambda v: 0 <= v < 1e-12)
     out["condition"] = condition(net)
@@ -261,7 +262,7 @@ def columns(s, row, options, context):
 
 
 def condition(net):
-    """An estimate from below of the 1-norm condition number, seldom by more than 3; of unknowns of one scale."""
+    """Estimates the 1-norm condition number from below, usually within a factor of 3, for unknowns with one scale."""
     values, _ = net.modes()
     regular = np.abs(values)[np.abs(values) > ZERO * values.max()]
     ratio = regular.max() / regular.min()
@@ -270,7 +271,8 @@ def condition(net):
 
 
 def components(net, dead):
-    """(connected parts but for dead ends and grains alone, most ways in which a part winds)"""
+    """Returns the number of connected parts without dead ends and single grains, and the largest number of directions
+    in which a part percolates."""
     from state import parts_of
     s = net.state
     held = net.connected & ~dead
@@ -282,7 +284,7 @@ def components(net, dead):
 
 
 def free_rollers(net, dead):
-    """Dead ends on a contact that lacks a spring against some motion."""
+    """Counts the dead ends whose contact has no spring against some motion."""
     s = net.state
     count = 0
     active, gone = np.ones(len(net.k), bool), np.zeros(s.n, bool)
@@ -301,7 +303,8 @@ def free_rollers(net, dead):
 
 
 def indeterminacy(net):
-    """Independent self-stresses: what is left of the force components beside the rank of the rigidity matrix."""
+    """Returns the number of independent self-stresses: the number of force components minus the rank of the rigidity
+    matrix."""
     rows = [G[stiffness != 0] for G, stiffness, _, _ in net.assembled()]
     if not rows:
         return 0
@@ -313,7 +316,7 @@ def indeterminacy(net):
 
 
 def increments(s, table, options):
-    """Columns of --increments, each an array over the contacts of the state."""
+    """Returns the expected columns of --increments, each as an array over the contacts of the state."""
     net = Network(s)
     inside = np.zeros(len(s.i), bool)
     inside[net.k] = True
@@ -364,7 +367,7 @@ def increments(s, table, options):
 
 
 def modes(s, rows):
-    """Rows of floc modes: what is free by structure in all, strain mechanisms, and each mode."""
+    """Compares the rows of floc modes: number of free motions, mechanisms that couple to strain, and each mode."""
     net = Network(s)
     values, vectors = net.modes()
     zero = np.abs(values) <= ZERO * values.max()
@@ -417,7 +420,7 @@ KINDS = {"rattler", "translation", "rotation", "roll", "spin", "strain mechanism
 
 
 def of_mode(s, net, row, vector, value, coupling, geometric, n_connected):
-    """Amplitudes are of unit length, of either sign."""
+    """Returns the expected columns of one mode. Its amplitude has length 1 and an arbitrary sign."""
     dim = s.dim
     square = (vector.reshape(s.n, -1)**2).sum(1)
     softening = np.outer(coupling, coupling) / (value * s.volume)
@@ -430,7 +433,7 @@ def of_mode(s, net, row, vector, value, coupling, geometric, n_connected):
     for a in range(dim):
         here[f"coupling{a + 1}"] = Close(sign * coupling[a], scale)
     named = [int(grain) for grain in str(row["grains"]).split()]
-    # No more than so many are named.
+    # At most 12 grains are named.
     here["grains"] = Holds("the fewest that hold half", lambda _: (
         (square[named].sum() >= 0.5 - 1e-9 or len(named) == 12)
         and square[named[:-1]].sum() < 0.5 + 1e-9

@@ -18,7 +18,8 @@ def pearson(x, y):
 
 
 def mobilisation(s, of, mean):
-    """(mean of F_T/N above the mean of N, below it), of contacts that have an N."""
+    """Returns the mean of F_T/N over contacts with N above its mean, and over those below. Contacts with N <= 0 are
+    left out."""
     of = of[s.elastic[of] > 0]
     ratio = np.linalg.norm(s.shear[of], axis=1) / s.elastic[of]
     sides = (ratio[s.elastic[of] > mean], ratio[s.elastic[of] <= mean])
@@ -26,12 +27,13 @@ def mobilisation(s, of, mean):
 
 
 def bonds(s):
-    """(i, j, image) of all interactions between two grains."""
+    """Returns (i, j, image) of all interactions between two grains."""
     return [(s.i[k], s.j[k], s.image[k]) for k in np.flatnonzero(~s.on_wall)]
 
 
 def phase(s, sign, value):
-    """(sizes of the connected parts of a sign, most directions, which lattice vectors they wind along)."""
+    """Returns for the grains of one sign: sizes of their clusters, largest number of directions in which a cluster
+    percolates, and the lattice vectors along which one does."""
     edges = [(i, j, image) for i, j, image in bonds(s) if sign[i] == value and sign[j] == value]
     sizes, most, along = [], 0, np.zeros(s.dim, bool)
     for grains, rank, loops in parts_of(s.n, edges):
@@ -49,7 +51,7 @@ def pressures(s):
 
 
 def phase_columns(s, p):
-    """pressed_* and pulled_*: grains of positive and of negative pressure."""
+    """Returns the columns pressed_* and pulled_*, for grains of positive and of negative pressure."""
     out = {}
     for name, value in (("pressed", 1), ("pulled", -1)):
         sign = np.sign(p)
@@ -66,14 +68,15 @@ def like(s, sign):
 
 
 def signs_beyond_zero(s, p, rattler, zero):
-    """Signs of the pressures that are beyond the zero of a force over a^(d-1); none of rattlers."""
+    """Returns the signs of the pressures. Pressures up to zero/a^(d-1) and rattlers have the sign 0."""
     sign = np.sign(p).astype(int)
     sign[rattler | (np.abs(p) <= zero / s.a**(s.dim - 1))] = 0
     return sign
 
 
 def with_phases(s, p, rattler, zero):
-    """Columns of --with phases. What depends on the draw of shuffles is compared with shuffles of our own."""
+    """Returns the expected columns of --with phases. Columns that depend on random permutations are compared with
+    other permutations."""
     sign = signs_beyond_zero(s, p, rattler, zero)
     n_bonds, share = like(s, sign)
     n, plus = int((sign != 0).sum()), int((sign == 1).sum())
@@ -89,7 +92,7 @@ def with_phases(s, p, rattler, zero):
             found[value].append((sizes[0] if sizes else 0, most, most > 0))
 
     def near(values):
-        """The mean of as many draws: within five standard errors of the difference of two such means."""
+        """Requires a value within five standard errors of the difference of two means of equally many draws."""
         mean, deviation = np.mean(values), np.std(values)
         return Holds(f"about {mean:.4g}", lambda v: abs(v - mean) <= 7.1 * deviation / math.sqrt(SHUFFLES) + 1e-9
                      + 20.0 / SHUFFLES)
@@ -126,7 +129,7 @@ def with_bonds(s):
 
 
 def p_max(s):
-    """Largest pressure inside a contact, where all contacts are those of Hertz."""
+    """Returns the largest pressure inside a contact, if all contacts follow Hertz's law."""
     if s.law["normal"] != "hertz":
         return None
     pressed = s.touching & (s.elastic > 0)
@@ -183,7 +186,8 @@ def carrying_columns(s, zero):
 
 
 def likeliest_alpha(x):
-    """alpha of x^-alpha below and exp[beta (1 - x)] above 1, and its standard error; None where the data give none."""
+    """Returns the exponent alpha of the distribution x^-alpha for x < 1 and exp[beta (1 - x)] beyond, fitted by
+    maximum likelihood, and its standard error. Returns None if the data do not determine it."""
     below = x[x < 1]
     if len(x) < 10 or not len(below):
         return None, None
@@ -208,7 +212,7 @@ def force_shape(forces, suffix):
     above = x[x >= 1]
     beta = 1 / (above - 1).mean() if len(above) >= 10 else None
     alpha, error = likeliest_alpha(x)
-    # Both maximise a function to the square root of rounding.
+    # Both programs maximise a function, which determines the position only to the square root of the rounding error.
     return {f"below_mean{suffix}": Close((x < 1).mean() if len(x) else 0.0),
             f"alpha{suffix}": Close(alpha, 1.0, 1e-6), f"alpha{suffix}_error": Close(error, 0.0, 1e-3),
             f"beta{suffix}": Close(beta), f"beta{suffix}_error": Close(beta and beta / math.sqrt(len(above)))}
@@ -231,7 +235,8 @@ def anisotropy_columns(s, of):
     size = math.sqrt((d**2).sum())
     if not len(of) or np.trace(stress) <= 0 or size < 1e-4 * np.trace(stress) / s.dim:
         return {name: Same(None) for name in names}
-    # In the axes of the deviatoric stress, the tensor of an anisotropy a is a diag(1, -1), or a diag(2, -1, -1).
+    # In the principal axes of the deviatoric stress, a tensor with the anisotropy a is a diag(1, -1) in 2D and a
+    # diag(2, -1, -1) in 3D.
     unit = math.sqrt(2 if s.dim == 2 else 6)
 
     def along(weights, vectors):
@@ -277,7 +282,8 @@ def long_axes(s):
 
 
 def statistics_columns(s, kept):
-    """Kinds of contacts, anisotropies, distributions of forces: of the force-carrying structure."""
+    """Returns the columns about kinds of contacts, anisotropies and force distributions of the force-carrying
+    structure."""
     of = np.flatnonzero(kept & ~s.on_wall)
     out = force_shape(s.N[of][s.N[of] > 0], "") | anisotropy_columns(s, of) | long_axes(s)
     limit = s.mu * s.elastic[of]
@@ -302,7 +308,7 @@ def statistics_columns(s, kept):
 
 
 def mechanics_columns(s, kept):
-    """What needs the moduli: of the network, and of the force-carrying structure."""
+    """Returns the columns that need the elastic response, of the network and of the force-carrying structure."""
     names = ("indeterminacy", "n_dead_ends", "n_components", "n_percolating", "energy_share_95",
              "energy_share_95_deviatoric", "backbone_share", "scalar_backbone_share", "correlation_normal",
              "correlation_size", "hyperstaticity", "n_null_modes")
@@ -332,7 +338,8 @@ def mechanics_columns(s, kept):
 def columns(s):
     zero = s.tolerances[0] * s.F1(s.target.mean())
     p = pressures(s)
-    # A force of the last digits is neither tension nor compression: no count may hang on it.
+    # A force that is only rounding counts neither as tension nor as compression, so that no number may depend on its
+    # sign.
     out = {"file": Same(s.path), "dimension": Same(s.dim), "n_grains": Same(s.n), "units": Same(s.units),
            "P": Close(s.P, s.stress_scale), "P_star": Close(s.reduced(s.P), s.reduced(s.stress_scale)), **s.driven_columns(),
            "p_wall": Close(s.p_wall), "n_solid_bonds": Same(0),  # no state of the samples has bonds: cli.Imports counts them
@@ -369,7 +376,7 @@ def forces_of(s, kind):
 
 
 def histogram_rows(values, low, high):
-    """How many values lie in each bin; a value on an edge, to rounding, may be in either."""
+    """Counts the values in each bin. A value at an edge, up to rounding, may be in either bin."""
     slack = 1e-9 * (high - low)
     at_least = ((values[None] >= low[:, None] + slack[:, None]) & (values[None] < high[:, None] - slack[:, None])).sum(1)
     at_most = ((values[None] >= low[:, None] - slack[:, None]) & (values[None] < high[:, None] + slack[:, None])).sum(1)
@@ -413,7 +420,8 @@ def pressure_pdf(s, table):
 
 
 def exponent(windows):
-    """Likeliest b of exp(-b x) of values in windows (values less the start, width), and its standard error."""
+    """Fits b of the density exp(-b x) by maximum likelihood to values in windows, given as (values minus start,
+    width). Returns b and its standard error."""
     n = sum(len(x) for x, _ in windows)
     if n < 10:
         return None, None
@@ -427,7 +435,7 @@ def exponent(windows):
             return width * (0.5 - t / 12), width**2 / 12
         return width * (1 / t - 1 / math.expm1(t)), width**2 * (1 / t**2 - 1 / (4 * math.sinh(t / 2)**2))
 
-    # Beyond a million times the exponent of a whole tail there is none to be found.
+    # The search ends at a million times the exponent of the tail without an upper end.
     far = 1e6 * n / total
     low, high = (1e-12 * far if any(math.isinf(w) and len(x) for x, w in windows) else -far), far
     for _ in range(200):
@@ -454,7 +462,7 @@ def exponents(s, table):
         quantity, unit = table["quantity"][k], table["unit"][k]
         size, side, start, end = sizes[quantity, unit], table["side"][k], table["from"][k], table["to"][k]
         values = (N if quantity == "force" else p) / size
-        # Tension ends at F0; of both sides each has its own end.
+        # The largest tension is F0, so each sign has its own end of the axis.
         pull_off = s.F0 / size if quantity == "force" and s.F0 > 0 else math.inf
         ends = {"+": end if end is not None else math.inf, "-": end if end is not None else pull_off}
         windows = []

@@ -9,7 +9,7 @@ TABLES = {"path.csv": "of floc run"}
 
 
 def axes_columns(s, first, before):
-    """Stresses and strains along the axes, and what a test with a driven axis measures."""
+    """Returns stresses and strains along the axes, and the results of a test with a driven axis."""
     stress = np.diag(s.stress)
     scale = s.stress_scale
 
@@ -35,7 +35,8 @@ def axes_columns(s, first, before):
         step = strain(s) - strain(before)
         deviatoric = (step[driven] - np.delete(step, driven).mean()) * (1 if s.dim == 2 else 2 / 3)
         out["dilatancy"] = Close(-step.sum() / deviatoric)
-    # Of one step: how far the lattice vector of the axis reaches along the first, over the height before.
+    # The shear strain of one step is the change of the offset of the lattice vector along the first axis, divided by
+    # the height before the step.
     offset = (s.cell[driven, 0] - before.cell[driven, 0]) / before.cell[driven, driven] if sheared else None
     out["shear_strain"] = Close(offset, 1.0)
     out["shear_stress"] = Close(shear_stress if sheared else None, scale)
@@ -43,7 +44,7 @@ def axes_columns(s, first, before):
 
 
 def least_mechanisms(s):
-    """Unknowns of grains that two contacts or more hold, less springs."""
+    """Returns the number of unknowns of grains with two contacts or more, minus the number of springs."""
     held = np.ones(s.n, bool)
     inner = np.where(s.on_wall, 0, s.j)
     while True:

@@ -1,4 +1,4 @@
-"""Pores of disks: faces of the graph of contacts less the disks, with the moments of their areas."""
+"""Pores of disks: the faces of the contact graph without the disks, with the moments of their areas."""
 import math
 
 import numpy as np
@@ -10,7 +10,7 @@ NODES = np.polynomial.legendre.leggauss(24)
 
 
 def moments_of_triangle(p, q):
-    """Integrals of 1, x and |x|^2 over the triangle of the origin, p and q."""
+    """Returns the integrals of 1, x and |x|^2 over the triangle with the corners 0, p and q."""
     area = (p[0] * q[1] - p[1] * q[0]) / 2
     return np.array([area, *(area / 3 * (p + q)), area / 6 * (p @ p + p @ q + q @ q)])
 
@@ -26,7 +26,7 @@ def moments_of_sector(c, R, start, angle):
 
 
 def find_pores(s):
-    """(pores, whether one winds around the cell). Every part of the graph has to be joined to the others."""
+    """Returns the pores, and whether one of them percolates. All parts of the graph must be joined."""
     edges = {}
     for i, j, image, r in zip(s.i, s.j, s.image, s.branch):
         edges[i, j, tuple(image)] = r
@@ -67,7 +67,7 @@ def find_pores(s):
 
 
 def bridge(s, edges):
-    """Joins parts of the graph by the shortest gaps between them."""
+    """Joins the parts of the graph across the smallest gaps between them."""
     i, j, r = s.neighbours(3 * s.a)
     gap = np.linalg.norm(r, axis=1) - s.radius[i] - s.radius[j]
     part = {}

@@ -1,4 +1,5 @@
-"""Forces of rigid grains at rest: those of least elastic energy, and how many of them the geometry leaves free."""
+"""Forces of rigid grains at rest: the forces of least elastic energy, and the number of force components that the
+geometry does not determine."""
 import numpy as np
 
 from state import cross
@@ -7,8 +8,9 @@ SOLVED = 1e-11  # error of the balance, over the mean normal force
 
 
 def balance(s):
-    """Matrix from forces on the second grain (all components of one contact after the other) to what they add up to: force
-    and moment over the radius of each grain, then the normal stress on each axis times the area of the cell across it."""
+    """Returns the matrix that maps the forces on the second grain of each contact (all components of one contact
+    after the other) to the net force and the net moment divided by the radius of each grain, followed by the normal
+    stress on each axis times the area of the cell across it."""
     turns = 1 if s.dim == 2 else 3
     dofs = s.dim + turns
     out = np.zeros((dofs * s.n + s.dim, s.dim * len(s.i)))
@@ -24,12 +26,12 @@ def balance(s):
 
 
 def frames(s):
-    """Of each contact the normal and the tangents, as rows."""
+    """Returns the normal and the tangents of each contact as rows."""
     return np.array([np.vstack([n, np.linalg.svd(n[None])[2][1:]]) for n in s.normal])
 
 
 def nearest_in_cone(v, mu):
-    """Forces (P, T) in Coulomb's cone that are nearest to v, and how they change with v."""
+    """Returns the forces (P, T) in Coulomb's cones that are nearest to v, and their derivatives with respect to v."""
     m, dim = v.shape
     size = np.linalg.norm(v[:, 1:], axis=1)
     x, change = np.zeros_like(v), np.zeros((m, dim, dim))
@@ -47,20 +49,20 @@ def nearest_in_cone(v, mu):
 
 
 def least_energy(s):
-    """Forces (P, T) by contact that balance all grains and the normal stresses in Coulomb's cones, with the least sum of
-    squares. They are the points of the cones nearest to B^T y, for the y at which these points balance (Newton's method,
-    on the dual energy)."""
+    """Returns the forces (P, T) of the contacts with the least sum of squares that lie in Coulomb's cones and balance
+    all grains and the normal stresses. These are the points of the cones nearest to B^T y, for the y at which they
+    are balanced. Newton's method on the dual energy finds this y."""
     mu = float(s.law.get("friction_coefficient", 0.0))
     m = len(s.i)
     frame = frames(s)
     whole = balance(s)
     B = np.einsum("rka,kca->rkc", whole.reshape(-1, m, s.dim), frame)
     unit = np.abs(s.elastic).mean()
-    # Repulsive parts balance the load and the adhesion.
+    # The repulsive parts of the forces balance the load and the adhesion.
     load = np.zeros(len(B))
     load[-s.dim:] = (whole @ s.force_on_j.ravel())[-s.dim:]
     load = (load + B[:, :, 0] @ (s.elastic - s.N)) / unit
-    # The stress on an axis of imposed length is free.
+    # The stress on an axis with imposed length may have any value.
     kept = np.concatenate([np.ones(len(B) - s.dim, bool), s.target_side == 0])
     B, load = B[kept], load[kept]
     y, damping = np.zeros(len(B)), 1e-6
@@ -95,7 +97,8 @@ def force_freedom(s):
 
 
 def indeterminacy(s, smallest):
-    """Components of the forces that carry, less independent equations of balance; at its limit a force has one."""
+    """Returns the number of force components of the contacts that carry a force, minus the number of independent
+    balance equations. A contact at its friction limit has one component."""
     carries = s.elastic > smallest
     slides = s.c["sliding"].astype(bool) | (s.law["friction"] == "none")
     kept = np.zeros((len(s.i), s.dim), bool)

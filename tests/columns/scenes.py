@@ -128,7 +128,7 @@ kinetic_pressure = 0.02
 seed = 3
 """
 
-# Rigid grains, all of which are put together alike.
+# Scene of rigid grains; all kinds of rigid grains use the same assembly.
 RIGID = """[scene]
 name = "rigid"
 dimension = {dimension}

@@ -1,4 +1,4 @@
-"""A state file by h5py and numpy alone: its arrays, and what is a line of algebra away from them."""
+"""The arrays of a state file, read with h5py and numpy alone, and quantities that follow from them directly."""
 import collections
 import itertools
 
@@ -9,12 +9,12 @@ from checks import Close
 
 
 def cross(a, b):
-    """a x b; of vectors in a plane the component out of it."""
+    """Returns the cross product a x b; in 2D its component normal to the plane."""
     return np.cross(a, b)
 
 
 class State:
-    """Arrays by the names of docs/states.md; `distant` and others are flags."""
+    """Arrays of a state with the names in docs/states.md; `distant` and others are flags."""
 
     def __init__(self, path):
         self.path = str(path)
@@ -55,7 +55,7 @@ class State:
         self._contacts()
 
     def turn(self, i):
-        """Matrix that takes vectors from the axes of grain i to those of space."""
+        """Returns the matrix that rotates vectors from the axes of grain i to the axes of space."""
         if self.dim == 2:
             c, s = np.cos(self.orientation[i]), np.sin(self.orientation[i])
             return np.array([[c, -s], [s, c]])
@@ -84,7 +84,7 @@ class State:
             self.branch[k, axis] = place - self.x[self.i[k], axis]
         self.length = np.linalg.norm(self.branch, axis=1)
         self.share_i = self.radius[self.i] / (self.radius[self.i] + self.radius_j)
-        # From the centres of both grains to the contact point.
+        # Vectors from the centres of both grains to the contact point.
         self.arm_i = c["point"] if "point" in c else (self.share_i * self.length)[:, None] * self.normal
         self.arm_j = self.arm_i - self.branch if "point" in c else (
             ((self.share_i - 1) * self.length)[:, None] * self.normal)
@@ -105,7 +105,7 @@ class State:
         return np.trace(self.stress) / self.dim
 
     def on_driven_axis(self, stress):
-        """Of the stresses on the axes, that on the driven one; their mean if none is driven."""
+        """Returns the stress on the driven axis, or the mean over the axes if no axis is driven."""
         axis = self.path_attributes.get("axis")
         return stress[axis - 1] if axis else stress.mean()
 
@@ -116,14 +116,14 @@ class State:
 
     @property
     def stress_scale(self):
-        """Of the terms that add up to a stress."""
+        """Returns the size of the terms whose sum is the stress."""
         return (np.linalg.norm(self.force_on_j, axis=1) * self.length).sum() / self.volume
 
     def walled_axes(self):
         return sorted(set(self.walls["axis"].tolist())) if self.walls else []
 
     def wall_pressure(self):
-        """Mean pressure on the two walls of each axis that has them."""
+        """Returns the mean pressure on the two walls of each axis with walls."""
         out = {}
         for axis in self.walled_axes():
             area = self.volume / self.cell[axis, axis]
@@ -138,7 +138,7 @@ class State:
 
     @property
     def load_stress(self):
-        """The stress of the contacts, and the pressure of the walls along an axis that has them."""
+        """Returns the stress of the contacts, but the pressure of the walls on axes with walls."""
         stress = self.stress.copy()
         for axis, pressure in self.wall_pressure().items():
             stress[axis, axis] = pressure
@@ -159,7 +159,7 @@ class State:
         return max(self.F0, P * self.a ** (self.dim - 1))
 
     def reduced(self, P):
-        """P*"""
+        """Returns the reduced pressure P*."""
         if self.F0 > 0:
             return self.a ** (self.dim - 1) * P / self.F0
         if self.law["normal"] == "hertz":
@@ -170,7 +170,7 @@ class State:
 
     # Balance.
     def net(self):
-        """Net force and net moment of each grain."""
+        """Returns the net force and the net moment of each grain."""
         force, moment = np.zeros((self.n, self.dim)), np.zeros((self.n, 1 if self.dim == 2 else 3))
         on_i = -self.force_on_j
         springs = self.rolling + (self.twisting[:, None] * self.normal if self.dim == 3 else 0)
@@ -191,7 +191,7 @@ class State:
         return 0.5 * (self.mass * (self.v**2).sum(1) + inertia * (self.w.reshape(self.n, -1) ** 2).sum(1))
 
     def own_scales(self, P):
-        """F1 and a of each grain: its own where sizes differ more than fourfold."""
+        """Returns F1 and a for each grain. If sizes differ more than fourfold, each grain has its own values."""
         if self.radius.max() <= 4 * self.radius.min():
             return np.full(self.n, self.F1(P)), np.full(self.n, self.a)
         d = 2 * self.radius
@@ -200,7 +200,7 @@ class State:
 
     # Rattlers and carrying structures.
     def rattlers(self, smallest):
-        """Grains that carry nothing (docs/physics.md, "Coordination and rattlers")."""
+        """Returns the rattlers (docs/physics.md, "Coordination and rattlers")."""
         ends = [(i, None if w else j) for i, j, w in zip(self.i, self.j, self.on_wall)]
         loaded = self.N > smallest
         if self.F0 > 0 or not loaded.any():
@@ -224,7 +224,8 @@ class State:
             out |= more
 
     def carrying(self, smallest, least):
-        """Contacts of the force-carrying structure, with walls too, and which grains are outside it."""
+        """Returns the contacts of the force-carrying structure, including contacts with walls, and the grains outside
+        it."""
         kept, out = np.abs(self.N) > smallest, np.zeros(self.n, bool)
         while True:
             count = np.bincount(self.i[kept], minlength=self.n)
@@ -243,7 +244,7 @@ class State:
         return sums / (self.ball / self.phi)[:, None, None]
 
     def energy(self):
-        """Elastic energy of each contact."""
+        """Returns the elastic energy of each contact."""
         if self.rigid:
             return np.zeros(len(self.N))
         h = np.maximum(-self.c["gap"], 0)
@@ -255,7 +256,7 @@ class State:
         return total
 
     def images(self, reach):
-        """Lattice vectors (in cells) that pairs up to `reach` apart may need."""
+        """Returns all lattice vectors (in cells) that pairs at distances up to `reach` may need."""
         heights = 1 / np.linalg.norm(np.linalg.inv(self.cell), axis=0)
         most = [int(np.ceil(reach / height)) + 1 for height in heights]
         for axis in self.walled_axes():
@@ -263,7 +264,8 @@ class State:
         return np.array(list(itertools.product(*(range(-m, m + 1) for m in most))))
 
     def neighbours(self, reach, x=None):
-        """(i, j, r) of all ordered pairs with a branch r up to `reach`, a grain and its own images too."""
+        """Returns (i, j, r) of all ordered pairs with a branch r up to `reach`, including pairs of a grain and its
+        own images."""
         x = self.x if x is None else x
         parts = []
         for image in self.images(reach):
@@ -276,7 +278,8 @@ class State:
 
 
 def parts_of(n, edges):
-    """Connected parts of a periodic graph: (grains, independent ways in which the part winds around the cell).
+    """Returns the connected parts of a periodic graph: (grains, number of independent directions in which the part
+    percolates).
 
     @param edges  (i, j, image) for each; grains without an edge are parts too
     """

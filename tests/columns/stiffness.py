@@ -1,4 +1,4 @@
-"""The stiffness matrix of a state's contacts as a dense array, and what follows from it by plain algebra."""
+"""The stiffness matrix of the contacts of a state as a dense array, and results of plain linear algebra with it."""
 import functools
 
 import numpy as np
@@ -7,7 +7,8 @@ ZERO = 1e-11  # an eigenvalue below it, over the largest, is what rounding leave
 
 
 def unit_strains(dim, full):
-    """Symmetric strains: along the axes, then gamma = 1 of each pair: 23, 13, 12 in 3D."""
+    """Returns symmetric strains: extensions along the axes, then gamma = 1 for each pair of axes: 23, 13, 12 in
+    3D."""
     strains = [np.diag(row) for row in np.eye(dim)]
     pairs = [(1, 2), (0, 2), (0, 1)] if dim == 3 else [(0, 1)]
     for p, q in pairs if full else []:
@@ -18,10 +19,10 @@ def unit_strains(dim, full):
 
 
 class Network:
-    """Contacts of grains that are no rattlers, as springs.
+    """Contacts of all grains except rattlers, as springs.
 
-    Unknowns: displacement and rotation times the radius of each grain, then strains of the cell and, between walls, by
-    what both walls of an axis move together. Strain is positive in compression.
+    The unknowns are displacement and rotation times the radius of each grain, then strains of the cell and, between
+    walls, the common displacement of both walls of an axis. Strains are positive in compression.
     """
 
     def __init__(self, state, force_tolerance=1e-5, rolling_stiffness=None, members=None):
@@ -44,7 +45,8 @@ class Network:
         self.n_rattlers = int((~self.connected).sum())
 
     def rows(self, k, position, full):
-        """What the unknowns do to a contact: translation along (-n, tangents...) and relative rotations, and stiffnesses."""
+        """Returns the change of a contact per unit of each unknown: translations along (-n, tangents...) and relative
+        rotations. Returns the stiffnesses as well."""
         s, dim = self.state, self.state.dim
         n = s.normal[k]
         tangents = np.linalg.svd(n[None])[2][1:]
@@ -66,7 +68,7 @@ class Network:
                 slide[a, at + a] += sign
                 move[a, at + a] += sign
             for b in range(self.turns):
-                # w x arm, w the unit rotation about axis b over the radius.
+                # The displacement is w x arm, where w is a unit rotation about axis b divided by the radius.
                 if dim == 2:
                     spun = np.array([-arms[side][1], arms[side][0]])
                 else:
@@ -96,7 +98,7 @@ class Network:
 
     @functools.lru_cache(maxsize=None)
     def assembled(self, full=False):
-        """(list of G, list of k, geometric G, geometric k) of the contacts."""
+        """Returns for each contact the matrix G, the stiffnesses k, and their geometric parts."""
         parts = [self.rows(k, p, full) for p, k in enumerate(self.k)]
         return parts
 
@@ -120,7 +122,7 @@ class Network:
 
     @functools.lru_cache(maxsize=None)
     def relaxed(self, full=False, prestress=False):
-        """(C, motion of the grains and walls for unit strains): walls and grains eliminated."""
+        """Returns C and the motion of grains and walls for unit strains, after elimination of walls and grains."""
         K = self.K(full, prestress)
         m, n = self.n_grain_unknowns(), self.n_strains(full)
         strains = np.arange(m, m + n)
@@ -129,7 +131,7 @@ class Network:
         values, vectors = np.linalg.eigh(A)
         kept = np.abs(values) > ZERO * np.abs(values).max()
         motion = -vectors[:, kept] @ ((vectors[:, kept].T @ b) / values[kept, None])
-        # One step of refinement: what the inverse leaves.
+        # One step of iterative refinement removes the error of the inverse.
         motion -= vectors[:, kept] @ ((vectors[:, kept].T @ (A @ motion + b)) / values[kept, None])
         C = (K[np.ix_(strains, strains)] + b.T @ motion) / self.state.volume
         if prestress:
@@ -140,7 +142,7 @@ class Network:
         return (C + C.T) / 2, whole
 
     def convected(self, full):
-        """What -sym(sigma E) + sigma tr E adds, symmetrised (docs/physics.md, "Prestress")."""
+        """Returns the term -sym(sigma E) + sigma tr E, symmetrised (docs/physics.md, "Prestress")."""
         sigma = self.state.load_stress
         strains = unit_strains(self.state.dim, full)
         added = np.zeros((len(strains),) * 2)
@@ -151,7 +153,8 @@ class Network:
         return (added + added.T) / 2
 
     def spectrum(self, full=False):
-        """Eigenvalues of K of the grains and strains, all in units of length of comparable size, over the largest."""
+        """Returns the eigenvalues of K, for grains and strains in comparable units of length, divided by the largest
+        eigenvalue."""
         K = self.K(full).copy()
         m = self.n_grain_unknowns()
         scale = np.ones(len(K))
@@ -161,7 +164,7 @@ class Network:
         return values / np.abs(values).max()
 
     def modes(self):
-        """Eigenvalues and vectors of K of the connected grains, strains clamped."""
+        """Returns eigenvalues and eigenvectors of K for the connected grains at fixed strains."""
         m = self.n_grain_unknowns()
         rows = np.flatnonzero(np.repeat(self.connected, self.dofs))
         values, vectors = np.linalg.eigh(self.K()[:m, :m][np.ix_(rows, rows)])
@@ -170,7 +173,7 @@ class Network:
         return values, whole
 
     def dead_ends(self):
-        """Grains that hang on a single contact, or on a chain of such grains."""
+        """Returns the grains that are attached by a single contact, or by a chain of such grains."""
         s = self.state
         out, active = np.zeros(s.n, bool), np.ones(len(self.k), bool)
         while True:
@@ -179,7 +182,7 @@ class Network:
             more = ~out & (count == 1)
             if not more.any():
                 return out
-            # Of two grains on one contact the one stays that holds the other.
+            # If two grains have only their common contact, the grain that holds the other is kept.
             for grain in np.flatnonzero(more):
                 mine = active & ((s.i[self.k] == grain) | (s.j[self.k] == grain))
                 if mine.any():
@@ -187,7 +190,7 @@ class Network:
                     active &= ~mine
 
     def edges(self, keep=None):
-        """(i, j, image) of the contacts between grains."""
+        """Returns (i, j, image) of the contacts between grains."""
         s = self.state
         return [(s.i[k], s.j[k], s.image[k]) for p, k in enumerate(self.k)
                 if not s.on_wall[k] and (keep is None or keep[p])]

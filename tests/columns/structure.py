@@ -17,13 +17,14 @@ CELLS = 24  # of the mesh for a wave length of the largest k, which is 2 in that
 
 
 def bessel1(x):
-    """J1 by the trapezoidal rule, which is exact for a periodic integrand of few harmonics."""
+    """Returns the Bessel function J1. The trapezoidal rule is exact for a periodic integrand with few harmonics."""
     t = (np.arange(128) + 0.5) * np.pi / 128
     return np.cos(t[:, None, None] - x[None] * np.sin(t)[:, None, None]).mean(0)
 
 
 def waves(s, largest):
-    """Wave vectors of the cell up to that size, one of k and -k, by rising size; and |chi(k)|^2/V of each."""
+    """Returns the wave vectors k of the cell with |k| up to `largest`, in the order of |k|, one of each pair k and
+    -k, and |chi(k)|^2/V for each."""
     reciprocal = 2 * np.pi * np.linalg.inv(s.cell)
     most = [int(largest * np.linalg.norm(row) / (2 * np.pi)) + 1 for row in s.cell]
     n = np.array([n for n in itertools.product(*(range(-m, m + 1) for m in most)) if n > (0,) * s.dim])
@@ -42,12 +43,12 @@ def waves(s, largest):
 
 
 def log_bias(n):
-    """Mean of the logarithm of a mean of n exponential variables of mean 1."""
+    """Returns the mean of ln X, where X is the average of n exponential variables of mean 1."""
     return -np.euler_gamma + sum(1 / m for m in range(1, int(n))) - math.log(n)
 
 
 def fit(table):
-    """Least squares of ln I by the law; None where there are too few bins."""
+    """Fits the law to ln I by least squares; returns None if there are too few bins."""
     used = [b for b, k in enumerate(table["k"]) if k <= RANGE * table["unit"]]
     if len(used) < 6:
         return None
@@ -93,15 +94,16 @@ def fit(table):
             "chi_square": cost / dof, "t": T95[dof] if dof < len(T95) else None}
 
 
-# Student's t, 95 %, by degrees of freedom.
+# Quantiles of Student's t for 95 %, by degrees of freedom.
 T95 = (None, 12.706, 4.3027, 3.1824, 2.7764, 2.5706, 2.4469, 2.3646, 2.3060, 2.2622, 2.2281, 2.2010, 2.1788, 2.1604,
        2.1448, 2.1314, 2.1199, 2.1098, 2.1009, 2.0930, 2.0860, 2.0796, 2.0739, 2.0687, 2.0639, 2.0595, 2.0555, 2.0518,
        2.0484, 2.0452, 2.0423)
 
 
 def in_range(check, part, dF):
-    """No law falls faster than with the slope of smooth surfaces, 4: the interval may end there and at 0, and a value
-    beyond may be left out, and then nothing is known but these ends."""
+    """Requires dF within its physical range. The slope of smooth surfaces, 4, is the steepest possible slope. The
+    interval may end there and at 0. A value beyond this range may be missing; then only the ends of the range are
+    known."""
     beyond = not 0 <= dF <= 4
     cut = {"_low95": 0.0, "_high95": 4.0}.get(part) if beyond else min(4.0, max(0.0, check.expected))
     return Holds(f"{check.expected}, or what of it is from 0 to 4", lambda v: check.fault(v) is None or (
@@ -140,14 +142,14 @@ def smooth(n):
 
 
 def intensity(s, table):
-    """Bins follow each other from the smallest wave vector on."""
+    """Returns the expected columns; the bins begin at the smallest wave vector and follow each other without gaps."""
     size, I = waves(s, max(table["k"]) * 1.3)
     ends = np.cumsum(table["n_vectors"])
     starts = ends - np.array(table["n_vectors"])
     k = np.array([size[a:b].mean() for a, b in zip(starts, ends)])
     mean = np.array([I[a:b].mean() for a, b in zip(starts, ends)])
     n = len(k)
-    # A mesh has what folds back from shorter waves.
+    # On a mesh, shorter waves are aliased to longer ones, so the tolerance is larger.
     return {"file": Same([s.path] * n), "k": Close(k), "I": Close(mean, 0.05 * mean.max(), 1e-2 if s.dim == 2 else 1e-8),
             "n_vectors": Holds("all wave vectors up to the last", lambda v: sum(v) == (size <= max(
                 size[:ends[-1]]) * (1 + 1e-9)).sum())}
@@ -225,7 +227,7 @@ def gaps(s, table, first):
     rattler = s.rattlers(s.tolerances[0] * s.F1(s.target.mean()))
     steady = ~rattler[i] & ~rattler[j]
     held = np.array([(gap[steady] <= x + touch).sum() / s.n for x in h])
-    # A rattler that is pushed touches as many grains as there are dimensions.
+    # A rattler that is pushed against other grains touches as many grains as there are dimensions.
     least = held + 2 * s.dim * rattler.sum() / s.n if rattler.any() else held
     pushed = Close(z) if not rattler.any() else Holds("that of the others, and contacts of rattlers", lambda v: (
         (np.array(v) >= least - 1e-9).all() and (np.diff(v) >= -1e-9).all() and v[0] <= least[0] + 2 * rattler.sum() / s.n))
@@ -235,7 +237,7 @@ def gaps(s, table, first):
 
 
 def normal_force(s, h, Ri, Rj):
-    """Of the law, at gaps h."""
+    """Returns the normal force of the law at gaps h."""
     law = s.law
     if law["normal"] == "hertz":
         E = law["normal_modulus"] / (2 * (1 - law["normal_poisson"]**2))
@@ -282,14 +284,16 @@ def gauss(low, high):
 
 
 def ball_in_box(centre, R, half):
-    """Volume (area) that a ball and the box of that half width about the origin have in common, by quadrature."""
+    """Returns by quadrature the common volume (area) of a ball and a box with the half widths `half` about the
+    origin."""
     low, high = np.maximum(-half, centre - R), np.minimum(half, centre + R)
     if (low >= high).any():
         return 0.0
     if (np.abs(centre) + R <= half).all():
         return np.pi * R**2 if len(centre) == 2 else 4 / 3 * np.pi * R**3
     if len(centre) == 2:
-        # In pieces between the places where the chord meets an edge, and by angle, which makes the ends smooth.
+        # The integral is divided where the chord meets an edge, and uses an angle as variable, so that the integrand
+        # is smooth at the ends.
         cuts = {low[0], high[0]}
         for edge in (-half[1], half[1]):
             rest = R**2 - (edge - centre[1])**2
@@ -335,7 +339,7 @@ def porosity(s, table, first):
 
 
 def below(x, R, dim):
-    """Volume of a ball about 0 below a plane at x."""
+    """Returns the volume of the part of a ball about 0 that lies below a plane at x."""
     x = np.clip(x, -R, R)
     if dim == 3:
         return np.pi * (R**2 * x - x**3 / 3 + 2 / 3 * R**3)
@@ -364,7 +368,7 @@ def profile(s, table, first):
     p = pressures(s)
     pressure = Same([None] * SLICES) if s.walls else Close(
         np.array([p[own == k].mean() if count[k] else None for k in range(SLICES)], object), np.abs(p).max())
-    # The stress of a slice is the mean of that across planes: contacts cut a plane in between their ends.
+    # The stress of a slice is the mean stress across its planes; each contact crosses the planes between its ends.
     begin = (s.x[s.i] @ inverse - (min(s.walls["position"][s.walls["axis"] == axis]) / height if walled else 0)) * SLICES
     step = s.branch @ inverse * SLICES
     on_j = s.N[:, None] * s.normal - s.shear
@@ -387,7 +391,8 @@ def wrapped(s, x):
 
 
 def same_places(s, places, others, slack):
-    """Whether these are the same places of the cell, in any order; which is which."""
+    """Matches two lists of positions in the cell in any order; returns the matches, or None if the positions
+    differ."""
     taken = []
     for x in places:
         reduced = np.linalg.solve(s.cell.T, (np.asarray(others) - x).T).T

@@ -1,4 +1,5 @@
-"""The radical Voronoi tessellation of spheres by all intersections of three planes, and the balls in its corners."""
+"""The radical Voronoi tessellation of spheres, from the intersections of all triples of planes, and the balls at its
+vertices."""
 import functools
 import itertools
 
@@ -9,7 +10,8 @@ PLANES = 34  # of a cell, the nearest ones: a tessellation of more faces would n
 
 @functools.lru_cache(maxsize=None)
 def voronoi(s):
-    """(volume of each cell, [(centre, radius)] of the balls up to the nearest surface)."""
+    """Returns the volume of each cell, and centre and radius of the balls at the vertices, which reach to the nearest
+    surface."""
     i, j, r = s.neighbours(3.2 * s.a)
     offset = ((r**2).sum(1) + s.radius[i]**2 - s.radius[j]**2) / 2
     volume, corners = np.zeros(s.n), []
@@ -35,7 +37,7 @@ def voronoi(s):
 
 
 def area(points, normal):
-    """Of a convex polygon from corners in any order, some of them twice."""
+    """Returns the area of a convex polygon; its corners may be given in any order and more than once."""
     u = np.linalg.svd(normal[None])[2][1:]
     flat = (points - points.mean(0)) @ u.T
     flat = flat[np.argsort(np.arctan2(flat[:, 1], flat[:, 0]))]

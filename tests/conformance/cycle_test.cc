@@ -16,13 +16,13 @@ namespace {
 using test::for_each_kind_of_law_and_dimension;
 using test::pair_at;
 
-/// A closed curve: a random sum of the first few harmonics.
+/// Closed curve: a random sum of the first few harmonics.
 class ClosedCurve {
  public:
   ClosedCurve(RandomStream& random, double mean, double amplitude) : mean_(mean) {
     for (auto& c : coefficients_) c = {amplitude * random.normal() / 2, amplitude * random.normal() / 2};
   }
-  /// Value at a phase of 0 to 1.
+  /// Value at a phase between 0 and 1.
   double at(double phase) const {
     double value = mean_;
     for (std::size_t k = 0; k < coefficients_.size(); ++k) {
@@ -37,14 +37,15 @@ class ClosedCurve {
   std::array<std::array<double, 2>, 3> coefficients_;
 };
 
-/// A closed loop of gap, slip and rotation of one contact.
+/// Closed path of gap, slip and rotation of one contact.
 template <int Dim>
 class Loop {
  public:
-  /// @param reach  scale of slip and rotation: 1 passes the caps, 1e-3 stays far below them
+  /// @param reach  scale of slip and rotation: at 1 they exceed the friction limits, at 1e-3 they stay far
+  /// below
   Loop(RandomStream& random, double mean_gap, double gap_amplitude, double reach)
       : gap_(random, mean_gap, gap_amplitude) {
-    // Tangent plane of the normal e_3 in 3D; the whole line in 2D.
+    // In 3D, slip lies in the tangent plane of the normal e_3; in 2D it has one component.
     for (int a = 0; a < Dim - 1; ++a) slip_.emplace_back(random, 0.0, 1e-4 * reach);
     for (int a = 0; a < kRotations<Dim>; ++a) rotation_.emplace_back(random, 0.0, 0.02 * reach);
   }
@@ -65,14 +66,15 @@ class Loop {
   std::vector<ClosedCurve> slip_, rotation_;
 };
 
-/// Work done on a contact around a loop, by the trapezoidal rule in the springs: exact while they are elastic.
+/// Work done on a contact along a loop. The trapezoidal rule is exact for the springs as long as they are
+/// elastic.
 struct LoopWork {
   double viscous = 0.0;
   double tangential = 0.0;
   double rolling = 0.0;
   double twisting = 0.0;
-  double stored = 0.0;   ///< left in the springs at the end
-  double largest = 0.0;  ///< largest energy the springs held
+  double stored = 0.0;   ///< energy stored in the springs at the end
+  double largest = 0.0;  ///< largest energy stored in the springs
 };
 
 template <class Law, int Dim>
@@ -114,10 +116,11 @@ LoopWork work_around(const Law& law, const Loop<Dim>& loop, int n_steps) {
 constexpr int kSteps = 2000;
 constexpr int kLoops = 8;
 
-/// Of the largest that was done on the way: what the trapezoidal rule leaves.
+/// Error of the trapezoidal rule, divided by the largest work along the path.
 constexpr double kWorkError = 1e-4;
 
-/// Work that the normal force takes from a loop of the gap alone. @param gap  by the phase, 0 to 1
+/// Returns the work done by the normal force around a loop of the gap. @param gap  gap as a function of the
+/// phase from 0 to 1
 template <int Dim, class Law, class Gap>
 test::NormalWork<Law, Dim> normal_work_around(const Law& law, const Gap& gap) {
   test::NormalWork<Law, Dim> work(law, gap(0.0));
@@ -142,7 +145,8 @@ TEST(NormalForce, TakesNoWorkFromAClosedLoop) {
   });
 }
 
-/// A new contact pressed and let go, under a law that unloads along a line of its own. @return work and the largest
+/// Presses a new contact and releases it, under a law with a separate unloading line. @return the work lost and
+/// the largest work along the path
 std::array<double, 2> work_of_pressing(double unloading) {
   ContactLaw<test::HystereticRepulsion, NoAdhesion, NoDamping, NoFriction, NoRolling, NoTwisting> law{};
   law.repulsion = {1e5, unloading};
@@ -153,12 +157,12 @@ std::array<double, 2> work_of_pressing(double unloading) {
 
 TEST(NormalForce, OfALawThatCreatesEnergyIsFoundByTheSameMeasure) {
   const auto [lost, most] = work_of_pressing(2e5);
-  EXPECT_NEAR(lost, 0.5 * most, 1e-2 * most);  // 1 - K1/K2 of the energy of loading
+  EXPECT_NEAR(lost, 0.5 * most, 1e-2 * most);  // the fraction 1 - K1/K2 of the energy of loading
   const auto [created, more] = work_of_pressing(0.9e5);
   EXPECT_LT(created, -100 * kWorkError * more);
 }
 
-/// A dashpot acts while the surfaces touch by the law, not while they overlap.
+/// Viscous forces act while the law says that surfaces touch, which may end before the overlap does.
 TEST(Dissipation, EndsWhereSurfacesNoLongerPressThoughTheyOverlap) {
   ContactLaw<test::HystereticRepulsion, NoAdhesion, ViscousDamping, NoFriction, NoRolling, NoTwisting> law{};
   law.repulsion = {1e5, 2e5};
@@ -172,7 +176,7 @@ TEST(Dissipation, EndsWhereSurfacesNoLongerPressThoughTheyOverlap) {
   };
   EXPECT_LT(viscous(-2e-4), 0.0);
   EXPECT_LT(viscous(-1.01e-4), 0.0);
-  EXPECT_EQ(viscous(-0.99e-4), 0.0);  // half of the overlap stays
+  EXPECT_EQ(viscous(-0.99e-4), 0.0);  // for K2 = 2 K1, half of the largest overlap is plastic
   EXPECT_FALSE(law.touches<2>(test::pair_at(-0.99e-4), history));
   EXPECT_EQ(law.stiffness<2>(test::pair_at(-0.99e-4), history).normal, 0.0);
 }
@@ -187,8 +191,8 @@ TEST(Dissipation, IsNeverNegativeAroundAClosedLoop) {
       SCOPED_TRACE(k);
       const Loop<Dim> loop(random, -1e-4, 1e-4, 1.0);
       const LoopWork work = work_around(law, loop, kSteps);
-      // A step in which a spring turns back across zero at its cap is booked with an error of its own energy,
-      // some (step/loop)^2 of the largest.
+      // If a spring at its friction limit reverses through zero within one step, the error of the work is of
+      // the order of the energy in this step: about (step/loop)^2 of the largest energy.
       const double rounding = 1e-6 * work.largest + 1e-18;
       EXPECT_GE(work.viscous, 0.0);
       EXPECT_GE(work.tangential, -rounding);
@@ -210,7 +214,8 @@ TEST(Dissipation, IsNeverNegativeAroundAClosedLoop) {
 TEST(Dissipation, IsZeroWhereNothingSlidesOrParts) {
   for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
-    // Where the shear force falls with its stiffness, a change of the normal force alone dissipates.
+    // If the shear force shrinks together with the tangential stiffness, a change of the normal force alone
+    // dissipates energy.
     if (kFollowsNormalStiffness<typename std::decay_t<decltype(law)>::TangentialModel>) return;
     RandomStream random(8, Dim);
     for (int k = 0; k < kLoops; ++k) {

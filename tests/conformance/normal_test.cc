@@ -16,25 +16,25 @@ using test::pair_at;
 using test::pull_off_force;
 using test::stiffness_at;
 
-/// Largest gap at which surfaces that have met touch under the law.
+/// Returns the largest gap at which surfaces that have met before still touch under the law.
 double holding_range(const auto& law) {
   return law.holding_range(pair_at(0.0).reduced_radius);
 }
 
-/// Gaps in overlap, across the tail and beyond it, or across what holds the surfaces together, away from the kinks at
-/// 0 and at the range.
+/// Returns gaps within the overlap, within the attractive range, and beyond it. They avoid the kinks at 0 and
+/// at the end of the range.
 std::vector<double> gaps(const auto& law) {
   const double range = std::max(law.range(), holding_range(law));
   return {
       -3e-4, -1.25e-5, -1e-6, 0.01 * range + 1e-9, 0.5 * range + 1e-9, 0.97 * range + 1e-9, 1.5 * range + 1e-6};
 }
 
-/// Of a contact that has been pressed, at fixed history.
+/// Returns the normal force of a contact that has been pressed before, with its history kept fixed.
 double static_force(const auto& law, double gap) {
   return test::pressed_response(law, gap).force();
 }
 
-/// Of surfaces that have not met before.
+/// Returns the normal force between surfaces that have not met before.
 double new_force(const auto& law, double gap) {
   return law.normal(pair_at(gap)).force();
 }
@@ -44,7 +44,7 @@ TEST(NormalForce, IsMinusTheSlopeOfTheEnergy) {
     for (const double h : gaps(law)) {
       SCOPED_TRACE(h);
       const double slope = test::pressed_energy(law, ceres::Jet<double, 1>(h, 0)).v[0];
-      // Each piece of the energy is a quadratic: only rounding separates the two.
+      // The derivative is exact, so the two numbers differ only by rounding.
       EXPECT_NEAR(static_force(law, h), -slope, 1e-14 * (std::abs(slope) + 1.0));
     }
   });
@@ -57,8 +57,8 @@ TEST(NormalForce, IsMinusTheDifferenceQuotientOfTheEnergy) {
       const double step = 1e-10;
       const double quotient =
           (test::pressed_energy(law, h + step) - test::pressed_energy(law, h - step)) / (2 * step);
-      // A central difference is exact on a quadratic; energies of order 1e-2 lose 1e-16 of themselves, over the
-      // step.
+      // The truncation error is at most 1e-7. Energies are of order 1e-2, so their rounding of about 1e-18 is
+      // divided by the step.
       EXPECT_NEAR(static_force(law, h), -quotient, 1e-18 / step * 10 + 1e-7);
     }
   });
@@ -82,7 +82,8 @@ TEST(NormalStiffness, IsMinusTheDifferenceQuotientOfTheForce) {
       SCOPED_TRACE(h);
       const double step = 1e-10;
       const double quotient = (static_force(law, h + step) - static_force(law, h - step)) / (2 * step);
-      // Forces of at most 30 carry rounding of 4e-15, over the step: 2e-5, against stiffnesses of 1e3 and more.
+      // Forces are at most 30, with a rounding error of 4e-15. Divided by the step, this gives an error of
+      // 2e-5; stiffnesses are at least 1e3.
       EXPECT_NEAR(test::pressed_stiffness(law, h).normal, -quotient, 1e-4);
     }
   });
@@ -136,7 +137,7 @@ TEST(NormalForce, EnergyHasNoJumpWhereSurfacesPartOrTheTailEnds) {
     const double step = 1e-12;
     for (const double kink : {0.0, law.range(), holding_range(law)}) {
       SCOPED_TRACE(kink);
-      // No force on either side exceeds F0 by more than K_N step.
+      // The magnitude of the force on either side is at most F0 + K_N step.
       EXPECT_NEAR(test::pressed_energy(law, kink + step), test::pressed_energy(law, kink - step),
                   2 * step * (pull_off_force(law) + 1e-6));
     }
@@ -150,7 +151,7 @@ TEST(PullOff, LargestTensionIsF0AndIsReachedInContact) {
     for (int k = 1; k < 4000; ++k)
       largest = std::max(largest, -static_force(law, -1e-4 + k * (end + 1e-4) / 4000));
     EXPECT_LE(largest, pull_off_force(law));
-    // Just before the surfaces part, the elastic part is below the rounding of F0.
+    // Just before the surfaces separate, the elastic force is smaller than the rounding error of F0.
     if (holding_range(law) > 0.0)
       EXPECT_NEAR(-static_force(law, std::nextafter(holding_range(law), 0.0)), pull_off_force(law), 1e-15);
     else
@@ -161,7 +162,7 @@ TEST(PullOff, LargestTensionIsF0AndIsReachedInContact) {
 TEST(PullOff, EquilibriumIsAtOverlapF0OverKN) {
   for_each_kind_of_law([](const auto& law) {
     const double h0 = test::free_overlap(law);
-    // One rounding of K_N h0 against F0.
+    // The error is one rounding of K_N h0, which equals F0.
     EXPECT_NEAR(new_force(law, -h0), 0.0, 4e-16 * pull_off_force(law));
     if (h0 > 0) {
       EXPECT_GT(new_force(law, -1.01 * h0), 0.0);

@@ -18,13 +18,14 @@ using test::slip_by;
 constexpr double kSofter = 8.0;
 constexpr double kStiffOverlap = 1e-4;
 
-/// Overlap at which a softened contact has the elastic force of a contact with the overlap kStiffOverlap.
+/// Overlap at which the softened contact has the same elastic force as the stiff contact at the overlap
+/// kStiffOverlap.
 template <class Law>
 double softer_overlap() {
   return kStiffOverlap * std::pow(kSofter, 1.0 / force_exponent<typename Law::NormalModel>());
 }
 
-/// Calls check(law, softened law, dimension) for every law of springs.
+/// Calls check(law, softened law, dimension) for every law with springs.
 template <class Check>
 void for_each_softened_law(const Check& check) {
   for_each_law_and_dimension([&](const auto& law, auto dimension) {
@@ -78,7 +79,7 @@ TEST(Softening, KeepsTheCapsOfSprings) {
   });
 }
 
-/// The ratio of damping to sqrt(m K_N) is the one of the law, so that collisions keep their restitution.
+/// Softening keeps the ratio of the damping coefficient to sqrt(m K_N), and so the restitution of collisions.
 TEST(Softening, KeepsTheDampingRatio) {
   for_each_softened_law([](const auto& law, const auto& soft, auto) {
     using Law = std::decay_t<decltype(law)>;
@@ -93,10 +94,10 @@ TEST(SofteningLimit, IsATenthOfTheRangeAndAHundredthOfTheModulus) {
   LawParameters p;
   p.normal = LinearRepulsion{1e5};
   p.adhesion = TailAdhesion{1.0, 1e-3};
-  EXPECT_NEAR(softening_limit(p, 2, 1.0, 1.0).largest, 10.0, 1e-9);    // s F0/K_N = D0/10
-  EXPECT_NEAR(softening_limit(p, 2, 1.0, 200.0).largest, 5.0, 1e-9);   // s P/K_N = 1/100
-  EXPECT_NEAR(softening_limit(p, 3, 0.1, 400.0).largest, 10.0, 1e-9);  // still the adhesion
-  EXPECT_NEAR(softening_limit(p, 3, 0.1, 2e3).largest, 5.0, 1e-9);     // s P a/K_N = 1/100
+  EXPECT_NEAR(softening_limit(p, 2, 1.0, 1.0).largest, 10.0, 1e-9);    // adhesion limits: s F0/K_N = D0/10
+  EXPECT_NEAR(softening_limit(p, 2, 1.0, 200.0).largest, 5.0, 1e-9);   // pressure limits: s P/K_N = 1/100
+  EXPECT_NEAR(softening_limit(p, 3, 0.1, 400.0).largest, 10.0, 1e-9);  // adhesion still limits
+  EXPECT_NEAR(softening_limit(p, 3, 0.1, 2e3).largest, 5.0, 1e-9);     // pressure limits: s P a/K_N = 1/100
   p.adhesion.reset();
   EXPECT_NEAR(softening_limit(p, 2, 1.0, 1.0).largest, 1000.0, 1e-6);
   EXPECT_EQ(softening_limit(p, 2, 1.0, 0.0).fault(1e300), "");
@@ -108,7 +109,7 @@ TEST(SofteningLimit, IsATenthOfTheRangeAndAHundredthOfTheModulus) {
   p.adhesion = ConstantAdhesion{1.0};
   EXPECT_EQ(softening_limit(p, 2, 1.0, 0.0).largest, 0.0);
   LawParameters hertz;
-  hertz.normal = HertzRepulsion{0.91e6, 0.3};  // E/(1 - nu^2) = 1e6
+  hertz.normal = HertzRepulsion{0.91e6, 0.3};  // so that E/(1 - nu^2) = 1e6
   EXPECT_NEAR(softening_limit(hertz, 3, 1e-3, 100.0).largest, 100.0, 1e-9);
 }
 

@@ -124,7 +124,7 @@ TEST(EmptySlots, CostNoByteOfTheContactRecord) {
         history_size<typename Law::NormalModel>(Dim) + history_size<typename Law::TangentialModel>(Dim) +
         (Law::kHasRolling ? kRotations<Dim> : 0) + (Law::kHasTwisting ? 1 : 0) + (Law::kHoldsLiquid ? 1 : 0);
     using History = test::ContactHistoryOf<Law, Dim>;
-    // The language gives an object without members one byte.
+    // In C++ an empty class has a size of one byte.
     EXPECT_EQ(sizeof(History), components > 0 ? components * sizeof(double) : 1u);
     EXPECT_EQ(std::is_empty_v<History>, components == 0);
   });
@@ -141,12 +141,12 @@ TEST(EmptySlots, CostNoByteOfTheLaw) {
   });
 }
 
-/// A change of units by powers of two, which floating point carries out without rounding.
+/// Change of units by powers of two, which causes no rounding.
 struct Units {
   double length = 0x1p-9;
   double force = 0x1p7;
   double mass = 0x1p20;
-  /// sqrt(mass length/force) = sqrt(2^4)
+  /// unit of time: sqrt(mass length/force) = sqrt(2^4)
   double time = 0x1p2;
 };
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tries the man pages and the completion of shells that docs/write-help makes of the program's help.
+"""Tests the man pages and the shell completion that docs/write-help makes from the help of the program.
 
     help_test.py --floc PROGRAM --source DIRECTORY
 """
@@ -13,7 +13,8 @@ import subprocess
 import sys
 import tempfile
 
-# Words of a line, the last one being typed -> what the shell offers; a set that starts with ... holds at least the rest.
+# Words of a command line, the last one incomplete, and the completions that the shell offers. A set that begins with
+# ... is a part of the completions.
 COMPLETED = [
     (["floc", "mod"], {"moduli", "modes"}),
     (["floc", "fit", "el"], {"elastic"}),
@@ -37,7 +38,7 @@ def in_bash(script, words):
 
 
 def in_zsh(script, words):
-    """zsh itself takes away what does not begin like the word that is typed; here that is done below."""
+    """zsh removes completions that do not begin with the incomplete word; this is done here instead."""
     quoted = " ".join(f"'{word}'" for word in words)
     done = said("zsh", "-f", "-c", "compadd() { shift; print -l -- $@ }; _files() { }; "
                                    f"words=({quoted}); CURRENT={len(words)}; source '{script}'")

@@ -1,18 +1,18 @@
 #!/usr/bin/env python3
-"""Runs every command that README and the pages of docs/ show, and compares every number they print with what comes out.
+"""Runs every command in README and the pages of docs/, and compares every printed number with the output.
 
     numbers_test.py --floc PROGRAM --source DIRECTORY [--long]
 
-Without --long what takes seconds: the commands on the demo and the tables that are shipped. With --long what takes
-minutes to an hour. A block of commands runs as a shell runs it, in a directory that holds data/ as the repository
-does; a command that stands on several pages runs once. A block of "text" right after it is what its commands print, line
-by line, left out lines apart. Every other output block and every table is claimed by a check below or by a reason
-why none is possible (UNCHECKED_TABLES, NOT_RUN): new ones fail until they are. A number agrees if it rounds to the
-digits that are printed.
+Without --long, only tests of a few seconds run: commands on the demo and on shipped tables. With --long, tests of
+minutes to an hour run. A block of commands runs in a shell, in a directory with the data/ of the repository. A
+command that occurs on several pages runs once. A block of "text" directly after the commands is their output, line by
+line; lines may be left out. Every other block of output and every table must have a check below, or an entry with a
+reason why it cannot be checked (UNCHECKED_TABLES, NOT_RUN); otherwise the test fails. A number agrees if it rounds to
+the printed digits.
 
-The path of the demo is chaotic: its bits hang on the kernels that OpenBLAS takes for the processor, or that
-OPENBLAS_CORETYPE names. With others than those of the pages (DEMO_KERNELS) its commands run all the same, but its numbers
-are not those that are printed: how many did not agree is said in the end.
+The path of the demo is chaotic: its bits depend on the kernels that OpenBLAS chooses for the processor, or that
+OPENBLAS_CORETYPE names. If these are not the kernels of the pages (DEMO_KERNELS), the commands still run, but the
+numbers of the demo differ. The test then prints how many numbers did not agree.
 """
 import argparse
 import contextlib
@@ -35,7 +35,7 @@ import numpy
 import pages
 import shapes
 
-# Blocks of commands by a part of their text.
+# Blocks of commands that are not run, found by a part of their text, with the reason.
 NOT_RUN = {
     ".ci/demo    # installs": "installs packages and builds; .ci/demo is a script of its own",
     "floc_mutate csv 1000000": "a million mutations take hours; the fuzz tests run 5000 of each",
@@ -74,7 +74,7 @@ LONG = {
     "cd plan && snakemake": "two minutes",
     "floc plan --check plan": "with them",
 }
-# Tables by a part of their header, whose numbers no command prints, or not the same ones twice.
+# Tables, found by a part of their header, whose numbers no command prints, or whose numbers differ between runs.
 UNCHECKED_TABLES = {
     "| group | meaning |": "words",
     "| law | | parameters |": "words",
@@ -118,16 +118,17 @@ UNCHECKED_TABLES = {
     "| P | B, dP > 0 |": "floc_pressure_response takes an hour",
 }
 
-# OpenBLAS's kernels that the numbers of the demo were made with.
+# OpenBLAS kernels with which the numbers of the demo were made.
 DEMO_KERNELS = "SkylakeX"
-# Commands that read the demo's run, or make it.
+# Commands that make the run of the demo, or read it.
 OF_DEMO = re.compile(r"(?<!tables/)\bdemo\b(?!\.toml)")
 
 DEMO = re.compile(r"floc run data/scenes/demo\.toml -o demo( |$)")
 
 
 def blas_kernels():
-    """Name of the kernels that OpenBLAS takes in the program, which chooses anew where they are the fallback."""
+    """Returns the name of the OpenBLAS kernels that the program uses; the program does not keep the slow fallback
+    kernels."""
     name = ctypes.CDLL("libopenblas.so.0").openblas_get_corename
     name.restype = ctypes.c_char_p
     kernels = name().decode()
@@ -158,14 +159,14 @@ class Test:
         shutil.copytree(os.path.join(source, "data"), os.path.join(self.directory, "data"))
         self.environment = dict(os.environ, PATH=os.path.dirname(floc) + os.pathsep + os.environ["PATH"])
 
-    # What the checks use.
+    # Functions for the checks.
 
     def fault(self, words):
         print("FAULT:", words, flush=True)
         self.faults.append(words)
 
     def differs(self, words):
-        """A number, or a line with numbers, that the page shows otherwise."""
+        """Reports a number, or a line with numbers, that differs from the page."""
         if not self.on_demo or self.kernels == DEMO_KERNELS:
             return self.fault(words)
         self.n_other += 1
@@ -185,7 +186,7 @@ class Test:
                               stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace")
         print(f"{time.time() - began:7.1f} s  {command}", flush=True)
         if done.returncode != expected:
-            # 3 is the outcome of a fit or a run.
+            # Exit code 3 is a result of a fit or a run, which depends on numbers.
             (self.differs if done.returncode == 3 else self.fault)(f"exit code {done.returncode}, expected {expected}: {command}\n{done.stderr[-2000:]}")
         return done
 
@@ -197,13 +198,13 @@ class Test:
             self.differs(f"{what}: the page says {shown}, the program {value}")
 
     def mean_and_scatter(self, shown, values, what):
-        """Of "mean +- standard deviation" over samples."""
+        """Compares a text "mean +- standard deviation" with the values of samples."""
         mean, deviation = shown.split(" +- ")
         self.number(mean, statistics.mean(values), what)
         self.number(deviation, statistics.stdev(values), what + ", scatter")
 
     def number_or_none(self, shown, value, what):
-        """A page shows "-" where the program has no value."""
+        """Compares a number; the page shows "-" if the program has no value."""
         if shown == "-" or value in ("", "-"):
             if shown != "-" or value not in ("", "-"):
                 self.differs(f"{what}: the page says {shown}, the program {value!r}")
@@ -219,7 +220,7 @@ class Test:
         self.claimed_tables.add(part)
         return self.docs.table(part)
 
-    # Commands.
+    # Checks of the blocks of commands.
 
     def commands(self):
         for page in self.docs.pages:
@@ -234,7 +235,7 @@ class Test:
                         self.compare_lines(following[1], said, f"{page.name}:{following[2]}")
 
     def run_block(self, text):
-        """Runs what is to be run of a block. @return what it printed; None where something was left out"""
+        """Runs the commands of a block. @return their output; None if some command is not run"""
         printed, left_out = [], False
         for command in text.replace("\\\n", " ").split("\n"):
             command = re.sub(r"\s+# .*", "", command).strip()
@@ -253,7 +254,7 @@ class Test:
         return None if left_out else "".join(printed)
 
     def compare_lines(self, shown, said, where):
-        """Whether every line that is shown was printed, spaces apart and numbers rounded as they are shown."""
+        """Checks that every line of the page was printed. Spaces may differ, and numbers may be rounded."""
         def parts(line):
             line = " ".join(line.split())
             return pages.NUMBER.sub("#", line), pages.NUMBER.findall(line)
@@ -266,7 +267,7 @@ class Test:
                 self.differs(f"{where}: the program does not print {line!r}, but\n{said[-3000:]}")
 
     def prepare(self, command):
-        """Inputs that the pages describe in words."""
+        """Makes the input files that the pages describe in words."""
         if re.search(r" demo([/ ]|$)", command) and not DEMO.match(command) and not self.exists("demo"):
             self.shell("floc run data/scenes/demo.toml -o demo")
         if "floc draw" in command and "spheres.h5" in command and not self.exists("spheres.h5"):
@@ -282,7 +283,7 @@ class Test:
     def exists(self, name):
         return os.path.exists(os.path.join(self.directory, name))
 
-    # Numbers of the short part.
+    # Checks of numbers that take seconds.
 
     def demo_moduli(self):
         rows = self.rows("floc moduli demo/state-*.h5")
@@ -298,7 +299,8 @@ class Test:
 
     @staticmethod
     def step_at(path, branch, pressure):
-        """The step of a branch at the pressure nearest to the one printed; loading begins where assembly ends."""
+        """Returns the step of a branch at the pressure nearest to the printed one. Loading begins with the
+        assembly."""
         branches = {"load", "assembly"} if branch == "load" else {branch}
         return min((abs(math.log(float(r["P_star"]) / float(pressure))), k) for k, r in enumerate(path)
                    if r["branch"] in branches and float(r["P_star"]) > 0)[1]
@@ -319,7 +321,8 @@ class Test:
             self.number(high, row["high95"], f"fit of data/tables/consolidation, high95 of {name}")
 
     def demo_results(self):
-        """The last lines of floc demo: the fit of six samples, which README prints too, beside the demo's own."""
+        """Checks the last lines of floc demo: the fit of the demo, and the fit of six samples, which README also
+        prints."""
         said = self.shell("floc demo demo").stdout
         lines = said.strip().split("\n")
         fitted = {line.split()[0]: line.split() for line in lines[-10:-1]}
@@ -409,7 +412,7 @@ class Test:
             self.number(shown, row["value"], "P_c of " + row["sample"])
 
     def conversions(self):
-        """What the tutorial on packings of other programs shows."""
+        """Checks the output in the tutorial on packings of other programs."""
         for part, begin in (("lammps.h5: 60 grains in 2D", "floc convert data/packings/lammps/disks.dump"),
                             ("yade.h5: 40 grains in 3D", "floc convert data/packings/yade/spheres.txt"),
                             ("crystal.h5: 4 grains in 2D", "floc convert grains.csv")):
@@ -435,13 +438,14 @@ class Test:
         open(os.path.join(self.directory, "read.py"), "w").write(code)
         said = self.shell(f"'{sys.executable}' read.py").stdout
         for line, other in zip(shown.strip().split("\n"), said.strip().split("\n")):
-            # Forces that cancel are rounding, which depends on numpy.
+            # A sum of forces that cancel is only rounding, which depends on numpy.
             tolerance = 1.0 if line.startswith("largest net force") else 1e-9
             if not self.same_numbers(line, other, tolerance):
                 self.differs(f"h5py: the page says {line!r}, the script {other!r}")
 
     def python_package(self):
-        """Blocks of a page that import floc are one script; what it prints stands beside it in comments."""
+        """Runs all blocks of a page that import floc as one script, and compares the output with the comments beside
+        the commands."""
         package = os.path.join(os.path.dirname(self.floc), "../python")
         if not os.path.exists(os.path.join(package, "floc")):
             print("the Python package is not built: its examples are not run")
@@ -597,7 +601,7 @@ class Test:
                 self.mean_and_scatter(cell, values, f"{name} of 1000 spheres, {boundary}")
 
     def compaction_sweep(self):
-        """The base curve of the published number of spheres, and the fit of the sweep of 4000."""
+        """Checks the base curve for the published number of spheres, and the fit of the sweep with 4000 spheres."""
         base = list(csv.DictReader(open(os.path.join(self.source, "data/tables/compaction/base_17657.csv"))))
         e_of = {float(r["eta_star"]): r["e"] for r in base}
         for eta, e, _ in self.claim_table("| eta* | e of 17 657 spheres |"):
@@ -616,7 +620,7 @@ class Test:
         self.compaction_collapse({name: float(rows[name]["value"]) for name in ("e_min", "De", "C")})
 
     def compaction_collapse(self, plateau):
-        """On which group the shares of pulling contacts and the void ratios collapse."""
+        """Checks the dimensionless groups on which the shares of tensile contacts and the void ratios collapse."""
         sweep = list(csv.DictReader(open(os.path.join(self.source, "data/tables/compaction/sweep_4000.csv"))))
         column = {name: numpy.array([float(r[name]) for r in sweep])
                   for name in ("e", "p", "se", "eta", "eta_star", "z", "z_minus", "seconds")}
@@ -677,7 +681,7 @@ class Test:
                     self.number(scatter, statistics.stdev(values), f"{what}, scatter of {name}")
 
     def measured_tables(self):
-        """Fits of the tables of tests that are made up, beside what they were made with."""
+        """Checks fits of synthetic test tables, and the parameters with which the tables were made."""
         sys.dont_write_bytecode = True
         made, tests = (runpy.run_path(os.path.join(self.source, "data/tables", name, "make.py")) for name in ("oedometer", "your-test"))
         table = "data/tables/oedometer/oedometer.csv"
@@ -695,7 +699,8 @@ class Test:
         self.fits_beside_truth("| test | constant | made with |", 2, rows)
 
     def fits_beside_truth(self, header, n_words, rows):
-        """Rows: command, parameter and truth of each row of a table with `n_words` columns of words."""
+        """Compares fits with true values. @param rows  command, parameter and true value of each row of a table with
+        `n_words` columns of words"""
         for cells, (command, name, truth) in zip(self.claim_table(header), rows, strict=True):
             made, value, interval = cells[n_words:]
             self.number(made, truth, f"{name} of {command}, made with")
@@ -707,7 +712,7 @@ class Test:
                 self.fault(f"{command}: the interval of {name} does not hold the truth, {truth}")
 
     def compression_laws(self):
-        """Median excess of AICc of each law over the samples of a packing."""
+        """Checks the median excess of AICc of each law over the samples of a packing."""
         tables = os.path.join(self.source, "data/tables")
         curves = list(csv.DictReader(open(os.path.join(tables, "loads/curves.csv"))))
         beads = list(csv.DictReader(open(os.path.join(tables, "spheres/states_500.csv"))))
@@ -811,7 +816,7 @@ class Test:
 
     @staticmethod
     def assembled(states, state):
-        """The step at which they are put together: the last one before any load."""
+        """Returns the step of the assembly: the last step before any load."""
         return max(int(r["step"]) for r in states if r["state"] == state and r["branch"] == "assembly")
 
     @staticmethod
@@ -843,7 +848,7 @@ class Test:
                     self.number(stderr, chosen[name]["mean_stderr"], f"{what}, standard error of {name}")
 
     def names_of_tradeoff(self):
-        """The page names every observable once, and every parameter of the program's own tables."""
+        """Checks that the page names every observable once, and every parameter of the program's tables."""
         help_text = subprocess.run([self.floc, "tradeoff", "--help"], capture_output=True, text=True, check=True).stdout
         known = re.search(r"--observables TEXT:\{(.*?)\}", help_text).group(1).split(",")
         told = [name for row in self.claim_table("| observable | of | meaning |") for name in row[0].split(", ")]
@@ -856,7 +861,7 @@ class Test:
                 self.fault(f"parameters of floc tradeoff: {knob} is not on the page")
 
     def settings_that_matter(self):
-        """The page has what the script beside the tables makes of them."""
+        """Checks the results on the page that the script in the directory of the tables computes."""
         summary = runpy.run_path(os.path.join(self.source, "data/tables/tradeoff/summary.py"))
         made = {row[0]: row for row in summary["rows_of"](os.path.join(self.source, "data/tables/tradeoff"))}
         told = {row[0]: tuple(row) for row in self.claim_table("| kind | samples | settings that matter most |")}
@@ -867,7 +872,7 @@ class Test:
     # Grains with corners.
 
     def checked_shape(self, shape, dimension=2):
-        """(exit code, what floc scene check says) of a scene whose grains have this shape."""
+        """Returns the exit code and the output of floc scene check for a scene with grains of this shape."""
         with open(os.path.join(self.directory, "shape.toml"), "w") as file:
             file.write(shapes.scene(shape, dimension))
         done = subprocess.run([self.floc, "scene", "check", "shape.toml", "--format", "csv"], cwd=self.directory,
@@ -881,7 +886,7 @@ class Test:
         return said
 
     def kinds_of_shapes(self):
-        """Kinds, keys, defaults and limits are those that floc scene check knows."""
+        """Checks that kinds, keys, defaults and limits agree with floc scene check."""
         rows = shapes.kinds_in_table(self.claim_table("| `grains.shape.kind` | its keys | shapes |"))
         said = self.accepts_shape(False, {"kind": "ball"})
         if set(re.findall(r'"(\w+)"', said)) - {"ball"} != set(rows):
@@ -935,7 +940,7 @@ class Test:
         self.accepts_shape(False, {"kind": "file", "file": points + ".csv", "sha256": "0" * 64}, words="SHA-256")
 
     def shapes_of_states(self):
-        """Datasets of shapes are those of the page, with as many rows, and hold what it says."""
+        """Checks that the datasets of shapes are those on the page, with the stated rows and contents."""
         rows = {name: size for names, size, _ in self.claim_table("| dataset | rows | holds |")
                 for name in re.findall(r"`(\w+)`", names)}
         points = os.path.join(self.directory, "points")
@@ -947,16 +952,16 @@ class Test:
             for fault in shapes.faults_of_state(os.path.join(self.directory, f"shape{k}", "state-0000.h5"), rows, shape):
                 self.fault(f"state of {shape} in {dimension}D: {fault}")
 
-    # Numbers of the long part. Collapses are chaotic: another version or compiler makes other samples of the same
-    # ensemble, whose means agree within their errors.
+    # Checks of numbers that take long. Collapses are chaotic: another version or compiler makes other samples of the
+    # same ensemble. Their means agree within their errors.
 
     def agrees(self, shown, error, value, what):
-        """Whether two means of four samples differ by no more than three standard errors of their difference."""
+        """Checks that two means of four samples differ by at most three standard errors of their difference."""
         if abs(float(shown) - float(value)) > 3.0 * math.sqrt(2.0) * error:
             self.fault(f"{what}: the page says {shown}, with a standard error of {error:.2g}, the program {value}")
 
     def ensembles(self):
-        """Four samples of 1400 disks of each scene, and the fits of two of them."""
+        """Makes four samples of 1400 disks of each scene, and checks the fits of two scenes."""
         scenes = {cells[0].strip("`") for cells in self.claim_table("| scene                          | P*")}
         for scene in sorted(scenes):
             self.shell(f"floc run data/scenes/{scene}.toml --seeds 1..4 --jobs 2 -o {scene} "
@@ -983,7 +988,7 @@ class Test:
             self.agrees(value, float(error), rows[name]["value"], f"{scene}, {name}")
 
     def structures(self):
-        """After ensembles()."""
+        """Checks structures of the samples that ensembles() made."""
         for scene, pressure, phi, xi, dF, size in self.claim_table("| scene                 | P*"):
             scene = scene.strip("`")
             path = self.path(f"{scene}/seed-1/path.csv")
@@ -997,7 +1002,7 @@ class Test:
                     value, error = shown.split(" +- ")
                     self.agrees(value, float(error), row[name], f"{what}, {name}")
 
-    # All of it.
+    # All checks.
 
     def nothing_is_unclaimed(self):
         checked = self.claimed_tables | set(UNCHECKED_TABLES)

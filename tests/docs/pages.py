@@ -1,32 +1,34 @@
-"""The pages of the documentation as the tests read them: their blocks, tables, headings and links."""
+"""The pages of the documentation, as the tests read them: blocks, tables, headings and links."""
 import os
 import re
 
-# README, then what a reader goes through, then the rest: commands run in this order in one directory.
+# Pages in the order in which a reader uses them; the other pages follow. All commands run in this order in one
+# directory.
 FIRST = ["README.md", "docs/install.md", "docs/tutorials/powder2d.md", "docs/tutorials/beads.md",
          "docs/tutorials/your-packing.md", "docs/tutorials/oedometer.md", "docs/tutorials/your-test.md",
          "docs/tutorials/campaign.md", "docs/tutorials/pentagons.md",
          "docs/commands/index.md", "docs/commands/run.md", "docs/commands/scene.md"]
-# Not pages of the site, but read by users too.
+# These files are not pages of the site, but users read them too.
 OTHERS = ["CONTRIBUTING.md", "CHANGELOG.md"]
-# A number as it stands in a page or in what a command prints.
+# A number in a page or in the output of a command.
 NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 
 
 def rounds_to(shown, value):
-    """Whether a value rounds to a number as it is written."""
+    """Returns whether a value rounds to the printed number."""
     mantissa, _, exponent = shown.lower().partition("e")
     decimals = len(mantissa.partition(".")[2])
     digits = mantissa.lstrip("+-").replace(".", "").lstrip("0")
     unit = 10.0 ** (int(exponent or 0) - decimals)
-    # "26590" and "440" are three or four digits of a larger number: zeros at the end of a whole number may be filling.
+    # Zeros at the end of a whole number may be rounded digits: "26590" has four or five significant digits, "440" two
+    # or three.
     if decimals == 0 and not exponent:
         unit *= 10 ** (len(digits) - len(digits.rstrip("0"))) if digits else 1
     return abs(float(shown) - value) <= 0.5000001 * unit + 1e-12 * abs(value)
 
 
 def page_names(source):
-    """Paths of all pages from the top of the repository."""
+    """Returns the paths of all pages, relative to the root of the repository."""
     found = []
     for folder, _, files in os.walk(os.path.join(source, "docs")):
         found += [os.path.relpath(os.path.join(folder, name), source) for name in files if name.endswith(".md")]
@@ -72,12 +74,12 @@ class Page:
         return rows
 
     def anchors(self):
-        """Names of the headings as Python-Markdown and GitHub make them."""
+        """Returns the anchors of the headings, as Python-Markdown and GitHub make them."""
         return {re.sub(r"[\s-]+", "-", re.sub(r"[^\w\s-]", "", heading.replace("\\", "")).strip().lower())
                 for heading in self.headings}
 
     def links(self):
-        """(target, line number) of every link and picture."""
+        """Returns (target, line number) for every link and picture."""
         return [(target, number) for line, number in self.prose
                 for target in re.findall(r"\]\(([^()\s]+)\)", line)]
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds the documentation together: links, navigation, generated tables, scene keys, commands.
+"""Tests the documentation: links, navigation, generated tables, scene keys, commands.
 
     pages_test.py --floc PROGRAM --source DIRECTORY
 """
@@ -12,13 +12,13 @@ import sys
 
 import pages
 
-# How the sources of lib/floc/scene ask for a key, and how contact laws declare theirs.
+# Patterns of the code with which lib/floc/scene reads a key, and with which contact laws declare theirs.
 READ = re.compile(r"\.(?:number|integer|text|choice|table|tables|numbers|texts|flat_numbers)\(\s*\"([a-z_]+)\"")
 READ_PAIR = re.compile(r"read_sizes\(t, \"([a-z_]+)\", \"([a-z_]+)\"")
 SLOT = re.compile(r"visit\(\"([a-z_]+)\", law\.")
 DECLARED = re.compile(r"\{\"([a-z_]+)\", (?:&|k[A-Z])")
 ACCURACY = re.compile(r"^    \{\"(\w+)\", \{\"", re.MULTILINE)
-# Keys that floc writes into scenes itself, for its own use.
+# Keys that floc itself writes into scenes.
 WRITTEN_BY_FLOC = {"chosen", "state_sha256"}
 
 
@@ -58,7 +58,7 @@ class Test:
             self.fault(f"only {n} links were found: is the test reading the pages?")
 
     def nothing_is_taken_for_html(self):
-        """<N> outside of backquotes is a tag to Markdown, and vanishes."""
+        """Finds <N> outside of backquotes, which Markdown reads as a tag and does not show."""
         for page in self.docs.pages:
             if page.name == "docs/columns.md":
                 continue  # docs/build takes care of it
@@ -103,10 +103,10 @@ class Test:
             if f"[floc {command}]({command}.md)" not in index:
                 self.fault(f"docs/commands/index.md does not name floc {command}")
 
-    # Scene keys.
+    # Checks of scene keys.
 
     def keys_that_are_read(self):
-        """Names of the keys that the sources ask for, and of the numbers of contact laws."""
+        """Returns the keys that the sources read, and the numbers of contact laws."""
         keys = set(ACCURACY.findall(self.read("lib/floc/prices/accuracy.cc")))
         keys |= set(SLOT.findall(self.read("lib/floc/contact/law_parameters.h")))
         for name in glob.glob(os.path.join(self.source, "lib/floc/scene/*.cc")):
@@ -117,7 +117,7 @@ class Test:
         return keys - WRITTEN_BY_FLOC
 
     def keys_that_are_described(self):
-        """Every word in backquotes of the tables of scenes.md, the parts of dotted keys one by one."""
+        """Returns every word in backquotes in the tables of scenes.md, with each part of dotted keys."""
         words, paths = set(), []
         for header, rows, _ in self.by_name["docs/scenes.md"].tables:
             for row in [[header]] + rows:

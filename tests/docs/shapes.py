@@ -6,7 +6,8 @@ import re
 import h5py
 import numpy as np
 
-# Keys of a kind in the table: (default, smallest, largest) by key, None where the table has none.
+# A kind of shape in the table of the page: for each key (default, smallest, largest), with None if the table gives
+# none.
 Kind = collections.namedtuple("Kind", "flat keys meaning")
 NUMBER = r"[\d.]+"
 OCTAHEDRON = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
@@ -62,14 +63,14 @@ pressure = 1.0
 
 
 def valid(kind, points):
-    """A shape of this kind that is drawn quickly, with the keys that have no default."""
+    """Returns a shape of this kind that is made quickly, with values for the keys without default."""
     return {"kind": kind, **{"polygon": {"sides": 5}, "box": {"sides": [1, 2]}, "hull": {"count": 4}, "cut": {"count": 4},
                              "voronoi": {"cells": 130, "count": 4}, "capsule": {"aspect": 2.0},
                              "file": {"file": points}}[kind]}
 
 
 def further(kind, checksum):
-    """Values of its other keys."""
+    """Returns values for the other keys of this kind."""
     return {"polygon": {"rounding": 0.1}, "box": {"rounding": 0.1},
             "hull": {"vertices": [5, 9], "aspect": 2.0, "rounding": 0.1}, "cut": {"faces": 6, "spread": 0.2, "rounding": 0.1},
             "voronoi": {"relaxed": 3, "rounding": 0.1}, "capsule": {},
@@ -77,7 +78,7 @@ def further(kind, checksum):
 
 
 def cheap(shape, key):
-    """The shape where the largest value of a key is costly: Voronoi cells that are not moved."""
+    """Returns a cheaper shape if the largest value of a key takes long: Voronoi cells without relaxation."""
     return dict(shape, relaxed=0) if shape["kind"] == "voronoi" and key == "cells" else shape
 
 
@@ -88,7 +89,7 @@ def another(default):
 
 
 def write_files(points):
-    """Files of points, in 3D octahedra in every format. @return the checksum of the first"""
+    """Writes files of points, and octahedra in every 3D format. @return checksum of the first file"""
     content = "x,y\n0,0\n1,0\n1,1\n0.5,1.5\n0,1\n"
     with open(points + ".csv", "w") as file:
         file.write(content)
@@ -109,7 +110,7 @@ def write_files(points):
 
 
 def samples(points):
-    """(dimension, shape) of every kind, with and without rounding."""
+    """Returns (dimension, shape) for every kind, with and without rounding."""
     return [(2, {"kind": "polygon", "sides": 5}), (2, {"kind": "box", "sides": [1, 2], "rounding": 0.1}),
             (2, {"kind": "capsule", "aspect": 2.0}), (2, {"kind": "file", "file": points + ".csv"}),
             (2, {"kind": "hull", "vertices": [5, 9], "count": 3}), (3, {"kind": "capsule", "aspect": 1.5}),
@@ -118,7 +119,7 @@ def samples(points):
 
 
 def faults_of_state(path, rows, shape):
-    """What the shapes of a state file have that the table does not say, or the other way round."""
+    """Returns the differences between the shapes in a state file and the table of the page."""
     with h5py.File(path) as f:
         s = {name: data[:] for name, data in f["shapes"].items()}
         dim, scale, of = int(f.attrs["dimension"]), f["grains/scale"][:], f["grains/shape"][:]

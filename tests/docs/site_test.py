@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Makes the site of the documentation, without a warning, and reads it in a browser: a search is typed, and its first
-result opened.
+"""Builds the documentation site without warnings and reads it in a browser: types a search and opens its first
+result.
 
     site_test.py --source DIRECTORY
 
-Ends with 77, in words, where MkDocs or a browser is missing.
+Exits with code 77 and a message if MkDocs or a browser is missing.
 """
 import argparse
 import functools
@@ -19,7 +19,7 @@ import sys
 import tempfile
 import threading
 
-# Types into the search field as a reader would, waits for results, and tells the server of the test what it sees.
+# Types into the search field, waits for results, and sends them to the server of the test.
 READER = """<script>addEventListener('load', () => {
   const query = document.querySelector('[data-md-component=search-query]');
   query.focus();
@@ -63,7 +63,7 @@ class Handler(http.server.SimpleHTTPRequestHandler):
 
 
 def browse(browser, site, directory):
-    """What the reader saw on the first page, and what the browser logged of it."""
+    """Returns the results that the browser showed on the first page, and the messages that it logged."""
     server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Handler, directory=site))
     threading.Thread(target=server.serve_forever, daemon=True).start()
     address = f"http://127.0.0.1:{server.server_port}/"

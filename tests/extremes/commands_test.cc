@@ -8,8 +8,8 @@
 
 #include "support/run_program.h"
 
-/// Packings at the ends of what can be given, taken through every command that reads states: each answers in
-/// finite numbers or refuses in words, and none hangs.
+/// Tests of packings with extreme values, in every command that reads states: each command prints finite
+/// numbers or an error message, and none hangs.
 namespace floc::test {
 namespace {
 
@@ -19,7 +19,7 @@ using ::testing::Not;
 
 const double kHeight = std::sqrt(0.75);
 
-/// A packing as csv and what `floc convert` is told of it.
+/// Packing as csv, with the options of `floc convert` for it.
 struct Given {
   const char* name;
   std::string grains;  ///< csv
@@ -30,7 +30,7 @@ void PrintTo(const Given& given, std::ostream* out) {
   *out << given.name;
 }
 
-/// Four disks of a triangular lattice in units of `unit`.
+/// Four disks of a triangular lattice. @param unit  length of the lattice spacing
 Given crystal(const char* name, double unit, double overlap, double stiffness) {
   const double r = 0.5 * (1.0 + overlap) * unit;
   std::string grains = "x,y,r\n";
@@ -47,7 +47,8 @@ Given row(const char* name, int n, const std::string& cell, const char* header, 
   return {name, grains, cell};
 }
 
-/// A row of a thousand small disks that holds a thousand times larger one up against its own image.
+/// Row of a thousand small disks, on which one disk a thousand times larger rests; above, it touches the image
+/// of the row.
 Given large_and_small() {
   std::string grains = "x,y,r\n0.5,0.5,0.4995\n";
   for (int k = 0; k < 1000; ++k) grains += fmt::format("{},1,0.000500001\n", 0.001 * k);
@@ -77,7 +78,7 @@ TEST_P(Command, AnswersInNumbersOrWords) {
   const Outcome convert = run_floc(
       "convert grains.csv p.h5 --columns radius=r --cell '" + GetParam().cell + "' --law " + GetParam().law,
       scratch.path());
-  if (std::string(GetParam().name) == "grain_on_hundreds_of_its_images") {  // which is denser than full
+  if (std::string(GetParam().name) == "grain_on_hundreds_of_its_images") {  // its solid fraction exceeds 1
     EXPECT_EQ(convert.code, 4);
     EXPECT_THAT(convert.err, HasSubstr("floc: grains.csv: the solid fraction is 81.71, expected at most 1"));
     return;

@@ -13,9 +13,9 @@
 #include "floc/packing/tile.h"
 #include "support/lattices.h"
 
-/// Contact networks whose moduli have closed forms, with stiffnesses and shapes at the ends of what is asked.
-/// Each modulus is within the error bound it comes with, and the bound leaves digits; or it is refused in
-/// words.
+/// Tests of contact networks whose moduli have closed forms, with extreme stiffnesses and shapes. Each modulus
+/// must lie within its error bound, and the bound must leave significant digits; otherwise the modulus must be
+/// refused with a message.
 namespace floc {
 namespace {
 
@@ -33,8 +33,8 @@ Eigen::Matrix3d isotropic(double B, double G) {
   return c;
 }
 
-/// @param relative  error that the bound may leave, of the largest modulus
-/// @param given     error of the network that was given, as far as its numbers do not say the closed form's
+/// @param relative  largest allowed error bound, divided by the largest modulus
+/// @param given     error of the input: its rounded numbers differ from those of the closed form
 void expect_right(const Moduli& m, const Eigen::MatrixXd& closed, double relative, const std::string& what,
                   double given = 0.0) {
   ASSERT_TRUE(m.C.allFinite()) << what;
@@ -65,8 +65,8 @@ TEST(Stiffness, AcrossContactsFromAMillionthToAThousandTimesThatAlong) {
   }
 }
 
-/// Frames of chains bend by rolling alone: C33 follows K_R over twelve decades and loses no more digits than
-/// its bound says.
+/// Frames of chains deform by rolling alone. C33 is proportional to K_R over twelve decades, and loses no more
+/// digits than its error bound says.
 TEST(Stiffness, AgainstRollingFromATrillionthToOne) {
   for (const double kr : {1e-12, 1e-8, 1e-4, 1.0})
     for (const int n : {3, 10, 40}) {
@@ -77,7 +77,8 @@ TEST(Stiffness, AgainstRollingFromATrillionthToOne) {
       ASSERT_TRUE(m.C.allFinite()) << what;
       EXPECT_LE(std::abs(m.C(2, 2) - 0.5 / transverse), m.C_error(2, 2)) << what;
       EXPECT_LE(std::abs(m.C(0, 0) - 1.0 / (n - 1)), m.C_error(0, 0)) << what;
-      // Of the softest no digit is left: it is not told from zero, and called a mechanism.
+      // For the softest frames no digit is left: C33 cannot be distinguished from zero and is reported as a
+      // mechanism.
       if (m.n_coupled_mechanisms > 0) {
         EXPECT_EQ(m.C(2, 2), 0.0) << what;
         EXPECT_LT(kr / (n * n), 1e-14) << what;
@@ -97,8 +98,8 @@ TEST(Chain, OfTenThousandDisksHoldsItsOwnLine) {
   EXPECT_EQ(m.n_negative, 0);
 }
 
-/// Ten thousand disks, each stuck to one that was there before, at any angle: isostatic, and it does not
-/// percolate, so it can be strained at no cost whatever its contacts are.
+/// A tree of ten thousand disks, each attached at a random angle to an earlier one. The tree is isostatic and
+/// does not percolate, so it can be strained at no cost, whatever its contacts are.
 TEST(Tree, OfTenThousandDisksHoldsNothing) {
   Packing<2> packing;
   packing.law = test::elastic_law(1.0, 0.7, 0.03);
@@ -121,7 +122,9 @@ TEST(Tree, OfTenThousandDisksHoldsNothing) {
   ASSERT_EQ(packing.contacts.size(), 9999u);
   for (const double force : {0.0, 1e-5}) {
     ModuliOptions options;
-    options.force_tolerance = force;  // 0: every contact is kept; else a tree without adhesion is all rattlers
+    // a tolerance of 0 keeps every contact; without it all grains of the tree are rattlers, because there is no
+    // adhesion
+    options.force_tolerance = force;
     const Moduli m = elastic_moduli(packing, options);
     EXPECT_EQ(m.B, 0.0);
     EXPECT_EQ(m.G, 0.0);
@@ -131,15 +134,15 @@ TEST(Tree, OfTenThousandDisksHoldsNothing) {
   }
 }
 
-/// One disk that reaches its images up to `reach` spacings away: up to hundreds of contacts on one grain, all
-/// with itself.
+/// One disk that touches its own images up to a distance of `reach` spacings: it has up to hundreds of
+/// contacts, all with itself.
 TEST(Lattice, OfOneGrainThatTouchesManyOfItsOwnImagesHasTheSumOverThem) {
   for (const double reach : {1.05, 2.5, 10.2}) {
     Packing<2> packing = test::triangular(kSpacing, test::elastic_law(1.0, 0.7, 0.03));
     packing.grains.radius[0] = 0.5 * reach * kSpacing;
     find_contacts(packing);
-    // Every branch counted once: C_abab of K_N n n n n + K_T times the rest, over the area (nothing
-    // fluctuates).
+    // Sum over all branches, each counted once. Since the response is affine, C_abcd = sum [K_N n_a n_b n_c n_d
+    // + K_T (tangential part)] r^2/area.
     double bulk = 0.0, shear = 0.0;
     int n_contacts = 0;
     const int far = static_cast<int>(2.0 * reach) + 2;
@@ -163,8 +166,8 @@ TEST(Lattice, OfOneGrainThatTouchesManyOfItsOwnImagesHasTheSumOverThem) {
   }
 }
 
-/// The triangular crystal is the same in a long cell, in a high one, and in cells so slanted that their sides
-/// are nearly parallel.
+/// The triangular crystal has the same moduli in a long cell, in a high one, and in cells so skewed that their
+/// sides are nearly parallel.
 TEST(Cell, OfAnyShapeHoldsTheSameCrystal) {
   const Packing<2> unit = test::triangular(kSpacing, test::elastic_law(1.0, 0.7, 0.03));
   const Eigen::Matrix3d closed = isotropic(std::sqrt(0.75), std::sqrt(3.0) / 4.0 * 1.7);
@@ -175,8 +178,8 @@ TEST(Cell, OfAnyShapeHoldsTheSameCrystal) {
     slanted.cell.matrix.row(1) += slant * slanted.cell.matrix.row(0);
     find_contacts(slanted);
     ASSERT_EQ(slanted.contacts.size(), 48u) << slant;
-    // The longer lattice vector is a double: the crystal is sheared by its rounding, half a unit of `slant`
-    // cells.
+    // The longer lattice vector is `slant` cells long. Its rounding to a double shears the crystal by up to
+    // half a unit in the last place of this length.
     const double sheared = std::numeric_limits<double>::epsilon() * slant;
     expect_right(full_moduli(slanted), closed, 1e-9, "slant " + std::to_string(slant), 4.0 * sheared);
   }
@@ -192,7 +195,7 @@ TEST(Packing, WithoutContactsHasNoModuliAndSaysSo) {
   EXPECT_NE(m.warnings[0].find("moduli along these strains are zero"), std::string::npos);
 }
 
-/// Without adhesion a grain on one contact is held by nothing: pairs are rattlers, both of them.
+/// Without adhesion a grain with one contact is not held, so both grains of a pair are rattlers.
 TEST(Packing, OfRattlersAloneHasNoModuli) {
   Packing<2> packing = test::chain_across(8, kSpacing, 2.0, test::elastic_law(1.0, 0.7, 0.03));
   packing.cell.matrix(0, 0) *= 2.0;
@@ -239,8 +242,8 @@ TEST(Packing, OfAGrainVeryMuchLargerThanItsCellIsRefused) {
   }
 }
 
-/// A row of disks across the cell that is held in one place between a thousand times larger disk and its image:
-/// two lines of springs that do not feel each other.
+/// A row of small disks across the cell, held between a disk a thousand times larger and its image. Both form
+/// chains of springs that do not interact.
 TEST(Sizes, OfOneToAThousandMeetInOnePacking) {
   constexpr double kLarge = 0.4995, kSmall = 0.000500001, kHeight = 2.0 * (kLarge + kSmall - 1e-9);
   Packing<2> packing;

@@ -15,13 +15,14 @@
 #include "support/lattices.h"
 #include "support/run_program.h"
 
-/// Positions lose no digit that forces feel: in contacts of 1e9 F0/a, or a billion diameters from the origin.
+/// Tests that positions keep all digits on which forces depend: with stiffnesses of 1e9 F0/a, or at a billion
+/// diameters from the origin.
 namespace floc {
 namespace {
 
 constexpr double kStiff = 1e9;
 
-/// A crystal of 1 400 disks with K_N = 1e9, sizes that differ by a few overlaps, brought to equilibrium under
+/// Fixture: a crystal of 1 400 disks with K_N = 1e9, whose sizes differ by a few overlaps, in equilibrium under
 /// P = 1.
 struct StiffCrystal {
   Packing<2> packing;
@@ -40,14 +41,14 @@ struct StiffCrystal {
     packing = solution.packing;
   }
 
-  /// Two disks of a triangular lattice of unit spacing in a rectangular cell, overlapping as P = 1 wants it.
+  /// Two disks of a triangular lattice of unit spacing in a rectangular cell; their overlap gives P = 1.
   static Packing<2> cell_of_two(const Law& law) {
     Packing<2> two;
     two.law = law;
     two.cell.matrix << 1.0, 0.0, 0.0, std::sqrt(3.0);
     two.grains = Grains<2>::with_size(2);
     two.grains.position[1] = {0.5, std::sqrt(0.75)};
-    // P = sqrt(3) F_N/d in a triangular lattice of spacing d (every contact carries F_N).
+    // In a triangular lattice of spacing d, in which every contact carries F_N, P = sqrt(3) F_N/d.
     two.grains.radius.assign(2, 0.5 + 0.5 / (std::sqrt(3.0) * kStiff));
     two.grains.mass.assign(2, 1.0);
     return two;
@@ -61,7 +62,7 @@ TEST(Positions, OfAStiffCrystalReachAnEquilibriumTheyCanHold) {
   EXPECT_LT(r.force, 1e-6);
   EXPECT_LT(r.moment, 1e-6);
   EXPECT_LT(r.stress, 1e-6);
-  // In absolute doubles the same positions are far above the tolerance of an equilibrium.
+  // If positions are rounded to doubles, the net forces exceed the tolerance of an equilibrium by far.
   Packing<2> rounded = crystal.packing;
   ASSERT_FALSE(rounded.grains.position_low.empty());
   rounded.grains.position_low.clear();
@@ -84,7 +85,7 @@ TEST(Positions, OfAStiffCrystalAreWholeInItsFile) {
   EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
 }
 
-/// A coordinate >= 0 in full, displaced by a whole number, as a text of up to 34 digits.
+/// Returns the decimal text of x + by, with up to 34 digits. @param x  coordinate >= 0
 std::string displaced_text(const DoubleDouble& x, std::int64_t by) {
   const double whole = std::floor(x.high) - (x.high == std::floor(x.high) && x.low < 0.0 ? 1.0 : 0.0);
   DoubleDouble rest = x - DoubleDouble{whole, 0.0};
@@ -118,7 +119,7 @@ TEST(Positions, ABillionDiametersAwayAreReadWithTheDigitsTheyAreWrittenWith) {
     Packing<2> read = std::get<State<2>>(read_csv_packing(scratch.file("far.csv"), options).state).packing;
     find_contacts(read);
     ASSERT_EQ(read.contacts.size(), smooth.contacts.size()) << far;
-    // 24 decimals leave 1e-24 K_N of a force.
+    // 24 decimals of the positions give forces an error of 1e-24 K_N.
     const auto sum_of_forces = [](const Packing<2>& packing) {
       double sum = 0.0;
       for (const Contact<2>& c : packing.contacts) sum += c.normal_force;

@@ -2,7 +2,7 @@
 
 #include "support/random_rigid_scenes.h"
 
-/// Relaxations of rigid grains with a parameter at an end of its range.
+/// Tests of relaxations of rigid grains with one parameter at an end of its range.
 namespace floc::test {
 namespace {
 

@@ -9,14 +9,14 @@
 #include "support/run_program.h"
 #include "support/wet_scene.h"
 
-/// Small scenes with a parameter at an end of its range, each run, verified from its files and taken to moduli
-/// by the program: equilibria that verify, in finite numbers, or a refusal in words.
+/// Tests of small scenes with one parameter at an end of its range. The program runs each scene, verifies its
+/// states and computes moduli: it must find valid equilibria with finite numbers, or fail with a message.
 namespace floc::test {
 namespace {
 
 using ::testing::HasSubstr;
 
-/// 40 grains of the shipped scenes' kind, pressed at once.
+/// Scene of 40 grains like those of the shipped scenes, assembled under pressure in one step.
 const std::string kPowder = R"([scene]
 dimension = 2
 units = "reduced"
@@ -36,7 +36,7 @@ pressure = 0.01
 solid_fraction = 0.4
 )";
 
-/// Loaded tenfold.
+/// Adds a stage that increases the pressure tenfold.
 const std::string kScene = kPowder + R"(mass = 1.0
 strain_rate_cap = 0.05
 [[load]]
@@ -44,14 +44,15 @@ to = 0.1
 steps = 1
 )";
 
-/// Shortened along one axis.
+/// Adds a stage that compresses the sample along one axis.
 const std::string kTriaxial = kPowder + R"([[load]]
 control = "triaxial"
 strain = 5e-3
 strain_step = 1e-3
 )";
 
-/// 40 elastic spheres, in units of their E/(1 - nu^2), pressed at once and loaded tenfold.
+/// Scene of 40 elastic spheres, assembled under pressure in one step and then loaded tenfold; stresses are in
+/// units of E/(1 - nu^2).
 const char* const kSpheres = R"([scene]
 dimension = 3
 units = "reduced"
@@ -125,8 +126,8 @@ const Extreme kExtremes[] = {
     {"mu_0", {"contact.friction.coefficient=0"}},
     {"mu_10", {"contact.friction.coefficient=10"}},
     {"mu_R_0", {"contact.rolling.coefficient=0"}},
-    // Springs that never yield have no dashpot, nor has a collision without loss: they vibrate for ever, which
-    // does not keep an equilibrium from being found.
+    // Springs below their limit have no damping, and collisions without loss have none either. The grains
+    // vibrate for ever, but the equilibrium can still be found.
     {"mu_R_10", {"contact.rolling.coefficient=10"}},
     {"collisions_without_loss", {"contact.damping.restitution=1", "grains.count=15"}},
     {"two_grains", {"grains.count=2"}},

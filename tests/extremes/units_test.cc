@@ -11,12 +11,11 @@
 #include "support/network_packings.h"
 #include "support/springs.h"
 
-/// Nothing depends on the units of length, force and mass, wherever in the range of doubles they put the
-/// numbers.
+/// Tests that results do not depend on the units of length, force and mass, at any magnitude of doubles.
 namespace floc {
 namespace {
 
-/// Units of a rescaled packing in those of the original.
+/// Units of a rescaled packing, measured in those of the original packing.
 struct Units {
   double length = 1.0, force = 1.0, mass = 1.0;
 
@@ -91,7 +90,7 @@ RunOptions run_options(AssemblyOptions::Protocol protocol, const Units& u) {
   return options;
 }
 
-/// The states of a whole path.
+/// Returns the states of a whole path.
 std::vector<Packing<2>> path(const RunOptions& options) {
   floc::Run<2> run(options);
   std::vector<Packing<2>> states;
@@ -106,10 +105,10 @@ std::vector<Packing<2>> path(const RunOptions& options) {
   return states;
 }
 
-/// Powers of two change no digit, however large: the whole path is the same, bit for bit.
+/// Units that are powers of two, however large, cause no rounding: the whole path is the same, bit for bit.
 void expect_same_path(AssemblyOptions::Protocol protocol) {
   const std::vector<Packing<2>> reference = path(run_options(protocol, {}));
-  // Unit of time a power of two as well: 2^100 is 1.3e30.
+  // The unit of time is a power of two as well. 2^100 is 1.3e30.
   const Units powers[] = {{std::exp2(100), 1.0, 1.0},
                           {std::exp2(-100), 1.0, 1.0},
                           {1.0, std::exp2(100), 1.0},

@@ -1,4 +1,4 @@
-"""Packings of disks made by floc, and the balance of their forces, put together without code of floc."""
+"""Packings of disks made by floc, and the balance of their forces, set up without code of floc."""
 import csv
 import pathlib
 import subprocess
@@ -8,7 +8,7 @@ import numpy as np
 
 
 class Program:
-    """The program, with scenes in a directory of their own."""
+    """The program, with a directory for scenes."""
 
     def __init__(self, floc, source, directory):
         self.floc, self.directory = floc, pathlib.Path(directory)
@@ -18,8 +18,8 @@ class Program:
         self.scene.write_text("\n".join(line for line in lines if not line.startswith("rolling = ")))
 
     def state(self, name, settings):
-        """Makes the first equilibrium of the scene of cohesionless disks without rolling resistance, with these keys
-        changed."""
+        """Makes the first equilibrium of the scene of cohesionless disks without rolling resistance, after changing
+        the given keys."""
         changes = [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
         run = self.directory / name
         subprocess.run([self.floc, "run", str(self.scene), "-o", str(run), "--until", "0", *changes], check=True,
@@ -27,7 +27,7 @@ class Program:
         return run / "state-0000.h5"
 
     def forces(self, state, *options):
-        """The row of `floc forces` and the rows of its contacts, as dictionaries of texts."""
+        """Returns the row of `floc forces` and the rows of its contacts, as dictionaries of texts."""
         table = self.directory / "contacts.csv"
         done = subprocess.run([self.floc, "forces", str(state), "--contacts", str(table), "--format", "csv", *options],
                               check=True, text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
@@ -36,7 +36,8 @@ class Program:
 
 
 class Balance:
-    """Balance of the disks of a state: rows of force and moment, then of the stress; columns P and T by contact."""
+    """Returns the balance of the disks of a state: rows for forces and moments, then for the stress; columns P and T
+    for each contact."""
 
     def __init__(self, path):
         with h5py.File(path) as state:
@@ -54,7 +55,7 @@ class Balance:
         matrix = np.zeros((3 * len(radius) + 3, 2 * self.n))
         for k in range(self.n):
             for column, direction in ((2 * k, normal[k]), (2 * k + 1, tangent[k])):
-                # The force on j along the direction, and the opposite force on i.
+                # A unit force on j along the direction, and the opposite force on i.
                 for body, sign, arm in ((j[k], 1.0, arm_j[k]), (i[k], -1.0, arm_i[k])):
                     matrix[3 * body, column] += sign * direction[0]
                     matrix[3 * body + 1, column] += sign * direction[1]
@@ -70,11 +71,11 @@ class Balance:
         self.load[:3 * len(radius)] = 0.0
 
     def components(self, normal_force, shear):
-        """P and T of each contact. floc lists the tangential force on i."""
+        """Returns P and T of each contact of a state. floc lists the tangential force on i."""
         return np.column_stack([normal_force, -np.einsum("ka,ka->k", shear, self.tangent)]).ravel()
 
     def listed(self, rows):
-        """P and T of each contact in the rows of a table of contacts."""
+        """Returns P and T of each contact from the rows of a table of contacts."""
         normal_force = np.array([float(row["normal_force"]) for row in rows])
         shear = np.array([[float(row["shear_force1"]), float(row["shear_force2"])] for row in rows])
         return self.components(normal_force, shear)

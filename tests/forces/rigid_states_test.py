@@ -3,10 +3,10 @@
 
     rigid_states_test.py --floc PROGRAM --source DIR
 
-The forces f that minimise sum |f|^2/2 under the balance A f = b and Coulomb's cones are those for which motions y of the
-grains exist with f = A^T y + z, where z is zero in each contact that sticks, and normal to f and
-to Coulomb's cone in each contact at its limit. The balance is put together here from the contact points of the state file,
-and y is found by least squares, so that nothing but the forces comes from floc.
+The forces f minimise sum |f|^2/2 under the balance A f = b and Coulomb's cones if motions y of the grains exist with
+f = A^T y + z, where z is zero in each contact that sticks, and normal to f and to Coulomb's cone in each contact at
+its limit. The balance is set up here from the contact points of the state file, and y is found by least squares, so
+that only the forces come from floc.
 """
 import argparse
 import csv
@@ -19,13 +19,14 @@ import h5py
 import numpy as np
 
 BALANCED = 1e-10  # largest error of the balance, over the mean normal force
-# Largest error of the condition above, over the mean normal force.
+# Largest error of this condition, divided by the mean normal force.
 OPTIMAL = 1e-10
 AT_LIMIT = 1e-5   # share of Coulomb's limit
 
 
 def balance(path):
-    """Rows of force and moment of each grain and of the normal stresses; three columns (x, y, z) for each contact."""
+    """Returns rows for the force and moment of each grain and for the normal stresses, with three columns (x, y, z)
+    for each contact."""
     with h5py.File(path) as state:
         contacts, grains = state["contacts"], state["grains"]
         i, j = contacts["id1"][:], contacts["id2"][:]
@@ -51,7 +52,7 @@ def balance(path):
 
 def check(floc, state, friction, directory):
     table = directory / "contacts.csv"
-    # The shear stresses of a cell whose angles are fixed are part of the load, too: floc takes them from the forces.
+    # In a cell with fixed angles, the shear stresses are part of the load. floc takes them from the forces.
     subprocess.run([floc, "forces", str(state), "--selection", "canonical", "--contacts", str(table), "--format", "csv"],
                    check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     with open(table) as file:
@@ -79,7 +80,7 @@ def check(floc, state, friction, directory):
     size = np.linalg.norm(on_i, axis=1)
     carries = normal_force > 1e-6 * mean
     capped = carries & (size > (1.0 - AT_LIMIT) * friction * normal_force)
-    # f = A^T y + alpha (mu n - t/|t|) in contacts at their limit, whose tangential force on j is t.
+    # In contacts at their limit, f = A^T y + alpha (mu n - t/|t|), where t is the tangential force on j.
     columns = [matrix.T]
     for k in np.flatnonzero(capped):
         column = np.zeros((len(force), 1))

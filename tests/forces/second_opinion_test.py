@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Compares the ranges of `floc forces` with linear programs of scipy, on a frictional packing of disks.
+"""Compares the ranges of `floc forces` with linear programs of scipy, for a frictional packing of disks.
 
     second_opinion_test.py --floc PROGRAM --source DIR [--contacts N]
 
-In 2D Coulomb's cone has plane sides, so the range of a normal force is a linear program. Its constraints are put
-together in disks.py from the positions and radii in the state file. Exit code 77: scipy is missing.
+In 2D Coulomb's cone has plane sides, so a linear program gives the range of a normal force. Its constraints are set
+up in disks.py from the positions and radii in the state file. Exit code 77: scipy is missing.
 """
 import argparse
 import sys
@@ -24,7 +24,7 @@ FRICTION = 0.5
 
 
 def extreme(balance, contact, sign):
-    """Smallest (sign = 1) or largest (-1) normal force of a contact."""
+    """Returns the smallest (sign = 1) or largest (sign = -1) normal force of a contact."""
     objective = np.zeros(2 * balance.n)
     objective[2 * contact] = sign
     cone = lil_matrix((2 * balance.n, 2 * balance.n))

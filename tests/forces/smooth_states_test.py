@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Checks `floc forces` on frictionless packings of 200 disks, where theory says what is unique.
+"""Checks `floc forces` on frictionless packings of 200 disks, for which theory tells which forces are unique.
 
     smooth_states_test.py --floc PROGRAM --source DIR
 
-Without self-stress (stiff disks) the geometry determines all forces, so the forces of least energy are those of the
-state. With self-stresses (softer disks) the closest forces are those of the state, and those of least energy differ from
-them by a self-stress, which leaves every grain and the stress in balance.
+Without self-stresses (stiff disks) the geometry determines all forces, so the forces of least energy equal the forces
+of the state. With self-stresses (softer disks) the closest forces equal the forces of the state. The forces of least
+energy differ from them by a self-stress, which changes neither the balance of the grains nor the stress.
 """
 import argparse
 import tempfile
@@ -14,7 +14,7 @@ import numpy as np
 
 from disks import Balance, Program
 
-# Overlaps of 1e-6 and 1e-4 of a diameter: fewer and more contacts than degrees of freedom.
+# Overlaps of 1e-6 and 1e-4 of a diameter. The packings have fewer and more contacts than degrees of freedom.
 STIFF, SOFT = 1e-6, 1e-4
 
 

@@ -15,7 +15,7 @@
 namespace floc::fuzz {
 namespace {
 
-/// Files of a directory, which is removed at the end.
+/// Temporary directory with files, which is removed at the end.
 class Directory {
  public:
   Directory() : path_(std::filesystem::temp_directory_path() / ("floc-fuzz-" + std::to_string(::getpid()))) {
@@ -34,7 +34,7 @@ class Directory {
   std::filesystem::path path_;
 };
 
-/// Splits the bytes of several files at lines "@@".
+/// Splits the input into several files, at lines "@@".
 std::vector<std::string> parts_of(const std::string& bytes) {
   std::vector<std::string> parts(1);
   std::istringstream in(bytes);
@@ -98,7 +98,7 @@ void read_gzip_bytes(const std::string& bytes) {
   } catch (const InputError&) {
   }
 }
-/// Contacts with walls, and the option that places these.
+/// Reads contacts with walls, and the option that places the walls.
 void read_wall_bytes(const std::string& bytes) {
   const std::vector<std::string> parts = parts_of(bytes);
   const MemoryFile contacts(parts[0]);
@@ -124,7 +124,7 @@ std::vector<std::string> datbox_seeds() {
       "RIGID Umas= 0.1D+01\n@@\n$icdan DKJCx 1\n cdbdy numbr\n RBDY2 1 DISKx 1 iqsc0 RBDY2 2 JONCx 1 stick\n "
       "rlt/H "
       "0.1D+00 rln/H 0.7D+01 rls/H 0.0D+00\n gapTT-0.1D-01\n n(1)= 0.0D+00 n(2)= 0.1D+01 n(3)= 0.0D+00\n",
-      // a square on a bar, then a tetrahedron on a plate
+      // a square on a bar (2D), then a tetrahedron on a plate (3D)
       "$bdyty\n RBDY2 1\n$blmty\n PLAIN 1 behav A avrd= 1.0D+00\n$nodty\n NO3xx 1 coo1= 0.0D+00 coo2= 0.5D+00 "
       "coo3= "
       "0.0D+00\n$tacty\n POLYG 1 color B nb_vertex= 4 byrd= 1.0D+00\n coo1=-0.5D+00 coo2=-0.5D+00\n coo1= "
@@ -224,7 +224,7 @@ std::vector<Reader> foreign_readers() {
       {"rockable", read_rockable_bytes, rockable_seeds},
       {"vtp", read_vtp_bytes, vtp_seeds},
       {"legacy_vtk", read_vtk_bytes, vtk_seeds},
-      // "floc" and a line end, compressed
+      // "floc" and a newline, compressed
       {"gzip", read_gzip_bytes,
        [] {
          return std::vector<std::string>{std::string(

@@ -14,21 +14,23 @@
 
 #include "readers.h"
 
-/// Feeds readers with mutations of valid files, without any fuzzing engine:
-///   floc_mutate READER RUNS [SEED]   mutations; an input that crashes, hangs or takes too much memory is
-///   written to a file floc_mutate READER FILE...       these files, each once floc_mutate --seeds
-///   DIR          writes the valid inputs, a folder a reader, for libFuzzer to begin with
+/// Feeds readers with mutations of valid files, without any fuzzing engine.
+///
+/// floc_mutate READER RUNS [SEED] reads mutations; an input that crashes, hangs or takes too much memory is
+/// written to a file.
+/// floc_mutate READER FILE... reads each of these files once.
+/// floc_mutate --seeds DIR writes the valid inputs to one folder per reader, as a start for libFuzzer.
 namespace floc::fuzz {
 namespace {
 
-constexpr time_t kMaxSeconds = 10;              ///< of processor time that an input may take
-constexpr rlim_t kMaxMemory = rlim_t{1} << 30;  ///< address space of the process, bytes
+constexpr time_t kMaxSeconds = 10;              ///< limit of processor time per input (s)
+constexpr rlim_t kMaxMemory = rlim_t{1} << 30;  ///< limit of the address space of the process (bytes)
 constexpr std::size_t kLongestInput = 1 << 16;
 
-std::string current;  ///< input that is being read, for the handler
+std::string current;  ///< input that is being read, which the signal handler saves
 const char* reader_name = "";
 
-/// Keeps the input that killed the process. Only calls that a signal handler may make.
+/// Saves the input that killed the process. It uses only functions that a signal handler may call.
 void keep_input(int signal) {
   char name[200];
   std::snprintf(name, sizeof name, "crash-%s-%d", reader_name, signal);
@@ -40,7 +42,7 @@ void keep_input(int signal) {
   _exit(1);
 }
 
-/// Numbers and tokens that readers may trip over.
+/// Numbers and tokens on which readers may fail.
 const char* const kTokens[] = {"0",
                                "-1",
                                "1e308",
@@ -118,7 +120,7 @@ class Mutator {
     }
   }
 
-  /// Puts another number in place of the first that begins behind `at`.
+  /// Replaces the first number that begins behind position `at` by another.
   void replace_number(std::string& text, std::size_t at) {
     constexpr const char* kDigits = "0123456789.eE+-";
     const std::size_t begin = text.find_first_of("0123456789", at);
@@ -136,7 +138,7 @@ std::string bytes_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// SIGPROF after so many seconds of processor time; 0: never.
+/// Requests SIGPROF after the given seconds of processor time; 0 cancels the request.
 void set_timer(time_t seconds) {
   const itimerval timer{{0, 0}, {seconds, 0}};
   ::setitimer(ITIMER_PROF, &timer, nullptr);

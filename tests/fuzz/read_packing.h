@@ -15,7 +15,7 @@
 
 namespace floc::fuzz {
 
-/// A file in memory with a name that any reader can open.
+/// File in memory, with a path that any reader can open.
 class MemoryFile {
  public:
   explicit MemoryFile(const std::string& bytes) : descriptor_(::memfd_create("fuzz", 0)) {
@@ -55,7 +55,7 @@ void read_packing_at(const Read& read, const std::string& path,
   }
 }
 
-/// Reads bytes as a file in the same way.
+/// Reads bytes as a file, in the same way as read_packing_at.
 template <class Read>
 void read_packing(const Read& read, const std::string& bytes,
                   const std::function<void(ImportOptions&)>& set = {}) {

@@ -36,7 +36,7 @@ namespace {
 
 const std::filesystem::path kData = std::filesystem::path(FLOC_SOURCE_DIR) / "data";
 
-/// Where the data of all datasets of an HDF5 image lie.
+/// Returns the positions of all bytes of datasets in an HDF5 file.
 std::vector<std::size_t> dataset_bytes(const std::string& image) {
   const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
   H5Pset_fapl_core(access, 1 << 16, false);
@@ -47,7 +47,7 @@ std::vector<std::size_t> dataset_bytes(const std::string& image) {
     if (object->type != H5O_TYPE_DATASET) return 0;
     const hid_t dataset = H5Dopen2(root, name, H5P_DEFAULT);
     const hid_t type = H5Dget_type(dataset);
-    // Texts lie elsewhere, and what says where is no number of theirs.
+    // Texts are stored elsewhere in the file: H5Dget_offset does not give their position.
     const haddr_t begin = H5Tget_class(type) == H5T_STRING ? HADDR_UNDEF : H5Dget_offset(dataset);
     H5Tclose(type);
     for (hsize_t k = 0; begin != HADDR_UNDEF && k < H5Dget_storage_size(dataset); ++k)
@@ -88,7 +88,7 @@ void read_csv_bytes(const std::string& bytes) {
   });
 }
 
-/// A csv with contacts of three grains that are given.
+/// Reads a csv of contacts between three given grains.
 void read_contacts_bytes(const std::string& bytes) {
   static const std::string kGrains = "x,y,r\n0,0,0.5\n0.999,0,0.5\n0.4995,0.8651,0.5\n";
   const MemoryFile contacts(bytes);
@@ -98,7 +98,8 @@ void read_contacts_bytes(const std::string& bytes) {
   });
 }
 
-/// A table of measurements, as `floc fit` reads it. The height of the grains stands for all that a user may give.
+/// Reads a table of measurements as `floc fit` does. The height of the grains is given as an example of the
+/// user's options.
 void read_path_bytes(const std::string& bytes) {
   const MemoryFile file(bytes);
   try {
@@ -126,7 +127,7 @@ void read_jambashbulk_bytes(const std::string& bytes) {
   read_packing(read_jambashbulk, bytes, [](ImportOptions& options) { options.law.reset(); });
 }
 
-/// A small state in each dimension, in a format that floc writes.
+/// Small states in 2D and 3D, in a format that floc writes.
 std::vector<std::string> written_states(const std::string& extension) {
   std::vector<std::string> seeds;
   const std::string path =
@@ -147,7 +148,7 @@ std::vector<std::string> written_states(const std::string& extension) {
   return seeds;
 }
 
-/// Bytes that no program sealed: refused before HDF5 sees them.
+/// Reads bytes without a valid seal, which must be refused before HDF5 reads them.
 void read_unsealed_bytes(const std::string& bytes) {
   const MemoryFile file(bytes);
   try {
@@ -156,10 +157,10 @@ void read_unsealed_bytes(const std::string& bytes) {
   }
 }
 
-/// The states that edits of the reader "state" start from, without their seals, and where in them datasets lie.
+/// States that the reader "state" edits, without their seals, and the positions of their datasets.
 struct StateImage {
   std::string content;
-  std::vector<std::size_t> places;  ///< of every byte of every dataset
+  std::vector<std::size_t> places;  ///< position of each byte of each dataset
 };
 
 const std::vector<StateImage>& state_images() {
@@ -175,8 +176,8 @@ const std::vector<StateImage>& state_images() {
   return images;
 }
 
-/// Edits of a state's numbers, sealed anew: the first byte chooses the state, then two bytes say where and
-/// eight what.
+/// Edits numbers of a state and seals it again. The first byte of `edits` chooses the state; each edit is two
+/// bytes for the position and eight for the value.
 void read_edited_state(const std::string& edits) {
   if (edits.empty()) return;
   const StateImage& image = state_images()[static_cast<unsigned char>(edits[0]) % state_images().size()];
@@ -202,7 +203,7 @@ std::vector<std::string> scene_seeds() {
   return seeds;
 }
 
-/// Numbers that are no length, no count and no index, at places all over the file.
+/// Returns edits that write invalid lengths, counts and indices at positions throughout the file.
 std::vector<std::string> edit_seeds() {
   std::vector<std::string> seeds;
   const double values[] = {0.0, -1.0, 1e300, 1e-300, std::nan(""), std::numeric_limits<double>::infinity()};

@@ -11,8 +11,8 @@
 namespace floc::fuzz {
 namespace {
 
-/// Throws if the mass properties of a shape are not positive finite numbers, and lets the shape touch its own copy, so
-/// that the sanitizers see all of its indices used.
+/// Throws if the mass properties of a shape are not finite positive numbers. Then brings the shape into contact
+/// with its own copy, so that the sanitizers check all of its indices.
 template <int Dim>
 void use(const Shape<Dim>& shape) {
   bool is_sound = shape.centre.allFinite();
@@ -28,7 +28,8 @@ void use(const Shape<Dim>& shape) {
   }
 }
 
-/// Reads a file with the ending of `path` twice: as it is, and with few vertices and a radius of rounding.
+/// Reads a file with the extension of `path` twice: without options, and with few vertices and a radius of
+/// rounding.
 template <int Dim>
 void read_shape_bytes(const char* path, const std::string& bytes) {
   for (const ShapeFileOptions& options :
@@ -39,7 +40,7 @@ void read_shape_bytes(const char* path, const std::string& bytes) {
     }
 }
 
-// A tetrahedron with a point inside, as text.
+// A tetrahedron with an additional point inside, as OFF text.
 const char* const kOff =
     "OFF\n# stone\n5 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0.1 0.1 0.1\n"
     "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
@@ -50,7 +51,7 @@ const char* const kPoints =
     "x,y,z\n0,0,0\n1,0,0\n0,1,0\n0,0,1\n1,1,0\n1,0,1\n0,1,1\n1,1,1\n0.5,0.5,1.5\n1.5,0.5,0.5\n";
 const char* const kCorners = "\"x\";\"y\"\n0;0\n3;0\n0;4\n2.5;2.5\n1;-0.5\n-0.5;2\n";
 
-/// Two shapes of the program Rockable: a tetrahedron and a ball.
+/// Two shapes in the format of Rockable: a tetrahedron and a ball.
 const char* const kRockable =
     "<\nname Stone\nradius 0.05\npreCompDone y\nnv 4\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
     "ne 6\n0 1\n0 2\n0 3\n1 2\n1 3\n2 3\nnf 4\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n"

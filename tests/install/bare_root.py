@@ -1,14 +1,14 @@
 #!/usr/bin/python3
-"""Goes the way of a new user on a bare Debian 12: what the pages say, in order, and nothing else.
+"""Follows README and the documentation on a bare Debian 12 in the way of a new user, without any other step.
 
     bare_root.py packages --source DIRECTORY --build DIRECTORY     what docs/install.md says of Debian packages
     bare_root.py clone --source DIRECTORY                          what README says of a clone: .ci/demo
 
-The first one makes the packages of the build, which lintian has to find no error in.
+The first command makes the packages of the build and requires that lintian finds no error in them.
 
-Each makes a root with debootstrap from the package server that this machine's apt uses, runs the blocks of README, of the
-first tutorial and of the Python example in it, and compares what they print with the pages. It has to run as root, and
-exits with code 77 where it cannot. --keep leaves the root where it is.
+Each command makes a root with debootstrap from the package server that apt uses on this machine, runs the blocks of
+README, of the first tutorial and of its Python example, and compares their output with the pages. It has to run as
+root, and otherwise exits with code 77. --keep keeps the root.
 """
 import argparse
 import glob
@@ -26,7 +26,7 @@ NOT_TRIED = 77
 
 
 class Root:
-    """A bare Debian, in which commands run as in a shell of its own."""
+    """A bare Debian, in which every command runs in a new shell."""
 
     HOME = "/root/work"
 
@@ -55,7 +55,7 @@ class Root:
         self.run("apt-get update -qq")
 
     def run(self, commands, check=True):
-        """@return what they print on stdout"""
+        """Runs commands. @return their stdout"""
         print("$", commands.strip().replace("\n", "\n  "), flush=True)
         done = subprocess.run(["chroot", self.directory, "/bin/bash", "-c", f"set -e; cd {self.HOME}; {commands}"],
                               env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT if check else None,
@@ -70,7 +70,7 @@ class Root:
 
 
 class Reader:
-    """Does what the pages say, and holds what is printed against them."""
+    """Runs the commands of the pages and compares their output with the pages."""
 
     def __init__(self, root, source):
         self.root, self.source, self.faults = root, source, 0
@@ -87,13 +87,13 @@ class Reader:
         return found[0]
 
     def compare_numbers(self, place, said, printed):
-        """The numbers of a piece of a page, in their order, and those that were printed."""
+        """Compares the numbers of a part of a page with the printed numbers, in order."""
         numbers, others = pages.NUMBER.findall(said), pages.NUMBER.findall(printed)
         if len(numbers) != len(others) or not all(map(pages.rounds_to, numbers, map(float, others))):
             self.fault(f"{place} says\n{said}\nbut this was printed:\n{printed}")
 
     def first_result(self):
-        """README: run, moduli, picture, fit."""
+        """Runs the commands of README: run, moduli, picture, fit."""
         said = self.page["README.md"]
         moduli = self.block("README.md", "floc run data/scenes/demo.toml -o demo")
         run, table = moduli.strip().split("\n")
@@ -106,7 +106,7 @@ class Reader:
                 self.fault(f"README.md: there is no {name}")
 
     def python(self):
-        """README: five lines, of which some end in what they print."""
+        """Runs the five lines of Python in README, some of which end with their output."""
         code = next(text for language, text, _ in self.page["README.md"].blocks if language == "python")
         self.root.run(f"cat > example.py <<'END'\n{code}END")
         printed = self.root.run("python3 -W error::DeprecationWarning example.py").strip().split("\n")
@@ -117,7 +117,7 @@ class Reader:
             self.compare_numbers("README.md, Python", one, other)
 
     def tutorial(self):
-        """The first tutorial from its plots on; the run itself is README's."""
+        """Runs the first tutorial from its plots on; README contains the run itself."""
         name = "docs/tutorials/powder2d.md"
         self.root.run(self.block(name, "floc plot demo"))
         printed = self.root.run(self.block(name, "floc moduli demo")).strip().split("\n")
@@ -136,19 +136,19 @@ class Reader:
         self.root.run(self.block(name, "--seeds 1..4"))
 
     def demo_says(self, printed):
-        """The law of six samples, which the tutorial has too."""
+        """Checks the law of six samples, which the tutorial also prints."""
         names = {"P1*": "P1_star", "P0*": "P0_star"}
         tables = self.page["docs/tutorials/powder2d.md"].tables
         for name, value, error, _ in next(rows for header, rows, _ in tables if "standard error" in header):
             line = re.search(rf"^\s*{names.get(name, name)}\s+(\S+)\s+(\S+)", printed, re.MULTILINE)
-            # A page and the program show "-" where the data do not identify a parameter.
+            # Page and program show "-" if the data do not identify a parameter.
             if not line or not all(shown == said if "-" in (shown, said) else pages.rounds_to(shown, float(said))
                                    for shown, said in ((value, line[1]), (error, line[2]))):
                 self.fault(f"floc demo: expected {name} = {value} +- {error} in\n{printed[-3000:]}")
 
 
 def packages_of(build, directory):
-    """Makes the packages of a build and holds them against Debian's rules. @return faults"""
+    """Makes the packages of a build and checks them with lintian. @return faults"""
     subprocess.run(["cpack", "-B", directory], cwd=build, check=True, stdout=subprocess.DEVNULL)
     packages = sorted(glob.glob(f"{directory}/*.deb"))
     if not shutil.which("lintian"):
@@ -176,7 +176,7 @@ def try_packages(reader, build):
     reader.python()
     for file in ("man/man1/floc-moduli.1.gz", "bash-completion/completions/floc"):
         root.run(f"test -e /usr/share/{file}")
-    # The library, with the program that docs/install.md shows.
+    # Checks the library with the program in docs/install.md.
     root.run(reader.block(page, "apt install ./libfloc-dev"))
     cmake = next(text for language, text, _ in reader.page[page].blocks if language == "cmake")
     code = next(text for language, text, _ in reader.page[page].blocks if language == "cpp")
@@ -187,11 +187,11 @@ def try_packages(reader, build):
     root.run("apt-get install -qq ./floc-petsc_*.deb >install.log 2>&1; export OMPI_ALLOW_RUN_AS_ROOT=1 "
              "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; mpirun --oversubscribe -n 2 floc moduli --solver petsc "
              "demo/state-0026.h5 --columns B,G --format csv >petsc.csv")
-    # Gone without a trace, but for what they needed.
+    # After removal, only packages that floc needed remain.
     root.run("apt-get purge -qq floc libfloc-dev python3-floc floc-petsc >purge.log 2>&1")
     left = [line for line in root.run("find / -xdev -ipath '*floc*' -not -path '/root/*' -not -path '/proc/*' "
                                       "-not -path '/sys/*'").split("\n") if line and line not in before]
-    # flock is another program.
+    # The name flock belongs to another program.
     left = [line for line in left if not line.startswith("/var/cache/apt") and re.search(r"floc(?!k)", line)]
     if left:
         reader.fault("the packages leave behind " + ", ".join(left[:10]))
@@ -202,7 +202,7 @@ def try_clone(reader):
     root.run("apt-get install -qq --no-install-recommends git ca-certificates >install.log 2>&1")
     subprocess.run(["git", "clone", "--quiet", reader.source, f"{root.directory}{root.HOME}/floc"], check=True)
     root.HOME += "/floc"
-    # The other line of the block runs the tests, which is what .ci/run does elsewhere.
+    # The other line of the block runs the tests, which .ci/run does elsewhere.
     demo = next(line for line in reader.block("README.md", ".ci/demo ").split("\n") if line.startswith(".ci/demo"))
     reader.demo_says(root.run(demo))
     program = reader.block("README.md", "export PATH=")

@@ -36,7 +36,7 @@ steps = 2
 seed = 3
 )";
 
-/// Runs the tiny scene up to a step, going on from where its directory is.
+/// Runs the tiny scene until a step; an existing run in the directory is resumed.
 bool run_until(const std::string& scene, const std::string& directory, int step) {
   floc::SceneRunOptions options;
   options.directory = directory;
@@ -61,7 +61,7 @@ bool has(const floc::Table& table, const std::string& column) {
   return false;
 }
 
-/// Each table is one call, and a state that is written is the one that was read.
+/// Computes every table with one call. Writes a copy of the state and reads it back.
 bool computes(const std::string& file) {
   const floc::AnyState state = floc::read_state(file);
   std::visit([&](const auto& s) { floc::write_state(file + ".copy", s); }, state);
@@ -73,7 +73,7 @@ bool computes(const std::string& file) {
          has(floc::network_table(state), "z_star") && has(floc::structure_table(state), "xi");
 }
 
-/// A plateau, a line in ln P and its fit.
+/// Fits a curve that has a plateau followed by a line in ln P.
 bool fits() {
   floc::ConsolidationCurve curve;
   for (int k = 0; k < 30; ++k) {

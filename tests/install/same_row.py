@@ -1,5 +1,5 @@
-"""The row of moduli of one state, as the program, a C++ program of ten lines and the Python package print it: the same
-numbers to the last bit, but for the processor times.
+"""Compares the row of moduli of one state, printed by the program, by a C++ program of ten lines and by the Python
+package: all numbers are equal to the last bit, except processor times.
 
     same_row.py FLOC ROW STATE        with floc on PYTHONPATH where the package is installed
 """

@@ -10,7 +10,8 @@
 #include "floc/tradeoff/comparison.h"
 #include "support/places.h"
 
-// The guarantee of [accuracy], on scenes and seeds that are not in the data of the shipped table. To run it alone:
+// Tests of the guarantee of [accuracy], with scenes and seeds that are not in the data of the shipped table. To
+// run them alone:
 //   build/release/tests/long_tests --gtest_filter='AccuracyGuarantee.*'
 
 namespace floc {
@@ -27,12 +28,13 @@ constexpr HeldOut kHeldOut[] = {{"demo", 501},
                                 {"type1_no_rolling", 505}};
 constexpr int kSamplesOfStudy = 4;
 
-/// An accuracy, as asked for in a scene, and the error it guarantees of each observable.
+/// Accuracy that a scene requests, with the error that it guarantees for each observable (by index).
 struct Guarantee {
   WantedAccuracy wanted;
   std::vector<std::pair<int, double>> of_observables;
 
-  // Over all scenes: values of single states and of means over samples, and those within it.
+  // Sums over all scenes: numbers of values of single states and of sample means, and how many of them are
+  // within the guaranteed error.
   int n = 0, kept = 0, n_means = 0, means_kept = 0;
   double core_seconds = 0.0, strict_seconds = 0.0;
 
@@ -46,7 +48,8 @@ std::vector<const SamplePath*> pointers(const std::vector<SamplePath>& paths) {
   return all;
 }
 
-/// The values of one observable over the states of a pair.
+/// Counts the values of observable `k` in the states of a sample that are within the guaranteed error of the
+/// reference sample.
 void count_states(int k, double guaranteed_error, const SamplePath& reference, const SamplePath& path,
                   Guarantee& guarantee) {
   const std::vector<bool> same = before_collapse(reference, path);
@@ -66,7 +69,7 @@ void count_means(const std::vector<SamplePath>& references, const std::vector<Sa
   for (const auto& [k, guaranteed_error] : guarantee.of_observables) {
     const MeanDifference& mean = errors[static_cast<std::size_t>(k)].mean;
     if (mean.n < kSamplesOfStudy) continue;
-    constexpr double kStudent = 3.18;  // four samples, 95 %
+    constexpr double kStudent = 3.18;  // Student's t for four samples at 95 %
     ++guarantee.n_means;
     guarantee.means_kept += std::abs(mean.difference) <= guaranteed_error + kStudent * mean.standard_error;
   }
@@ -79,7 +82,7 @@ Scene scene_of(const HeldOut& held, const WantedAccuracy& wanted) {
   return read_scene(test::source_directory() + "/data/scenes/" + held.scene + ".toml", changes);
 }
 
-/// A sample that is whole, with the strict equilibria its states go to.
+/// Makes a complete sample, with the strict equilibrium that each of its states relaxes to.
 SamplePath sample(const RunOptions& options, const RelaxationOptions& strict, const SamplePath* reference) {
   const Deadline never(1e6);
   SamplePath path = make_sample(options, {}, reference, never);
@@ -130,7 +133,7 @@ TEST(AccuracyGuarantee, HoldsForScenesAndSeedsThatDidNotMakeTheTable) {
     print(guarantee);
     EXPECT_GE(guarantee.kept_share(), 0.95);
   }
-  // Phi at 1 % and moduli at 5 % are cheap.
+  // An error of 1 % in phi and 5 % in moduli takes little processor time.
   EXPECT_GE(guarantees.back().gain(), 5.0);
 }
 

@@ -10,7 +10,7 @@
 namespace floc::test {
 namespace {
 
-/// Errors and coverage of one parameter over repeated fits.
+/// Sums of errors, and number of intervals that contain the truth, for one parameter over repeated fits.
 struct Tally {
   double truth;
   int n = 0, covered = 0;
@@ -24,8 +24,8 @@ struct Tally {
   }
 };
 
-/// 500 noisy repetitions of a curve: bias below a third of the stated error, 95 % intervals that cover 92 to 97
-/// %.
+/// Fits 500 noisy copies of a curve. Expects a bias below a third of the stated error, and 95 % intervals that
+/// contain the truth in 92 to 97 % of the fits.
 void expect_honest_errors(const ConsolidationCurve& exact, const ConsolidationOptions& options,
                           std::map<std::string, Tally> tallies) {
   constexpr int kRepeats = 500;

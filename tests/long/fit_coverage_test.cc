@@ -67,7 +67,7 @@ TEST(FitCoverage, OfHeckelAndKawakita) {
   }
 }
 
-/// Share of draws of an ensemble in which the interval of lambda holds the truth.
+/// Returns the fraction of simulated ensembles in which the interval of lambda contains the true value.
 double share_held(const Staircases& staircases, int n_samples, int n_draws) {
   RandomStream random(3, 0);
   int held = 0, n = 0;

@@ -14,8 +14,8 @@ using nlohmann::json;
 
 constexpr int kSeeds = 2;
 
-/// A series of [AR2007] with 500 beads, from the gas to 100 MPa and back. Claims are about means over the samples,
-/// within what 500 beads in place of 4000 leave open.
+/// Fixture: one of the series of [AR2007] with 500 beads, from the gas to 100 MPa and back. Tests compare means
+/// over the samples, with tolerances for 500 beads instead of 4000.
 class GlassBeads : public ::testing::Test {
  protected:
   void make(const std::string& state) {
@@ -32,7 +32,8 @@ class GlassBeads : public ::testing::Test {
     }
   }
 
-  /// Mean of a column over the samples. @param state  negative: counted from the end
+  /// Returns the mean of a column over the samples. @param state  index of the state; a negative index counts
+  /// from the end
   double mean(const std::string& column, int state) const {
     double sum = 0.0;
     for (const json& sample : rows_) {

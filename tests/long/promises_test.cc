@@ -9,13 +9,15 @@
 #include "floc/scene/scene_prices.h"
 #include "support/places.h"
 
-// The promises of tables of prices, and those of plans, for every kind with a table. To run them alone:
+// Tests of the errors that tables of prices and plans promise, for every kind of scene with a table. To run
+// them alone:
 //   build/release/tests/long_tests --gtest_filter='Promises.*'
 
 namespace floc {
 namespace {
 
-/// A shipped scene of a kind (in the list below the quickest first), with parameters that differ from those with which its table was made.
+/// Shipped scene of a kind, with parameters other than those used for the table of prices. The list begins with
+/// the fastest scene.
 struct HeldOutScene {
   const char* file;
   std::vector<std::string> changes;
@@ -44,7 +46,8 @@ Scene scene_of(const HeldOutScene& held) {
   return read_scene(test::source_directory() + "/data/scenes/" + held.file + ".toml", held.changes);
 }
 
-/// The settings of the scene, and the cheapest whose error in phi is below one percent.
+/// Returns the names of the scene's own settings and of the cheapest settings whose error in phi is below one
+/// percent.
 std::vector<std::string> promised_settings(const PriceTable& table) {
   for (const PricedSettings& settings : settable_prices(table))
     if (settings.parameter != "scene" && settings_error(settings, "phi") < 0.01)

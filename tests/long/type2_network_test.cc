@@ -10,12 +10,12 @@ namespace {
 
 using nlohmann::json;
 
-/// Loading of three samples of the demo scene (type 2, small rolling resistance, N = 400); claims are about the
-/// means over the samples, with the bounds published for N = 1400.
+/// Fixture: loading of three samples of the demo scene (type 2, small rolling resistance, N = 400). Tests
+/// compare means over the samples with the bounds published for N = 1400.
 class Type2Network : public ::testing::Test {
  protected:
   static constexpr int kFirst = 2, kLast = 4;  ///< seeds
-  static constexpr int kDensest = 26;          ///< state at P* = 13.33; 1 is the loosest, at 0.01
+  static constexpr int kDensest = 26;          ///< state at P* = 13.33; state 1 is the loosest, at P* = 0.01
 
   void SetUp() override {
     ASSERT_EQ(
@@ -44,7 +44,7 @@ TEST_F(Type2Network, CarriesLoadsAndKeepsContactsAsPublished) {
     for (int k = 1; k <= kDensest; ++k)
       distant += network[k].at("n_distant").get<double>() / network[k].at("n_contacts").get<double>() /
                  (kSamples * kDensest);
-    // The first row is the compression from no load at all.
+    // Row 0, the compression from P = 0, is left out.
     for (int k = 1; k < kDensest; ++k)
       kept += changes[k].at("kept_share").get<double>() / (kSamples * (kDensest - 1));
   }

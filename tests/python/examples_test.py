@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs the example scripts of the Python package as a reader would, in a directory with data/."""
+"""Runs the example scripts of the Python package in a directory with data/."""
 import os
 import pathlib
 import subprocess
@@ -7,7 +7,7 @@ import sys
 import tempfile
 
 SOURCE = pathlib.Path(os.environ["FLOC_SOURCE_DIR"])
-# What each prints, in part.
+# A part of the output of each script.
 EXPECTED = {
     "moduli_of_a_run.py": "B_voigt",
     "own_packing.py": "contacts, B = 86602.5, closed form 86602.5\nG = 77942.3, closed form 77942.3\n"

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Executes the notebooks of the Python package, in a directory with data/. Ends with 77 where nbconvert is missing."""
+"""Executes the notebooks of the Python package in a directory with data/. Exits with code 77 if nbconvert is
+missing."""
 import os
 import pathlib
 import shutil

@@ -1,4 +1,4 @@
-"""Small runs that the tests of the Python package share, and the program to compare with."""
+"""Small runs that the tests of the Python package share, and calls of the program for comparison."""
 import atexit
 import functools
 import json
@@ -54,7 +54,7 @@ SCENES = {"powder": POWDER, "beads": BEADS, "box": BOX}
 
 @functools.lru_cache(maxsize=None)
 def directory():
-    """Removed when the tests are done."""
+    """Returns a directory that is removed at the end of the tests."""
     path = pathlib.Path(tempfile.mkdtemp(prefix="floc-python-"))
     atexit.register(shutil.rmtree, path, ignore_errors=True)
     return path
@@ -68,7 +68,7 @@ def scene_file(name):
 
 @functools.lru_cache(maxsize=None)
 def run(name):
-    """The run of one of the scenes, made once."""
+    """Returns the run of one of the scenes, which is made once."""
     return floc.run(scene_file(name), directory() / name, timing=False)
 
 
@@ -77,12 +77,12 @@ def last_state(name):
 
 
 def floc_program(*arguments, code=0):
-    """What a command prints on stdout."""
+    """Returns the stdout of a command."""
     done = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, cwd=directory())
     assert done.returncode == code, (arguments, done.returncode, done.stderr)
     return done.stdout
 
 
 def rows_of(*arguments, code=0):
-    """Rows that a command prints, from json: every digit of every number."""
+    """Returns the rows that a command prints as json, with all digits."""
     return json.loads(floc_program(*arguments, "--format", "json", code=code))

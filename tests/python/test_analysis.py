@@ -1,4 +1,4 @@
-"""Every number is that of the command, to the last bit."""
+"""Tests that every number equals the number that the command prints, to the last bit."""
 import contextlib
 import csv
 import io
@@ -11,7 +11,7 @@ import numpy as np
 import floc
 import samples
 
-# What no call has twice.
+# Columns that differ between two calls, such as times.
 TIMING = {"seconds", "seconds_row"}
 
 
@@ -23,7 +23,7 @@ class Same(unittest.TestCase):
         self.assertEqual(mine, theirs)
 
     def assert_table(self, table, text):
-        """A table of arrays, and csv."""
+        """Compares a table of arrays with a csv file."""
         names, *rows = csv.reader(io.StringIO(text))
         self.assertEqual(list(table), names)
         self.assertGreater(len(rows), 0)
@@ -105,7 +105,7 @@ class Moduli(Same):
             floc.moduli(samples.last_state("box"), "full", force=True)
 
     def test_leaves_other_threads_alone(self):
-        """A thread counts while moduli are computed: the interpreter is free."""
+        """Another thread counts while moduli are computed, so the interpreter is not blocked."""
         state = floc.read(samples.last_state("powder"))
         large = tiled(state, 15)
         ticks = []
@@ -125,7 +125,7 @@ class Moduli(Same):
         self.assertGreater(during, 10)
 
     def test_leaves_numpy_its_threads(self):
-        """OpenBLAS runs on one thread while floc uses it, and on as many as before afterwards."""
+        """OpenBLAS uses one thread while floc uses it, and afterwards as many as before."""
         import ctypes
         try:
             blas = ctypes.CDLL("libopenblas.so.0")
@@ -141,7 +141,7 @@ class Moduli(Same):
 
 
 def tiled(state, copies):
-    """A packing repeated side by side along both axes."""
+    """Returns a packing repeated along both axes."""
     shifts = np.array([(a, b) for a in range(copies) for b in range(copies)])
     position = (state.position[None] + (shifts @ state.cell)[:, None]).reshape(-1, 2)
     return floc.Packing.from_arrays(position, np.tile(state.radius, len(shifts)), copies * state.cell, state.law,
@@ -205,7 +205,7 @@ class Structure(Same):
     @staticmethod
     @contextlib.contextmanager
     def catch():
-        """Small states have no fit of I(k), which the package warns of."""
+        """Small states have no fit of I(k). The package issues a warning about this."""
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", floc.FlocWarning)
             yield

@@ -1,4 +1,4 @@
-"""floc export of a state of every kind of scene: the command that it prints, run as it is, makes the state again."""
+"""Tests floc export for a state of every kind of scene: the printed command restores the state."""
 import os
 import pathlib
 import subprocess
@@ -9,7 +9,7 @@ import numpy as np
 import floc
 import samples
 
-# Scenes of rigid grains are left out: their states take minutes.
+# Scenes of rigid grains are left out, because making their states takes minutes.
 SCENES = [scene for scene in sorted((samples.SOURCE / "data/scenes").glob("*.toml"))
           if 'normal = {law = "rigid"}' not in scene.read_text(encoding="utf-8")]
 LISTED = ("cemented2d", "cemented3d")  # whose diameters are in a file, one for each grain of many

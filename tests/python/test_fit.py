@@ -1,4 +1,4 @@
-"""Fits of arrays and tables are those of the command."""
+"""Tests that fits of arrays and tables equal the fits of the command."""
 import json
 import unittest
 

@@ -1,5 +1,5 @@
-"""States through every format that can be written and back, files of other programs that say where they are periodic and of which
-dimension they are, and ids of grains in every table and message."""
+"""Tests that states survive a round trip through every format that can be written, that files of other programs give
+periodic axes and dimension, and that every table and message uses the ids of grains."""
 import csv
 import io
 import itertools
@@ -22,7 +22,7 @@ WET = ("normal.stiffness=1000,adhesion.law=capillary,adhesion.surface_tension=1,
 
 
 def convert(*arguments, code=0):
-    """What floc convert says."""
+    """Returns the messages of floc convert."""
     done = subprocess.run([samples.PROGRAM, "convert", *map(str, arguments), "--overwrite"], capture_output=True, text=True,
                           cwd=samples.directory(), check=False)
     if done.returncode != code:
@@ -31,7 +31,7 @@ def convert(*arguments, code=0):
 
 
 def lattice_state(name, cell, repeats, law=LAW, radius=0.5):
-    """A crystal, one grain at each corner of `cell`, repeated."""
+    """Returns a crystal with one grain at each corner of `cell`, repeated."""
     cell = np.array(cell, dtype=float)
     position = np.array([np.array(k) @ cell for k in itertools.product(*map(range, repeats))]) + 0.05
     with warnings.catch_warnings():
@@ -43,7 +43,7 @@ def lattice_state(name, cell, repeats, law=LAW, radius=0.5):
 
 
 def states():
-    """Every kind of state by its name."""
+    """Returns a state of every kind, by the name of the kind."""
     s = 0.998
     cube, square = s * np.eye(3), s * np.eye(2)
     triangle = s * np.array([[1, 0], [0.5, np.sqrt(0.75)]])
@@ -145,7 +145,7 @@ def vtu(cell, rows, fields=""):
 
 
 def layer(height, z=0.4, radius=0.5):
-    """Four grains on a square lattice, each touching its neighbours: cell and rows."""
+    """Returns cell and rows of four grains on a square lattice, each of which touches its neighbours."""
     s = 0.998
     rows = [(0.25 + s * a, 0.25 + s * b, z, radius) for a in range(2) for b in range(2)]
     return np.diag([2 * s, 2 * s, height]), rows
@@ -159,7 +159,8 @@ class FilesOfOtherPrograms(unittest.TestCase):
         return words, floc.read(samples.directory() / "foreign.h5") if code == 0 else None
 
     def test_of_one_layer_are_of_the_dimension_that_follows(self):
-        """A layer of grains, in a cell so low that spheres touch their images, as high as a slab of disks, and too low."""
+        """A layer of grains in three cells: so low that spheres touch their images, as high as a slab of disks, and
+        too low."""
         low, high, flat = layer(0.998), layer(1.5), layer(0.1)
         middle = layer(0.998, z=0.0)
         mixed = (low[0], [(*row[:3], 0.5 - 0.02 * (k == 3)) for k, row in enumerate(low[1])])

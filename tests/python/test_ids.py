@@ -1,4 +1,4 @@
-"""Grains keep the ids that another program gave them: every table and message names them so."""
+"""Tests that grains keep the ids of another program, in every table and message."""
 import csv
 import io
 import re
@@ -12,7 +12,7 @@ import floc
 import samples
 
 LAW = "normal.stiffness=1000,friction.coefficient=0.5,friction.stiffness=800"
-# Columns with ids of grains, and the commands that write tables with them.
+# Columns with ids of grains, and the commands that write tables with these columns.
 ID_COLUMNS = ("id", "id1", "id2", "grain", "grains")
 TABLES = {
     "moduli --increments": ("moduli", "{0}", "--increments", "t.csv"),
@@ -34,12 +34,12 @@ def program(*arguments):
 
 
 def ids_of(n):
-    """Ids that are neither the indices nor in their order."""
+    """Returns ids that differ from the indices and from their order."""
     return 101 + 3 * np.arange(n)[::-1]
 
 
 def given_ids(state, name):
-    """The state once without and once with ids of its grains, as files."""
+    """Returns the state as two files: without ids and with ids of its grains."""
     ids = ids_of(state.n_grains)
     contacts = {key: state.contacts[key] for key in
                 ("id1", "id2", "image", "normal_force", "shear_force", "kn", "kt", "kr", "rolling_moment")}
@@ -107,7 +107,8 @@ class Ids(unittest.TestCase):
         self.assertEqual([str(ids[int(i)]) for i in nodes[0]], nodes[1])
 
     def test_are_in_every_message(self):
-        """Of a packing that is not in equilibrium, misses pairs and has forces beside the law."""
+        """Tests messages about a packing that is not in equilibrium, lacks pairs, and has forces that contradict the
+        law."""
         grains = "id,x,y,radius\n301,0.5,0.5,0.5\n204,1.49,0.5,0.5\n103,2.45,0.7,0.5\n102,3.44,0.5,0.4\n"
         (samples.directory() / "g.csv").write_text(grains, encoding="utf-8")
         (samples.directory() / "c.csv").write_text("id1,id2,normal_force\n301,204,17\n", encoding="utf-8")

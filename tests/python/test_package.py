@@ -1,4 +1,4 @@
-"""The package: what it names, says and draws."""
+"""Tests the names, messages and pictures of the package."""
 import ast
 import pathlib
 import subprocess

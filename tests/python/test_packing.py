@@ -1,4 +1,4 @@
-"""Packings from arrays: as floc convert makes them of files."""
+"""Tests that packings from arrays equal packings that floc convert makes from files."""
 import unittest
 import warnings
 
@@ -11,7 +11,7 @@ LAW = {"normal": {"stiffness": 1e5}, "friction": {"coefficient": 0.5, "stiffness
 
 
 def square(n=3, overlap=1e-3):
-    """n x n disks of diameter 1 on a square lattice, each in contact with four others."""
+    """Returns n x n disks of diameter 1 on a square lattice, each in contact with four others."""
     spacing = 1.0 - overlap
     position = spacing * np.array([(a, b) for a in range(n) for b in range(n)], dtype=float)
     return position, np.full(n * n, 0.5), np.array([n * spacing, n * spacing])
@@ -19,7 +19,7 @@ def square(n=3, overlap=1e-3):
 
 class FromArrays(unittest.TestCase):
     def test_moduli_of_a_crystal(self):
-        """Disks on a square lattice of contacts with K_N: C11 = K_N."""
+        """Disks on a square lattice with contacts of stiffness K_N have C11 = K_N."""
         position, radius, cell = square()
         packing = floc.Packing.from_arrays(position, radius, cell, LAW)
         self.assertEqual(packing.n_contacts, 18)
@@ -46,7 +46,7 @@ class FromArrays(unittest.TestCase):
         self.assertEqual(a, b)
 
     def test_of_the_arrays_of_a_state(self):
-        """A state taken apart and put together has the same network and the same moduli, in 2D and 3D."""
+        """A packing made from the arrays of a state has its network and its moduli, in 2D and 3D."""
         for name in ("powder", "beads"):
             state = floc.read(samples.last_state(name))
             with warnings.catch_warnings():
@@ -96,7 +96,8 @@ class FromArrays(unittest.TestCase):
 
 class WallsAndBonds(unittest.TestCase):
     def test_column_on_a_floor_bears_its_weight(self):
-        """Three disks on a floor: the k-th contact from above bears k m g, which its overlap gives."""
+        """In a column of three disks on a floor, the k-th contact from above bears k m g. The overlap determines this
+        force."""
         g, kn = 2.0, 1e5
         overlap = g * np.array([3.0, 2.0, 1.0]) / kn
         y = np.cumsum([0.5 - overlap[0], 1.0 - overlap[1], 1.0 - overlap[2]])
@@ -171,7 +172,7 @@ class Refusals(unittest.TestCase):
                      contacts={"id1": [0], "id2": [1], "normal_force": [-1.0]})
 
     def test_take_integers_written_as_real_numbers(self):
-        """A table of numpy.loadtxt has real numbers alone."""
+        """numpy.loadtxt reads all numbers as real numbers, also ids."""
         position, radius, cell = square()
         packing = floc.Packing.from_arrays(position, radius, cell, LAW)
         kept = {name: packing.contacts[name] for name in ("id1", "id2", "image")}
@@ -183,7 +184,7 @@ class Refusals(unittest.TestCase):
             self.refused(f"contacts: {name} has values of type float64", contacts=spoiled)
 
     def test_name_the_array_with_a_mask(self):
-        """Every array of numbers, as an array and as a list: what a mask hides is no value."""
+        """Every array of numbers, given as an array or a list, is refused if it has a masked entry."""
         position, radius, cell = square()
         packing = floc.Packing.from_arrays(position, radius, cell, LAW)
         numbers = {"id1", "id2", "image", "normal_force", "shear_force", "kn", "kt", "kr"}

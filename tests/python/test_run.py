@@ -1,4 +1,4 @@
-"""Runs from Python: progress, interruption, resume, errors."""
+"""Tests runs from Python: progress, interruption, resume, errors."""
 import os
 import signal
 import subprocess

@@ -1,4 +1,4 @@
-"""Grains with corners as arrays."""
+"""Tests the arrays of grains with corners."""
 import pathlib
 import tempfile
 import unittest
@@ -55,7 +55,8 @@ class Shapes(unittest.TestCase):
                 outer = np.linalg.norm(corners - state.position[i], axis=1)
                 np.testing.assert_allclose(outer.max(), state.radius[i], rtol=1e-12)
                 solid += shape["volume"] * state.scale[i]**d
-                # Faces as seen from outside go around counter-clockwise: the volume is a sum over fans of them.
+                # Corners of faces are counter-clockwise as seen from outside. The volume is a sum over triangles of
+                # all faces.
                 volume = 0.0
                 for face in shape["faces"]:
                     v = corners[face] - state.position[i]
@@ -67,7 +68,7 @@ class Shapes(unittest.TestCase):
                 self.check_points(state)
 
     def check_points(self, state):
-        """A contact point lies midway between the surfaces of both grains."""
+        """Checks that a contact point lies midway between the surfaces of both grains."""
         for c in state.contacts:
             point = state.position[c["id1"]] + c["point"]
             for grain, place in ((c["id1"], point), (c["id2"], point - c["image"] @ state.cell)):

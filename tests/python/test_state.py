@@ -1,4 +1,4 @@
-"""States: arrays are views of one memory; what is no state is refused in words."""
+"""Tests states: arrays are views of one memory, and files that are not states are refused with a message."""
 import concurrent.futures
 import copy
 import gc
@@ -115,8 +115,8 @@ class Values(unittest.TestCase):
 
 class Matrices(unittest.TestCase):
     def test_have_rows_first(self):
-        """sigma_ab = sum f_a r_b/V and the lattice vectors, one a row: of a packing out of balance, whose stress is not
-        symmetric, in a skewed cell."""
+        """The stress is sigma_ab = sum f_a r_b/V, and lattice vectors are rows. The packing is not in balance, so
+        that its stress is not symmetric; its cell is skewed."""
         cell = np.array([[4.0, 0.0], [1.0, 3.0]])
         branch, normal, shear = np.array([0.588, 0.784]), np.array([0.6, 0.8]), np.array([-2.4, 1.8])
         with self.assertWarns(floc.FlocWarning):
@@ -145,7 +145,8 @@ class Matrices(unittest.TestCase):
 
 class Copies(unittest.TestCase):
     def test_are_the_same_state(self):
-        """pickle, copy and deepcopy give every array, number and word back, of states read and of packings made."""
+        """pickle, copy and deepcopy restore every array, number and text, for states from files and for packings from
+        arrays."""
         states = [floc.read(samples.last_state(name)) for name in samples.SCENES]
         made = floc.Packing.from_arrays([[0.1, 0.2], [1.099, 0.2]], [0.5, 0.5], [1.998, 3.0], "normal.stiffness=1e3")
         names = [name for name in dir(floc.State) if isinstance(getattr(floc.State, name), property)]

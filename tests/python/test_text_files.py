@@ -1,5 +1,6 @@
-"""Every format of text that floc reads, with the faults that other programs and editors leave in it: other encodings, line ends of old
-Macs, decimal commas. Tables are read all the same; of other formats all are told by name. A byte order mark of UTF-8 is no fault."""
+"""Tests every text format that floc reads with faults of other programs and editors: other encodings, line ends of
+old Macs, decimal commas. Tables with these faults are read; files of other formats are refused with a message that
+names all faults. A byte order mark of UTF-8 is accepted."""
 import re
 import subprocess
 import unittest
@@ -26,7 +27,7 @@ def grains(separator):
 
 
 def curve(separator):
-    """A path that bends, unloads and loads again."""
+    """Returns a path with a bend, an unloading and a reloading."""
     lines = [separator.join(["P_star", "phi"])]
     pressures = [0.1 * 1.5**k for k in range(12)]
     for k, P in enumerate(pressures + pressures[-2:4:-1] + pressures[6:]):
@@ -35,7 +36,7 @@ def curve(separator):
 
 
 def files():
-    """Name: file, text of it, command that reads it."""
+    """Returns for each kind of file, by its name: file name, text, and the command that reads it."""
     cell, rows = test_formats.layer(1.5)
     convert = f"convert {{}} o.h5 --overwrite --tolerance 1e9 --law {LAW}"
     with_cell = convert + f" --cell '{CELL}'"
@@ -77,18 +78,18 @@ FAULTS = {
     "carriage returns": (lambda text: text.replace("\n", "\r").encode(), "lines of this file end in carriage returns alone"),
     "decimal commas": (lambda text: re.sub(r"(\d)\.(\d)", r"\1,\2", text).encode(), COMMA),
 }
-# What is read all the same: XML has no lines. In scenes a comma ends a value, which TOML's own words tell.
+# Faults that are accepted: XML has no lines. In scenes a comma ends a value, which causes an error message of TOML.
 READ = {("vtu", "carriage returns")}
 NO_NUMBERS = {"scene", "campaign"}
 
 
 def is_table(kind):
-    """Whether files of a kind are tables, which are read in all these dialects."""
+    """Returns whether files of a kind are tables, which are read in all these dialects."""
     return kind.startswith(("csv", "contacts, ", "fit ", "plot ", "stdin, ")) or kind in ("forces", "compaction")
 
 
 def is_ambiguous(kind, fault):
-    """Whether decimal commas cannot be told from the commas between cells."""
+    """Returns whether decimal commas cannot be distinguished from commas between cells."""
     return fault == "decimal commas" and (kind.endswith("commas") or kind in ("csv without extension", "compaction"))
 
 

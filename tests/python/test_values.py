@@ -1,6 +1,6 @@
-"""Every number and path that a function takes, at values that it cannot take: an InputError that names the argument, or a
-result, but no signal, no hang, no exception of another kind. The arguments are those of the stubs, so a new one is tried
-without a change here. And Ctrl-C in calls that take long."""
+"""Tests every number and path argument of all functions with invalid values. The result must be an InputError that
+names the argument, or a valid result; signals, hangs and other exceptions are faults. The arguments are found in the
+stubs, so that new ones are tested automatically. Also tests Ctrl-C in calls that take long."""
 import ast
 import faulthandler
 import math
@@ -37,7 +37,7 @@ def packing(**changes):
 
 @unittest.skipUnless(hasattr(os, "fork"), "needs fork")
 class Values(unittest.TestCase):
-    """Calls of each function that take milliseconds, with all that they can be asked for."""
+    """Returns a call of each function that takes milliseconds, with all optional tables."""
 
     def calls(self):
         disks = packing()
@@ -91,7 +91,7 @@ class Values(unittest.TestCase):
             plt.close("all")
 
     def functions(self):
-        """Name -> [(parameter, annotation)] of what the stubs declare."""
+        """Returns {function: [(parameter, annotation)]} from the stubs."""
         here = pathlib.Path(floc.__file__).parent
         for stub, prefix in (("__init__.pyi", ""), ("fit.pyi", "fit."), ("plot.pyi", "plot.")):
             yield from self.declared(ast.parse((here / stub).read_text()).body, prefix)
@@ -107,7 +107,7 @@ class Values(unittest.TestCase):
 
     @staticmethod
     def values_of(name, annotation):
-        """(value, whether it is refused by name) for one argument."""
+        """Returns (value, whether an error must name the argument) for one argument."""
         words = annotation.replace("_", " ").replace("[", " ").replace("]", " ").replace(",", " ").split()
         array = "ArrayLike" in annotation or "Curve" in annotation
         numbers, whole = "float" in words or array, "int" in words
@@ -128,7 +128,7 @@ class Values(unittest.TestCase):
         return tried
 
     def in_child(self, work):
-        """What `work` returns as text, or how the child ended."""
+        """Returns the result of `work` as text, or how the child process ended."""
         reader, writer = os.pipe()
         child = os.fork()
         if child == 0:
@@ -185,7 +185,7 @@ class Values(unittest.TestCase):
                 if refused and not any(name in words.replace("-", "_") for name in names):
                     yield f"FAULT: {text}: does not name it: {words}"
             except (OSError, TypeError) as error:
-                # Python's own words for what is no path.
+                # Error messages of Python itself for values that are not paths.
                 if isinstance(value, str) and value != "text" and value in str(error):
                     continue
                 yield f"FAULT: {text}: {type(error).__name__}: {error}"
@@ -231,7 +231,7 @@ class Words(unittest.TestCase):
 
 
 class Interrupted(unittest.TestCase):
-    """Ctrl-C while the library computes."""
+    """Tests Ctrl-C while the library computes."""
 
     def interrupts(self, call):
         main = threading.main_thread().ident

@@ -13,20 +13,20 @@ void dpotrf_();
 
 namespace {
 
-/// File a function of the running program was loaded from.
+/// Returns the file from which a function of the running program was loaded.
 std::string origin(void (*function)()) {
   Dl_info where{};
   return dladdr(reinterpret_cast<void*>(function), &where) != 0 ? where.dli_fname : "nowhere";
 }
 
-// ATLAS, which Ceres brings along, is 2.6 times slower inside CHOLMOD. All libraries of a program share the
-// first definition in the order they were linked, so these are the ones CHOLMOD and UMFPACK call.
+// Ceres also links ATLAS, which makes CHOLMOD 2.6 times slower. All libraries of a program use the definition
+// that was linked first, so CHOLMOD and UMFPACK call the functions that are checked here.
 TEST(Blas, MatrixProductsAndFactorsAreThoseOfOpenBlas) {
   EXPECT_NE(origin(&dgemm_).find("openblas"), std::string::npos) << origin(&dgemm_);
   EXPECT_NE(origin(&dpotrf_).find("openblas"), std::string::npos) << origin(&dpotrf_);
 }
 
-// An OpenBLAS older than the processor takes kernels for SSE3, five times slower.
+// An OpenBLAS that is older than the processor falls back to SSE3 kernels, which are five times slower.
 TEST(Blas, KernelsAreNotTheFallbackWhereTheProcessorHasWiderVectors) {
   if (std::getenv("OPENBLAS_CORETYPE") != nullptr) GTEST_SKIP() << "kernels chosen by the environment";
 #if defined(__x86_64__)

@@ -1,26 +1,23 @@
-"""Compares runs of floc: two of them bit for bit, or the means of two ensembles. Uses nothing of
-floc.
+"""Compares runs of floc: two runs bit for bit, or the means of two ensembles. Uses no code of floc.
 
   compare_runs.py RUN_A RUN_B [--residuals T]
 
-Bit for bit: every dataset of every state-NNNN.h5 (cell, grains, contacts with their memory,
-equilibrium), and path.csv without the column `seconds`. One line for each state that differs: the
-first dataset that does, and by how much. Exit code 0 if nothing differs, 1 if anything does, 2 if
-a directory holds no run. Attributes (version, law, provenance) and the texts `scene` and
-`progress` are not compared. Version 1 and version 2 of the state file count as the same where
-they hold the same numbers. With --residuals, residuals (which are in units of F1) that differ by no
-more than T count as the same: sums of forces that cancel are rounding, which another order of
-operations changes. How many did is said.
+Bit for bit: compares every dataset of every state-NNNN.h5 (cell, grains, contacts with their histories, equilibrium),
+and path.csv without the column `seconds`. Prints one line for each state that differs: the first differing dataset,
+and the size of the difference. Exit code 0 if nothing differs, 1 if something differs, 2 if a directory contains no
+run. Attributes (version, law, provenance) and the texts `scene` and `progress` are not compared. State files of
+versions 1 and 2 are equal if they contain equal numbers. With --residuals, residuals (in units of F1) that differ by
+at most T count as equal, because sums of forces that cancel are only rounding, which depends on the order of
+operations. The number of such residuals is printed.
 
   compare_runs.py --means A/seed-* --against B/seed-*
 
-Means: where arithmetic was changed on purpose, samples differ, and what has to stay is their
-mean. Each sample of A is paired with that of B whose directory has the same name (the same seed).
-For each step the mean of B - A, its standard error and Student's t = difference / error with n -
-1 degrees of freedom, for phi and z (columns of path.csv), ln B and ln G (of DIR/moduli.csv, made
-by `floc moduli DIR/state-*.h5 --format csv > DIR/moduli.csv`; left out where there is none). The
-last line names the largest |t|: among twenty numbers, one beyond the 5 % bound is no surprise.
-Exit code 0 whatever t is, 2 if the samples cannot be paired.
+Means: if arithmetic was changed on purpose, samples differ, but their means must agree. Each sample of A is paired
+with the sample of B whose directory has the same name (the same seed). Prints for each step the mean of B - A, its
+standard error and Student's t = difference / error with n - 1 degrees of freedom, for phi and z (columns of
+path.csv), ln B and ln G (of DIR/moduli.csv, made by `floc moduli DIR/state-*.h5 --format csv > DIR/moduli.csv`; left
+out if this file is missing). The last line gives the largest |t|; among twenty numbers, one beyond the 5 % bound is
+to be expected. Exit code 0 for any t, 2 if the samples cannot be paired.
 """
 
 import argparse
@@ -33,7 +30,7 @@ import h5py
 import numpy as np
 
 GROUPS = ("cell", "grains", "contacts", "equilibrium")
-# What version 1 calls it, and version 2.
+# Names of datasets in version 1 and in version 2.
 RENAMED = {
     "contacts/shear_spring": "contacts/memory/shear_spring",
     "contacts/rolling_spring": "contacts/memory/rolling_spring",
@@ -45,7 +42,7 @@ class BadInput(Exception):
 
 
 def datasets(path):
-    """All arrays of a state file by name, as version 2 names them."""
+    """Returns all arrays of a state file by their names in version 2."""
     found = {}
 
     def visit(name, item):
@@ -58,31 +55,31 @@ def datasets(path):
 
 
 def in_order(names):
-    """Cell and positions first: of all that differs, they say soonest where two paths part."""
+    """Sorts names, cell and positions first, because these show soonest where two paths separate."""
     return sorted(names, key=lambda name: (GROUPS.index(name.split("/")[0]), name != "grains/position", name))
 
 
 def may_be_absent(name):
-    """Whether a state without this array means zeros: no memory, or positions without a second part."""
+    """Returns whether a missing array means zeros: histories, or second parts of positions."""
     return name.startswith("contacts/memory/") or name == "grains/position_low"
 
 
 class Residuals:
-    """Residuals that may differ by rounding, and how many did."""
+    """Compares residuals within a tolerance for rounding, and counts those that differ."""
 
     def __init__(self, tolerance):
         self.tolerance = tolerance
         self.n_moved = 0
 
     def same(self, a, b):
-        """Whether two of them count as the same."""
+        """Returns whether two residuals count as equal."""
         within = bool(np.all(np.abs(np.asarray(a, float) - np.asarray(b, float)) <= self.tolerance))
         self.n_moved += within and bool(np.any(np.asarray(a, float) != np.asarray(b, float)))
         return within
 
 
 def how_numbers_differ(a, b):
-    """In words, or None where two arrays are the same bits."""
+    """Describes the difference of two arrays; None if they have the same bits."""
     if a is None or b is None:
         return f"is missing in {'the first' if a is None else 'the second'}"
     if a.shape != b.shape:
@@ -103,7 +100,7 @@ def how_numbers_differ(a, b):
 
 
 def how_states_differ(path_a, path_b, residuals):
-    """The first array that differs, in words, or None."""
+    """Describes the first array that differs; None if there is none."""
     a, b = datasets(path_a), datasets(path_b)
     differing = []
     for name in in_order(a.keys() | b.keys()):
@@ -121,13 +118,13 @@ def how_states_differ(path_a, path_b, residuals):
 
 
 def read_table(path):
-    """Rows of a csv file, each a dictionary by column."""
+    """Returns the rows of a csv file, each a dictionary by column."""
     with open(path, newline="", encoding="utf-8") as f:
         return list(csv.DictReader(f))
 
 
 def how_paths_differ(path_a, path_b, residuals):
-    """The first row of path.csv that differs in another column than `seconds`, in words, or None."""
+    """Describes the first row of path.csv that differs in a column other than `seconds`; None if there is none."""
     a, b = read_table(path_a), read_table(path_b)
     for k, (row_a, row_b) in enumerate(zip(a, b)):
         if list(row_a) != list(row_b):
@@ -143,14 +140,14 @@ def how_paths_differ(path_a, path_b, residuals):
 
 
 def states_of(directory):
-    """Names of the state files of a run."""
+    """Returns the names of the state files of a run."""
     if not os.path.exists(os.path.join(directory, "path.csv")):
         raise BadInput(f"{directory}: holds no path.csv, expected a directory that floc run made")
     return {name for name in os.listdir(directory) if name.startswith("state-") and name.endswith(".h5")}
 
 
 def compare_bits(directory_a, directory_b, residuals):
-    """Prints what differs. Returns whether anything does."""
+    """Prints the differences of two runs. Returns whether there are any."""
     states_a, states_b = states_of(directory_a), states_of(directory_b)
     if not states_a and not states_b:
         raise BadInput(f"{directory_a}, {directory_b}: hold no states")
@@ -175,12 +172,12 @@ def compare_bits(directory_a, directory_b, residuals):
 
 
 def logarithm(text):
-    """ln of a modulus, or None where it is not given or vanishes."""
+    """Returns ln of a modulus, or None if it is missing or zero."""
     return math.log(float(text)) if text and float(text) > 0.0 else None
 
 
 def observables(directory):
-    """{(name, step): value} of one sample."""
+    """Returns {(name, step): value} for one sample."""
     states_of(directory)
     values = {}
     step_of = {}
@@ -200,7 +197,7 @@ def observables(directory):
 
 
 def by_name(directories):
-    """The observables of each sample, by the name of its directory."""
+    """Returns the observables of each sample, by the name of its directory."""
     samples = {os.path.basename(os.path.normpath(path)): observables(path) for path in directories}
     if len(samples) < len(directories):
         raise BadInput("two directories of one list have the same name: samples are paired by it")
@@ -208,7 +205,8 @@ def by_name(directories):
 
 
 def paired_difference(a, b):
-    """Mean of b - a, its standard error and Student's t: without error infinite, or 0 of no difference."""
+    """Returns the mean of b - a, its standard error and Student's t. If the error is 0, t is infinite, or 0 if there
+    is no difference."""
     difference = np.asarray(b) - np.asarray(a)
     mean = difference.mean()
     error = difference.std(ddof=1) / math.sqrt(len(difference))

@@ -11,7 +11,7 @@
 namespace floc::test {
 namespace {
 
-/// Lines of nm for the library of the relaxation.
+/// Returns the lines that nm prints for the library of the relaxation.
 std::vector<std::string> symbols(const std::string& options) {
   const ScratchDirectory scratch;
   const std::string file = scratch.file("symbols");
@@ -23,15 +23,15 @@ std::vector<std::string> symbols(const std::string& options) {
   return lines;
 }
 
-// A function that several translation units define inline is kept once by the linker, from any of them: were it
-// kept from one that was compiled for AVX-512, programs would end on processors without.
+// If several translation units define an inline function, the linker keeps any one copy. A copy compiled for
+// AVX-512 would crash on processors without it.
 TEST(StepKernels, ShareNoInlineFunctionWithCodeForOtherProcessors) {
   int n_own = 0;
   bool of_wide_kernels = false;
   for (const std::string& line : symbols("--defined-only")) {
     if (line.ends_with(".o:")) of_wide_kernels = line.starts_with("step_kernels_avx");
     if (!of_wide_kernels || line.size() < 20) continue;
-    const char kind = line[17];  // address, blank, kind, blank, name
+    const char kind = line[17];  // a line of nm is: address, space, type, space, name
     if (kind != 'W' && kind != 'V' && kind != 'u') continue;
     EXPECT_TRUE(line.find("4Avx2E") != std::string::npos || line.find("6Avx512E") != std::string::npos) << line;
     ++n_own;
@@ -39,7 +39,7 @@ TEST(StepKernels, ShareNoInlineFunctionWithCodeForOtherProcessors) {
   EXPECT_GT(n_own, 0);
 }
 
-// Pair kernels are most of the text of the force loop, and most of the time that it takes to compile.
+// Pair kernels make up most of the code of the force loop and take most of its compile time.
 TEST(PairKernels, AreFewAndOfCompositionsThatRun) {
   int n_kernels = 0;
   for (const std::string& line : symbols("--defined-only --demangle")) {

@@ -13,7 +13,7 @@
 #include "floc/contact/law_parameters.h"
 #include "support/places.h"
 
-/// The table in docs/scenes.md of the models that go together follows from what they declare.
+/// Tests that the table in docs/scenes.md of compatible models follows from their declarations.
 namespace floc {
 namespace {
 
@@ -27,7 +27,7 @@ bool goes_together(const LawParameters& law) {
   return law.faults_between_slots().empty();
 }
 
-/// Lists in words the models that a slot may hold beside the models of a law.
+/// Returns a text that lists the models of a slot that are compatible with a law.
 std::string models_beside(const LawParameters& law, const std::string& key) {
   std::vector<std::string> with_any, with_friction;
   for (const DeclaredModel& model : slot_of(key).models) {

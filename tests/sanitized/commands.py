@@ -1,10 +1,11 @@
-"""Takes states of every kind through every command, with the program that is named; tests/sanitized/run calls it with one that
-has sanitizers:
+"""Runs every command of a program with states of every kind; tests/sanitized/run calls it with a program that has
+sanitizers:
 
   commands.py --floc PROGRAM --source DIR [--only WORDS]
 
-A command may refuse what it is not for, in words and with an exit code of its own (2, 3, 4 or 5). It may not end by a signal or
-a sanitizer's report. Each command has to succeed with some kind of state, and each kind with some command."""
+A command may refuse a state for which it is not meant, with a message and an exit code of its own (2, 3, 4 or 5). It
+may not end with a signal or a report of a sanitizer. Each command has to succeed with some kind of state, and each
+kind with some command."""
 import argparse
 import collections
 import os
@@ -22,7 +23,7 @@ EXIT_CODES = (0, 2, 3, 4, 5)
 NOTHING_SELECTED = 5  # exit code of this script
 REPORTS = ("AddressSanitizer", "LeakSanitizer", "runtime error:", "terminate called", "Assertion")
 
-# {state} is the last of {run}, {first} its first.
+# {state} is the last state of {run}, {first} the first one.
 COMMANDS = """
 verify {run}
 verify {state} --format json
@@ -86,7 +87,7 @@ fit force-distribution {state} --draws 20
 fit force-distribution {state} --form tails --draws 5
 """.strip().splitlines()
 
-# Without a state: each has to succeed.
+# Commands without a state; each of them has to succeed.
 ALONE = """
 chain --n 20 --R 0.5 --kn 1 --kt 1 --kr 1e-4
 chain --n 20 --R 0.5 --kn 1 --kt 1 --kr 1e-4 --bend 2
@@ -105,13 +106,13 @@ convert {source}/data/packings/disks/disks16.txt disks.h5
 tradeoff small.toml --budget 60 --samples 1 --observables phi
 """.strip().splitlines()
 
-# Cycles and a track of energy, beside the scenes of loads.py.
+# Additional scenes: pressure cycles, and a run with --track-energy.
 CYCLE = loads.stage("to = 4.0", "steps = 6") + loads.stage("to = 0.5", "steps = 5") + loads.stage("to = 6.0", "steps = 6")
 DYNAMIC = loads.stage("to = 0.6", "steps = 1")
 
 
 def kinds():
-    """A scene for each kind of state."""
+    """Returns a scene for each kind of state."""
     for dimension in (2, 3):
         yield f"powder {dimension}D", loads.powder(dimension) + CYCLE
         yield f"sheared {dimension}D", loads.powder(dimension) + loads.stage('control = "simple_shear"', "strain = 0.02", "steps = 2")
@@ -128,12 +129,12 @@ class Sweep:
         self.n_faults, self.names = 0, []
 
     def fault(self, words):
-        """Told at once: the sweep takes minutes."""
+        """Prints a fault immediately, because the sweep takes minutes."""
         self.n_faults += 1
         print(f"FAULT {words}", flush=True)
 
     def floc(self, what, command, directory):
-        """@return whether it succeeded"""
+        """Runs a command with a state. @return whether it succeeded"""
         arguments = shlex.split(command)
         try:
             done = subprocess.run([self.program, *arguments], capture_output=True, cwd=directory, timeout=TIMEOUT)
@@ -182,14 +183,14 @@ class Sweep:
         return n
 
     def shipped(self):
-        """Every shipped scene, of few grains and up to its second state."""
+        """Runs every shipped scene with few grains up to its second state."""
         n = 0
         for scene in sorted((self.source / "data/scenes").glob("*.toml")):
             if self.only not in scene.name:
                 continue
             self.names.append(scene.name)
             text = scene.read_text()
-            # Lists of diameters cannot be shortened, and rigid grains take minutes.
+            # Lists of diameters cannot be shortened, and scenes of rigid grains take minutes.
             whole = 'distribution = "list"' in text or 'normal = {law = "rigid"}' in text
             few = [] if whole else ["--set", "grains.count=24"]
             self.floc(scene.name, f"scene check {scene}", self.root)

@@ -14,10 +14,10 @@
 #include "floc/shape/generators.h"
 #include "support/foreign_packing.h"
 
-/// Packings of grains with corners whose contacts carry forces, to be written in the formats of other programs.
+/// Packings of grains with corners whose contacts carry forces. Tests write them in formats of other programs.
 namespace floc::test {
 
-/// Shapes of five kinds of grains, of which one is a disk or sphere and one a capsule.
+/// Returns five different shapes, of which one is a disk or sphere and one a capsule.
 template <int Dim>
 std::vector<Shape<Dim>> rounded_shapes() {
   std::vector<Shape<Dim>> shapes = cut_shapes<Dim>({}, 3, 0.1, 7);
@@ -26,7 +26,7 @@ std::vector<Shape<Dim>> rounded_shapes() {
   return shapes;
 }
 
-/// Moves each open end to the grain that reaches furthest.
+/// Moves each open end of an axis to the outermost point of the grains.
 template <int Dim>
 void set_open_ends(Packing<Dim>& p) {
   for (Wall<Dim>& wall : p.walls) {
@@ -45,7 +45,8 @@ void set_open_ends(Packing<Dim>& p) {
     p.cell.matrix(p.walls[w].axis, p.walls[w].axis) = p.walls[w + 1].position - p.walls[w].position;
 }
 
-/// Grains with corners in a box of four diameters, turned at random, with forces at random on their contacts.
+/// Returns randomly rotated grains with corners in a box of four diameters, with random forces on their
+/// contacts.
 /// @param ends  ends of the axes: see Ends
 template <int Dim>
 State<Dim> angular_packing_with_forces(const Ends<Dim>& ends,
@@ -91,8 +92,9 @@ std::vector<Contact<Dim>> in_order_of_place(std::vector<Contact<Dim>> contacts) 
   return contacts;
 }
 
-/// Expects the same shapes in space, masses and inertia, and the same contact points, normals, gaps and forces.
-/// @param tolerance  largest difference of a coordinate, and of a force over the largest one
+/// Expects that two packings have the same shapes in space, masses and inertia, and the same contact points,
+/// normals, gaps and forces.
+/// @param tolerance  largest difference of a coordinate, and of a force divided by the largest force
 template <int Dim>
 void expect_same_angular_packing(const Packing<Dim>& read, const Packing<Dim>& written, double tolerance) {
   ASSERT_FALSE(read.grains.are_round());
@@ -107,7 +109,7 @@ void expect_same_angular_packing(const Packing<Dim>& read, const Packing<Dim>& w
     EXPECT_NEAR(a.rounding(), b.rounding(), tolerance);
     EXPECT_NEAR((read.grains.inertia_tensor(i) - written.grains.inertia_tensor(i)).norm(), 0.0,
                 10 * tolerance * written.grains.inertia_tensor(i).norm());
-    // each vertex has one at the same place, but for whole cells
+    // each vertex must have a counterpart at the same position, up to lattice vectors
     ASSERT_EQ(a.shape->n_vertices(), b.shape->n_vertices());
     for (const Vec<Dim>& vertex : a.shape->vertices) {
       double nearest = std::numeric_limits<double>::infinity();

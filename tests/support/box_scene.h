@@ -6,7 +6,8 @@
 
 namespace floc::test {
 
-/// Sticky grains pressed together by walls on all sides, then under twice the pressure, in a second or so.
+/// Scene of adhesive grains that walls on all sides compress, then under twice the pressure; the run takes
+/// about a second.
 inline std::string box_scene(int dimension) {
   std::string text = scene_text("box");
   if (dimension == 3)

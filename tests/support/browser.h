@@ -9,22 +9,23 @@
 
 namespace floc::test {
 
-/// The browser's program; empty if it is not installed (.ci/deps installs it).
+/// Returns the browser's program; empty if it is not installed (.ci/deps installs it).
 inline std::string browser() {
   for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
     if (std::system(("command -v " + std::string(name) + " >/dev/null 2>&1").c_str()) == 0) return name;
   return "";
 }
 
-/// A page as a browser rendered it.
+/// Page as rendered by a browser.
 struct RenderedPage {
-  std::string document;  ///< after loading and scripts
-  std::string console;   ///< lines that the page wrote to the console, errors among them
+  std::string document;  ///< HTML after loading and running all scripts
+  std::string console;   ///< lines that the page wrote to the console, including errors
   int n_images = 0;
-  int n_shown = 0;  ///< loaded, with a size of their own
+  int n_shown = 0;  ///< pictures that are loaded and have a size
 };
 
-/// Loads a page headless. Pictures are counted by a script added to a copy of it, once all is loaded.
+/// Loads a page in a headless browser. A script, added to a copy of the page, counts the pictures when loading
+/// has finished.
 /// @param extra  text appended to the copy
 inline RenderedPage render_in_browser(const std::string& page, const std::string& directory,
                                       const std::string& extra = "") {

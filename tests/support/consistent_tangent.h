@@ -8,7 +8,7 @@
 
 namespace floc::test {
 
-/// The packing with the forces that its springs carry where nothing moves.
+/// Returns the packing with the forces that its springs carry when nothing moves.
 template <int Dim>
 Packing<Dim> at_rest(const Packing<Dim>& packing) {
   Packing<Dim> at = packing;
@@ -31,8 +31,9 @@ BoundaryColumns<Dim> strain_columns(const NetworkContact<Dim>& c, int n) {
   return columns;
 }
 
-/// Minus the derivative of the forces on grains (translations, rotations times the radius) and of what does work on the
-/// first n strains by these, with all geometric terms; not symmetric.
+/// Returns minus the derivative of the generalised forces with respect to the displacements, with all geometric
+/// terms. Both consist of the grains' translations, their rotations times the radius, and the first n strains.
+/// The matrix is not symmetric.
 template <int Dim>
 Eigen::MatrixXd consistent_tangent(const Packing<Dim>& packing, int n_strains) {
   std::vector<Mat<Dim>> frames;

@@ -10,12 +10,12 @@
 
 namespace floc::test {
 
-/// Counts how often the 95 % intervals of parameters hold their true values.
+/// Counts how often the 95 % intervals of parameters contain their true values.
 class Coverage {
  public:
   explicit Coverage(std::map<std::string, double> truth) : truth_(std::move(truth)) {}
 
-  /// Counts a parameter of one fit. A fit without a value of it does not count.
+  /// Counts a parameter of one fit. A fit without a value of the parameter is not counted.
   void add(const FittedParameter& p) {
     const auto truth = truth_.find(p.name);
     if (truth == truth_.end() || !p.value) return;
@@ -24,8 +24,9 @@ class Coverage {
     count.held += p.low95 && p.high95 && *p.low95 <= truth->second && truth->second <= *p.high95;
   }
 
-  /// Expects intervals that hold the truth in 95 % of the draws: to 1.5 % and three standard deviations of a count less
-  /// what 2000 draws have, so that 2000 draws have 93.5 to 96.5 %.
+  /// Expects that intervals contain the truth in 95 % of the draws. With 2000 draws, 93.5 to 96.5 % is
+  /// accepted; with other numbers, the tolerance changes by the difference of three standard deviations of the
+  /// count.
   void expect_honest(int n_draws, const std::string& what) const {
     const auto three_deviations = [](int n) { return 3.0 * std::sqrt(0.95 * 0.05 / n); };
     const double open = 0.015 + three_deviations(n_draws) - three_deviations(2000);

@@ -8,13 +8,13 @@
 
 namespace floc::test {
 
-/// Cubic crystals of equal spheres in their conventional cell.
+/// Cubic crystal of equal spheres, in its conventional cell.
 struct CubicCrystal {
   std::string name;
-  std::vector<Vec<3>> places;  ///< in units of the side of the cell
-  double side;                 ///< of the cell, in distances of neighbours
+  std::vector<Vec<3>> places;  ///< centres, in units of the side of the cell
+  double side;                 ///< side of the cell, divided by the distance of neighbours
   int z;                       ///< neighbours
-  double volume;               ///< c: each sphere has c r^3
+  double volume;               ///< volume of the cell per sphere, divided by the cubed distance of neighbours
 };
 
 inline CubicCrystal simple_cubic() {
@@ -38,8 +38,8 @@ inline std::vector<CubicCrystal> cubic_crystals() {
   return {simple_cubic(), body_centred_cubic(), face_centred_cubic()};
 }
 
-/// The crystal with its neighbours at a distance, as spheres of a diameter.
-/// @param distance, diameter  (length); grains that touch are in contact by the law
+/// Returns a crystal as spheres with a given distance of neighbours.
+/// @param distance, diameter  (length); spheres that touch are in contact under the law
 inline Packing<3> crystal_of(const CubicCrystal& crystal, double distance, double diameter, const Law& law) {
   Packing<3> packing;
   packing.law = law;
@@ -53,8 +53,8 @@ inline Packing<3> crystal_of(const CubicCrystal& crystal, double distance, doubl
   return packing;
 }
 
-/// Gives the contacts of equal spheres the forces and stiffnesses of Hertz and Mindlin at their overlaps:
-/// N = (E/3) sqrt(a) h^1.5, K_T = ratio K_N. Tangential forces stay.
+/// Sets the forces and stiffnesses of all contacts between equal spheres according to Hertz and Mindlin: at an
+/// overlap h, N = (E/3) sqrt(a) h^1.5 and K_T = ratio K_N. Tangential forces stay unchanged.
 /// @param E  E/(1 - nu^2) of the material (force/length^2)
 inline void make_hertzian(double E, double ratio, Packing<3>& packing) {
   for (Contact<3>& c : packing.contacts) {

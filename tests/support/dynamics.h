@@ -15,7 +15,7 @@
 
 namespace floc::test {
 
-/// A gas of grains with diameters uniform in [1/2, 1].
+/// Returns a gas of grains with diameters uniform in [1/2, 1].
 template <int Dim = 2>
 Packing<Dim> gas_of(int n, const Law& law, double solid_fraction, std::uint64_t seed = 1) {
   GrainOptions grains;
@@ -26,7 +26,7 @@ Packing<Dim> gas_of(int n, const Law& law, double solid_fraction, std::uint64_t 
   return make_gas<Dim>(grains, law, solid_fraction, random);
 }
 
-/// An agitated gas of cohesive grains, dense enough that many touch within a few hundred steps.
+/// Returns an agitated gas of cohesive grains, so dense that many contacts form within a few hundred steps.
 template <int Dim = 2>
 Packing<Dim> agitated_gas(int n, const Law& law) {
   Packing<Dim> gas = gas_of<Dim>(n, law, Dim == 2 ? 0.6 : 0.45);
@@ -35,8 +35,8 @@ Packing<Dim> agitated_gas(int n, const Law& law) {
   return gas;
 }
 
-/// An agitated gas of so many grains that the rows of many blocks are summed before those of the last block are
-/// written. Its cell is so long that threads share few blocks.
+/// Returns an agitated gas with so many blocks of grains that the forces of the first blocks are summed before
+/// those of the last blocks are computed. Its cell is so long that threads share few blocks.
 template <int Dim>
 Packing<Dim> large_agitated_gas(const Law& law) {
   Vec<Dim, int> copies = Vec<Dim, int>::Ones();
@@ -82,7 +82,7 @@ void expect_same_bits(const Packing<Dim>& p, const Packing<Dim>& q) {
   for (std::size_t c = 0; c < p.contacts.size(); ++c) EXPECT_EQ(p.contacts[c].history, q.contacts[c].history);
 }
 
-/// Neighbour lists of other skins, and chunks, give the same bits.
+/// Expects the same bits for other skins of the neighbour lists, and for a motion advanced in several parts.
 template <int Dim>
 void expect_no_trace_of_lists() {
   const Packing<Dim> gas = agitated_gas<Dim>(200, cohesive_law());
@@ -99,13 +99,13 @@ void expect_no_trace_of_threads() {
   const double dt = time_step_of(gas, RelaxationOptions{}.time_step);
   const Packing<Dim> one = after(gas, {dt, 0.05, 1}, {600});
   const Packing<Dim> two = after(gas, {dt, 0.05, 2}, {600});
-  // The team's second thread stays alive after its work.
+  // The second thread of the team still exists after its work, so it can be counted.
   const auto tasks = std::filesystem::directory_iterator("/proc/self/task");
   EXPECT_GE(std::distance(begin(tasks), end(tasks)), 2);
   expect_same_bits(one, two);
 }
 
-/// With one thread, later rows take over the places of earlier ones; several keep those that they share.
+/// With one thread, later rows of forces overwrite earlier ones; several threads keep the rows that they share.
 template <int Dim>
 void expect_no_trace_of_kept_rows(const Packing<Dim>& gas) {
   const double dt = time_step_of(gas, RelaxationOptions{}.time_step);
@@ -114,7 +114,8 @@ void expect_no_trace_of_kept_rows(const Packing<Dim>& gas) {
   expect_same_bits(one, after(gas, {dt, 0.05, 2}, {200}));
 }
 
-/// The laws of every slot the force loop reads. @param n_contacts  more than these at the end
+/// Expects the same bits from all instruction sets, for laws with and without friction and rolling. @param
+/// n_contacts  lower limit of the number of contacts at the end
 template <int Dim>
 void expect_no_trace_of_instructions(std::size_t n_contacts) {
   Law frictionless = cohesive_law();

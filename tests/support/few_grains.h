@@ -6,7 +6,8 @@
 
 namespace floc::test {
 
-/// Grains of diameter and mass 1 at the given places of a square or cubic cell, at rest. Contacts are yet to be found.
+/// Returns grains at rest, of diameter and mass 1, at the given positions of a square or cubic cell. The caller
+/// must find their contacts.
 template <int Dim>
 Packing<Dim> unit_grains(const std::vector<Vec<Dim>>& places, double side, const Law& law) {
   Packing<Dim> packing;

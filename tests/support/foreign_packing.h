@@ -16,17 +16,19 @@
 #include "floc/packing/state.h"
 #include "support/run_program.h"
 
-/// Packings whose contacts carry normal and tangential forces, to be written in the formats of other programs.
+/// Packings whose contacts carry normal and tangential forces. Tests write them in the formats of other
+/// programs.
 namespace floc::test {
 
 const std::string kForeignLaw = "normal.stiffness=1000,friction.coefficient=0.5,friction.stiffness=800";
 
-/// Ends of the axes of a packing: "p" for periodic, "w" for a wall, "o" for an open end, lower end first: "ww" or "wo".
+/// Ends of each axis of a packing, lower end first: "p" for periodic, or two letters, "w" for a wall and "o"
+/// for an open end, as in "ww" or "wo".
 template <int Dim>
 using Ends = std::array<std::string, Dim>;
 
-/// Grains at random in a box of about four diameters, of which neighbours overlap a little, with forces at random on their
-/// contacts.
+/// Returns randomly placed grains in a box of about four diameters; neighbours overlap a little, and their
+/// contacts carry random forces.
 template <int Dim>
 State<Dim> packing_with_forces(const Ends<Dim>& ends, unsigned seed = 1) {
   std::mt19937 random(seed);
@@ -75,8 +77,9 @@ Packing<Dim> read_packing(const std::string& path, ImportOptions options = {}) {
   return std::get<State<Dim>>(imported.state).packing;
 }
 
-/// Expects the same grains, ends of axes, contacts and forces, and the same net forces on the grains.
-/// @param tolerance  largest difference of a coordinate, and of a force over the largest one
+/// Expects that two packings have the same grains, ends of axes, contacts and forces, and the same net forces
+/// on the grains.
+/// @param tolerance  largest difference of a coordinate, and of a force divided by the largest force
 template <int Dim>
 void expect_same_packing(const Packing<Dim>& read, const Packing<Dim>& written, double tolerance) {
   ASSERT_EQ(read.grains.size(), written.grains.size());
@@ -107,7 +110,7 @@ void expect_same_packing(const Packing<Dim>& read, const Packing<Dim>& written, 
   }
 }
 
-/// Vector with three components; the third is zero in two dimensions.
+/// Returns a vector with three components; in 2D the third one is zero.
 template <int Dim>
 Eigen::Vector3d in_space(const Vec<Dim>& v) {
   Eigen::Vector3d out = Eigen::Vector3d::Zero();
@@ -115,20 +118,20 @@ Eigen::Vector3d in_space(const Vec<Dim>& v) {
   return out;
 }
 
-/// Force on the first grain of a contact.
+/// Returns the force on the first grain of a contact.
 template <int Dim>
 Vec<Dim> force_on_first(const Contact<Dim>& c) {
   return c.shear_force - c.normal_force * c.normal;
 }
 
-/// A number as Fortran writes it.
+/// Formats a number as Fortran writes it.
 inline std::string fortran_number(double x) {
   std::string text = fmt::format("{:.16e}", x);
   std::replace(text.begin(), text.end(), 'e', 'D');
   return text;
 }
 
-/// Exchanges a part of the text of a file, which it has to have, for another.
+/// Replaces a part of the text of a file. @pre the file contains `from`
 inline void change_file(const std::string& path, const std::string& from, const std::string& to) {
   std::string text = content_of(path);
   const std::size_t at = text.find(from);

@@ -12,11 +12,12 @@
 
 #include "floc/network/contact_network.h"
 
-/// Networks entered by hand: from the numbers of text files, without the readers, the contact search and the laws of
-/// the library.
+/// Contact networks that are built directly from the numbers in text files, without the readers, the contact
+/// search and the contact laws of the library.
 namespace floc::test {
 
-/// The rows of numbers of a text file behind a line that begins with `header`; lines that begin with # are left out.
+/// Returns the rows of numbers that follow a line beginning with `header` in a text file. Lines that begin with
+/// # are skipped.
 inline std::vector<std::vector<double>> numbers_behind(const std::string& path, const std::string& header) {
   std::ifstream in(path);
   std::vector<std::vector<double>> rows;
@@ -33,19 +34,20 @@ inline std::vector<std::vector<double>> numbers_behind(const std::string& path, 
   return rows;
 }
 
-/// A grain as its row has it.
+/// Position and radius of a grain, as in its row of the file.
 struct HandGrain {
   Eigen::Vector3d x;
   double radius;
 };
 
-/// Stiffnesses and whether the contact acts across a gap.
+/// Stiffnesses of a contact, and whether it acts at a distance.
 struct HandContact {
   double kn, kt;
   bool distant = false;
 };
 
-/// A network of pairs of grains in a periodic cell, whose rows are lattice vectors: each pair at its nearest image.
+/// Network of pairs of grains in a periodic cell, whose rows are the lattice vectors. Each pair is connected to
+/// the nearest image.
 template <int Dim>
 class HandNetwork {
  public:
@@ -59,7 +61,7 @@ class HandNetwork {
     }
   }
 
-  /// The image of a grain that is nearest to another, in lattice vectors.
+  /// Returns the image of the second grain that is nearest to the first, in lattice vectors.
   Vec<Dim, int> nearest_image(std::int64_t id1, std::int64_t id2) const {
     constexpr int kFarthest = 2, kWidth = 2 * kFarthest + 1;
     int n_images = 1;
@@ -72,7 +74,7 @@ class HandNetwork {
     }
     return nearest;
   }
-  /// From the centre of a grain to that of an image of another.
+  /// Returns the vector from the centre of the first grain to that of an image of the second.
   Vec<Dim> branch(std::int64_t id1, std::int64_t id2, const Vec<Dim, int>& image) const {
     return (grains_.at(id2).x - grains_.at(id1).x).template head<Dim>() +
            cell_.transpose() * image.template cast<double>();

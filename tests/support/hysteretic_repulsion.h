@@ -11,10 +11,10 @@
 
 namespace floc::test {
 
-/// A normal law with one stiffness while the overlap grows beyond what it ever was and another one below that
-/// [Walton and Braun, J. Rheol. 30, 949 (1986)], for tests of laws that remember: the contact loses energy where
-/// the second is the larger one, and would gain it where it is smaller. The surfaces part as soon as they no longer
-/// press, at an overlap that the larger stiffness leaves.
+/// Normal law with two stiffnesses: K1 while the overlap exceeds its largest value so far, K2 below this value
+/// [Walton and Braun, J. Rheol. 30, 949 (1986)]. It is used to test laws with a history. The contact dissipates
+/// energy if K2 > K1 and would gain energy if K2 < K1. Surfaces separate when the force becomes zero, at an
+/// overlap that remains if K2 > K1.
 struct HystereticRepulsion {
   double normal_stiffness;  ///< K1, while the overlap grows (force/length)
   double unloading;         ///< K2, below the largest overlap (force/length)
@@ -39,7 +39,7 @@ struct HystereticRepulsion {
   T elastic_stiffness(const PairGeometry<T>& pair, const T* history) const {
     return lanes::select(touches(pair, history), T(unloading), T(0));
   }
-  /// Energy that unloading returns.
+  /// Elastic energy that is recovered on unloading.
   template <class T>
   T energy(const PairGeometry<T>& pair, const T* history) const {
     const T elastic = force(pair, history);
@@ -49,9 +49,10 @@ struct HystereticRepulsion {
   auto touches(const PairGeometry<T>& pair, const T* history) const {
     return T(0) < force(pair, history);
   }
-  /// At its gap the contact carries this force on the line of unloading.
+  /// Sets the history so that the contact carries the force `elastic` at its present gap, on the unloading
+  /// line.
   void set_force(const PairGeometry<>& pair, double elastic, double* history) const {
-    const double left = -pair.gap - elastic / unloading;  // overlap at which the surfaces would part
+    const double left = -pair.gap - elastic / unloading;  // overlap at which the surfaces separate
     history[0] = unloading > normal_stiffness
                      ? std::max(-pair.gap, left * unloading / (unloading - normal_stiffness))
                      : -pair.gap;

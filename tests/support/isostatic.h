@@ -7,16 +7,18 @@
 
 #include "support/rigid_gas.h"
 
-/// Counts of the constraints in packings of rigid grains.
+/// Counts the constraints in packings of rigid grains.
 namespace floc::test {
 
-/// Numbers of the constraints of contacts that carry a force, and of the motions of grains that they hold.
+/// Number of constraints from contacts that carry a force, and number of motions (degrees of freedom) of their
+/// grains.
 struct ConstraintCount {
   int constraints = 0, motions = 0;
 };
 
-/// Counts the constraints of contacts that carry more than 1e-6 of the mean: one for each contact point of a pair, up
-/// to the number of independent ones, two for an edge on a side or face and three for faces.
+/// Counts the constraints from contacts that carry more than 1e-6 of the mean force. Each contact point of a
+/// pair counts once, up to the number of independent ones: two for an edge on a side or face, three for two
+/// faces.
 template <int Dim>
 ConstraintCount count_constraints(const Packing<Dim>& packing, int motions_per_grain) {
   double mean = 0.0;
@@ -35,11 +37,13 @@ ConstraintCount count_constraints(const Packing<Dim>& packing, int motions_per_g
     last = &c;
   }
   for (const bool one : carries) out.motions += one ? motions_per_grain : 0;
-  // The motions of all grains together are as many as the sides of the cell, which are free to move.
+  // The uniform translations of all grains, which contacts do not constrain, are as many as the side lengths of
+  // the cell, which are free to change. So the two numbers cancel.
   return out;
 }
 
-/// Frictionless rigid grains at rest are isostatic: their contacts constrain as many motions as the grains have.
+/// Expects that frictionless rigid grains at rest are isostatic: their contacts give as many constraints as the
+/// grains have motions.
 template <int Dim>
 void expect_isostatic(const std::optional<ShapeOptions>& shape, int motions_per_grain, int n = 200) {
   const RigidEnd<Dim> end = relaxed<Dim>(make_rigid_gas<Dim>({.count = n, .shape = shape}));

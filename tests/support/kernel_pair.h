@@ -9,8 +9,8 @@
 
 namespace floc::test {
 
-/// Two spheres of unit diameter and mass whose motion is given step by step, and what they exert on each other
-/// by the kernels that run, of one instruction set. The second lies at first on the x axis beside the other.
+/// Two spheres of unit diameter and mass with prescribed motion. The compiled kernels of one instruction set
+/// compute their forces. At the start the second sphere is beside the first one on the x axis.
 class KernelPair {
  public:
   KernelPair(const LawParameters& law, double overlap, InstructionSet instructions)
@@ -25,7 +25,7 @@ class KernelPair {
 
   Vec<3> position(int grain) const { return {grains_.x[0][grain], grains_.x[1][grain], grains_.x[2][grain]}; }
 
-  /// Moves both spheres there in a time, at constant velocities, while they spin.
+  /// Moves both spheres to the given positions within `time`, at constant velocities and angular velocities.
   void move(const std::array<Vec<3>, 2>& to, const std::array<Vec<3>, 2>& spin, double time) {
     for (int i = 0; i < 2; ++i)
       for (int a = 0; a < 3; ++a) {
@@ -37,20 +37,21 @@ class KernelPair {
     for (int a = 0; a < 3; ++a) cell.lattice[a][a] = 100.0;
     interaction_.compute(interaction_.view(), 0, 1, grains_.view(grains_.x, inverse_skin_squared_), cell);
   }
-  /// Moves the second sphere along the normal to an overlap, without slip.
+  /// Moves the second sphere along the normal to the given overlap, without slip.
   void approach(double overlap, double time = 1.0) {
     const Vec<3> n = normal();
     move({position(0), position(0) + (1.0 - overlap) * n}, {Vec<3>::Zero(), Vec<3>::Zero()}, time);
   }
-  /// Slip by a vector in the tangent plane at constant places: both turn.
+  /// Slips the surfaces by a vector in the tangent plane: both spheres rotate while their positions stay fixed.
   void slip(const Vec<3>& by) {
-    // j against i by -(l_i w_i + l_j w_j) x n, arms half of the branch each.
+    // Surface j slips relative to surface i by -(l_i w_i + l_j w_j) x n, where w are the rotations and each arm
+    // l is half of the branch.
     const Vec<3> n = normal(), r = position(1) - position(0);
     const Vec<3> spin = -n.cross(by) / r.norm();
     move({position(0), position(1)}, {spin, spin}, 1.0);
   }
 
-  /// Both at once.
+  /// Changes the overlap and slips in the same step.
   void approach_and_slip(double overlap, const Vec<3>& by) {
     const Vec<3> n = normal();
     const double mean_distance = 0.5 * ((position(1) - position(0)).norm() + 1.0 - overlap);
@@ -69,10 +70,10 @@ class KernelPair {
     return number_in_row(Levers::kArmJ) * row(Levers::kUnitMoment);
   }
   double normal_force() const { return force_on_j().dot(normal()); }
-  /// On i.
+  /// Tangential force on the first sphere.
   Vec<3> tangential_force() const { return normal() * normal_force() - force_on_j(); }
 
-  /// History of the contact of the pair.
+  /// History of the contact between the spheres.
   ContactHistory<3> history() const { return interaction_.history(0, false); }
   void set_history(const ContactHistory<3>& history) {
     interaction_.load_history(0, history, false), interaction_.refresh_bridges();

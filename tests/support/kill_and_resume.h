@@ -16,7 +16,8 @@
 
 namespace floc::test {
 
-/// A type 2 scene of a few dozen grains: assembly and nine equilibria in about a second.
+/// Returns a type 2 scene of a few dozen grains. Its run has an assembly and nine equilibria, and takes about a
+/// second.
 inline std::string small_scene() {
   return scene_text("small") + R"([[load]]
 name = "load"
@@ -32,7 +33,7 @@ checkpoint_every = 0.02
 )";
 }
 
-/// Starts floc run in the background. @return its process
+/// Starts floc run in the background. @return its process id
 inline pid_t start_run(const std::string& directory, const std::string& arguments) {
   const pid_t child = ::fork();
   if (child == 0) {
@@ -43,18 +44,18 @@ inline pid_t start_run(const std::string& directory, const std::string& argument
   return child;
 }
 
-/// Exit status of a process, as waitpid() gives it.
+/// Waits for a process. @return its exit status, as waitpid() gives it
 inline int wait_for(pid_t child) {
   int status = 0;
   ::waitpid(child, &status, 0);
   return status;
 }
 
-/// path.csv without the column of wall times, the one thing that differs from run to run.
+/// Returns path.csv without the column of wall times, which alone differs from run to run.
 inline std::string rows_without_seconds(const std::string& file) {
   std::istringstream in(content_of(file));
   std::string line, kept;
-  std::size_t seconds = std::string::npos;  // place of the column
+  std::size_t seconds = std::string::npos;  // index of the column
   while (std::getline(in, line)) {
     std::istringstream fields(line);
     std::string field;
@@ -67,7 +68,7 @@ inline std::string rows_without_seconds(const std::string& file) {
   return kept;
 }
 
-/// Every state is byte for byte the same, and every row but for its wall time.
+/// Expects that every state file is identical byte for byte, and every row of path.csv except its wall time.
 /// @param n_states  number of states expected; by default that of the small scene
 inline void expect_same_results(const std::string& a, const std::string& b, int n_states = 9) {
   int n = 0;
@@ -81,9 +82,9 @@ inline void expect_same_results(const std::string& a, const std::string& b, int 
   EXPECT_EQ(rows_without_seconds(a + "/path.csv"), rows_without_seconds(b + "/path.csv"));
 }
 
-/// Kills a run with SIGKILL at random moments and resumes it each time; when it has ended before the kills are
-/// used up, it begins again. All that it leaves equals the unbroken run's.
-/// @param n_states  that the scene makes
+/// Kills a run with SIGKILL at random times and resumes it each time; a run that ends is started again, until
+/// all kills are used. Expects that its results equal those of an uninterrupted run.
+/// @param n_states  number of states of the scene
 inline void kill_and_resume(int n_kills, std::uint64_t seed, const std::string& scene = small_scene(),
                             int n_states = 9) {
   const ScratchDirectory scratch;

@@ -11,11 +11,11 @@
 #include "floc/lattice/lattice_solution.h"
 #include "support/contact_laws.h"
 
-/// Samples on a lattice for tests: phases by hand or at random, without a packing.
+/// Samples on a lattice, with prescribed or random phases instead of a packing.
 namespace floc::test {
 
-/// A sample whose nodes have the phase and the grain (-1: matrix, -2: void) that a function of their place
-/// says.
+/// Returns a sample with the phase and the grain of each node given by a function of its position. @param
+/// grain_at  index of a grain, -1 for matrix, -2 for void
 template <int Dim>
 CementedSample<Dim> sample_of(Lattice<Dim> lattice, const std::function<int(const Vec<Dim>&)>& grain_at) {
   CementedSample<Dim> out;
@@ -29,7 +29,7 @@ CementedSample<Dim> sample_of(Lattice<Dim> lattice, const std::function<int(cons
   return out;
 }
 
-/// The whole lattice one grain: a bond across the border stays within it.
+/// Returns the network of a lattice of one material, in which all bonds have the same stiffness.
 template <int Dim>
 LatticeNetwork<Dim> uniform_network(const Lattice<Dim>& lattice, double k, double shear = 0.0,
                                     double bending = 0.0) {
@@ -40,8 +40,8 @@ LatticeNetwork<Dim> uniform_network(const Lattice<Dim>& lattice, double k, doubl
   return lattice_network(sample_of<Dim>(lattice, [](const Vec<Dim>&) { return -1; }), stiffness);
 }
 
-/// Disks, or spheres, on a square grid with a gap of `gap` between neighbours, of which the sizes differ a
-/// little.
+/// Returns disks or spheres on a square grid with gaps of `gap` between neighbours; their sizes differ
+/// slightly.
 template <int Dim>
 Packing<Dim> grid_of_grains(int across, double gap) {
   Packing<Dim> packing;

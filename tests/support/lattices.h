@@ -6,7 +6,8 @@
 
 namespace floc::test {
 
-/// Equal disks at the given places of a cell, touching their neighbours at `spacing` with an overlap of 2 %.
+/// Returns equal disks at the given positions of a cell. Neighbours at the distance `spacing` touch with an
+/// overlap of 2 %.
 inline Packing<2> disks(const Mat<2>& cell, const std::vector<Vec<2>>& places, double spacing, const Law& law) {
   Packing<2> packing;
   packing.law = law;
@@ -19,8 +20,8 @@ inline Packing<2> disks(const Mat<2>& cell, const std::vector<Vec<2>>& places, d
   return packing;
 }
 
-/// Square lattice of frames: nodes joined by straight chains of n disks, both nodes counted. n = 2 is the plain
-/// lattice.
+/// Returns a square lattice of frames: nodes joined by straight chains of n disks, both nodes included. n = 2
+/// is the plain square lattice.
 inline Packing<2> square_frames(int n, double spacing, const Law& law) {
   std::vector<Vec<2>> places{Vec<2>::Zero()};
   for (int k = 1; k < n - 1; ++k) {
@@ -30,7 +31,7 @@ inline Packing<2> square_frames(int n, double spacing, const Law& law) {
   return disks((n - 1) * spacing * Mat<2>::Identity(), places, spacing, law);
 }
 
-/// square_frames() with more disks in them, which have the size of the others.
+/// Returns the lattice of square_frames() with additional disks of the same size at the positions `more`.
 inline Packing<2> square_frames_around(const std::vector<Vec<2>>& more, int n, double spacing, const Law& law) {
   const Packing<2> frames = square_frames(n, spacing, law);
   std::vector<Vec<2>> places = frames.grains.position;
@@ -38,14 +39,14 @@ inline Packing<2> square_frames_around(const std::vector<Vec<2>>& more, int n, d
   return disks(frames.cell.matrix, places, spacing, law);
 }
 
-/// Triangular lattice, one disk a cell.
+/// Triangular lattice with one disk per cell.
 inline Packing<2> triangular(double spacing, const Law& law) {
   Mat<2> cell;
   cell << spacing, 0.0, 0.5 * spacing, std::sqrt(0.75) * spacing;
   return disks(cell, {Vec<2>::Zero()}, spacing, law);
 }
 
-/// Triangular lattice in a rectangular cell of n columns and n rows, n even.
+/// Triangular lattice of n columns and n rows in a rectangular cell. @pre n is even
 inline Packing<2> triangular_crystal(int n, double spacing, const Law& law) {
   const double row = std::sqrt(0.75) * spacing;
   std::vector<Vec<2>> places;
@@ -54,14 +55,14 @@ inline Packing<2> triangular_crystal(int n, double spacing, const Law& law) {
   return disks(Vec<2>(n * spacing, n * row).asDiagonal().toDenseMatrix(), places, spacing, law);
 }
 
-/// Honeycomb, two disks a cell.
+/// Honeycomb lattice with two disks per cell.
 inline Packing<2> honeycomb(double spacing, const Law& law) {
   Mat<2> cell;
   cell << std::sqrt(3.0) * spacing, 0.0, std::sqrt(0.75) * spacing, 1.5 * spacing;
   return disks(cell, {Vec<2>::Zero(), Vec<2>(0.0, spacing)}, spacing, law);
 }
 
-/// Straight chain of n disks along x that meets its own image; `height` is the other side of the cell.
+/// Straight chain of n disks along x that touches its own image. `height` is the other side of the cell.
 inline Packing<2> chain_across(int n, double spacing, double height, const Law& law) {
   std::vector<Vec<2>> places;
   for (int k = 0; k < n; ++k) places.emplace_back(k * spacing, 0.0);

@@ -8,9 +8,9 @@
 
 namespace floc::test {
 
-/// Every contact law that there is in a dimension, one model or none in each slot, with these numbers by their
-/// keys. Found from the declarations of the models: a new one is among them, and has numbers like those of its kind
-/// where none is given.
+/// Returns every contact law of a dimension, with one model or none in each slot. The list follows from the
+/// declarations of the models, so it includes new ones. @param numbers  values by key; a number that is not
+/// given gets a value from another one of its unit
 std::vector<Law> all_laws(int dimension, const std::map<std::string, double>& numbers);
 
 }  // namespace floc::test

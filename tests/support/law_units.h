@@ -4,7 +4,7 @@
 
 namespace floc::test {
 
-/// Converts a law to other units, by the declared dimension of each of its parameters.
+/// Converts a law to other units, according to the declared unit of each of its parameters.
 /// @param length, force  the old units in terms of the new ones
 Law in_units(const Law& law, double length, double force);
 

@@ -13,12 +13,12 @@
 #include "support/hysteretic_repulsion.h"
 #include "support/sticky_spring.h"
 
-/// Enumerates the law table for the conformance suite: every row, in every dimension, with sample parameters.
+/// Lists all rows of the law table for the conformance tests, in every dimension, with sample parameters.
 namespace floc::test {
 
-/// Parameters of a slot in reduced units, like those of [GRC2008] but with no two numbers equal, so
-/// that one cannot stand in for another. A new kind of slot needs its sample here; without it the suite does
-/// not compile.
+/// Sample parameters of a model in reduced units, similar to those of [GRC2008]. No two numbers are equal, so
+/// that a test notices if they are exchanged. Each kind of model needs a specialization; without it the tests
+/// do not compile.
 template <class Slot>
 struct Sample;
 
@@ -57,7 +57,7 @@ struct Sample<ConstantAdhesion> {
   static constexpr ConstantAdhesion value{1.25};
   static std::string name() { return " constant"; }
 };
-/// Of so little liquid that its bridges break a hundredth of a diameter from contact.
+/// The bridges hold so little liquid that they break at a gap of a hundredth of a diameter.
 template <>
 struct Sample<CapillaryAdhesion> {
   static constexpr CapillaryAdhesion value{0.4, 20.0, 4e-7, 2.5};
@@ -120,14 +120,14 @@ struct ListOfLaws<std::variant<Laws...>> {
   }
 };
 
-/// Calls check(law) for every row of the table, naming the row in whatever fails.
+/// Calls check(law) for every row of the law table. A failure names the row.
 template <class Check>
 void for_each_law(Check&& check) {
   ListOfLaws<AnyContactLaw>::visit(check);
 }
 
-/// Kinds of laws that the table has none of yet: they lose energy along the normal, part while they overlap, or hold
-/// together across a gap.
+/// Kinds of laws that the table does not contain so far: laws that lose energy along the normal, whose surfaces
+/// separate while they overlap, or stay connected across a gap.
 using LawsOfOtherKinds = std::variant<
     ContactLaw<HystereticRepulsion, NoAdhesion, NoDamping, NoFriction, NoRolling, NoTwisting>,
     ContactLaw<HystereticRepulsion, TailAdhesion, ViscousDamping, CoulombFriction, RollingSpring,
@@ -135,7 +135,7 @@ using LawsOfOtherKinds = std::variant<
     ContactLaw<StickySpring, NoAdhesion, NoDamping, NoFriction, NoRolling, NoTwisting>,
     ContactLaw<StickySpring, NoAdhesion, ViscousDamping, CoulombFriction, RollingSpring, TwistingSpring>>;
 
-/// Calls check(law) for every row of the table and for every law of another kind, as for_each_law() does.
+/// Calls check(law) for every row of the table and for every law of LawsOfOtherKinds, like for_each_law().
 template <class Check>
 void for_each_kind_of_law(Check&& check) {
   for_each_law(check);
@@ -152,8 +152,8 @@ void in_each_dimension(const Law& law, Check& check) {
   check(law, std::integral_constant<int, 3>{});
 }
 
-/// Calls check(law, dimension) for each of them in each of its dimensions; `decltype(dimension)::value` is the
-/// dimension.
+/// Calls check(law, dimension) for every law of for_each_kind_of_law() in each of its dimensions;
+/// `decltype(dimension)::value` is the dimension.
 template <class Check>
 void for_each_kind_of_law_and_dimension(Check&& check) {
   for_each_kind_of_law([&](const auto& law) { in_each_dimension(law, check); });
@@ -163,16 +163,17 @@ void for_each_law_and_dimension(Check&& check) {
   for_each_law([&](const auto& law) { in_each_dimension(law, check); });
 }
 
-/// History of a contact under a law.
+/// Type of the history of a contact under a law.
 template <class Law, int Dim, class T = double>
 using ContactHistoryOf = PackedHistory<std::decay_t<Law>::template kHistorySize<Dim>, T>;
 
 template <class T = double>
 PairGeometry<T> pair_at(const T& gap) {
-  return {gap, T(0.1875), T(1.0 / 3.0)};  // of radii 0.5 and 0.3, masses 1 and 0.5
+  return {gap, T(0.1875), T(1.0 / 3.0)};  // radii 0.5 and 0.3, masses 1 and 0.5
 }
 
-/// F0 of a composed law, 0 without adhesion, and of contacts without a bridge under a law that holds liquid.
+/// Returns the pull-off force F0 of a law. It is 0 without adhesion, and 0 for laws with liquid, since their
+/// contacts have no bridge yet.
 template <class Law>
 double pull_off_force(const Law& law) {
   if constexpr (kAdheresByItself<typename Law::NormalModel>)
@@ -182,11 +183,11 @@ double pull_off_force(const Law& law) {
   return 0.0;
 }
 
-/// Whether a new contact attracts: where there is no liquid yet, that of a law that holds liquid does not.
+/// Whether a new contact attracts. Under a law with liquid it does not, because it has no bridge yet.
 template <class Law>
 inline constexpr bool kAdheres = Law::kHasAdhesion && !Law::kHoldsLiquid;
 
-/// The parameters a scene would give to get this law: the inverse of compose_law().
+/// Returns the parameters that a scene would give to get this law; inverse of compose_law().
 template <class Law>
 LawParameters parameters_of(const Law& law) {
   LawParameters p;
@@ -199,20 +200,20 @@ LawParameters parameters_of(const Law& law) {
   return p;
 }
 
-/// Elastic normal force of a new contact.
+/// Returns the elastic normal force of a new contact.
 template <class Law>
 double elastic_force_at(const Law& law, double gap) {
   return law.normal(pair_at(gap)).elastic;
 }
 
-/// K_N of the stiffest contact, of overlaps to 1e-2 where it varies.
+/// Returns the largest K_N; if the stiffness depends on the overlap, the largest one for overlaps up to 1e-2.
 template <class Law>
 double stiffness_bound(const Law& law) {
   return law.stiffness_bound(pair_at(0.0), {1e-2}).normal;
 }
 
-/// Overlap of a free pair, at which adhesion and repulsion balance; zero without adhesion. By Newton's method,
-/// from the answer of the stiffest contact: at once for linear repulsion.
+/// Returns the overlap of a free pair, at which adhesion and repulsion balance; zero without adhesion. Newton's
+/// method starts with the largest stiffness, so one step is enough for linear repulsion.
 template <class Law>
 double free_overlap(const Law& law) {
   if (pull_off_force(law) == 0.0) return 0.0;
@@ -225,12 +226,12 @@ double free_overlap(const Law& law) {
   return h;
 }
 
-/// Whether a law forgets the overlaps it has had, as an elastic repulsion does.
+/// Whether the normal force is independent of earlier overlaps, as for elastic repulsion.
 template <class Law>
 inline constexpr bool kForgetsOverlap = history_size<typename std::decay_t<Law>::NormalModel>(2) == 0;
 
-/// The history of a contact that has been pressed deeper than anything else in the suite presses it: of laws that
-/// remember overlaps; of others that of a new contact.
+/// Returns the history of a contact that was pressed deeper than in any other test. Laws that do not depend on
+/// earlier overlaps have the history of a new contact.
 template <int Dim, class T = double, class Law>
 ContactHistoryOf<Law, Dim, T> pressed_memory(const Law& law) {
   ContactHistoryOf<Law, Dim, T> history;
@@ -241,7 +242,8 @@ ContactHistoryOf<Law, Dim, T> pressed_memory(const Law& law) {
   }
   return history;
 }
-/// Static normal response of such a contact at a gap, and the energy along its normal.
+/// Returns the static normal response of a contact with the history of pressed_memory(). The next function
+/// returns its energy.
 template <class T, class Law>
 NormalResponse<T> pressed_response(const Law& law, const T& gap) {
   const auto history = pressed_memory<2, T>(law);
@@ -258,25 +260,25 @@ T pressed_energy(const Law& law, const T& gap) {
   else
     return law.energy(pair_at(gap), history.value);
 }
-/// Its stiffness in the network.
+/// Returns the stiffness in the contact network of a contact with the history of pressed_memory().
 template <class Law>
 ContactStiffness pressed_stiffness(const Law& law, double gap) {
   return law.template stiffness<2>(pair_at(gap), pressed_memory<2>(law));
 }
 
-/// Stiffness of a new contact.
+/// Returns the stiffness of a new contact.
 template <int Dim = 2, class Law>
 ContactStiffness stiffness_at(const Law& law, double gap) {
   return law.template stiffness<Dim>(pair_at(gap), ContactHistoryOf<Law, Dim>{});
 }
 
-/// A motion of the normal alone: no slip, no rotation, at rest.
+/// Returns a contact motion at a fixed gap, without slip and rotation.
 template <int Dim, class T = double>
 ContactMotion<Dim, T> at_gap(const T& gap) {
   return {pair_at(gap), T(0), T(0), Shear<Dim, T>::Zero(), RotationVector<Dim, T>::Zero()};
 }
 
-/// A tangential displacement of a contact whose normal is the last axis of space (3D) or any (2D).
+/// Returns a tangential displacement of a contact whose normal is the last axis (3D) or any axis (2D).
 template <int Dim>
 Shear<Dim> slip_by(double length) {
   Shear<Dim> slip = Shear<Dim>::Zero();

@@ -10,7 +10,7 @@
 
 namespace floc::test {
 
-/// A gas of spheres, many times as long as wide, and its list of close pairs, as the force loop holds them.
+/// Gas of spheres in an elongated cell, with its list of close pairs in the data structures of the force loop.
 struct ListedGas {
   enum class Sizes { equal, unequal };
 

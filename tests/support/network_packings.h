@@ -8,7 +8,7 @@
 
 namespace floc::test {
 
-/// Linear law with every stiffness; caps far beyond any motion of a test.
+/// Returns a linear law with all stiffnesses. Its friction limits exceed all forces in the tests.
 inline Law elastic_law(double kn, double kt, double kr) {
   Law law;
   law += test::linear(kn);
@@ -17,8 +17,8 @@ inline Law elastic_law(double kn, double kt, double kr) {
   return law;
 }
 
-/// Grains of radius 0.35 to 0.65 at random in a skewed cell, so dense that they hold each other; not in
-/// equilibrium. With few grains the cell is smaller than a grain's reach, and grains touch their own images.
+/// Returns randomly placed grains of radius 0.35 to 0.65 in a skewed cell, so dense that they hold each other;
+/// they are not in equilibrium. With few grains the cell is so small that grains touch their own images.
 template <int Dim>
 Packing<Dim> random_packing(int n_grains, unsigned seed, const Law& law, double grains_per_volume = 1.6) {
   std::mt19937 engine(seed);

@@ -7,9 +7,9 @@
 
 namespace floc::test {
 
-/// Work done on a contact along its normal while its gap is moved by hand: minus the integral of the static normal
-/// force over the gap, by the trapezoidal rule, which is exact where the force is linear. Where the surfaces meet or
-/// part, and forces may jump, the step is cut in two at the last digit.
+/// Computes the work on a contact along its normal while a test prescribes its gap: minus the integral of the
+/// static normal force over the gap. The trapezoidal rule is exact where the force is linear. Where surfaces
+/// begin or cease to touch, the force may jump, and the step is divided at the last bit.
 template <class Law, int Dim>
 class NormalWork {
  public:
@@ -28,12 +28,12 @@ class NormalWork {
     integrate_to(before);
     const double until_here = work_;
     integrate_to(after);
-    work_ = until_here;  // a step of one rounding, across which the mean force means nothing
+    work_ = until_here;  // this step is one rounding unit wide and crosses the jump, so it contributes no work
     integrate_to(gap);
   }
 
   double work() const { return work_; }
-  double largest() const { return largest_; }  ///< absolute value that the work has had
+  double largest() const { return largest_; }  ///< largest absolute value of the work so far
   bool touches() const { return touches_; }
 
  private:

@@ -7,23 +7,23 @@
 
 namespace floc::test {
 
-/// How one grain moves in one step.
+/// Motion of one grain in one step.
 template <int Dim>
 struct GrainStep {
   Vec<Dim> displacement = Vec<Dim>::Zero();
   RotationVector<Dim> rotation = RotationVector<Dim>::Zero();
 };
 
-/// Two grains in contact moved by hand, their relative motion taken as in docs/physics.md, "Kinematics of a
-/// contact": lever arms l = R r/(Ri + Rj), evaluated half way through the step, so that its error is of second
-/// order in the step.
+/// Two grains in contact with prescribed motion. Their relative motion follows docs/physics.md, "Kinematics of
+/// a contact", with lever arms l = R r/(Ri + Rj). It is evaluated in the middle of the step, so that the error
+/// is of second order in the step.
 template <class Law, int Dim>
 class MovingPair {
  public:
   MovingPair(const Law& law, const Vec<Dim>& xi, const Vec<Dim>& xj, double ri, double rj)
       : law_(law), xi_(xi), xj_(xj), ri_(ri), rj_(rj) {}
 
-  /// Moves both grains and returns the forces in the contact's new frame.
+  /// Moves both grains and returns the forces in the new contact frame.
   ContactForces<Dim> move(const GrainStep<Dim>& i, const GrainStep<Dim>& j) {
     const Vec<Dim> before = xj_ - xi_;
     xi_ += i.displacement;

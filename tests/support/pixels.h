@@ -13,7 +13,7 @@
 
 namespace floc::test {
 
-/// The pixels of a png.
+/// Pixels of a png file.
 class Pixels {
  public:
   explicit Pixels(const std::string& png) {
@@ -34,7 +34,7 @@ class Pixels {
                 4);
     return static_cast<int>(pixel & 0xFFFFFF);
   }
-  /// Mean of (255 - grey)/255 over all pixels: 0 white, 1 black.
+  /// Mean of (255 - grey)/255 over all pixels: 0 for white, 1 for black.
   double ink() const {
     double sum = 0.0;
     for (int y = 0; y < height(); ++y)

@@ -2,23 +2,23 @@
 
 #include <string>
 
-/// Where what the tests read and run lies. Not on the compile lines, nor in what many sources include: a
-/// compiler cache then serves all checkouts.
+/// Paths of the files that tests read and run. They are compiled in one source file only, not passed as
+/// compiler options or in this header, so that a compiler cache can serve several checkouts.
 namespace floc::test {
 
-/// The checkout, without a slash at the end.
+/// Root of the source tree, without a slash at the end.
 std::string source_directory();
 
-/// A packing of 16 frictionless disks in the format of jamBashbulk.
+/// Path of a packing of 16 frictionless disks in the format of jamBashbulk.
 std::string jambashbulk_file();
 
-/// The tables of the runs of data/scenes/demo.toml.
+/// Directory of the tables of the runs of data/scenes/demo.toml.
 std::string demo_tables();
 
-/// The program floc as built beside the tests.
+/// Path of the program floc that was built with the tests.
 std::string floc_program();
 
-/// The library with the kernels of the relaxer.
+/// Path of the library that contains the kernels of the relaxation.
 std::string relaxation_library();
 
 }  // namespace floc::test

@@ -4,7 +4,7 @@
 
 namespace floc::test {
 
-/// Page of 410 points with margins of five: 100 points per length; one pixel per point.
+/// Options for a png page of 410 points with margins of five: 100 points per length, one pixel per point.
 inline SheetOptions plain_png() {
   SheetOptions options;
   options.format = PictureFormat::png;

@@ -15,15 +15,17 @@
 #include "floc/tradeoff/sample_path.h"
 #include "floc/tradeoff/studied_setting.h"
 
-/// How often errors that a table of prices promises, and those of plans, are kept by samples that are not in the table.
+/// Counts how often the errors promised by a table of prices, and by plans, are kept in samples that are not in
+/// the table.
 namespace floc::test {
 
-/// A number of promises, and how many of them were kept.
+/// Number of promises, and number of those that were kept.
 struct KeptPromises {
   int n = 0, kept = 0;
 
   void add(bool is_kept) { ++n, kept += is_kept; }
-  /// Probability that at most `kept` of n promises are kept if each is with probability `confidence`.
+  /// Returns the probability that at most `kept` of n promises are kept if each one is kept with probability
+  /// `confidence`.
   double probability(double confidence) const {
     double sum = 0.0;
     for (int k = 0; k <= kept; ++k)
@@ -43,7 +45,8 @@ inline std::vector<const SamplePath*> pointers_to(const std::vector<SamplePath>&
   return all;
 }
 
-/// The variant of a scene that a row of its table of prices is about.
+/// Returns the setting of a scene that a row of its table of prices describes. @param name  parameter and value
+/// of the row
 inline StudiedSetting studied(const Scene& scene, const std::string& name) {
   for (const StudiedSetting& setting : studied_settings(scene))
     if (setting.parameter + " " + setting.value == name) return setting;
@@ -51,7 +54,7 @@ inline StudiedSetting studied(const Scene& scene, const std::string& name) {
   return studied_settings(scene)[1];
 }
 
-/// Counts the errors of single states that are within those of the table.
+/// Counts the errors of single states, and how many of them are within the error of the table.
 inline void count_states(const PricedSettings& priced, const SamplePath& reference, const SamplePath& path,
                          KeptPromises& promises) {
   const std::vector<bool> same = before_collapse(reference, path);
@@ -63,7 +66,7 @@ inline void count_states(const PricedSettings& priced, const SamplePath& referen
       const Observation& here = path.states[i].observation;
       const Observation& truth = same[i] ? reference.states[i].observation : path.states[i].settled;
       const double error = std::abs(here[at] - truth[at]);
-      // Differences by rounding are no errors of the settings.
+      // Errors below this size come from rounding, not from the settings.
       constexpr double kRounding = 1e-9;
       if (std::isfinite(error))
         promises.add(error <= std::max(row->second->error, kRounding) * size_of(k, here, truth));
@@ -71,8 +74,9 @@ inline void count_states(const PricedSettings& priced, const SamplePath& referen
   }
 }
 
-/// Runs samples of a scene whose seeds are not those of the table, and counts how many of their errors are within what
-/// the table promises: single states, and means as far as the scatter of these samples tells.
+/// Runs samples of a scene with seeds that the table does not use, and counts how many of their errors are
+/// within those of the table: errors of single states, and errors of means, which may also deviate by their
+/// confidence interval.
 inline PromisesOfTable count_promises(const Scene& scene, const PriceTable& table,
                                       const std::vector<std::string>& names, std::uint64_t seed,
                                       int n_samples) {
@@ -110,15 +114,15 @@ inline PromisesOfTable count_promises(const Scene& scene, const PriceTable& tabl
   return promises;
 }
 
-/// Promise of a plan about an observable, and the difference of its samples from a reference ensemble.
+/// Error that a plan promises for an observable, and the difference of its samples from a reference ensemble.
 struct PlanOutcome {
   std::string observable;
   double promised, achieved;
   double promised_seconds, seconds;  ///< processor time of the samples of the plan (s)
 };
 
-/// Makes the samples of the best plan for a budget, and an ensemble of four times as many.
-/// @param reference  settings of the ensemble
+/// Runs the samples of the best plan for a budget, and a reference ensemble with four times as many samples.
+/// @param reference  settings of the reference ensemble
 inline std::vector<PlanOutcome> outcome_of_plan(const Scene& scene, const PriceModel& model, double budget,
                                                 const StudiedSetting& reference) {
   PlanRequest request;

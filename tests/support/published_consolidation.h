@@ -10,7 +10,7 @@
 
 namespace floc::test {
 
-/// Pressures of the published path from `low` on: factors 10^(1/8) up to 13.3.
+/// Returns the pressures of the published path from `low` on, in steps of 10^(1/8) up to 13.3.
 inline std::vector<double> published_pressures(double low) {
   std::vector<double> P;
   for (int k = 0; k <= 25; ++k)
@@ -18,7 +18,7 @@ inline std::vector<double> published_pressures(double low) {
   return P;
 }
 
-/// The law without error at given pressures.
+/// Returns the exact curve of the law at given pressures.
 inline ConsolidationCurve curve_of(const ConsolidationLawParameters& law,
                                    const std::vector<double>& pressures) {
   ConsolidationCurve curve;
@@ -29,7 +29,8 @@ inline ConsolidationCurve curve_of(const ConsolidationLawParameters& law,
   return curve;
 }
 
-/// A published fit [GRC2008]: lambda, Phi_max, alpha, P0*, Phi0; P1* follows from the identity of its limits.
+/// Published fit [GRC2008]: lambda, Phi_max, alpha, P0* and Phi0. P1* follows because the plateau and the law
+/// meet at P0*.
 struct Published {
   double lambda, phi_max, alpha, P0_star, phi0;
 
@@ -37,7 +38,7 @@ struct Published {
     return {lambda, alpha, phi_max, P0_star * std::exp((1 / phi0 - 1 / phi_max) / lambda)};
   }
 
-  /// The whole published path: constant up to P0*, then the law.
+  /// Returns the whole published path: constant up to P0*, then the law.
   ConsolidationCurve with_plateau() const {
     ConsolidationCurve curve;
     for (const double P : published_pressures(0.01)) {
@@ -50,7 +51,8 @@ struct Published {
 inline constexpr Published kNoRolling{0.349, 0.7808, 0.91, 0.0237, 0.469};
 inline constexpr Published kSmallRolling{0.194, 0.7745, 1.08, 0.0316, 0.515};
 
-/// The curve with normal errors of 1/Phi, as a share of it.
+/// Returns the curve with normally distributed relative errors of 1/Phi. @param noise  relative standard
+/// deviation
 inline ConsolidationCurve with_relative_noise(ConsolidationCurve curve, double noise, RandomStream& random) {
   for (double& phi : curve.phi) phi = 1 / (1 / phi * (1 + noise * random.normal()));
   return curve;

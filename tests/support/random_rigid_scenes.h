@@ -9,10 +9,10 @@
 #include "floc/packing/balance.h"
 #include "support/rigid_gas.h"
 
-/// Small scenes of rigid grains with parameters anywhere in their ranges.
+/// Small scenes of rigid grains with random parameters.
 namespace floc::test {
 
-/// Draws a shape of any kind that exists in this dimension; disks and spheres are one of them.
+/// Draws one of all kinds of shapes of a dimension, disks or spheres included.
 template <int Dim>
 std::optional<ShapeOptions> random_shape(RandomStream& random) {
   ShapeOptions shape;
@@ -42,8 +42,8 @@ std::optional<ShapeOptions> random_shape(RandomStream& random) {
   }
 }
 
-/// Strains a packing by a shear or by another length of an axis, and expects a verified motion at the imposed strain or a
-/// reason in words.
+/// Strains a packing by a shear or by a new length of one axis. Expects a verified motion at the imposed
+/// strain, or a reason for the failure.
 template <int Dim>
 void strain_at_random(std::uint64_t seed, const Packing<Dim>& packing, RelaxationOptions options) {
   RandomStream random(seed, 2);
@@ -87,7 +87,8 @@ void relax_random_scene(RandomStream& random, std::uint64_t seed) {
   if (rest.status == RelaxationStatus::converged) strain_at_random(seed, rest.packing, options);
 }
 
-/// Relaxes random scenes, as many in 2D as in 3D. Each ends at rest in a state that meets all criteria, or with a reason.
+/// Relaxes random scenes, as many in 2D as in 3D. Each must end at rest in a state that meets all criteria, or
+/// with a reason for the failure.
 inline void relax_random_scenes(int n, std::uint64_t first_seed) {
   for (int k = 0; k < n; ++k) {
     const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(k);

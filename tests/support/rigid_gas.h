@@ -14,10 +14,10 @@
 #include "floc/verification/verify_rigid.h"
 #include "support/rigid_states.h"
 
-/// Gases of rigid grains and their relaxation under a pressure of 1.
+/// Gases of rigid grains, and their relaxation under a pressure of 1.
 namespace floc::test {
 
-/// Gas whose largest grain has the diameter 1.
+/// Parameters of a gas whose largest grain has the diameter 1.
 struct RigidGas {
   int count = 100;
   double least = 0.5;                      ///< diameter of the smallest grain
@@ -35,11 +35,12 @@ Packing<Dim> make_rigid_gas(const RigidGas& gas) {
   grains.diameter.min = gas.least;
   grains.diameter.max = 1.0;
   grains.diameter.exponent =
-      gas.least < 0.2 ? Dim : 0.0;  // as many small grains as fill the volume of the large ones
+      gas.least < 0.2 ? Dim : 0.0;  // exponent Dim: grains of every size fill the same volume
   grains.shape = gas.shape;
   const Law law = rigid_law(gas.friction, gas.adhesion);
   RandomStream random(gas.seed, 1);
-  constexpr double kSolidFraction = Dim == 2 ? 0.4 : 0.3;  // of the circumscribed circles or spheres
+  // fraction filled by the circumscribed circles or spheres
+  constexpr double kSolidFraction = Dim == 2 ? 0.4 : 0.3;
   if (!gas.shape) return make_gas<Dim>(grains, law, kSolidFraction, random);
   const std::vector<double> diameters = equally_spaced_diameters(grains.diameter, gas.count);
   const double share = share_of_bounding_balls(shaped_grains<Dim>(grains, diameters, gas.seed));
@@ -47,18 +48,18 @@ Packing<Dim> make_rigid_gas(const RigidGas& gas) {
                               GasKind::equilibrated);
 }
 
-/// Settings of the shipped scenes of rigid grains.
+/// Relaxation settings of the shipped scenes of rigid grains.
 inline RelaxationOptions rigid_options() {
   RelaxationOptions options;
   options.inertial_number_cap = 0.02;
   return options;
 }
 
-/// End of a relaxation of rigid grains.
+/// Result of a relaxation of rigid grains.
 template <int Dim>
 struct RigidEnd {
   RelaxationStatus status =
-      RelaxationStatus::running;  ///< `running` if an exception or the limit of steps ended it
+      RelaxationStatus::running;  ///< `running` if an exception or the limit of steps ended the relaxation
   RelaxationReport report;
   std::string progress;
   std::string reason;  ///< message of the exception, or criterion that is not met; empty for a state at rest
@@ -66,7 +67,7 @@ struct RigidEnd {
 };
 
 /// Relaxes a packing under a load.
-/// @param remade  whether the relaxer is made anew from its packing and progress after each chunk
+/// @param remade  whether the relaxer is created again from its packing and progress after each chunk of steps
 template <int Dim>
 RigidEnd<Dim> relaxed_under(const LoadTarget<Dim>& load, Packing<Dim> packing,
                             const RelaxationOptions& options = rigid_options(), bool remade = false,
@@ -135,7 +136,7 @@ void expect_at_rest(const RigidEnd<Dim>& end) {
   expect_verified(end.packing);
 }
 
-/// Expects a state at rest, or a reason in words and a packing in finite numbers.
+/// Expects a state at rest, or a packing with finite numbers and a reason for the failure.
 template <int Dim>
 void expect_at_rest_or_reason(const RigidEnd<Dim>& end) {
   if (end.status == RelaxationStatus::converged) return expect_verified(end.packing);
@@ -144,7 +145,7 @@ void expect_at_rest_or_reason(const RigidEnd<Dim>& end) {
   EXPECT_TRUE(end.packing.cell.matrix.allFinite());
 }
 
-/// Returns the state of a packing in motion at the end of a relaxation under a load that imposes a strain.
+/// Returns the state of a packing in motion, at the end of a relaxation under a load that imposes a strain.
 template <int Dim>
 State<Dim> state_in_motion(const RigidEnd<Dim>& end, const LoadTarget<Dim>& load) {
   State<Dim> state;

@@ -4,7 +4,8 @@
 
 namespace floc::test {
 
-/// Scene of 40 rigid grains that are compressed from a gas, loaded twofold and sheared: four states in a few seconds.
+/// Scene of 40 rigid grains that are compressed from a gas, loaded to twice the pressure and sheared: four
+/// states in a few seconds.
 /// @param shape  line of the scene with the shape of the grains; empty for disks
 inline std::string rigid_scene(const std::string& shape) {
   return R"([scene]

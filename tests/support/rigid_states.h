@@ -11,7 +11,7 @@
 #include "floc/rigid/contact_points.h"
 #include "floc/shape/generators.h"
 
-/// States of rigid grains whose forces are known in closed form.
+/// States of rigid grains whose forces have closed forms.
 namespace floc::test {
 
 inline Law rigid_law(double friction, std::optional<double> adhesion = std::nullopt) {
@@ -22,7 +22,8 @@ inline Law rigid_law(double friction, std::optional<double> adhesion = std::null
   return law;
 }
 
-/// Adds the contacts of a packing whose gaps are at most 1e-9, and measures the state under an isotropic pressure.
+/// Adds the contacts of a packing whose gaps are at most 1e-9, and computes the properties of the state under
+/// an isotropic pressure.
 /// @param force  function that returns the normal force of a contact
 template <int Dim, class Force>
 void load_contacts(State<Dim>& state, double pressure, const Force& force) {
@@ -33,7 +34,8 @@ void load_contacts(State<Dim>& state, double pressure, const Force& force) {
   measure(state);
 }
 
-/// Triangular crystal of disks of diameter 1, four in each of four rows: each contact carries P/sqrt(3).
+/// Triangular crystal of disks of diameter 1, with four disks in each of four rows. Each contact carries
+/// P/sqrt(3).
 inline State<2> triangular_crystal(double pressure, double friction) {
   State<2> state;
   state.packing.law = rigid_law(friction);
@@ -50,7 +52,7 @@ inline State<2> triangular_crystal(double pressure, double friction) {
   return state;
 }
 
-/// Simple cubic crystal of 27 spheres of diameter 1: each contact carries P.
+/// Simple cubic crystal of 27 spheres of diameter 1. Each contact carries P.
 inline State<3> cubic_crystal(double pressure, double friction) {
   State<3> state;
   state.packing.law = rigid_law(friction);
@@ -67,7 +69,8 @@ inline State<3> cubic_crystal(double pressure, double friction) {
 }
 
 /// Gives all grains of a packing one shape.
-/// @param scale  diameter of the circumscribed circle or sphere of each grain (length), for a shape of diameter 1
+/// @param scale  diameter of the circumscribed circle or sphere of each grain (length), for a shape of diameter
+/// 1
 template <int Dim>
 void set_shape(Grains<Dim>& grains, const Shape<Dim>& shape, double scale) {
   grains.shapes = std::make_shared<const std::vector<Shape<Dim>>>(1, shape);
@@ -77,8 +80,9 @@ void set_shape(Grains<Dim>& grains, const Shape<Dim>& shape, double scale) {
   for (int i = 0; i < grains.size(); ++i) grains.mass[i] = grains.volume(i);
 }
 
-/// Bond of bricks: squares of side 1, three in each of four rows that are shifted by half a side. Each of the two
-/// points between neighbours of a row carries P/2, each of the four points above a square P/4.
+/// Squares of side 1 arranged like bricks, three in each of four rows that are shifted by half a side. Each of
+/// the two contact points between neighbours in a row carries P/2, each of the four points on top of a square
+/// P/4.
 inline State<2> brick_bond(double pressure, double friction) {
   State<2> state;
   state.packing.law = rigid_law(friction);

@@ -8,7 +8,7 @@
 
 namespace floc::test {
 
-/// Runs a program with arguments that no shell reads, so that file names may hold any character.
+/// Runs a program without a shell, so that its arguments may contain any character.
 /// @param input  stdin of the program
 inline Outcome run_arguments(const std::string& program, const std::vector<std::string>& arguments,
                              const std::string& input = "") {
@@ -28,7 +28,7 @@ inline Outcome run_arguments(const std::string& program, const std::vector<std::
           content_of(scratch.file("err"))};
 }
 
-/// Runs floc with arguments that no shell reads.
+/// Runs floc without a shell.
 inline Outcome floc_arguments(const std::vector<std::string>& arguments, const std::string& input = "") {
   return run_arguments(floc_program(), arguments, input);
 }

@@ -10,8 +10,8 @@
 
 namespace floc::test {
 
-/// Runs floc with stdout on a terminal of that many columns; what it says on stderr comes apart, as always.
-/// @return text written to the terminal, lines ending in \n
+/// Runs floc with stdout on a terminal with `columns` columns; stderr is captured separately.
+/// @return text written to the terminal, with lines ending in \n
 inline Outcome run_on_terminal(const std::string& arguments, const std::string& directory, int columns) {
   const ScratchDirectory scratch;
   winsize size{};
@@ -27,7 +27,7 @@ inline Outcome run_on_terminal(const std::string& arguments, const std::string& 
   }
   std::string out;
   char buffer[4096];
-  // A terminal whose other side is closed is an error to read, not an end.
+  // When the other side of a terminal is closed, reading returns an error instead of the end of file.
   for (ssize_t n = 0; (n = ::read(terminal, buffer, sizeof buffer)) > 0;)
     for (ssize_t k = 0; k < n; ++k)
       if (buffer[k] != '\r') out += buffer[k];

@@ -12,9 +12,9 @@
 
 namespace floc::test {
 
-/// Outcome of a run of a program.
+/// Result of running a program.
 struct Outcome {
-  int code;         ///< exit code, -1 if it did not exit by itself
+  int code;         ///< exit code, -1 if the program did not exit by itself
   std::string out;  ///< stdout
   std::string err;  ///< stderr
 };
@@ -29,7 +29,7 @@ inline void write_text(const std::string& path, const std::string& text) {
   std::ofstream(path) << text;
 }
 
-/// Runs floc with arguments as a shell would take them, from `directory`, with `input` on its stdin.
+/// Runs floc with arguments in the syntax of a shell, in `directory`, with `input` on its stdin.
 inline Outcome run_floc(const std::string& arguments, const std::string& directory = ".",
                         const std::string& input = "") {
   const ScratchDirectory scratch;

@@ -1,10 +1,10 @@
-"""Small scenes up to their assembly, to which a test appends what it loads the packing by. The files also serve the tests
-in C++ (scene_text.h)."""
+"""Small scenes up to their assembly, to which tests append load stages. Tests in C++ use the same files
+(scene_text.h)."""
 import pathlib
 
 
 def scene_text(name, *exchanges):
-    """The text of a scene with parts of it, which it has to have, exchanged for others."""
+    """Returns the text of a scene with parts of it replaced; the scene must contain these parts."""
     text = (pathlib.Path(__file__).resolve().parent / "scenes" / f"{name}.toml").read_text()
     for old, new in exchanges:
         assert old in text, old

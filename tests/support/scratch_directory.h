@@ -8,7 +8,7 @@
 
 namespace floc::test {
 
-/// An empty directory of its own, removed with everything in it at the end of the test.
+/// Temporary empty directory, removed with its content at the end of the test.
 class ScratchDirectory {
  public:
   ScratchDirectory() : path_((std::filesystem::temp_directory_path() / "floc-test-XXXXXX").string()) {

@@ -11,18 +11,18 @@
 
 namespace floc::test {
 
-/// The bytes of a state file with this content.
+/// Returns the content of a state file with its seal appended.
 inline std::string sealed(const std::string& content) {
   return content + seal_of(sha256(content));
 }
 
-/// Returns the content of a state file before its seal. @pre it is sealed
+/// Returns the content of a state file without its seal. @pre the file is sealed
 inline std::string without_seal(const std::string& bytes) {
   return bytes.substr(0, bytes.size() - kSealSize);
 }
 
-/// Path of a copy of a state file in which `to`, of the same length, takes the place of the one `from` that it
-/// holds; sealed anew.
+/// Writes a copy of a state file with one text replaced by another of the same length, and seals it again.
+/// @return path of the copy
 inline std::string with_replaced(const std::string& path, const std::string& from, const std::string& to) {
   std::string content = without_seal(read_file(path));
   std::size_t n = 0;

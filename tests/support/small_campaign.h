@@ -14,7 +14,8 @@
 
 namespace floc::test {
 
-/// Two frictions and two rolling resistances of the small scene with three seeds: twelve runs of a second.
+/// Campaign of the small scene with two friction coefficients, two rolling resistances and three seeds: twelve
+/// runs that take a second each.
 inline std::string small_campaign() {
   return R"([campaign]
 scene = "small.toml"
@@ -52,12 +53,13 @@ source = "nobody, with a large error"
 )";
 }
 
-/// Whether snakemake is installed (.ci/deps installs it).
+/// Returns whether snakemake is installed (.ci/deps installs it).
 inline bool has_snakemake() {
   return std::system("command -v snakemake >/dev/null 2>&1") == 0;
 }
 
-/// Starts snakemake in a directory; what it says goes to DIR.snakemake beside it. @return its process
+/// Starts snakemake in a directory. Its output goes to the file DIR.snakemake beside the directory. @return its
+/// process id
 inline pid_t start_snakemake(const std::string& directory, const std::string& arguments) {
   const pid_t child = ::fork();
   if (child == 0) {
@@ -68,13 +70,14 @@ inline pid_t start_snakemake(const std::string& directory, const std::string& ar
   return child;
 }
 
-/// Runs it to its end. @return its exit code, with its messages in `out`
+/// Runs snakemake and waits for its end. @return its exit code, with its messages in `out`
 inline Outcome snakemake(const std::string& directory, const std::string& arguments = "--cores 2") {
   const int status = wait_for(start_snakemake(directory, arguments));
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(directory + ".snakemake"), ""};
 }
 
-/// Processes that work in a directory and have a text among their arguments, joined by spaces.
+/// Returns the processes whose working directory is `directory` and whose arguments, joined by spaces, contain
+/// `text`.
 inline std::vector<pid_t> processes_in(const std::string& directory, const std::string& text) {
   namespace fs = std::filesystem;
   std::vector<pid_t> found;

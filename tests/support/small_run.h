@@ -6,8 +6,8 @@
 
 namespace floc::test {
 
-/// A directory with a run of the small scene in `run/`, made once for all tests of a suite: assembly, seven
-/// states of loading, one of unloading.
+/// Fixture: a directory with a run of the small scene in `run/`, made once for all tests of a suite: assembly,
+/// seven states of loading and one of unloading.
 class SmallRun : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {

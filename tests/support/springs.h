@@ -7,7 +7,7 @@
 
 namespace floc::test {
 
-/// The tangential spring that a contact remembers under Coulomb friction (length), to read and to set.
+/// Accesses the tangential spring in the history of a contact with Coulomb friction (length).
 template <int Dim>
 auto shear_spring(Contact<Dim>& c) {
   return c.history.template segment<kShearComponents<Dim>>(HistoryLayout<Dim>::kFriction);
@@ -17,7 +17,7 @@ Shear<Dim> shear_spring(const Contact<Dim>& c) {
   return c.history.template segment<kShearComponents<Dim>>(HistoryLayout<Dim>::kFriction);
 }
 
-/// The relative rotation that it remembers under rolling resistance (radians).
+/// Accesses the relative rotation in the history of a contact with rolling resistance (radians).
 template <int Dim>
 auto rolling_spring(Contact<Dim>& c) {
   return c.history.template segment<kRotations<Dim>>(HistoryLayout<Dim>::kRolling);
@@ -27,12 +27,13 @@ RotationVector<Dim> rolling_spring(const Contact<Dim>& c) {
   return c.history.template segment<kRotations<Dim>>(HistoryLayout<Dim>::kRolling);
 }
 
-/// The rotation about the normal that it remembers under resistance to twisting (radians).
+/// Accesses the rotation about the normal in the history of a contact with twisting resistance (radians).
 inline double& twisting_spring(Contact<3>& c) {
   return c.history[HistoryLayout<3>::kTwisting];
 }
 
-/// Small springs in every contact of a packing, in the tangent plane; of twisting where the law has it.
+/// Gives every contact of a packing small random springs in the tangent plane, and small twisting springs if
+/// the law has them.
 template <int Dim>
 void stretch_at_random(Packing<Dim>& packing) {
   std::mt19937 engine(4);

@@ -13,9 +13,10 @@
 
 namespace floc::test {
 
-/// A state with every slot of the law, every flag and every text in use: grains on a line in a skewed cell,
-/// with one overlap that remembers springs, one distant attraction and one contact of a grain with its own
-/// image. It is no equilibrium; its numbers have no short decimal form, so that lost digits show.
+/// Returns a state that uses every slot of the law, every flag and every text. Its grains lie on a line in a
+/// skewed cell, with one overlap with stretched springs, one attraction at a distance and one contact of a
+/// grain with its own image. It is not in equilibrium. Its numbers have no short decimal form, so that lost
+/// digits are noticed.
 template <int Dim>
 State<Dim> busy_state() {
   State<Dim> s;
@@ -65,8 +66,8 @@ State<Dim> busy_state() {
   return s;
 }
 
-/// One grain between the two walls of the first axis, one of them fixed, and below another of the last axis; the
-/// rest as in busy_state(). In 2D all sides have walls.
+/// Returns busy_state() with a grain between two walls across the first axis, one of them fixed, and with a
+/// fixed wall across the last axis. In 2D all sides have walls.
 template <int Dim>
 State<Dim> boxed_state() {
   State<Dim> s = busy_state<Dim>();
@@ -95,7 +96,7 @@ State<Dim> boxed_state() {
   return s;
 }
 
-/// The grains of busy_state() with liquid bridges instead of what else acts between them.
+/// Returns the grains of busy_state(), with liquid bridges instead of other interactions.
 template <int Dim>
 State<Dim> wet_state() {
   State<Dim> s = busy_state<Dim>();

@@ -5,10 +5,10 @@
 #include "floc/network/contact_network.h"
 #include "floc/rigid/step_contact.h"
 
-/// Bodies and contacts of single time steps, made by hand.
+/// Bodies and contacts of single time steps, with prescribed values.
 namespace floc::test {
 
-/// Bodies at rest. The last one is fixed.
+/// Returns n bodies and the ground at rest. The ground is the last body and is fixed.
 template <int Dim>
 inline BodyMotion<Dim> bodies_and_ground(int n, double mass, const Mat<kRotations<Dim>>& inertia) {
   BodyMotion<Dim> out;
@@ -40,7 +40,7 @@ inline StepContact<Dim> touching(int i, int j, const Vec<Dim>& arm_i, const Vec<
   return out;
 }
 
-/// Contacts of a stack of n frictionless disks of diameter 1. Disk 0 is the top one, body n the ground.
+/// Contacts of a stack of n frictionless disks of diameter 1. Disk 0 is on top; body n is the ground.
 inline std::vector<StepContact<2>> stack_of_disks(int n) {
   std::vector<StepContact<2>> contacts;
   for (int k = 0; k < n; ++k)

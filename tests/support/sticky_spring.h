@@ -8,10 +8,10 @@
 
 namespace floc::test {
 
-/// A normal law whose surfaces, once they have met, hold together across a gap, for tests of laws that do, as that of
-/// Johnson, Kendall and Roberts does [Proc. R. Soc. A 324, 301 (1971)]: FNe = K_N (d + l) at an overlap d > -l of
-/// surfaces that have met, FNa = -K_N l. They part at a gap l under a tension of K_N l. Where they meet, the force is
-/// zero, and the energy K_N l^2/2 is lost.
+/// Normal law whose surfaces, once they have met, stay connected across a gap, as in the law of Johnson,
+/// Kendall and Roberts [Proc. R. Soc. A 324, 301 (1971)]. For connected surfaces with an overlap d > -l, the
+/// elastic force is FNe = K_N (d + l) and the adhesion FNa = -K_N l. They separate at a gap l under a tension
+/// of K_N l. When they meet, the force is zero, and the energy K_N l^2/2 is lost.
 struct StickySpring {
   double normal_stiffness;  ///< K_N (force/length)
   double holding_gap;       ///< l (length)
@@ -37,7 +37,8 @@ struct StickySpring {
   T stiffness(const PairGeometry<T>& pair, const T* history) const {
     return lanes::select(touches(pair, history), T(normal_stiffness), T(0));
   }
-  /// K_N (d + l)^2/2, and that of the attraction, -K_N l (d + l): both are zero where the surfaces part.
+  /// Elastic energy K_N (d + l)^2/2. The energy of adhesion is -K_N l (d + l). Both are zero when the surfaces
+  /// separate.
   template <class T>
   T energy(const PairGeometry<T>& pair, const T* history) const {
     const T elastic = force(pair, history);

@@ -10,9 +10,10 @@
 
 namespace floc::test {
 
-/// Samples that collapse in jumps: each follows the same curve, a plateau up to P0 and a line of the slope lambda beyond,
-/// but only at its own random pressures, and keeps its density in between. The distances of the pressures in ln P are
-/// exponentially distributed with the mean `gap`. Each sample is shifted as a whole, too.
+/// Ensemble of samples that collapse in jumps. All follow the same curve: a plateau up to P0, then a line of
+/// slope lambda. A sample follows it only at its own random pressures and keeps its density in between. The
+/// distances of these pressures in ln P are exponentially distributed with mean `gap`. Each sample also has a
+/// constant shift.
 struct Staircases {
   double lambda = 0.2, P0 = 0.05, y0 = 1.9;
   double gap = 0.2, shift = 0.01, noise = 1e-4;

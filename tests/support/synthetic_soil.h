@@ -13,7 +13,7 @@
 
 namespace floc::test {
 
-/// A clay: 1/Phi falls by kappa for each unit of ln P up to the yield pressure, and by lambda beyond.
+/// Clay for which 1/Phi falls by kappa per unit of ln P up to the yield pressure, and by lambda beyond.
 struct TwoLineClay {
   double kappa = 0.03, lambda = 0.2, P_yield = 95.0, y_yield = 1.9;
 
@@ -23,7 +23,7 @@ struct TwoLineClay {
   }
 };
 
-/// A kind of errors of a curve, and their size.
+/// Kind and size of the errors of a curve.
 struct Noise {
   enum Kind { of_inverse, of_fraction, relative } kind;
   double size;
@@ -42,7 +42,7 @@ inline std::vector<double> geometric_pressures(double low, double high, int n) {
   return P;
 }
 
-/// Returns a law of the solid fraction at given pressures, with errors.
+/// Returns the solid fractions of a law at given pressures, with random errors.
 inline ConsolidationCurve noisy_curve(const std::function<double(double)>& phi_of,
                                       const std::vector<double>& pressures, const Noise& noise,
                                       RandomStream& random) {

@@ -8,9 +8,9 @@
 
 namespace floc::test {
 
-/// Runs a scene into a new directory as `floc run --no-timing` does, but with as many threads as are asked for:
-/// the program uses no more than are useful for so many grains (useful_threads()).
-/// @return whether every equilibrium that was asked for is saved
+/// Runs a scene in a new directory like `floc run --no-timing`, but always with the given number of threads.
+/// The program itself would use no more threads than are useful for the number of grains (useful_threads()).
+/// @return whether every equilibrium up to `until` is saved
 template <int Dim>
 bool run_with_threads(Scene scene, const std::string& directory, int threads, int until) {
   scene.relaxation.threads = threads;

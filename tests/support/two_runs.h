@@ -13,8 +13,9 @@
 
 namespace floc::test {
 
-/// Starts two runs of different seeds on one directory, the second a random moment after the first, with and without
-/// --resume and --overwrite. Whatever comes of it, the directory holds all of one run and nothing of the other.
+/// Starts two runs with different seeds in one directory, the second one after a random delay, with and without
+/// --resume and --overwrite. In every case the directory must contain all results of one run and none of the
+/// other.
 inline void start_two_runs_on_one_directory(int n_times, std::uint64_t seed) {
   const ScratchDirectory scratch;
   write_text(scratch.file("small.toml"), small_scene());

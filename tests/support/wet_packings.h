@@ -6,7 +6,7 @@
 
 namespace floc::test {
 
-/// Volume that the bridges of a packing hold together, broken ones included.
+/// Returns the total volume of all bridges of a packing, including broken ones.
 template <int Dim>
 double all_volumes(const Packing<Dim>& packing) {
   double sum = 0.0;
@@ -14,7 +14,7 @@ double all_volumes(const Packing<Dim>& packing) {
   return sum;
 }
 
-/// Volume of all the liquid that was put in.
+/// Returns the total volume of liquid in a packing.
 template <int Dim>
 double liquid_of(const Packing<Dim>& packing) {
   return BridgeSearch(*packing.law.liquid(), packing.grains.radius).liquid();

@@ -1,7 +1,7 @@
-"""Scenes of a few grains, each run in a fraction of a second: every control of a stage, every way to put a packing together
-and every kind of contact, in each dimension that has them; and stages that are refused.
+"""Scenes of a few grains, each of which runs in a fraction of a second: every control of a stage, every way to
+assemble a packing and every kind of contact, in each dimension that has them; and stages that are refused.
 
-ways_test.py takes them through every way in, and tests/sanitized does so with sanitizers."""
+ways_test.py runs them in every possible way, and tests/sanitized does so with sanitizers."""
 import dataclasses
 
 GRAINS = 24
@@ -45,7 +45,7 @@ LIQUID = ('{law = "capillary", surface_tension = 0.3, contact_angle = 10, water_
 
 
 def powder(dimension):
-    """Cohesive grains with every spring that the dimension has."""
+    """Returns a scene of cohesive grains with every spring that the dimension has."""
     slots = {"adhesion": TAIL, "rolling": "{coefficient = 0.02, stiffness = 10.0}"}
     if dimension == 3:
         slots["twisting"] = "{coefficient = 0.02, stiffness = 10.0}"
@@ -53,13 +53,13 @@ def powder(dimension):
 
 
 def clusters(dimension):
-    """Put together by aggregation."""
+    """Returns a scene of grains that are assembled by aggregation."""
     return (head(dimension) + contact(adhesion=TAIL) + cell(dimension)
             + '[assembly]\nprotocol = "aggregation"\nagitation = 2.0\npressure = 0.5\n')
 
 
 def sand(dimension):
-    """Without adhesion, from a gas by sequential addition, shaken."""
+    """Returns a scene of grains without adhesion, from a gas made by sequential addition, with vibration."""
     return (head(dimension) + contact() + cell(dimension) + DIRECT
             + 'friction = 0.1\ngas = "sequential_addition"\nvibration = {dilation = 1.01, collisions = 5}\n')
 
@@ -69,7 +69,7 @@ def wet(dimension, form="exponential", formation="gap"):
 
 
 def beads(dimension):
-    """Elastic spheres."""
+    """Returns a scene of elastic spheres."""
     return (head(dimension) + contact(normal='{law = "hertz", modulus = 1e5, poisson = 0.3}',
                                       damping="{critical_fraction = 0.9}",
                                       friction='{law = "mindlin", coefficient = 0.3}') + cell(dimension) + DIRECT)
@@ -92,7 +92,7 @@ kinetic_pressure = 0.02
 
 
 def saved(dimension):
-    """From a state beside the scene, SAVED_STATE."""
+    """Returns a scene that starts from the state SAVED_STATE in the directory of the scene."""
     scene = powder(dimension)
     parts = {name: scene.index(f"[{name}]") for name in ("grains", "equilibrium", "cell", "assembly")}
     return (scene[:parts["grains"]] + scene[parts["equilibrium"]:parts["cell"]]
@@ -108,14 +108,14 @@ def stage(*lines):
 
 
 def each_axis(control, *lines, first=1):
-    """A stage along one axis after the other."""
+    """Returns one stage for each axis."""
     def stages(dimension):
         return "".join(stage(f'control = "{control}"', f"axis = {axis}", *lines) for axis in range(first, dimension + 1))
     return stages
 
 
 def axes(*loads, lines=("steps = 2",)):
-    """A load for each axis, the last ones left out in the plane."""
+    """Returns a stage with a load for each axis; in 2D the last loads are left out."""
     def stages(dimension):
         return stage('control = "axes"', f"axes = [{', '.join(loads[:dimension])}]", *lines)
     return stages
@@ -233,7 +233,7 @@ REFUSED = [
 
 
 def controls():
-    """Names of the controls and grounds of the scenes, to say what is covered."""
+    """Returns the names of the controls and reasons in the scenes, to print what is covered."""
     words = set()
     for scene in SCENES:
         for dimension in scene.dimensions:

@@ -1,9 +1,9 @@
-"""Takes every scene of loads.py through every way in, and compares the states bit for bit:
+"""Runs every scene of loads.py in every possible way, and compares the states bit for bit:
 
   ways_test.py --floc PROGRAM [--only WORDS]
 
-A scene that is refused is so in every way, with exit code 4, or 2, and in words. No way ends by a signal. The Python way is
-taken where the package can be imported, with the program's own modules."""
+A scene that is refused must be refused in every way, with exit code 4 or 2 and a message. No way may end with a
+signal. The Python package is used if it can be imported; it needs the modules of this program."""
 import argparse
 import collections
 import csv
@@ -33,7 +33,7 @@ class Failure(Exception):
 
 
 def states_of(directory):
-    """Bytes of each state, and the path without the time it took."""
+    """Returns the bytes of each state, and the path without wall times."""
     found = {path.name: path.read_bytes() for path in sorted(directory.glob("state-*.h5"))}
     if not found:
         raise Failure(f"{directory.name}: no state")
@@ -41,7 +41,7 @@ def states_of(directory):
 
 
 class Ways:
-    """The ways to run one scene. Each raises a Failure where it comes to other states than floc run."""
+    """The ways to run one scene. Each raises a Failure if its states differ from those of floc run."""
 
     def __init__(self, program, scene, directory):
         self.program, self.scene, self.directory = program, scene, directory
@@ -77,7 +77,8 @@ class Ways:
         self.require_same(self.directory / "jobs/seed-1")
 
     def resumed(self):
-        """Stopped after states, contacts being tracked, which changes nothing."""
+        """Stops the run after some states and resumes it, with tracking of contacts, which must not change
+        anything."""
         options = ["--track-contacts", "0.5"]
         if "[box]" in self.scene.read_text():
             self.run("resumed", *options, code=4)
@@ -86,7 +87,7 @@ class Ways:
         self.require_same(self.run("resumed", *options, "--resume"))
 
     def killed(self):
-        """At its first checkpoint, or at its end where it is too fast."""
+        """Kills the run at its first checkpoint, or at its end if it is too fast, and resumes it."""
         process = subprocess.Popen([self.program, "run", self.scene, "-o", "killed", "--no-timing"], cwd=self.directory,
                                    stderr=subprocess.DEVNULL)
         checkpoint = self.directory / "killed/checkpoint/checkpoint.h5"
@@ -101,7 +102,7 @@ class Ways:
         self.floc("scene", "check", self.scene)
 
     def campaign(self):
-        """As the rules of its Snakefile call the program."""
+        """Calls the program as the rules of a Snakefile do."""
         (self.directory / "plan.toml").write_text(f'[campaign]\nscene = "{self.scene.name}"\nseeds = "1..1"\n'
                                                   '[[collect]]\ntable = "path"\ncolumns = ["phi", "z"]\n')
         self.floc("campaign", "plan", "plan.toml", "-o", "campaign")
@@ -116,7 +117,7 @@ class Ways:
             self.require_same(campaign / sample)
 
     def require_same_path(self, directory):
-        """Digits of every row but the time that it took."""
+        """Compares all digits of every row, except wall times."""
         rows = []
         for file in (directory / "path.csv", self.directory / "plain/path.csv"):
             with open(file, newline="") as lines:
@@ -125,7 +126,7 @@ class Ways:
             raise Failure("another path than that of floc run")
 
     def python(self):
-        """Stopped by an exception in the middle of a stage, and continued."""
+        """Stops the run with a Python exception in the middle of a stage, and resumes it."""
         def stop(progress):
             if progress.step > 0 and not progress.equilibrium:
                 raise InterruptedError
@@ -143,7 +144,7 @@ class Ways:
         return ways + ([self.python] if package else [])
 
     def refuse(self, words):
-        """@return in how many ways"""
+        """Checks that the scene is refused in every way. @return number of ways"""
         def words_in(text):
             if words not in text or "terminate" in text:
                 raise Failure(f"refused in other words than \"{words}\": {text[-2000:]}")
@@ -166,7 +167,7 @@ class Ways:
 
 
 def save_states(program, directory):
-    """The states that scenes begin with."""
+    """Makes the states from which scenes start."""
     for dimension, name in loads.SAVED_STATE.items():
         scene = directory / f"save{dimension}.toml"
         scene.write_text(loads.powder(dimension))
@@ -175,8 +176,8 @@ def save_states(program, directory):
 
 
 def refuse_threads(program, directory):
-    """Where OpenMP may not start as many threads, none of them waits for one that never comes. Of fewer grains the program
-    would use one thread."""
+    """If OpenMP cannot start the requested number of threads, no thread may wait for one that never starts. With
+    fewer grains the program would use one thread."""
     scene = directory / "threads.toml"
     scene.write_text(loads.powder(2).replace(f"count = {loads.GRAINS}", "count = 2800"))
     done = subprocess.run([program, "run", scene, "-o", "threads", "--threads", "2"], cwd=directory, capture_output=True, text=True,

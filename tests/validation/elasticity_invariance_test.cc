@@ -19,14 +19,14 @@ Moduli full_moduli(const Packing<Dim>& packing) {
   return elastic_moduli(packing, options);
 }
 
-/// Relative. Another order of the same sums and other roundings of the branches: a condition number of some 1e3
-/// times rounding, with room for the longest branches.
+/// Relative tolerance. The sums have another order and the branches other rounding errors, multiplied by a
+/// condition number of about 1e3; long branches need additional room.
 constexpr double kSame = 1e-10;
 
 template <int Dim>
 class Invariance : public ::testing::Test {
  protected:
-  /// @param unit  of stress in the changed packing
+  /// @param unit  unit of stress in the changed packing
   void expect_same_moduli(Packing<Dim> changed, double unit = 1.0) const {
     find_contacts(changed);
     ASSERT_EQ(changed.contacts.size(), packing_.contacts.size());

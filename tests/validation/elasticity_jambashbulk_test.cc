@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// 16 frictionless disks in a skewed cell, in the format of jamBashbulk (data/packings/disks).
+/// Fixture: 16 frictionless disks in a skewed cell, in the format of jamBashbulk (data/packings/disks).
 class FormatOfJamBashbulk : public ::testing::Test {
  protected:
   FormatOfJamBashbulk() {
@@ -46,7 +46,7 @@ TEST_F(FormatOfJamBashbulk, IsStableAndWithinTheBounds) {
   EXPECT_EQ(moduli(true).n_negative, 0);
 }
 
-/// Strains the cell and brings the frictionless disks back to balance by Newton's method.
+/// Strains the cell and restores the balance of the frictionless disks with Newton's method.
 Packing<2> strained(Packing<2> packing, const Mat<2>& strain) {
   const Mat<2> deformation = Mat<2>::Identity() - strain;
   packing.cell.matrix = packing.cell.matrix * deformation;
@@ -70,8 +70,8 @@ TEST_F(FormatOfJamBashbulk, ModuliWithPrestressAreDerivativesOfTheCauchyStress) 
   constexpr double kStep = 1e-6;
   const Moduli m = moduli(true);
   const Mat<2> stress = static_stress(packing_);
-  // Moduli hold the symmetric part of what convection adds (docs/physics.md, "Prestress"); the derivative of the Cauchy
-  // stress has its other part, too, which is of the order of the shear stress.
+  // Moduli contain the symmetric part of the convective terms (docs/physics.md, "Prestress"). The derivative of
+  // the Cauchy stress also contains the antisymmetric part, which is of the order of the shear stress.
   const auto convected = [&](int a, int b) {
     const Mat<2> e = unit_strain<2>(b), turned = stress * e;
     return ((stress * e.trace() - 0.5 * (turned + turned.transpose())) * unit_strain<2>(a)).trace();
@@ -82,8 +82,8 @@ TEST_F(FormatOfJamBashbulk, ModuliWithPrestressAreDerivativesOfTheCauchyStress) 
         (static_stress(strained(packing_, kStep * e)) - static_stress(strained(packing_, -kStep * e))) /
         (2.0 * kStep);
     for (int a = 0; a < 3; ++a) {
-      // Rounding of positions of order 10 over the step leaves 1e-9; truncation is step^2 over overlaps of
-      // 1e-3.
+      // Rounding of positions of order 10, divided by the step, gives an error of 1e-9; the truncation error is
+      // of order step^2, divided by overlaps of 1e-3.
       const double expected = m.C(a, b) + 0.5 * (convected(a, b) - convected(b, a));
       EXPECT_NEAR((change * unit_strain<2>(a)).trace(), expected, 1e-7) << a << " " << b;
     }

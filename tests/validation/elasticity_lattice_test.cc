@@ -12,7 +12,7 @@ constexpr double kN = 1.0;
 constexpr double kT = 0.7;
 constexpr double kR = 0.03;
 constexpr double kSpacing = 1.3;
-/// Rounding of sums of a few terms; the smallest condition numbers here are of order 10.
+/// Tolerance for rounding of sums of a few terms; the condition numbers are about 10.
 constexpr double kRounding = 1e-12;
 
 Moduli full_moduli(const Packing<2>& packing) {
@@ -21,7 +21,7 @@ Moduli full_moduli(const Packing<2>& packing) {
   return elastic_moduli(packing, options);
 }
 
-/// The closed form of a lattice lies within the error bound of each of its moduli.
+/// Expects that the closed form of each modulus lies within its error bound.
 void expect_within_bound(const Moduli& m, const Eigen::MatrixXd& closed) {
   for (int a = 0; a < closed.rows(); ++a)
     for (int b = 0; b < closed.cols(); ++b)
@@ -51,7 +51,7 @@ TEST(Lattice, TriangularIsIsotropicWithItsClosedForm) {
   EXPECT_NEAR(m.B_S, B, kRounding);
   EXPECT_NEAR(m.G, G, kRounding);
   EXPECT_LT(m.isotropy_defect, kRounding);
-  // Nothing fluctuates, and every contact carries the same force: all bounds are met.
+  // The displacements are affine and all contacts carry equal forces, so all bounds equal the moduli.
   EXPECT_NEAR(m.bounds.B_voigt, B, kRounding);
   EXPECT_NEAR(m.bounds.G_voigt, G, kRounding);
   EXPECT_NEAR(m.bounds.B_reuss, B, kRounding);
@@ -61,7 +61,7 @@ TEST(Lattice, TriangularIsIsotropicWithItsClosedForm) {
 TEST(Lattice, HoneycombRelaxesToItsClosedForm) {
   const Moduli m = full_moduli(test::honeycomb(kSpacing, test::elastic_law(kN, kT, kR)));
   const double B = kN / (2.0 * std::sqrt(3.0));
-  // Minimum over the relative displacement of the two sublattices of the energy of a pure shear.
+  // The shear modulus follows by minimising the energy over the relative displacement of the two sublattices.
   const double G = kN * kT / (std::sqrt(3.0) * (kN + kT));
   EXPECT_NEAR(m.B, B, kRounding);
   EXPECT_NEAR(m.G, G, kRounding);
@@ -83,7 +83,8 @@ TEST(Lattice, FramesOfChainsBendAsTheTwoDiskEquivalentSays) {
   }
 }
 
-/// Frames so soft in shear that K has lost every digit of it: the bound holds and leaves digits.
+/// The frames are so soft in shear that the stiffness matrix alone would not determine any digit of their shear
+/// modulus. The modulus must lie within its error bound, and the bound must be small compared with the modulus.
 TEST(Lattice, SoftFramesAreWithinTheirErrorBound) {
   for (const double rolling : {1.0, 1e-4, 1e-8})
     for (const int n : {3, 20, 100}) {
@@ -97,7 +98,7 @@ TEST(Lattice, SoftFramesAreWithinTheirErrorBound) {
     }
 }
 
-/// One sphere a cell that touches its images at a distance of one spacing.
+/// Returns one sphere per cell that touches its images at a distance of one spacing.
 Packing<3> bravais(const Mat<3>& cell) {
   Packing<3> packing;
   packing.law = test::elastic_law(kN, kT, kR);
@@ -108,7 +109,7 @@ Packing<3> bravais(const Mat<3>& cell) {
   return packing;
 }
 
-/// Cubic moduli in the order of Voigt.
+/// Returns the moduli of a cubic crystal in Voigt notation.
 Eigen::MatrixXd cubic(double c11, double c12, double c44) {
   Eigen::MatrixXd c = Eigen::MatrixXd::Zero(6, 6);
   c.topLeftCorner(3, 3).setConstant(c12);
@@ -124,9 +125,9 @@ TEST(Lattice, FaceCentredCubicSpheresHaveTheirClosedForm) {
   ModuliOptions options;
   options.strains = StrainSet::full;
   const Moduli m = elastic_moduli(packing, options);
-  // Every sphere is a centre of symmetry, so nothing fluctuates; sums over the 6 branches n of a sphere of
-  // volume d^3/sqrt(2): C_abcd = (sqrt(2)/d) sum [(K_N - K_T) n_a n_b n_c n_d + K_T (n_a n_c
-  // delta_bd + ...)/4].
+  // Every sphere is a centre of symmetry, so displacements are affine. With the volume d^3/sqrt(2) per sphere,
+  // the sum over its 6 branch directions n is C_abcd = (sqrt(2)/d) sum [(K_N - K_T) n_a n_b n_c n_d + K_T (n_a
+  // n_c delta_bd + ...)/4].
   const double unit = std::sqrt(2.0) / kSpacing;
   const Eigen::MatrixXd closed = cubic(unit * (kN + kT), unit * 0.5 * (kN - kT), unit * 0.5 * (kN + kT));
   EXPECT_LT((m.C - closed).cwiseAbs().maxCoeff(), kRounding);
@@ -161,7 +162,8 @@ TEST(Chain, OfThreeDisksIsASeriesOfSpringsThatHoldsOnlyItsOwnLine) {
   EXPECT_NEAR(m.C(0, 0), 3.0 * kSpacing / (2.0 * compliance), kRounding);
   EXPECT_EQ(m.C(1, 1), 0.0);
   EXPECT_EQ(m.n_coupled_mechanisms, 1);
-  // Transverse motion: 3 displacements and 3 rotations, 3 springs, 1 translation: 2 ways to wriggle.
+  // Transverse motion has 3 displacements and 3 rotations, but only 3 springs and 1 translation. This leaves 2
+  // mechanisms, plus that of the cell.
   EXPECT_EQ(m.n_mechanisms, 3);
   EXPECT_EQ(m.n_negative, 0);
   EXPECT_EQ(m.B_S, 0.0);

@@ -14,7 +14,7 @@
 namespace floc {
 namespace {
 
-/// Equilibrium under a pressure, solved to rounding.
+/// Returns an equilibrium under a pressure.
 Packing<2> equilibrium(int n, const Law& law, double pressure, std::uint64_t seed) {
   const Vec<2> target = Vec<2>::Constant(pressure);
   RelaxationOptions options;
@@ -31,13 +31,13 @@ Packing<2> solved(const Packing<2>& start, const Vec<2>& target) {
   options.target = 1e-11;
   options.max_iterations = 30;
   const StaticSolution<2> solution = solve_statics(start, target, options);
-  // The floor of positions written back as absolute ones is near the target.
+  // The residual cannot be smaller than the rounding error of absolute positions, which is close to the target.
   EXPECT_LT(solution.residual, 1e-9) << solution.reason;
   return solution.packing;
 }
 
-/// Logarithmic strains that a change of stress by +-step about the pressure gives, found by solving the
-/// equilibrium.
+/// Returns half the difference of logarithmic strains between equilibria at pressure + step and pressure -
+/// step.
 Vec<2> strain_found(const Packing<2>& start, double pressure, const Vec<2>& step) {
   const Packing<2> more = solved(start, Vec<2>::Constant(pressure) + step);
   const Packing<2> less = solved(start, Vec<2>::Constant(pressure) - step);
@@ -48,7 +48,8 @@ Vec<2> strain_found(const Packing<2>& start, double pressure, const Vec<2>& step
   return -0.5 * (more.cell.matrix.diagonal().array().log() - less.cell.matrix.diagonal().array().log());
 }
 
-/// Largest relative difference of the stresses that the moduli give for the strains found from those imposed.
+/// Returns the largest relative difference between the imposed stress steps and those that the moduli predict
+/// from the strains.
 double worst_difference(const Packing<2>& start, double pressure, double relative_step, bool prestress) {
   ModuliOptions options;
   options.prestress = prestress;
@@ -64,8 +65,8 @@ double worst_difference(const Packing<2>& start, double pressure, double relativ
 TEST(ModuliAndRelaxation, AgreeOnACohesivePacking) {
   for (const std::uint64_t seed : {1, 2, 3}) {
     const Packing<2> packing = solved(equilibrium(40, test::cohesive_law(), 1.0, seed), Vec<2>::Constant(1.0));
-    // The remaining difference is the geometric terms of the tangential forces, which K omits: 2e-5 at most, for any
-    // step.
+    // The remaining difference comes from geometric terms of the tangential forces, which K omits: at most 2e-5
+    // for any step.
     EXPECT_LT(worst_difference(packing, 1.0, 1e-3, true), 1e-4);
     EXPECT_GT(worst_difference(packing, 1.0, 1e-3, false), 2e-4);
   }
@@ -77,7 +78,8 @@ TEST(ModuliAndRelaxation, AgreeOnAFrictionlessPackingWherePrestressCounts) {
   law += test::viscous_damping(0.1);
   for (const std::uint64_t seed : {1, 2, 3}) {
     const Packing<2> packing = solved(equilibrium(40, law, 1.0, seed), Vec<2>::Constant(1.0));
-    // Without tangential forces nothing is left but the square of the step; prestress is worth 5 to 40 %.
+    // Without tangential forces the difference is quadratic in the step. Prestress changes the moduli by 5 to
+    // 40 %.
     EXPECT_LT(worst_difference(packing, 1.0, 1e-4, true), 1e-6);
     EXPECT_GT(worst_difference(packing, 1.0, 1e-4, false), 1e-2);
   }
@@ -85,12 +87,12 @@ TEST(ModuliAndRelaxation, AgreeOnAFrictionlessPackingWherePrestressCounts) {
 
 TEST(Bounds, AreInOrderOnEquilibria) {
   Law law = test::cohesive_law();
-  law += test::constant_adhesion(1.0);  // in contact only: a distant attraction has no place in the theorem
+  law += test::constant_adhesion(1.0);  // acts in contact only; the theorem excludes attractions at a distance
   for (const std::uint64_t seed : {1, 2})
     for (const double pressure : {0.1, 1.0, 10.0}) {
       const Packing<2> packing = solved(equilibrium(40, law, pressure, seed), Vec<2>::Constant(pressure));
       const Moduli m = elastic_moduli(packing, {});
-      const double slack = 1e-9 * m.B;  // forces are in balance to that share
+      const double slack = 1e-9 * m.B;  // forces balance within this fraction
       EXPECT_GT(m.bounds.B_reuss, 0.0);
       EXPECT_LE(m.bounds.B_reuss, m.B_S + slack);
       EXPECT_LE(m.B_S, m.B + slack);

@@ -21,7 +21,7 @@ void randomise_stiffness(ContactNetwork<Dim>& network, std::mt19937& engine) {
   }
 }
 
-/// Dense enough that most networks span the cell in every direction.
+/// Density at which most networks span the cell in every direction.
 constexpr double kGrainsPerVolume = 2.5;
 
 template <int Dim>
@@ -34,7 +34,8 @@ bool carries_any_stress(const Eigen::MatrixXd& C) {
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(C).eigenvalues()[0] > 1e-6;
 }
 
-/// Gives a network the forces with which a network of the same contacts answers a unit isotropic stress.
+/// Gives a network the forces with which another network of the same contacts responds to a unit isotropic
+/// stress.
 template <int Dim>
 void take_forces(ContactNetwork<Dim>& network, const ContactNetwork<Dim>& from) {
   const ElasticResponse response = elastic_response(from, {});
@@ -48,7 +49,8 @@ void take_forces(ContactNetwork<Dim>& network, const ContactNetwork<Dim>& from) 
   }
 }
 
-/// Says whether the network could be tested: one that does not span the cell carries no isotropic stress.
+/// Returns whether the network could be tested. A network that does not span the cell carries no isotropic
+/// stress.
 template <int Dim>
 bool expect_bounds_in_order(int n_grains, unsigned seed) {
   std::mt19937 engine(seed);
@@ -56,14 +58,14 @@ bool expect_bounds_in_order(int n_grains, unsigned seed) {
   randomise_stiffness(network, engine);
   const Eigen::MatrixXd C = elastic_response(network, {}).relaxed / network.volume;
   if (!carries_any_stress(C)) return false;
-  // Forces in balance, but not those of this network's own response.
+  // These forces balance, but they are not the response of this network itself.
   ContactNetwork<Dim> foreign = network;
   randomise_stiffness(foreign, engine);
   take_forces(network, foreign);
   const Bounds bounds = elastic_bounds(network, 1.0, {6.0, 0.8});
   const double B_C = bulk_modulus(C);
   const double B_S = 1.0 / C.inverse().sum();
-  // Equality is possible, so rounding of the moduli is allowed for.
+  // The bounds may equal the moduli, so rounding errors must be allowed for.
   const double slack = 1e-12 * bounds.B_voigt;
   EXPECT_GT(bounds.B_reuss, 0.0);
   EXPECT_LE(bounds.B_reuss, B_S + slack) << "seed " << seed;
@@ -86,7 +88,8 @@ TEST(Bounds, ReussIsExactForTheNetworksOwnResponse) {
   const Eigen::MatrixXd C = elastic_response(network, {}).relaxed / network.volume;
   ASSERT_TRUE(carries_any_stress(C));
   take_forces(network, ContactNetwork<2>(network));
-  // Complementary energy of the response is its work: rounding times the condition number of some 1e3.
+  // The complementary energy of the response is its work. Rounding errors are multiplied by a condition number
+  // of about 1e3.
   EXPECT_NEAR(elastic_bounds(network, 1.0, {6.0, 0.8}).B_reuss * C.inverse().sum(), 1.0, 1e-11);
 }
 

@@ -12,8 +12,9 @@
 #include "floc/packing/wall_forces.h"
 #include "support/foreign_packing.h"
 
-/// Files of other programs, which are not part of the repository. The environment variable FLOC_FOREIGN_DATA names their
-/// folder (CONTRIBUTING.md); without it these tests are skipped. The figures were found by other parsers of the files.
+/// Tests with files of other programs, which are not part of the repository. The environment variable
+/// FLOC_FOREIGN_DATA names their folder (CONTRIBUTING.md); without it these tests are skipped. The expected
+/// numbers come from other parsers.
 namespace floc {
 namespace {
 
@@ -24,7 +25,7 @@ class ForeignData : public testing::Test {
     if (!folder) GTEST_SKIP() << "FLOC_FOREIGN_DATA is not set";
     folder_ = folder;
   }
-  /// Reads a file as floc convert does.
+  /// Reads a file like `floc convert`.
   template <int Dim>
   State<Dim> read(const std::string& file, ImportOptions options = {}) {
     const std::string path = (folder_ / file).string();
@@ -108,7 +109,7 @@ TEST_F(ForeignData, PolyhedraOfRockableCarryTheImposedPressure) {
   EXPECT_EQ(p.contacts.size(), 3867u);
   EXPECT_EQ(p.walls.size(), 6u);
   for (int a = 0; a < 3; ++a)
-    EXPECT_NEAR(state.stress(a, a), 0.015, 3e-8);  // the servo of the file imposes 0.015
+    EXPECT_NEAR(state.stress(a, a), 0.015, 3e-8);  // the stress control in the file imposes 0.015
   EXPECT_LT(state.residuals.force, 2.4e-4);
   std::map<std::pair<int, int>, double> force;
   for (const Contact<3>& c : p.contacts) force[{c.i, c.j}] += c.normal_force;
@@ -130,13 +131,13 @@ TEST_F(ForeignData, PentagonsOfLmgc90Balance) {
   EXPECT_EQ(points.size(), 793u);
   EXPECT_EQ(std::count_if(points.begin(), points.end(), [](const auto& pair) { return pair.second == 2; }),
             129);
-  // Floor contacts are not in the file.
+  // The file does not contain contacts with the floor, so some grains are not balanced.
   const Balance<2> balance = net_forces(p);
   const double mean = sum / 922.0;
   int n_balanced = 0;
   for (int i = 0; i < 500; ++i) n_balanced += balance.force[i].norm() < 1e-5 * mean;
   EXPECT_GE(n_balanced, 448);
-  // The shapes of the file give its contact points to its seven digits.
+  // The contact points computed from the shapes agree with those of the file to its seven digits.
   double furthest = 0.0;
   for (const Contact<2>& c : p.contacts) furthest = std::max(furthest, std::abs(locate(p, c).gap - c.gap));
   EXPECT_LT(furthest, 5e-5);

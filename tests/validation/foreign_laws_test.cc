@@ -11,9 +11,9 @@
 #include "support/hand_network.h"
 #include "support/places.h"
 
-/// Packings stepped by LAMMPS and YADE under laws that floc has (data/packings), converted as docs/commands/convert.md says:
-/// their normal forces follow from their positions, and their moduli are those of a network that is entered by hand
-/// from the rows of their files.
+/// Packings simulated by LAMMPS and YADE under laws that floc has (data/packings), converted as described in
+/// docs/commands/convert.md. Their normal forces must follow from their positions, and their moduli must equal
+/// those of a network built directly from the rows of the files.
 namespace floc::test {
 namespace {
 
@@ -39,7 +39,7 @@ std::string lammps_columns(int dimension) {
   return text;
 }
 
-/// id and the place of x, y, z, r in a row.
+/// Returns grains by id. @param x, radius  column of the first coordinate, and column of the radius
 std::map<std::int64_t, HandGrain> grains_of(const std::vector<std::vector<double>>& rows, int x, int radius) {
   std::map<std::int64_t, HandGrain> grains;
   for (const std::vector<double>& row : rows)
@@ -47,7 +47,7 @@ std::map<std::int64_t, HandGrain> grains_of(const std::vector<std::vector<double
   return grains;
 }
 
-/// Cell of a dump, from its three lines of bounds with or without tilt factors.
+/// Returns the cell of a dump, from its three lines of bounds with or without tilt factors.
 Mat<3> lammps_cell(const std::string& dump) {
   const auto rows = numbers_behind(dump, "ITEM: BOX BOUNDS");
   const auto tilt = [&](int a) { return rows[a].size() > 2 ? rows[a][2] : 0.0; };
@@ -60,10 +60,10 @@ Mat<3> lammps_cell(const std::string& dump) {
   return cell;
 }
 
-/// The stiffnesses of a pair by its gap and reduced radius; none if it does not act.
+/// Stiffnesses of a pair as a function of gap and reduced radius; none if the pair does not interact.
 using HandLaw = std::function<std::optional<HandContact>(double gap, double radius)>;
 
-/// Moduli of the network of the pairs listed.
+/// Returns the moduli of the network of the listed pairs.
 template <int Dim>
 Moduli by_hand(HandNetwork<Dim> hand, const std::vector<std::vector<double>>& pairs, const HandLaw& law) {
   for (const std::vector<double>& row : pairs) {
@@ -82,7 +82,8 @@ void expect_same_moduli(const Imported& converted, const Moduli& hand) {
   EXPECT_NEAR(moduli.G, hand.G, kRelative * hand.G);
 }
 
-/// Largest difference of the normal forces kept from those of the law, over the largest of them.
+/// Returns the largest difference between the stored normal forces and those of the law, divided by the largest
+/// force.
 template <int Dim>
 double largest_difference(const Imported& converted) {
   const Packing<Dim>& packing = std::get<State<Dim>>(converted.state).packing;
@@ -96,12 +97,13 @@ double largest_difference(const Imported& converted) {
   return difference / largest;
 }
 
-/// Elastic spheres of E and nu. Contacts of rattlers carry less than `smallest`, 1e-5 P a^2.
+/// Hertz-Mindlin law of spheres with E and nu. Contacts with forces below `smallest` = 1e-5 P a^2 belong to
+/// rattlers and are omitted.
 HandLaw hertz_mindlin(double E, double nu, double smallest) {
   return [=](double gap, double radius) -> std::optional<HandContact> {
     const double E_r = E / (2.0 * (1.0 - nu * nu));
     if (gap >= 0.0 || 4.0 / 3.0 * E_r * std::sqrt(radius * -gap) * -gap < smallest) return std::nullopt;
-    const double a = std::sqrt(-gap * radius);  // radius of the contact
+    const double a = std::sqrt(-gap * radius);  // radius of the contact area
     return HandContact{E / (1.0 - nu * nu) * a, 2.0 * E / ((1.0 + nu) * (2.0 - nu)) * a};
   };
 }
@@ -144,7 +146,7 @@ TEST(LammpsDisks, WithFrictionAndAttractionGiveTheirForcesAndTheModuliOfTheNetwo
                                 }));
 }
 
-/// Cell and grains as a script of YADE writes them: lattice vectors in the first line.
+/// Reads the cell and the grains that a YADE script wrote: the first line has the lattice vectors.
 HandNetwork<3> yade_hand(const std::string& file) {
   std::ifstream in(file);
   std::string line;
@@ -156,8 +158,9 @@ HandNetwork<3> yade_hand(const std::string& file) {
   return {cell, grains_of(numbers_behind(file, ""), 1, 4)};
 }
 
-/// The normal forces that YADE lists, against those of the law at the positions: what it lists besides as tangential
-/// force is not quite tangential, and what of it is along the branch counts as normal force after conversion.
+/// Compares the normal forces listed by YADE with those of the law. YADE's tangential forces have a small
+/// component along the branch, which the conversion adds to the normal force; so the listed values are compared
+/// instead of the converted ones.
 double largest_difference_of_yade(const Imported& converted, const std::vector<std::vector<double>>& rows) {
   const Packing<3>& packing = std::get<State<3>>(converted.state).packing;
   std::map<std::pair<int, int>, double> listed;
@@ -193,7 +196,7 @@ TEST(YadeSpheres, WithFrictionAndCohesionGiveTheModuliOfTheNetworkEnteredByHand)
   const auto rows = numbers_behind(kData + "yade/cohesive.interactions", "");
   HandNetwork<3> hand = yade_hand(kData + "yade/cohesive.txt");
   int n_pulling = 0;
-  for (const std::vector<double>& row : rows) {  // id1 id2 cellx celly cellz fn fs kn ks ...
+  for (const std::vector<double>& row : rows) {  // columns: id1 id2 cellx celly cellz fn fs kn ks ...
     const auto id1 = static_cast<std::int64_t>(row[0]), id2 = static_cast<std::int64_t>(row[1]);
     hand.add(id1, id2, {row[11], row[12]});
     n_pulling += hand.gap(id1, id2) > 0.0;

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Equal spheres, a = 1, at random, with Hertz contacts of E and tangential forces of 0 to 0.3 N.
+/// Fixture: equal spheres with a = 1 at random positions, with Hertz contacts of modulus E and tangential
+/// forces from 0 to 0.3 N.
 class HertzAverages : public testing::Test {
  protected:
   void SetUp() override {
@@ -28,7 +29,7 @@ class HertzAverages : public testing::Test {
     forces_ = carrying_forces(packing_, carrying_);
   }
 
-  /// Mean over the contacts.
+  /// Mean of a quantity over the contacts.
   double mean(const auto& of) const {
     double sum = 0.0;
     for (const Contact<3>& c : packing_.contacts) sum += of(c);
@@ -37,7 +38,7 @@ class HertzAverages : public testing::Test {
   double mean_force() const {
     return mean([](const Contact<3>& c) { return c.normal_force; });
   }
-  /// (E/P)^(2/3) of the pressure z Phi <N>/(pi a^2), which takes contacts to be of length a.
+  /// (E/P)^(2/3), with the pressure P = z Phi <N>/(pi a^2) of contacts of length a.
   double kappa() const { return std::cbrt(std::pow(kE * kPi / (forces_.z * phi() * mean_force()), 2)); }
   double phi() const { return solid_fraction(packing_); }
 
@@ -66,7 +67,7 @@ TEST_F(HertzAverages, GiveTheElasticEnergy) {
   EXPECT_GT(Z, forces_.Z_five_thirds);
   const double w = kE * 2.80345735 * Z * std::pow(forces_.z, -2.0 / 3.0) * std::pow(phi(), -5.0 / 3.0) *
                    std::pow(kappa(), -2.5);
-  EXPECT_NEAR(elastic_energy_per_grain(packing_) / w, 1.0, 1e-8);  // digits of the prefactor
+  EXPECT_NEAR(elastic_energy_per_grain(packing_) / w, 1.0, 1e-8);  // limited by the digits of the prefactor
 }
 
 TEST_F(HertzAverages, GiveTheLargestPressure) {

@@ -22,7 +22,8 @@
 namespace floc::test {
 namespace {
 
-/// Everything that is measured of one packing, as one list of numbers; what depends on the mesh apart.
+/// All measured quantities of one packing as a list of numbers, with those that depend on the mesh in a
+/// separate list.
 struct Measured {
   std::vector<double> exact, on_mesh;
 };
@@ -32,7 +33,8 @@ void append(std::vector<double>& list, std::vector<double> more, bool sorted = f
   list.insert(list.end(), more.begin(), more.end());
 }
 
-/// Disks of which some touch, with room for rattlers: random places, radii shrunk until they hardly overlap.
+/// Returns disks with some contacts and room for rattlers: positions are random, and radii are reduced until
+/// disks hardly overlap.
 Packing<2> loose_packing() {
   Packing<2> packing = random_packing<2>(80, 3, elastic_law(1.0, 0.5, 0.1), 0.85);
   packing.law += test::changed("friction.coefficient", 0.5);
@@ -57,7 +59,7 @@ Measured measure(const Packing<2>& packing) {
   append(m.exact, contact_forces(packing, ForceKind::normal), true);
   const std::vector<double> p = particle_pressure(packing);
   append(m.exact, p, true);
-  // Half the grains made to pull, told by their size and not by their number.
+  // Half of the grains are treated as under tension, chosen by size and not by number.
   std::vector<double> signed_pressure;
   for (const double R : packing.grains.radius) signed_pressure.push_back(R - 0.5);
   const PressurePhases phases = pressure_phases(contact_network(packing), signed_pressure);

@@ -15,18 +15,19 @@
 #include "support/contact_laws.h"
 #include "support/places.h"
 
-/// Packings made by LAMMPS and YADE (data/packings), read back and held against what those programs printed of
-/// them: the stress of the contacts and the net force on every grain, to all 17 digits but rounding.
+/// Packings made by LAMMPS and YADE (data/packings). The stress of the contacts and the net force on every
+/// grain must agree with the values that these programs printed, to all 17 digits except rounding.
 namespace floc {
 namespace {
 
 const std::string kData = test::source_directory() + "/data/packings/";
 
-/// Relative rounding of a sum of a hundred products.
+/// Relative rounding error of a sum of a hundred products.
 constexpr double kRounding = 1e-13;
 
-/// Uncertainty of the forces on a grain from the rounding of positions at the size of the cell; up to six contacts meet
-/// at a grain. Both programs compute branches across the side of the cell from shifted positions.
+/// Returns the error of the net force on a grain that is caused by the rounding of positions at the size of the
+/// cell, for up to six contacts. Both programs compute branches across the cell boundary from shifted
+/// positions.
 template <int Dim>
 double force_rounding(const Packing<Dim>& packing) {
   double stiffest = 0.0;
@@ -34,7 +35,8 @@ double force_rounding(const Packing<Dim>& packing) {
   return 6.0 * std::numeric_limits<double>::epsilon() * stiffest * packing.cell.matrix.norm();
 }
 
-/// Rows of numbers of a text file, without lines that begin with one of `skipped`.
+/// Returns the rows of numbers of a text file, without lines that begin with one of the characters in
+/// `skipped`.
 std::vector<std::vector<double>> rows_of(const std::string& path, const std::string& skipped) {
   std::ifstream in(path);
   std::vector<std::vector<double>> rows;
@@ -46,7 +48,7 @@ std::vector<std::vector<double>> rows_of(const std::string& path, const std::str
   return rows;
 }
 
-/// The numbers behind the colon of a file's first line.
+/// Returns the numbers after the colon in the first line of a file.
 std::vector<double> numbers_behind_colon(const std::string& path) {
   std::ifstream in(path);
   std::string line;
@@ -73,14 +75,15 @@ TEST(Lammps, StressOfItsPackingIsItsOwn) {
   EXPECT_NEAR(0.5 * stress.trace(), own[0], kRounding * own[0]);
   EXPECT_NEAR(stress(0, 0), own[1], kRounding * own[0]);
   EXPECT_NEAR(stress(1, 1), own[2], kRounding * own[0]);
-  // Ours is force times branch; it is symmetric as far as moments balance, here to their lever arms.
+  // floc computes the stress from force times branch. It is symmetric if moments balance, here up to the
+  // difference of lever arms.
   EXPECT_NEAR(stress(1, 0), own[3], kRounding * own[0]);
 }
 
 TEST(Lammps, NetForcesInItsPackingAreItsOwn) {
   const Packing<2> packing = std::get<State<2>>(read_lammps().state).packing;
   const Balance<2> net = net_forces(packing);
-  // id type x y z radius mass fx fy fz tqx tqy tqz, behind nine lines of header
+  // columns: id type x y z radius mass fx fy fz tqx tqy tqz, after nine header lines
   const auto rows = rows_of(kData + "lammps/disks.dump", "I");
   ASSERT_EQ(rows.size(), 5u + 60u);
   const double rounding = force_rounding(packing);
@@ -92,7 +95,8 @@ TEST(Lammps, NetForcesInItsPackingAreItsOwn) {
   }
 }
 
-/// Its law is ours: forces found from positions alone are those it listed, tangential springs left out.
+/// LAMMPS has the same normal law: forces computed from positions alone equal those that it listed. Tangential
+/// springs are not compared.
 TEST(Lammps, NormalForcesFollowFromItsGeometry) {
   const Packing<2> packing = std::get<State<2>>(read_lammps().state).packing;
   ASSERT_EQ(packing.contacts.size(), 87u);
@@ -134,10 +138,10 @@ TEST(Yade, StiffnessesAreThoseOfEachContactAndTheLawHasTheirMeans) {
   EXPECT_EQ(state.units, "SI");
   double kn = 0.0, kt = 0.0;
   for (const Contact<3>& c : state.packing.contacts) {
-    // Its tangential forces are perpendicular to the branch to 1e-6 only; what is along it counts as normal
-    // force here.
+    // Tangential forces of YADE have a component along the branch of up to 1e-6, which the conversion adds to
+    // the normal force.
     EXPECT_NEAR(c.normal_force, -c.kn * c.gap, 1e-6 * c.shear_force.norm() + force_rounding(state.packing));
-    EXPECT_NEAR(c.kt / c.kn, 0.4, 1e-12);  // the ratio of moduli in spheres.py
+    EXPECT_NEAR(c.kt / c.kn, 0.4, 1e-12);  // ratio of the moduli in spheres.py
     kn += c.kn / 92.0;
     kt += c.kt / 92.0;
   }
@@ -146,7 +150,8 @@ TEST(Yade, StiffnessesAreThoseOfEachContactAndTheLawHasTheirMeans) {
   EXPECT_NEAR(test::law_number(state.packing.law, "friction.coefficient"), std::tan(0.4), 1e-15);
 }
 
-/// Residual moments from lever arms of another convention: LAMMPS takes whole radii, 1 + overlap/branch times ours.
+/// Small moments remain, because the programs use other lever arms: LAMMPS uses whole radii, which are longer
+/// than those of floc by the factor 1 + overlap/branch.
 TEST(ThirdParties, PackingsAreInEquilibriumToTheirConventionOfContactPoints) {
   const Packing<2> disks = std::get<State<2>>(read_lammps().state).packing;
   const Residuals of_disks = residuals<2>(disks, static_stress(disks).diagonal());

@@ -4,10 +4,10 @@ spheres, and prints their ratios.
 
   apps/bench/peers/compare.py BUILD_DIRECTORY [SCENE...]
 
-needs the benchmarks (cmake -DFLOC_BUILD_BENCHMARKS=ON); programs that are not installed are left out. The programs
-run in turn, several times each, and the fastest run of each counts, because other work of the machine only slows a run
-down. Contacts are the pairs between which a force acts: at the end of the steps in LAMMPS and YADE, and in the packing
-from which the steps start in floc.
+It needs the benchmarks (cmake -DFLOC_BUILD_BENCHMARKS=ON); programs that are not installed are left out. The programs
+run in turn, several times each. The fastest run of each counts, because other work of the machine only slows a run
+down. Contacts are the pairs between which a force acts: at the end of the steps in LAMMPS and YADE, and in the
+packing from which the steps start in floc.
 """
 import functools
 import json

@@ -1,6 +1,5 @@
-# Advances a packing with YADE:  yade -n -x yade_steps.py packing.xyz friction
-# The law is that of friction.toml or of cohesion.toml. Disks are spheres whose centres stay in a plane, in a cell of
-# height HEIGHT.
+# Advances a packing with YADE:  yade -n -x yade_steps.py packing.xyz friction. The law is that of friction.toml or of
+# cohesion.toml. Disks are spheres whose centres stay in a plane, in a cell of height HEIGHT.
 import os
 import re
 import sys
@@ -21,8 +20,9 @@ if sys.argv[2] == "friction":
         [Ig2_Sphere_Sphere_ScGeom()], [Ip2_FrictMat_FrictMat_FrictPhys()], [Law2_ScGeom_FrictPhys_CundallStrack()]
     )
 else:
-    # The cohesions times the square of the smaller radius are the pull-off force F0 and mu F0. alphaKr r1 r2 k_s is the
-    # rolling stiffness K_R, and etaRoll times the smaller radius is the rolling friction mu_R.
+    # A cohesion times the square of the smaller radius is a force: the pull-off force F0, and mu F0. The product
+    # alphaKr r1 r2 k_s is the rolling stiffness K_R, and etaRoll times the smaller radius is the rolling friction
+    # mu_R.
     O.materials.append(CohFrictMat(
         normalCohesion=9e-5, shearCohesion=4.5e-5, fragile=False, momentRotationLaw=True, alphaKr=7e-4, etaRoll=0.015,
         alphaKtw=0, **elastic
@@ -30,7 +30,7 @@ else:
     loop = InteractionLoop(
         [Ig2_Sphere_Sphere_ScGeom6D()],
         [Ip2_CohFrictMat_CohFrictMat_CohFrictPhys(setCohesionNow=True, setCohesionOnNewContacts=True)],
-        # Only with the incremental form, rolling contacts can yield.
+        # Rolling contacts can yield only with the incremental form.
         [Law2_ScGeom6D_CohFrictPhys_CohesionMoment(useIncrementalForm=True, always_use_moment_law=True)],
     )
 for line in lines[2:]:

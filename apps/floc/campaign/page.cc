@@ -75,7 +75,7 @@ struct CampaignPage {
   std::string directory;
   PlannedCampaign planned;
   CsvTable runs, means, fits, outcomes;
-  std::map<int, CampaignRun> drawn;  ///< first run that succeeded of each case, by the number of the case
+  std::map<int, CampaignRun> drawn;  ///< first successful run of each case; the key is the number of the case
 
   std::vector<std::string> labels() const {
     std::vector<std::string> all;
@@ -84,8 +84,8 @@ struct CampaignPage {
   }
 };
 
-/// Returns the indices of the columns of a table that have a value in at least one row. Columns with a dot in their
-/// name are left out: they are named after keys of the scene, whose values the table of cases shows.
+/// Returns the indices of the columns of a table that have a value in at least one row. Columns with a dot in
+/// their name are left out, because they repeat keys of the scene, whose values the table of cases shows.
 std::vector<int> used_columns(const CsvTable& table) {
   const auto is_used = [&table](int column) {
     if (table.columns()[static_cast<std::size_t>(column)].find('.') != std::string::npos) return false;
@@ -161,7 +161,8 @@ std::string failures_section(const CampaignPage& page) {
          sorting_table("failed", page.outcomes, failed);
 }
 
-/// Returns whether some states of a campaign have different loads on their axes, so that their pressure is a mean.
+/// Returns whether some states of a campaign have different stresses on their axes, so that their pressure is
+/// the mean of these stresses.
 bool has_driven_states(const PlannedCampaign& planned) {
   return std::ranges::any_of(planned.plans, [](const CasePlan& plan) {
     return std::ranges::any_of(plan.states, [](const PlannedState& state) { return !state.P_star; });

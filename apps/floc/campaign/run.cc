@@ -31,7 +31,8 @@ struct CampaignRunArguments {
   bool with_parent = false;
 };
 
-/// A table that is made after a run: the name of its file, and the words of the floc command that prints it.
+/// A table that is made after a run: the name of its file, and the floc command that prints it, split into
+/// words.
 struct TableCommand {
   std::string file;
   std::vector<std::string> words;
@@ -57,8 +58,8 @@ std::string last_line(const std::string& log) {
   std::istringstream lines(read_file(log));
   std::string last;
   for (std::string line; std::getline(lines, line);) {
-    // Lines of progress end in \r, so that the next line overwrites them on a terminal. Of such a line, only the text
-    // after the last \r is used.
+    // Lines of progress end in \r, so that the next line overwrites them on a terminal. Only the text after the
+    // last \r of such a line is used.
     line.erase(0, line.find_last_of('\r') + 1);
     if (!trimmed(line).empty()) last = trimmed(line);
   }

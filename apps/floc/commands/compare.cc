@@ -81,8 +81,8 @@ Command add_compare(CommandLine program) {
       "Compare states of the same grains: contacts kept, lost and gained, displacements of the grains");
   const auto command = std::make_shared<CompareCommand>();
   app.add_option("STATE", command->files,
-                 "state files, or a directory of floc run, of which each state is compared with the state "
-                 "before it; or two directories of floc run, which are compared step by step")
+                 "state files, or one directory of floc run: each state is compared with the state "
+                 "before it; or two directories of floc run: the two runs are compared step by step")
       .required();
   app.add_flag("--against-first", command->against_first,
                "compare each state with the first state, not with the state before it");

@@ -59,7 +59,7 @@ PictureFormat format_named(const std::string& keyword) {
   return keyword == "pdf" ? PictureFormat::pdf : keyword == "png" ? PictureFormat::png : PictureFormat::svg;
 }
 
-/// Where the pictures are written: to one file, to stdout, or to a directory with one file per state.
+/// Place to which the pictures are written: one file, stdout, or a directory with one file per state.
 struct Target {
   bool directory = false;
   bool standard_output = false;
@@ -145,8 +145,8 @@ void cut_slab(const std::string& file, const DrawArguments& arguments, PackingPi
 }
 
 /// Makes the picture of a state.
-/// @param other  state that --compare names, whose contacts and grains are compared with those of `state`; absent
-/// without --compare
+/// @param other  state that the option --compare names. The picture then shows the changes of contacts and
+/// grains from one state to the other. Absent without --compare
 template <int Dim>
 Drawn<Dim> drawn_from(const std::string& file, const State<Dim>& state, const DrawArguments& arguments,
                       const std::optional<AnyState>& other) {
@@ -294,12 +294,11 @@ Command add_draw(CommandLine program) {
       app.add_option("--forces", arguments->forces,
                      "forces to draw. equilibrium: contact forces of the state; increment: changes of the "
                      "contact forces in a small stress increment, where the contacts that store 95 % of "
-                     "the elastic energy of the increment are in colour; particle-pressure: grains coloured by "
-                     "their pressure; phases: grains "
-                     "with positive and with negative pressure, and the contacts between grains of the same "
-                     "sign; kinds: forces of grains with corners, coloured by what meets at the contact (a "
-                     "vertex and a "
-                     "face, an edge and a face, two faces); none: no forces [equilibrium]")
+                     "the elastic energy of the increment are in colour; particle-pressure: grains "
+                     "coloured by their pressure; phases: grains with positive and with negative "
+                     "pressure, and the contacts between grains of the same sign; kinds: forces of grains "
+                     "with corners, coloured by the kind of contact (vertex and face, edge and face, or "
+                     "two faces); none: no forces [equilibrium]")
           .one_of({"equilibrium", "increment", "particle-pressure", "phases", "kinds", "none"});
   app.add_option("--step", arguments->step,
                  "type of the stress increment for --forces increment: isotropic or deviatoric [isotropic]")

@@ -44,10 +44,9 @@ Command add_forces(CommandLine program) {
                              "forces of least elastic energy, and the range of the force of each contact");
   const auto command = std::make_shared<ForcesCommand>();
   add_states_argument(app, command->files);
-  app.add_option(
-         "--selection", command->selection,
-         "closest: the balanced forces closest to those of the state; canonical: those of least elastic energy "
-         "[closest, or canonical for a state without forces]")
+  app.add_option("--selection", command->selection,
+                 "closest: the balanced forces closest to those of the state; canonical: the balanced "
+                 "forces of least elastic energy [closest, or canonical for a state without forces]")
       .one_of({"closest", "canonical"});
   app.add_option("--friction", command->options.friction,
                  "friction coefficient of all contacts [that of the contact law]")
@@ -59,11 +58,10 @@ Command add_forces(CommandLine program) {
          "--kt", command->options.kt,
          "tangential stiffness of all contacts in the elastic energy (force/length) [that of each contact]")
       .positive();
-  app.add_option(
-         "--stress", command->options.stress,
-         "stress that the forces transmit, positive in compression: the pressure, the components along the "
-         "axes "
-         "separated by commas, or all components in the order of Voigt [that of the forces of the state]")
+  app.add_option("--stress", command->options.stress,
+                 "stress that the forces transmit, positive in compression: the pressure, the "
+                 "components along the axes separated by commas, or all components in the order of "
+                 "Voigt [the stress that the forces of the state transmit]")
       .delimiter(',');
   app.add_option(
          "--gap", command->options.gap,
@@ -72,15 +70,15 @@ Command add_forces(CommandLine program) {
       .within(kNearGap);
   const auto table =
       app.add_option("--contacts", command->contacts,
-                     "file for the contacts with their forces, as floc convert --contacts reads them");
+                     "csv file to write: contacts with their forces, in the format of floc convert "
+                     "--contacts");
   app.add_flag("--range", command->options.ranges,
                "add to the file of --contacts the smallest and the largest normal force that each contact can "
                "carry while all forces balance")
       .needs(table);
-  app.add_option(
-         "--range-of", command->options.range_of,
-         "compute the ranges of --range for some contacts only: their numbers in the file of --contacts, from "
-         "0, separated by commas")
+  app.add_option("--range-of", command->options.range_of,
+                 "compute the ranges of --range only for the contacts with these numbers, separated "
+                 "by commas; numbers count from 0 in the order of the file of --contacts")
       .delimiter(',')
       .needs(table);
   add_printing_options(app, command->printing);

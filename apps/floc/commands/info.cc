@@ -45,7 +45,8 @@ void print(const Table& table, const Printing& printing) {
   finish_output();
 }
 
-/// Whether a file is a table: it is neither a directory nor a state file or a scene, by its name and its first bytes.
+/// Returns whether a file is a table. By its name and its first bytes, it then is neither a directory, a state
+/// file nor a scene.
 bool is_table(const std::string& file) {
   const std::filesystem::path path(file);
   if (file == "-" || !std::filesystem::is_regular_file(path)) return false;
@@ -53,7 +54,7 @@ bool is_table(const std::string& file) {
          !read_beginning(file, 4).starts_with("\x89HDF");
 }
 
-/// Prints what floc understands of tables: a line on stderr, and a row for each of their columns.
+/// Prints how floc reads tables: a summary of each table on stderr, and one row for each column on stdout.
 int info_of_tables(const std::vector<std::string>& files, const ColumnNames& names, const Printing& printing) {
   Table table;
   const int code = for_each_file(files, [&](const std::string& file) {
@@ -94,19 +95,17 @@ Command add_info(CommandLine program) {
       "info",
       "Print the contents of a state file, its loading history and its provenance; or how floc reads a table");
   const auto arguments = std::make_shared<InfoArguments>();
-  app.add_option(
-         "FILE", arguments->files,
-         "state files, or directories that floc run wrote; - reads one state from stdin; or tables that "
-         "floc fit or floc convert shall read")
+  app.add_option("FILE", arguments->files,
+                 "state files, or directories that floc run wrote; - reads one state from stdin; or "
+                 "tables, to see how floc fit and floc convert read them")
       .required();
   add_columns_option(app, arguments->columns, "quantities such as P_star and void_ratio");
   add_printing_options(app, arguments->printing);
   app.add_flag("--scene", arguments->scene, "print only the scene file with which the state was made");
-  app.add_option(
-      "--sizes", arguments->sizes,
-      "csv file to write, with one row per interval of diameters (between two sieves of the scene's sieve "
-      "curve, otherwise a quarter of the range): the grains in it and their share of the volume, beside "
-      "the share that the distribution in the scene gives");
+  app.add_option("--sizes", arguments->sizes,
+                 "csv file to write, with one row per interval of diameters (between two sieves if "
+                 "the scene has a sieve curve, otherwise a quarter of the range): number of grains, "
+                 "their share of the volume, and the share that the scene prescribes");
   return {app, [arguments] { return info(*arguments); }};
 }
 

@@ -34,8 +34,8 @@ void say(const std::string& line) {
   std::cerr << line << '\n';
 }
 
-/// A warning is printed if the lattice has fewer nodes per mean grain diameter than this number, because the computed
-/// moduli and forces then have errors of several per cent.
+/// Smallest number of nodes per mean grain diameter for which no warning is printed. With fewer nodes, the
+/// computed moduli and forces have errors of several per cent.
 constexpr double kCoarse = 8.0;
 /// Largest number of lattice nodes of a sample that --strength breaks without the option --yes.
 constexpr int kBrokenUnasked = 20000;

@@ -9,7 +9,7 @@
 
 namespace floc {
 
-/// A loaded sample, the solution of its lattice, and the stresses and forces that are computed from the solution for
+/// A loaded sample and the solution of its lattice, with stresses and forces computed from this solution for
 /// the output files.
 template <int Dim>
 struct LoadedSample {

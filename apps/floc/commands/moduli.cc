@@ -70,7 +70,8 @@ bool accepts_state(const std::string& file, const AnyState& any, bool force, con
     return true;
   }
   const std::string faults = std::visit([](const auto& state) { return equilibrium_faults(state); }, any);
-  // Positions of six digits leave residuals that another tolerance accepts.
+  // An imported file may give positions with only six digits. Its residuals are then larger, and the state
+  // needs a larger tolerance.
   const bool imported = std::visit([](const auto& state) { return state.path.branch == "imported"; }, any);
   const char* advice =
       imported ? ", or convert the file with a larger --tolerance if its numbers have few digits" : "";
@@ -200,13 +201,12 @@ Command add_moduli(CommandLine program) {
       .excludes(method)
       .excludes(accuracy)
       .one_argument_each();
-  app.add_option(
-      "--kn", command->options.kn,
-      "of rigid grains, whose contacts have no stiffness: normal stiffness K_N of each contact point "
-      "(force/length)");
-  app.add_option(
-      "--kt", command->options.kt,
-      "of rigid grains with friction: tangential stiffness K_T of each contact point (force/length)");
+  app.add_option("--kn", command->options.kn,
+                 "for rigid grains, whose contacts have no stiffness: normal stiffness K_N of each "
+                 "contact point (force/length)");
+  app.add_option("--kt", command->options.kt,
+                 "for rigid grains with friction: tangential stiffness K_T of each contact point "
+                 "(force/length)");
   app.add_option(
       "--increments", command->increments,
       "csv file to write, with one row per contact: increments of the contact forces per unit of isotropic "
@@ -221,7 +221,8 @@ Command add_moduli(CommandLine program) {
          "processes of mpirun; automatic: cholmod if its Cholesky factor fits into memory, otherwise petsc")
       .one_of({"automatic", "cholmod", "petsc"})
       .show_default();
-  // command->memory is in GB, ModuliTableOptions::memory in bytes; options_of() converts it.
+  // command->memory is in GB, and ModuliTableOptions::memory in bytes. The function options_of() converts the
+  // former to the latter.
   app.add_option("--memory", command->memory,
                  "largest memory of a Cholesky factor with --solver automatic, above which petsc is used (GB) "
                  "[0.7 of the free memory]")

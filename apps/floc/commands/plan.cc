@@ -25,11 +25,13 @@
 namespace floc {
 namespace {
 
-/// Number of plans that are printed.
+/// Largest number of plans that are printed.
 constexpr int kPlans = 3;
-/// Share of the budget that a pilot may take, and its processor time (s) without a budget.
+/// Largest fraction of the budget that a pilot may take, and its largest processor time (s) if there is no
+/// budget.
 constexpr double kShareOfPilot = 0.2, kPilotSeconds = 600.0;
-/// Numbers of grains over that of the table beyond which a plan says that it extrapolates.
+/// A message says that prices are extrapolated if a plan has more grains than the table of prices, by more than
+/// this factor.
 constexpr double kFarExtrapolation = 10.0;
 constexpr double kSecondsPerHour = 3600.0;
 
@@ -67,8 +69,8 @@ Table table_of(const PlanChoice& choice, const std::string& kind) {
   return table;
 }
 
-/// Returns the table of prices of a scene.
-/// @throws InputError if none applies and no pilot is asked for
+/// Returns the table of prices of a scene; absent if no table applies.
+/// @throws InputError if no table applies and the user does not ask for a pilot
 std::optional<PriceTable> prices_for(const PlanCommand& arguments, const Scene& scene) {
   ScenePrices found = prices_of(scene, arguments.prices);
   if (!found.table && !arguments.pilot)
@@ -87,7 +89,7 @@ PilotResult measured_pilot(const Scene& scene, const std::optional<double>& budg
   return pilot;
 }
 
-/// Says in words what the best plan is, and what the promised errors leave out.
+/// Prints a summary of the best plan, and the contributions to the errors that it does not include.
 void tell(const Plan& best, const PriceModel& model, const PlanRequest& request) {
   spdlog::info(
       "the best plan: {} sample{} of {} grains with {}, {} of processor time, {} on {} core{}. Errors are "
@@ -97,15 +99,20 @@ void tell(const Plan& best, const PriceModel& model, const PlanRequest& request)
       duration_in_words(best.core_seconds), duration_in_words(best.wall_seconds), request.cores,
       request.cores == 1 ? "" : "s");
   if (request.wants.empty() && request.budget && best.wall_seconds < 0.5 * *request.budget)
-    spdlog::info("this is less than the budget: a plan has at most {} samples and {} grains here", kMostSamples,
-                 model.most_grains());
+    spdlog::info(
+        "this is less than the budget: a plan for this scene has at most {} samples and {} "
+        "grains",
+        kMostSamples, model.most_grains());
   if (!model.knows_settings())
     spdlog::info(
-        "the errors that the numerical settings cause, and those of the finite size, are not known without a "
-        "table of prices: the errors here are those of the scatter between samples");
+        "the errors due to the numerical settings and to the finite size are not known "
+        "without a table of prices: the errors given here are due to the scatter between "
+        "samples alone");
   if (best.n_grains > kFarExtrapolation * model.measured_grains())
-    spdlog::info("the prices were measured with {} grains: they are extrapolated far beyond that",
-                 model.measured_grains());
+    spdlog::info(
+        "the prices were measured with {} grains: they are extrapolated to a much larger "
+        "number",
+        model.measured_grains());
 }
 
 void write_plan(const PlanChoice& choice, const Scene& scene, const PlanSource& source,
@@ -121,7 +128,8 @@ int make_plan(PlanCommand& arguments) {
   if (!arguments.budget.empty()) request.budget = duration_of("--budget", arguments.budget);
   if (!request.budget && arguments.wants.empty())
     throw InputError("floc plan",
-                     "expected --budget, the time that may be spent, or --want, the errors that are wanted");
+                     "expected --budget, the time that may be spent, or --want, the largest errors that "
+                     "are accepted");
   const Scene scene = read_scene(arguments.scene, arguments.overrides);
   if (!scene.accuracy.empty())
     throw InputError(arguments.scene,
@@ -161,10 +169,10 @@ int check_plan_of(const PlanCommand& arguments) {
 }  // namespace
 
 Command add_plan(CommandLine program) {
-  CommandLine app = program.add_subcommand("plan",
-                                           "Choose the number of grains, the number of samples and the "
-                                           "numerical settings of a scene for a budget, or for "
-                                           "wanted errors");
+  CommandLine app = program.add_subcommand(
+      "plan",
+      "Choose the number of grains, the number of samples and the numerical settings of a "
+      "scene for a given budget or for given errors");
   const auto arguments = std::make_shared<PlanCommand>();
   app.add_option("SCENE", arguments->scene, "scene file (TOML)");
   const Option budget =
@@ -183,7 +191,7 @@ Command add_plan(CommandLine program) {
       .within(PlanRequest::kCores)
       .show_default();
   app.add_option("--observables", arguments->request.observables,
-                 "NAME,...: observables whose errors are to be small, where none are wanted [all]")
+                 "NAME,...: observables whose errors are made small if --want is not given [all]")
       .delimiter(',')
       .one_argument_each()
       .excludes(want);
@@ -193,16 +201,15 @@ Command add_plan(CommandLine program) {
   add_prices_option(app, arguments->prices);
   const Option pilot =
       app.add_flag("--pilot", arguments->pilot,
-                   "run a few small samples of the scene first, and take the costs and the scatter "
-                   "between samples from them");
+                   "run a few small samples of the scene first, to measure the costs and the scatter "
+                   "between samples");
   const Option output =
       app.add_option("-o,--output", arguments->output,
                      "campaign file to write, which makes the samples of the best plan; a scene file "
                      "if the plan has one sample");
-  app.add_option(
-         "--check", arguments->check,
-         "DIR: compare the runs of a campaign that floc plan has written with the errors and the cost that it "
-         "promised")
+  app.add_option("--check", arguments->check,
+                 "DIR: directory of a campaign that floc plan has written: compare its runs with the "
+                 "errors and the cost that the plan predicts")
       .excludes(budget)
       .excludes(want)
       .excludes(pilot)

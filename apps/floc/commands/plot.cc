@@ -170,8 +170,8 @@ std::vector<std::string> states_of(const PlotArguments& arguments) {
 }
 
 /// Returns the files of the three states of a run whose force distributions are compared: the first state under
-/// pressure, the state of the highest pressure, and the state half way between them. States without pressure are left
-/// out, because the forces in them are only residual forces.
+/// pressure, the state at the highest pressure, and the state half way between them along the path. States
+/// without pressure are left out, because their forces are only numerical residues.
 std::vector<std::string> loading_states(const std::string& directory) {
   const std::vector<PathRow> rows = read_path(table_of_run(directory), {}).rows;
   const auto highest = static_cast<int>(std::ranges::max_element(rows, {}, &PathRow::P_star) - rows.begin());

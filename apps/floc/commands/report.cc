@@ -60,9 +60,9 @@ struct ReportedRun {
   std::map<std::string, std::vector<int>> state_warnings;
 };
 
-/// Returns the indices of three states of the first loading: the first and loosest one, the last and densest one, and
-/// the one half way between them along the load path. If the path contains no loading, returns the index of its last
-/// state only.
+/// Returns the indices of three states of the first loading: the first and loosest state, the last and densest
+/// state, and the state half way between them along the load path. If the path contains no loading, returns
+/// only the index of its last state.
 std::set<std::size_t> shown_states(const PathTable& path) {
   std::set<std::size_t> shown;
   const Loading loading = first_loading(path.rows);
@@ -157,9 +157,9 @@ std::string provenance_section(const ReportedRun<Dim>& run) {
   return "<h2>Provenance</h2>\n" + html_table(table);
 }
 
-/// Returns the scene of a run, the text of which is stored in its states. If the run started from a saved state, the
-/// scene names the file of that state, which may no longer exist. The scene is then changed to name the first state of
-/// the run instead, which has the same grains.
+/// Returns the scene of a run, whose text is stored in the states of the run. If the run started from a saved
+/// state, the scene names the file of that state, which may no longer exist. In the returned scene, this name
+/// is replaced by the name of the first state of the run, which has the same grains.
 template <int Dim>
 Scene scene_of(const ReportedRun<Dim>& run) {
   std::vector<std::string> changes;

@@ -79,10 +79,10 @@ std::string unfinished_warning(const StepCounts& counts) {
                            : static_cast<double>(counts.n_unfinished) / static_cast<double>(counts.n_steps);
   if (share <= kMany) return {};
   return fmt::format(
-      "{:.0f} % of the time steps ended at dynamics.max_sweeps before their impulses were within "
-      "dynamics.sweep_tolerance: the forces at rest are balanced, but the motion to them is less accurate than "
-      "asked for; "
-      "give a larger dynamics.max_sweeps or a larger tolerance",
+      "{:.0f} % of the time steps ended at dynamics.max_sweeps before their impulses were "
+      "within dynamics.sweep_tolerance: the final forces are balanced, but the motion that "
+      "leads to them is less accurate than required; give a larger dynamics.max_sweeps or "
+      "a larger tolerance",
       100.0 * share);
 }
 

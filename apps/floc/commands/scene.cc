@@ -30,14 +30,15 @@ struct SceneArguments {
   std::string path;
   std::vector<std::string> overrides;
   std::string prices;
-  /// Name of the csv file for the sizes of the grains beside those that the scene asks for; if empty, no file is written.
+  /// Name of the csv file that compares the sizes of the drawn grains with the distribution in the scene; if
+  /// empty, no file is written.
   std::string sizes;
   Printing printing;
   std::string name;
 };
 
-/// Says what a run of the scene costs, if there is a table of prices for the scene. A program whose tables are not
-/// installed says so.
+/// Prints the expected cost of a run, if there is a table of prices for the scene. If the shipped tables are
+/// not installed, a message says so.
 void tell_price(const Scene& scene, const SceneArguments& arguments) {
   if (scene.starts_from_state()) return;
   ScenePrices prices;
@@ -118,11 +119,10 @@ Command add_scene(CommandLine program) {
                   "KEY=VALUE: set one key of the scene to another value, e.g. contact.rolling.coefficient=0.5")
       .one_argument_each();
   add_prices_option(check, arguments->prices);
-  check.add_option(
-      "--sizes", arguments->sizes,
-      "csv file to write, with one row per interval of diameters (between two sieves of a sieve curve, "
-      "otherwise a quarter of the range): the number of grains that a run draws and their share of the "
-      "volume, beside the share that the distribution gives");
+  check.add_option("--sizes", arguments->sizes,
+                   "csv file to write, with one row per interval of diameters (between two sieves of a "
+                   "sieve curve, otherwise a quarter of the range): the number of grains that a run "
+                   "draws, their share of the volume, and the share that the distribution prescribes");
   add_printing_options(check, arguments->printing);
   CommandLine start = app.add_subcommand(
       "new", "write a commented scene of a cohesive powder, as a template for your own, to the file NAME.toml");

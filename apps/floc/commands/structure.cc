@@ -105,9 +105,9 @@ Command add_structure(CommandLine program) {
                  "their positions in the state, "
                  "once with rattlers pushed against other grains");
   app.add_option("--prediction", command->prediction,
-                 "csv file to write, with one row per state: its pressure P and coordination z, and those that "
-                 "the first state would "
-                 "have if it were uniformly compressed or expanded to the solid fraction of this state");
+                 "csv file to write, with one row per state: its pressure P and coordination z, and "
+                 "the P and z that the first state would have after a uniform deformation to the "
+                 "solid fraction of this state");
   app.add_option("--pores", command->pores,
                  "csv file to write, with one row per pore (in 3D, per ball that fits in the voids): its "
                  "position and size");

@@ -28,7 +28,8 @@ struct TradeoffCommand {
   std::string plot;
   Printing printing;
   TradeoffOptions options;
-  std::optional<double> matrix_content;  ///< in a study of cemented grains
+  /// volume fraction of the matrix in a study of cemented grains; absent in other studies
+  std::optional<double> matrix_content;
   double stiffness_ratio = LatticeStudyOptions{}.stiffness_ratio;
 };
 
@@ -36,13 +37,13 @@ TableValue or_undefined_number(double value) {
   return std::isfinite(value) ? TableValue{value} : TableValue{};
 }
 
-/// Returns the table cell of an error that was found by comparing n values. The cell is undefined if n is 0 or the
+/// Returns a table cell with an error that was computed from n comparisons. The cell is empty if n is 0 or the
 /// error is not finite.
 TableValue of_compared(int n, double value) {
   return n > 0 ? or_undefined_number(value) : TableValue{};
 }
 
-/// Scene that was run, with what each row of the table says of it.
+/// The scene of the study, with the columns that are equal in all rows of the table.
 struct StudiedScene {
   const Scene& scene;
   Subject subject;
@@ -52,7 +53,7 @@ struct StudiedScene {
   TableValue kappa;
 };
 
-/// One row of the table: the errors of an observable with a setting.
+/// One row of the table: the errors of one observable with one numerical setting.
 struct TradeoffRow {
   const StudiedScene& run;
   const Tradeoff& tradeoff;
@@ -194,17 +195,16 @@ Command add_tradeoff(CommandLine program) {
       .delimiter(',')
       .one_argument_each()
       .one_of(observable_names());
-  app.add_option(
-         "--lattice", command->matrix_content,
-         "study the lattice of cemented grains (floc lattice) in place of the states: volume fraction of "
-         "the matrix between the grains of the last state")
+  app.add_option("--lattice", command->matrix_content,
+                 "study the lattice of floc lattice instead of the states: volume fraction of a "
+                 "matrix that cements the grains of the last state")
       .within(CementOptions::kContent);
   app.add_option("--stiffness-ratio", command->stiffness_ratio,
-                 "with --lattice, stiffness of the grains over that of the matrix")
+                 "with --lattice, ratio of the stiffness of the grains to the stiffness of the matrix")
       .within(LatticeStudyOptions::kRatio)
       .show_default();
   app.add_option("--plot", command->plot,
-                 "F.svg: plot to write, of the error against the cost; the data and the gnuplot script are "
+                 "plot to write (F.svg): errors against costs; the data and the gnuplot script are "
                  "written to the same directory");
   add_printing_options(app, command->printing);
   return {app, [command] { return run_tradeoff(*command); }};

@@ -46,7 +46,7 @@ void add_blocks(const ConsolidationPlot& of, Plot& plot) {
 }
 
 std::string title_of(const ConsolidationPlot& plot) {
-  // The last two parts of a path name a table well enough, and leave room for the parameters.
+  // The title gives only the last two parts of the path of the table, to leave room for the parameters.
   const std::filesystem::path path(plot.title);
   std::string title = (path.parent_path().filename() / path.filename()).string();
   const bool is_line = plot.fit.reported_law == ConsolidationLaw::log;

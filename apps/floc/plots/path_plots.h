@@ -17,8 +17,8 @@ struct FittedConsolidation {
   ConsolidationFit fit;
 };
 
-/// Fits the consolidation law that the data support to the first loading of a sample or, for several samples, to the mean of their first
-/// loadings.
+/// Fits the consolidation law that the data support. It is fitted to the first loading of a sample or, for
+/// several samples, to the mean of their first loadings.
 FittedConsolidation fitted_consolidation(const std::vector<PathTable>& samples);
 
 /// Plots 1/Phi against P*, with Phi (solid fraction) on the right axis. The plot shows the samples, their mean with its
@@ -42,8 +42,8 @@ std::string stress_unit(const std::string& units, int dimension, bool cohesive);
 struct ModuliPoint {
   double P_star;
   double B, B_S, G, B_reuss, B_voigt, G_voigt;
-  bool is_driven =
-      false;  ///< whether the load path drives one axis of the state; P_star is that of the mean stress
+  /// Whether the load path drives one axis of the state. P_star is then computed from the mean stress.
+  bool is_driven = false;
 
   /// Returns this point with NaN in place of the bounds that do not hold.
   /// @param hold  whether the bounds of the bulk modulus, B_reuss <= B <= B_voigt, and of the shear modulus, G <=

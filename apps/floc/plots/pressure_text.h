@@ -6,23 +6,24 @@
 
 namespace floc {
 
-/// Whether a state has a reduced pressure. Rigid grains that do not adhere have no scale of forces but the pressure.
+/// Returns whether a state has a reduced pressure. Rigid grains without adhesion have none, because the
+/// pressure is their only scale of forces.
 template <int Dim>
 bool has_reduced_pressure(const State<Dim>& state);
 
-/// Returns the reduced pressure of a state, imposed or carried, for captions and legends: one number or, if the load
-/// path drives one axis of the state, the mean over the axes and the stress on that axis, each with its name. It is the pressure
-/// itself where has_reduced_pressure() is false.
+/// Returns the imposed pressure of a state as text for captions and legends. If has_reduced_pressure() is true,
+/// it is the reduced pressure. If the load path drives one axis of the state, the text gives the mean over the
+/// axes and the stress on the driven axis, each with its name.
 template <int Dim>
 std::string pressure_value(const State<Dim>& state);
 
-/// Returns pressure_value() after the sign "P* = ", or "P = " where the pressure is not reduced.
+/// Returns pressure_value() after "P* = " or, if the pressure is not reduced, after "P = ".
 template <int Dim>
 std::string pressure_text(const State<Dim>& state) {
   return (has_reduced_pressure(state) ? "P* = " : "P = ") + pressure_value(state);
 }
 
-/// Returns the label of an axis with the reduced pressure of states, which is that of the mean stress.
+/// Returns the label of an axis that shows the reduced pressure of states, computed from the mean stress.
 /// @param some_are_driven  whether the load path drives one axis of some states
 std::string mean_pressure_label(bool some_are_driven);
 

@@ -251,9 +251,9 @@ PressureSample pressure_sample(const std::string& place, const std::string& name
                                            : static_stress(packing).trace() / Dim;
   if (sample.pressures.empty() || !(unit > 0.0) || (!sample.over_adhesion && pressure_is_noise(packing)))
     throw InputError(place,
-                     "the particle pressures of this state cannot be plotted: either no grain carries a force, "
-                     "or the packing has "
-                     "neither adhesion nor a pressure by which they could be divided");
+                     "the particle pressures of this state cannot be plotted: either no grain carries a "
+                     "force, or the packing has neither adhesion nor pressure, so that there is no unit "
+                     "of pressure");
   for (double& p : sample.pressures) p /= unit;
   return sample;
 }

@@ -35,7 +35,8 @@ Plot forces_plot(const std::vector<ForceSample>& samples, ForceKind kind, ForceU
 struct PressureSample {
   std::string name;               ///< name in the legend
   std::vector<double> pressures;  ///< pressures of the grains that are not rattlers
-  /// Whether the unit of the pressures is F0/<a>^(d-1), which needs adhesion; if not, it is the pressure of the state.
+  /// Whether the pressures are divided by F0/<a>^(d-1), which needs adhesion. Otherwise they are divided by the
+  /// pressure of the state.
   bool over_adhesion = true;
 };
 

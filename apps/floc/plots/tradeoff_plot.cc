@@ -26,7 +26,8 @@ bool is_compared(const MeasuredSetting& m, Observable observable) {
   return std::isfinite(single_state_error(m.errors[observable]));
 }
 
-/// Returns the first of several observables of which errors of states were compared; the last one if there is none.
+/// Returns the first of the `candidates` for which errors of single states were measured; if there is none, the
+/// last one.
 Observable first_compared(const Tradeoff& tradeoff, std::initializer_list<Observable> candidates) {
   for (const Observable candidate : candidates)
     if (std::any_of(tradeoff.settings.begin(), tradeoff.settings.end(),
@@ -35,7 +36,7 @@ Observable first_compared(const Tradeoff& tradeoff, std::initializer_list<Observ
   return *std::prev(candidates.end());
 }
 
-/// Observables of the two panels.
+/// Observables whose errors the two panels of the plot show.
 struct Panels {
   Observable first, second;
 };

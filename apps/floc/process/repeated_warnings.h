@@ -16,7 +16,7 @@ class RepeatedWarnings {
   RepeatedWarnings(const RepeatedWarnings&) = delete;
   RepeatedWarnings& operator=(const RepeatedWarnings&) = delete;
 
-  /// Returns a Remarks object that passes its remarks to this collector, which has to exist longer.
+  /// Returns a Remarks object that passes its remarks to this collector. The collector must outlive it.
   Remarks remarks();
 
  private:

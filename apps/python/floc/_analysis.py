@@ -98,7 +98,7 @@ def moduli(state, strains="diagonal", *, prestress=False, tolerance=None, method
 
 def network(state, *, zero_force=None, least_contacts=None, unit="mean", bin_width=0.1, groups=(), near_zero=0.02,
             shuffles=20, pressure_bin_width=0.1, without=(), tables=()):
-    """Computes coordination, forces, particle pressures and what carries the load, as ``floc network`` prints them.
+    """Computes coordination, forces, particle pressures and the load-carrying structure, as ``floc network`` does.
 
     Parameters
     ----------
@@ -116,8 +116,8 @@ def network(state, *, zero_force=None, least_contacts=None, unit="mean", bin_wid
     near_zero : float, shuffles : int, pressure_bin_width : float
         As the options ``--near-zero``, ``--shuffles`` and ``--pressure-bin-width`` of ``floc network``.
     without : sequence of {"mechanics"}
-        Groups of columns that are not computed but None. "mechanics": the columns that need the moduli, which take
-        most of the time for a large packing; they are None for a state with walls in any case.
+        Groups of columns that are set to None instead of being computed. "mechanics": the columns that need the
+        moduli, which take most of the time for a large packing. For a state with walls, these columns are always None.
     tables : sequence of str
         Additional tables to compute: "pdf", "particle_stress", "exponents", "pressure_pdf", "like_neighbours",
         "clusters".
@@ -204,23 +204,22 @@ def forces(state, *, selection=None, friction=None, kn=None, kt=None, stress=(),
     ----------
     state : State, path-like, or sequence of these
     selection : {"closest", "canonical"}, optional
-        The balanced forces closest to those of the state, or those of least elastic energy. Without it: closest, and
-        canonical for a state without forces.
+        "closest": the balanced forces closest to those of the state; "canonical": the balanced forces of least elastic
+        energy ["closest" or, for a state without forces, "canonical"].
     friction : float, optional
-        Friction coefficient of all contacts; that of the contact law without it.
+        Friction coefficient of all contacts [the coefficient of the contact law].
     kn, kt : float, optional
-        Stiffnesses K_N and K_T of all contacts in the elastic energy (force/length); those of each contact without
-        them.
+        Stiffnesses K_N and K_T of all contacts in the elastic energy (force/length) [the stiffnesses of each contact].
     stress : float or sequence of float
         Stress that the forces transmit: the pressure, the components along the axes, or all components in the order
-        of Voigt (force/length^(d-1)). Empty: that of the forces of the state.
+        of Voigt (force/length^(d-1)) [the stress that the forces of the state transmit].
     gap : float, optional
         Largest gap across which pairs of grains may carry a force, in units of the smallest diameter.
     tables : sequence of str
-        Further tables: "contacts" (the force of each contact).
+        Additional tables to compute: "contacts" (the force of each contact).
     ranges : bool
-        Adds to this table the smallest and the largest normal force that each contact can carry while all forces
-        balance.
+        Adds to the table "contacts" the smallest and the largest normal force that each contact can carry while all
+        forces balance.
     range_of : sequence of int
         Restricts the ranges to the contacts with these numbers.
 

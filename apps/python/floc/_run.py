@@ -90,8 +90,8 @@ def run(scene, directory, *, on_progress=None, interval=0.5, changes=None, seed=
     timing : bool
         Whether path.csv has the duration of each step. Without durations, equal runs write equal files.
     prices : path-like, optional
-        Table of the errors and costs of numerical settings, written by ``floc tradeoff``, by which ``[accuracy]`` of the
-        scene chooses, as the option ``--prices`` [the table shipped with floc].
+        Table of the errors and costs of numerical settings, written by ``floc tradeoff``, as for the option ``--prices``.
+        The table ``[accuracy]`` of the scene chooses settings from it [the table shipped with floc].
 
     Returns
     -------

@@ -76,8 +76,8 @@ class State(_core.State):
                                    "density 1, outer_radius. None for disks and spheres.")
     shape = _documented("shape", "(n,) indices of the grains' shapes in ``shapes``; None for disks and spheres.")
     scale = _documented("scale", "(n,) factors by which the shapes are magnified; None for disks and spheres.")
-    motion = _documented("motion", "Of rigid grains in motion, the time step that begins at the state: time_step, residual "
-                                   "(error of its impulses over the mean) and inertial_number. None at rest.")
+    motion = _documented("motion", "For rigid grains in motion: the time step that begins at the state, with time_step, residual "
+                                   "(error of the impulses divided by the mean impulse) and inertial_number. None at rest.")
     scene = _documented("scene", "Text of the scene; empty for a packing of another program.")
     provenance = _documented("provenance", "Origin of the state: program, commit, compiler, seed, parent_sha256, "
                                            "source.")

@@ -115,12 +115,12 @@ def consolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None
         Largest solid fraction to which a law may tend at high pressure; None for no bound.
     stress : {"driven", "mean"}, columns : dict
         For tables only: the stress from which P* of an oedometric test is computed, and the names of the columns for
-        the keys P_star, phi, void_ratio or another density, branch, with a unit where the table has none, as in
-        ``{"void_ratio": "e [%]"}``. Columns with usual names are found without.
+        the keys P_star, phi, void_ratio or another density, branch, with a unit if the table has none, as in
+        ``{"void_ratio": "e [%]"}``. Columns with usual names are found without this argument.
 
     Returns
     -------
-    Fit, or for several samples a list of fits, of which the last is that of the mean
+    Fit, or for several samples a list of fits, the last of which is the fit of their mean
         Parameters lambda, P0_star, Phi0, alpha, P1_star, Phi_max, if the law has them; with the law "auto" also kappa,
         and the indices C_c and C_s, which are ln(10) lambda and ln(10) kappa.
 
@@ -161,8 +161,8 @@ def compression(pressure, solid_fraction=None, *, void_ratio=None, branch=None, 
     Returns
     -------
     list of Fit
-        One for each sample and law, those of a sample in the order of their rank: attributes law, delta_aicc,
-        akaike_weight, residual_pattern, window.
+        One for each sample and law; the fits of a sample are in the order of their rank. They have the attributes law,
+        delta_aicc, akaike_weight, residual_pattern and window.
 
     Raises
     ------

@@ -25,8 +25,9 @@ struct StateChoice {
   std::vector<int> numbers;  ///< numbers of the chosen states, if `kind` is `steps`
   std::string branch;        ///< branch of the load path with the states, if `kind` is `pressures`; empty: any
   std::vector<double> P_star;  ///< reduced imposed pressures of the states, if `kind` is `pressures`
-  bool is_driven = false;      ///< whether `P_star` are pressures on the driven axis, not on all axes alike
-  std::string place;           ///< "FILE:LINE" in the campaign file, for messages
+  /// whether `P_star` are stresses on the driven axis, not equal pressures on all axes
+  bool is_driven = false;
+  std::string place;  ///< "FILE:LINE" in the campaign file, for messages
 };
 
 /// A case of a campaign: its scene with some keys changed, which is run with every seed.
@@ -71,8 +72,8 @@ struct PlanPromise {
   std::string settings;       ///< name of the numerical settings in the table of prices, such as "patience 0.2"
   std::string prices;         ///< table of prices, or pilot, from which the promise is made
   double core_seconds = 0.0;  ///< processor time of all runs (s)
-  /// Names of observables with the half width of the 95 % interval of the mean over states and samples, or of the fit,
-  /// over its value.
+  /// Names of observables, each with its promised relative error: half the width of the 95 % interval divided
+  /// by the value. The value is a mean over states and samples, or a fit.
   std::vector<std::pair<std::string, double>> errors;
 };
 

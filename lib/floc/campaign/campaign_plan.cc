@@ -69,7 +69,8 @@ std::vector<PlannedState> states_of(const Scene& scene) {
   KnownStress from = first_stress(scene.assembly, scene.dimension);
   int stage = -1;
   for (const PlannedEquilibrium& e : plan_run(scene.assembly, scene.law, scene.load, scene.dimension)) {
-    // A stage has a step at least, so that none is passed over.
+    // `from` is updated at the first equilibrium of each stage. Every stage has at least one step, so no stage
+    // is skipped.
     if (e.stage > stage && stage >= 0) from = after_stage(from, scene.load[static_cast<std::size_t>(stage)]);
     stage = e.stage;
     const auto reduced = [&](double pressure) {

@@ -36,7 +36,8 @@ struct DensityResidual {
   }
 };
 
-/// A model fitted to points. Coordinates that are given or at a bound have a column of zeros in the Jacobian.
+/// A model fitted to points. The Jacobian has a column of zeros for each coordinate that is fixed or at a
+/// bound.
 struct Solution {
   Eigen::VectorXd theta, residuals;
   Eigen::MatrixXd jacobian;
@@ -94,9 +95,9 @@ std::optional<Solution> solve(const CompressionPoints& points, const Compression
   return solution;
 }
 
-/// Returns the covariance of theta, zero for coordinates that were not fitted. It does not assume that the weights are
-/// right, because a table does not tell how the errors of D depend on D: each residual stands for the error of its own
-/// point, over 1 - h with the leverage h of the point (the estimator HC3 [MW1985]).
+/// Returns the covariance of theta, zero for coordinates that were not fitted. It does not rely on the weights,
+/// because a table does not tell how the errors of D depend on D: each residual, divided by 1 - h with the
+/// leverage h of its point, is the estimate of the error of this point (estimator HC3 [MW1985]).
 Eigen::MatrixXd covariance_of(const Solution& solution) {
   const Eigen::MatrixXd& J = solution.jacobian;
   Eigen::MatrixXd c = unit_covariance(J);
@@ -129,9 +130,10 @@ double error_of(const Gradient& gradient, const Eigen::MatrixXd& covariance) {
   return std::sqrt(std::max(variance, 0.0));
 }
 
-/// Removes the value of a parameter that the data do not identify, and bounds that say nothing.
+/// Removes the value of a parameter that the data do not identify, and those ends of its interval that are too
+/// far away to be useful.
 void remove_if_unknown(FittedParameter& p) {
-  constexpr double kFar = 1e3;  // a bound that is this factor away from the best value
+  constexpr double kFar = 1e3;  // factor by which an end may differ from the best value
   if (p.identified) return;
   if (p.low95 && !(*p.low95 * kFar > *p.value)) p.low95 = std::nullopt;
   if (p.high95 && !(*p.high95 < *p.value * kFar)) p.high95 = std::nullopt;
@@ -156,17 +158,17 @@ std::vector<FittedParameter> parameters_of(const Solution& solution, double fact
   return parameters;
 }
 
-/// Replaces parameters that were given by their values, and a limit at its bound by the bound.
+/// For a fixed parameter, reports its given value. For a limit at its bound, reports the bound instead of a
+/// value.
 void mark_given(const CompressionOptions& options, const Solution& solution, CompressionFit& fit) {
   for (FittedParameter& p : fit.parameters) {
     if (p.name == "D0" && options.D0 > 0.0) p = held_at("D0", options.D0);
     if (p.name != "Phi_max" || !solution.at_limit) continue;
     p = {"Phi_max", {}, {}, {}, options.phi_limit, false};
-    fit.warnings.push_back(
-        fmt::format("Phi_max is at its bound, {:g}: without it the best fit would go beyond, so that the law "
-                    "may not describe the "
-                    "data",
-                    options.phi_limit));
+    fit.warnings.push_back(fmt::format(
+        "Phi_max is at its bound, {:g}: the best fit without this bound exceeds it, so that the law "
+        "may not describe the data",
+        options.phi_limit));
   }
 }
 
@@ -176,7 +178,7 @@ ResidualPattern pattern_of(const Solution& solution) {
 
 double aicc_of(const Solution& solution, Eigen::Index n_points) {
   const auto n = static_cast<double>(n_points);
-  const double k = solution.n_free + 1.0;  // the variance is a parameter too
+  const double k = solution.n_free + 1.0;  // the variance of the residuals counts as a parameter
   const double mean = std::max(solution.sum_of_squares / n, kRoundingOfTables * kRoundingOfTables);
   return n * std::log(mean) + 2.0 * k + 2.0 * k * (k + 1.0) / (n - k - 1.0);
 }
@@ -240,7 +242,7 @@ CompressionFit fit_law(CompressionLaw law, const CompressionPoints& points, cons
   return refused(law, "unknown law");
 }
 
-/// Sets the differences and the weights of Akaike of laws that were fitted to the same points.
+/// Sets the differences of AIC and the Akaike weights of laws that were fitted to the same points.
 void rank(std::vector<CompressionFit>& fits) {
   double least = kInfinity, sum = 0.0;
   for (const CompressionFit& fit : fits)

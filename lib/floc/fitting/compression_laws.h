@@ -12,7 +12,7 @@ namespace floc {
 /// Laws of the compression of powders: the solid fraction D (relative density) at the pressure P. D0 is the solid
 /// fraction without pressure, C = 1 - D0/D the relative reduction of volume.
 enum class CompressionLaw {
-  heckel,        ///< ln[1/(1 - D)] = A + P/P_y, to the linear part of the curve [Heckel1961]
+  heckel,        ///< ln[1/(1 - D)] = A + P/P_y, fitted to the linear part of the curve [Heckel1961]
   kawakita,      ///< C = a b P/(1 + b P) [KL1971]
   cooper_eaton,  ///< C/(1 - D0) = a1 exp(-k1/P) + a2 exp(-k2/P) [CE1962]
   walker,        ///< 1/D = c - L ln P, of Walker and Balshin: the line of regime II [Walker1923]
@@ -31,8 +31,8 @@ std::span<const NamedCompressionLaw> compression_laws();
 struct CompressionOptions {
   /// Solid fraction D0 without pressure; 0 to fit it as a parameter of the laws that have it.
   double D0 = 0.0;
-  /// Largest solid fraction to which a law may tend; infinity for densities in a die under load, which elastic strain
-  /// takes beyond that of the solid.
+  /// Largest solid fraction to which a law may tend. Infinity allows values above 1, as measured in a die under
+  /// load, where the solid itself is compressed elastically.
   double phi_limit = 1.0;
 };
 
@@ -43,27 +43,27 @@ struct CompressionFit {
   /// Parameters with their intervals. Heckel: P_y, A; Kawakita: a, b, D0, Phi_max; Cooper and Eaton: a1, k1, a2, k2, D0;
   /// Walker and Gurnham: slope and D_1, the solid fraction at the pressure 1; Adams: tau, alpha, D0.
   std::vector<FittedParameter> parameters;
-  int first = 0;            ///< index of the first point to which the parameters belong
-  int n_points = 0;         ///< number of these points
+  int first = 0;            ///< index of the first point in the part of the curve that gives the parameters
+  int n_points = 0;         ///< number of points in this part
   double rms = 0.0;         ///< root mean square residual of D over these points
   ResidualPattern pattern;  ///< pattern in the residuals of the law fitted to all points
-  /// Corrected information criterion of Akaike of the law fitted to all points, up to a constant of the data, and how much
-  /// it exceeds that of the best of the laws fitted together.
+  /// Corrected Akaike information criterion of the law fitted to all points, up to a constant that depends on
+  /// the data, and its difference from the smallest value among the laws fitted together.
   double aicc = 0.0, delta_aicc = 0.0;
-  double weight = 0.0;  ///< weight of Akaike among the laws fitted together
+  double weight = 0.0;  ///< Akaike weight among the laws fitted together
   std::vector<std::string> warnings;
 
   bool found() const { return failure_reason.empty(); }
 };
 
-/// Fits compression laws to the same points by least squares in D, and ranks them by the criterion of Akaike. The weights
-/// are those of errors in proportion to the square root of D, between equal and relative errors. Intervals are Student's
-/// t, in the logarithm of a positive parameter; their errors are those of the single residuals [MW1985], so that they
-/// hold for either kind of errors.
+/// Fits compression laws to the same points by least squares in D, and ranks them by their Akaike information
+/// criterion. Errors of D are taken as proportional to sqrt(D), which is between equal and relative errors.
+/// Intervals follow from Student's t, in the logarithm of a positive parameter. Their standard errors follow
+/// from the single residuals [MW1985], so they hold for equal and for relative errors.
 ///
-/// The law of Heckel is fitted to the longest part of the curve in which ln[1/(1 - D)] is straight: where a quadratic
-/// term is not significant, or changes the slope by less than a tenth from end to end. Its rank is that of a fit to all
-/// points, as those of the other laws.
+/// Heckel's law is fitted to the longest part of the curve in which ln[1/(1 - D)] is straight: its quadratic
+/// term is not significant, or changes the slope by less than a tenth from end to end. Its rank is that of a
+/// fit to all points, like the ranks of the other laws.
 /// @param P  pressures, > 0, growing   @param D  solid fractions, > 0, one per pressure
 [[nodiscard]] std::vector<CompressionFit> fit_compression(const std::vector<double>& P,
                                                           const std::vector<double>& D,

@@ -11,7 +11,7 @@
 namespace floc {
 namespace {
 
-/// Returns values of D0 to start from: the given one, or some below the first solid fraction.
+/// Returns starting values of D0: the given value, or several values below the first solid fraction.
 std::vector<double> values_of_D0(const CompressionPoints& points, double D0) {
   if (D0 > 0.0) return {D0};
   std::vector<double> values;
@@ -19,7 +19,8 @@ std::vector<double> values_of_D0(const CompressionPoints& points, double D0) {
   return values;
 }
 
-/// Points in the coordinates of Heckel, P and ln[1/(1 - D)], as far as D < 1, with weights for equal errors of D.
+/// Points in Heckel's coordinates, P and ln[1/(1 - D)], up to the first D >= 1. The weights correspond to equal
+/// errors of D.
 struct HeckelPoints {
   Eigen::VectorXd P, y, weight;
 };
@@ -31,14 +32,14 @@ HeckelPoints heckel_points(const CompressionPoints& points) {
   return {points.P.head(n), -pores.array().log(), points.weight.head(n).cwiseProduct(pores)};
 }
 
-/// Returns whether ln[1/(1 - D)] is straight in a part of the points, and how significant its curvature is.
+/// Result of a test whether ln[1/(1 - D)] is a straight function of P.
 struct Straightness {
   bool is_straight;
-  double t;  ///< curvature over its standard error
+  double t;  ///< curvature divided by its standard error
 };
 
 Straightness straightness(const HeckelPoints& h, Eigen::Index first, Eigen::Index n) {
-  constexpr double kSmallChange = 0.1;  // change of the slope from end to end, over the slope
+  constexpr double kSmallChange = 0.1;  // largest change of the slope from end to end, divided by the slope
   constexpr double kRounding = 1e-9;
   const Eigen::ArrayXd w = h.weight.segment(first, n);
   const Eigen::ArrayXd P = h.P.segment(first, n);
@@ -71,7 +72,7 @@ std::vector<double> geometric(double low, double high, int n) {
 
 std::pair<int, int> straight_part(const CompressionPoints& points) {
   constexpr Eigen::Index kLeast = 4;
-  constexpr Eigen::Index kPlaces = 60;  // places of the ends among which to search
+  constexpr Eigen::Index kPlaces = 60;  // number of positions that are tried for each end
   const HeckelPoints h = heckel_points(points);
   const Eigen::Index n = h.P.size();
   const Eigen::Index step = std::max<Eigen::Index>(n / kPlaces, 1);

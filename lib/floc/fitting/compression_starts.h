@@ -19,9 +19,10 @@ struct CompressionPoints {
   }
 };
 
-/// Returns starting points of theta for a model, from straight lines in the coordinates in which the model is linear and
-/// from grids of its other coordinates. There are none if the solid fraction does not grow with pressure.
-/// @param D0  solid fraction without pressure, if it is given; otherwise 0
+/// Returns starting points of theta for a model. They follow from straight lines in coordinates in which the
+/// model is linear, and from grids of its other coordinates. The result is empty if the solid fraction does not
+/// grow with pressure.
+/// @param D0  given solid fraction without pressure; 0 if it is fitted
 template <class Model>
 std::vector<Eigen::VectorXd> starts_of(const CompressionPoints& points, double D0);
 template <>
@@ -37,9 +38,9 @@ std::vector<Eigen::VectorXd> starts_of<GurnhamModel>(const CompressionPoints& po
 template <>
 std::vector<Eigen::VectorXd> starts_of<AdamsModel>(const CompressionPoints& points, double D0);
 
-/// Returns the longest part of a curve in which ln[1/(1 - D)] is a straight function of the pressure, as its first point
-/// and its number of points: all of the curve if no part of four points or more is straight. Points with D >= 1 belong to
-/// no straight part.
+/// Returns the index of the first point and the number of points of the longest part of a curve in which
+/// ln[1/(1 - D)] is a straight function of the pressure. If no part with at least four points is straight,
+/// returns the whole curve. Points with D >= 1 belong to no straight part.
 std::pair<int, int> straight_part(const CompressionPoints& points);
 
 }  // namespace floc

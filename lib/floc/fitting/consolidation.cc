@@ -163,10 +163,11 @@ void add_spread_over_places(const LawEstimate& e, const LawPoints& all, const Wi
   }
 }
 
-/// Adds to the covariance of a mean of samples that collapse in jumps what the lag of these jumps may do. Where regime II
-/// begins, samples that have not collapsed yet lie above its line, the more the rarer the jumps are, and make the mean
-/// less steep. The change of theta that leaving out the first quarter of the points makes is a measure of it. The full law
-/// is chosen only where the mean curve is smooth.
+/// Adds an estimate of a systematic error to the covariance of the line of regime II, fitted to a mean of
+/// samples that collapse in jumps. At the beginning of regime II, samples that have not collapsed yet lie above
+/// the line, and more so if jumps are rare. This makes the mean less steep. The estimate is the change of theta
+/// if the first quarter of the points is left out. Nothing is added to the full law, which is chosen only if
+/// the mean curve is smooth.
 void add_lag_of_collapses(const LawEstimate& e, const LawPoints& all, const Window& window,
                           Covariance& covariance) {
   const int left_out = std::max(1, window.n / 4);

@@ -23,7 +23,7 @@ enum class Weighting {
   automatic,  ///< `scatter` if the curve is the mean over three samples or more, otherwise `relative`
   uniform,    ///< equal errors at all points
   relative,   ///< errors in proportion to 1/Phi
-  between,    ///< errors in proportion to the square root of 1/Phi, for data that may have either of the above
+  between,    ///< errors in proportion to sqrt(1/Phi), a compromise between `uniform` and `relative`
   scatter,    ///< errors of a mean over several samples, computed from the scatter between these samples
 };
 
@@ -135,22 +135,24 @@ struct ConsolidationFit {
 /// for regimes: that scatter is correlated between neighbouring pressures.
 [[nodiscard]] LawPoints law_points(const ConsolidationCurve& curve, Weighting weighting);
 
-/// Fits a consolidation law (docs/physics.md, "Consolidation laws") to a curve of the solid fraction Phi against the
-/// reduced pressure P*, by weighted least squares in 1/Phi, with a robust loss function if the options choose one.
+/// Fits a consolidation law (docs/physics.md, "Consolidation laws") to a curve of the solid fraction Phi
+/// against the reduced pressure P*, by weighted least squares in 1/Phi, with a robust loss function if the
+/// options choose one.
 ///
-/// Standard errors of a fit to a single curve follow from the residuals. For a mean over three samples or more they
-/// follow from the scatter of the samples: the deviation of each sample from the mean is propagated through the
-/// linearised fit, so that the correlation of errors along the curve is included. If the fit has found the regimes, the
-/// scatter of the parameters over the probable ends of the regimes is added. To the line of regime II of a mean over samples,
-/// with given regimes, what the lag of jumps may do is added too.
+/// Standard errors of a fit to a single curve follow from the residuals. For a mean over three samples or more
+/// they follow from the scatter of the samples: the deviation of each sample from the mean is propagated
+/// through the linearised fit, so that the correlation of errors along the curve is included. If the fit has
+/// found the regimes, the scatter of the parameters over the probable ends of the regimes is added. If the
+/// regimes are given, and the line of regime II is fitted to a mean over samples, an estimate of the error from
+/// late collapses is added too.
 ///
-/// The 95 % intervals follow from Student's t in the logarithm of a parameter, or in 1/Phi0 for Phi0. Those of alpha
-/// and Phi_max follow from the profile likelihood. The bootstrap draws samples if the curve is a mean over samples, and
-/// otherwise residuals.
+/// The 95 % intervals follow from Student's t in the logarithm of a parameter, or in 1/Phi0 for Phi0. Those of
+/// alpha and Phi_max follow from the profile likelihood. The bootstrap draws samples if the curve is a mean
+/// over samples, and otherwise residuals.
 ///
-/// If the data end before P1*, the pressure at which regime III begins, the fit gives bounds of P1* and Phi_max and no
-/// value of the exponent alpha. There is no fit, but a `failure_reason`, if the points are too few, if all of them lie
-/// in regime I, or if the solid fraction does not grow with pressure.
+/// If the data end before P1*, the pressure at which regime III begins, the fit gives bounds of P1* and Phi_max
+/// and no value of the exponent alpha. There is no fit, but a `failure_reason`, if the points are too few, if
+/// all of them lie in regime I, or if the solid fraction does not grow with pressure.
 /// @pre All pressures and solid fractions are positive and finite, and the pressures grow.
 /// @throws InputError with the faults of the options if they are not valid
 [[nodiscard]] ConsolidationFit fit_consolidation(const ConsolidationCurve& curve,

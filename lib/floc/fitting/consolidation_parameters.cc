@@ -47,18 +47,18 @@ std::string bounds_in_words(const FittedParameter& p) {
   return "not bounded";
 }
 
-/// Replaces a Phi_max that the data drive to its bound by that bound, as the upper end of its interval.
+/// If the best Phi_max is at its bound, reports no value of Phi_max and the bound as the upper end of its
+/// interval.
 void report_limit(double phi_limit, FittedParameter& p, ConsolidationFit& fit) {
   if (!p.low95 || *p.low95 > phi_limit) p.low95 = std::nullopt;
   p.value = p.standard_error = std::nullopt;
   p.high95 = phi_limit;
   p.identified = false;
-  fit.warnings.push_back(
-      fmt::format("Phi_max is not identified by these data: it is at its bound, {:g} (option --phi-limit), and "
-                  "without it the best "
-                  "fit would go beyond. The law may not describe the data, and the other parameters belong to "
-                  "Phi_max = {:g}",
-                  phi_limit, phi_limit));
+  fit.warnings.push_back(fmt::format(
+      "Phi_max is not identified by these data: it is at its bound, {:g} (option --phi-limit), and "
+      "the best fit without this bound exceeds it. The law may not describe the data, and the other "
+      "parameters belong to Phi_max = {:g}",
+      phi_limit, phi_limit));
 }
 
 }  // namespace

@@ -134,8 +134,8 @@ std::optional<LawSolution> refine(const LawPoints& points, const Eigen::VectorXd
   const std::vector<Residual> residuals = residuals_of<Residual>(points);
   std::vector<ParameterLimits> limits = limits_of(Residual::kParameters, points);
   auto found = minimize(residuals, start, {}, held);
-  // The solver is less exact with limits of the parameters. It therefore runs without limits first, and runs with
-  // limits only if that fails or leads beyond the limits.
+  // With limits of the parameters the solver is less exact. It therefore runs without limits first, and with
+  // limits only if this run fails or ends beyond the limits.
   if (!found || !within(limits, found->theta)) found = minimize(residuals, start, limits, held);
   if (!found) return std::nullopt;
   const bool beyond = Residual::kParameters > kLimitParameter && held != kLimitParameter &&

@@ -7,13 +7,13 @@
 
 namespace floc {
 
-/// Returns the mean of independent values, such as those of several samples, with Student's interval. Of a single
-/// value there is no interval.
+/// Returns the mean of independent values, such as those of several samples, with its interval by Student's t.
+/// A single value has no interval.
 FittedParameter mean_of_samples(const std::string& name, const std::vector<double>& values);
 
-/// Returns the mean of successive values that are correlated, such as those along the path of one sample. Its interval is
-/// that of the means of five successive batches of equal length, which are taken as independent: the correlation has to
-/// fade within a batch. Fewer than ten values give no interval.
+/// Returns the mean of successive correlated values, such as those along the path of one sample. Its interval
+/// follows from the means of five successive batches of equal length, which are taken as independent. So the
+/// correlation must vanish within one batch. With fewer than ten values there is no interval.
 FittedParameter mean_along_path(const std::string& name, const std::vector<double>& values);
 
 }  // namespace floc

@@ -125,7 +125,7 @@ std::optional<LeastSquaresSolution> solve(const Residuals& data) {
   return std::nullopt;
 }
 
-/// Misfit of each sample in a robust fit, which serves to flag the samples that do not lie on the plateau.
+/// Misfit of each sample in a robust fit, used to flag samples that do not lie on the plateau.
 struct RobustView {
   Eigen::VectorXd misfit;  ///< void ratio e minus its value by the law
   double deviation = 0.0;  ///< standard deviation of the misfit of a sample that follows the law
@@ -169,8 +169,8 @@ std::optional<RobustView> robust_view(const CompactionData& data) {
   return view;
 }
 
-/// Returns the indices of the samples beside the plateau: samples that view.may_flag allows to flag, and that miss the
-/// law by more than `n_deviations` standard deviations.
+/// Returns the indices of the samples that do not lie on the plateau: samples that view.may_flag allows to
+/// flag, and that miss the law by more than `n_deviations` standard deviations.
 std::vector<int> beside_plateau(const CompactionData& data, const RobustView& view, double n_deviations) {
   std::vector<int> rows;
   for (std::size_t k = 0; k < data.rows.size(); ++k)
@@ -237,10 +237,10 @@ struct CompactionEstimate {
   CompactionData data;
   LeastSquaresSolution solution;
   double variance = 0.0;       ///< variance of the residuals
-  double scatter_share = 1.0;  ///< share of `variance` that is scatter between repeated runs
+  double scatter_share = 1.0;  ///< fraction of `variance` that is the scatter between repeated runs
   Eigen::MatrixXd covariance;  ///< covariance of theta, from the residuals
-  /// Values of coordinates(), their standard errors from the residuals (`scatter`), and their standard errors from the
-  /// choice of the samples left out (`spread`).
+  /// Values of coordinates(); their standard errors from the residuals (`scatter`); their standard errors from
+  /// the choice of the samples that are left out (`spread`).
   Parameters value, scatter, spread;
 
   int dof() const { return static_cast<int>(data.rows.size()) - kParameters; }
@@ -281,7 +281,8 @@ FittedParameter parameter_of(const CompactionEstimate& e, int k) {
   return from_logarithm(name, e.value[k], e.error(k), t95);
 }
 
-/// Replaces the 95 % interval of the parameter A or a by the one that the profile likelihood of ln A or ln a gives.
+/// Replaces the 95 % interval of the parameter A or a by the interval from the profile likelihood of ln A or ln
+/// a.
 void profile(const CompactionEstimate& e, int k, FittedParameter& p, CompactionFit& fit) {
   const double error = e.error(k);
   // With a standard error this small, changes of the sum of squares are only rounding, and the interval from the
@@ -308,7 +309,7 @@ void profile(const CompactionEstimate& e, int k, FittedParameter& p, CompactionF
   });
   p.low95 = p.high95 = std::nullopt;
   fit.profiled.push_back(p.name);
-  // Smallest width at which the interval is trusted, as a share of its width from the covariance. Along a valley of
+  // Smallest width of the interval that is trusted, divided by its width from the covariance. Along a valley of
   // nearly equal solutions the solver stops early, which makes the interval too narrow.
   constexpr double kFollowed = 0.1;
   const double width = 2.0 * t95 * error;
@@ -321,8 +322,8 @@ void profile(const CompactionEstimate& e, int k, FittedParameter& p, CompactionF
                  *p.high95 < kIdentifiedFactor * *p.value;
 }
 
-/// Returns the parts of the standard error of a parameter, converted from the parts of the error of its coordinate in
-/// coordinates().
+/// Returns the parts of the standard error of a parameter. They are the parts of the error of its coordinate in
+/// coordinates(), multiplied by one factor so that they refer to the parameter.
 CompactionErrorParts parts_of(const CompactionEstimate& e, int k, const FittedParameter& p) {
   const double all = e.error(k);
   const double unit = all > 0.0 ? *p.standard_error / all : 0.0;
@@ -342,8 +343,8 @@ int n_of_first_power(const CompactionEstimate& e) {
 }
 
 void add_parameters(const CompactionEstimate& e, CompactionFit& fit) {
-  // Two samples determine the prefactor and the exponent of the first power law. A third sample is needed to tell it
-  // from the second power law.
+  // Two samples determine the prefactor and the exponent of the first power law. A third one is needed to
+  // distinguish it from the second power law.
   const bool sees_first_power = n_of_first_power(e) >= 3;
   for (int k = 0; k < kParameters; ++k) {
     FittedParameter p = parameter_of(e, k);

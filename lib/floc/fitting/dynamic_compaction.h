@@ -14,8 +14,8 @@ namespace floc {
 struct CompactedSample {
   double e;   ///< void ratio, > 0
   double p;   ///< pressure, > 0
-  double sc;  ///< cohesion: pull-off force over squared grain diameter, > 0, in the unit of p
-  double se;  ///< stiffness: normal stiffness of a contact over grain diameter, > 0, in the unit of p
+  double sc;  ///< cohesion: pull-off force divided by squared grain diameter, > 0, in the unit of p
+  double se;  ///< stiffness: normal stiffness of a contact divided by grain diameter, > 0, in the unit of p
 };
 
 /// Pressure at which the plateau of the void ratio is evaluated in the law of dynamic compaction.
@@ -99,15 +99,16 @@ struct CompactionFit {
 
 /// Fits the law of dynamic compaction by least squares in the void ratio e, from starting points on a grid.
 ///
-/// Samples beside the plateau are flagged and not fitted. These are samples that lie above the plateau or have eta* >
-/// 1, and miss a robust fit to all samples by more than four standard deviations.
+/// Samples beside the plateau are flagged and not fitted. These are samples that lie above the plateau or have
+/// eta* > 1, and miss a robust fit to all samples by more than four standard deviations.
 ///
-/// Standard errors have two parts: one follows from the residuals, the other is the change of the parameters if samples
-/// are flagged from 2.5 or 6 standard deviations on. The 95 % intervals follow from Student's t in e_min, 1/De, C and
-/// the logarithms of the other parameters; those of A and a follow from the profile likelihood.
+/// Standard errors have two parts: one follows from the residuals, the other is the change of the parameters if
+/// the threshold for flagged samples is 2.5 or 6 standard deviations instead of four. The 95 % intervals follow
+/// from Student's t in e_min, 1/De, C and the logarithms of the other parameters; those of A and a follow from
+/// the profile likelihood.
 ///
-/// There is no fit, but a `failure_reason`, with fewer than eight samples. Parameters that the samples do not identify
-/// have no value, and a warning names them.
+/// There is no fit, but a `failure_reason`, with fewer than eight samples. Parameters that the samples do not
+/// identify have no value, and a warning names them.
 /// @throws InputError with the faults of the reference values if they are not valid
 [[nodiscard]] CompactionFit fit_dynamic_compaction(const std::vector<CompactedSample>& samples,
                                                    const CompactionReference& reference);

@@ -87,8 +87,8 @@ bool falls_throughout(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const 
 /// must fall from every point of the part to the next lower pressure.
 std::optional<FittedPart> straight_part(const Eigen::VectorXd& P, const Eigen::VectorXd& y) {
   constexpr Eigen::Index kFewest = 4;
-  // Number of standard errors beyond which a part of the branch counts as curved; a 95 % interval from few points would
-  // hide any curvature.
+  // Number of standard errors beyond which a part of the branch counts as curved. A 95 % interval is not used,
+  // because with few points it is so wide that no curvature would be significant.
   constexpr double kErrors = 2.0;
   const bool falls = P[0] > P[P.size() - 1], whole = falls_as_a_whole(P, y);
   for (Eigen::Index n = P.size(); n >= kFewest; --n)
@@ -133,7 +133,7 @@ void set_parameters(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const Fi
     fit.parameters[1] = not_identified("phi_unloaded");
 }
 
-/// Returns the reason why the whole branch has no single modulus, in words.
+/// Returns a text with the reason why the whole branch has no single modulus.
 std::string words_of_curved(bool falls, const ElasticFit& fit) {
   if (!falls) return "the branch is not elastic as a whole: its solid fraction grows as the pressure falls";
   return fmt::format(

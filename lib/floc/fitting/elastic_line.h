@@ -42,8 +42,9 @@ struct ElasticFit {
 /// @param P  pressures, >= 0, growing or falling   @param phi  solid fractions, in (0, 1), one per pressure
 [[nodiscard]] ElasticFit fit_elastic(const std::vector<double>& P, const std::vector<double>& phi);
 
-/// Compares the fitted bulk modulus B with the moduli that the contact networks of the first and the last state fitted
-/// have. If both of these lie on one side of the 95 % interval of B, removes the value of B and adds a warning.
+/// Compares the fitted bulk modulus B with the moduli that follow from the contact networks of the first and
+/// the last fitted state. If both moduli are above, or both below, the 95 % interval of B, removes the value of
+/// B and adds a warning.
 void hold_against(double B_first, double B_last, ElasticFit& fit);
 
 }  // namespace floc

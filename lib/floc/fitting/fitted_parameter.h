@@ -36,7 +36,7 @@ struct PhysicalRange {
 
 /// Limits the interval of a parameter to its physical range. A value outside the range, from a law that does
 /// not describe the data, is removed, and the parameter counts as not identified.
-/// @return the reason why the value was removed, in words; empty if the value is inside the range
+/// @return a text with the reason why the value was removed; empty if the value is inside the range
 std::string keep_in_range(const PhysicalRange& range, FittedParameter& p);
 
 /// Returns a parameter for which the data give at most a lower bound.

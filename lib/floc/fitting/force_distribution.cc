@@ -87,9 +87,9 @@ double normalize(std::vector<double>& forces) {
   return mean;
 }
 
-/// Returns the p-value of a fit. Random samples of `n` forces are drawn from the fitted law, and the law is fitted
-/// again to each. The p-value is the share of samples whose Kolmogorov-Smirnov distance from this fit is at least
-/// `found`.
+/// Returns the p-value of a fit. Random samples of `n` forces are drawn from the fitted law, and the law is
+/// fitted again to each sample. The p-value is the fraction of samples whose Kolmogorov-Smirnov distance from
+/// their own fit is at least `found`.
 template <class Draw, class Distance>
 double share_as_far(const ForceFitOptions& options, int n, double found, const Draw& draw,
                     const Distance& distance) {

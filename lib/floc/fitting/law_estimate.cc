@@ -24,9 +24,10 @@ ResidualVariance residuals_of_law(const LawEstimate& e) {
   return {e.solution.sum_of_squares / dof, dof};
 }
 
-/// Returns the variance that part of the data has which `own` describes: its own, as the errors may be different in the
-/// other part, or the common one of both parts if there are few points. A plateau has no part in it, because a level
-/// that is not constant would only seem to be noise.
+/// Returns the variance of the residuals in one part of the data, before or within regime II. `own` is the
+/// variance computed from this part alone. It is used if it has enough degrees of freedom, because the errors
+/// may differ between the parts; otherwise the common variance of both parts is used. The plateau of a level
+/// line is ignored, because residuals of a level that is not constant would look like noise.
 ResidualVariance shared_variance(const LawEstimate& e, const ResidualVariance& own) {
   constexpr int kEnough = 6;
   if (!e.line.slopes || own.dof >= kEnough) return own;
@@ -60,12 +61,12 @@ Eigen::VectorXd unit(Eigen::Index n, Eigen::Index k) {
   return Eigen::VectorXd::Unit(n, k);
 }
 
-/// Adds Phi0 and P0*, the solid fraction and the reduced pressure at which the line of regime II begins, with their
-/// gradients. With a plateau or recompression line, the line of regime II begins where it meets that. Otherwise it
-/// begins at the first pressure, and only Phi0 is added.
+/// Adds Phi0 and P0*, the solid fraction and the reduced pressure at which the line of regime II begins, with
+/// their gradients. With a plateau or recompression line, the line of regime II begins where both lines meet.
+/// Otherwise it begins at the first pressure, and only Phi0 is added.
 ///
-/// `log_P` and `y` are ln P* and 1/Phi of a point on the line. `to_log_P` and `to_y` are their gradients with respect
-/// to the coordinates of the fit.
+/// `log_P` and `y` are ln P* and 1/Phi of a point on the line. `to_log_P` and `to_y` are their gradients with
+/// respect to the coordinates of the fit.
 void add_start_of_regime_two(const LawEstimate& e, double log_P, const Eigen::VectorXd& to_log_P, double y,
                              const Eigen::VectorXd& to_y, std::vector<Quantity>& quantities) {
   const double lambda = std::exp(e.solution.theta[0]);
@@ -93,8 +94,8 @@ void add_start_of_regime_two(const LawEstimate& e, double log_P, const Eigen::Ve
       {"Phi0", true, y - lambda * distance, to_y + lambda * to_log_P - lambda * distance * unit(n, 0)});
 }
 
-/// Returns the distance of each point of the recompression line from the centre of the line in ln P*, times the weight of
-/// the point.
+/// Returns ln P* of each point of the recompression line relative to the centre of the line, times the weight
+/// of the point.
 Eigen::VectorXd weighted_distances(const LawEstimate& e) {
   return e.plateau.weight.array() * (e.plateau.log_P.array() - e.line.centre);
 }

@@ -28,9 +28,9 @@ struct LawEstimate {
   }
 };
 
-/// Converts the coordinates theta of a consolidation law, which refer to the first pressure fitted, so that they refer
-/// to another pressure. The law does not change.
-/// @param step  ln of the other pressure over the first pressure fitted
+/// Converts the coordinates theta of a consolidation law, which refer to the first pressure fitted, to another
+/// reference pressure. The law does not change.
+/// @param step  ln of the other pressure minus ln of the first pressure fitted
 Eigen::VectorXd at_first_pressure(ConsolidationLaw law, Eigen::VectorXd theta, double step);
 
 /// A parameter of a consolidation law, with its gradient with respect to the coordinates of the fit.
@@ -64,18 +64,18 @@ Covariance covariance_from_residuals(const LawEstimate& estimate);
 /// then the other points fitted; columns: two samples or more
 Covariance covariance_from_samples(const LawEstimate& estimate, const Eigen::MatrixXd& deviations);
 
-/// Returns the slope kappa of the recompression line with its 95 % interval, of which no part is negative. @pre the
-/// slope was fitted
+/// Returns the slope kappa of the recompression line with its 95 % interval, which is limited to positive
+/// values. @pre the slope was fitted
 FittedParameter kappa_of(const LawEstimate& estimate, const Covariance& covariance);
 
 /// Returns a parameter with its standard error and its 95 % interval by Student's t.
 FittedParameter fitted_parameter(const Quantity& quantity, const Covariance& covariance);
 
-/// Returns the 95 % interval of one coordinate of theta from the profile of the sum of squares: the smallest sum of
-/// squares for a fixed value of this coordinate. The interval ends where this sum exceeds the minimum by r (t95 s)^2.
-/// Here t95 is the half width of the interval by Student's t, in standard errors, s^2 the variance of the residuals,
-/// and r the variance of the coordinate in `covariance` over its variance from the residuals. An end is absent if the
-/// data allow any value on that side.
+/// Returns the 95 % interval of one coordinate of theta from the profile of the sum of squares: the smallest
+/// sum of squares for a fixed value of this coordinate. The interval ends where this sum exceeds the minimum by
+/// r (t95 s)^2. Here t95 is the half width of the interval by Student's t, in standard errors; s^2 is the
+/// variance of the residuals; r is the variance of the coordinate in `covariance` divided by its variance from
+/// the residuals. An end is absent if the data allow any value on that side.
 ProfileInterval profile_interval(const LawEstimate& estimate, int coordinate, const Covariance& covariance);
 
 }  // namespace floc

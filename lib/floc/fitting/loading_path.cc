@@ -12,7 +12,8 @@ void add_point(const std::vector<PathRow>& rows, std::size_t i, Loading& loading
   loading.rows.push_back(static_cast<int>(i));
 }
 
-/// Whether the next row of the same branch has the same pressure, so that this row does not count.
+/// Returns whether the next row of the same branch has the same pressure. Then the row is superseded and does
+/// not count.
 bool is_superseded(const std::vector<PathRow>& rows, std::size_t i) {
   if (i + 1 >= rows.size() || rows[i].P_star == 0.0) return false;
   const PathRow &row = rows[i], &next = rows[i + 1];
@@ -20,7 +21,7 @@ bool is_superseded(const std::vector<PathRow>& rows, std::size_t i) {
          next.load == PathLoad::isotropic;
 }
 
-/// Returns the indices of the rows that no later row of the same pressure supersedes.
+/// Returns the indices of the rows that are not superseded by a later row of the same pressure.
 std::vector<std::size_t> counted_rows(const std::vector<PathRow>& rows) {
   std::vector<std::size_t> counted;
   for (std::size_t i = 0; i < rows.size(); ++i)
@@ -68,7 +69,8 @@ std::vector<int> superseded_rows(const std::vector<PathRow>& rows) {
   std::vector<int> found;
   for (std::size_t i = 0, first = 0; i < rows.size(); ++i) {
     if (is_superseded(rows, i)) continue;
-    // Rows of a branch that only holds the pressure of the branch before it are no points of a curve, not even the last.
+    // A branch that only holds the pressure of the branch before it adds no points to a curve, not even its
+    // last row.
     for (; first < i; ++first)
       if (steps[i] != PathStep::hold) found.push_back(static_cast<int>(first));
     first = i + 1;

@@ -39,20 +39,20 @@ enum class PathStep {
   test,          ///< the axes are loaded differently, but not as in an oedometer
 };
 
-/// Returns the kind of the step to each row. It follows from the kinds of load and the pressures alone, not from the
-/// names of the branches. Of successive rows of one branch that have one pressure, as a table of an oedometer test has
-/// them where the sample creeps under a load, only the last counts; the others are of the kind PathStep::hold.
+/// Returns the kind of the step to each row. It follows from the kinds of load and the pressures alone, not
+/// from the names of the branches. If successive rows of one branch have one pressure, as in an oedometer test
+/// while the sample creeps, only the last row counts; the others have the kind PathStep::hold.
 std::vector<PathStep> path_steps(const std::vector<PathRow>& rows);
 
-/// Returns the indices of the rows that do not count because a later one of successive rows has the same pressure and
-/// counts instead.
+/// Returns the indices of the rows that do not count, because a later row of the same branch has the same
+/// pressure.
 std::vector<int> superseded_rows(const std::vector<PathRow>& rows);
 
 /// Returns how often the pressure of a load path changes from growing to falling or back.
 int count_reversals(const std::vector<PathRow>& rows);
 
-/// Index of a row of a load path whose pressure does not fit to its branch, and the pressure expected in this row, in
-/// words.
+/// Index of a row of a load path whose pressure does not fit to its branch, and a text that describes the
+/// pressure expected in this row.
 struct PathFault {
   int row;
   std::string expected;

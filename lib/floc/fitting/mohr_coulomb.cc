@@ -22,8 +22,8 @@ double angle_of_ratio(double N) {
   return degrees(std::asin((N - 1.0) / (N + 1.0)));
 }
 
-/// Returns the line sigma_1 = C + N sigma_3 with the coefficients C and N. Residuals are divided by the fitted sigma_1,
-/// which two or three rounds settle.
+/// Returns the line sigma_1 = C + N sigma_3 with the coefficients C and N. Residuals are relative to the fitted
+/// sigma_1; the weights converge in two or three rounds.
 LinearFit line_of_relative_errors(const Eigen::VectorXd& minor, const Eigen::VectorXd& major) {
   constexpr int kRounds = 4;
   Eigen::VectorXd scale = major;
@@ -55,7 +55,7 @@ MohrCoulombFit fit_mohr_coulomb(const std::vector<FailureStress>& stresses, cons
     minor[i] = stresses[static_cast<std::size_t>(i)].minor;
     major[i] = stresses[static_cast<std::size_t>(i)].major;
   }
-  // Tests under nearly one lateral stress say nothing about the slope.
+  // Tests at nearly equal lateral stresses do not determine the slope.
   constexpr double kLeastRange = 0.05;
   if (!(major.minCoeff() > 0.0) || minor.maxCoeff() - minor.minCoeff() < kLeastRange * minor.maxCoeff()) {
     fit.failure_reason = fmt::format(
@@ -84,7 +84,7 @@ MohrCoulombFit fit_mohr_coulomb(const std::vector<FailureStress>& stresses, cons
                angle_of_ratio(*ratio.low95),
                angle_of_ratio(*ratio.high95),
                *ratio.low95 > 1.0};
-  // c = C/(2 sqrt N), by the propagation of the errors of C and N.
+  // c = C/(2 sqrt N). Its error follows by propagation of the errors of C and N.
   const double by_C = 0.5 / std::sqrt(N), by_N = -0.25 * C / (N * std::sqrt(N));
   const double variance = by_C * by_C * line.covariance(0, 0) + 2.0 * by_C * by_N * line.covariance(0, 1) +
                           by_N * by_N * line.covariance(1, 1);
@@ -104,7 +104,7 @@ double secant_angle(const FailureStress& s) {
 FittedParameter angle_of_sine(const FittedParameter& sine) {
   const auto angle = [](double x) { return degrees(std::asin(std::clamp(x, -1.0, 1.0))); };
   FittedParameter p = sine;
-  // An interval of sines beyond those of angles says nothing.
+  // An interval of the sine that extends beyond -1 or 1 does not determine the angle.
   if (p.low95 && p.high95) p.identified = p.identified && *p.low95 > -1.0 && *p.high95 < 1.0;
   if (p.value && p.standard_error)
     p.standard_error = degrees(*p.standard_error / std::sqrt(std::max(1e-12, 1.0 - *p.value * *p.value)));

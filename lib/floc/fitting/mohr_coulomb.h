@@ -29,18 +29,19 @@ struct MohrCoulombFit {
 ///
 ///   sigma_1 = N sigma_3 + 2 c sqrt(N),   N = (1 + sin phi)/(1 - sin phi),
 ///
-/// to the stresses of at least three samples. The errors of sigma_1 count relative to its value: samples under one lateral
-/// stress differ by a share of their strength. Intervals are those of Student's distribution, that of the angle
-/// symmetric in ln N.
+/// to the stresses of at least three samples. The fit assumes relative errors of sigma_1, because the strengths
+/// of samples under equal lateral stress differ by a fraction of their value. Intervals follow from Student's
+/// t; that of the angle is symmetric in ln N.
 /// @param suffix  end of the names of both parameters, such as "_peak"
 [[nodiscard]] MohrCoulombFit fit_mohr_coulomb(const std::vector<FailureStress>& stresses,
                                               const std::string& suffix);
 
-/// Returns the friction angle of a cohesionless sample, asin[(major - minor)/(major + minor)] (degrees), that of the
-/// line through the origin.
+/// Returns asin[(major - minor)/(major + minor)] (degrees): the friction angle of a cohesionless sample, whose
+/// Mohr-Coulomb line goes through the origin.
 double secant_angle(const FailureStress& stress);
 
-/// Returns the angle whose sine is `sine` (degrees), with the interval of the sine.
+/// Returns the angle (degrees) that belongs to a given sine, with the interval that follows from that of the
+/// sine.
 FittedParameter angle_of_sine(const FittedParameter& sine);
 
 }  // namespace floc

@@ -47,7 +47,7 @@ OedometerTest evaluate_oedometer_test(const TestPoints& points,
   if (!ratios.empty()) test.parameters.push_back(mean_along_path("K0", ratios));
   const double lowest = loading.front().axial_stress, highest = loading.back().axial_stress;
   const auto [low, high] = range.value_or(std::pair(std::max(lowest, 0.5 * highest), highest));
-  // The stresses of a run reach those of its scene to rounding.
+  // The stresses of a run agree with those of its scene only up to rounding.
   constexpr double kRounding = 1e-6;
   if (low < lowest * (1.0 - kRounding) || high > highest * (1.0 + kRounding)) {
     test.failure_reason = fmt::format(

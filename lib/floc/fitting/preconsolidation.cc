@@ -29,8 +29,8 @@ double correlation_of_neighbours(const Eigen::VectorXd& residuals) {
   return correlation < 2.0 / std::sqrt(static_cast<double>(n)) ? 0.0 : correlation;
 }
 
-/// Returns the ends of the places of the bend at which the profile of the sum of squares is at most `within`, between
-/// grid points by linear interpolation.
+/// Returns the range of positions of the bend at which the profile of the sum of squares is at most `within`,
+/// with linear interpolation between grid points.
 std::pair<double, double> places_within(const RoundBendFit& fit, double within) {
   const Eigen::VectorXd& left = fit.profile;
   double low = fit.best.bend, high = fit.best.bend;
@@ -59,7 +59,7 @@ PreconsolidationFit fit_preconsolidation(const std::vector<double>& P, const std
   assert(P.size() == phi.size());
   constexpr int kMinPressures =
       5;  // one more than the number of parameters of a sharp bend: P_c, y_c, kappa and lambda
-  constexpr int kEnoughForWidth = 10;  // fewer pressures do not tell a round bend from a sharp one
+  constexpr int kEnoughForWidth = 10;  // fewer pressures cannot distinguish a round bend from a sharp one
   constexpr int kEnoughForConstructions = 8;
   const auto n = static_cast<Eigen::Index>(P.size());
   if (n < kMinPressures)
@@ -83,8 +83,8 @@ PreconsolidationFit fit_preconsolidation(const std::vector<double>& P, const std
     return refused(
         "the branch does not bend towards a steeper line: it does not reach the preconsolidation pressure");
   PreconsolidationFit fit;
-  // Largest correlation of neighbouring residuals that is taken into account. Correlated residuals count as a smaller
-  // number of independent residuals, which would be zero at a correlation of 1.
+  // Upper limit of the correlation of neighbouring residuals. Correlated residuals count as a smaller number of
+  // independent residuals; at a correlation of 1 this number would be zero.
   constexpr double kMostCorrelated = 0.9;
   const double r = correlation_of_neighbours(lines.residuals);
   const double fewer = (1.0 + r) / (1.0 - std::min(r, kMostCorrelated));

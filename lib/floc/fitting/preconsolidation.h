@@ -10,9 +10,9 @@ namespace floc {
 /// Preconsolidation pressure, at which a reloaded packing begins to yield again, or the reason why there is no fit.
 struct PreconsolidationFit {
   std::string failure_reason;  ///< reason why there is no fit; empty if there is one
-  /// Parameters P_c (preconsolidation pressure), kappa (slope -d(1/Phi)/dlnP of the solid fraction Phi below P_c) and
-  /// lambda (this slope above P_c); with eight pressures or more also those of yield_constructions() and P_c_agreed, the
-  /// pressure at which all methods agree.
+  /// Parameters P_c (preconsolidation pressure), kappa (slope -d(1/Phi)/dlnP of the solid fraction Phi below
+  /// P_c) and lambda (this slope above P_c). With eight pressures or more also those of yield_constructions(),
+  /// and P_c_agreed, the median of all methods with the interval that they have in common (agreed_pressure()).
   std::vector<FittedParameter> parameters;
   double rms = 0.0;  ///< root mean square residual of 1/Phi
   std::vector<std::string> warnings;

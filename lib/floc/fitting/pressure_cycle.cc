@@ -6,8 +6,8 @@
 namespace floc {
 namespace {
 
-/// Returns the loading that ends at the row `turn`: this row and the rows right before it, as far back as the pressure
-/// only grows or is constant.
+/// Returns the loading that ends at the row `turn`: this row and all rows directly before it in which the
+/// pressure grows or is constant.
 Loading loading_up_to(const std::vector<PathRow>& rows, int turn) {
   int first = turn;
   while (first > 0 && rows[first - 1].P_star > 0.0 && rows[first - 1].P_star <= rows[first].P_star) --first;
@@ -20,14 +20,15 @@ Loading loading_up_to(const std::vector<PathRow>& rows, int turn) {
   return up;
 }
 
-/// Returns the index of the last point of a curve at pressure `P`, after which the pressure was no longer held at `P`.
+/// Returns the index of the last of the points of a curve at the pressure `P`.
 std::optional<std::size_t> last_at(const ConsolidationCurve& curve, double P) {
   for (std::size_t k = curve.P_star.size(); k-- > 0;)
     if (std::abs(curve.P_star[k] - P) <= kSamePressure * P) return k;
   return std::nullopt;
 }
 
-/// Returns the work of a cycle from the lowest pressure that loading and unloading share, up and back to it.
+/// Returns the work of a cycle that starts at the lowest pressure common to loading and unloading, and ends
+/// there.
 double closed_work(const PressureCycle& cycle) {
   const std::size_t start = *last_at(cycle.up.curve, cycle.P.front());
   const std::size_t end = *last_at(cycle.down.curve, cycle.P.front());

@@ -25,8 +25,8 @@ struct PressureCycle {
   /// fractions at these pressures on loading and on unloading. phi_down - phi_up is the compaction that remains after
   /// the cycle.
   std::vector<double> P, phi_up, phi_down;
-  /// Work of the cycle by work_of_path(), from the lowest pressure that loading and unloading share, up and back to it;
-  /// absent if they share no pressure.
+  /// Work of the cycle by work_of_path(), from the lowest pressure common to loading and unloading, up and back
+  /// to this pressure; absent if they have no pressure in common.
   std::optional<double> work;
 };
 

@@ -6,10 +6,11 @@
 namespace floc {
 namespace {
 
-/// Returns the coordinate at which the profile of the sum of squares reaches `search.allowed` on one side of the
-/// solution. First, growing steps, beginning with `step` (signed), bracket this coordinate. Then it is found by false
-/// position, in the square root of the increase of the sum of squares, which is nearly linear in the coordinate. The
-/// result is absent if the profile does not reach `search.allowed` before `end`, or before the solver fails.
+/// Returns the coordinate at which the profile of the sum of squares reaches `search.allowed` on one side of
+/// the solution. First, growing steps, beginning with `step` (signed), bracket this coordinate. Then it is
+/// found by the method of false position, applied to the square root of the increase of the sum of squares,
+/// which is nearly linear in the coordinate. The result is absent if the profile does not reach
+/// `search.allowed` before `end`, or if the solver fails before.
 std::optional<double> crossing(const ProfileSearch& search, double step, double end,
                                const ProfileFunction& profile) {
   const double target = std::sqrt(search.allowed - search.least);

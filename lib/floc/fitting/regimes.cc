@@ -48,8 +48,8 @@ double residual_of_plateau(Law law, const LawPoints& points, int k, const Eigen:
   return (points.weight.head(k).array() * (points.y.head(k).array() - level)).square().sum();
 }
 
-/// Returns the place of the change before the point `k`, where the plateau of regime I ends, with its information
-/// criterion.
+/// Returns the change between the points `k - 1` and `k`, at which the plateau of regime I ends, with its
+/// information criterion.
 /// @param theta  solution of the law fitted to the points after the plateau
 /// @param left  sum of squared residuals of this fit
 Place plateau_end(Law law, const LawPoints& points, int k, const Eigen::VectorXd& theta, double left) {
@@ -61,8 +61,8 @@ Place plateau_end(Law law, const LawPoints& points, int k, const Eigen::VectorXd
 /// Returns the possible ends of the plateau of regime I if the points after it follow the full law. A place is left out
 /// if fewer than three points lie between the plateau and P1*, where regime III begins.
 std::vector<Place> ends_before_full_law(const LawPoints& points) {
-  // The search gives up after this number of consecutive ends of the plateau that leave no points to regime II. If a
-  // plateau reaches P1*, where regime III begins, a longer plateau leaves none either.
+  // The search stops after this number of consecutive ends of the plateau that leave too few points to regime
+  // II. If a plateau reaches P1*, where regime III begins, every longer plateau leaves too few points as well.
   constexpr int kGiveUp = 3;
   std::vector<Place> places;
   std::optional<Eigen::VectorXd> theta;
@@ -70,8 +70,8 @@ std::vector<Place> ends_before_full_law(const LawPoints& points) {
   int n_failed = 0;
   for (int k = 0; n - k > n_parameters(Law::full) && n_failed < kGiveUp; ++k) {
     const LawPoints rest = points.range(k, n - k);
-    // Each fit leaves out the first point of the fit before. It starts from the solution of that fit, and also from a
-    // new starting point, because the point left out may have hidden the bend of the law.
+    // Each fit has one point less than the previous one. It starts from the previous solution, and also from a
+    // new starting point, because the point that is now left out may have hidden the bend of the law.
     double left = kInfinity;
     if (theta) left = minimize_law(Law::full, rest, *theta);
     if (auto other = start_of_law(Law::full, rest, theta ? 1 : 4)) {

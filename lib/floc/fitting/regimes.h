@@ -45,7 +45,7 @@ struct Regimes {
   /// consolidation.
   bool all_in_one = false;
   int n_plateau = 0;                       ///< number of points in the plateau of regime I
-  std::optional<ChangePoint> plateau_end;  ///< end of regime I; absent if there is surely no plateau
+  std::optional<ChangePoint> plateau_end;  ///< end of regime I; absent if the points clearly have no plateau
   /// Beginning of regime III; absent if the points do not distinguish regime III from the line of regime II.
   std::optional<ChangePoint> onset_three;
   int end_of_two = 0;  ///< index after the last point of regime II

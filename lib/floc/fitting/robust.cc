@@ -14,7 +14,8 @@ Eigen::VectorXd loss_weights(Loss loss, const Eigen::VectorXd& residuals) {
   Eigen::VectorXd size = residuals.cwiseAbs();
   const auto middle = size.begin() + size.size() / 2;
   std::nth_element(size.begin(), middle, size.end());
-  constexpr double kNormal = 1.4826;  // standard deviation over median absolute value of a normal variable
+  // standard deviation divided by median absolute value, for a normal variable
+  constexpr double kNormal = 1.4826;
   const double scale = kNormal * *middle;
   if (scale == 0.0) return weights;
   std::unique_ptr<ceres::LossFunction> rho;

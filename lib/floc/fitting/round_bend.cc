@@ -13,7 +13,7 @@
 namespace floc {
 namespace {
 
-/// Returns s(d) of a round bend (RoundBend).
+/// Returns s(d), the function by which a round bend passes from one line to the other (see RoundBend).
 double softened(double d, double width) {
   if (width == 0.0) return std::max(d, 0.0);
   // ln(1 + e^u) without overflow.
@@ -29,14 +29,15 @@ Eigen::MatrixXd columns_of(const Eigen::ArrayXd& x, double bend, double width) {
   return columns;
 }
 
-/// Fits the lines for a given bend. The normal equations are well conditioned, because x is centred on the bend.
+/// Fits level and slopes of the two lines for a given bend and width. The normal equations are well
+/// conditioned, because x is centred on the bend.
 RoundBend with_lines(const Eigen::ArrayXd& x, const Eigen::VectorXd& y, double bend, double width) {
   const Eigen::MatrixXd columns = columns_of(x, bend, width);
   const Eigen::VectorXd c = solve_symmetric(columns.transpose() * columns, columns.transpose() * y);
   return {bend, width, c[0], c[1], c[1] + c[2], (y - columns * c).squaredNorm()};
 }
 
-/// Returns the best bend between two places by golden-section search.
+/// Returns the best bend between the positions `low` and `high`, found by golden-section search.
 RoundBend refined(const Eigen::ArrayXd& x, const Eigen::VectorXd& y, double low, double high, double width) {
   constexpr double kGolden = 0.6180339887498949;
   constexpr int kRounds = 40;
@@ -54,7 +55,7 @@ RoundBend refined(const Eigen::ArrayXd& x, const Eigen::VectorXd& y, double low,
   return inner.sum_of_squares < outer.sum_of_squares ? inner : outer;
 }
 
-/// One residual of a round bend, with theta = (level, slope_below, slope_above, bend, ln width).
+/// Residual of a round bend at one point, with theta = (level, slope_below, slope_above, bend, ln width).
 struct BendResidual {
   static constexpr int kParameters = 5;
   double x, y;
@@ -69,7 +70,9 @@ struct BendResidual {
   }
 };
 
-/// Returns the minimum of the sum of squares next to a bend, if the solver reaches it between the ends of the range of x.
+/// Minimises the sum of squares over all five parameters, starting from the bend `near`. Returns `near` if the
+/// solver fails, finds no smaller sum, or leaves the allowed range: the bend between the second and the
+/// second-last x, the width up to `widest`.
 RoundBend polished(const Eigen::ArrayXd& x, const Eigen::VectorXd& y, const RoundBend& near, double widest) {
   std::vector<BendResidual> residuals;
   for (Eigen::Index i = 0; i < x.size(); ++i) residuals.push_back({x[i], y[i]});
@@ -82,7 +85,8 @@ RoundBend polished(const Eigen::ArrayXd& x, const Eigen::VectorXd& y, const Roun
   return {t[3], std::exp(t[4]), t[0], t[1], t[2], found->sum_of_squares};
 }
 
-/// Fits bends of the given widths at all places, and keeps the best one and the profile.
+/// Fits bends of the given widths at all positions `fit.places`. Updates the best bend and, at each position,
+/// the smallest sum of squares.
 void try_widths(const std::vector<double>& widths, const Eigen::ArrayXd& x, const Eigen::VectorXd& y,
                 RoundBendFit& fit) {
   const Eigen::Index last = fit.places.size() - 1;
@@ -128,7 +132,7 @@ double RoundBend::at(double x) const {
 RoundBendFit fit_round_bend(const Eigen::ArrayXd& x, const Eigen::VectorXd& y, bool is_round) {
   assert(x.size() == y.size() && x.size() >= 5);
   constexpr int kPlaces = 240, kWidths = 11, kNear = 9;
-  constexpr double kNarrowest = 0.01, kWidest = 0.1;  // widths over the range of x
+  constexpr double kNarrowest = 0.01, kWidest = 0.1;  // widths of the bend, divided by the range of x
   const double range = x[x.size() - 1] - x[0];
   RoundBendFit fit;
   fit.places = Eigen::VectorXd::LinSpaced(kPlaces + 1, x[1], x[x.size() - 2]);
@@ -137,7 +141,7 @@ RoundBendFit fit_round_bend(const Eigen::ArrayXd& x, const Eigen::VectorXd& y, b
   try_widths({0.0}, x, y, fit);
   if (is_round) {
     try_widths(widths_between(range * kNarrowest, range * kWidest, kWidths), x, y, fit);
-    // The grid is coarse: the widths next to the best one are tried too, as close together as the profile needs.
+    // The grid of widths is coarse. A finer grid around the best width improves the profile near its minimum.
     const double step = std::pow(kWidest / kNarrowest, 1.0 / (kWidths - 1));
     if (const double width = fit.best.width; width > 0.0)
       try_widths(widths_between(width / step, std::min(width * step, kWidest * range), kNear), x, y, fit);

@@ -17,17 +17,20 @@ struct RoundBend {
   double at(double x) const;
 };
 
-/// Least-squares fit of a round bend, and the profile of its sum of squares over the place of the bend.
+/// Least-squares fit of a round bend, with the smallest sum of squares for each position of the bend (the
+/// profile).
 struct RoundBendFit {
   RoundBend best;
-  /// Places of the bend on a grid from the second to the last but one x, and the smallest sum of squares for each.
+  /// Positions of the bend on a grid from the second x to the second-last x, and the smallest sum of squares
+  /// for each.
   Eigen::VectorXd places, profile;
   Eigen::VectorXd residuals;  ///< data minus fit
-  Eigen::MatrixXd jacobian;   ///< derivatives of the fit by level, both slopes, bend and, if it is not 0, width
+  /// derivatives of the fit with respect to level, both slopes, bend and, if it is not 0, width
+  Eigen::MatrixXd jacobian;
 };
 
-/// Fits a round bend. The width is searched for from 0, a sharp bend, to a tenth of the range of x.
-/// @param x         growing; five points or more
+/// Fits a round bend. The width is varied from 0, a sharp bend, to a tenth of the range of x.
+/// @param x         increasing values; five or more
 /// @param is_round  whether the width is fitted; otherwise the bend is sharp
 [[nodiscard]] RoundBendFit fit_round_bend(const Eigen::ArrayXd& x, const Eigen::VectorXd& y, bool is_round);
 

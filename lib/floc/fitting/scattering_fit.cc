@@ -108,8 +108,8 @@ ScatteringFit fit_scattering(const std::vector<ScatteredPoint>& points, double l
   fit.parameters = {from_logarithm("I0", solution->theta[0], error(0), t95),
                     from_logarithm("xi", solution->theta[1], error(1), t95),
                     from_value("dF", solution->theta[2], error(2), t95)};
-  // The exponent dF is the slope of ln I against ln k at wavelengths below the length xi, up to its sign. It has no
-  // meaning if xi may have any value.
+  // The exponent dF is minus the slope of ln I against ln k at wavelengths below the length xi. It has no
+  // meaning if the data do not determine xi.
   fit.parameters[2].identified = fit.parameters[1].identified;
   const double xi = *fit.parameters[1].value;
   if (xi * fit.low > 2.0 * std::numbers::pi)

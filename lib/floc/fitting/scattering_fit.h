@@ -26,8 +26,8 @@ struct ScatteringFit {
   double low = 0.0, high = 0.0;             ///< smallest and largest wave number k of the bins fitted
   int n_points = 0;
   double rms = 0.0;  ///< root mean square residual of ln I
-  /// Chi squared per degree of freedom: sum of the squared residuals of ln I, each divided by its variance from
-  /// speckles, over the number of degrees of freedom. It is near 1 if the data follow the law.
+  /// Chi squared per degree of freedom: the sum over all bins of (squared residual of ln I)/(variance of ln I
+  /// due to speckles), divided by the number of degrees of freedom. It is near 1 if the data follow the law.
   double chi_square = 0.0;
   std::vector<std::string> warnings;
 

@@ -11,13 +11,14 @@
 namespace floc {
 namespace {
 
-/// Sum of squared residuals of a part of the curve, and the number of parameters that it adds.
+/// Sum of squared residuals of one part of the curve, and number of free parameters of this part.
 struct Misfit {
   double squares = 0.0;
   int n_free = 0;
 };
 
-/// A division of the curve before the points `lower_end` and `upper_begin`.
+/// A division of the curve into three parts: the points before `lower_end`, the points from there to
+/// `upper_begin` - 1, and the points from `upper_begin` on; with its information criterion.
 struct Division {
   int lower_end, upper_begin;
   double information;
@@ -27,7 +28,8 @@ WeightedLine line_of(const LawPoints& points) {
   return fit_weighted_line(points.log_P, points.y, points.weight);
 }
 
-/// Returns the information criterion of a division: that of Bayes with an enlarged penalty for few points.
+/// Returns the information criterion of a fit to `n` points: the criterion of Bayes, with a larger penalty if
+/// the points are few (see find_segments()).
 double criterion(const Misfit& misfit, int n) {
   const double floor = n * kRoundingOfTables * kRoundingOfTables;
   const double left = n - misfit.n_free - 1;
@@ -35,9 +37,10 @@ double criterion(const Misfit& misfit, int n) {
   return n * std::log(std::max(misfit.squares, floor) / n) + misfit.n_free * std::log(n) * n / left;
 }
 
-/// Fits a recompression line to the first `k` points, next to a curve that is `upper(ln P)` after them and falls with the
-/// slope `steeper` there. The two must meet between the points k - 1 and k; if the best line does not, it is turned about
-/// the end of the gap that is nearer. A line that would rise is level.
+/// Fits a recompression line to the first `k` points. The curve `upper(ln P)` describes the points after them;
+/// its initial slope is -`steeper`. Line and curve have to meet between the points k - 1 and k. If the best
+/// line does not meet the curve there, the function fits a line that meets the curve at the nearer of these two
+/// points. A line that would rise is replaced by a horizontal line.
 template <class Upper>
 std::optional<Misfit> misfit_below(const LawPoints& points, int k, double steeper, const Upper& upper) {
   if (k == 0) return Misfit{};
@@ -49,7 +52,7 @@ std::optional<Misfit> misfit_below(const LawPoints& points, int k, double steepe
   const double above_before = upper(before) - line.at(before), above_after = upper(after) - line.at(after);
   const Misfit met{line.sum_of_squares, line.slopes ? 2 : 1};
   if (above_before >= 0.0 && above_after <= 0.0) return met;
-  // The line turns about the place where it should have met the curve, at the nearer end of the gap.
+  // Fits a line through the point of the curve at the end of the gap that is nearer to the intersection.
   const double at = above_before < 0.0 ? before : after;
   const Eigen::ArrayXd w2 = lower.weight.array().square();
   const Eigen::ArrayXd dx = lower.log_P.array() - at, dy = lower.y.array() - upper(at);
@@ -59,8 +62,9 @@ std::optional<Misfit> misfit_below(const LawPoints& points, int k, double steepe
   return Misfit{(w2 * (dy - slope * dx).square()).sum(), met.n_free};
 }
 
-/// Returns the misfit of the points from `first` on as a flatter line or as the power law of regime III, whichever has
-/// the smaller criterion; absent if there are too few points. Its place counts as a parameter, if it has one.
+/// Returns the misfit of the points from `first` on. They are described by a flatter line or by the power law
+/// of regime III, whichever has the smaller criterion. The index `first` counts as one more parameter. Absent
+/// if there are too few points.
 std::optional<Misfit> misfit_above(const LawPoints& points, int first) {
   constexpr int kOfLine = 2, kOfPower = 3, kPlace = 1;
   const int n = points.size() - first;
@@ -77,15 +81,15 @@ std::optional<Misfit> misfit_above(const LawPoints& points, int first) {
   return best;
 }
 
-/// Returns whether the curve falls much faster after the point `j` than along a line of the slope `slope`, so that the
-/// line is not the steepest part of the curve: a plateau before a collapse, for instance.
+/// Returns whether the curve falls much faster after the point `j` than a line with the slope `slope`. The line
+/// is then not the steepest part of the curve; it may be a plateau before a collapse.
 bool steepens(const LawPoints& points, int j, double slope) {
   constexpr double kMuchSteeper = 2.0;
   const int first = j - 1, n = std::min(3, points.size() - first);
   return n > 1 && line_of(points.range(first, n)).slope < kMuchSteeper * slope;
 }
 
-/// Returns all divisions in which the curve has a line of regime II.
+/// Returns all divisions of the curve with a line of regime II.
 std::vector<Division> divisions_with_two(const LawPoints& points) {
   const int n = points.size();
   std::vector<std::optional<Misfit>> above;
@@ -107,7 +111,8 @@ std::vector<Division> divisions_with_two(const LawPoints& points) {
   return found;
 }
 
-/// Returns all divisions in which the power law of regime III follows the recompression line at once.
+/// Returns all divisions without regime II, in which the power law of regime III directly follows the
+/// recompression line.
 std::vector<Division> divisions_without_two(const LawPoints& points) {
   const int n = points.size();
   std::vector<Division> found;
@@ -115,7 +120,8 @@ std::vector<Division> divisions_without_two(const LawPoints& points) {
     const LawPoints rest = points.range(k, n - k);
     const auto power = residual_of_power_law(rest);
     if (!power) continue;
-    // The curve is close to the first points of regime III there.
+    // The line through the first two points of regime III approximates the power law where it meets the
+    // recompression line.
     const WeightedLine start = line_of(rest.range(0, 2));
     const auto below = misfit_below(points, k, -start.slope, [&](double x) { return start.at(x); });
     if (!below) continue;
@@ -125,8 +131,8 @@ std::vector<Division> divisions_without_two(const LawPoints& points) {
   return found;
 }
 
-/// Returns the change at one end of the line of regime II, with the probability of each place taken over all places of
-/// the other end. `best` is the end in the best division.
+/// Returns the position of one end of the line of regime II, with its uncertainty. The probability of each
+/// position is the sum over all positions of the other end. `best` is the position in the best division.
 template <class Place>
 ChangePoint change_of(const std::vector<Division>& divisions, int n, int best, const Place& place) {
   double least = kInfinity;
@@ -145,7 +151,8 @@ ChangePoint change_of(const std::vector<Division>& divisions, int n, int best, c
   return change;
 }
 
-/// Returns whether a constant, or 1/Phi linear in P* (elastic), explains the curve better than the best division.
+/// Returns whether a constant, or an elastic law (1/Phi linear in P*), describes the curve better than the best
+/// division.
 bool is_elastic(const LawPoints& points, double information) {
   const int n = points.size();
   const double constant = recompression_line(points, false).sum_of_squares;

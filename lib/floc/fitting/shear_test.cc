@@ -19,21 +19,22 @@ double deviator(const ShearPoint& p) {
   return p.failure().major - p.failure().minor;
 }
 
-/// Returns the axial strain of a point, positive in the direction in which the test goes.
+/// Returns the axial strain of a point. It is positive in the direction in which the test deforms the sample.
 double progress(const TestPoints& points, std::size_t k) {
   return points.back().axial_strain < 0.0 ? -points[k].axial_strain : points[k].axial_strain;
 }
 
-/// Returns the sine of the dilatancy angle at the peak, from the slope s of the volumetric strain against the length of
-/// the axial strain at the points around it. Under the potential of Mohr and Coulomb sin psi is -s/(2 - s) where the
-/// sample shortens along the axis and -s/(2 + s) where it lengthens, in two dimensions and in three.
+/// Returns the sine of the dilatancy angle psi at the peak. It follows from the slope s of the volumetric
+/// strain against the magnitude of the axial strain, at the points around the peak. For the plastic potential
+/// of Mohr and Coulomb, sin psi is -s/(2 - s) if the sample shortens along the axis, and -s/(2 + s) if it
+/// lengthens, both in 2D and in 3D.
 FittedParameter dilatancy_sine(const TestPoints& points, std::size_t peak) {
   constexpr double kNear = 0.95;
   std::size_t first = peak, last = peak;
   const double enough = kNear * points[peak].mobilised();
   while (first > 0 && points[first - 1].mobilised() >= enough) --first;
   while (last + 1 < points.size() && points[last + 1].mobilised() >= enough) ++last;
-  // A slope with an error of its own needs a few points.
+  // The standard error of a slope needs several points.
   constexpr std::size_t kLeast = 5;
   while (last - first + 1 < std::min(kLeast, points.size())) {
     if (first > 0) --first;
@@ -50,7 +51,7 @@ FittedParameter dilatancy_sine(const TestPoints& points, std::size_t peak) {
   const double slope = line.coefficients[1];
   const double shear = points.back().axial_strain > 0.0 ? 2.0 - slope : 2.0 + slope;
   if (line.dof < 1) return held_at("", -slope / shear);
-  // The derivative of sin psi by s is -2/shear^2.
+  // The derivative of sin psi with respect to s is -2/shear^2.
   const double error = std::sqrt(line.covariance(1, 1)) * 2.0 / (shear * shear);
   return from_value("", -slope / shear, error, student_t_95(line.dof));
 }
@@ -60,7 +61,8 @@ FittedParameter named(const char* name, FittedParameter p) {
   return p;
 }
 
-/// Adds the parameters of the last part of the test, or the reason why there are none.
+/// Adds the parameters of the critical state, from the last part of the test, or a warning with the reason why
+/// there are none.
 /// @param first  index of the first point of this part
 void add_critical(const TestPoints& points, std::size_t first, bool undrained, ShearTest& test) {
   std::vector<double> sines, strengths;

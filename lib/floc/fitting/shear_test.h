@@ -22,16 +22,16 @@ struct ShearPoint {
   double mobilised() const;
 };
 
-/// Results that a laboratory reports of one biaxial or triaxial test, drained (the lateral stress is kept) or undrained (the
-/// volume is kept).
+/// Results that a laboratory reports of one biaxial or triaxial test. The test is drained (the lateral stress
+/// is held constant) or undrained (the volume is held constant).
 struct ShearTest {
-  std::string failure_reason;  ///< reason why the test has no strength; empty if it has
+  std::string failure_reason;  ///< reason why the test has no strength; empty if it has one
   int peak = 0;                ///< index of the point of largest mobilised friction
   FailureStress peak_stress;
-  /// Means over the last part of the test; absent if the test has not come to a critical state.
+  /// Mean stress over the last part of the test; absent if the test has not reached a critical state.
   std::optional<FailureStress> critical_stress;
-  /// secant_angle_peak, secant_angle_critical, strain_peak, dilatancy_angle and, of undrained tests,
-  /// undrained_strength_peak, undrained_strength_critical and pore_pressure_coefficient
+  /// The parameters secant_angle_peak, secant_angle_critical, strain_peak, dilatancy_angle and, for undrained
+  /// tests, undrained_strength_peak, undrained_strength_critical and pore_pressure_coefficient.
   std::vector<FittedParameter> parameters;
   std::vector<std::string> warnings;
 
@@ -39,23 +39,27 @@ struct ShearTest {
 };
 
 struct ShearTestOptions {
-  /// Magnitude of the axial strain from which on the sample is in its critical state; absent: the last quarter of the
-  /// strain of the test.
+  /// Magnitude of the axial strain at which the critical state begins. If absent, the critical state is the
+  /// last quarter of the strain of the test.
   std::optional<double> critical_from;
-  bool undrained = false;  ///< whether the volume is kept
+  bool undrained = false;  ///< whether the test keeps the volume constant
 };
 
 /// Evaluates one test.
 ///
-/// The peak is the point of largest mobilised friction. The dilatancy angle psi at the peak follows from the slope of
-/// the volumetric strain against the axial strain over the points around the peak with at least 95 % of its friction,
-/// five at least:
-/// sin psi = -d eps_v/(2 d eps_1 - d eps_v) [VB1984], which in two dimensions is -d eps_v/(d eps_1 - d eps_2). The critical state is the mean over the last part of the test, with the interval of its
-/// fluctuations (see mean_along_path()). It is left out if the volume still changes there by more than a tenth of the
-/// axial strain. The undrained strength is (sigma_1 - sigma_3)/2, and the pore pressure coefficient at the peak is
-/// [S1954] the pore pressure over the rise of the deviator, as if the lateral total
-/// stress were kept: A = (sigma_3 at the start - sigma_3)/(deviator - deviator at the start).
-/// @param points  states of the test, the first one before it
+/// The peak is the point of largest mobilised friction. The dilatancy angle psi at the peak follows from the
+/// slope of the volumetric strain against the axial strain. The slope is fitted to the points around the peak
+/// with at least 95 % of its mobilised friction, but to five points at least: sin psi = -d eps_v/(2 d eps_1 - d
+/// eps_v) [VB1984], which in 2D is -d eps_v/(d eps_1 - d eps_2).
+///
+/// The critical state is the mean over the last part of the test, with an interval from its fluctuations (see
+/// mean_along_path()). It is left out if the volumetric strain still changes there by more than a tenth of the
+/// change of the axial strain.
+///
+/// The undrained strength is (sigma_1 - sigma_3)/2. The pore pressure coefficient at the peak [S1954] is A =
+/// (sigma_3 at the start - sigma_3)/(deviator - deviator at the start). The numerator is the pore pressure that
+/// would develop if the total lateral stress were held constant.
+/// @param points  states of the test; the first one is the state before the test
 [[nodiscard]] ShearTest evaluate_shear_test(const std::vector<ShearPoint>& points,
                                             const ShearTestOptions& options);
 

@@ -10,8 +10,8 @@
 namespace floc {
 namespace {
 
-/// Matrices Q and R of Reinsch's form: second derivatives g at the inner points obey R g = Q^T f, and the roughness is
-/// g^T R g.
+/// Matrices Q and R of Reinsch's algorithm. A spline with the values f at x has the second derivatives g at the
+/// inner points, with R g = Q^T f; its roughness, the integral of the squared second derivative, is g^T R g.
 struct Bands {
   Eigen::MatrixXd Q, R;
 };
@@ -36,17 +36,18 @@ SmoothingSpline::SmoothingSpline(const Eigen::VectorXd& x, const Eigen::VectorXd
   assert(x.size() == y.size() && x.size() >= 4);
   const Eigen::Index n = x.size();
   const Bands b = bands_of(x);
-  // The penalty K = Q R^-1 Q^T = U diag(s) U^T, so that the smoother is U diag(1/(1 + mu s)) U^T.
+  // The penalty matrix is K = Q R^-1 Q^T = U diag(s) U^T. The smoother is therefore U diag(1/(1 + mu s)) U^T.
   Eigen::MatrixXd to_second(n - 2, n);
   for (Eigen::Index k = 0; k < n; ++k) to_second.col(k) = solve_symmetric(b.R, b.Q.row(k).transpose());
   const SymmetricEigen penalty = symmetric_eigen(b.Q * to_second);
   const Eigen::ArrayXd s = penalty.values.array().max(0.0);
   const Eigen::ArrayXd parts = penalty.vectors.transpose() * y;
   const double largest = s.maxCoeff();
-  const double smallest = *std::min_element(s.begin() + 2, s.end());  // two are zero: straight lines
+  // the first two eigenvalues are 0: those of straight lines
+  const double smallest = *std::min_element(s.begin() + 2, s.end());
   double best = kInfinity, mu = 0.0;
   constexpr int kTried = 80;
-  // Plain cross-validation, with a factor of 1, now and then follows the noise, above all where it is correlated.
+  // Generalised cross-validation without this factor sometimes follows the noise, especially correlated noise.
   constexpr double kCaution = 1.4;
   const double low = std::log(1e-3 / largest), high = std::log(1e3 / smallest);
   for (int k = 0; k <= kTried; ++k) {

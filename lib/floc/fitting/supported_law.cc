@@ -28,7 +28,7 @@ ConsolidationFit fit_as(Law law, const ConsolidationCurve& curve, ConsolidationO
   return fit_consolidation(curve, options);
 }
 
-/// Returns a slope against ln P* as a slope against the decimal logarithm.
+/// Converts a slope against ln P* to a slope against log10 P*.
 FittedParameter per_decade(FittedParameter p, const char* name) {
   p.name = name;
   for (auto* number : {&p.value, &p.standard_error, &p.low95, &p.high95})
@@ -36,17 +36,18 @@ FittedParameter per_decade(FittedParameter p, const char* name) {
   return p;
 }
 
-/// Puts lambda and kappa first, and after them the indices of compression and of swelling, C_c and C_s.
+/// Adds the compression index C_c and the swelling index C_s after lambda and kappa.
 void add_indices(ConsolidationFit& fit) {
   std::vector<FittedParameter> indices;
   if (const FittedParameter* lambda = fit.find("lambda")) indices.push_back(per_decade(*lambda, "C_c"));
   if (const FittedParameter* kappa = fit.find("kappa")) indices.push_back(per_decade(*kappa, "C_s"));
-  // lambda comes first, kappa second, as far as the law has them.
+  // The first parameters are lambda and kappa, as far as the law has them.
   fit.parameters.insert(fit.parameters.begin() + static_cast<std::ptrdiff_t>(indices.size()), indices.begin(),
                         indices.end());
 }
 
-/// Returns the pressure at which regime III begins, from the pressures of the curve between which the change lies.
+/// Returns the pressure P1* at which regime III begins. It lies between two neighbouring pressures of the
+/// curve.
 FittedParameter onset_of(const ChangePoint& change, const ConsolidationCurve& curve) {
   const auto last = static_cast<int>(curve.P_star.size()) - 1;
   const auto at = [&](int i) { return curve.P_star[static_cast<std::size_t>(std::clamp(i, 0, last))]; };
@@ -58,7 +59,8 @@ FittedParameter onset_of(const ChangePoint& change, const ConsolidationCurve& cu
   return P1;
 }
 
-/// Adds alpha, Phi_max and P1* to a fit of the line of regime II: those of the points beyond, or bounds.
+/// Adds alpha, Phi_max and P1* to a fit of the line of regime II. The values come from a power law fitted to
+/// the points beyond this line. Without such a fit, only bounds are added.
 void add_beyond(const ConsolidationCurve& curve, const ConsolidationOptions& options, ConsolidationFit& line) {
   FittedParameter alpha = bounded_below("alpha", std::nullopt);
   FittedParameter phi_max = bounded_below("Phi_max", curve.phi.back());
@@ -77,7 +79,8 @@ void add_beyond(const ConsolidationCurve& curve, const ConsolidationOptions& opt
   line.parameters.insert(after_indices, {alpha, phi_max, P1});
 }
 
-/// Adds to a fit of the power law that the curve has no regime II, and therefore no lambda.
+/// Adds a parameter lambda without a value to a fit of the power law, and a warning that the curve has no
+/// regime II.
 ConsolidationFit without_two(ConsolidationFit power) {
   if (!power.found()) return power;
   power.parameters.insert(power.parameters.begin(), bounded_below("lambda", std::nullopt));
@@ -94,12 +97,12 @@ ConsolidationFit fit_supported_law(const ConsolidationCurve& curve, Consolidatio
   options.widen = true;
   options.regimes = std::nullopt;
   constexpr Eigen::Index kMinSamples = 3;
-  // A table does not tell whether its errors are those of 1/Phi or of Phi.
+  // The user's table does not tell whether its errors are errors of 1/Phi or of Phi.
   if (options.weighting == Weighting::automatic && curve.samples.cols() < kMinSamples)
     options.weighting = Weighting::between;
   if (!options.window) {
     const auto n = static_cast<int>(curve.phi.size());
-    constexpr int kEnough = 5;  // fewer points leave no choice among segments
+    constexpr int kEnough = 5;  // fewer points do not determine a division into regimes
     if (n >= kEnough) options.regimes = find_segments(law_points(curve, Weighting::between));
     if (options.regimes && options.regimes->all_in_one) return fit_as(Law::log, curve, options);
   }

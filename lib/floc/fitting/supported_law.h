@@ -4,20 +4,21 @@
 
 namespace floc {
 
-/// Fits the consolidation law that a curve supports, with the regimes found by find_segments(), or in the window of the
-/// options:
+/// Fits the consolidation law that a curve supports. The range of points is the window of the options or,
+/// without a window, the regimes found by find_segments(). The function chooses
 ///
-/// 1. the full law, if the curve bends towards Phi_max within the data, if all of lambda, alpha and Phi_max are
-///    identified, lambda within a factor of three and alpha within a factor of five from the lower to the upper end of its
-///    interval, if Phi_max is not at its bound, and if the residuals of a single curve are not systematic;
-/// 2. otherwise the line of regime II, to the points of regime II; alpha, Phi_max and the pressure P1* at which regime III
-///    begins are those of a power law fitted to the points beyond, where it can be;
+/// 1. the full law, if the curve bends towards Phi_max within the data, if lambda, alpha and Phi_max are
+/// identified and Phi_max is below its bound, if the upper end of the interval of lambda is at most three times
+/// the lower end, and that of alpha at most five times, and if the residuals of a single curve are not
+/// systematic;
+/// 2. otherwise the line of regime II, fitted to the points of regime II; if possible, a power law fitted to
+/// the points beyond gives alpha, Phi_max and the pressure P1* at which regime III begins;
 /// 3. the power law of regime III, if the curve has no regime II.
 ///
-/// The points before regime II lie on a recompression line, whose slope is kappa; P0*, the yield pressure, is where it
-/// meets the line of regime II. The parameters C_c = ln(10) lambda and C_s = ln(10) kappa follow lambda and kappa.
-/// Systematic residuals of a single curve widen its intervals.
-/// @param options  options of fit_consolidation(), of which `law`, `regimes` and `widen` are not used
+/// The points before regime II lie on a recompression line of slope kappa. The yield pressure P0* is the
+/// pressure at which this line meets the line of regime II. The compression index is C_c = ln(10) lambda, the
+/// swelling index C_s = ln(10) kappa. Systematic residuals of a single curve widen its intervals.
+/// @param options  options of fit_consolidation(); `law`, `regimes` and `widen` are not used
 [[nodiscard]] ConsolidationFit fit_supported_law(const ConsolidationCurve& curve, ConsolidationOptions options);
 
 }  // namespace floc

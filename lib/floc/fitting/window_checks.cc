@@ -12,7 +12,8 @@ namespace {
 
 using Law = ConsolidationLaw;
 
-/// Returns the weighted residuals of the points before regime II from their line, followed by those of the law.
+/// Returns the weighted residuals of the points before regime II from their line, followed by the weighted
+/// residuals of the law.
 Eigen::VectorXd all_residuals(const LawEstimate& e) {
   const LawPoints& p = e.plateau;
   Eigen::VectorXd residuals(p.size() + e.points.size());
@@ -21,7 +22,7 @@ Eigen::VectorXd all_residuals(const LawEstimate& e) {
   return residuals;
 }
 
-/// Returns the matrix that projects on the columns of the Jacobian of all_residuals().
+/// Returns the matrix that projects on the columns of the Jacobian of the residuals in all_residuals().
 Eigen::MatrixXd hat_of(const LawEstimate& e) {
   const Eigen::Index n_plateau = e.plateau.size(), n = e.points.size();
   Eigen::MatrixXd hat = Eigen::MatrixXd::Zero(n_plateau + n, n_plateau + n);
@@ -41,16 +42,15 @@ void check_residuals(const LawEstimate& estimate, ConsolidationFit& fit) {
   fit.pattern = residual_pattern(all_residuals(estimate), hat_of(estimate));
   if (!fit.pattern.is_systematic()) return;
   fit.warnings.push_back(fmt::format(
-      "neighbouring residuals are correlated (coefficient {:.2f}), which independent errors would do with a "
-      "probability of {:.1g}: the curve does not follow this law, or it moves in steps, so that the standard "
-      "errors "
-      "from independent residuals are too small; fit the mean of several samples, whose scatter gives better "
-      "errors",
+      "neighbouring residuals are correlated (coefficient {:.2f}; independent errors would be so correlated "
+      "with a probability of {:.1g}): the curve does not follow this law, or it moves in steps, so that the "
+      "standard errors from independent residuals are too small; fit the mean of several samples, whose "
+      "scatter gives better errors",
       fit.pattern.correlation, std::min(fit.pattern.smoothness_p, fit.pattern.runs_p)));
 }
 
 void check_plateau(const LawEstimate& estimate, ConsolidationFit& fit) {
-  // smallest slope of the plateau worth a warning, as a share of lambda, the slope of regime II
+  // smallest slope of the plateau that causes a warning, as a fraction of lambda, the slope of regime II
   constexpr double kLevel = 0.1;
   constexpr double kSignificant = 3.0;
   const LawPoints& plateau = estimate.plateau;
@@ -95,7 +95,7 @@ void shift_window(const LawEstimate& estimate, const LawPoints& all, const Windo
   }
   const FittedParameter* lambda = fit.find("lambda");
   if (!lambda || !lambda->value || !lambda->standard_error) return;
-  constexpr double kWorthSaying = 1e-3;  // share of lambda
+  constexpr double kWorthSaying = 1e-3;  // smallest change that causes a warning, as a fraction of lambda
   for (const WindowShift& s : fit.window_shifts)
     if (!s.lambda ||
         std::abs(*s.lambda - *lambda->value) > std::max(*lambda->standard_error, kWorthSaying * *lambda->value))

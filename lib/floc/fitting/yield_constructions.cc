@@ -15,13 +15,15 @@
 namespace floc {
 namespace {
 
-/// First points and last points of a curve that lie on its two lines.
+/// Number of points on the line below the bend of a curve, and index of the first point on the line above the
+/// bend.
 struct Sides {
   Eigen::Index n_below, first_above;
 };
 
 Sides sides_of(const Eigen::VectorXd& x, const RoundBend& bend) {
-  constexpr double kBeyond = 2.0;  // widths of the bend
+  // smallest distance of these points from the bend, divided by the width of the bend
+  constexpr double kBeyond = 2.0;
   constexpr Eigen::Index kLeast = 3;
   const Eigen::Index n = x.size();
   const auto below = static_cast<Eigen::Index>((x.array() <= bend.bend - kBeyond * bend.width).count());
@@ -34,14 +36,15 @@ WeightedLine line_of_part(const Eigen::VectorXd& x, const Eigen::VectorXd& y, Ei
   return fit_weighted_line(x.segment(first, n), y.segment(first, n), Eigen::VectorXd::Ones(n));
 }
 
-/// Returns where two lines meet; absent if they are parallel.
+/// Returns the abscissa at which two lines intersect; absent if they are parallel.
 std::optional<double> meeting(const WeightedLine& a, const WeightedLine& b) {
   const double steeper = a.slope - b.slope;
   if (steeper == 0.0) return std::nullopt;
   return (b.intercept - a.intercept) / steeper;
 }
 
-/// The constructions for curves with the same pressures and sides. Each returns ln P_c.
+/// Constructions of the preconsolidation pressure P_c, for curves with equal pressures and `sides`. Each
+/// function returns ln P_c.
 class Constructions {
  public:
   Constructions(const Eigen::VectorXd& P, const SmoothingSpline& spline, const Sides& sides)
@@ -52,7 +55,7 @@ class Constructions {
   }
 
   std::optional<double> casagrande(const Eigen::VectorXd& y) const {
-    // Slope and curvature against log10 P.
+    // Slope and curvature of y against log10 P.
     const double decade = std::numbers::ln10;
     const Eigen::ArrayXd slope = decade * (spline_.slope * y),
                          second = decade * decade * (spline_.curvature * y);
@@ -108,8 +111,8 @@ constexpr NamedConstruction kConstructions[] = {{"P_c_casagrande", &Construction
                                                 {"P_c_butterfield", &Constructions::butterfield},
                                                 {"P_c_becker", &Constructions::becker}};
 
-/// Returns the parameter exp(value) with the interval that holds 95 % of the logarithms drawn, shifted so that their
-/// median is the value.
+/// Returns the parameter exp(value). Its interval holds 95 % of the logarithms `drawn`, after they are shifted
+/// so that their median is `value`.
 FittedParameter parameter_of(const char* name, double value, std::vector<double> drawn) {
   std::sort(drawn.begin(), drawn.end());
   const auto at = [&](double share) {

@@ -19,7 +19,8 @@ Vec<3> light() {
 /// Returns the colour of a facet. It ranges from the dark of the rim of a sphere to the pale colour of its bright spot.
 Color shaded(const Color& color, const Vec<3>& normal) {
   constexpr double kDarkest = 0.6, kPalest = 0.6;
-  constexpr double kPlain = 0.75;  // cosine of the angle to the light at which a facet has the colour itself
+  // cosine of the angle between the light and the normal of a facet with the unchanged colour
+  constexpr double kPlain = 0.75;
   const double lit = std::max(0.0, normal.dot(light()));
   return lit < kPlain ? darker(color, kDarkest * (1.0 - lit / kPlain))
                       : paler(color, kPalest * (lit - kPlain) / (1.0 - kPlain));
@@ -28,7 +29,7 @@ Color shaded(const Color& color, const Vec<3>& normal) {
 void draw_capsule(cairo_t* page, const SeenBody& body, const std::function<Vec<2>(const Vec<3>&)>& on_page,
                   double points_per_length, const Color& color) {
   constexpr double kNearlyEndOn =
-      0.2;  // apparent length of the axis, in radii, below which the capsule looks round
+      0.2;  // apparent length of the axis, divided by the radius, below which the capsule is drawn as a disk
   const Vec<2> from = on_page(body.points[0]), to = on_page(body.points[1]);
   const double radius = points_per_length * body.rounding;
   if ((to - from).norm() < kNearlyEndOn * radius)
@@ -41,8 +42,10 @@ void draw_capsule(cairo_t* page, const SeenBody& body, const std::function<Vec<2
 
 void draw_body(cairo_t* page, const SeenBody& body, const std::function<Vec<2>(const Vec<3>&)>& on_page,
                double points_per_length, const Color& color) {
-  constexpr double kWidest = 0.5, kWidth = 0.03;    // width of edges: in points, and in radii of the body
-  constexpr double kSharp = 0.35, kRounded = 0.18;  // how much darker edges are than facets
+  // width of edges: largest width (points), and width divided by the radius of the body
+  constexpr double kWidest = 0.5, kWidth = 0.03;
+  // how much darker an edge is than its facets, without and with rounding
+  constexpr double kSharp = 0.35, kRounded = 0.18;
   if (body.facets.empty()) return draw_capsule(page, body, on_page, points_per_length, color);
   // Edges are drawn with each facet. They also cover the seams that antialiasing leaves between facets.
   cairo_set_line_width(page, std::min(kWidest, kWidth * points_per_length * body.radius));

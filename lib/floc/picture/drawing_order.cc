@@ -14,11 +14,12 @@
 namespace floc {
 namespace {
 
-/// Component along the line of sight of the normal of a separating plane below which two bodies lie beside each other.
+/// Component of the normal of a separating plane along the line of sight. Below this value, neither of the two
+/// bodies is in front of the other.
 constexpr double kPlaneEndOn = 1e-9;
 
-/// Returns the image of a body, relative to the image of its centre. Of the members of a shape, only those are set which
-/// closest_points() reads: vertices, rounding and outer radius. Vertices may lie inside the image.
+/// Returns the image of a body, relative to the image of its centre. Only those members of the shape are set
+/// that closest_points() reads: vertices, rounding and outer radius. Vertices may lie inside the image.
 Shape<2> image_of(const PlacedShape<3>& body, const Camera& camera) {
   Shape<2> image;
   image.rounding = body.rounding();
@@ -79,8 +80,9 @@ class Sorter {
     ++n_farther_[near];
   }
 
-  /// Returns whether the images of two bodies overlap. If they do not, either body may be drawn first. The position of a
-  /// separating plane would then be an arbitrary condition, and such conditions can contradict each other.
+  /// Returns whether the images of two bodies overlap. If they do not, the order of the two bodies is
+  /// arbitrary. An order derived from a separating plane would then be unnecessary, and several such orders
+  /// could contradict each other.
   bool images_overlap(int i, int j, const Vec<2>& apart) const {
     const RelativePlace<2> place(Mat<2>::Identity(), apart, 1.0);
     const Vec<2> guess = apart.isZero(0.0) ? Vec<2>(Vec<2>::Unit(0)) : apart;
@@ -88,7 +90,8 @@ class Sorter {
     return closest.overlap || closest.distance < image_[i].rounding + image_[j].rounding;
   }
 
-  /// Returns the component towards the eye of the normal, from i to j, of a plane that separates two bodies.
+  /// Returns the component towards the eye of the unit normal, from i to j, of a plane that separates two
+  /// bodies.
   double normal_towards_eye(int i, int j, const Vec<3>& apart, double radii) const {
     // If the circumscribed spheres do not overlap, a plane normal to the line between the centres separates the bodies.
     if (apart.norm() >= radii) return apart[2];
@@ -96,8 +99,8 @@ class Sorter {
     return contact.n > 0 ? camera_.seen(contact.normal)[2] : apart[2];
   }
 
-  /// Takes bodies one after the other: of those in front of which all bodies that they cover are already taken, the one
-  /// with the farthest centre.
+  /// Returns the drawing order. A body can be taken if all bodies that it may cover have been taken; among
+  /// these bodies, the one with the farthest centre is taken next.
   std::vector<int> sorted() {
     using Waiting = std::pair<double, int>;
     std::vector<Waiting> by_depth;
@@ -112,7 +115,7 @@ class Sorter {
     while (order.size() < bodies_.size()) {
       int next = 0;
       if (free.empty()) {
-        // All bodies left are in cycles or in front of them.
+        // Each remaining body is in a cycle, or in front of a body in a cycle.
         while (taken[farthest->second]) ++farthest;
         next = farthest->second;
       } else {

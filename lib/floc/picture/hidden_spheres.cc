@@ -16,7 +16,7 @@ constexpr double kMaxTilesPerSide = 3000.0;
 class Tiles {
  public:
   /// Divides the rectangle around all spheres into tiles.
-  /// @param finest  radius (length) of which a tile is an eighth wide
+  /// @param finest  smallest radius (length); tiles are an eighth of it wide
   Tiles(const std::vector<SeenSphere>& spheres, double finest) {
     low_.setConstant(std::numeric_limits<double>::infinity());
     Vec<2> high = -low_;
@@ -103,11 +103,12 @@ std::vector<SeenSphere> without_hidden(std::vector<SeenSphere> spheres) {
 std::vector<bool> hidden_bodies(const std::vector<BodyExtent>& bodies) {
   std::vector<bool> hidden(bodies.size(), false);
   if (bodies.empty()) return hidden;
-  // The sphere inside a body hides another body if the nearest point of this body is behind the centre of the sphere.
-  // The events are therefore sorted by the depths of the centres and of the nearest points.
+  // The sphere inside a body hides another body if the nearest point of the other body is behind the centre of
+  // the sphere. The events are therefore sorted by the depths of the centres and of the nearest points.
   struct Event {
     double depth;
-    bool tests;  ///< whether the body is tested, or else hides others from now on
+    /// whether the event tests if the body is hidden; otherwise, the body hides other bodies from now on
+    bool tests;
     std::size_t body;
   };
   std::vector<Event> events;

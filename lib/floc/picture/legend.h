@@ -60,8 +60,8 @@ LegendItem color_bar(const GrainShade& shade, double room);
 template <int Dim>
 LegendItem force_item(const PackingPicture<Dim>& picture, const DrawnScale& scale);
 
-/// Returns the legend of a page of pictures. It has a scale bar, and an item for each kind of line, rattlers, arrows,
-/// colours or notes if they are in at least one of the pictures.
+/// Returns the legend of a page of pictures. It has a scale bar, and one item for each kind of line, for
+/// rattlers, arrows, colours and notes, if at least one of the pictures has them.
 /// @param bar  largest length of the scale bar (points)
 /// @param width  width of the legend (points)
 template <int Dim>

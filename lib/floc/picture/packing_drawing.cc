@@ -110,9 +110,9 @@ class Drawing {
   }
 
  private:
-  /// Returns a number that stands for the fill colour of a grain. If the picture colours grains by a value, the number
-  /// is the place of the value on the colour scale, from -kShades to kShades. Otherwise it is 1 for a rattler, and 0
-  /// for another grain.
+  /// Returns a number that identifies the fill colour of a grain. If the picture colours grains by a value, the
+  /// number is the position of the value on the colour scale, from -kShades to kShades. Otherwise it is 1 for a
+  /// rattler, and 0 for any other grain.
   int fill_of(int i) const {
     if (!picture_.shade.value.empty()) {
       const double share = std::clamp(picture_.shade.value[i] / picture_.shade.largest, -1.0, 1.0);
@@ -149,7 +149,7 @@ class Drawing {
     cairo_new_sub_path(page_);
     for (const OutlineCorner& corner : outline.corners) {
       const Vec<2> p = on_page(corner.centre + shift);
-      // The y axis of the page points down, so that arcs turn the other way there.
+      // The y axis of the page points down, so that arcs have the opposite sense of rotation on the page.
       if (radius > 0.0)
         cairo_arc_negative(page_, p[0], p[1], radius, -corner.begin, -corner.end);
       else

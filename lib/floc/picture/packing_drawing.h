@@ -28,7 +28,7 @@ void set_color(cairo_t* page, const Color& color);
 
 Color color_of(LineKind kind);
 
-/// Draws the grains, lines and arrows of a picture and those of their periodic copies that reach into the cell, clipped
+/// Draws the grains, lines and arrows of a picture, and their periodic copies that reach into the cell, clipped
 /// at the border of the cell. Grains have no outlines if their mean diameter is below 2.5 points.
 void draw_packing(cairo_t* page, const PackingPicture<2>& picture, const Placement& placement);
 

@@ -94,8 +94,9 @@ struct PackingPicture {
   std::string distant_name = "distant";
   std::string background_name = "other contacts";
   std::vector<DisplacementArrow<Dim>> arrows;
-  std::optional<Slab> slab;  ///< layer of the cell that is shown (see part_in_slab()); absent: the whole cell
-  GrainShade shade;          ///< values that colour the grains; if it has none, grains are grey
+  /// layer of the cell that is shown (see part_in_slab()); if absent, the whole cell is shown
+  std::optional<Slab> slab;
+  GrainShade shade;  ///< values that colour the grains; if there are none, grains are grey
   /// Parts of the caption above the picture. A line of the caption ends after a part; a part is broken only if it is
   /// wider than the line.
   std::vector<std::string> caption;

@@ -31,9 +31,9 @@ class Page {
   cairo_t* context_;
 };
 
-/// Pixel image that replaces a part of a page, for drawings of so many shapes that as vector graphics they would be
-/// slow to display. The shapes are drawn on the context() of the image, and its destructor paints the image on the
-/// page.
+/// Pixel image that replaces a part of a page. It is used for drawings of so many shapes that vector graphics
+/// would be slow to display. The shapes are drawn on the context() of the image, and its destructor paints the
+/// image on the page.
 class ImageLayer {
  public:
   /// @param left,top,width,height  rectangle of the page that the image covers (points)

@@ -39,9 +39,9 @@ class CutSegment {
 
 void add_hidden_by_facets(const Vec<3>& from, const Vec<3>& to, const SeenBody& body,
                           std::vector<std::pair<double, double>>& hidden) {
-  // The hidden region is the body with all that lies behind it. It is bounded by the planes of the facets that face the
-  // eye and by the planes along the line of sight through the edges of the outline. These edges are the sides of such
-  // facets that belong to only one of them.
+  // The hidden region consists of the body and of all points behind it. It is bounded by the planes of the
+  // facets that face the eye, and by the planes along the line of sight through the edges of the outline. An
+  // edge belongs to the outline if only one of these facets has it.
   CutSegment segment(from, to);
   std::set<std::pair<int, int>> sides;
   for (const Facets::Facet& facet : body.facets) {
@@ -62,8 +62,8 @@ void add_hidden_by_facets(const Vec<3>& from, const Vec<3>& to, const SeenBody& 
   if (!segment.is_empty()) hidden.push_back(segment.part());
 }
 
-/// Adds the parts that a capsule hides. The capsule is replaced by a chain of spheres, whose outline deviates from that
-/// of the capsule by less than 1 % of its radius.
+/// Adds the parts of a line segment that a capsule hides. The capsule is replaced by a chain of spheres, whose
+/// outline deviates from the outline of the capsule by less than 1 % of the radius.
 void add_hidden_by_capsule(const Vec<3>& from, const Vec<3>& to, const SeenBody& body,
                            std::vector<std::pair<double, double>>& hidden) {
   constexpr double kStep = 0.25;  // distance of the centres in units of the radius
@@ -81,7 +81,8 @@ double distance_in_capsule(double half_length, double radius, double along) {
   const double across = std::sqrt(std::max(0.0, 1.0 - along * along));
   const double to_cylinder = radius / std::max(across, 1e-12);
   if (to_cylinder * along <= half_length) return to_cylinder;
-  // Distance t to the sphere about the end of the axis: (t - h along)^2 + h^2 across^2 = radius^2.
+  // Distance t from the centre to the sphere around the end of the axis: (t - h along)^2 + h^2 across^2 =
+  // radius^2, with h = half_length.
   const double beside = half_length * across;
   return half_length * along + std::sqrt(std::max(0.0, radius * radius - beside * beside));
 }

@@ -17,8 +17,8 @@ constexpr double kWithLines = 0.25;
 /// Smallest length of a tube that is drawn, divided by the width of the tube. Between spheres that are drawn with their
 /// true radii, shorter tubes would look like splinters at the contact point.
 constexpr double kShortest = 0.05;
-/// Cosine below which a face of the cell counts as seen edge-on. The cosine is that of the angle between the normal of
-/// the face and the line of sight.
+/// Cosine of the angle between the normal of a face of the cell and the line of sight, below which the face
+/// counts as seen edge-on.
 constexpr double kEndOn = 1e-9;
 
 using Interval = std::pair<double, double>;
@@ -215,7 +215,7 @@ class Sight {
     }
   }
 
-  /// Adds the tubes and arrows to the order of the grains.
+  /// Adds tubes and arrows to the drawing order of the grains.
   void order() {
     for (std::size_t k = 0; k < seen_.tubes.size(); ++k)
       mark(Part::tube, k, 0.5 * (seen_.tubes[k].from[2] + seen_.tubes[k].to[2]));
@@ -263,8 +263,9 @@ std::optional<std::pair<double, double>> hidden_part(const Vec<3>& from, const V
   const Vec<3> apart = from - sphere.centre, along = to - from;
   const Vec<2> apart2 = apart.head<2>(), along2 = along.head<2>();
   const double r2 = sphere.radius * sphere.radius;
-  // A sphere hides the points inside it and those in the cylinder behind it that has the radius of the sphere. The
-  // union of sphere and cylinder is convex, so that one interval describes the hidden part of the segment.
+  // A sphere hides all points inside it, and all points in the cylinder behind it that has the radius of the
+  // sphere. The union of sphere and cylinder is convex, so that one interval describes the hidden part of the
+  // segment.
   std::optional<Interval> cylinder =
       negative_part(apart2.squaredNorm() - r2, 2.0 * apart2.dot(along2), along2.squaredNorm());
   if (!cylinder) return std::nullopt;

@@ -190,7 +190,7 @@ class SeenDrawing {
   }
 
   /// Draws a labelled arrow for an axis beside a cell edge.
-  /// @param middle  middle of the cell; the arrow is drawn on the side of the edge away from it
+  /// @param middle  middle of the cell; the arrow is drawn on the other side of the edge
   void draw_axis(const Vec<2>& from, const Vec<2>& to, const Vec<2>& middle, char name) const {
     constexpr double kLength = 18.0, kLetter = 5.0, kLeast = 6.0;
     const Vec<2> along = (to - from).normalized(), half_way = 0.5 * (from + to);
@@ -281,8 +281,8 @@ void draw_bar(cairo_t* page, const Bar& bar, const Color& color) {
     cairo_fill(page);
     return cairo_restore(page);
   }
-  // The brightest line along the bar is on the side of the light. It is the farther from the middle of the bar, the
-  // larger the angle between light and bar is.
+  // The brightest line along the bar is on the side of the light. Its distance from the middle of the bar grows
+  // with the angle between light and bar.
   cairo_pattern_t* gradient = cairo_pattern_create_linear(0.0, -half, 0.0, half);
   add_stop(gradient, 0.0, darker(color, 0.45));
   add_stop(gradient, 0.18, darker(color, 0.1));

@@ -15,9 +15,9 @@
 namespace floc {
 namespace {
 
-constexpr double kOverlap = 1e-5;  ///< of a cohesive pair at rest, F0/K_N
+constexpr double kOverlap = 1e-5;  ///< overlap F0/K_N of a cohesive pair at rest
 
-/// Equal disks of unit diameter at given places of a square cell of side 10, in contact where they touch.
+/// Returns equal disks of unit diameter at given positions in a square cell of side 10, with their contacts.
 Packing<2> disks_at(const std::vector<Vec<2>>& places) {
   Packing<2> packing;
   packing.law = test::cohesive_law();
@@ -30,8 +30,8 @@ Packing<2> disks_at(const std::vector<Vec<2>>& places) {
   return packing;
 }
 
-/// Two disks that stick together across the boundary of the cell, drift and turn about their common centre, and
-/// a third one far away.
+/// Returns two disks that stick together across the cell boundary, move and rotate about their common centre,
+/// and a third disk far away.
 Packing<2> drifting_pair() {
   Packing<2> packing = disks_at({Vec<2>(9.8, 2.0), Vec<2>(0.8 - kOverlap, 2.0), Vec<2>(5.0, 7.0)});
   const double spin = 0.01, arm = 0.5 * (1.0 - kOverlap);
@@ -55,7 +55,7 @@ TEST(ClusterFlight, MovesAClusterAsItsDynamicsDo) {
   dynamics->advance(static_cast<int>(20.0 / dt), Motion::free);
   const Packing<2> moved = dynamics->packing();
   for (int i = 0; i < 3; ++i) {
-    // Less than a step of drift apart; the spin stretches the contact by 5e-10.
+    // Positions differ by less than one time step of motion. The rotation stretches the contact by 5e-10.
     EXPECT_LT((flown.cell.wrapped(flown.grains.position[i]) - moved.grains.position[i]).norm(), 0.05 * dt);
     EXPECT_LT((flown.grains.velocity[i] - moved.grains.velocity[i]).norm(), 1e-6);
     EXPECT_NEAR(flown.grains.orientation[i], moved.grains.orientation[i], 0.02 * dt);
@@ -75,13 +75,13 @@ TEST(ClusterFlight, EndsWhereClustersAreNear) {
 TEST(ClusterFlight, EndsAfterTheLongestTimeWhereNothingMeets) {
   Packing<2> packing = disks_at({Vec<2>(1.0, 1.0), Vec<2>(5.0, 4.0)});
   EXPECT_EQ(ClusterFlight<2>(packing).fly(packing, 0.01, 1e4), 1e4);
-  packing.grains.velocity = {Vec<2>(0.1, 0.0), Vec<2>(-0.1, 0.0)};  // they pass each other, again and again
+  packing.grains.velocity = {Vec<2>(0.1, 0.0), Vec<2>(-0.1, 0.0)};  // the disks pass each other again and again
   EXPECT_EQ(ClusterFlight<2>(packing).fly(packing, 0.01, 400.0), 400.0);
   EXPECT_NEAR(packing.grains.position[0][0], 41.0, 1e-9);
 }
 
-/// A chain around the cell cannot turn: that its grains move up on one side and down on the other is motion
-/// inside.
+/// A chain around the cell cannot rotate: if its grains move up on one side and down on the other, this is an
+/// internal motion.
 TEST(ClusterFlight, DoesNotTurnWhatWindsAroundTheCell) {
   std::vector<Vec<2>> places;
   for (int k = 0; k < 10; ++k) places.emplace_back(k + 0.5, 2.0);
@@ -114,7 +114,8 @@ TEST(ClusterFlight, MovesSpheresThatWindAroundTheCellWithoutTurningThem) {
     EXPECT_LT((packing.grains.position[k] - (places[k] + Vec<3>(0.2, 0.0, 0.4))).norm(), 1e-12);
 }
 
-/// Springs of a tumbling cluster turn with it: what acts on its spheres is the same, seen from the cluster.
+/// The springs of a tumbling cluster rotate with it, so that the forces on its spheres stay the same relative
+/// to the cluster.
 TEST(ClusterFlight, TurnsWhatContactsOfSpheresRemember) {
   Packing<3> packing;
   packing.law = test::cohesive_law();
@@ -147,7 +148,7 @@ TEST(ClusterFlight, TurnsWhatContactsOfSpheresRemember) {
   for (int i = 0; i < 3; ++i) {
     const Eigen::Quaterniond& turn = packing.grains.orientation[i];
     EXPECT_GT(turn.angularDistance(Eigen::Quaterniond::Identity()), 0.5);
-    // Overlaps of 1e-5 are right to 1e-15, times K_N.
+    // Overlaps of 1e-5 have a rounding error of 1e-15, which is multiplied by K_N.
     EXPECT_LT((after.force[i] - turn * before.force[i]).norm(), 1e-9);
     EXPECT_LT((after.moment[i] - turn * before.moment[i]).norm(), 1e-9);
     EXPECT_GT(before.moment[i].norm(), 1e-5);

@@ -30,7 +30,7 @@ DiameterDistribution lognormal(double min, double max, double median, double sig
   return d;
 }
 
-/// Share of the grains below d, in closed form.
+/// Returns the fraction of grains smaller than `diameter`, in closed form.
 double share_below(const DiameterDistribution& d, double diameter) {
   if (d.kind == Kind::lognormal) {
     const auto below = [&](double x) {
@@ -55,7 +55,8 @@ TEST(Diameters, QuantilesInvertTheClosedFormOfTheDistribution) {
 TEST(Diameters, ByVolumeEverySizeFillsTheSameVolume) {
   constexpr int kN = 200001;
   const std::vector<double> d = equally_spaced_diameters(power_law(0.05, 1, kUniformByVolume), kN);
-  // Twenty slices of equal width from 1/20 to 1 hold a twentieth of the volume each; by area of the area.
+  // If the interval from 1/20 to 1 is divided into 20 slices of equal width, each contains 1/20 of the volume
+  // (or of the area, for a distribution that is uniform by area).
   double all = 0.0, middle = 0.0;
   for (const double x : d) all += x * x * x, middle += x > 0.525 && x < 0.7625 ? x * x * x : 0.0;
   EXPECT_NEAR(middle / all, 0.25, 2e-4);
@@ -80,7 +81,7 @@ TEST(Diameters, ATightLognormalIsNotCutOff) {
   const DiameterDistribution d = lognormal(0.1, 10, 1, 0.1);
   EXPECT_DOUBLE_EQ(share_within_bounds(d), 1.0);
   EXPECT_NEAR(diameter_quantile(d, 0.5), 1.0, 1e-12);
-  // The quantile of one standard deviation above.
+  // This is the quantile of one standard deviation above the median.
   EXPECT_NEAR(diameter_quantile(d, 0.8413447460685429), std::exp(0.1), 1e-12);
 }
 

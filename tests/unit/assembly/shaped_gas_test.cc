@@ -41,7 +41,7 @@ TEST(ShapedGas, HasTheSolidFractionOfTheGrainsThemselves) {
   for (const double phi : {0.05, 0.3, 0.45}) {
     const Packing<2> gas = gas_of<2>(grains_with(pentagons()), phi);
     EXPECT_NEAR(solid_fraction(gas), phi, 1e-13);
-    // Pairs by the circumscribed circles: no grains overlap in any orientation.
+    // Not even the circumscribed circles overlap, so that no grains overlap in any orientation.
     EXPECT_TRUE(find_pairs(gas.cell, gas.grains, 0.0).empty()) << phi;
   }
   for (const double phi : {0.05, 0.12})
@@ -64,11 +64,11 @@ TEST(ShapedGas, MassIsDensityTimesVolume) {
     const Grains<2> g = gas_of<2>(grains, 0.2).grains;
     return g.mass[i] / g.volume(i);
   };
-  // Without a density, a disk of diameter 1 would have mass 1.
+  // Without a density in the scene, a disk of diameter 1 has mass 1.
   EXPECT_DOUBLE_EQ(mass_over_volume(3), 4.0 / std::numbers::pi);
   grains.density = 7.0;
   EXPECT_DOUBLE_EQ(mass_over_volume(3), 7.0);
-  // Area of a regular pentagon over that of its circumscribed circle: 5 sin 72 / (2 pi).
+  // Area of a regular pentagon divided by that of its circumscribed circle: 5 sin(72 degrees)/(2 pi).
   const Grains<2> g = gas_of<2>(grains, 0.2).grains;
   EXPECT_NEAR(share_of_bounding_balls(g), 2.5 * std::sin(0.4 * std::numbers::pi) / std::numbers::pi, 1e-14);
 }
@@ -82,7 +82,7 @@ TEST(ShapedGas, EveryShapeIsDealtOutEquallyOften) {
     EXPECT_GE(n, 8);
     EXPECT_LE(n, 9);
   }
-  // The order is random: neighbouring grains do not take one shape after the other.
+  // Shapes are assigned in random order, not one after the other.
   EXPECT_FALSE(std::is_sorted(gas.grains.shape.begin(), gas.grains.shape.begin() + 7));
 }
 
@@ -90,8 +90,8 @@ TEST(ShapedGas, OrientationsAreUniform) {
   GrainOptions grains = grains_with(cut(1), 4000);
   const std::vector<double> diameter(4000, 1.0);
   const Grains<3> g = shaped_grains<3>(grains, diameter, 5);
-  // The image of an axis is uniform on the sphere: its mean vanishes and the mean of its dyadic product is 1/3. The
-  // standard errors are sqrt(1/3)/sqrt(4000) = 0.009 and 0.005.
+  // The image of an axis is uniformly distributed on the sphere: its mean is zero, and the mean of its dyadic
+  // product is 1/3. The standard errors are sqrt(1/3)/sqrt(4000) = 0.009 and 0.005.
   for (int axis = 0; axis < 3; ++axis) {
     Vec<3> mean = Vec<3>::Zero();
     Mat<3> second = Mat<3>::Zero();

@@ -46,7 +46,7 @@ TEST(SieveCurve, IsLinearInTheLogarithmOfTheSize) {
 }
 
 TEST(SieveCurve, OfTwoSievesHasTheQuantilesOfAPowerLaw) {
-  // Equal masses in equal intervals of ln d are numbers that go as d^-(Dim + 1).
+  // If equal intervals of ln d contain equal masses, the number density is proportional to d^-(Dim + 1).
   for (const int dimension : {2, 3}) {
     DiameterDistribution power;
     power.kind = Kind::power_law;
@@ -103,7 +103,7 @@ TEST(SizeClasses, OfSphereVolumesDrawnAtTheMiddleOfEqualSharesAreEqual) {
     EXPECT_NEAR(c.share, 0.25, 0.0031);
     EXPECT_NEAR(*c.share_asked, 0.25, 1e-15);
   }
-  // With both ends, one grain has the largest size.
+  // If the quantiles include both ends, one grain has the largest size.
   GrainOptions ends = drawn_from(Kind::power_law, kUniformByVolume, 300);
   ends.diameter.quantiles = DiameterDistribution::Quantiles::ends;
   EXPECT_NEAR(size_quarters(ends, 3).back().share, 0.354, 5e-4);

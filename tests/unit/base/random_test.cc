@@ -47,7 +47,7 @@ TEST(RandomStream, UniformHasTheMomentsOfItsInterval) {
     sum += x;
     squares += (x - 1.0) * (x - 1.0);
   }
-  // Five standard errors: of the mean 4/sqrt(12 n), of the variance 4^2/sqrt(180 n).
+  // Tolerances are five standard errors: 4/sqrt(12 n) for the mean, 4^2/sqrt(180 n) for the variance.
   EXPECT_NEAR(sum / n, 1.0, 5 * 4 / std::sqrt(12.0 * n));
   EXPECT_NEAR(squares / n, 16.0 / 12.0, 5 * 16 / std::sqrt(180.0 * n));
 }
@@ -62,7 +62,7 @@ TEST(RandomStream, NormalHasUnitVarianceAndGaussianKurtosis) {
     squares += x * x;
     fourths += x * x * x * x;
   }
-  // Five standard errors: variances of x, x^2 and x^4 are 1, 2 and 96.
+  // Tolerances are five standard errors: the variances of x, x^2 and x^4 are 1, 2 and 96.
   EXPECT_NEAR(sum / n, 0.0, 5 * std::sqrt(1.0 / n));
   EXPECT_NEAR(squares / n, 1.0, 5 * std::sqrt(2.0 / n));
   EXPECT_NEAR(fourths / n, 3.0, 5 * std::sqrt(96.0 / n));
@@ -72,7 +72,7 @@ TEST(RandomStream, BelowReachesEveryIntegerAndNoOther) {
   RandomStream random(5, 1);
   std::vector<int> hits(7, 0);
   for (int k = 0; k < 7000; ++k) ++hits.at(random.below(7));
-  // Binomial of mean 1000 and deviation 29: six deviations.
+  // Counts are binomial with mean 1000 and standard deviation 29; six deviations are accepted.
   for (const int count : hits) EXPECT_NEAR(count, 1000, 6 * 29);
 }
 

@@ -13,7 +13,7 @@
 namespace floc {
 namespace {
 
-/// A text that is longer than the piece which files are read by, and that gzip does not make short.
+/// Returns a text that is longer than the buffer for reading files, and that gzip cannot compress much.
 std::string long_text() {
   std::string text;
   for (unsigned k = 0, noise = 1; k < 60'000; ++k)

@@ -10,7 +10,8 @@
 namespace floc {
 namespace {
 
-// The examples published with FIPS 180-4 (NIST, "SHA-256 examples"): no block, one, two, and a million bytes.
+// Examples published with FIPS 180-4 (NIST, "SHA-256 examples"): the empty message, messages of one and two
+// blocks, and a million bytes.
 TEST(Sha256, GivesThePublishedExamples) {
   EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
   EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
@@ -20,7 +21,8 @@ TEST(Sha256, GivesThePublishedExamples) {
             "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
-/// Around the ends of blocks of 64 bytes and of the 56 that leave room for the length.
+/// Lengths around multiples of the block size of 64 bytes, and around 56, beyond which the length field no
+/// longer fits.
 TEST(Sha256, DoesNotDependOnThePiecesThatBytesComeIn) {
   std::string bytes;
   for (int k = 0; k < 300; ++k) bytes += static_cast<char>(37 * k);

@@ -26,7 +26,7 @@ TEST(SharedLoops, SeeWhatWasWrittenBefore) {
     std::vector<int> a(kTurns, 0), b(kTurns, 0);
     SharedLoops::run(n_threads, [&](SharedLoops& loops) {
       for (int n = 0; n < kLoops; ++n) {
-        // Each turn reads what another turn wrote in the loop before.
+        // Each iteration reads a value that another iteration wrote in the previous loop.
         loops.for_each(kTurns, [&](int k) { b[k] = a[(k + 7) % kTurns] + 1; });
         std::swap(a, b);
       }

@@ -10,8 +10,9 @@ namespace {
 
 constexpr int kPhases = 4;
 
-/// The threads of a set, as bits, throw their number before they reach the barrier at the end of a phase.
-/// @return number of the exception that leaves the team, -1 if none does
+/// Lets some threads of a team throw their number before the barrier at the end of a phase. @param throwing
+/// bit set of these threads
+/// @return number that the team throws, -1 if none
 int thrown_by(int n_threads, unsigned throwing, int phase) {
   std::vector<int> reached(static_cast<std::size_t>(n_threads), 0);
   try {

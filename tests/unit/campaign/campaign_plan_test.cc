@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A campaign of the shipped oedometer, which is loaded on axis 2 to P* = 13.33.
+/// Campaign of the shipped oedometer scene, which is loaded along axis 2 to P* = 13.33.
 Campaign oedometer() {
   Campaign campaign;
   campaign.scene_file = source_directory() + "/data/scenes/oedometer.toml";
@@ -41,9 +41,9 @@ TEST(CampaignPlan, StatesOfAnOedometerAreChosenByTheStressOnTheDrivenAxis) {
   const auto number = static_cast<std::size_t>(chosen[0]);
   EXPECT_NEAR(*plan.states[number].P_driven_star, 13.33, 1e-12);
   EXPECT_FALSE(plan.states[number].P_star.has_value());
-  // Eight steps a decade before it.
+  // The path has eight steps per decade, so eight steps earlier the stress is ten times smaller.
   EXPECT_NEAR(*plan.states[number - 8].P_driven_star, 1.333, 0.15);
-  // Under one pressure on all axes the two are the same.
+  // Under isotropic pressure the stress on the driven axis equals the pressure.
   EXPECT_EQ(plan.states[1].P_star, plan.states[1].P_driven_star);
 }
 

@@ -11,7 +11,7 @@ TEST(SampleMean, IsThatOfAListByHand) {
   const SampleMean mean = mean_of_samples({1.0, 2.0, 6.0});
   EXPECT_EQ(mean.n, 3);
   EXPECT_DOUBLE_EQ(mean.mean, 3.0);
-  EXPECT_DOUBLE_EQ(*mean.deviation, std::sqrt(7.0));  // (4 + 1 + 9)/2
+  EXPECT_DOUBLE_EQ(*mean.deviation, std::sqrt(7.0));  // variance (4 + 1 + 9)/2
   EXPECT_DOUBLE_EQ(*mean.standard_error(), std::sqrt(7.0 / 3.0));
   EXPECT_EQ(mean.low, 1.0);
   EXPECT_EQ(mean.high, 6.0);
@@ -35,7 +35,7 @@ TEST(Difference, IsAllowedToBeTwoPointSixStandardErrors) {
   SampleMean mean;
   mean.n = 4;
   mean.mean = 1.0;
-  mean.deviation = 0.2;  // s^2/n = 0.01
+  mean.deviation = 0.2;  // so that s^2/n = 0.01
 
   const ReferenceMean reference{4, 1.2, 0.015};
   const Difference d = difference_of(mean, reference);

@@ -17,8 +17,8 @@ using Law = ContactLaw<LinearRepulsion, CapillaryAdhesion, NoDamping, NoFriction
 
 /// Water between clean grains.
 constexpr CapillaryAdhesion kWater{0.072, 0.0, 0.007, 2.6};
-constexpr double kVolume = 1e-11;  // of a bridge between grains of a millimetre (m^3)
-constexpr double kDigits = 2e-10;  // of ten printed ones
+constexpr double kVolume = 1e-11;  // volume of a bridge between grains of a millimetre (m^3)
+constexpr double kDigits = 2e-10;  // relative error of reference values with ten digits
 
 CapillaryAdhesion rational() {
   CapillaryAdhesion law = kWater;
@@ -30,7 +30,8 @@ void expect_relative(double value, double expected, double tolerance = kDigits) 
   EXPECT_NEAR(value, expected, tolerance * std::abs(expected));
 }
 
-/// Gamma R, l, hm, F(l/2), exp(-hm/l) and the energy of a bridge.
+/// Reference values of a bridge: strength Gamma R, decay length l, rupture distance hm, force at a gap of l/2,
+/// exp(-hm/l) and energy.
 struct Expected {
   double strength, decay_length, reach, half_way, at_reach, energy;
 };
@@ -68,7 +69,7 @@ TEST(CapillaryAdhesion, RationalFormIsTheOneOfTheExactBridgesToWithinItsError) {
   for (const double x : {0.0, 0.3, 1.0, 2.0})
     expect_relative(law.force(PairGeometry<>(x / b.decay), b), -b.strength / (1.0 + 1.05 * x + 2.5 * x * x),
                     1e-15);
-  // Young-Laplace bridges of V_b = 1e-3 R^3 at h/l.
+  // Exact forces of Young-Laplace bridges with volume 1e-3 R^3, at gaps h/l.
   const double l = 1.0 / kWater.bridge(1e-3, 1e-3, 1e-12).decay;
   const Bridge<> small = law.bridge(1e-3, 1e-3, 1e-12);
   for (const auto& [gap, exact] : {std::pair{0.1, 0.841}, {0.5, 0.508}, {1.0, 0.270}})
@@ -119,7 +120,7 @@ TEST(CapillaryAdhesion, WithoutAVolumeThereIsNothing) {
   }
 }
 
-/// A doublet of spheres of a millimetre, quasi-statically.
+/// Two spheres of a millimetre that are moved quasi-statically.
 struct Doublet {
   Law law;
   PackedHistory<1> history;
@@ -133,7 +134,7 @@ struct Doublet {
     const ContactMotion<3> motion{gap, 0.0, 0.0, Shear<3>::Zero(), RotationVector<3>::Zero()};
     return law.respond<3, double>(motion, history, law.pair_parameters<3>(1e-3, 1e-3, history)).normal.force();
   }
-  /// Work of the normal force on the pair (energy), by the trapezoidal rule.
+  /// Work of the normal force on the pair (energy), integrated with the trapezoidal rule.
   double work(double from, double to) {
     constexpr int n = 200000;
     double sum = 0.0, before = force(from);
@@ -158,7 +159,7 @@ TEST(Doublet, RestsPullsOffAndPartsAsTheClosedFormsSay) {
   expect_relative(pair.law.energy<double>(PairGeometry<>(2.0 * b.reach), nullptr, b) -
                       pair.law.energy<double>(PairGeometry<>(-h0), nullptr, b),
                   separation, 1e-14);
-  // One step of the rule spans the jump at the reach.
+  // The error is that of the step that contains the jump at the rupture distance.
   expect_relative(-pair.work(-h0, 1.1 * b.reach), separation, 2e-5);
 }
 
@@ -171,7 +172,7 @@ TEST(Doublet, GivesBackInApproachWhatPartingTookWhereBridgesFormAcrossTheGap) {
 }
 
 TEST(Doublet, LosesTheEnergyOfTheBridgeWhereItFormsOnContact) {
-  Doublet pair(BridgeFormation::contact, -kVolume);  // a bridge that has broken
+  Doublet pair(BridgeFormation::contact, -kVolume);  // a negative volume marks a broken bridge
   const Bridge<> b = pair.bridge();
   const double far = 1.1 * b.reach, near = -1e-6;
   const double in = pair.work(far, near);

@@ -9,8 +9,8 @@
 namespace floc {
 namespace {
 
-/// Restitution of a linear spring and dashpot at a fraction zeta of critical damping: exp(-pi
-/// zeta/sqrt(1-zeta^2)).
+/// Returns the coefficient of restitution of a linear spring and dashpot with the damping ratio zeta: exp(-pi
+/// zeta/sqrt(1 - zeta^2)).
 double restitution_at(double zeta) {
   return std::exp(-std::numbers::pi * zeta / std::sqrt(1.0 - zeta * zeta));
 }
@@ -21,7 +21,7 @@ TEST(ViscousDamping, RatioInvertsTheRestitutionOfALinearOscillator) {
 }
 
 TEST(ViscousDamping, RatioIsThatOfItsRestitution) {
-  // alpha_n = 0.248 for e_n = sqrt(0.2), three printed digits.
+  // The published values are alpha_n = 0.248 for e_n = sqrt(0.2), with three digits.
   EXPECT_NEAR(damping_ratio(std::sqrt(0.2)), 0.248, 5e-4);
 }
 
@@ -60,7 +60,7 @@ TEST(ViscousDamping, GrainMassRuleGivesTwoEqualSpheresTheSmallerRestitution) {
   const double zeta_of_pair =
       grain.coefficient(CollisionMass::between(mass, mass), LinearRepulsion{stiffness}) /
       (2 * std::sqrt(mass / 2 * stiffness));
-  // The restitution of the spheres of [SVI2024], to three digits (docs/physics.md, "Damping").
+  // Expected is the restitution of the spheres of [SVI2024], with three digits (docs/physics.md, "Damping").
   EXPECT_NEAR(restitution_at(zeta_of_pair), 0.308, 5e-4);
 }
 

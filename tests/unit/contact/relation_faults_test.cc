@@ -5,7 +5,7 @@
 namespace floc {
 namespace {
 
-/// A model whose second number is at least as large as its first.
+/// Model whose second number must be at least as large as the first.
 struct TwoSlopes {
   double loading;
   double unloading;

@@ -15,8 +15,8 @@
 namespace floc {
 namespace {
 
-/// Spheres (disks) of diameter 1 in a cubic (square) crystal of n along each axis between walls, all contacts
-/// `overlap` deep.
+/// Returns spheres (disks) of diameter 1 in a cubic (square) crystal between walls, n along each axis. All
+/// contacts have the same overlap.
 template <int Dim>
 Packing<Dim> crystal(int n, const Law& law, const Law& wall_law, double overlap) {
   Packing<Dim> packing;
@@ -48,7 +48,8 @@ Law linear(double kn, double kt) {
   return law;
 }
 
-/// Chains of n + 1 springs between the walls, n^(Dim-1) of them: C11 = K_N n^(Dim-1)/((n + 1) L^(Dim-2)).
+/// The crystal consists of n^(Dim-1) chains of n + 1 springs between the walls: C11 = K_N n^(Dim-1)/((n + 1)
+/// L^(Dim-2)).
 template <int Dim>
 void expect_moduli_of_chains(int n) {
   const double kn = 1e4, overlap = 1e-3;
@@ -58,14 +59,14 @@ void expect_moduli_of_chains(int n) {
   const double expected = kn * std::pow(n, Dim - 1) / ((n + 1) * std::pow(side, Dim - 2));
   for (int a = 0; a < Dim; ++a)
     for (int b = 0; b < Dim; ++b) EXPECT_NEAR(m.C(a, b), a == b ? expected : 0.0, 1e-9 * expected);
-  // Springs are stretched alike: their forces are those of the load, and where springs differ in length (all
-  // but those of a single grain) the grains do not follow the strain.
+  // The springs of a chain in series carry equal forces, so B_reuss is exact. Springs at walls are shorter than
+  // others, so for n > 1 the displacements are not affine and B_voigt is larger than B.
   EXPECT_GE(m.bounds.B_voigt, n == 1 ? m.B * (1.0 - 1e-9) : 1.01 * m.B);
   EXPECT_NEAR(m.bounds.B_reuss, m.B, 1e-9 * m.B);
   EXPECT_NEAR(m.pressure, wall_pressure(packing)[0], 1e-9 * m.pressure);
   EXPECT_EQ(m.n_mechanisms, 0);
   EXPECT_EQ(m.response.n_free_shifts,
-            Dim);  // smooth walls along an axis let all grains move with those across it
+            Dim);  // smooth walls across one axis let all grains translate together with them
   EXPECT_EQ(m.response.free.count(FreeMotionKind::translation), 0);
 }
 
@@ -77,8 +78,8 @@ TEST(BoxModuli, OfACrystalAreThoseOfItsChains) {
   }
 }
 
-/// A straight chain of n grains between two walls across the last axis; the others are periodic, twice as long
-/// as a grain.
+/// Returns a straight chain of n grains between two walls across the last axis. The other axes are periodic,
+/// with cell sides of two diameters.
 template <int Dim>
 Packing<Dim> chain_betweekWalls(int n, const Law& law, const Law& wall_law) {
   const double overlap = 1e-3;
@@ -100,7 +101,8 @@ Packing<Dim> chain_betweekWalls(int n, const Law& law, const Law& wall_law) {
   return packing;
 }
 
-/// Springs in series, 1/k = 2/k_w + (n - 1)/k_n, on the area of the walls. The sides cost nothing.
+/// Expects the modulus of springs in series with the stiffness k, 1/k = 2/k_w + (n - 1)/k_n: k times the side,
+/// divided by the area of the walls. Moduli along the other axes are zero.
 template <int Dim>
 void expect_moduli_of_a_chain(int n, double kt) {
   const double kn = 1e4, kw = 3e4;
@@ -114,7 +116,7 @@ void expect_moduli_of_a_chain(int n, double kt) {
   EXPECT_EQ(m.n_coupled_mechanisms, Dim - 1);
   EXPECT_EQ(m.n_negative, 0);
   if (n > 1) return;
-  // On smooth walls a sphere slides at no cost, which is no mechanism; rough ones hold it.
+  // On smooth walls a sphere can slide at no cost, which does not count as a mechanism; rough walls hold it.
   EXPECT_EQ(m.response.free.count(FreeMotionKind::translation), kt == 0.0 ? Dim - 1 : 0);
   EXPECT_EQ(m.n_mechanisms, m.n_coupled_mechanisms);
 }
@@ -129,8 +131,8 @@ TEST(BoxModuli, OfAChainBetweenTwoWallsAreThoseOfSpringsInSeries) {
     }
 }
 
-/// Under its own load a crystal of smooth disks buckles. With the walls held, the component of the displacement
-/// along an axis sees chains with fixed ends along it and, across it, -F/r between free ends.
+/// A crystal of smooth disks buckles under its own load. With fixed walls, the displacements along an axis feel
+/// springs K_N with fixed ends along this axis and stiffnesses -F/r with free ends across it.
 TEST(BoxModuli, CompressedCrystalBucklesInAsManyWaysAsItsChainsSay) {
   const double kn = 1e4, pi = std::acos(-1.0);
   for (const auto& [n, overlap] : {std::pair(4, 1e-3), {8, 0.03}, {8, 0.1}}) {
@@ -146,7 +148,7 @@ TEST(BoxModuli, CompressedCrystalBucklesInAsManyWaysAsItsChainsSay) {
   }
 }
 
-/// A disordered box: the crystal with grains pushed aside and contacts of all lengths.
+/// Returns a disordered box: the crystal with displaced grains and unequal overlaps.
 Packing<2> disordered() {
   Packing<2> packing = crystal<2>(5, linear(1e4, 8e3), linear(1.3e4, 5e3), 2e-2);
   for (int i = 0; i < packing.grains.size(); ++i)
@@ -157,7 +159,8 @@ Packing<2> disordered() {
 
 constexpr int kWalls = 4;
 
-/// K of grains and walls, all four walls being bodies of their own, as a dense matrix.
+/// Returns the stiffness matrix of grains and walls as a dense matrix, with each of the four walls as a
+/// separate body.
 Eigen::MatrixXd stiffness_of_bodies(const Packing<2>& packing) {
   const ContactNetwork<2> network = contact_network(packing);
   const int n = network.n_unknowns();
@@ -175,7 +178,7 @@ Eigen::MatrixXd stiffness_of_bodies(const Packing<2>& packing) {
   return K;
 }
 
-/// Strains that pressures on the walls make, a column a pressure.
+/// Returns the strains caused by pressures on the walls, with one column for each pressure.
 Eigen::MatrixXd compliance_by_bodies(const Packing<2>& packing) {
   const Eigen::MatrixXd K = stiffness_of_bodies(packing);
   const Eigen::Index n = K.rows() - kWalls;
@@ -196,12 +199,13 @@ TEST(BoxModuli, AreTheInverseOfWhatPressuresOnFreeWallsDo) {
   const Eigen::MatrixXd C = compliance_by_bodies(packing).inverse();
   EXPECT_LT((m.C - C).cwiseAbs().maxCoeff(), 1e-8 * C(0, 0)) << m.C << "\n\n" << C;
   EXPECT_GE(m.bounds.B_voigt, m.B);
-  EXPECT_GT(m.response.wall_shift.cwiseAbs().maxCoeff(), 1e-6);  // walls of an axis move together, too
+  // both walls of an axis also move in the same direction
+  EXPECT_GT(m.response.wall_shift.cwiseAbs().maxCoeff(), 1e-6);
   EXPECT_EQ(m.response.n_free_shifts, 0);
 }
 
-/// Attractions across gaps have negative stiffness. Whether the packing is stable is read off the matrix of all
-/// bodies, to which the boundary's strains and common displacements are other coordinates.
+/// Attractions at a distance have negative stiffness. The number of unstable modes is compared with the dense
+/// matrix of all bodies, which uses other coordinates for strains and common displacements of walls.
 TEST(BoxModuli, AttractionsAcrossGapsDestabiliseInAsManyWaysAsTheMatrixOfAllBodiesSays) {
   int n_stable = 0, n_unstable = 0;
   for (const double force : {1.0, 30.0, 100.0, 300.0}) {
@@ -226,7 +230,7 @@ TEST(BoxModuli, AttractionsAcrossGapsDestabiliseInAsManyWaysAsTheMatrixOfAllBodi
   EXPECT_GT(n_unstable, 1);
 }
 
-/// Moduli of disks are stiffnesses of contacts whatever the unit of length.
+/// In 2D a modulus has the unit of a contact stiffness, so it does not depend on the unit of length.
 TEST(BoxModuli, DoNotDependOnTheUnitOfLength) {
   Packing<2> packing = crystal<2>(3, linear(1e4, 0.0), linear(1.3e4, 0.0), 1e-2);
   const Moduli before = elastic_moduli(packing, ModuliOptions{});
@@ -241,7 +245,7 @@ TEST(BoxModuli, DoNotDependOnTheUnitOfLength) {
   EXPECT_EQ(after.response.n_free_shifts, 2);
 }
 
-/// Increments balance on every grain, and on walls they are the step of pressure.
+/// The force increments balance on every grain, and on walls they equal the increment of pressure.
 TEST(BoxModuli, IncrementsAreInBalanceWithTheStepOfPressure) {
   const Packing<2> packing = disordered();
   const ModuliOptions options;
@@ -268,7 +272,7 @@ TEST(BoxModuli, IncrementsAreInBalanceWithTheStepOfPressure) {
     EXPECT_NEAR(on_wall[w], wall_area(packing, packing.walls[w].axis), 1e-8 * largest) << w;
 }
 
-/// A disk stuck to a wall by one contact is no mechanism of the rest: it rolls there.
+/// A disk with a single contact, with a wall, can roll there, but it is not a mechanism of the other grains.
 TEST(BoxModuli, DiskOnAWallAloneIsADeadEnd) {
   Packing<2> packing = crystal<2>(2, linear(1e4, 8e3), linear(1e4, 8e3), 1e-3);
   const Moduli before = elastic_moduli(packing, ModuliOptions{});
@@ -278,7 +282,7 @@ TEST(BoxModuli, DiskOnAWallAloneIsADeadEnd) {
   packing.grains.mass.push_back(1.0);
   packing.grains.orientation.push_back(0.0);
   packing.grains.angular_velocity.push_back(RotationVector<2>::Zero());
-  packing.law += test::constant_adhesion(1.0);  // rattlers are then those alone
+  packing.law += test::constant_adhesion(1.0);  // with adhesion, only grains without contacts are rattlers
   packing.wall_law += test::constant_adhesion(1.0);
   find_contacts(packing);
   const ContactNetwork<2> network = contact_network(packing);

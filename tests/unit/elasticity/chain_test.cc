@@ -14,19 +14,19 @@ namespace {
 
 constexpr double kR = 0.7;  // radius
 
-/// K_R in units of K_N R^2.
+/// Returns stiffnesses with the given ratio K_R/(K_N R^2).
 ChainStiffness stiffness(double rolling) {
   return {2.0, 1.4, rolling * 2.0 * kR * kR};
 }
 
-/// Largest effect of rounding: 8 units per entry with about 5 entries for each of n contacts, plus the square of 35
-/// units of rounding times the condition number.
+/// Largest effect of rounding: 8 rounding units for each of about 5 entries per contact, plus the condition
+/// number times the square of 35 rounding units.
 double largest_bound(int n, double condition) {
   const double unit = std::numeric_limits<double>::epsilon();
   return 50.0 * n * unit + 1200.0 * unit * unit * condition;
 }
 
-/// @param size  how large the bound may be, relative
+/// @param size  largest relative size of the error bound
 void expect_within_bound(const BoundedValue& solved, double exact, double size, const char* what, int n,
                          double rolling) {
   EXPECT_LE(std::abs(solved.value - exact), solved.error) << what << " n = " << n << ", K_R = " << rolling;
@@ -63,8 +63,8 @@ TEST(Chain, BeyondDoublePrecisionTheBoundSaysThatNoDigitIsLeft) {
   EXPECT_FALSE(solve_chain(bent_chain(2000, 0.0), kR, stiffness(1e-28)).transverse.resolved());
 }
 
-/// Compliance of the end of a chain held at its first disk, by adding up contact after contact what the loads
-/// at the end do to each: statically determinate, so no system is solved.
+/// Returns the compliance of the end of a chain whose first disk is held. The chain is statically determinate,
+/// so the compliance is the sum of the contributions of all contacts to loads at the end.
 Eigen::Matrix3d compliance_by_statics(const std::vector<Vec<2>>& branches, double R, const ChainStiffness& k) {
   Vec<2> end = Vec<2>::Zero();
   for (const Vec<2>& b : branches) end += 2.0 * R * b;
@@ -76,7 +76,8 @@ Eigen::Matrix3d compliance_by_statics(const std::vector<Vec<2>>& branches, doubl
     const Vec<2> contact = centre + R * b - 0.5 * end;  // from the middle of the chord
     centre += 2.0 * R * b;
     const Vec<2> t(-b[1], b[0]);
-    // Loads: unit force along, unit force across, both through the middle; unit moment.
+    // Three unit loads: a force along the chord, a force across it (both at the middle of the chord), and a
+    // moment.
     Eigen::RowVector3d normal(along.dot(b), across.dot(b), 0.0), shear(along.dot(t), across.dot(t), 0.0);
     const auto moment_of = [&](const Vec<2>& force) {
       return -(contact[0] * force[1] - contact[1] * force[0]);
@@ -96,7 +97,8 @@ TEST(Chain, BentIsWhatStaticsSays) {
         const auto branches = bent_chain(n, degrees * std::numbers::pi / 180.0);
         const Eigen::Matrix3d exact = compliance_by_statics(branches, kR, k);
         const SolvedChain solved = solve_chain(branches, kR, k);
-        constexpr double size = 1e-6;  // soft and stiff directions mix, so more than of a straight one
+        // soft and stiff directions mix, so the bound is larger than for a straight chain
+        constexpr double size = 1e-6;
         expect_within_bound(solved.axial, exact(0, 0), size, "axial", n, rolling);
         expect_within_bound(solved.transverse, exact(1, 1), size, "transverse", n, rolling);
         expect_within_bound(solved.rolling, exact(2, 2), size, "rolling", n, rolling);

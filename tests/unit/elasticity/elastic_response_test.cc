@@ -17,7 +17,7 @@ struct DenseAnswer {
   int n_negative;
 };
 
-/// Computes the response of a network by brute force, with the pseudo-inverse of the block of the grains.
+/// Computes the response of a network directly, with the pseudo-inverse of the block of the grains.
 template <int Dim>
 DenseAnswer dense_response(const ContactNetwork<Dim>& network, bool prestress) {
   const StiffnessMatrix k = stiffness_matrix(network, {StrainSet::full, prestress});
@@ -57,7 +57,7 @@ void expect_dense_answer(const ContactNetwork<Dim>& network, double tolerance) {
   EXPECT_LT(response.residual, 1e-12);
 }
 
-/// Rounding times condition numbers of up to 1e4, on both sides.
+/// Rounding errors of both results, with condition numbers of up to 1e4.
 constexpr double kTolerance = 1e-10;
 
 TEST(ElasticResponse, EqualsThePseudoInverseWithEveryKindOfContact) {
@@ -69,7 +69,8 @@ TEST(ElasticResponse, EqualsThePseudoInverseWithEveryKindOfContact) {
   }
 }
 
-/// The Schur complement of the unknowns that are kept, in extended precision from the rigidity matrix.
+/// Returns the Schur complement for the retained unknowns, computed from the rigidity matrix in extended
+/// precision.
 template <int Dim>
 Eigen::MatrixXd extended_response(const ContactNetwork<Dim>& network, const std::vector<bool>& kept) {
   using Extended = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
@@ -91,7 +92,8 @@ Eigen::MatrixXd extended_response(const ContactNetwork<Dim>& network, const std:
 }
 
 TEST(ElasticResponse, LiesWithinItsErrorBound) {
-  constexpr double kReference = 1e-17;  // extended precision cancels to this where a modulus vanishes
+  // rounding error of the extended-precision result when a modulus vanishes
+  constexpr double kReference = 1e-17;
   ResponseOptions options;
   options.strains = StrainSet::full;
   for (const double kr : {0.1, 1e-5, 1e-10})
@@ -124,7 +126,8 @@ TEST(ElasticResponse, EqualsThePseudoInverseWithMechanismsInPlenty) {
 TEST(ElasticResponse, CountsEveryZeroModeOnceByStructureOrAsAMechanism) {
   int n_mechanisms = 0;
   for (unsigned seed = 0; seed < 30; ++seed) {
-    // No dead ends counted by the dense matrix if every contact is stiff in every way.
+    // If every contact has stiffness in all directions, the zero modes of the dense matrix include no dead
+    // ends.
     for (const double kr : {0.0, 0.1}) {
       const auto network =
           contact_network(test::random_packing<2>(20, seed, test::elastic_law(1.0, 0.6, kr), 1.5));
@@ -141,8 +144,8 @@ TEST(ElasticResponse, CountsEveryZeroModeOnceByStructureOrAsAMechanism) {
   EXPECT_GT(n_mechanisms, 0);
 }
 
-/// Columns of long chains depend on each other through many others: none of their mechanisms may pass for a
-/// soft spring.
+/// The columns of long chains depend on each other through many others. None of their mechanisms may be
+/// mistaken for a soft spring.
 TEST(ElasticResponse, CountsTheMechanismsOfLongChainsWithoutRollingStiffness) {
   for (const int n : {5, 20, 40}) {
     const auto network = contact_network(test::square_frames(n, 1.0, test::elastic_law(1.0, 0.6, 0.0)));

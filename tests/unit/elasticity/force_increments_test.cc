@@ -22,7 +22,8 @@ void expect_work_and_balance(const ContactNetwork<Dim>& network, StressStep step
   Eigen::VectorXd stress = Eigen::VectorXd::Ones(Dim);
   if (step == StressStep::deviatoric) stress.tail(Dim - 1).setConstant(-1.0 / (Dim - 1));
   EXPECT_LT((response.relaxed * found->strain / network.volume - stress).norm(), 1e-11);
-  // Clapeyron: energy is half the work. Softest moduli of some 1e-3 leave that share of 1e-12.
+  // By Clapeyron's theorem the energy is half the work. The smallest moduli are about 1e-3, which turns errors
+  // of 1e-12 into 1e-9.
   const double energy = std::accumulate(found->energy.begin(), found->energy.end(), 0.0);
   EXPECT_NEAR(energy / (0.5 * network.volume * found->strain.dot(stress)), 1.0, 1e-9);
   EXPECT_GT(found->n_holding, 0);
@@ -49,8 +50,8 @@ TEST(StepResponse, OfASquareLatticeLoadsBothContactsAlike) {
   const auto pressed = step_response(network, elastic_response(network, {}), StressStep::isotropic);
   ASSERT_TRUE(pressed);
   for (int c = 0; c < 2; ++c) {
-    EXPECT_NEAR(pressed->increments[c].normal, 1.0, 1e-14);  // unit stress on unit length
-    EXPECT_NEAR(pressed->energy[c], 0.25, 1e-14);            // 1/(2 K_N)
+    EXPECT_NEAR(pressed->increments[c].normal, 1.0, 1e-14);  // force of a unit stress on a unit length
+    EXPECT_NEAR(pressed->energy[c], 0.25, 1e-14);            // energy of a unit force, 1/(2 K_N)
   }
   EXPECT_EQ(pressed->energy_share_95, 1.0);
   const auto sheared = step_response(network, elastic_response(network, {}), StressStep::deviatoric);
@@ -66,7 +67,7 @@ TEST(StepResponse, IsRefusedWhereTheStressWorksOnAFreeStrain) {
   brace.cell.matrix << 1.0, 1.0, -2.0, 2.0;
   brace.cell.matrix *= std::sqrt(0.5);
   find_contacts(brace);
-  // One contact along (1, 1): pressed, but not sheared.
+  // There is only one contact, along (1, 1): it resists compression but not shear.
   const auto network = contact_network(brace);
   EXPECT_TRUE(step_response(network, elastic_response(network, {}), StressStep::isotropic));
   EXPECT_FALSE(step_response(network, elastic_response(network, {}), StressStep::deviatoric));
@@ -102,7 +103,7 @@ TEST(ForceCorrelation, OfForcesInProportionIsOne) {
   EXPECT_NEAR(*same.size, 1.0, 1e-12);
   for (auto& c : network.contacts) c.normal_force = 5.0 - c.normal_force;
   EXPECT_NEAR(*force_correlation(network, step->increments).normal, -1.0, 1e-12);
-  // A distant attraction says nothing, and equal forces vary with nothing.
+  // Attractions at a distance are not counted, and equal forces have no correlation.
   network.contacts[0].distant = true;
   network.contacts[0].normal_force = 1e6;
   EXPECT_NEAR(*force_correlation(network, step->increments).normal, -1.0, 1e-12);

@@ -9,7 +9,8 @@
 namespace floc {
 namespace {
 
-/// Dimension of the null space of the equilibrium matrix: loads on grains and cell from contact forces.
+/// Returns the dimension of the null space of the equilibrium matrix, which maps contact forces to loads on the
+/// grains and the cell.
 template <int Dim>
 int self_stresses(const ContactNetwork<Dim>& network, StrainSet strains) {
   const Eigen::MatrixXd g = scaled_rigidity_matrix(network, strains);
@@ -47,7 +48,8 @@ TEST(Indeterminacy, IsTheNumberOfSelfStressesOfRandomNetworks) {
 }
 
 TEST(Indeterminacy, OfAFrictionlessTriangularLatticeCountsItsSpareContacts) {
-  // One disk, three contacts: 3 forces, 3 displacements and 2 strains; 2 translations and its spin are free.
+  // One disk with three contacts: 3 force components, 3 displacements and 2 strains, with 2 free translations
+  // and 1 free rotation.
   const auto network = contact_network(test::triangular(1.0, test::elastic_law(1.0, 0.0, 0.0)));
   const Indeterminacy found = force_indeterminacy(network, elastic_response(network, {}));
   EXPECT_EQ(found.n_components, 3);

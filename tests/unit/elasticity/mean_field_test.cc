@@ -14,7 +14,7 @@ namespace floc {
 namespace {
 
 TEST(MeanField, OfGlassBeadsHasItsPublishedNumbers) {
-  // z = 6, Phi = 0.64 at 100 kPa: E = 70 GPa, nu = 0.3 (in MPa).
+  // Arguments: z = 6, Phi = 0.64, E = 70 GPa and nu = 0.3, P = 100 kPa, in MPa.
   const double nu = 0.3;
   const HertzMeanField m =
       hertz_mean_field(6.0, 0.64, 70e3 / (1.0 - nu * nu), (2.0 - 2.0 * nu) / (2.0 - nu), 0.1);
@@ -24,7 +24,7 @@ TEST(MeanField, OfGlassBeadsHasItsPublishedNumbers) {
   EXPECT_NEAR(m.G_smooth, 138.42008, 5e-6);
 }
 
-/// Phi of grains whose contacts are on their surfaces, as mean fields have it.
+/// Returns the solid fraction if the distance of neighbours equals the diameter, as mean field theory assumes.
 double solid_fraction_at_contact(const test::CubicCrystal& crystal) {
   return std::acos(-1.0) / (6.0 * crystal.volume);
 }
@@ -39,7 +39,7 @@ TEST(MeanField, OfCrystalsIsTheirBulkModulusExactly) {
     const Bounds bounds = elastic_bounds(network, P, {double(crystal.z), solid_fraction(packing)});
     EXPECT_NEAR(bounds.B_voigt, B, 1e-12) << crystal.name;
     EXPECT_NEAR(bounds.B_reuss, B, 1e-12) << crystal.name;
-    // The mean field takes r = a.
+    // The mean field replaces the branch length r by the diameter a.
     const MeanFieldEstimates m = mean_field_estimates(network, crystal.z, solid_fraction_at_contact(crystal));
     EXPECT_NEAR(m.B_voigt, B * r, 1e-12) << crystal.name;
     EXPECT_NEAR(m.B_reuss, B * r, 1e-12) << crystal.name;
@@ -50,7 +50,8 @@ TEST(MeanField, OfCrystalsIsTheirBulkModulusExactly) {
 }
 
 TEST(MeanField, BoundsOfShearAreTheClosedSumsOverContacts) {
-  // sum r^2 [K_N (1 - 3q) + 3 q K_T]/(6 V), q = sum_(a<b) n_a^2 n_b^2, and sum K_N r^2/(9 V) of any packing.
+  // For any packing, the Voigt bounds are G = sum r^2 [K_N (1 - 3q) + 3 q K_T]/(6 V), with q = sum_(a<b) n_a^2
+  // n_b^2, and B = sum K_N r^2/(9 V).
   const Packing<3> packing = test::random_packing<3>(40, 5, test::elastic_law(1.0, 0.6, 0.1));
   const ContactNetwork<3> network = contact_network(packing);
   double B = 0.0, G = 0.0;
@@ -66,7 +67,7 @@ TEST(MeanField, BoundsOfShearAreTheClosedSumsOverContacts) {
 }
 
 TEST(MeanField, OfHertzContactsDependsOnTheDistributionOfForces) {
-  // fcc with overlaps of many sizes and tangential forces; forces need not balance.
+  // A face-centred cubic crystal with several overlaps and with tangential forces. The forces need not balance.
   Packing<3> packing = tiled<3>(
       test::crystal_of(test::face_centred_cubic(), 0.99, 1.0, test::elastic_law(1.0, 0.5, 0.0)), {2, 2, 2});
   const double ratio = 14.0 / 17.0, E = 2.0;
@@ -80,7 +81,7 @@ TEST(MeanField, OfHertzContactsDependsOnTheDistributionOfForces) {
   EXPECT_NEAR(m.Z_hat, f.Z_five_thirds * (1.0 + 0.04 / ratio), 1e-12);
   EXPECT_NEAR(m.B_voigt / m.B_reuss, f.Z_third * m.Z_hat, 1e-12);
   EXPECT_GT(m.Z_hat, 1.05);
-  // P = z Phi <N>/(pi a^2).
+  // The pressure follows from the mean force: P = z Phi <N>/(pi a^2).
   double mean = 0.0;
   for (const Contact<3>& c : packing.contacts)
     mean += c.normal_force / static_cast<double>(packing.contacts.size());

@@ -25,7 +25,7 @@ TEST(StrainMechanisms, OfAChainLeaveTheOtherAxisFree) {
   const StrainMechanisms found = mechanisms_of(network, StrainSet::diagonal);
   ASSERT_EQ(found.strains.cols(), 1);
   EXPECT_NEAR(std::abs(found.strains(1, 0)), 1.0, 1e-12);
-  // An isotropic stress would work on that strain without end.
+  // An isotropic stress does work on this strain, so that B_S vanishes too.
   EXPECT_THAT(found.vanishing, ElementsAre("C22", "B_S"));
 }
 
@@ -36,7 +36,7 @@ TEST(StrainMechanisms, OfAFrictionlessSquareLatticeIsItsShear) {
 }
 
 TEST(StrainMechanisms, OfABraceAtFortyFiveDegreesIsPureShear) {
-  // One contact along (1, 1): it resists compression, and nothing resists C11 - C22.
+  // There is only one contact, along (1, 1): it resists compression, but not the strain that G measures.
   Packing<2> packing = test::triangular(1.0, test::elastic_law(1.0, 0.0, 0.0));
   packing.cell.matrix << 1.0, 1.0, -2.0, 2.0;
   packing.cell.matrix *= std::sqrt(0.5);
@@ -56,7 +56,7 @@ TEST(StrainMechanisms, MoveTheGrainsAtNoCost) {
     Eigen::MatrixXd motion(network.n_unknowns() + 3, found.strains.cols());
     motion << found.motions, found.strains;
     const FreeMotions free = find_free_motions(network);
-    // Dead ends follow what holds them, which the response leaves out.
+    // Dead ends follow the grain that holds them; the response omits them.
     const auto core = without_grains(network, free.dead_end);
     EXPECT_LT((scaled_rigidity_matrix(core, StrainSet::full) * motion).cwiseAbs().maxCoeff(), 1e-6);
   }
@@ -82,9 +82,9 @@ TEST(StructuralMechanisms, AreTheNullSpaceOfRandomNetworks) {
 }
 
 TEST(StructuralMechanisms, AreNotThoseOfACoincidence) {
-  // Node and two chains of n - 2 hinged disks: 3 (2n - 3) unknowns, 4 (n - 1) conditions, 2 translations.
-  // Straight chains resist their own shortening twice over, so two conditions more are lost (one, where none
-  // were spare).
+  // The network has one node and two chains of n - 2 hinged disks: 3 (2n - 3) unknowns, 4 (n - 1) conditions
+  // and 2 translations. The count assumes chains in general position. In straight chains two of the conditions
+  // are redundant (one for n = 3).
   for (const auto& [n, by_count, straight] : {std::array{3, 0, 1}, {4, 1, 3}, {5, 3, 5}}) {
     const auto network = contact_network(test::square_frames(n, 1.0, test::elastic_law(1.0, 0.6, 0.0)));
     EXPECT_EQ(structural_mechanisms(network, StrainSet::diagonal).n_mechanisms, by_count) << n;

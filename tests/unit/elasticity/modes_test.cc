@@ -17,7 +17,8 @@
 namespace floc {
 namespace {
 
-/// All eigenvalues of K of the grains that have contacts, rotations times the grain's size, ascending.
+/// Returns all eigenvalues of K in ascending order, for the grains with contacts. Rotations are multiplied by
+/// the size of the grain.
 template <int Dim>
 Eigen::VectorXd dense_eigenvalues(const ContactNetwork<Dim>& network) {
   const int n = network.n_unknowns();
@@ -38,11 +39,11 @@ void expect_dense_eigenvalues(const ContactNetwork<Dim>& network, int count) {
   EXPECT_TRUE(soft.complete);
   ASSERT_EQ(soft.modes.size(), static_cast<std::size_t>(count));
   const Eigen::VectorXd dense = dense_eigenvalues(network);
-  // The dense ones hold the free motions too, as zeros among those that are not negative.
+  // The dense spectrum also contains the free motions, as zeros after the negative eigenvalues.
   const auto n_negative = (dense.array() < -1e-12).count();
   for (int m = 0; m < count; ++m) {
     const double expected = dense[m < n_negative ? m : m + soft.free.modes.cols()];
-    // Rounding of both, and the square of the vectors' error.
+    // The tolerance covers rounding of both, and the squared error of the eigenvectors.
     EXPECT_NEAR(soft.modes[m].eigenvalue, expected, 1e-12) << "mode " << m;
   }
 }
@@ -84,7 +85,7 @@ TEST(SoftModes, AllTogetherTakeOffWhatRelaxationDoes) {
     double G = pure_shear_modulus(affine_stiffness(network, StrainSet::diagonal)) / network.volume;
     for (const Mode<2>& m : soft.modes) B -= m.softens_B, G -= m.softens_G;
     const Eigen::MatrixXd C = elastic_response(network, {}).relaxed / network.volume;
-    // Softest eigenvalues of some 1e-4, right to 1e-12 over them.
+    // The smallest eigenvalues are about 1e-4, so errors of 1e-12 are divided by them.
     EXPECT_NEAR(B, bulk_modulus(C), 1e-9);
     EXPECT_NEAR(G, pure_shear_modulus(C), 1e-9);
     EXPECT_EQ(soft.modes.size() + soft.free.modes.cols(), static_cast<std::size_t>(network.n_unknowns()));
@@ -92,7 +93,7 @@ TEST(SoftModes, AllTogetherTakeOffWhatRelaxationDoes) {
 }
 
 TEST(SoftModes, NameANearMechanismAndWhatPrestressDoesToIt) {
-  // A chain across the cell, its disks off the line by 1e-5: to buckle costs next to nothing.
+  // A chain across the cell whose disks deviate from a line by 1e-5, so that buckling needs very little energy.
   Packing<2> packing = test::chain_across(4, 1.0, 4.0, test::elastic_law(1.0, 0.5, 0.0));
   packing.grains.position[1][1] += 1e-5;
   packing.grains.position[3][1] -= 2e-5;
@@ -115,17 +116,17 @@ TEST(SoftModes, NameANearMechanismAndWhatPrestressDoesToIt) {
   EXPECT_GT(stretched.modes.front().with_prestress, stretched.modes.front().eigenvalue);
 }
 
-/// Tally of the states in which near-mechanisms were counted.
+/// Counts of the states that were tested, by their properties.
 struct Met {
   int states = 0, without_any = 0, near = 0, largest = 0;
   int with_mechanisms = 0, unstable = 0, with_free_motions = 0, with_rattlers = 0, without_contacts = 0;
 };
 
-/// Lets the largest force lie between two eigenvalues that follow each other, at several places of the spectrum, and
-/// counts what lies below it.
+/// Sets the largest normal force between two successive eigenvalues, at several positions in the spectrum, and
+/// compares the number of smaller eigenvalues with count_near_mechanisms().
 template <int Dim>
 void expect_dense_count(ContactNetwork<Dim> network, Met& met) {
-  constexpr double kZero = 1e-11;  // of the largest stiffness: rounding of both
+  constexpr double kZero = 1e-11;  // rounding error of both, divided by the largest stiffness
   const double unit = stiffness_scale(network);
   const ElasticResponse response = elastic_response(network, {});
   const Eigen::VectorXd all = dense_eigenvalues(network) / unit;
@@ -135,7 +136,7 @@ void expect_dense_count(ContactNetwork<Dim> network, Met& met) {
   for (const int k : {0, 1, 2, 7, n / 2, n - 1}) {
     if (k < 0 || k > n - 1) continue;
     const double below = k == 0 ? 0.1 * positive[0] : positive[k - 1];
-    if (positive[k] - below < 1e-9) continue;  // copies of one eigenvalue
+    if (positive[k] - below < 1e-9) continue;  // skips equal eigenvalues
     bool between_grains = false;
     for (NetworkContact<Dim>& c : network.contacts) {
       c.normal_force = 0.5 * (positive[k] + below) * unit * c.branch.norm() * (between_grains ? -0.7 : 1.0);
@@ -219,7 +220,8 @@ TEST(NearMechanisms, AreNotCountedWhereTheFactorWouldNotFit) {
 }
 
 TEST(SoftModes, NearMechanismsKeepTheirDigitsDownToTheRoundingOfTheGeometry) {
-  // A chain bent off its line: an eigenvalue grows with the square of the distance from the line; two mechanisms stay.
+  // A chain that deviates from a line by `off`: one eigenvalue is proportional to off^2, and two mechanisms
+  // remain.
   double ratio_before = 0.0;
   for (const double off : {1e-4, 1e-5, 1e-6, 1e-7}) {
     Packing<2> packing = test::chain_across(4, 1.0, 4.0, test::elastic_law(1.0, 0.5, 0.0));
@@ -232,7 +234,8 @@ TEST(SoftModes, NearMechanismsKeepTheirDigitsDownToTheRoundingOfTheGeometry) {
     EXPECT_EQ(soft.modes[1].kind, ModeKind::mechanism);
     EXPECT_EQ(soft.modes[2].kind, ModeKind::near_mechanism);
     const double ratio = soft.modes[2].eigenvalue / (off * off);
-    // Positions of order one leave 1e-16/off of the distance, twice over in its square.
+    // Rounding of positions of order one causes relative errors of 1e-16/off in the distance, and twice as much
+    // in its square.
     if (ratio_before > 0.0) {
       EXPECT_NEAR(ratio / ratio_before, 1.0, 1e-4) << off;
     }
@@ -257,7 +260,7 @@ TEST(SoftModes, MechanismsAreAsManyAsTheRankOfTheRigidityMatrixLeaves) {
 }
 
 TEST(SoftModes, ParticipationOfOneGrainAgainstTheOthers) {
-  // One disk of a stiff lattice is held softly: in the softest mode it moves by 1 - 1/n, the others by -1/n.
+  // One disk of a stiff lattice has soft contacts. In the softest mode it moves by 1 - 1/n, the others by -1/n.
   auto network = contact_network(test::square_frames(4, 1.0, test::elastic_law(1.0, 1.0, 1.0)));
   for (NetworkContact<2>& c : network.contacts)
     if (c.i == 2 || c.j == 2) c.kn = c.kt = c.kr = 1e-8;
@@ -265,7 +268,7 @@ TEST(SoftModes, ParticipationOfOneGrainAgainstTheOthers) {
   const double n = network.n_grains;
   const double sum = (n - 1.0) / n;
   const double fourth = std::pow(sum, 4) + (n - 1.0) * std::pow(n, -4);
-  // The others give way by the ratio of stiffnesses.
+  // The deformation of the other disks is of the order of the ratio of stiffnesses.
   EXPECT_NEAR(soft.modes.front().participation, sum * sum / (n * fourth), 1e-7);
   EXPECT_EQ(soft.modes.front().grains, std::vector<int>{2});
 }

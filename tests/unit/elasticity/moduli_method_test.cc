@@ -17,13 +17,13 @@ Moduli by_method(const Packing<2>& packing, ModuliMethod method, double toleranc
   return elastic_moduli(packing, options);
 }
 
-/// Returns the packing as it may be in a later state: a few contacts have opened.
+/// Returns the packing with a few contacts removed, similar to a later state.
 Packing<2> with_contacts_lost(Packing<2> packing, int n) {
   packing.contacts.erase(packing.contacts.begin() + 5, packing.contacts.begin() + 5 + n);
   return packing;
 }
 
-/// Error bounds of the exact moduli and estimates of the others, together.
+/// Expects that the moduli agree with the exact ones within the sum of both error bounds.
 void expect_within_errors(const Moduli& m, const Moduli& exact) {
   EXPECT_LE(std::abs(m.B - exact.B), m.B_error + exact.B_error);
   EXPECT_LE(std::abs(m.G - exact.G), m.G_error + exact.G_error);
@@ -37,7 +37,7 @@ TEST(ModuliMethod, AFactorInSinglePrecisionIsRefinedToTheDigitsAskedFor) {
     EXPECT_EQ(m.method, ModuliMethod::single_factor);
     EXPECT_GT(m.B_error, 0.0);
     EXPECT_LE(m.B_error, tolerance * m.B);
-    EXPECT_TRUE(std::isnan(m.condition));  // nothing estimates it
+    EXPECT_TRUE(std::isnan(m.condition));  // this method does not estimate the condition number
     expect_within_errors(m, exact);
   }
 }
@@ -48,7 +48,8 @@ TEST(ModuliMethod, IterationFromTheLastStateKeepsItsFactorAndTellsItsError) {
   options.method = ModuliMethod::iterative;
   options.tolerance = 1e-4;
   ModuliSequence<2> sequence(options);
-  EXPECT_EQ(sequence.next(first, false).method, ModuliMethod::factor);  // there is nothing to start from
+  // the first state has no earlier factorization to start from
+  EXPECT_EQ(sequence.next(first, false).method, ModuliMethod::factor);
   for (const int n_lost : {0, 1, 3}) {
     const Packing<2> packing = with_contacts_lost(first, n_lost);
     const Moduli m = sequence.next(packing, false);
@@ -75,7 +76,7 @@ TEST(ModuliMethod, IterationFactorizesAPackingThatIsAnother) {
 TEST(ModuliMethod, TheMiddleBetweenTheBoundsIsOffByHalfTheirDistanceAtMost) {
   const Packing<2> packing = test::random_packing<2>(100, 7, test::elastic_law(1.0, 0.8, 0.01));
   const Moduli exact = by_method(packing, ModuliMethod::factor, 1e-10);
-  // Under no stress the lower bound is zero, which holds for forces out of balance too, as these are.
+  // Under zero stress the lower bound is zero. It holds also for unbalanced forces like these.
   ModuliOptions options;
   options.method = ModuliMethod::bounds;
   options.unloaded = true;
@@ -90,7 +91,7 @@ TEST(ModuliMethod, TheMiddleBetweenTheBoundsIsOffByHalfTheirDistanceAtMost) {
   EXPECT_EQ(m.method, ModuliMethod::bounds);
 }
 
-/// Moduli of a crystal whose contacts were changed, by the bounds.
+/// Computes the moduli by the method `bounds`, for a crystal after a change of one contact.
 Moduli bounds_of_changed(void (*change)(NetworkContact<2>&)) {
   const Packing<2> packing = test::triangular_crystal(4, 0.999, test::elastic_law(1.0, 0.7, 0.03));
   ModuliOptions options;

@@ -19,7 +19,7 @@ TEST(Moduli, RollingStiffnessIsReplacedInEveryTouchingContact) {
   options.strains = StrainSet::full;
   const Eigen::MatrixXd expected = elastic_moduli(stiff, options).C;
   options.rolling_stiffness = 0.2;
-  // Exact equality: both are equal sums of equal numbers.
+  // The two results are equal bit for bit, because they are the same sums of the same numbers.
   EXPECT_EQ((elastic_moduli(soft, options).C - expected).cwiseAbs().maxCoeff(), 0.0);
 }
 
@@ -31,7 +31,7 @@ TEST(Moduli, OfSeveralRollingStiffnessesAreThoseOfEachAlone) {
   for (std::size_t k = 0; k < rolling.size(); ++k) {
     ModuliOptions options;
     options.rolling_stiffness = rolling[k];
-    // Exact equality: both are equal sums of equal numbers.
+    // The two results are equal bit for bit, because they are the same sums of the same numbers.
     EXPECT_EQ((all[k].C - elastic_moduli(packing, options).C).cwiseAbs().maxCoeff(), 0.0) << rolling[k];
   }
 }
@@ -95,7 +95,7 @@ TEST(Moduli, ShearOfAnIsotropicNetworkIsReadAlikeFromEitherKindOfStrain) {
   options.strains = StrainSet::full;
   options.prestress = true;
   const Moduli m = elastic_moduli(packing, options);
-  // The prestress of an isotropic lattice keeps it isotropic: rounding of a few sums.
+  // Prestress keeps an isotropic lattice isotropic, up to the rounding of a few sums.
   EXPECT_NEAR(m.G, m.C(2, 2), 1e-13);
   EXPECT_NE(m.G, *m.G_without_prestress);
 }
@@ -110,13 +110,14 @@ TEST(Bounds, ReussVanishesWhereForcesCancelInThePressure) {
 }
 
 TEST(Stability, OfALineOfDistantBondsIsLost) {
-  // Two rows of a square lattice held apart by contacts along x alone would slide; along y a tail pulls.
+  // A chain along x whose disks attract their images along y at a distance. The contacts along x do not resist
+  // a strain along y.
   Law law = test::elastic_law(1.0, 0.7, 0.1);
   law += test::tail_adhesion(0.02, 0.1);
   Packing<2> packing = test::chain_across(3, 1.0, 1.05, law);
   const auto distant = [](const Contact<2>& c) { return c.distant; };
   ASSERT_EQ(std::count_if(packing.contacts.begin(), packing.contacts.end(), distant), 3);
-  // The strain along y has nothing but the tails' negative stiffness.
+  // Only the attractions contribute to the modulus along y, with a negative stiffness.
   EXPECT_EQ(stability(packing).n_negative, 1);
   std::erase_if(packing.contacts, distant);
   EXPECT_EQ(stability(packing).n_negative, 0);

@@ -23,7 +23,8 @@ void expect_accuracy_met(const Moduli& m, const Moduli& exact, const ModuliAccur
   EXPECT_LE(std::abs(m.G - exact.G), accuracy.G * exact.G + exact.G_error);
 }
 
-/// In a triangular lattice of equal forces nothing fluctuates: both bounds are the modulus, sqrt(3)/2 K_N.
+/// In a triangular lattice with equal forces the displacements are affine, so both bounds equal the modulus,
+/// sqrt(3)/2 K_N.
 TEST(ModuliWithin, TakeTheBoundsWhereTheyMeet) {
   const Packing<2> crystal = test::triangular(0.999, test::elastic_law(1.0, 0.7, 0.0));
   const ModuliAccuracy accuracy{1e-6, kAny};
@@ -33,9 +34,9 @@ TEST(ModuliWithin, TakeTheBoundsWhereTheyMeet) {
   expect_accuracy_met(m, elastic_moduli(crystal, {}), accuracy);
 }
 
-/// Square frames of two large disks with two small ones between them, all with one overlap: the forces are
-/// those of every isotropic stress, so B_reuss is B, and B_voigt, which lengthens long branches more, is 9/8 of
-/// it: 3 (1 + 0.4^2 + 1)/2.4^2.
+/// Square frames with two small disks between the large ones, all overlaps equal. The forces are proportional
+/// to those of any isotropic stress, so B_reuss = B. B_voigt is larger by the factor 3 (1 + 0.4^2 + 1)/2.4^2 =
+/// 9/8, because an affine strain stretches long branches more.
 Packing<2> uneven_frames() {
   Packing<2> packing = test::square_frames(4, 1.0, test::elastic_law(1.0, 0.7, 0.05));
   const double overlap = 1e-4, along[] = {0.0, 1.0, 1.4};
@@ -63,7 +64,7 @@ TEST(ModuliWithin, FallBackFromBoundsThatAreTooFarApart) {
   }
 }
 
-/// Half of G_voigt is off by as much as it is large: bounds never tell a shear modulus.
+/// G is bounded by 0 and G_voigt only. Their middle has an error of 100 %, so the bounds cannot give G.
 TEST(ModuliWithin, SolveForAShearModulus) {
   const Packing<2> packing = test::random_packing<2>(100, 7, test::elastic_law(1.0, 0.8, 0.01));
   for (const ModuliAccuracy& accuracy : {ModuliAccuracy{kAny, 0.9}, ModuliAccuracy{0.9, 0.9}}) {
@@ -73,8 +74,8 @@ TEST(ModuliWithin, SolveForAShearModulus) {
   }
 }
 
-/// Conditions of B_reuss <= B <= B_voigt: no prestress, no attraction across a gap, equal principal stresses. The two
-/// are no bounds of single entries of C.
+/// B_reuss <= B <= B_voigt holds only without prestress, without attractions at a distance and with equal
+/// principal stresses. Single entries of C have no such bounds.
 TEST(ModuliWithin, TrustBoundsOnlyWhereTheyAreSome) {
   const Packing<2> crystal = test::triangular(0.999, test::elastic_law(1.0, 0.7, 0.0));
   const ModuliAccuracy accuracy{0.5, kAny};
@@ -93,7 +94,8 @@ TEST(ModuliWithin, TrustBoundsOnlyWhereTheyAreSome) {
   EXPECT_NE(moduli_within(pulled, {}, accuracy).method, ModuliMethod::bounds);
 }
 
-/// The others do not tell a mechanism; zero is then the modulus, and no error of it is relative.
+/// Only the factorization detects mechanisms. Then a modulus is zero, and the relative accuracy does not apply
+/// to it.
 TEST(ModuliWithin, LeaveMechanismsToTheFactor) {
   const Packing<2> chain = test::chain_across(10, 0.999, 2.0, test::elastic_law(1.0, 0.7, 0.03));
   const Moduli m = moduli_within(chain, {}, {1e-6, 1e-6});
@@ -111,11 +113,11 @@ TEST(ModuliWithin, GiveTheFactorWhereNothingIsEnoughAndTellSo) {
   EXPECT_THAT(m.warnings, ::testing::Contains(HasSubstr("above the tolerance of 1.0e-14")));
 }
 
-/// An error is a share of the modulus, not of what was found for it.
+/// The accuracy is relative to the exact modulus, not to the computed one.
 TEST(ModuliWithin, MeanErrorsRelativeToTheModulusItself) {
   Moduli m;
   m.B = 3.0;
-  m.B_error = 1.0;  // B may be 2, from which 3 is 50 % off
+  m.B_error = 1.0;  // the exact B may be 2, and 3 differs from it by 50 %
   EXPECT_TRUE((ModuliAccuracy{0.5, kAny}.met_by(m)));
   EXPECT_FALSE((ModuliAccuracy{0.49, kAny}.met_by(m)));
   m.B_error = kAny;

@@ -7,13 +7,14 @@
 #include "floc/petsc/parallel_solver.h"
 #include "support/network_packings.h"
 
-/// Moduli by PETSc beside those by CHOLMOD's factor: one process here; tests/cli has more of them.
+/// Compares moduli computed with PETSc with those from CHOLMOD's factorization, in one process. tests/cli uses
+/// several processes.
 namespace floc {
 namespace {
 
 using testing::HasSubstr;
 
-/// One for the process, which may start MPI only once.
+/// The only solver of this process, because MPI can be started only once.
 ParallelSolver& solver() {
   static const std::unique_ptr<ParallelSolver> only = load_parallel_solver();
   return *only;
@@ -32,7 +33,7 @@ Moduli by_petsc(const Packing<Dim>& packing, const ModuliOptions& options) {
                         network_load(packing, options.unloaded), options, solver());
 }
 
-/// Shears a packing to a cell of 60 degrees.
+/// Returns the packing sheared to a cell with an angle of 60 degrees.
 template <int Dim>
 Packing<Dim> skewed(Packing<Dim> packing) {
   Mat<Dim> shear = Mat<Dim>::Identity();
@@ -43,8 +44,8 @@ Packing<Dim> skewed(Packing<Dim> packing) {
   return packing;
 }
 
-/// Scales the normal forces of a packing by `share`: the overlaps of random packings are larger than those of any
-/// state.
+/// Returns the packing with its normal forces multiplied by `share`, because random packings have larger
+/// overlaps than real states.
 template <int Dim>
 Packing<Dim> pressed(Packing<Dim> packing, double share) {
   for (auto& c : packing.contacts) c.normal_force *= share;
@@ -60,7 +61,7 @@ void expect_equal(const Packing<Dim>& packing, const ModuliOptions& options) {
   const double size = exact.C.cwiseAbs().maxCoeff();
   ASSERT_GT(size, 0.0);
   EXPECT_LE((m.C - exact.C).cwiseAbs().maxCoeff(), 1e-8 * size);
-  // The estimate tells the truth, and is what was asked for.
+  // The error is within its estimate, and the estimate is within the requested tolerance.
   EXPECT_LE((m.C - exact.C).cwiseAbs().maxCoeff(), (m.C_error + exact.C_error).maxCoeff());
   EXPECT_LE(m.C_error.maxCoeff(), 1e-9 * size);
   EXPECT_EQ(m.n_coupled_mechanisms, exact.n_coupled_mechanisms);
@@ -100,8 +101,8 @@ TEST(ParallelModuli, EqualThoseOfAFactorInEveryEntry) {
   }
 }
 
-/// Without friction a random packing this loose has floppy modes, which no strain is coupled to or whose moduli
-/// vanish: neither way is a number wrong.
+/// Without friction, such a loose random packing has floppy modes. Either strains do not couple to a mode or a
+/// modulus vanishes; all moduli must be right in both cases.
 TEST(ParallelModuli, OfAStateWithFloppyModesAreThoseOfTheFactor) {
   if (!has_parallel_solver()) GTEST_SKIP() << "built without PETSc";
   const auto packing = test::random_packing<2>(120, 5, test::elastic_law(1.0, 0.0, 0.0), 1.3);
@@ -113,7 +114,7 @@ TEST(ParallelModuli, OfAStateWithFloppyModesAreThoseOfTheFactor) {
             (m.C_error + exact.C_error).maxCoeff() + 1e-8 * exact.C.cwiseAbs().maxCoeff());
 }
 
-/// Contacts that press so hard that grains would rather roll off each other.
+/// The compressive forces are so large that the packing is unstable: grains would roll off each other.
 TEST(ParallelModuli, OfAnUnstableStateAreRefusedInWords) {
   if (!has_parallel_solver()) GTEST_SKIP() << "built without PETSc";
   auto packing = test::random_packing<2>(120, 6, test::elastic_law(1.0, 0.0, 0.0), 1.7);

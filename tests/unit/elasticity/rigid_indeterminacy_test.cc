@@ -8,9 +8,9 @@
 namespace floc::test {
 namespace {
 
-/// Degree of indeterminacy by its definition: the number of components of the forces minus the rank of the matrix that
-/// gives the net forces and moments of the grains and the stresses along the axes.
-/// @param tangential  whether tangential forces count
+/// Computes the degree of indeterminacy from its definition: the number of force components minus the rank of
+/// the matrix that maps them to the net forces and moments of the grains and the stresses along the axes.
+/// @param tangential  whether tangential forces are included
 template <int Dim>
 int counted(const Packing<Dim>& packing, bool tangential) {
   const ContactNetwork<Dim> network = contact_network(packing);
@@ -49,7 +49,8 @@ TEST(RigidIndeterminacy, IsTheNumberOfComponentsMinusTheRankOfTheBalance) {
   }
 }
 
-/// Each of the 27 lines of three spheres carries one force, and the three stresses along the axes are given.
+/// The crystal has 27 lines of three spheres. Each line carries one force, and the three stresses along the
+/// axes are given.
 TEST(RigidIndeterminacy, OfACubicCrystalWithoutFrictionIsThatOfItsLines) {
   EXPECT_EQ(rigid_indeterminacy(cubic_crystal(0.7, 0.0).packing, 0.0).degree, 27 - 3);
 }

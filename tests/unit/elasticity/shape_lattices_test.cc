@@ -10,15 +10,16 @@
 #include "floc/packing/law/named_stiffness.h"
 #include "support/rigid_states.h"
 
-/// Moduli of lattices of grains with corners, in closed form: springs K_N and K_T in each contact point, no forces.
+/// Compares moduli of lattices of grains with corners with closed forms. Each contact point is a spring with
+/// K_N and K_T, without force.
 namespace floc::test {
 namespace {
 
 constexpr double kNormal = 1.0, kTangential = 0.7;
 
-/// Returns a packing of one shape with the contact points of its faces as springs. Corners that touch corners (diagonal
-/// neighbours) are left out.
-/// @param is_face  whether two grains share a face, by the vector from one to the other
+/// Returns a packing of one shape, with a spring at each contact point between faces. Contacts between corners
+/// (diagonal neighbours) are omitted.
+/// @param is_face  whether two grains share a face, as a function of the vector from one to the other
 template <int Dim>
 Packing<Dim> face_lattice(const Mat<Dim>& cell, const std::vector<Vec<Dim>>& positions, const Shape<Dim>& shape,
                           double scale, const std::function<bool(const Vec<Dim>&)>& is_face) {
@@ -60,7 +61,7 @@ TEST(ShapeLattices, Hexagons) {
   std::vector<Vec<2>> positions;
   const double height = std::sqrt(0.75);
   for (int k = 0; k < 16; ++k) positions.emplace_back(k % 4 + 0.5 * (k / 4 % 2), height * (k / 4));
-  // Sides 1/sqrt(3) across distances of 1; the hexagons stand on a corner.
+  // Hexagons with sides of 1/sqrt(3) and centres at a distance of 1; each stands on a corner.
   Packing<2> turned;
   const Shape<2> hexagon = regular_polygon(6, 0.0);
   const auto lattice = [&](double angle) {
@@ -120,7 +121,7 @@ TEST(NamedStiffness, GoesWithRigidContactsAndFriction) {
   EXPECT_THROW(with_named_stiffness(rough, {0.0, 1.0}), InputError);
 }
 
-/// The triangular crystal of disks: B = sqrt(3)/2 K_N, G = sqrt(3)/4 (K_N + K_T).
+/// Triangular crystal of disks: B = sqrt(3)/2 K_N, G = sqrt(3)/4 (K_N + K_T).
 TEST(NamedStiffness, GivesTheModuliOfACrystal) {
   const Packing<2> named = with_named_stiffness(triangular_crystal(1.0, 0.3).packing, {kNormal, kTangential});
   const Moduli m = elastic_moduli(named, {});

@@ -11,7 +11,8 @@
 namespace floc {
 namespace {
 
-/// Strong tails over a wide range: some of these packings are unstable, some in many ways.
+/// Law with strong attraction over a large range. Some packings are unstable under it, some of them in many
+/// modes.
 Law tail_law(double force) {
   Law law = test::elastic_law(1.0, 0.7, 0.05);
   law += test::tail_adhesion(force, 0.08);
@@ -40,7 +41,7 @@ void expect_inertia_of_the_moduli(int n_grains, double grains_per_volume) {
 
 TEST(Stability, CountsWhatTheModuliCountIn2D) {
   expect_inertia_of_the_moduli<2>(20, 1.6);
-  expect_inertia_of_the_moduli<2>(20, 0.9);  // loose: dead ends and single distant bonds
+  expect_inertia_of_the_moduli<2>(20, 0.9);  // loose packings with dead ends and single contacts at a distance
 }
 
 TEST(Stability, CountsWhatTheModuliCountIn3D) {
@@ -48,7 +49,7 @@ TEST(Stability, CountsWhatTheModuliCountIn3D) {
   expect_inertia_of_the_moduli<3>(12, 0.9);
 }
 
-/// No factor is made; whatever is further below zero than the bound is seen.
+/// Tests stability without a factorization: an eigenvalue further below zero than the bound must be found.
 template <int Dim>
 void expect_sign_of_the_inertia(int n_grains, double grains_per_volume) {
   StabilityOptions iterative;
@@ -86,7 +87,8 @@ TEST(Stability, ThatIsTooDearToTestIsSaidToBeUnknownAndRefusesNothing) {
 }
 
 TEST(Stability, DoesNotCountMechanisms) {
-  // Without tangential springs a square lattice shears at no cost, and a chain has nothing across it.
+  // Without tangential springs a square lattice can be sheared at no cost, and nothing resists a strain across
+  // a chain.
   const Law bare = test::elastic_law(1.0, 0.0, 0.0);
   EXPECT_EQ(stability(test::square_frames(4, 1.0, bare)).n_negative, 0);
   EXPECT_EQ(stability(test::chain_across(5, 1.0, 2.0, bare)).n_negative, 0);

@@ -13,7 +13,7 @@
 namespace floc {
 namespace {
 
-/// Gamma R = 1 between spheres of diameter one.
+/// Law with liquid bridges of strength Gamma R = 1 between spheres of diameter one.
 Law wet_law(double water) {
   Law law = test::elastic_law(1e4, 0.7e4, 0.0);
   law += test::liquid(1.0 / std::numbers::pi, 0.0, water, 2.5);
@@ -27,7 +27,7 @@ ModuliOptions of_all_strains() {
 }
 
 TEST(WetCrystal, AtRestHasTheModuliOfTheDryOne) {
-  const double distance = 1.0 - 1e-4;  // Gamma R/K_N
+  const double distance = 1.0 - 1e-4;  // the overlap at equilibrium is Gamma R/K_N
   const Packing<3> wet = test::crystal_of(test::simple_cubic(), distance, 1.0, wet_law(2e-3));
   const Packing<3> dry = test::crystal_of(test::simple_cubic(), distance, 1.0, wet_law(0.0));
   EXPECT_NEAR(static_stress(wet).trace(), 0.0, 1e-10);

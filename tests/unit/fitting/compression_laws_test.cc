@@ -16,7 +16,7 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 
-/// A compression law with known parameters, written as its paper has it.
+/// Compression law with known parameters, written as in its paper.
 struct KnownLaw {
   CompressionLaw law;
   std::function<double(double)> D;
@@ -88,7 +88,8 @@ TEST(CompressionLaws, IntervalsHoldTheTruth) {
   constexpr int kDraws = 200;
   const std::vector<double> P = geometric_pressures(2, 200, 30);
   for (const KnownLaw& known : known_laws()) {
-    if (known.law == CompressionLaw::cooper_eaton) continue;  // five parameters: tried in the long tests
+    // the law with five parameters is tested in the long tests
+    if (known.law == CompressionLaw::cooper_eaton) continue;
     RandomStream random(9, 0);
     Coverage coverage(known.truth);
     for (int draw = 0; draw < kDraws; ++draw) {
@@ -119,7 +120,7 @@ TEST(CompressionLaws, ALawThatIsNotThatOfTheDataIsSaidSo) {
 }
 
 TEST(Heckel, IsFittedToTheStraightPart) {
-  // Rearrangement at low pressures, Heckel's law beyond 30.
+  // Particles rearrange at low pressures; beyond 30 the density follows Heckel's law.
   std::vector<double> P, D;
   for (double p = 2; p < 300; p += 8) {
     P.push_back(p);

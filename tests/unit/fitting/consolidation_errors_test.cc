@@ -33,10 +33,10 @@ TEST(Regimes, TheEndOfThePlateauLiesInItsStatedRange) {
     ASSERT_TRUE(fit.found()) << fit.failure_reason;
     ASSERT_TRUE(fit.regimes->plateau_end);
     const ChangePoint& end = *fit.regimes->plateau_end;
-    // The point at P0* itself belongs to both.
+    // The point at P0* lies both on the plateau and on the law.
     covered += end.low95 == 0 || curve.P_star[end.low95 - 1] <= 1.001 * kNoRolling.P0_star;
   }
-  // 100 repeats of an event of probability 0.95 or more: below 88 in one of a thousand.
+  // If an interval contains the truth with probability 0.95, fewer than 88 of 100 do with probability 1e-3.
   EXPECT_GE(covered, 88);
 }
 
@@ -125,11 +125,12 @@ TEST(Profile, IntervalsAreAsymmetricWhereTheLawIs) {
   ASSERT_TRUE(fit.found()) << fit.failure_reason;
   EXPECT_THAT(fit.profiled, testing::ElementsAre("alpha", "Phi_max"));
   const FittedParameter& p = *fit.find("Phi_max");
-  // More density always stays possible for longer than less of it: the points already lie below.
+  // The points already rule out smaller limits, but say less about larger ones.
   EXPECT_GT(*p.high95 - *p.value, *p.value - *p.low95);
 }
 
-/// The curve of a published set seen by samples with errors that are the same along the curve, each of its own.
+/// Returns the mean curve of samples that follow a published set of parameters. Each sample has its own lambda
+/// and independent noise.
 ConsolidationCurve mean_of_samples(int n, RandomStream& random) {
   std::vector<ConsolidationCurve> samples;
   for (int s = 0; s < n; ++s) {
@@ -158,8 +159,8 @@ TEST(Samples, ErrorsOfTheirMeanAreTheScatterOfRepeatedMeans) {
     stated += std::pow(error(fit, "lambda"), 2);
   }
   const double variance = squares / kRepeats - std::pow(sum / kRepeats, 2);
-  // A variance from 200 repeats is known to 10 % (one sigma); that of weights which follow the data adds a
-  // little.
+  // The variance of 200 repeats has an error of 10 % (one sigma). Weights that are estimated from the data add
+  // to it.
   EXPECT_NEAR(stated / kRepeats / variance, 1.0, 0.35);
 }
 
@@ -175,7 +176,8 @@ TEST(Bootstrap, AgreesWithTheCovarianceOfACurveAndOfAMean) {
     ASSERT_TRUE(fit.found()) << fit.failure_reason;
     EXPECT_EQ(fit.n_bootstrapped, 400);
     for (const FittedParameter& b : fit.bootstrap) {
-      // 400 draws give a deviation to 3.5 %; the rest is what a linear covariance leaves out.
+      // The standard error from 400 draws is accurate to 3.5 %. The rest of the tolerance is the error of the
+      // linear covariance.
       EXPECT_NEAR(*b.standard_error / error(fit, b.name), 1.0, 0.25) << b.name;
       EXPECT_LT(*b.low95, value(fit, b.name)) << b.name;
       EXPECT_GT(*b.high95, value(fit, b.name)) << b.name;

@@ -44,7 +44,7 @@ TEST(ConsolidationLaw, MatchesThePrintedFormWhereThatKeepsItsDigits) {
     const double printed =
         1 / kNoRolling.phi0 -
         law.lambda * std::log(P / kNoRolling.P0_star * std::pow(1 - std::exp(-u), 1 / law.alpha));
-    // The subtraction in the printed form loses about P/P1* of the digits.
+    // The printed form subtracts large terms and loses a fraction of about P/P1* of its digits.
     EXPECT_NEAR(law.inverse_phi(P), printed, 1e-14);
   }
 }
@@ -61,12 +61,13 @@ TEST(ConsolidationLaw, TendsToRegimeTwoAndRegimeThreeOverTwentyFourDecades) {
     const double P = law.P1_star * std::pow(10.0, k);
     const double u = std::pow(10.0, -k * law.alpha);
     const double beyond = -law.lambda * consolidation_bracket(std::log(P / law.P1_star), law.alpha);
-    // The next term of the expansion is u/12 relative; 1e-12 is the rounding of pow() at these arguments.
+    // The next term of the expansion is smaller by the factor u/12; pow() has rounding errors of 1e-12 at these
+    // arguments.
     EXPECT_NEAR(beyond / (A * std::pow(P, -law.alpha)), 1.0, u / 12 * 1.01 + 1e-12) << k;
   }
 }
 
-/// A natural clay of two lines, 0.035 and 0.22, that meet at 170.
+/// Curve of a natural clay: two lines with slopes of 0.035 and 0.22, which meet at P = 170.
 TEST(Consolidation, WarnsOfAPlateauThatFallsAndNamesWhereTheLinesMeet) {
   const auto warnings_with = [](double slope) {
     ConsolidationCurve curve;
@@ -90,7 +91,8 @@ TEST(ConsolidationLaw, IsSmoothWhereItsFormsMeet) {
       const double step = 1e-9;
       const double below = consolidation_bracket(x - step, alpha);
       const double above = consolidation_bracket(x + step, alpha);
-      // The slope is at most 1, so a jump beyond 2 steps and rounding would be a wrong form.
+      // The slope is at most 1, so the difference can only exceed 2 steps plus rounding if the two forms
+      // disagree.
       EXPECT_GE(above, below);
       EXPECT_LE(above - below, 2 * step + 1e-14);
     }
@@ -136,7 +138,8 @@ TEST(FitConsolidation, RecoversAnyIdentifiedSetExactly) {
   }
 }
 
-/// The law above P0* and the constant of regime I below it, with normal errors of 1/Phi.
+/// Returns the law above P0* and the constant of regime I below it, with normally distributed errors of 1/Phi.
+/// @param noise  standard deviation of these errors
 ConsolidationCurve with_plateau(const Published& set, double noise, RandomStream& random) {
   ConsolidationCurve curve = curve_of(set.law(), published_pressures(0.01));
   for (std::size_t i = 0; i < curve.phi.size(); ++i) {
@@ -152,19 +155,21 @@ TEST(FitConsolidation, FindsTheEndOfThePlateau) {
   for (const Published& set : {kNoRolling, kSmallRolling}) {
     const auto fit = fit_consolidation(with_plateau(set, 0.0, random), {});
     ASSERT_TRUE(fit.found()) << fit.failure_reason;
-    // 0.01 * 10^(3/8) and 10^(4/8): three and four pressures lie before P0*; the one at P0* belongs to both.
+    // P0* is 0.01 * 10^(3/8) or 0.01 * 10^(4/8), so three or four pressures lie below it. The point at P0* may
+    // count as plateau or as law.
     const int before = set.P0_star < 0.03 ? 3 : 4;
     EXPECT_GE(fit.n_plateau, before);
     EXPECT_LE(fit.n_plateau, before + 1);
     EXPECT_NEAR(value(fit, "lambda"), set.lambda, 1e-8);
-    // P0* is rounded to three digits in the table it is taken from; the plateau is that of the rounded one.
+    // P0* in the published table is rounded to three digits, while the plateau of the curve uses the rounded
+    // value.
     EXPECT_NEAR(value(fit, "P0_star"), set.P0_star, 1e-3 * set.P0_star);
   }
 }
 
 TEST(FitConsolidation, ThePlateauEndsWhereTheLawReachesItsLevel) {
-  // A plateau that holds on too long, up to P* = 0.1: the law is exact beyond its jump, but meets its level
-  // long before.
+  // The plateau extends too far, up to P* = 0.1. Beyond the jump the law is exact, but its line reaches the
+  // level of the plateau at a much lower pressure.
   ConsolidationCurve jump = curve_of(kNoRolling.law(), published_pressures(0.01));
   for (std::size_t i = 0; i < 9; ++i) jump.phi[i] = kNoRolling.phi0;
   const auto fit = fit_consolidation(jump, {});
@@ -205,7 +210,8 @@ TEST(FitConsolidation, StatedErrorsAreTheScatterOfRepeatedFits) {
   }
   const double mean = sum / kRepeats;
   const double scatter = std::sqrt(squares / kRepeats - mean * mean);
-  // A deviation from 400 repeats is known to 3.5 % (one sigma), the count of 95 % intervals to 1.1 %.
+  // A standard deviation from 400 repeats has an error of 3.5 % (one sigma), the fraction of covering intervals
+  // an error of 1.1 %.
   EXPECT_NEAR(stated / kRepeats / scatter, 1.0, 0.14);
   EXPECT_NEAR(covered / double{kRepeats}, 0.95, 0.044);
 }
@@ -232,7 +238,8 @@ TEST(FitConsolidation, DataThatEndBeforeRegimeThreeBoundItOnly) {
 }
 
 TEST(FitConsolidation, ASharpKneeLeavesAlphaOpenAndTheRestKnown) {
-  // A line that ends on a constant between two pressures is the law for every large alpha.
+  // A line that ends at a constant between two pressures agrees with the law for every large alpha, so that
+  // alpha is not determined.
   RandomStream random(4, 0);
   ConsolidationCurve knee;
   for (const double P : published_pressures(0.01)) {
@@ -272,20 +279,21 @@ TEST(FitConsolidation, LawsOfOneRegimeStayInIt) {
   const auto log_fit = fit_consolidation(with_plateau(kNoRolling, 0.0, random), options);
   ASSERT_TRUE(log_fit.found()) << log_fit.failure_reason;
   EXPECT_LT(log_fit.window_high, law.P1_star);
-  // The line ends where a power law does better: its slope is then that of the law to a few per cent.
+  // The line is fitted up to the pressure where a power law fits better. Its slope then agrees with lambda
+  // within a few per cent.
   EXPECT_NEAR(value(log_fit, "lambda"), law.lambda, 0.05 * law.lambda);
   options.law = ConsolidationLaw::power;
   const auto power_fit = fit_consolidation(with_plateau(kNoRolling, 0.0, random), options);
   ASSERT_TRUE(power_fit.found()) << power_fit.failure_reason;
   EXPECT_GT(power_fit.window_low, log_fit.window_high);
-  // Both laws are the first terms of expansions; that of the power law leaves u/12, u = (P1*/P*)^alpha of order
-  // one.
+  // Both laws are first terms of expansions of the full law. The power law neglects terms of the relative order
+  // u/12, with u = (P1*/P*)^alpha of order one.
   EXPECT_NEAR(value(power_fit, "Phi_max"), law.phi_max, 0.01 * law.phi_max);
 }
 
 TEST(FitConsolidation, AFullLawWithoutRegimeTwoIsThePowerLaw) {
-  // A mean of four paths, steep at first: ln P* in steps of 0.288, 1/Phi and weights. The best full law has P1*
-  // far below the first pressure, where it is a power law.
+  // Data of a mean of four paths, steep at the start: 1/Phi and weights at equal steps of 0.288 in ln P*. In
+  // the best full law P1* lies far below the first pressure, so that it equals a power law.
   const std::vector<double> y = {2.016, 1.933, 1.918, 1.729, 1.625, 1.483, 1.483, 1.476,
                                  1.459, 1.398, 1.380, 1.378, 1.351, 1.332, 1.327, 1.315,
                                  1.298, 1.294, 1.293, 1.285, 1.282, 1.276, 1.273};
@@ -322,7 +330,7 @@ TEST(FitConsolidation, CorrelationHasUnitDiagonalAndIsSymmetric) {
     EXPECT_NEAR(fit.correlation(i, i), 1.0, 1e-12);
     for (int j = 0; j < i; ++j) EXPECT_NEAR(fit.correlation(i, j), fit.correlation(j, i), 1e-12);
   }
-  // Fixing the start of regime II, a steeper line reaches a given limit sooner.
+  // If the start of regime II is fixed, a larger lambda reaches the limit at a lower pressure P1*.
   EXPECT_LT(fit.correlation(0, 3), 0.0);
 }
 

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kEnd = std::numeric_limits<double>::infinity();
 
-/// n values of density ~ exp(-b x) on [0, width), by the inverse of their distribution.
+/// Draws n values with a density proportional to exp(-b x) on [0, width), by inversion of the cumulative
+/// distribution.
 std::vector<double> drawn(int n, double b, double width, RandomStream& random) {
   std::vector<double> x;
   for (int k = 0; k < n; ++k) {
@@ -33,7 +34,7 @@ TEST(CutExponential, OfAFlatWindowIsZero) {
   const ExponentEstimate fit = fit_exponent({{2.0, 1200, 1.0}});
   ASSERT_TRUE(fit.found);
   EXPECT_NEAR(fit.b, 0.0, 1e-9);
-  // The variance of a uniform variable is w^2/12.
+  // A uniform variable on a window of width w has the variance w^2/12.
   EXPECT_NEAR(fit.error, 1.0 / std::sqrt(1200 * 4.0 / 12.0), 1e-12);
 }
 
@@ -43,7 +44,7 @@ TEST(CutExponential, ErrorsAreTheScatterOfTheEstimates) {
     constexpr int kRepeats = 400;
     double squares = 0.0, bias = 0.0;
     for (int k = 0; k < kRepeats; ++k) {
-      // Both sides of one distribution, one of them cut short.
+      // Two samples of one distribution, the second of which may be truncated at another width.
       const double other = b > 0 ? kEnd : 1.5;
       const auto x = drawn(200, b, 0.5, random), y = drawn(100, b, other, random);
       const ExponentEstimate fit = fit_exponent({cut_sample(x, 0.0, 0.5), cut_sample(y, 0.0, other)});
@@ -52,7 +53,7 @@ TEST(CutExponential, ErrorsAreTheScatterOfTheEstimates) {
       squares += std::pow((fit.b - b) / fit.error, 2) / kRepeats;
       bias += (fit.b - b) / fit.error / kRepeats;
     }
-    // 400 draws give a variance to 7 %.
+    // The variance from 400 draws is accurate to 7 %.
     EXPECT_NEAR(squares, 1.0, 0.25) << b;
     EXPECT_NEAR(bias, 0.0, 0.2) << b;
   }
@@ -60,7 +61,7 @@ TEST(CutExponential, ErrorsAreTheScatterOfTheEstimates) {
 
 TEST(CutExponential, AWindowCountsWhatLiesInIt) {
   const CutSample sample = cut_sample({-1.0, 0.125, 0.25, 0.5, 0.75}, 0.125, 0.5);
-  EXPECT_EQ(sample.n, 3);  // its ends too
+  EXPECT_EQ(sample.n, 3);  // both ends of the window are included
   EXPECT_NEAR(sample.mean, 0.5 / 3.0, 1e-15);
   EXPECT_EQ(sample.width, 0.375);
 }

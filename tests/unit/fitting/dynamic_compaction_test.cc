@@ -13,10 +13,11 @@ namespace {
 
 using testing::HasSubstr;
 
-// [SVI2024]: e_min, De, C, A, s_m, a, b.
+// Parameters of [SVI2024]: e_min, De, C, A, s_m, a, b.
 constexpr double kTruth[7] = {0.76, 1.0, 0.24, 0.475, 1.55, 0.74, 2.3};
 
-/// The law in its own words, with the plateau at a pressure of its own.
+/// Returns the void ratio of the law, computed independently of the library. @param plateau_at  pressure at
+/// which the plateau is evaluated
 double law(double plateau_at, double p, double sc, double se) {
   const double e_max = 0.76 + 1.0 / (1.0 + 0.24 * std::log(plateau_at / 0.01));
   const double x = sc / std::sqrt(p * se) / 0.045;
@@ -28,7 +29,7 @@ double printed(double p, double sc, double se) {
   return law(sc * sc / se, p, sc, se);
 }
 
-/// The published sweep: pressures of the samples from p_0 to 100 p_0, eta* from 1e-4 to 15.
+/// The published series of samples: pressures from p_0 to 100 p_0, eta* from 1e-4 to 15.
 std::vector<CompactedSample> sweep(double noise, RandomStream& random) {
   std::vector<CompactedSample> samples;
   for (const double p : {0.01, 0.1, 0.5, 1.0})
@@ -40,7 +41,8 @@ std::vector<CompactedSample> sweep(double noise, RandomStream& random) {
   return samples;
 }
 
-/// Samples over which the form as printed holds: pressures up to 1e4 p_0 give it dense ones.
+/// Samples for which the printed form of the law holds. With pressures up to 1e4 p_0 they include dense
+/// samples.
 std::vector<CompactedSample> printed_samples(double noise, RandomStream& random) {
   std::vector<CompactedSample> samples;
   for (const double p : {1e-2, 1.0, 10.0, 100.0})
@@ -79,12 +81,13 @@ TEST(DynamicCompaction, TheReferencePressureIsFreeToChoose) {
   reference.p_D = 0.3;
   const auto fit = fit_dynamic_compaction(sweep(0.0, random), reference);
   ASSERT_TRUE(fit.found());
-  // 1/De(p_D) = 1/De(p_0) + C ln(p_D/p_0).
+  // The law implies 1/De(p_D) = 1/De(p_0) + C ln(p_D/p_0).
   EXPECT_NEAR(1.0 / *fit.parameters[1].value, 1.0 + 0.24 * std::log(30.0), 1e-6);
   EXPECT_NEAR(*fit.parameters[2].value, 0.24, 1e-6);
 }
 
-/// 40 repeats of probability 0.95: below 34 in one of three hundred.
+/// Expects that at least 34 of 40 intervals of 95 % contain the truth. Fewer would do so with probability
+/// 1/300.
 void expect_coverage(std::vector<CompactedSample> (*draw)(double, RandomStream&),
                      const CompactionReference& reference) {
   constexpr int kRepeats = 40;
@@ -112,7 +115,7 @@ TEST(DynamicCompaction, ThePrintedFormDoesNotIdentifyTheDenseSide) {
     const auto samples = sweep(noise, random);
     const auto fit = fit_dynamic_compaction(samples, as_printed());
     ASSERT_TRUE(fit.found()) << fit.failure_reason;
-    // No sample of the sweep below eta* = 0.1 has p_crit >= p_0.
+    // The samples of the series with eta* < 0.1 have p_crit < p_0, so they are not fitted.
     for (const int i : fit.used) EXPECT_GE(samples[i].sc / std::sqrt(samples[i].p * samples[i].se), 0.0999);
     for (const std::size_t k : {3u, 5u}) {
       const FittedParameter& p = fit.parameters[k];
@@ -132,7 +135,7 @@ TEST(DynamicCompaction, SamplesBesideThePlateauAreFlaggedNotFitted) {
     CompactedSample& s = samples[i];
     const double eta = s.sc / std::sqrt(s.p * s.se);
     if (eta < 10.0 || s.sc < 0.01 * s.se) continue;
-    // Soft grains overlap, so their void ratio falls below the plateau.
+    // Soft grains overlap, so their void ratio is below the plateau.
     s.e = (1.0 + s.e) * std::pow(1.0 - s.sc / s.se, 3) - 1.0;
     beside.push_back(i);
   }
@@ -155,7 +158,8 @@ TEST(DynamicCompaction, RepeatedRunsTellTheScatterFromWhatTheLawMisses) {
   const auto fit = fit_dynamic_compaction(samples, {});
   ASSERT_TRUE(fit.errors_from_runs);
   ASSERT_EQ(fit.error_parts.size(), 7u);
-  // The law holds: what it misses is nothing beside the scatter, known to 8 % from some 80 pairs of runs.
+  // The samples follow the law, so the part of the error that is due to the law is small compared with the part
+  // due to scatter. About 80 pairs of runs determine the scatter to 8 %.
   for (const CompactionErrorParts& parts : fit.error_parts) EXPECT_LT(parts.law, 0.45 * parts.scatter);
   for (CompactedSample& s : samples) s.e += 0.01 * std::sin(40 * std::log(s.se));
   const auto missed = fit_dynamic_compaction(samples, {});
@@ -168,7 +172,7 @@ TEST(DynamicCompaction, SamplesBelowThePoleAreLeftOutAndSaid) {
   RandomStream random(3, 0);
   auto samples = printed_samples(0.0, random);
   const std::size_t n = samples.size();
-  samples.push_back({1.7, 0.01, 0.1, 100.0});  // p_crit = 1e-4
+  samples.push_back({1.7, 0.01, 0.1, 100.0});  // p_crit = 1e-4, below p_0
   const auto fit = fit_dynamic_compaction(samples, as_printed());
   ASSERT_TRUE(fit.found());
   EXPECT_EQ(fit.used.size(), n);

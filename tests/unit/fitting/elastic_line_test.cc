@@ -22,7 +22,7 @@ TEST(Elastic, RecoversTheModulusOfAStraightBranch) {
   }
   const auto fit = fit_elastic(P, phi);
   ASSERT_TRUE(fit.found()) << fit.failure_reason;
-  // Phi is known to 1e-16 and changes by 5e-4.
+  // Phi has rounding errors of 1e-16 and changes by 5e-4.
   EXPECT_NEAR(*fit.parameters[0].value, 2.6e4, 1e-10 * 2.6e4);
   EXPECT_NEAR(*fit.parameters[1].value, 0.77, 1e-14);
   EXPECT_TRUE(fit.warnings.empty());
@@ -41,7 +41,8 @@ TEST(Elastic, IntervalsCoverTheTruthAndCurvatureIsSaid) {
     const FittedParameter B = fit_elastic(P, phi).parameters[0];
     covered += *B.low95 <= 500 && 500 <= *B.high95;
   }
-  // 200 repeats of probability 0.95: outside 180 to 198 in one of two hundred.
+  // If intervals contain the truth with probability 0.95, 180 to 198 of 200 do in all but one of two hundred
+  // cases.
   EXPECT_GE(covered, 180);
   EXPECT_LE(covered, 198);
 
@@ -58,7 +59,8 @@ TEST(Elastic, IntervalsCoverTheTruthAndCurvatureIsSaid) {
 }
 
 TEST(Elastic, OfACurvedBranchIsThatOfItsStraightPartOrNotIdentified) {
-  // Plastic strain at the start of the unloading, elastic below P = 3: the line through all has another slope.
+  // The first part of the unloading includes plastic strain; below P = 3 it is elastic. A line through all
+  // points would have another slope.
   std::vector<double> P = {13.0, 10.0, 7.0, 3.0, 2.0, 1.0, 0.5, 0.1}, phi;
   for (const double p : P)
     phi.push_back(0.77 * std::exp(p / 2.5e4 - 3e-6 * std::pow(std::max(p - 3.0, 0.0), 2)));
@@ -78,7 +80,7 @@ TEST(Elastic, OfACurvedBranchIsThatOfItsStraightPartOrNotIdentified) {
   EXPECT_FALSE(held.parameters[0].value || held.parameters[0].low95 || held.parameters[0].identified);
   EXPECT_THAT(held.warnings.back(), HasSubstr("disagrees with the bulk moduli computed from its states"));
 
-  // ln Phi goes with the root of P: no part of it is straight.
+  // ln Phi is proportional to the square root of P, so that no part of the branch is straight.
   phi.clear();
   for (const double p : P) phi.push_back(0.77 * std::exp(std::sqrt(p) / 100));
   const ElasticFit none = fit_elastic(P, phi);
@@ -88,7 +90,7 @@ TEST(Elastic, OfACurvedBranchIsThatOfItsStraightPartOrNotIdentified) {
 }
 
 TEST(Elastic, OfABranchWhoseBeginningCollapsesIsThatOfTheRest) {
-  // The packing rearranges, and gets denser, at the first step; the rest is elastic.
+  // In the first step the packing rearranges and becomes denser; the rest is elastic.
   const std::vector<double> P = {13.0, 7.0, 3.0, 2.0, 1.0, 0.5, 0.1};
   std::vector<double> phi = {0.760};
   for (std::size_t k = 1; k < P.size(); ++k) phi.push_back(0.762 * std::exp(P[k] / 2.5e4));
@@ -100,7 +102,7 @@ TEST(Elastic, OfABranchWhoseBeginningCollapsesIsThatOfTheRest) {
   EXPECT_THAT(fit.warnings.at(0),
               HasSubstr("its solid fraction grows as the pressure falls; B is the modulus of the "
                         "straight part of the branch, at pressures from 0.1 to 7"));
-  // Where one step of the rest does not fall either, nothing is elastic.
+  // If the solid fraction grows in another step too, no elastic part is found.
   phi[5] = 0.9;
   EXPECT_THAT(fit_elastic(P, phi).failure_reason, HasSubstr("does not fall"));
 }

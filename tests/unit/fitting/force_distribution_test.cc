@@ -13,12 +13,12 @@ using testing::HasSubstr;
 
 const std::vector<const ForceLaw*> kLaws = {&power_exponential(), &quadratic_exponential()};
 
-/// Parameters over the range of each law.
+/// Values of the parameter within the range of each law.
 std::vector<double> parameters_of(const ForceLaw& law) {
   return &law == kLaws[0] ? std::vector<double>{-0.8, 0.0, 0.3, 0.7} : std::vector<double>{0.7, 1.0, 1.4, 2.0};
 }
 
-/// Integral of f^power P(f) by the midpoint rule in t, f = t^4, which removes the singularity at 0.
+/// Integrates f^power P(f) by the midpoint rule in t, where f = t^4 removes the singularity at 0.
 double moment(const ForceLaw& law, double parameter, int power) {
   constexpr int kSteps = 400000;
   const double end = std::pow(80.0, 0.25);
@@ -35,7 +35,7 @@ double moment(const ForceLaw& law, double parameter, int power) {
 TEST(ForceLaws, NormAndMeanAreOne) {
   for (const ForceLaw* law : kLaws)
     for (const double x : parameters_of(*law)) {
-      // The rule is second order: 1e-5 of the range squared.
+      // The rule is of second order in the step, which is 1e-5 of the range.
       EXPECT_NEAR(moment(*law, x, 0), 1.0, 1e-6) << law->name << ' ' << x;
       EXPECT_NEAR(moment(*law, x, 1), 1.0, 1e-6) << law->name << ' ' << x;
     }
@@ -57,7 +57,7 @@ TEST(ForceLaws, CumulativeIsTheIntegralOfTheDensity) {
 TEST(ForceLaws, PowerAndExponentialMeetAtTheMean) {
   const ForceLaw& law = power_exponential();
   EXPECT_NEAR(law.log_density(0.3, 1 - 1e-12), law.log_density(0.3, 1.0), 1e-10);
-  // beta^2 = (1 - alpha)(2 - alpha)
+  // The slope beyond the mean is beta, with beta^2 = (1 - alpha)(2 - alpha).
   EXPECT_NEAR(law.log_density(0.3, 2.0) - law.log_density(0.3, 3.0), std::sqrt(0.7 * 1.7), 1e-12);
 }
 
@@ -75,7 +75,8 @@ TEST(CompressiveForces, LikelihoodRecoversTheParameterThatDrewThem) {
       EXPECT_NEAR(*p.value, x, 4 * *p.standard_error) << law->name;
       EXPECT_LT(*p.standard_error, 0.05);
       EXPECT_NEAR(fit.mean, 3.7, 0.1);
-      // Kolmogorov: 1.63/sqrt(n) is passed in one of a hundred, less with a fitted parameter.
+      // In the Kolmogorov test the distance exceeds 1.63/sqrt(n) with probability 0.01, or less if a parameter
+      // is fitted.
       EXPECT_LT(fit.distance, 1.63 / std::sqrt(20000.0)) << law->name << ' ' << x;
     }
 }
@@ -104,7 +105,8 @@ TEST(ExponentialTail, IsTheMeanExcessWithItsError) {
     covered += *fit.parameters[0].low95 <= 2.5 && 2.5 <= *fit.parameters[0].high95;
     rejected += fit.p_value < 0.05;
   }
-  // 200 repeats: outside 180 to 198 in one of two hundred; rejections of a true law 10 +- 3.
+  // If intervals contain the truth with probability 0.95, 180 to 198 of 200 do in all but one of two hundred
+  // cases. A true law is rejected 10 +- 3 times.
   EXPECT_GE(covered, 180);
   EXPECT_LE(covered, 198);
   EXPECT_LE(rejected, 20);

@@ -32,7 +32,8 @@ TEST(PathSteps, ALoopIsUnloadingReloadingAndThenVirginAgain) {
                           reloading, hold, later_virgin, unloading, zero_pressure));
 }
 
-/// A table of an oedometer has a row after the load and one after the creep; the last row of a pressure is its point.
+/// Oedometer tables may have one row right after loading and one after creep. The last row at a pressure is
+/// fitted.
 TEST(PathSteps, OfSuccessiveRowsOfOnePressureTheLastCounts) {
   using enum PathStep;
   std::vector<PathRow> rows;
@@ -51,7 +52,7 @@ TEST(PathSteps, OfSuccessiveRowsOfOnePressureTheLastCounts) {
   EXPECT_EQ(reloadings(rows)[0].largest_before, 2.0);
 }
 
-/// The rows of a branch that holds the pressure of the branch before it are no points of a curve, not even the last one.
+/// A branch that keeps the pressure of the branch before adds no points to the curve, not even its last row.
 TEST(PathSteps, ABranchThatHoldsThePressureIsLeftOut) {
   using enum PathStep;
   const std::vector<PathRow> rows = {
@@ -94,8 +95,8 @@ TEST(MeanCurve, IsTheMeanOfInversePhiAtCommonPressures) {
   EXPECT_THAT(mean_curve({}).P_star, IsEmpty());
 }
 
-/// The stress on an axis whose length is prescribed may fall along its branch; among such tests only oedometers
-/// consolidate.
+/// The stress on an axis with prescribed length may decrease along its branch. Of all tests with a driven axis,
+/// only oedometer tests are consolidations.
 TEST(LoadingPath, TestsWithADrivenAxisAreLeftOut) {
   const std::vector<PathRow> rows = {{"assembly", 1.0, 0.5},
                                      {"load", 2.0, 0.6, PathLoad::oedometric},

@@ -38,15 +38,16 @@ TEST(PhysicalRange, CutsIntervalsAndTakesBackValuesBeyond) {
   EXPECT_EQ(keep_in_range({0.0, 1.0}, none), "");
 }
 
-/// A fit of a law that leaves physics, and the parameter that does.
+/// Fit in which one parameter would leave its physical range.
 struct Beyond {
   const char* parameter;
-  double low, high;  ///< its range
+  double low, high;  ///< physical range of the parameter
   std::vector<FittedParameter> parameters;
   std::vector<std::string> warnings;
 };
 
-/// ln[1/(1 - D)] = 0.55 + p/85 [Heckel 1961], which the full law meets best with a limit above one.
+/// Data of Heckel's law, ln[1/(1 - D)] = 0.55 + p/85 [Heckel 1961]. The full law fits them best with a limit
+/// above one.
 Beyond heckel() {
   ConsolidationCurve curve;
   for (double p = 10.0; p < 425.0; p += 10.0) {
@@ -58,7 +59,7 @@ Beyond heckel() {
   return {"Phi_max", 0.0, 1.0, fit.parameters, fit.warnings};
 }
 
-/// A power law towards 1.05, as far as it stays below one.
+/// Data of a power law with a limit of 1.05, at pressures where Phi is below one.
 Beyond power_law() {
   ConsolidationCurve curve;
   for (double p = 1.0; p < 14.0; p *= 1.1) {
@@ -73,7 +74,7 @@ Beyond power_law() {
   return {"Phi_max", 0.0, 1.0, fit.parameters, fit.warnings};
 }
 
-/// A reloading along which the sample dilates before it yields.
+/// Data of a reloading along which the sample dilates before it yields.
 Beyond dilating() {
   std::vector<double> P, phi;
   for (double p = 0.1; p < 20.0; p *= 1.3) {
@@ -85,7 +86,7 @@ Beyond dilating() {
   return {"kappa", 0.0, kAny, fit.parameters, fit.warnings};
 }
 
-/// The published sweep [SVI2024] with another e_min and C, without void ratios below zero.
+/// The published series [SVI2024] with another e_min and C, without samples whose void ratio is negative.
 Beyond compacted(const char* parameter, double e_min, double C) {
   std::vector<CompactedSample> samples;
   for (const double p : {0.01, 0.1, 0.5, 1.0})
@@ -103,7 +104,7 @@ Beyond compacted(const char* parameter, double e_min, double C) {
   return {parameter, 0.0, kAny, fit.parameters, fit.warnings};
 }
 
-/// An intensity that falls faster than any surface makes it.
+/// Data of an intensity that decays faster with k than the intensity of any surface.
 Beyond scattered(double dF) {
   std::vector<ScatteredPoint> points;
   for (double k = 0.1; k < 4.0; k *= 1.1) points.push_back({k, scattered_intensity(1.0, 9.0, dF, k), 1000000});
@@ -111,7 +112,8 @@ Beyond scattered(double dF) {
   return {"dF", 0.0, 4.0, fit.parameters, fit.warnings};
 }
 
-/// Every parameter that a law can take beyond what it can be loses its value; none of any fit is beyond its range.
+/// In each of these fits, the parameter that would leave its physical range gets no value. All printed values
+/// are within their ranges.
 TEST(PhysicalRange, HoldsForEveryFit) {
   const std::vector<Beyond> fits = {
       heckel(),      power_law(), dilating(), compacted("e_min", -0.15, 0.24), compacted("C", 0.76, -0.05),

@@ -37,7 +37,7 @@ TEST(Preconsolidation, IsFoundBetweenTheRows) {
   const Branch branch = bent(0.0, 8, random);
   const auto fit = fit_preconsolidation(branch.P, branch.phi);
   ASSERT_TRUE(fit.found()) << fit.failure_reason;
-  // The bend is searched for on a grid of 4000 places over five e-folds.
+  // The bend is searched on a grid of 4000 points over five units of ln P.
   EXPECT_NEAR(value(fit, 0), kPc, 2e-3 * kPc);
   EXPECT_NEAR(value(fit, 1), kKappa, 1e-3);
   EXPECT_NEAR(value(fit, 2), kLambda, 1e-3);
@@ -57,7 +57,7 @@ TEST(Preconsolidation, IntervalsCoverTheTruth) {
       covered[i] += p.low95.value_or(0.0) <= truth[i] && truth[i] <= p.high95.value_or(1e9);
     }
   }
-  // 60 repeats of probability 0.95: below 52 in one of five hundred.
+  // If intervals contain the truth with probability 0.95, fewer than 52 of 60 do with probability 1/500.
   for (const int count : covered) EXPECT_GE(count, 52);
 }
 

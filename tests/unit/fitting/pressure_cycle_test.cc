@@ -12,7 +12,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-/// 1/Phi = 2 - 0.01 P going up; down from 8 with half the slope: 1.96 - 0.005 P.
+/// Cycle with 1/Phi = 2 - 0.01 P on loading up to P = 8, and 1/Phi = 1.96 - 0.005 P on unloading.
 std::vector<PathRow> straight_cycle() {
   std::vector<PathRow> rows;
   for (const double P : {1.0, 2.0, 4.0, 8.0}) rows.push_back({"load", P, 1.0 / (2.0 - 0.01 * P)});
@@ -31,7 +31,7 @@ TEST(PressureCycle, OfStraightLinesEnclosesItsTriangle) {
     EXPECT_NEAR(c.phi_up[k], 1.0 / (2.0 - 0.01 * c.P[k]), 1e-15);
     EXPECT_NEAR(c.phi_down[k], 1.0 / (1.96 - 0.005 * c.P[k]), 1e-15);
   }
-  // The integral of 0.04 - 0.005 P from 1 to 8, less 1 * (1.955 - 1.99).
+  // The work is the integral of 0.04 - 0.005 P from 1 to 8, minus 1 * (1.955 - 1.99).
   EXPECT_NEAR(c.work.value(), 0.04 * 7.0 - 0.0025 * 63.0 + 0.035, 1e-14);
 }
 
@@ -47,7 +47,7 @@ TEST(PressureCycle, ThatIsReversibleTakesNoWork) {
 }
 
 TEST(PressureCycle, OfPowerLawsConvergesToTheirIntegral) {
-  // 1/Phi_up = 2 - 0.1 P^(2/3), 1/Phi_down = 1.9 + 0.1 - 0.1 P, turned at 1 from P0 = 0.01.
+  // On loading 1/Phi = 2 - 0.1 P^(2/3), on unloading 1/Phi = 2 - 0.1 P, between P0 = 0.01 and 1.
   for (const int n : {20, 80}) {
     std::vector<PathRow> rows;
     for (int k = 0; k <= n; ++k) {
@@ -58,7 +58,7 @@ TEST(PressureCycle, OfPowerLawsConvergesToTheirIntegral) {
     const double P0 = 0.01, p = 5.0 / 3.0;
     const double area = 0.1 * ((1.0 - P0 * P0) / 2.0 - (1.0 - std::pow(P0, p)) / p);
     const double ends = P0 * 0.1 * (std::pow(P0, 2.0 / 3.0) - P0);
-    // The error of the trapezoidal rule goes with the square of the step.
+    // The error of the trapezoidal rule is proportional to the square of the step.
     EXPECT_NEAR(pressure_cycles(rows).at(0).work.value(), area - ends, 0.05 / (n * n)) << n;
   }
 }
@@ -66,7 +66,8 @@ TEST(PressureCycle, OfPowerLawsConvergesToTheirIntegral) {
 TEST(PressureCycle, IsFoundInEachPartOfAPath) {
   std::vector<PathRow> rows = straight_cycle();
   rows.insert(rows.begin(), {"assembly", 0.0, 0.4});
-  rows.insert(rows.begin() + 4, {"hold", 4.0, rows[3].phi + 0.01});  // Phi at 4 is that after it was held
+  // the row after the hold gives Phi at P = 4
+  rows.insert(rows.begin() + 4, {"hold", 4.0, rows[3].phi + 0.01});
   rows.push_back({"reload", 2.0, 0.52});
   rows.push_back({"reload", 16.0, 0.6});
   rows.push_back({"unload", 8.0, 0.59});
@@ -86,7 +87,7 @@ TEST(PressureCycle, NeedsALoadingAndAnUnloading) {
   EXPECT_THAT(pressure_cycles({}), IsEmpty());
   EXPECT_THAT(pressure_cycles({{"", 1.0, 0.5}, {"", 2.0, 0.6}}), IsEmpty());
   EXPECT_THAT(pressure_cycles({{"", 2.0, 0.6}, {"", 1.0, 0.5}}), IsEmpty());
-  // No pressure in common.
+  // The two branches have no pressure in common.
   const auto apart = pressure_cycles({{"", 1.0, 0.5}, {"", 3.0, 0.6}, {"", 2.0, 0.59}});
   ASSERT_THAT(apart, SizeIs(1));
   EXPECT_FALSE(apart[0].work);

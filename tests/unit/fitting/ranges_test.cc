@@ -12,7 +12,7 @@
 #include "floc/fitting/force_distribution.h"
 #include "floc/fitting/scattering_fit.h"
 
-/// The library itself refuses options that a fit cannot take, whoever calls it.
+/// Tests that the library itself refuses invalid options of fits, independently of the program.
 namespace floc::test {
 namespace {
 

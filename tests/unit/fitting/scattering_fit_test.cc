@@ -13,7 +13,8 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-/// The law on bins of k from 0.1 to 4; with `speckles`, each a mean of n exponential variables.
+/// Returns the intensity of the law in bins of k from 0.1 to 4. With `speckles`, each bin is the mean of n
+/// exponentially distributed intensities.
 std::vector<ScatteredPoint> points_of(double I0, double xi, double dF, std::int64_t n, std::mt19937* speckles) {
   std::vector<ScatteredPoint> points;
   for (double k = 0.1; k < 4.0; k *= 1.1) {
@@ -26,7 +27,7 @@ std::vector<ScatteredPoint> points_of(double I0, double xi, double dF, std::int6
 }
 
 TEST(ScatteringFit, OfTheLawItselfIsItsParameters) {
-  // So many vectors that the bias of a logarithm of speckles, 1/(2n), is nothing.
+  // With so many wave vectors, the bias 1/(2n) of the logarithm of speckles is negligible.
   const ScatteringFit fit = fit_scattering(points_of(2.5, 9.0, 1.6, 1000000000, nullptr), 0.0, 4.0);
   ASSERT_TRUE(fit.found());
   EXPECT_NEAR(*fit.parameters[0].value, 2.5, 1e-7);
@@ -38,8 +39,9 @@ TEST(ScatteringFit, OfTheLawItselfIsItsParameters) {
 }
 
 TEST(ScatteringFit, ErrorsAreThoseOfSpeckles) {
-  // 400 fits with few vectors a bin: no bias beyond its error, and 95 % intervals that hold the truth that
-  // often (0.95 with a standard deviation of 0.011; the first order of errors leaves a percent or two).
+  // 400 fits with few wave vectors per bin. The bias must be below its error, and 95 % intervals must contain
+  // the truth in 95 % of the fits: this fraction has a standard deviation of 0.011, and errors of first order
+  // deviate by a percent or two.
   constexpr int kFits = 400;
   std::mt19937 engine(5);
   int n_xi = 0, n_dF = 0;
@@ -72,11 +74,11 @@ TEST(ScatteringFit, SaysWhatTheDataDoNotTell) {
   const ScatteringFit few = fit_scattering(points_of(1.0, 9.0, 1.6, 10, nullptr), 0.0, 0.15);
   EXPECT_FALSE(few.found());
   EXPECT_THAT(few.failure_reason, HasSubstr("the law needs 6"));
-  // A power law levels off nowhere.
+  // A power law has no plateau at small k.
   std::vector<ScatteredPoint> power;
   for (double k = 0.1; k < 4.0; k *= 1.1) power.push_back({k, std::pow(k, -1.5), 50});
   EXPECT_THAT(fit_scattering(power, 0.0, 4.0).warnings, Contains(HasSubstr("does not level off")));
-  // A constant has no length.
+  // A constant intensity contains no length.
   std::mt19937 engine(2);
   const ScatteringFit flat = fit_scattering(points_of(1.0, 1e-3, 1.0, 50, &engine), 0.0, 4.0);
   ASSERT_TRUE(flat.found());

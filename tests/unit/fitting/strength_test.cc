@@ -19,7 +19,7 @@ double in_radians(double degrees) {
   return degrees * std::numbers::pi / 180.0;
 }
 
-/// Largest stress at failure under the lateral stress `minor`.
+/// Returns the axial stress at failure under the lateral stress `minor`.
 double failure_stress(double angle, double cohesion, double minor) {
   const double sine = std::sin(in_radians(angle)), N = (1 + sine) / (1 - sine);
   return N * minor + 2 * cohesion * std::sqrt(N);
@@ -78,7 +78,8 @@ TEST(MohrCoulomb, TestsThatHaveNoLineSayWhy) {
               HasSubstr("differ by less than 5 %"));
   EXPECT_THAT(fit_mohr_coulomb({{300, 100}, {310, 200}, {305, 300}}, "").failure_reason,
               HasSubstr("no friction angle"));
-  // An envelope that bends down has a line that meets the axis below zero only if it bends up.
+  // If the envelope bends upwards, the line through its points has a negative cohesion; an envelope that bends
+  // downwards never has one.
   EXPECT_THAT(fit_mohr_coulomb({{120, 50}, {300, 100}, {660, 200}, {1380, 400}}, "").warnings,
               testing::ElementsAre(HasSubstr("the cohesion of the line is negative")));
 }
@@ -88,8 +89,9 @@ TEST(MohrCoulomb, SecantAngleOfAThreefoldStressIsThirtyDegrees) {
   EXPECT_EQ(secant_angle({2.0, 2.0}), 0.0);
 }
 
-/// A drained test under the lateral stress 100 whose mobilised sine rises to `peak` at a strain of 0.02 and falls to
-/// `critical`, while the sample dilates by the angle psi up to a strain of 0.1. @param sign  1 to shorten, -1 to lengthen
+/// Returns a drained test under the lateral stress 100. The sine of the mobilised friction angle rises to
+/// `peak` at a strain of 0.02 and falls to `critical`; the sample dilates with the angle psi up to a strain of
+/// 0.1. @param sign  1 for compression, -1 for extension
 std::vector<ShearPoint> drained_test(double peak, double critical, double psi, double sign = 1.0) {
   std::vector<ShearPoint> points;
   const double sine = std::sin(in_radians(psi));
@@ -118,7 +120,7 @@ TEST(ShearTest, GivesBackItsAnglesInCompressionAndExtension) {
                 std::asin(0.6) * 180 / std::numbers::pi, 1e-9);
     EXPECT_NEAR(*parameter_named(test.parameters, "strain_peak").value, 0.02, 1e-12);
     EXPECT_NEAR(*parameter_named(test.parameters, "dilatancy_angle").value, 12, 1e-9);
-    // From a strain of 0.15 on, exp(-6.5) of the softening is left.
+    // From a strain of 0.15 on, the softening is complete up to exp(-6.5).
     EXPECT_NEAR(*parameter_named(test.parameters, "secant_angle_critical").value,
                 std::asin(0.4) * 180 / std::numbers::pi, 0.02);
     ASSERT_TRUE(test.critical_stress.has_value());
@@ -140,7 +142,8 @@ TEST(ShearTest, StillDilatingHasNoCriticalState) {
 TEST(ShearTest, UndrainedHasItsStrengthAndPorePressure) {
   std::vector<ShearPoint> points;
   for (int k = 0; k <= 100; ++k) {
-    // From 100 on all sides, the lateral effective stress falls to 40 and the deviator rises to 60 at a strain of 0.1.
+    // Starting from an isotropic stress of 100, the lateral effective stress falls to 40 and the deviator rises
+    // to 60 at a strain of 0.1.
     const double part = std::min(1.0, k / 50.0);
     ShearPoint p;
     p.axial_strain = 0.002 * k;
@@ -168,7 +171,7 @@ TEST(OedometerTest, GivesBackK0AndItsModulus) {
   EXPECT_TRUE(contains_truth(parameter_named(test.parameters, "K0"), 0.5));
   EXPECT_NEAR(test.modulus_range.second, 1000, 1e-9);
   EXPECT_NEAR(*parameter_named(test.parameters, "constrained_modulus").value, 5e3, 10);
-  // Between two rows it is exact.
+  // For stresses between two rows the interpolation is exact.
   const OedometerTest decade = evaluate_oedometer_test(points, std::pair(100.0, 1000.0));
   EXPECT_NEAR(*parameter_named(decade.parameters, "constrained_modulus").value, 5e3, 1e-6);
   EXPECT_THAT(evaluate_oedometer_test(points, std::pair(100.0, 2000.0)).failure_reason,

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kKappa = 0.02, kLambda = 0.2, kPc = 1.7;
 
-/// A curve whose bend is ln[1 + (P/P_c)^sharpness]/sharpness; sharp for infinity.
+/// Curve with a bend that is rounded by ln[1 + (P/P_c)^sharpness]/sharpness; infinite sharpness gives a sharp
+/// bend.
 struct Bent {
   std::vector<double> P, phi;
 
@@ -80,11 +81,12 @@ TEST(Yield, ByAllConstructionsIsThatOfTwoLines) {
   const PreconsolidationFit fit = fit_preconsolidation(curve.P, curve.phi);
   ASSERT_TRUE(fit.found()) << fit.failure_reason;
   EXPECT_NEAR(std::log(*find(fit, "P_c")->value / kPc), 0.0, 0.03);
-  // ln y is straight against ln P where y is, to second order of its slope; the work of a curve that is straight in ln P is
-  // straight in P, up to the steps of 22 % of the pressure.
+  // Butterfield's plot of ln y against ln P is straight where y is linear in ln P, up to second order of the
+  // slope. Becker's work is linear in P there, up to the step of 22 % between pressures.
   for (const char* name : {"P_c_butterfield", "P_c_becker"})
     EXPECT_NEAR(std::log(*find(fit, name)->value / kPc), 0.0, 0.2) << name;
-  // Casagrande's bisector and the horizontal of Pacheco Silva meet the virgin line at kappa > 0 beyond the bend.
+  // For kappa > 0, Casagrande's bisector and Pacheco Silva's horizontal line meet the virgin line beyond the
+  // bend.
   for (const char* name : {"P_c_casagrande", "P_c_pacheco_silva"}) {
     EXPECT_NEAR(std::log(*find(fit, name)->value / kPc), 0.1, 0.3) << name;
     EXPECT_LT(*find(fit, name)->low95, *find(fit, name)->value);

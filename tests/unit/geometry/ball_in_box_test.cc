@@ -13,8 +13,8 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-/// Integral over the planes through the ball: pieces between the corners of the box, Gauss' rule of 200 sine
-/// steps each (the disk's area has roots at the ends of pieces, which the sine removes).
+/// Integrates the areas of plane sections of the ball inside the box, separately between the corners of the
+/// box. The sine substitution removes the square roots of the area at the ends of each interval.
 double by_quadrature(const Vec<3>& centre, double radius, const Vec<3>& low, const Vec<3>& high) {
   const double from = std::max(low[2], centre[2] - radius), to = std::min(high[2], centre[2] + radius);
   constexpr int kSteps = 200000;
@@ -35,7 +35,7 @@ TEST(BallInBox, OctantsCapsAndTheWholeAreClosedForms) {
   EXPECT_NEAR(ball_in_box<3>(origin, 2.0, Vec<3>(-far), far), 32.0 / 3.0 * kPi, 1e-13);
   EXPECT_NEAR(ball_in_box<3>(origin, 1.0, origin, far), kPi / 6.0, 1e-15);
   for (const double h : {0.1, 0.7, 1.0, 1.3, 1.9}) {
-    // A cap of height h.
+    // The box cuts off a cap of height h.
     const double cap = kPi * h * h * (3.0 - h) / 3.0;
     for (int axis = 0; axis < 3; ++axis) {
       Vec<3> low = -far;
@@ -43,12 +43,12 @@ TEST(BallInBox, OctantsCapsAndTheWholeAreClosedForms) {
       EXPECT_NEAR(ball_in_box<3>(origin, 1.0, low, far), cap, 4e-15) << h;
     }
   }
-  // A square inside the disk, and the disk less four segments.
+  // First a rectangle inside the disk, then the disk without four segments.
   EXPECT_NEAR(ball_in_box<2>(Vec<2>::Zero(), 1.0, Vec<2>(-0.5, -0.6), Vec<2>(0.5, 0.6)), 1.2, 1e-15);
   const double segment = std::acos(0.9) - 0.9 * std::sqrt(0.19);
   EXPECT_NEAR(ball_in_box<2>(Vec<2>::Zero(), 1.0, Vec<2>::Constant(-0.9), Vec<2>::Constant(0.9)),
               kPi - 4.0 * segment, 2e-15);
-  // A cube inside the ball.
+  // The cube lies inside the ball.
   EXPECT_NEAR(ball_in_box<3>(origin, 1.0, Vec<3>::Constant(-0.5), Vec<3>::Constant(0.5)), 1.0, 1e-14);
 }
 
@@ -76,7 +76,7 @@ TEST(BallInBox, AgreesWithQuadratureAndPartsAddUp) {
 
 TEST(BallInBox, OutsideIsNothing) {
   EXPECT_EQ(ball_in_box<3>(Vec<3>(3.0, 0.0, 0.0), 1.0, Vec<3>::Constant(-1.0), Vec<3>::Constant(1.0)), 0.0);
-  // Beside an edge: nearer to two faces than a radius, but not to the edge.
+  // The centre is closer than a radius to the planes of two faces, but not to the edge between them.
   EXPECT_NEAR(ball_in_box<3>(Vec<3>(1.8, 1.8, 0.0), 1.0, Vec<3>::Constant(-1.0), Vec<3>::Constant(1.0)), 0.0,
               1e-15);
 }

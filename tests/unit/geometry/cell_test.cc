@@ -5,7 +5,7 @@
 namespace floc {
 namespace {
 
-/// Lattice vectors (4, 0) and (1, 2): area 8.
+/// Cell with the lattice vectors (4, 0) and (1, 2) and an area of 8.
 Cell<2> skewed() {
   Cell<2> cell;
   cell.matrix << 4, 0, 1, 2;
@@ -53,7 +53,7 @@ TEST(Cell, OnlyADiagonalLatticeIsRectangular) {
 }
 
 TEST(Cell, RateIsTheVelocityGradientOfTheLattice) {
-  // A lattice point moves with its lattice vectors: rate * shift(image) = d/dt shift(image).
+  // A lattice point moves with the lattice vectors: rate * shift(image) = d/dt shift(image).
   Cell<2> cell = skewed();
   cell.velocity << 0.5, 0.25, -1.0, 2.0;
   for (const Vec<2>& image : {Vec<2>(1, 0), Vec<2>(0, 1), Vec<2>(2, -3)}) {

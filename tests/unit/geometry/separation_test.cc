@@ -15,7 +15,7 @@ TEST(Separation, OfFarPlacesAndImagesIsExact) {
   const DoubleDoubleVec<2> from = double_double<2>(x, low);
   const DoubleDoubleVec<2> there = displaced<2>(from, cell, image);
   const DoubleDoubleVec<2> back = displaced<2>(there, cell, Vec<2, int>(-image));
-  // 1e9 away the second part ends at 1e9 * 2^-106.
+  // At a distance of 1e9, the last bit of the second part is 1e9 * 2^-106.
   for (int a = 0; a < 2; ++a) EXPECT_NEAR((back[a] - from[a]).rounded(), 0.0, 1e9 * 0x1p-104);
   const DoubleDoubleVec<2> r = difference<2>(there, from);
   for (int a = 0; a < 2; ++a)
@@ -24,13 +24,13 @@ TEST(Separation, OfFarPlacesAndImagesIsExact) {
                 0.0, 1e9 * 0x1p-104);
 }
 
-/// Branches of Pythagorean length 5: the gap of surfaces is known to the last digit, however small it is.
+/// The branch has the Pythagorean length 5, so that the gap is accurate to its last digit, however small it is.
 TEST(Separation, GivesGapsToTheirOwnLastDigit) {
   const DoubleDoubleVec<2> r = double_double<2>(Vec<2>(3.0, -4.0), Vec<2>::Zero());
   EXPECT_EQ(surface_gap<2>(r, 2.0, 3.0), 0.0);
   for (const double overlap : {0x1p-10, 0x1p-30, 0x1p-50})
     EXPECT_NEAR(surface_gap<2>(r, 2.0, 3.0 + overlap) / -overlap, 1.0, 4e-16) << overlap;
-  // Nearer by 2^-80 along the branch, which no double of the coordinates shows.
+  // This branch is shorter by 2^-80, which the leading doubles of the coordinates cannot represent.
   const DoubleDoubleVec<2> nearer = double_double<2>(Vec<2>(3.0, -4.0), Vec<2>(-0.6 * 0x1p-80, 0.8 * 0x1p-80));
   EXPECT_NEAR(surface_gap<2>(nearer, 2.0, 3.0) / -0x1p-80, 1.0, 1e-7);
 }

@@ -8,7 +8,7 @@
 #include "floc/io/settle_space.h"
 #include "support/foreign_packing.h"
 
-/// Ends of a packing that a file states or the user gives.
+/// Tests of periodic, walled and open ends of a packing, given in a file or by the user.
 namespace floc {
 namespace {
 
@@ -17,7 +17,7 @@ using testing::ThrowsMessage;
 
 const std::vector<std::string> kEnds = {"p", "ww", "wo", "ow", "oo"};
 
-/// Writes a packing without the forces of friction, which the formats do not hold, and reads it again.
+/// Writes a packing without friction forces, which the formats do not store, and reads it back.
 template <int Dim>
 void expect_round_trip(const std::string& keyword, const test::Ends<Dim>& ends) {
   SCOPED_TRACE(keyword + " " + testing::PrintToString(ends));
@@ -30,7 +30,7 @@ void expect_round_trip(const std::string& keyword, const test::Ends<Dim>& ends) 
   find_contacts(read);
   Packing<Dim> written = state.packing;
   for (Contact<Dim>& c : written.contacts) c.shear_force.setZero();
-  // Files begin the cell at zero, so that a packing whose lower end is open is shifted.
+  // In files the cell begins at zero, so a packing with an open lower end is shifted.
   for (Wall<Dim>& wall : written.walls) wall.position = 0.0;
   for (Wall<Dim>& wall : read.walls) wall.position = 0.0;
   test::expect_same_packing<Dim>(read, written, 1e-12);

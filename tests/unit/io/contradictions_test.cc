@@ -10,8 +10,8 @@
 #include "floc/io/law_text.h"
 #include "support/run_program.h"
 
-/// Files that contradict themselves, in every format of grains and of contacts: refused by name. And integers that
-/// are written as real numbers, which contradict nothing.
+/// Tests of contradictory files in every format of grains and contacts: the message must name the
+/// contradiction. Integers written as real numbers are accepted.
 namespace floc {
 namespace {
 
@@ -19,7 +19,8 @@ using test::write_text;
 using testing::AllOf;
 using testing::HasSubstr;
 
-using Columns = std::vector<std::pair<std::string, std::vector<std::string>>>;  // name and values
+// name and values of each column
+using Columns = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
 std::string row_of(const Columns& columns, std::size_t row, const char* separator) {
   std::vector<std::string> cells;
@@ -100,7 +101,7 @@ const ContactFormat kContactFormats[] = {
 
 const Columns kGrains = {{"id", {"7", "3"}}, {"x", {"1", "1.999"}},      {"y", {"1", "1"}},
                          {"z", {"1", "1"}},  {"radius", {"0.5", "0.5"}}, {"mass", {"1", "2"}}};
-/// Where the law's forces are those listed: K_N = 1000 at an overlap of 0.001.
+/// The listed forces agree with the law: K_N = 1000 at an overlap of 0.001.
 const Columns kContacts = {{"id1", {"7"}},  {"id2", {"3"}}, {"kn", {"1000"}},
                            {"kt", {"800"}}, {"kr", {"20"}}, {"ktw", {"10"}}};
 
@@ -114,7 +115,7 @@ class Contradictions : public testing::Test {
     options_.dimension = 3;
   }
 
-  /// Reads grains, or says why not.
+  /// Reads grains; returns the error message, or an empty text if they are accepted.
   std::string fault_of(const std::string& keyword, const std::string& text) {
     write_text(scratch_.file("grains"), text);
     ImportOptions options = options_;
@@ -163,7 +164,7 @@ TEST_F(Contradictions, OfGrainsAreRefusedInEveryFormat) {
     const std::string keyword = format.keyword;
     const auto fault = [&](const Columns& columns) { return fault_of(keyword, format.text(columns)); };
     accepted(fault(kGrains));
-    for (const auto& column : kGrains) {  // a column twice; points of VTK have no names
+    for (const auto& column : kGrains) {  // gives each column twice; points of VTK have no names
       if (keyword == "vtu" && column.second == kGrains[1].second) continue;
       if (keyword == "vtu" && column.first.size() == 1) continue;
       Columns twice = kGrains;
@@ -171,7 +172,7 @@ TEST_F(Contradictions, OfGrainsAreRefusedInEveryFormat) {
       refused(fault(twice),
               AllOf(HasSubstr(column.first), testing::AnyOf(HasSubstr("both named"), HasSubstr("twice"))));
     }
-    // A radius with a diameter.
+    // Gives a radius and a diameter.
     for (const char* size : {"diameter", "r"}) {
       const bool diameter = size == std::string("diameter");
       const auto both = [&](double radius) {

@@ -17,8 +17,8 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-/// A skewed cell of 4 x 3 that is slanted by 1, with three disks: 0 and 1 overlap by 0.1 through the side of
-/// the cell, 1 and 2 by 0.2 inside it.
+/// Fixture: three disks in a skewed cell of 4 x 3 with an offset of 1. Disks 0 and 1 overlap by 0.1 across the
+/// side of the cell, disks 1 and 2 by 0.2 inside it.
 class CsvPacking : public testing::Test {
  protected:
   CsvPacking() {
@@ -121,14 +121,14 @@ TEST_F(CsvPacking, TakesImagesThatReferToThePositionsOfTheFile) {
 }
 
 TEST_F(CsvPacking, KeepsForcesOfTheListAndStretchesTheSpringsToThem) {
-  // The list names the contact from its other side: on grain 5 acts +0.3, on grain 3 then -0.3.
+  // The list names grain 5 first, so the listed force of +0.3 acts on grain 5, and -0.3 acts on grain 3.
   contacts("id1,id2,normal_force,shear_force1,shear_force2,rolling_moment\n5,3,2.5,0,0.3,0.04\n");
   const Contact<2> c = read().contacts[0];
   EXPECT_EQ(std::tie(c.i, c.j), std::make_tuple(1, 2));
   EXPECT_NEAR(c.normal[0], -1.0, 1e-15);
   EXPECT_EQ(c.normal_force, 2.5);
   EXPECT_NEAR(c.shear_force[1], -0.3, 1e-15);
-  // The tangent of a normal along -x points along -y: a spring of F/K_T = 0.3/4 along it.
+  // For a normal along -x the tangent is along -y, and the spring along it is F/K_T = 0.3/4.
   EXPECT_NEAR(test::shear_spring(c)[0], 0.075, 1e-15);
   EXPECT_NEAR(c.rolling_moment[0], -0.04, 1e-15);
   EXPECT_NEAR(test::rolling_spring(c)[0], 0.02, 1e-15);

@@ -21,7 +21,7 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-/// Writes a state in the format of a keyword and reads it again.
+/// Writes a state in a format, given by its keyword, and reads it back.
 template <int Dim>
 Packing<Dim> written_and_read(const std::string& keyword, const State<Dim>& state) {
   const test::ScratchDirectory scratch;
@@ -32,7 +32,7 @@ Packing<Dim> written_and_read(const std::string& keyword, const State<Dim>& stat
   EXPECT_EQ(reader.keyword, keyword);
   ImportOptions options;
   options.law = state.packing.law;
-  options.dimension = Dim;  // the grains of busy_state() are on a line
+  options.dimension = Dim;  // in busy_state() the grains lie on a line, so the dimension cannot be detected
   return std::get<State<Dim>>(reader.read(path, options).state).packing;
 }
 
@@ -57,11 +57,12 @@ TEST(ExtendedXyz, ReadsWhatItWroteToTheLastDigit) {
   expect_written_grains(written_and_read("extended-xyz", test::busy_state<3>()), test::busy_state<3>().packing);
 }
 
-/// LAMMPS wants the first lattice vector along x and small tilts: distances in the lattice are what is kept.
+/// LAMMPS requires the first lattice vector along x and small tilts. So only distances in the lattice are
+/// preserved.
 template <int Dim>
 void expect_same_lattice_and_distances() {
   State<Dim> state = test::busy_state<Dim>();
-  state.packing.cell.matrix(0, 1) = 0.3;  // the first vector not along x, which LAMMPS cannot hold
+  state.packing.cell.matrix(0, 1) = 0.3;  // now the first lattice vector is not along x, as LAMMPS requires
   state.packing.cell.matrix.row(1) += 2.0 * state.packing.cell.matrix.row(0);
   const Packing<Dim>& written = state.packing;
   const Packing<Dim> read = written_and_read("lammps-data", state);
@@ -98,7 +99,8 @@ TEST(LammpsData, LeavesABoxThatIsOneAsItIs) {
     EXPECT_EQ(read.grains.position[i], state.packing.cell.wrapped(state.packing.grains.position[i]));
 }
 
-/// Grain 0 touches its own image across the side, 0 and 1 touch inside, 1 and 2 attract across a gap.
+/// Grain 0 touches its own image across the cell boundary, grains 0 and 1 touch inside the cell, and grains 1
+/// and 2 attract each other at a distance.
 TEST(Vtu, DrawsContactsAndCutsThoseAcrossTheSide) {
   const State<2> state = test::busy_state<2>();
   const VtkArrays arrays("drawing", vtu_text(state));
@@ -120,7 +122,7 @@ TEST(Vtu, DrawsContactsAndCutsThoseAcrossTheSide) {
   }
 }
 
-/// Two points, once as text and once as bytes behind their length, in base64 and raw.
+/// Fixture: two points as text, and as binary data after their length, in base64 and raw.
 class VtuEncodings : public testing::Test {
  protected:
   static std::string bytes_of(const std::vector<double>& values) {
@@ -182,7 +184,7 @@ TEST_F(VtuEncodings, AllGiveTheSameGrains) {
   const std::string raw = bytes_of(x_) + bytes_of(radius_);
   expect_read(file("format=\"appended\" offset=\"0\">", "format=\"appended\" offset=\"52\">",
                    "<AppendedData encoding=\"raw\">\n_" + raw + "\n</AppendedData>"));
-  // VTK's own writer encodes the length by itself.
+  // VTK encodes the length separately from the data.
   const auto apart = [](const std::string& block) {
     return base64(block.substr(0, 4)) + base64(block.substr(4));
   };

@@ -14,7 +14,7 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-/// A dataset of 8e9 bytes of which none was ever written takes no place in its file, but would in memory.
+/// A dataset of 8e9 bytes that was never written takes no space in the file, but would need memory when read.
 TEST(Hdf5Reader, TakesNoMemoryForWhatIsLongerThanItsFile) {
   constexpr std::uint64_t kRows = 1'000'000'000;
   const test::ScratchDirectory scratch;

@@ -30,7 +30,8 @@ State<2> read(const std::string& path, int index = 0) {
 TEST(Jambashbulk, PackingIsTheEquilibriumThatWasWritten) {
   State<2> state = read(kPacking);
   find_contacts(state.packing);
-  // floc moduli and network of the state that was written: 33 contacts (z = 4.125), solid fraction 0.81991651554.
+  // These values are printed by floc moduli and floc network: 33 contacts (z = 4.125), solid fraction
+  // 0.81991651554.
   const Mat<2> stress = static_stress(state.packing);
   EXPECT_NEAR(stress(0, 0), 1e-3, 1e-12);
   EXPECT_NEAR(stress(1, 1), 1e-3, 1e-12);
@@ -38,7 +39,8 @@ TEST(Jambashbulk, PackingIsTheEquilibriumThatWasWritten) {
   EXPECT_EQ(state.packing.contacts.size(), 33u);
   EXPECT_NEAR(solid_fraction(state.packing), 0.8199165155404775, 1e-15);
   EXPECT_EQ(state.target_stress, Vec<2>(1e-3, 1e-3));
-  // Forces of 1e-3 from distances of 1 known to 2e-16 balance to 1e-12 of them.
+  // Forces of about 1e-3 are computed from distances of 1 with rounding errors of 2e-16, so they balance within
+  // 1e-12.
   EXPECT_LT(residuals(state.packing, state.target_stress).force, 1e-11);
 }
 
@@ -56,7 +58,7 @@ TEST(Jambashbulk, CellAndGrainsAreThoseOfTheFileInsideTheCell) {
   }
 }
 
-/// The packing's text with one piece replaced, as a file.
+/// Writes the text of the packing with one piece replaced to a file. @return path of the file
 std::string spoiled(const test::ScratchDirectory& scratch, const std::string& piece, const std::string& by) {
   std::string text = read_file(kPacking);
   const std::size_t at = text.find(piece);

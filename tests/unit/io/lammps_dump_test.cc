@@ -14,7 +14,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-/// One frame of a dump in a box of 4 x 3 at (1, 2), with three disks: 7 and 3 overlap by 0.1 across its side.
+/// Returns one frame of a dump: a box of 4 x 3 with its corner at (1, 2). Of its three disks, 7 and 3 overlap
+/// by 0.1 across the side of the box.
 std::string frame(int timestep, const std::string& columns, const std::string& rows,
                   const std::string& box = "ITEM: BOX BOUNDS pp pp pp\n1 5\n2 5\n-0.5 0.5\n") {
   const auto n = std::count(rows.begin(), rows.end(), '\n');
@@ -56,7 +57,7 @@ class LammpsDump : public testing::Test {
 TEST_F(LammpsDump, WhoseGrainsAllHaveOneHeightIsTwoDimensional) {
   const Packing<2> p = packing<2>();
   EXPECT_EQ(p.cell.matrix, (Mat<2>() << 4, 0, 0, 3).finished());
-  // Grain 7 at (1.4, 3), the others one or none of the cell's periods away from where they are written.
+  // Grain 7 must be at (1.4, 3); the other grains may be shifted by whole lattice vectors.
   for (int i = 0; i < 3; ++i) {
     const Vec<2> apart = p.cell.reduced(p.grains.position[i] - Vec<2>(i == 0 ? 1.4 : i == 1 ? 4.5 : 3.7, 3.0));
     EXPECT_NEAR((apart.array() - apart.array().round()).abs().maxCoeff(), 0.0, 1e-15);
@@ -83,7 +84,7 @@ TEST_F(LammpsDump, MayHaveScaledOrUnwrappedPositionsAndDiameters) {
   }
 }
 
-/// Bounds of a triclinic box are those of what it occupies: xlo + min(0, xy, xz, xy + xz) and so on.
+/// LAMMPS gives the bounds of the bounding box of a triclinic box: xlo + min(0, xy, xz, xy + xz) and so on.
 TEST_F(LammpsDump, OfATriclinicBoxHasTheBoundsOfItsBoundingBox) {
   grains(frame(10, "id x y z radius", "1 1 1 0 0.5\n2 2 2 1 0.5\n",
                "ITEM: BOX BOUNDS xy xz yz pp pp pp\n-1 6.5 -1\n-0.25 3 1.5\n0 2 -0.25\n"));
@@ -103,11 +104,13 @@ TEST_F(LammpsDump, OfSeveralFramesIsReadLastUnlessOneIsNamed) {
 }
 
 TEST_F(LammpsDump, TakesForcesOnTheFirstGrainFromADumpLocal) {
-  // 7 sits left of 5's image: 3 - 7 across the side. Force on 3 from 7: pushed to the left by 1, up by 0.3.
+  // Grains 3 and 7 touch across the side of the box. The force of grain 7 on grain 3 points to the left (1) and
+  // up (0.3).
   contacts("3 7 -1 0 0 0 0.3\n5 3 -2 0 0 0 -0.5\n");
   const Packing<2> p = packing<2>();
   ASSERT_EQ(p.contacts.size(), 2u);
-  const Contact<2>& across = p.contacts[0];  // between index 0 (id 7) and 1 (id 3), listed from its other side
+  // between index 0 (id 7) and 1 (id 3); the file lists grain 3 first
+  const Contact<2>& across = p.contacts[0];
   EXPECT_EQ(std::tie(across.i, across.j), std::make_tuple(0, 1));
   EXPECT_NEAR(across.gap, -0.1, 1e-14);
   EXPECT_NEAR(across.normal[0], -1.0, 1e-15);
@@ -166,7 +169,7 @@ TEST_F(LammpsDump, NamesWhatIsWrongInItsContacts) {
   EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("the law has no friction")));
 }
 
-/// Grains 2.9 apart in a cell 4 high: at that length two images can be as near.
+/// The grains are 2.9 apart in a cell of height 4. At this distance two images can be equally near.
 TEST_F(LammpsDump, DoesNotGuessTheImageOfAContactOfHalfTheCell) {
   contacts("7 3 1 0 0 0 0\n");
   options_.cell = {{6, 0}, {0, 4}};

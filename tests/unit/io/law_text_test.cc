@@ -26,7 +26,7 @@ TEST(LawText, GivesBackEveryLawItWrites) {
   EXPECT_EQ(parse_law("", law_text(law)), law);
 }
 
-/// A coefficient is all that friction of elastic spheres has, and lacks a stiffness where contacts are linear.
+/// A friction coefficient is enough for elastic spheres, but for linear contacts a stiffness is missing.
 TEST(LawText, KnowsAModelByItsNumbersAndByWhatItGoesWith) {
   Law law;
   law += test::hertz(70.0, 0.3);

@@ -15,7 +15,7 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-/// Writes three numbers after keys such as "coo{}=", with the numbers of the components.
+/// Writes the three components of a vector, each after its key: "coo{}=" gives coo1=, coo2= and coo3=.
 std::string keyed(const std::string& key, const Eigen::Vector3d& v) {
   std::string text;
   for (int a = 0; a < 3; ++a) text += " " + fmt::format(fmt::runtime(key), a + 1) + test::fortran_number(v[a]);
@@ -45,8 +45,8 @@ std::string contactor(const Shape<3>& shape, double scale) {
   return text + faces;
 }
 
-/// Writes a packing of disks and polygons, or of spheres and polyhedra, as a directory DATBOX. Bodies are placed by
-/// displacements and axes in DOF.INI; bars and plates are walls.
+/// Writes a packing of disks and polygons, or of spheres and polyhedra, as a directory DATBOX. DOF.INI holds
+/// the displacements and axes of the bodies; bars and plates are walls.
 template <int Dim>
 void write_datbox_of_shapes(const std::string& folder, const Packing<Dim>& p) {
   std::filesystem::create_directory(folder);
@@ -111,7 +111,7 @@ void write_datbox_of_shapes(const std::string& folder, const Packing<Dim>& p) {
   test::write_text(folder + "/BULK_BEHAV.DAT", "$behav lawty\n PLEXx RIGID Umas= 2.0D+00\n");
 }
 
-/// Shapes without rounding, and a disk or sphere.
+/// Returns shapes without rounding, and a disk or sphere.
 template <int Dim>
 std::vector<Shape<Dim>> sharp_shapes() {
   std::vector<Shape<Dim>> shapes = cut_shapes<Dim>({}, 3, 0.0, 7);
@@ -132,7 +132,7 @@ void expect_shapes_read(const test::Ends<Dim>& ends) {
     options.cell.back()[static_cast<std::size_t>(a)] = written.cell.matrix(a, a);
   }
   Packing<Dim> expected = written;
-  for (Contact<Dim>& c : expected.contacts)  // files of LMGC90 do not tell edges from vertices
+  for (Contact<Dim>& c : expected.contacts)  // files of LMGC90 do not distinguish edges from vertices
     if (c.type == ContactType::kEdgeEdge) c.type = ContactType::kVertexFace;
   test::expect_same_angular_packing(test::read_packing<Dim>(scratch.file("DATBOX"), options), expected, 1e-12);
 }

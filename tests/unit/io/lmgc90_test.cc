@@ -21,8 +21,8 @@ std::string three(const char* format, const Eigen::Vector3d& v) {
                      test::fortran_number(v[2]));
 }
 
-/// Writes a packing as a directory DATBOX: bodies without displacements from 1 on, bars as walls, and forces on the
-/// candidate.
+/// Writes a packing as a directory DATBOX: bodies, numbered from 1, without displacements, bars as walls, and
+/// the forces on the candidate of each contact.
 template <int Dim>
 void write_datbox(const std::string& folder, const Packing<Dim>& p) {
   std::filesystem::create_directory(folder);
@@ -41,7 +41,7 @@ void write_datbox(const std::string& folder, const Packing<Dim>& p) {
         kind, id, three("X(1)={}  X(2)={}  X(3)={}", displacement));
   };
   for (int i = 0; i < p.grains.size(); ++i) {
-    // the radius of a ball whose mass is that of the grain
+    // radius of a ball with the mass of the grain
     const double mean_radius = std::pow(p.grains.mass[i] / density / Ball<Dim>{1.0}.volume(), 1.0 / Dim);
     body(i + 1, mean_radius, test::in_space<Dim>(p.grains.position[i]),
          fmt::format("{}  1  color  BLEUx  byrd= {}", Dim == 2 ? "DISKx" : "SPHER",
@@ -52,7 +52,7 @@ void write_datbox(const std::string& folder, const Packing<Dim>& p) {
     const double half = 0.125;
     Eigen::Vector3d x = Eigen::Vector3d::Zero();
     x[p.walls[w].axis] = p.walls[w].position + p.walls[w].side * half;
-    x[2] = p.walls[w].axis == 0 ? 1.5707963267948966 : 0.0;  // a bar across x is turned by a right angle
+    x[2] = p.walls[w].axis == 0 ? 1.5707963267948966 : 0.0;  // a bar across x is rotated by a right angle
     body(p.grains.size() + 1 + static_cast<int>(w), 1.0, x,
          fmt::format("JONCx  1  color  WALLx  ax1 = 1.0D+01  ax2 = {}", test::fortran_number(half)));
   }
@@ -68,7 +68,7 @@ void write_datbox(const std::string& folder, const Packing<Dim>& p) {
         test::fortran_number(f.dot(s)), test::fortran_number(c.gap), three("n(1)={} n(2)={} n(3)={}", n));
     if (Dim == 3) contacts += three(" t(1)={} t(2)={} t(3)={}\n", t) + three(" s(1)={} s(2)={} s(3)={}\n", s);
   }
-  // A pair that is near and not in contact.
+  // A neighbouring pair without contact, which the reader must skip.
   contacts += fmt::format(
       "$icdan  DKDKx        1\n {0} 1  DISKx  1  iqsc0  {0} 3  DISKx  1  noctc\n rlt/H 0.0D+00 rln/H 0.0D+00 "
       "rls/H 0.0D+00\n gapTT 0.1D+00\n n(1)= 1.0D+00 n(2)= 0.0D+00 n(3)= 0.0D+00\n",

@@ -17,7 +17,7 @@ std::string three_numbers(const Eigen::Vector3d& v) {
   return fmt::format("{} {} {}", v[0], v[1], v[2]);
 }
 
-/// Wall as MercuryDPM writes it: the orientation turns the first axis to the outward normal.
+/// Returns a wall as MercuryDPM writes it: the orientation rotates the x axis to the outward normal.
 std::string wall_line(int index, int axis, int side, double position) {
   const char* orientations[3][2] = {
       {"0 0 1 0", "1 0 0 0"},
@@ -29,7 +29,7 @@ std::string wall_line(int index, int axis, int side, double position) {
                      index, three_numbers(at), orientations[axis][side > 0]);
 }
 
-/// Writes a packing as a restart file of MercuryDPM: forces act on the first particle.
+/// Writes a packing as a restart file of MercuryDPM, in which forces act on the first particle.
 template <int Dim>
 std::string restart(const Packing<Dim>& p) {
   std::string text = "MercuryDPM 1.0 name test\nxMin 0 xMax 4 yMin 0 yMax 4 zMin 0 zMax 4\n";
@@ -65,8 +65,8 @@ std::string restart(const Packing<Dim>& p) {
   return text;
 }
 
-/// Writes the contacts as an .fstat file, every pair of grains twice: fn n + ft t is the force on the first particle, and
-/// the opposite of it at a wall.
+/// Writes the contacts as an .fstat file, with every pair of grains twice. The force on the first particle is
+/// fn n + ft t; at a wall it has the opposite sign.
 template <int Dim>
 std::string fstat(const Packing<Dim>& p) {
   std::string text = "# 0 0\n# 0 0 0 4 4 4\n# 0.5 0.5 0 0 0 0\n";
@@ -130,7 +130,7 @@ TEST(MercuryDpm, HasALeesEdwardsCellThatLeansByTheShift) {
   const Packing<2> p = test::read_packing<2>(path);
   EXPECT_EQ(p.cell.matrix, (Mat<2>() << 4.0, 0.0, 1.5, 3.0).finished());
   ASSERT_EQ(p.contacts.size(), 1u);
-  // The image of grain 1 below grain 0 is at 2.5 - 1.5 and 2.6 - 3.
+  // The image of grain 1 below grain 0 is at (2.5 - 1.5, 2.6 - 3).
   EXPECT_EQ(p.contacts[0].image, (Vec<2, int>(0, -1)));
 }
 

@@ -60,7 +60,8 @@ TEST(RockableShapes, SaysWhatItCannotHold) {
   refusal(bonded, "contacts that act across gaps");
 }
 
-/// Two cubes of side 1 with edges rounded by 0.1, one on the other; one interaction per line of `interactions`.
+/// Writes two cubes of side 1 with edges rounded by 0.1, one on top of the other. `interactions` has one
+/// interaction per line.
 void write_cubes(const test::ScratchDirectory& scratch, const std::string& interactions,
                  const std::string& more = "preCompDone y\n") {
   const auto n = std::count(interactions.begin(), interactions.end(), '\n');
@@ -99,7 +100,7 @@ TEST(RockableShapes, ReadsHomothetyNormalsAndTypes) {
   double sum = 0.0;
   for (const Contact<3>& c : four.contacts) {
     EXPECT_EQ(c.type, ContactType::kFaceFace);
-    EXPECT_EQ(c.normal, Vec<3>(0.0, 0.0, 1.0));  // n points from j to i in the file
+    EXPECT_EQ(c.normal, Vec<3>(0.0, 0.0, 1.0));  // in the file the normal points from j to i
     EXPECT_EQ(c.shear_force, Vec<3>(0.5, 0.0, 0.0));
     EXPECT_DOUBLE_EQ(c.gap, -0.01);
     sum += c.normal_force;
@@ -108,7 +109,7 @@ TEST(RockableShapes, ReadsHomothetyNormalsAndTypes) {
   EXPECT_EQ(read(point(3, 0.4, 0.4, 1)).contacts[0].type, ContactType::kEdgeEdge);
   EXPECT_EQ(read(point(2, 0.4, 0.4, 1)).contacts[0].type, ContactType::kVertexFace);
   EXPECT_EQ(read(point(2, 0.4, 0.4, 1) + point(3, 0.0, 0.4, 1)).contacts[0].type, ContactType::kDouble);
-  // many points, more than the shapes have by floc's own geometry, have different keys
+  // If the file has more points for a pair than floc finds from the shapes, each point gets its own key.
   std::string many;
   for (int k = 0; k < 12; ++k) many += point(2, 0.4 - 0.05 * k, 0.4, 1);
   const Packing<3> twelve = read(many);
@@ -153,7 +154,7 @@ TEST(RockableShapes, TakeContactPointsOfAnotherList) {
   EXPECT_NEAR((p.contacts[0].arm_i - Vec<3>(0.4, 0.4, 0.5)).norm(), 0.0, 1e-15);
   EXPECT_NEAR((p.contacts[0].arm_j - Vec<3>(0.4, 0.4, -1.0)).norm(), 0.0, 1e-15);
   EXPECT_NEAR((p.contacts[0].shear_force - Vec<3>(-0.5, 0.0, 0.0)).norm(), 0.0, 1e-14);
-  EXPECT_NEAR(p.contacts[0].gap, 0.0, 1e-14);  // that of the shapes
+  EXPECT_NEAR(p.contacts[0].gap, 0.0, 1e-14);  // gap computed from the shapes
   const auto refusal = [&](const std::string& text, const std::string& words) {
     EXPECT_THAT([&] { read(text); }, ThrowsMessage<InputError>(HasSubstr(words)));
   };

@@ -24,8 +24,8 @@ const std::string kShapes =
     "<\nname Sphere\nradius 0.5\npreCompDone y\nnv 1\n0 0 0\nne 0\nnf 0\nvolume 0.25\n>\n"
     "<\nname Plate\nradius 0.125\nnv 4\n9 9 0\n9 -9 0\n-9 -9 0\n-9 9 0\nne 0\nnf 1\n4 0 1 2 3\nvolume 1\n>\n";
 
-/// Writes a packing as a configuration of Rockable. Walls are driven plates, in front of the spheres. The normal points
-/// from j to i, and the force on i is fn n + ft.
+/// Returns a packing as a configuration of Rockable. Walls are driven plates, listed before the spheres. The
+/// normal points from j to i, and the force on i is fn n + ft.
 std::string configuration(const Packing<3>& p) {
   std::string text = "Rockable 29-11-2018\n# a comment\nshapeFile shapes.txt\n";
   text += fmt::format("gravity {}\nnDriven {}\n", components(p.gravity), p.walls.size());

@@ -30,7 +30,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-/// The message read_state() refuses a file with, or "" when it accepts it.
+/// Returns the message with which read_state() refuses a file, or "" if it accepts the file.
 std::string refusal(const std::string& path) {
   try {
     read_state(path);
@@ -135,7 +135,7 @@ TYPED_TEST(StateFile, HoldsAPackingWithoutContactsOrPhysicsInItsSlots) {
   EXPECT_EQ(back.residuals.force, s.residuals.force);
 }
 
-/// Two glass beads that overlap by this share of their radius.
+/// Returns two glass beads. @param overlap  overlap divided by the radius
 State<3> pressed_beads(double overlap) {
   State<3> s = busy_state<3>();
   s.packing.law = Law{};
@@ -147,7 +147,7 @@ State<3> pressed_beads(double overlap) {
   return s;
 }
 
-/// Returns the message with which the reader rejects a state; empty if it accepts it.
+/// Returns the message with which the reader rejects a state; empty if it accepts the state.
 template <int Dim>
 std::string refusal_of(const State<Dim>& state, const std::string& progress = "") {
   const ScratchDirectory scratch;
@@ -232,7 +232,8 @@ TEST(StateFile, ComesThroughAPipeAsFromADisk) {
   second.join();
 }
 
-/// However far the file may grow before the system refuses more of it, the old state stays and nothing else does.
+/// The system refuses to write a file beyond a given size. For any such size, the old state stays and no other
+/// file is left behind.
 TEST(StateFile, ThatDoesNotFitTheDiskLeavesTheOldOne) {
   const ScratchDirectory scratch;
   write_state(scratch.file("s.h5"), busy_state<2>());
@@ -276,7 +277,7 @@ TEST(StateFileRefuses, SealedBytesThatAreNoHdf5Inside) {
   EXPECT_THAT(refusal(scratch.file("s.h5")), HasSubstr("HDF5 library cannot open"));
 }
 
-/// The heap that texts lie in has lost its name, before the seal was put on.
+/// The signature of the heap with the texts was overwritten before the file was sealed.
 TEST(StateFileRefuses, SealedBytesThatAreDamagedInside) {
   const ScratchDirectory scratch;
   write_state(scratch.file("s.h5"), busy_state<2>(), "progress");
@@ -292,7 +293,7 @@ TEST(StateFileRefuses, SealedBytesThatAreDamagedInside) {
               ThrowsMessage<InputError>(HasSubstr("s.h5: the file is damaged although its checksum is right")));
 }
 
-/// States that can be written but that no run can produce: the reader has to name the dataset.
+/// Writes a state that no run can produce, and returns the message of the reader, which must name the dataset.
 template <class Spoil>
 std::string refusal_of_spoiled(const Spoil& spoil) {
   const ScratchDirectory scratch;
@@ -347,13 +348,14 @@ TEST(StateFile, KeepsIdentifiersThatAreNotTheIndices) {
               AllOf(HasSubstr("/grains/imported_id"), HasSubstr("entry 2 is 5, as is entry 0")));
 }
 
-/// Where some integers lie in a file.
+/// Returns the position of a sequence of integers in a file.
 std::size_t find_integers(const std::string& bytes, const std::vector<std::int32_t>& values) {
   return bytes.find(
       std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof values[0]));
 }
 
-/// The refusal of a state whose contact list had `good` in one of its columns, and has `bad` in the file.
+/// Returns the message of the reader for a state file in which the last entry of the column `good` of the
+/// contact list is replaced by `bad`.
 std::string refusal_of_index(const std::vector<std::int32_t>& good, std::int32_t bad) {
   const ScratchDirectory scratch;
   State<2> s = busy_state<2>();

@@ -44,7 +44,7 @@ void expect_same(const Shape<Dim>& a, const Shape<Dim>& b) {
   EXPECT_EQ(a.axes, b.axes);
 }
 
-/// One grain of each shape in a row, the first two with two contact points.
+/// Returns a state with one grain of each shape in a row. The first two grains have two contact points.
 template <int Dim>
 State<Dim> state_of(std::vector<Shape<Dim>> shapes) {
   State<Dim> state;
@@ -152,7 +152,7 @@ TEST(StateOfRigidGrains, OfRoundGrainsComesBackAsItWas) {
   }
 }
 
-/// Changes the content of a state file through the HDF5 library, and seals it anew.
+/// Changes the content of a state file with the HDF5 library, and seals it again.
 class Spoiled {
  public:
   explicit Spoiled(const State<3>& state) : path_(scratch_.file("s.h5")) {
@@ -165,7 +165,7 @@ class Spoiled {
     H5Ldelete(file_, dataset.c_str(), H5P_DEFAULT);
     return *this;
   }
-  /// Gives a dataset one row less.
+  /// Removes the last row of a dataset.
   Spoiled& shorten(const std::string& dataset) {
     const hid_t old = H5Dopen2(file_, dataset.c_str(), H5P_DEFAULT), space = H5Dget_space(old);
     hsize_t size[2] = {0, 0};
@@ -239,7 +239,7 @@ TEST(StateWithShapes, IsRefusedIfAShapeIsNoConvexBody) {
     Spoiled(cubes()).set("shapes/" + name, 1, nan).expect_refused("shapes/" + name, "finite");
   Spoiled(cubes()).set("grains/scale", 1, nan).expect_refused("grains/scale", "finite");
   Spoiled(cubes()).set("contacts/point", 1, nan).expect_refused("contacts/point", "finite");
-  // One vertex of a cube pushed through its centre; the normals no longer belong to the faces.
+  // Moving one vertex of a cube makes the normals inconsistent with the faces.
   Spoiled(cubes()).set("shapes/vertices", 0, 0.9).expect_refused("shapes/", "shape 0");
   Spoiled(cubes()).set("shapes/normals", 0, 0.9).expect_refused("shapes/normals", "not normal");
   Spoiled(cubes()).set("shapes/offsets", 0, 0.9).expect_refused("shapes/offsets", "face 0");
@@ -253,7 +253,7 @@ TEST(StateWithShapes, IsRefusedIfAShapeIsNoConvexBody) {
 }
 
 TEST(StateWithShapes, IsRefusedIfItsPolygonIsNotConvex) {
-  // A pentagram has the vertices of a pentagon, and every vertex once.
+  // A pentagram has the vertices of a pentagon and uses each of them once.
   Shape<2> star = regular_polygon(5, 0.0);
   star.corners = {0, 2, 2, 4, 4, 1, 1, 3, 3, 0};
   EXPECT_FALSE(fault_of_faces(star));

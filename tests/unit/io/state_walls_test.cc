@@ -48,7 +48,8 @@ TEST(StateWithWalls, ComesBackAsItWas) {
   expect_walls_kept<3>();
 }
 
-/// Attributes of the file: the feature that older programs reject, the boundary of each axis, the forces.
+/// The file has attributes for the feature that older programs reject, for the boundary of each axis, and for
+/// the forces.
 TEST(StateWithWalls, SaysWhatItHasInItsAttributes) {
   const State<3> state = test::boxed_state<3>();
   const test::ScratchDirectory scratch;
@@ -90,7 +91,7 @@ TEST(StateWithWalls, IsRefusedWhereTheyMakeNoBox) {
   state.packing.walls.pop_back();
   expect_refused(state, "expected two for each axis");
   state = test::boxed_state<2>();
-  // A program that writes a wall beyond the last one: no packing in memory can hold it.
+  // The index of a wall beyond the last one, as another program may write it. No packing in memory can have it.
   const test::ScratchDirectory scratch;
   write_state(scratch.file("box.h5"), state);
   const auto id2 = [](std::int32_t last) {

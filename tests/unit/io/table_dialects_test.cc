@@ -11,8 +11,8 @@
 #include "support/contact_laws.h"
 #include "support/scratch_directory.h"
 
-/// One table in hundreds of dialects, as programs of many makers and countries write them, is read to the same numbers: as
-/// a load path, as grains and as contacts.
+/// Tests that one table in hundreds of dialects, as different programs and countries write it, gives the same
+/// numbers when read as a load path, as grains and as contacts.
 namespace floc {
 namespace {
 
@@ -20,7 +20,7 @@ using Rows = std::vector<std::vector<std::string>>;
 
 enum class Encoding { utf8, utf8_with_mark, latin1, utf16_little, utf16_big };
 
-/// How a table is written.
+/// Way in which a table is written.
 struct Dialect {
   char separator = ',';
   bool decimal_comma = false;
@@ -42,7 +42,7 @@ struct Dialect {
   }
 };
 
-/// A table: names, units and numbers. A number is a whole one if its text has no point.
+/// Content of a table: names, units and numbers. A number without a decimal point is an integer.
 struct Content {
   std::vector<std::string> names, units;
   Rows rows;
@@ -69,7 +69,7 @@ std::string line_of(std::vector<std::string> cells, const Dialect& dialect) {
   return line + dialect.line_end;
 }
 
-/// The table in UTF-8.
+/// Returns the table as UTF-8 text.
 std::string text_of(const Content& content, const Dialect& dialect) {
   std::string text;
   const char* titles[] = {"Prüfung vom 3. Mai, Tiefe 4,5 m", "Labor;Zürich;12", "Probe 12, gestört"};
@@ -113,14 +113,14 @@ std::string encoded(const std::string& utf8, Encoding encoding) {
   if (encoding != Encoding::latin1) add(0xfeff);
   for (std::size_t at = 0; at < utf8.size(); ++at) {
     const auto lead = static_cast<unsigned char>(utf8[at]);
-    // The texts of this test have letters of Latin-1 alone, of one or two bytes in UTF-8.
+    // All letters of this test exist in Latin-1, so they take one or two bytes in UTF-8.
     add(lead < 0x80 ? lead : (lead & 0x1fu) << 6 | (static_cast<unsigned char>(utf8[++at]) & 0x3fu));
   }
   return bytes;
 }
 
-/// Every separator with every decimal mark that it allows, in every encoding and with all line ends; of the other features
-/// some, drawn at random.
+/// Returns every separator with every decimal mark that it allows, in every encoding and with all line ends.
+/// The other features are drawn at random.
 std::vector<Dialect> dialects() {
   std::vector<Dialect> all;
   std::mt19937 random(47);

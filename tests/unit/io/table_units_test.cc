@@ -32,7 +32,7 @@ TEST(TableUnits, AreAlsoKnownUnitsBehindTheName) {
   EXPECT_THAT(name_and_unit("sigma_kPa"), Pair("sigma", "kPa"));
   EXPECT_THAT(name_and_unit("e_percent"), Pair("e", "percent"));
   EXPECT_THAT(name_and_unit("Void ratio (%)"), Pair("Void ratio", "%"));
-  // Parts of names, and words in brackets that are no units.
+  // These names contain parts, and texts in brackets, that look like units but are none.
   for (const char* name :
        {"sigma_bar", "F_N", "P/P_ref", "P_m", "x in", "sigma (effective)", "Void ratio (e)", "Spannung"})
     EXPECT_THAT(name_and_unit(name), Pair(name, ""));
@@ -67,8 +67,8 @@ TEST(TableUnits, AreConvertedByTheirSizes) {
   EXPECT_THROW(factor("potatoes", "Pa"), InputError);
 }
 
-/// All pairs of units, with prefixes: there and back is one, through a third it is the same, and what measures
-/// something else, or is not given, is refused.
+/// For all pairs of units with prefixes, conversion there and back gives one, and conversion through a third
+/// unit gives the same factor. Units of other quantities, and missing units, are refused.
 TEST(TableUnits, OfAllPairsConvertOrAreRefused) {
   std::vector<std::string> units = known_units();
   for (const char* name :

@@ -11,14 +11,14 @@
 #include "floc/io/vtu.h"
 #include "support/foreign_packing.h"
 
-/// Points with radii in the formats of VTK other than that which floc writes.
+/// Tests of points with radii in VTK formats that floc reads but does not write.
 namespace floc {
 namespace {
 
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-/// Two grains at (0, 1, 1) and (1.5, 2, 2.5) with the radii 0.5 and 0.25.
+/// Expects two grains at (0, 1, 1) and (1.5, 2, 2.5) with radii 0.5 and 0.25.
 void expect_grains(const std::string& name, const std::string& text) {
   SCOPED_TRACE(name);
   const test::ScratchDirectory scratch;
@@ -42,7 +42,7 @@ void expect_refusal(const std::string& text, const std::string& words) {
               ThrowsMessage<InputError>(HasSubstr(words)));
 }
 
-// Bytes compressed by zlib 1.2.13 in blocks of 16 bytes: [0, 1, 1, 1.5, 2, 2.5] as Float64.
+// [0, 1, 1, 1.5, 2, 2.5] as Float64, compressed by zlib 1.2.13 in blocks of 16 bytes.
 const std::string kPoints =
     "AwAAABAAAAAAAAAADQAAABIAAAAQAAAAeJxjYEAGH+wBAi8BMHicY2AAgQ/2YIrhhz0ADdYCZ3icY2AAAwcIxeIAAAKYAIU=";
 // [0.5, 0.25] as Float32, in one block.
@@ -67,7 +67,7 @@ TEST(VtkXml, MayBeCompressedByZlibAndHoldPolygons) {
   expect_refusal(xml("PolyData", "//////8=", kRadii), "is damaged");
 }
 
-/// Numbers with the most significant byte first.
+/// Returns the bytes of numbers with the most significant byte first.
 template <class T>
 std::string big_endian(const std::vector<T>& values) {
   std::string bytes;

@@ -85,7 +85,8 @@ TEST(VtkHdf, HasVtksLayoutAndTensionPositive) {
   }
 }
 
-/// A file as another program may write it: no identifiers, single precision, contacts between the ends of lines.
+/// Writes a file as another program may write it: without identifiers, in single precision, with a line for
+/// each contact.
 void write_foreign(const std::string& path, const std::vector<double>& connectivity,
                    const std::string& type = "PolyData") {
   Hdf5Writer file(path);

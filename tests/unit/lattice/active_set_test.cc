@@ -12,7 +12,7 @@ namespace {
 using test::exactly;
 using test::sample_of;
 
-/// Some grains side by side, with holes and drops of matrix at random.
+/// Returns a sample of a few grains side by side, with random holes and drops of matrix.
 CementedSample<2> random_sample(RandomStream& random, int columns, int rows) {
   const Lattice<2> lattice = triangular_lattice(columns, rows, 1.0);
   std::vector<Vec<2>> centres;
@@ -36,8 +36,8 @@ ElementStiffness random_stiffness(RandomStream& random) {
   return stiffness;
 }
 
-/// Least energy under an imposed strain by moving one unknown at a time to its best place, until none gains:
-/// slow, and nothing like the solver. @return forces of the rows
+/// Minimises the energy under an imposed strain by moving one unknown at a time to its best value, until no
+/// move lowers the energy. This is slow and independent of the solver. @return forces of the rows
 std::vector<double> brute_force(const SpringRows<2, 2>& springs, const Eigen::Vector3d& strain) {
   using Row = SpringRows<2, 2>::Row;
   Eigen::VectorXd u = Eigen::VectorXd::Zero(springs.n_unknowns());
@@ -95,7 +95,7 @@ TEST(ActiveSet, EqualsABruteForceMinimiserOnSmallRandomCases) {
       if (network.elements[e].unilateral) ++(solution.open[e] ? n_open : n_closed);
     }
   }
-  EXPECT_GT(n_open, 1000);  // the cases are not trivial
+  EXPECT_GT(n_open, 1000);  // otherwise the test would be trivial
   EXPECT_GT(n_closed, 1000);
 }
 
@@ -121,7 +121,8 @@ TEST(ActiveSet, NeverCycles) {
   EXPECT_GT(n_held, 300);
 }
 
-/// Check 8, and what unilateral contacts are for.
+/// If contacts are bilateral, the response to tension is minus the response to compression. For unilateral
+/// contacts it is not.
 TEST(ActiveSet, TensionIsMinusCompressionOnlyWhereAllIsBilateral) {
   RandomStream random(5, 0);
   CementedSample<2> sample = random_sample(random, 12, 12);
@@ -156,7 +157,7 @@ TEST(ActiveSet, ScalesWithTheLoad) {
     EXPECT_NEAR(b.normal_force[e], 3.0 * a.normal_force[e], 1e-9);
 }
 
-/// Two halves that only touch: nothing holds them together, and the solver says so.
+/// Two halves touch but are not bonded. Nothing resists tension, and the solver must report this.
 TEST(ActiveSet, SaysWhenNothingResists) {
   const CementedSample<2> sample =
       sample_of<2>(triangular_lattice(6, 8, 1.0), [](const Vec<2>& x) { return x[1] < 3.46 ? 0 : 1; });

@@ -86,7 +86,7 @@ TEST(CementedSample, OverlappingGrainsMeetAtEqualDepths) {
   }
 }
 
-/// Checks 9 and of section 4: balances and sum rules, in two and three dimensions.
+/// Checks balances of forces and sum rules, in 2D and 3D.
 template <int Dim>
 void expect_balance(const Packing<Dim>& packing, const CementedSample<Dim>& sample,
                     const ElementStiffness& stiffness, double sign) {
@@ -149,7 +149,7 @@ TEST(LatticeForces, BalanceInSpace) {
 }
 
 TEST(LatticeNetwork, LeavesOutWhatCanCarryNothing) {
-  const Packing<2> packing = grid_of_grains<2>(4, 0.3);  // no neighbours: islands alone
+  const Packing<2> packing = grid_of_grains<2>(4, 0.3);  // without bridges every grain is an island
   const CementedSample<2> sample = cemented(packing, 0.08, 0.0);
   const LatticeNetwork<2> network = lattice_network(sample, {});
   EXPECT_TRUE(network.elements.empty());

@@ -18,7 +18,8 @@ using test::moduli_of;
 using test::sample_of;
 using test::uniform_network;
 
-/// A lattice of the bonds of these lengths between the points of an fcc crystal.
+/// Returns a lattice of bonds between the points of a face-centred cubic crystal: neighbours with stiffness 1,
+/// second neighbours with stiffness `second`.
 LatticeNetwork<3> fcc(double second) {
   const double l = 1.0, side = std::numbers::sqrt2 * l;
   const int across = 2;
@@ -40,7 +41,7 @@ LatticeNetwork<3> fcc(double second) {
       for (int n = 0; n < 27; ++n) {
         const Vec<3, int> image(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
         const Vec<3> branch = points[j] + cell.shift(image) - points[i];
-        // Each bond from its end that lies behind along the first axis along which it extends.
+        // Each bond is visited from both ends. It is added if its first non-zero component is positive.
         int axis = 0;
         while (axis < 3 && std::abs(branch[axis]) < 1e-9) ++axis;
         if (axis == 3 || branch[axis] < 0.0) continue;
@@ -52,7 +53,7 @@ LatticeNetwork<3> fcc(double second) {
   return out;
 }
 
-/// Check 3.
+/// Compares the moduli of a face-centred cubic lattice with their closed forms.
 TEST(Fcc, HasItsClosedFormsWithAndWithoutSecondNeighbours) {
   const Eigen::MatrixXd alone = moduli_of(fcc(0.0));
   const double root2 = std::numbers::sqrt2;
@@ -98,7 +99,8 @@ TEST(IrregularLattice, FillsTheCellAndClosesEveryVoronoiCell) {
   EXPECT_NEAR(static_cast<double>(lattice.bonds.size()) / lattice.n_nodes(), 7.77, 0.3);
 }
 
-/// Check 4: with K_N = K_T = E s/l acting at the centres of the faces every lattice is a continuum of nu = 0.
+/// If K_N = K_T = E s/l act at the centres of the faces (area s, distance l of the nodes), every lattice is a
+/// continuum with nu = 0.
 TEST(IrregularLattice, OfBeamsByFacetIsAHomogeneousContinuum) {
   const Lattice<3> lattice = irregular(4.0, 1.0);
   ElementStiffness stiffness;
@@ -149,7 +151,7 @@ TEST(IterativeSolver, EqualsTheFactor) {
   EXPECT_LT((direct.moduli() - iterative.moduli()).cwiseAbs().maxCoeff(), 1e-8);
 }
 
-/// One disk in a square cell of six diameters.
+/// Returns a sample with one disk in a square cell of six diameters.
 CementedSample<2> disk_in_sheet(double diameter_in_spacings) {
   const int columns = static_cast<int>(std::lround(6.0 * diameter_in_spacings));
   const int rows = 2 * static_cast<int>(std::lround(columns / std::numbers::sqrt3));
@@ -159,7 +161,7 @@ CementedSample<2> disk_in_sheet(double diameter_in_spacings) {
       lattice, [&](const Vec<2>& x) { return (x - middle).norm() < 0.5 * diameter_in_spacings ? 0 : -1; });
 }
 
-/// Check 5.
+/// A disk that is stiffer or softer than the sheet around it has a uniform stress.
 TEST(Inclusion, OfAStifferDiskHasTheUniformStressOfTheContinuum) {
   for (const auto& [c, expected, tolerance] :
        {std::tuple{100.0, 1.4925, 0.012}, std::tuple{10.0, 1.4286, 0.012}, std::tuple{0.1, 0.25, 0.05}}) {
@@ -178,9 +180,9 @@ TEST(Inclusion, OfAStifferDiskHasTheUniformStressOfTheContinuum) {
   }
 }
 
-/// Check 6: a hexagonal array of disks, 30 % of the area, a hundred times as stiff.
+/// A hexagonal array of disks fills 30 % of the area. The disks are a hundred times stiffer than the matrix.
 TEST(Composite, OfDisksLiesAtTheLowerBoundOfHashinAndShtrikman) {
-  // Two disks in a rectangle: a triangular array.
+  // Two disks in a rectangular cell form a triangular array.
   const int columns = 40;
   const Lattice<2> two = triangular_lattice(columns, 2 * columns, 1.0);
   const double r = std::sqrt(0.3 * two.cell.volume() / 2 / std::numbers::pi);
@@ -229,13 +231,13 @@ TEST(CompositeBounds, AreClosedFormsAndVanishWithVoids) {
   EXPECT_NEAR(one.G.hashin_shtrikman_upper, 2.0, 1e-12);
 }
 
-/// Check 7: a disk between two plates that it touches with a few nodes.
+/// A disk between two plates touches each of them with a few nodes.
 TEST(Disk, PressedOnADiameterHasTheStressOfTheContinuumAtItsCentre) {
   const int across = 60;
   const int rows = 2 * static_cast<int>(std::lround(across / std::numbers::sqrt3));
   const Lattice<2> lattice = triangular_lattice(across + 6, rows, 1.0);
   const Vec<2> middle = 0.5 * lattice.cell.matrix.diagonal();
-  const double diameter = (rows - 1) * std::numbers::sqrt3 / 2;  // from the lowest to the highest row
+  const double diameter = (rows - 1) * std::numbers::sqrt3 / 2;  // from the lowest to the highest row of nodes
   const CementedSample<2> sample = sample_of<2>(
       lattice, [&](const Vec<2>& x) { return (x - middle).norm() < 0.5 * diameter + 0.05 ? 0 : -2; });
   const LatticeNetwork<2> network = lattice_network(sample, {}, LatticeBoundary::plates, 1);
@@ -253,12 +255,13 @@ TEST(Disk, PressedOnADiameterHasTheStressOfTheContinuumAtItsCentre) {
   EXPECT_NEAR(mean(1, 1) / (6 * P / (std::numbers::pi * diameter)), 1.0, 0.03);
 }
 
-/// Section 3: what the border holds makes it stiffer.
+/// A boundary that holds the nodes makes the sample stiffer.
 TEST(Boundary, OfUniformStrainIsStifferThanAPeriodicCell) {
   RandomStream random(8, 0);
   const CementedSample<2> sample = sample_of<2>(triangular_lattice(14, 14, 1.0),
                                                 [&](const Vec<2>&) { return random.uniform() < 0.4 ? 0 : -1; });
-  // Relative to a homogeneous lattice between the same borders: cutting the cell takes elements away.
+  // Moduli are divided by those of a homogeneous lattice with the same boundary, because the boundary also
+  // removes elements.
   const auto relative = [&](LatticeBoundary boundary) {
     Eigen::VectorXd diagonal[2];
     for (const int uniform : {0, 1}) {
@@ -278,7 +281,7 @@ TEST(Boundary, OfUniformStrainIsStifferThanAPeriodicCell) {
   EXPECT_LT(relative(LatticeBoundary::plates)[1], relative(LatticeBoundary::bonded_plates)[1]);
 }
 
-/// Check 1: the first failure of a triangular lattice.
+/// The first bond of a triangular lattice breaks at a stress with a closed form.
 TEST(Fracture, OfATriangularLatticeBeginsAtItsClosedForm) {
   const double l = 0.5, f_c = 3.0;
   const LatticeNetwork<2> network = uniform_network(triangular_lattice(6, 6, l), 1.0);
@@ -302,7 +305,7 @@ TEST(Fracture, EndsWhenNothingHoldsAndRemovesOneElementATime) {
   options.strength.tension.fill(1.0);
   options.end_at = 0.01;
   const FracturePath path = fracture(network, solver, LatticeLoad<2>::uniaxial(1, -1.0), 1, options);
-  EXPECT_GE(path.broken.size(), 8u);  // a crack goes through
+  EXPECT_GE(path.broken.size(), 8u);  // a crack crosses the sample
   EXPECT_LT(path.broken.size(), network.elements.size());
   EXPECT_FALSE(path.end.empty());
   std::set<int> once;

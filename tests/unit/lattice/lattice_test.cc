@@ -11,7 +11,8 @@
 namespace floc {
 namespace {
 
-/// Branches are what positions and images say, each pair once, six bonds a node.
+/// Expects that branches agree with positions and images, that each pair occurs once, and that each node has
+/// six bonds.
 void expect_whole(const Lattice<2>& lattice) {
   std::vector<int> degree(lattice.node.size(), 0);
   for (const LatticeBond<2>& b : lattice.bonds) {

@@ -39,7 +39,8 @@ TEST(TriangularLattice, HasTheModuliOfItsSpringsWhateverTheBending) {
     }
 }
 
-/// Check 1: forces of the three families of bonds under a uniaxial stress, and a uniform node stress.
+/// Under a uniaxial stress, the bonds in each of the three directions carry equal forces, and all nodes have
+/// the same stress.
 TEST(TriangularLattice, UnderUniaxialStressLoadsItsBondsByTheirDirection) {
   const double l = 0.3, sigma = 1.7;
   const Lattice<2> lattice = triangular_lattice(6, 6, l);
@@ -62,7 +63,7 @@ TEST(TriangularLattice, UnderUniaxialStressLoadsItsBondsByTheirDirection) {
   }
 }
 
-/// Check 2: 5 of 12 rows k = 1, the others 0.1.
+/// A laminate has the stiffness 1 in 5 of 12 rows, and a smaller stiffness in the others.
 TEST(Laminate, OfRowsHasTheClosedFormForAnyContrastWithTheInterfaceInSeries) {
   const auto laminate = [](double soft, std::optional<double> interface) {
     const double height = kRoot3 / 2;
@@ -73,7 +74,7 @@ TEST(Laminate, OfRowsHasTheClosedFormForAnyContrastWithTheInterfaceInSeries) {
     stiffness.grain = 1.0;
     stiffness.matrix = soft;
     stiffness.interface = interface;
-    stiffness.contact = BareContact::bilateral;  // rows meet their own images across the border
+    stiffness.contact = BareContact::bilateral;  // rows touch their own images across the cell boundary
     return moduli_of(lattice_network(sample, stiffness));
   };
   const Eigen::MatrixXd C = laminate(0.1, std::nullopt);
@@ -90,10 +91,11 @@ TEST(Laminate, OfRowsHasTheClosedFormForAnyContrastWithTheInterfaceInSeries) {
     EXPECT_NEAR(C_of(0, 0) / (2 * kRoot3 / 3 * mean + C22 / 9), 1.0, 1e-9) << soft;
   }
   EXPECT_NEAR(laminate(0.1, 0.55)(1, 1) / C(1, 1), 1.11,
-              0.005);  // the mean of the two stiffnesses is too stiff
+              0.005);  // the arithmetic mean of the two stiffnesses would be too stiff
 }
 
-/// Elements as contacts of the elasticity commands: all of C, central and with shear and bending.
+/// Compares all entries of C with those of the elasticity commands for the same elements, with central forces
+/// alone and with shear and bending.
 TEST(LatticeModuli, AreThoseOfItsContactNetwork) {
   RandomStream random(3, 0);
   for (const double shear : {0.0, 0.5}) {

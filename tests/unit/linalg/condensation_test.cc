@@ -11,7 +11,7 @@ namespace {
 
 using Exact = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// More springs than unknowns, at random.
+/// Returns random springs, of which there should be more than unknowns.
 SpringSystem random_springs(int n_springs, int n_free, int n_boundary, double smallest_stiffness) {
   SpringSystem s;
   s.on_free = Eigen::MatrixXd(Eigen::MatrixXd::Random(n_springs, n_free)).sparseView();
@@ -25,7 +25,7 @@ Eigen::MatrixXd stiffness_of(const SpringSystem& s) {
   return a.transpose() * s.stiffness.asDiagonal() * a;
 }
 
-/// The Schur complement in extended precision.
+/// Returns the Schur complement, computed in extended precision.
 Eigen::MatrixXd exact(const SpringSystem& s) {
   const Exact a = Eigen::MatrixXd(s.on_free).cast<long double>();
   const Exact b = s.on_boundary.cast<long double>();
@@ -35,7 +35,7 @@ Eigen::MatrixXd exact(const SpringSystem& s) {
   return relaxed.cast<double>();
 }
 
-/// The inverse of K with every entry off by up to `noise` of it.
+/// Returns the inverse of K with relative errors of up to `noise` in every entry.
 ApproximateInverse noisy_inverse(const SpringSystem& s, double noise) {
   Eigen::MatrixXd inverse = stiffness_of(s).inverse();
   const Eigen::MatrixXd random = Eigen::MatrixXd::Random(inverse.rows(), inverse.rows());
@@ -56,7 +56,8 @@ TEST(Condensation, IsTheSchurComplementWithinItsBound) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     std::srand(seed);
     const SpringSystem s = random_springs(30, 20, 3, 0.1);
-    // Rounding of the entries, 8 units, times the sum of a row over what is left of it.
+    // Each entry has a rounding error of 8 units. This error is multiplied by the sum of a row divided by the
+    // remaining entry.
     expect_within_bound(condense(s, noisy_inverse(s, 0.0), {}), exact(s), 1e-12);
   }
 }

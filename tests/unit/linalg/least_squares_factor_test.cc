@@ -14,11 +14,11 @@ TEST(LeastSquaresFactor, SolvesWithTheSquareOfItsMatrix) {
   const LeastSquaresFactor factor(a.sparseView(), 1e-12);
   EXPECT_EQ(factor.rank(), 12);
   const Eigen::VectorXd x = Eigen::VectorXd::Random(12);
-  // Condition number of a of some 10, squared, times rounding.
+  // Rounding errors are multiplied by the square of the condition number of a, which is about 10.
   EXPECT_LT((factor.solve(a.transpose() * (a * x)) - x).norm(), 1e-12);
 }
 
-/// Columns of lengths from 1 to 1e-12: the square of this matrix is singular to working precision.
+/// The columns have lengths from 1 to 1e-12, so a^T a is singular in working precision.
 TEST(LeastSquaresFactor, KeepsTheDigitsThatTheSquareLoses) {
   std::srand(2);
   Eigen::MatrixXd a = Eigen::MatrixXd::Random(20, 8);
@@ -40,7 +40,7 @@ TEST(LeastSquaresFactor, LeavesDependentColumnsOut) {
   a.col(4) = a.col(0) - 2.0 * a.col(1);
   const LeastSquaresFactor factor(a.sparseView(), 1e-13);
   EXPECT_EQ(factor.rank(), 5);
-  // Loads in the range of its square are met whichever column was left out.
+  // Right-hand sides in the range of a^T a are solved, independently of the column that was left out.
   const Eigen::VectorXd b = a.transpose() * Eigen::VectorXd::Random(20);
   EXPECT_LT((a.transpose() * (a * factor.solve(b)) - b).norm(), 1e-12);
 }

@@ -9,8 +9,8 @@
 namespace floc {
 namespace {
 
-/// Lower triangle of `copies` rings of n masses and unit springs: eigenvalues 2 - 2 cos(2 pi k/n), all but the
-/// ends of the spectrum double in every ring.
+/// Returns the lower triangle of `copies` rings of n masses and unit springs. Their eigenvalues are 2 - 2 cos(2
+/// pi k/n); in each ring all except the smallest and the largest are double.
 Eigen::SparseMatrix<double> rings(int n, int copies) {
   std::vector<Eigen::Triplet<double>> t;
   for (int r = 0; r < copies; ++r)
@@ -28,7 +28,7 @@ double eigenvalue(int k, int n) {
   return 2.0 - 2.0 * std::cos(2.0 * std::numbers::pi * k / n);
 }
 
-/// The constant vector of each ring.
+/// Returns the constant vector of each ring, as columns.
 Eigen::SparseMatrix<double> constants(int n, int copies) {
   Eigen::MatrixXd m = Eigen::MatrixXd::Zero(n * copies, copies);
   for (int r = 0; r < copies; ++r) m.col(r).segment(n * r, n).setOnes();
@@ -38,13 +38,14 @@ Eigen::SparseMatrix<double> constants(int n, int copies) {
 void expect_eigenpairs(const SymmetricFactor& factor, const Eigenpairs& pairs) {
   const Eigen::MatrixXd residual =
       factor.multiply(pairs.vectors) - pairs.vectors * pairs.values.asDiagonal().toDenseMatrix();
-  // Root of the convergence of the inverse's eigenvalues, times values of order one.
+  // The residual is of the order of the square root of the convergence tolerance for eigenvalues.
   EXPECT_LT(residual.cwiseAbs().maxCoeff(), 1e-7);
   const Eigen::Index k = pairs.vectors.cols();
   EXPECT_LT((pairs.vectors.transpose() * pairs.vectors - Eigen::MatrixXd::Identity(k, k)).norm(), 1e-12);
 }
 
-/// A search of Lanczos' finds one copy of an eigenvalue; these have hundreds of zero, which one block finds.
+/// A Lanczos iteration finds one copy of an eigenvalue. Here hundreds of eigenvalues are zero; a block
+/// iteration finds them together.
 TEST(LowestEigenpairs, OfHundredsOfMechanismsAreFoundAtOnce) {
   constexpr int kCopies = 300;
   const Eigen::SparseMatrix<double> nothing(10 * kCopies, 0);
@@ -55,7 +56,7 @@ TEST(LowestEigenpairs, OfHundredsOfMechanismsAreFoundAtOnce) {
   EXPECT_TRUE(some.complete);
   expect_eigenpairs(factor, some);
   EXPECT_LT(some.values.cwiseAbs().maxCoeff(), 1e-14);
-  // Beyond a few of them the next eigenvalues follow.
+  // Here only five eigenvalues are zero, and others follow.
   SymmetricFactor few;
   few.set_matrix(rings(100, 5));
   const Eigenpairs all = lowest_eigenpairs(few, Eigen::SparseMatrix<double>(500, 0), 12);

@@ -5,7 +5,8 @@
 namespace floc {
 namespace {
 
-/// Springs of unit stiffness from each of n masses to the next and of stiffness `ground` to the ground.
+/// Returns the stiffness matrix of a chain of n masses, with unit springs between neighbours and springs of
+/// stiffness `ground` to the ground.
 Eigen::SparseMatrix<double> chain(int n, double ground) {
   Eigen::SparseMatrix<double> lower(n, n);
   for (int k = 0; k < n; ++k) {
@@ -21,7 +22,8 @@ TEST(SingleFactor, SolvesToTheDigitsOfSinglePrecision) {
   ASSERT_TRUE(factor.positive());
   const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(50, -1.0, 1.0);
   const Eigen::VectorXd b = a.selfadjointView<Eigen::Lower>() * x;
-  // The condition number is 5, a unit of rounding 6e-8, the shift 1e-6 of a smallest eigenvalue of 1.
+  // The condition number is 5, the rounding unit 6e-8, and the shift 1e-6 of the smallest eigenvalue, which is
+  // 1.
   EXPECT_LT((factor.solve(b) - x).lpNorm<Eigen::Infinity>(), 5e-6);
 }
 
@@ -34,7 +36,7 @@ TEST(SingleFactor, DoesNotLoseForcesBelowTheRangeOfSinglePrecision) {
 }
 
 TEST(SingleFactor, ShiftsWhatRoundingMakesIndefiniteAndSaysSo) {
-  // Ends free: a translation costs nothing, and rounding decides the sign of its pivot.
+  // Both ends of the chain are free. A translation needs no energy, so rounding decides the sign of its pivot.
   Eigen::SparseMatrix<double> free = chain(50, 0.0);
   free.coeffRef(0, 0) = free.coeffRef(49, 49) = 1.0;
   const SingleFactor factor(free);

@@ -15,7 +15,8 @@
 namespace floc {
 namespace {
 
-/// Lower triangle of the chain matrix: 2 on the diagonal, -1 beside it. Eigenvalues 2 - 2 cos(k pi/(n+1)).
+/// Returns the lower triangle of the chain matrix, 2 on the diagonal and -1 beside it. Its eigenvalues are 2 -
+/// 2 cos(k pi/(n+1)).
 Eigen::SparseMatrix<double> chain(int n) {
   std::vector<Eigen::Triplet<double>> t;
   for (int i = 0; i < n; ++i) {
@@ -27,7 +28,7 @@ Eigen::SparseMatrix<double> chain(int n) {
   return m;
 }
 
-/// The chain closed to a ring: the constant vector is its null space.
+/// Returns the chain closed to a ring, whose null space is the constant vector.
 Eigen::SparseMatrix<double> ring(int n) {
   Eigen::SparseMatrix<double> m = chain(n);
   m.coeffRef(n - 1, 0) = -1.0;
@@ -39,13 +40,13 @@ TEST(SymmetricFactor, PredictsWhatItsFactorTakes) {
   SymmetricFactor factor;
   factor.set_matrix(Eigen::MatrixXd::Ones(n, n).sparseView());
   const FactorCost dense = factor.predicted_cost();
-  EXPECT_GE(dense.bytes, 8.0 * n * (n + 1) / 2);  // a full triangle
+  EXPECT_GE(dense.bytes, 8.0 * n * (n + 1) / 2);  // the factor is a full triangle
   EXPECT_LE(dense.bytes, 8.0 * n * n);
   EXPECT_NEAR(dense.operations, n * n * n / 3.0, 0.02 * dense.operations);
   factor.set_matrix(chain(n));
   EXPECT_LT(factor.predicted_cost().operations, 10.0 * n);
-  ASSERT_TRUE(factor.factorize_positive());            // from the same analysis
-  EXPECT_EQ(factor.count_eigenvalues_below(1.0), 66);  // k pi/201 < pi/3
+  ASSERT_TRUE(factor.factorize_positive());            // uses the same symbolic analysis
+  EXPECT_EQ(factor.count_eigenvalues_below(1.0), 66);  // those with k pi/201 < pi/3
 }
 
 TEST(SymmetricFactor, SolvesWithEitherOrderingAndEitherFactor) {
@@ -55,7 +56,7 @@ TEST(SymmetricFactor, SolvesWithEitherOrderingAndEitherFactor) {
     factor.set_matrix(chain(60));
     const Eigen::MatrixXd B = factor.multiply(X);
     ASSERT_TRUE(factor.factorize_positive());
-    // Condition number 1.5e3 times rounding.
+    // The condition number of 1.5e3 amplifies rounding errors.
     EXPECT_LT((factor.solve(B) - X).norm(), 1e-12);
     ASSERT_TRUE(factor.factorize_indefinite());
     EXPECT_LT((factor.solve(B) - X).norm(), 1e-12);
@@ -79,7 +80,7 @@ TEST(SymmetricFactor, TakesAnotherMatrixOfTheSamePatternOrOfAnother) {
 TEST(SymmetricFactor, OrdersUnknownsByTheirGroups) {
   constexpr int n = 60;
   std::vector<int> group(n);
-  for (int u = 0; u < n; ++u) group[u] = u / 3 + (u > 30 ? 2 : 0);  // numbers may be left out
+  for (int u = 0; u < n; ++u) group[u] = u / 3 + (u > 30 ? 2 : 0);  // group numbers may have gaps
   const Eigen::MatrixXd X = Eigen::MatrixXd::Random(n, 1);
   for (const Ordering ordering : {Ordering::amd, Ordering::metis}) {
     SymmetricFactor factor(ordering);
@@ -100,7 +101,8 @@ TEST(SymmetricFactor, CountsEigenvaluesBelowABound) {
   EXPECT_EQ(factor.count_eigenvalues_below(4.0), n);
 }
 
-/// Lower triangle of a band of blocks, with some long connections, whose signs are as they come.
+/// Returns the lower triangle of a band matrix with a few entries far from the diagonal. Its diagonal has
+/// random signs. @param positive_share  probability of a positive diagonal entry
 Eigen::SparseMatrix<double> any_signs(int n, double positive_share, std::mt19937& engine) {
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   std::vector<Eigen::Triplet<double>> t;
@@ -133,7 +135,7 @@ TEST(SymmetricFactor, CountsAndSolvesWhateverTheSigns) {
               << n << " " << bound;
         const Eigen::MatrixXd X = Eigen::MatrixXd::Random(n, 2);
         ASSERT_TRUE(factor.factorize_indefinite(0.3));
-        // Growth of the elimination, which has no pivoting, times rounding.
+        // Without pivoting, the growth of entries amplifies rounding errors.
         EXPECT_LT((factor.solve(factor.multiply(X) + 0.3 * X, 0) - X).norm(), 1e-8)
             << n << " " << positive_share;
         EXPECT_EQ(factor.factorize_positive(), (values.array() > 0.0).all());
@@ -173,7 +175,7 @@ TEST(SymmetricFactor, ASmallShiftSolvesASingularSystemOnItsRange) {
   ASSERT_TRUE(factor.factorize_positive(1e-10));
   Eigen::MatrixXd found = factor.solve(B, 20);
   found.array() -= found.mean();
-  // Rounding puts about 1e-16/1e-10 along the null vector, which is removed with the mean.
+  // Rounding adds about 1e-16/1e-10 of the null vector; subtracting the mean removes it.
   EXPECT_LT((found - X).norm(), 1e-9);
   EXPECT_LT((factor.multiply(found) - B).norm(), 1e-12);
   EXPECT_EQ(factor.count_eigenvalues_below(1e-12), 1);

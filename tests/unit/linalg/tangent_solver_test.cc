@@ -12,8 +12,9 @@ namespace {
 
 constexpr TangentLayout kLayout{3, 2};
 
-/// A ring of grains of three unknowns each, bound to their neighbours and to two unknowns of a boundary.
-/// @param skew      how unsymmetric it is
+/// Returns the matrix of a ring of grains with three unknowns each, coupled to their neighbours and to two
+/// unknowns of a boundary.
+/// @param skew      size of the antisymmetric part
 /// @param diagonal  stiffness that holds each unknown in place
 Eigen::SparseMatrix<double> ring_of_grains(int n_grains, double skew, double diagonal) {
   std::mt19937 engine(4);
@@ -50,8 +51,8 @@ TEST(TangentSolver, SolvesByEachMethod) {
   }
 }
 
-/// The factor of the first serves for the second. For the third, whose rows and columns are scaled, a new one is
-/// made.
+/// The factorization of the first matrix can be used for the second one. The third one has scaled rows and
+/// columns and needs a new factorization.
 TEST(TangentSolver, KeepsAFactorWhileItServes) {
   TangentSolver solver({TangentMethod::cholesky, 0.0, false}, kLayout);
   const Eigen::SparseMatrix<double> first = ring_of_grains(400, 0.3, 1.0);
@@ -73,7 +74,7 @@ TEST(TangentSolver, SaysThatItHasNoSolution) {
     EXPECT_FALSE(TangentSolver({method}, kLayout).set_matrix(matrix));
 }
 
-/// So unsymmetric that nothing is gained by the symmetric part, a handful of steps after the other.
+/// The matrix is so unsymmetric that a factorization of its symmetric part does not help the iteration.
 TEST(TangentSolver, TakesAFactorWhereTheIterationDoesNotConverge) {
   const Eigen::SparseMatrix<double> matrix = ring_of_grains(400, 1e3, 1.0);
   const Eigen::VectorXd expected = Eigen::VectorXd::Random(matrix.rows());
@@ -90,7 +91,7 @@ TEST(TangentSolver, TakesAFactorWhereTheIterationDoesNotConverge) {
   }
 }
 
-/// A ring has a factor almost without fill.
+/// Factors of a ring have hardly any fill-in.
 TEST(TangentSolver, PlansAFactorWhereItIsCheap) {
   EXPECT_EQ(plan_tangent(ring_of_grains(300, 0.3, 1.0), kLayout).method, TangentMethod::lu);
   const auto seconds = [](int n) { return plan_tangent(ring_of_grains(n, 0.3, 1.0), kLayout).seconds; };

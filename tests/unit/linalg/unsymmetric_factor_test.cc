@@ -26,7 +26,7 @@ TEST(UnsymmetricFactor, SolvesToRounding) {
   const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(20, -1.0, 2.0);
   UnsymmetricFactor factor;
   ASSERT_TRUE(factor.factorize(m));
-  // The condition number is below 2, so an error beyond a few units of rounding would be a wrong solver.
+  // The condition number is below 2, so only a wrong solver has errors above a few rounding units.
   EXPECT_LT((factor.solve(m * x) - x).norm(), 1e-14);
 }
 

@@ -22,8 +22,8 @@ AxisLoad strain(double end) {
 TEST(LoadTarget, CountsFromTheStartOfItsTurn) {
   const StageReference turn{"axes", 1, {2.0, 3.0, 4.0}, {1.0, 0.0, 5.0}};
   const LoadTarget<3> half = load_target<3>({{stress(4.0), 0.5}, {stress(4.0), 0.5}, {strain(0.2), 0.5}}, turn);
-  EXPECT_DOUBLE_EQ(half.stress[0], 2.0);  // by equal factors
-  EXPECT_DOUBLE_EQ(half.stress[1], 2.0);  // from zero by equal differences
+  EXPECT_DOUBLE_EQ(half.stress[0], 2.0);  // geometric mean, since both stresses are positive
+  EXPECT_DOUBLE_EQ(half.stress[1], 2.0);  // arithmetic mean, since the path starts at zero
   EXPECT_DOUBLE_EQ(half.side[2], 4.0 * std::exp(-0.1));
   EXPECT_TRUE(half.strained(2) && !half.strained(0) && !half.strained(1));
   const LoadTarget<3> end =
@@ -88,7 +88,7 @@ steps = 2
     EXPECT_EQ(sides(states[k])[0], sides(states[0])[0]);
     EXPECT_EQ(states[k].target_side, Vec<2>(sides(states[0])[0], 0.0));
     EXPECT_NEAR(states[k].stress(1, 1), std::pow(2.0, 0.5 * k), 1e-4);
-    EXPECT_EQ(states[k].target_stress[0], states[k].stress(0, 0));  // stress on the fixed axis
+    EXPECT_EQ(states[k].target_stress[0], states[k].stress(0, 0));  // stress on the axis of fixed length
   }
   const double kept = states[2].target_stress[1];
   EXPECT_EQ(kept, 2.0);
@@ -102,7 +102,7 @@ steps = 2
   EXPECT_TRUE(states[7].target_side.isZero(0.0));
 }
 
-/// Beyond what Newton steps go at once, also where the packing before was one that they take.
+/// The strain step is too large for Newton steps, even if they solved the step before.
 TEST(DirectedPath, LargeStrainsOfOneStepAreImposed) {
   const auto states = states_of("[[load]]\ncontrol = \"triaxial\"\nstrain = 0.08\nsteps = 1\n");
   ASSERT_EQ(states.size(), 2u);
@@ -110,7 +110,7 @@ TEST(DirectedPath, LargeStrainsOfOneStepAreImposed) {
   EXPECT_GT(states[1].path.n_steps, states[0].path.n_steps);
 }
 
-/// Twelve steps of a shear so large that the lattice is reduced on the way.
+/// Shears the sample in twelve steps so far that the tilt of the lattice has to be reduced.
 TEST(DirectedPath, ASimpleShearGoesOnWhileItsLatticeIsReduced) {
   const auto states = states_of("[[load]]\ncontrol = \"simple_shear\"\nstrain = 1.2\nsteps = 12\n");
   ASSERT_EQ(states.size(), 13u);
@@ -141,7 +141,8 @@ double energy(const State<2>& state) {
   return elastic_energy_per_grain(state.packing) * state.packing.grains.size();
 }
 
-/// The work of the boundary over a step is at least what the contacts store more: friction takes the rest.
+/// In each step, the work of the boundary is at least the increase of stored energy, because friction
+/// dissipates the rest.
 TEST(DirectedPath, DissipatesAndNeverGains) {
   const auto states = states_of("[[load]]\ncontrol = \"triaxial\"\nstrain = 0.02\nstrain_step = 1e-3\n");
   ASSERT_EQ(states.size(), 21u);
@@ -154,8 +155,8 @@ TEST(DirectedPath, DissipatesAndNeverGains) {
               (from.stress(a, a) * from.packing.cell.volume() + to.stress(a, a) * to.packing.cell.volume()) *
               std::log(sides(from)[a] / sides(to)[a]);
     const double dissipated = work - (energy(to) - energy(from));
-    // A path that breaks down between the two states is not the chord: what a step dissipates is known to
-    // the change of stress within it.
+    // The work is computed with the mean stress of the two states. If the stress collapses in between, the
+    // error of the work is up to the change of stress.
     const double open = 0.5 * (to.stress - from.stress).cwiseAbs().maxCoeff() * 1e-3 * to.packing.cell.volume();
     EXPECT_GT(dissipated, -open) << k;
     total += dissipated;

@@ -66,7 +66,7 @@ TEST(PlanRun, RefusesChangesThatTheLawHasNoPlaceFor) {
       testing::ThrowsMessage<InputError>(HasSubstr("contact.friction.stiffness = -1: must be positive")));
 }
 
-/// A driven axis, the last, and others that keep their length.
+/// Returns a stage that drives the last axis while the other axes keep their length.
 LoadStage oedometric(int n_axes) {
   LoadStage stage;
   stage.name = "load";

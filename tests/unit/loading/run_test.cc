@@ -14,7 +14,7 @@
 namespace floc {
 namespace {
 
-/// A run that holds its first pressure and takes the adhesion away.
+/// Returns options of a run that keeps its first pressure and removes the adhesion.
 RunOptions losing_adhesion() {
   RunOptions options;
   options.law = test::cohesive_law();
@@ -54,7 +54,7 @@ void expect_measured(const State<2>& state) {
   EXPECT_EQ(state.residuals.energy, r.energy);
 }
 
-/// The measures of an equilibrium that the relaxer computed are not computed again, and agree with the state.
+/// Quantities that the relaxer computed for an equilibrium are reused in its state, and agree with the state.
 TEST(Run, StatesCarryWhatWasMeasuredOfThem) {
   for (const Finish finish : {Finish::automatic, Finish::dynamic}) {
     RunOptions options = losing_adhesion();
@@ -85,7 +85,8 @@ TEST(Run, StatesCarryWhatWasMeasuredOfThem) {
   }
 }
 
-/// Root mean square of the speeds that a run from a saved packing of disks up to a = m = 1 begins with.
+/// Returns the root mean square speed at the start of a run from a saved packing of disks with diameters up to
+/// a = 1 and m = 1.
 double starting_speed(const Law& law, double agitation, double pressure) {
   RunOptions options;
   options.law = law;

@@ -19,14 +19,14 @@ Grains<Dim> random_grains(int n, const Cell<Dim>& cell, double largest_radius, s
   RandomStream random(seed, 1);
   for (int i = 0; i < n; ++i) {
     Vec<Dim> s;
-    for (int a = 0; a < Dim; ++a) s[a] = random.uniform(-1.0, 2.0);  // outside the cell too
+    for (int a = 0; a < Dim; ++a) s[a] = random.uniform(-1.0, 2.0);  // also outside the cell
     grains.position[i] = cell.matrix.transpose() * s;
     grains.radius[i] = random.uniform(0.3, 1.0) * largest_radius;
   }
   return grains;
 }
 
-/// Every pair by trying all images within `reach` cells: slow, and without any of the code under test.
+/// Finds all pairs by testing all images within `reach` cells. This is slow and independent of the tested code.
 template <int Dim>
 std::vector<NeighborPair<Dim>> by_brute_force(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap,
                                               int reach) {
@@ -38,7 +38,7 @@ std::vector<NeighborPair<Dim>> by_brute_force(const Cell<Dim>& cell, const Grain
       for (int code = 0; code < n_images; ++code) {
         Vec<Dim, int> image;
         for (int a = Dim - 1, rest = code; a >= 0; --a, rest /= per_axis) image[a] = rest % per_axis - reach;
-        // Of a grain's own images one of each two opposite ones: those in the upper half of the codes.
+        // Of two opposite images of one grain, only the image whose code is in the upper half counts.
         if (i == j && code <= n_images / 2) continue;
         const Vec<Dim> r = grains.position[j] + cell.shift(image) - grains.position[i];
         if (r.norm() < grains.radius[i] + grains.radius[j] + gap) found.push_back({i, j, image});
@@ -46,7 +46,8 @@ std::vector<NeighborPair<Dim>> by_brute_force(const Cell<Dim>& cell, const Grain
   return found;
 }
 
-/// A radius of each factor of two up to `ratio`, in turn: every level of the search has some.
+/// Returns grains whose radii are distributed evenly in ln r from largest_radius/ratio to largest_radius, so
+/// that every level of the search has grains.
 template <int Dim>
 Grains<Dim> grains_of_sizes(int n, const Cell<Dim>& cell, double largest_radius, double ratio) {
   Grains<Dim> grains = random_grains(n, cell, largest_radius, 7);
@@ -117,7 +118,7 @@ TEST(Pairs, OfPointsBesideAGrainAreFound) {
 }
 
 TEST(Pairs, OfOneGrainAThousandTimesAsLargeAsManyAreFound) {
-  // All in one bin of the large one: 3e9 trials where sizes are not told apart.
+  // All small grains are in reach of the large one. A search with a single grid would test 3e9 pairs.
   constexpr int kSmall = 50000;
   Cell<2> cell;
   cell.matrix *= 2.0;
@@ -157,7 +158,8 @@ TEST(Pairs, RefuseValuesThatAreNotFinite) {
 }
 
 TEST(Pairs, OfMoreThanAThousandNeighboursAGrainAreRefused) {
-  // One disk in a cell of side 1 meets the half of pi 100^2 images of itself: 15 700, of at most 10 000 + 1000.
+  // One disk in a cell of side 1 meets half of the pi 100^2 images of itself, about 15 700 pairs. The limit is
+  // 10 000 + 1000.
   Grains<2> grains = Grains<2>::with_size(1);
   grains.radius[0] = 50.0;
   EXPECT_THAT(
@@ -194,7 +196,7 @@ TEST(SpaceOrder, OfManySpheresHasNeighboursWithinAFewLayers) {
   EXPECT_THAT(place, testing::Each(testing::Ge(0)));
   int furthest = 0, n_pairs = 0;
   for (const NeighborPair<3>& pair : find_pairs(cell, grains, 0.0)) {
-    if (!pair.image.isZero()) continue;  // across the boundary, where the order begins anew
+    if (!pair.image.isZero()) continue;  // across the boundary the order starts again
     furthest = std::max(furthest, std::abs(place[pair.i] - place[pair.j]));
     ++n_pairs;
   }

@@ -23,7 +23,7 @@ Law wet_law(double water, const std::string& formation = "gap") {
   return law;
 }
 
-/// The rule over every pair of grains within half a cell, however far apart.
+/// Applies the rule to every pair of grains within half a cell and returns the number of bridges.
 template <int Dim>
 int bonds_over_all_pairs(const Packing<Dim>& packing, double reach) {
   std::vector<BridgeablePair> pairs;
@@ -111,7 +111,7 @@ TEST(SpreadLiquid, BridgesThatFormOnContactNeedOne) {
   EXPECT_EQ(n_distant, 0);
   EXPECT_EQ(count_bonds(packing), static_cast<int>(packing.contacts.size()));
   EXPECT_LT(packing.contacts.size(), across.contacts.size());
-  // Apart, bridges stay until their reach.
+  // When the grains separate, bridges remain until their rupture distance.
   packing.cell.matrix *= 1.05;
   for (Vec<3>& x : packing.grains.position) x *= 1.05;
   refresh_contacts(packing);

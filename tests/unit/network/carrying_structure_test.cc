@@ -12,7 +12,7 @@ using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::SizeIs;
 
-/// Grains joined by contacts of given normal forces.
+/// Two grains joined by a contact with a given normal force.
 struct Bond {
   int i, j;
   double force;
@@ -30,7 +30,8 @@ Packing<3> bonded(int n, const std::vector<Bond>& bonds) {
 }
 
 TEST(CarryingStructure, LeavesOutWhatHangsOnWeakContacts) {
-  // A ring of three; 3 hangs on it by a strong contact and a weak one, 4 on 3.
+  // Grains 0 to 2 form a ring. Grain 3 is attached to it by a strong and a weak contact, and grain 4 to grain
+  // 3.
   const Packing<3> packing =
       bonded(5, {{0, 1, 1.0}, {1, 2, -1.0}, {0, 2, 1.0}, {2, 3, 1.0}, {1, 3, 1e-3}, {3, 4, 1.0}});
   const CarryingStructure held = carrying_structure(packing, 1e-2, 2);
@@ -38,7 +39,7 @@ TEST(CarryingStructure, LeavesOutWhatHangsOnWeakContacts) {
   EXPECT_THAT(held.contacts, ElementsAre(0, 1, 2));
   EXPECT_THAT(held.degree, ElementsAre(2, 2, 2, 0, 0));
   EXPECT_EQ(held.n_held(), 3);
-  // A weaker force carries too: 3 then has two contacts beside that of 4.
+  // With a lower threshold the weak contact carries too, so that grain 3 is held by two contacts.
   EXPECT_THAT(carrying_structure(packing, 1e-4, 2).contacts, ElementsAre(0, 1, 2, 3, 4));
 }
 

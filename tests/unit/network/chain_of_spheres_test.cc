@@ -14,7 +14,7 @@ namespace {
 constexpr double kR = 0.5;
 constexpr double kN = 3.0, kT = 2.0, kRolling = 0.7, kTwisting = 0.3;
 
-/// n spheres on a line along x, in a cell in which they touch nothing else.
+/// Returns n spheres on a line along x, in a cell in which they have no other contacts.
 Packing<3> straight_chain(int n) {
   Packing<3> packing;
   packing.law = test::elastic_law(kN, kT, kRolling);
@@ -30,7 +30,7 @@ Packing<3> straight_chain(int n) {
   return packing;
 }
 
-/// Compliance of the last sphere, the first held: its motion by the forces and moments on it.
+/// Returns the compliance of the last sphere with the first one fixed: its motion under forces and moments.
 Eigen::Matrix<double, 6, 6> end_compliance(int n) {
   const ContactNetwork<3> network = contact_network(straight_chain(n));
   EXPECT_EQ(static_cast<int>(network.contacts.size()), n - 1);
@@ -49,7 +49,8 @@ TEST(ChainOfSpheres, TwistsBendsAndShearsAsSpringsInSeries) {
     EXPECT_NEAR(c(0, 0), (n - 1) / kN, 1e-11 * n);
     EXPECT_NEAR(c(3, 3), (n - 1) / kTwisting, 1e-11 * n);
     for (const int axis : {4, 5}) EXPECT_NEAR(c(axis, axis), (n - 1) / kRolling, 1e-10 * n);
-    // Across it, by a force through its middle: without a moment there, the ends do not turn against each other.
+    // A transverse force acts at the middle of the chain, so that it exerts no moment there and the ends do not
+    // rotate relative to each other.
     for (const auto& [along, about, sign] : {std::tuple(1, 5, 1.0), std::tuple(2, 4, -1.0)}) {
       Eigen::Matrix<double, 6, 1> middle = Eigen::Matrix<double, 6, 1>::Zero();
       middle[along] = 1.0;

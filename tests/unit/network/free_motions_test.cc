@@ -63,7 +63,7 @@ TEST(FreeMotions, ColumnOfSpheresKeepsItsTurnAboutItsOwnAxis) {
 }
 
 TEST(FreeMotions, BranchesAndTreesAreDeadEnds) {
-  // A chain across the cell with a side branch of two disks, and a dimer apart.
+  // A chain across the cell with a side branch of two disks, a separate pair and a single disk.
   Packing<2> packing = test::chain_across(6, 1.0, 8.0, test::elastic_law(1.0, 0.5, 0.0));
   for (const Vec<2>& x : {Vec<2>(2, 1), Vec<2>(2, 2), Vec<2>(4, 4), Vec<2>(4, 5), Vec<2>(1, 5)}) {
     packing.grains.position.push_back(x);
@@ -73,20 +73,20 @@ TEST(FreeMotions, BranchesAndTreesAreDeadEnds) {
   find_contacts(packing);
   const FreeMotions free = find_free_motions(contact_network(packing));
   EXPECT_EQ(std::count(free.dead_end.begin(), free.dead_end.end(), true), 3);
-  EXPECT_EQ(free.n_alone, 2);  // the disk apart and what is left of the dimer
+  EXPECT_EQ(free.n_alone, 2);  // the single disk, and one disk of the pair
   EXPECT_EQ(free.n_free_rollers, 3);
   EXPECT_EQ(free.n_components, 1);
   EXPECT_EQ(n_kept(free), 6 * 3 - 2);
 }
 
-/// Free motions of a network: independent, and of no energy. Returns how many.
+/// Checks that the free motions of a network are independent and need no energy. Returns their number.
 template <int Dim>
 int expect_modes_of_no_energy(const ContactNetwork<Dim>& network) {
   const FreeMotions free = find_free_motions(network);
   const StiffnessMatrix k = stiffness_matrix(network, {});
   const int n = network.n_unknowns();
   const Eigen::MatrixXd grains = Eigen::MatrixXd(k.whole()).topLeftCorner(n, n);
-  // Rounding of sums of a few terms of order one; motions of long dead ends reach some 10.
+  // Sums of a few terms of order one have rounding errors; motions of long dead ends are about 10 times larger.
   if (free.modes.cols() > 0) {
     EXPECT_LT((grains * free.modes).cwiseAbs().maxCoeff(), 1e-12);
   }
@@ -133,11 +133,11 @@ TEST(FreeMotions, LeaveOnlyMechanismsOutWithFewerStiffnesses) {
         EXPECT_LE(in_3d, dense_nullity(spheres)) << "seed " << seed;
         n_equal += (in_2d == dense_nullity(disks)) + (in_3d == dense_nullity(spheres));
       }
-  EXPECT_GT(n_equal, 200);  // of 540
+  EXPECT_GT(n_equal, 200);  // of 540 networks
 }
 
 TEST(FreeMotions, SphereBetweenTwoContactsSpinsAboutTheLineThroughThem) {
-  // A zigzag column of spheres that winds around the cell.
+  // A zigzag column of two spheres across the periodic cell.
   Packing<3> packing;
   packing.law = test::elastic_law(1.0, 0.5, 0.0);
   packing.cell.matrix = Vec<3>(4.0, 4.0, 2.0 * std::sqrt(0.75)).asDiagonal();
@@ -150,7 +150,7 @@ TEST(FreeMotions, SphereBetweenTwoContactsSpinsAboutTheLineThroughThem) {
   EXPECT_EQ(free.count(FreeMotionKind::spin), 2);
   EXPECT_EQ(free.count(FreeMotionKind::translation), 3);
   expect_modes_of_no_energy(zigzag);
-  // Straight, its turn about its own axis is the spins of its spheres.
+  // In a straight column, a rotation about its axis is a sum of the spins of its spheres.
   packing.grains.position[1] = Vec<3>(1.0, 1.0, 1.0);
   packing.cell.matrix(2, 2) = 2.0;
   find_contacts(packing);
@@ -172,8 +172,8 @@ TEST(Rattlers, OfACohesivePackingAreAlone) {
 
 TEST(Rattlers, OfACohesionlessPackingCarryNothingOrHangOnOneContact) {
   Packing<2> packing = test::chain_across(4, 1.0, 4.0, test::elastic_law(1.0, 0.5, 0.0));
-  // One disk leans on the chain with two contacts of hardly any force, one on that disk, one on the chain with
-  // force.
+  // One disk leans on two disks of the chain with almost no force. A second disk touches only the first one. A
+  // third one touches the chain at one contact with a force.
   const double lean = std::sqrt(1.02 * 1.02 - 0.25) - 1e-9;
   for (const Vec<2>& x : {Vec<2>(0.5, lean), Vec<2>(0.5, lean + 1.0), Vec<2>(3.0, -1.0)}) {
     packing.grains.position.push_back(x);

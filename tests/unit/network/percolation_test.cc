@@ -32,7 +32,7 @@ TEST(Percolation, OfALatticeIsWhole) {
   EXPECT_EQ(count(p.dead_end), 0);
 }
 
-/// A ring that n contacts close, each of them `cells` cells further along x.
+/// Returns a ring of n contacts, each of which leads `cells` cells further along x.
 ContactNetwork<2> ring_around_cells(int n, int cells) {
   ContactNetwork<2> network =
       contact_network(test::chain_across(n, 1.0, 9.0, test::elastic_law(1.0, 0.5, 0.1)));
@@ -40,7 +40,7 @@ ContactNetwork<2> ring_around_cells(int n, int cells) {
   return network;
 }
 
-/// Eight images of 2^29 are 2^32 cells, which an int takes for none.
+/// The eight images of 2^29 cells add up to 2^32 cells, which overflows to 0 in an int.
 TEST(Percolation, AddsUpImagesThatAnIntDoesNotHold) {
   const ContactNetwork<2> network = ring_around_cells(8, 1 << 29);
   const Percolation p = find_percolation(network);
@@ -63,8 +63,8 @@ TEST(Percolation, RefusesWaysAroundThatNoContactsTake) {
 }
 
 TEST(Percolation, LeavesOutWhatHangsOnOneGrain) {
-  // A chain of 8 across the cell; a triangle stands on one of its disks, a chain of two on another, and a
-  // detour of three disks joins two of them.
+  // A chain of 8 disks across the cell. On disk 1 stands a branch of two disks, on disk 3 another one, and a
+  // detour of three disks connects disks 5 and 7.
   Packing<2> packing = test::chain_across(8, 1.0, 9.0, test::elastic_law(1.0, 0.5, 0.0));
   add_grains(packing, {{1.0 - 0.5, std::sqrt(0.75)}, {1.0 + 0.5, 1.0 + 0.8}, {3, -1}, {3, -2}});
   packing.grains.position[9] = {0.5, 1.0 + std::sqrt(0.75)};
@@ -98,8 +98,8 @@ TEST(Percolation, OfGrainsInAClusterIsNone) {
   EXPECT_EQ(count(p.dead_end), 3);
 }
 
-/// Currents of a network of random conductances in random gradients along the lattice vectors, by a dense
-/// solution.
+/// Returns the currents in a network of random conductances under random gradients along the lattice vectors,
+/// from a dense solution.
 template <int Dim>
 Eigen::VectorXd currents(const ContactNetwork<Dim>& network, unsigned seed) {
   std::mt19937 engine(seed);
@@ -128,7 +128,7 @@ int expect_backbone_conducts(int n_grains, double density, unsigned seed) {
   if (network.contacts.empty()) return 0;
   const Eigen::VectorXd current = currents(network, seed);
   for (int c = 0; c < current.size(); ++c) {
-    // Small currents are real down to some 1e-7 in networks this small; rounding leaves 1e-15.
+    // In networks this small, real currents are at least about 1e-7; rounding errors are about 1e-15.
     EXPECT_EQ(p.scalar_backbone[c], std::abs(current[c]) > 1e-11) << "seed " << seed << " contact " << c;
     EXPECT_FALSE(p.scalar_backbone[c] && p.dead_end[c]);
   }

@@ -13,9 +13,9 @@
 namespace floc {
 namespace {
 
-/// The packing after a displacement of its unknowns: fluctuations and rotations of the grains, then strains
-/// (shortening positive). Springs, unstretched before, follow the linear kinematics of docs/physics.md,
-/// "Stiffness matrix", written out here.
+/// Returns the packing after a displacement of its unknowns: fluctuations and rotations of the grains, then
+/// strains (shortening positive). The springs, initially unstretched, follow the linear kinematics of
+/// docs/physics.md, "Stiffness matrix", implemented here independently.
 template <int Dim>
 Packing<Dim> displaced(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
   const int n = packing.grains.size();
@@ -46,8 +46,9 @@ Packing<Dim> displaced(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
   return out;
 }
 
-/// Load that holds the packing: force and moment on every grain, and what does work on the strains, the forces
-/// times the branches of the reference packing (volume times stress if that is the packing itself).
+/// Returns the generalised forces that hold the packing: force and moment on every grain, then for each strain
+/// the sum of forces times the branches of the reference packing. For the packing itself these sums are the
+/// volume times the stress.
 template <int Dim>
 Eigen::VectorXd load(const Packing<Dim>& packing, const Packing<Dim>& reference, StrainSet strains) {
   const int n = packing.grains.size();
@@ -80,7 +81,8 @@ double difference_error(const Packing<Dim>& packing, StrainSet strains) {
   return (differences - k).cwiseAbs().maxCoeff() / k.cwiseAbs().maxCoeff();
 }
 
-/// Truncation is (step/r)^2 = 1e-10 and rounding 1e-16/step = 1e-11 of the largest entry.
+/// The truncation error is (step/r)^2 = 1e-10, the rounding error 1e-16/step = 1e-11, relative to the largest
+/// entry.
 constexpr double kDifferenceTolerance = 1e-8;
 
 Law cohesive_law() {
@@ -106,7 +108,7 @@ TEST(Stiffness, IsTheDerivativeOfTheForcesIn3D) {
   }
 }
 
-/// Of liquid bridges, whose volumes are held.
+/// Checks the stiffness of liquid bridges at constant volume of each bridge.
 template <int Dim>
 void expect_derivative_of_bridges(const std::string& form) {
   Law law = test::elastic_law(1.0, 0.7, 0.0);
@@ -116,7 +118,8 @@ void expect_derivative_of_bridges(const std::string& form) {
     EXPECT_GT(std::count_if(packing.contacts.begin(), packing.contacts.end(),
                             [](const auto& c) { return c.distant && c.kn < 0.0; }),
               2);
-    // A bridge varies over a tenth of what a branch does, and its truncation is a hundred times larger.
+    // The force of a bridge decays over a tenth of a branch length, so the truncation error is a hundred times
+    // larger.
     EXPECT_LT(difference_error(packing, StrainSet::full), 100.0 * kDifferenceTolerance) << "seed " << seed;
   }
 }
@@ -141,7 +144,7 @@ TEST(Stiffness, HoldsForGrainsThatTouchTheirOwnImages) {
   EXPECT_LT(difference_error(three, StrainSet::full), kDifferenceTolerance);
 }
 
-/// A law one term of which outweighs the others, so that the largest entries of K are its own.
+/// Laws in which one term is much larger than the others, so that the largest entries of K come from this term.
 std::vector<Law> laws_by_term() {
   Law tails = test::elastic_law(1.0, 0.7, 0.05);
   tails += test::tail_adhesion(8.0, 0.08);  // F0/D0 = 100
@@ -164,7 +167,7 @@ TEST(Stiffness, IsTheDerivativeOfTheForcesOfSpheresThatResistTwisting) {
     EXPECT_LT(difference_error(test::random_packing<3>(8, 7, law), StrainSet::full), kDifferenceTolerance);
 }
 
-/// Every contact once more, as rough grains touch in two places.
+/// Returns the packing with every contact twice, like rough grains that touch at two points.
 template <int Dim>
 Packing<Dim> doubly_in_contact(Packing<Dim> packing) {
   std::vector<Contact<Dim>> twice;
@@ -193,7 +196,7 @@ TEST(Stiffness, OfAGrainWithHigherNumberFirstIsTheSame) {
   }
   const Eigen::MatrixXd k = stiffness_matrix(network, {StrainSet::full, true}).whole();
   const Eigen::MatrixXd same = stiffness_matrix(turned, {StrainSet::full, true}).whole();
-  // Equal products of equal numbers: rounding alone may differ.
+  // Both matrices contain the same products, so they differ only by rounding.
   EXPECT_LT((k - same).cwiseAbs().maxCoeff(), 1e-14);
 }
 
@@ -204,7 +207,7 @@ TEST(Stiffness, IsTheSquareOfTheRigidityMatrix) {
   for (int c = 0; c < static_cast<int>(network.contacts.size()); ++c)
     k.segment<6>(6 * c) = row_stiffness(network.contacts[c]);
   const Eigen::MatrixXd whole = stiffness_matrix(network, {StrainSet::full, false}).whole();
-  // Equal products, summed in another order.
+  // Both matrices contain the same products, summed in another order.
   EXPECT_LT((g.transpose() * k.asDiagonal() * g - whole).cwiseAbs().maxCoeff(), 1e-13);
 }
 

@@ -16,8 +16,8 @@
 namespace floc {
 namespace {
 
-/// Tangential forces and rolling moments up to half as large again as their caps, so that a third of the
-/// contacts slide.
+/// Law under which tangential forces and rolling moments of the springs exceed their limits by up to half, so
+/// that a third of the contacts slide.
 Law sliding_law(int dimension) {
   Law law = test::elastic_law(1.0, 0.7, 0.05);
   law += test::tail_adhesion(0.02, 0.08);
@@ -27,7 +27,7 @@ Law sliding_law(int dimension) {
   return law;
 }
 
-/// Random springs in contacts that touch, up to `reach` times their caps.
+/// Stretches the springs of touching contacts at random, up to `reach` times their limits.
 template <int Dim>
 void stretch(Packing<Dim>& packing, double reach, unsigned seed) {
   std::mt19937 engine(seed);
@@ -65,8 +65,8 @@ double twist_about(const Vec<3>& normal, const RotationVector<3>& rotation) {
   return normal.dot(rotation);
 }
 
-/// The packing after small displacements and rotations (times the radius) of its grains, then symmetric strains
-/// (shortening positive), its contacts carried along.
+/// Returns the packing after small displacements and rotations (times the radius) of its grains, then symmetric
+/// strains (shortening positive). Contacts move with the grains.
 template <int Dim>
 Packing<Dim> carried_along(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
   const int n = packing.grains.size();
@@ -100,7 +100,8 @@ Packing<Dim> carried_along(const Packing<Dim>& packing, const Eigen::VectorXd& u
   return out;
 }
 
-/// Minus the forces on grains, minus the moments on them over their radius, and what does work on the strains.
+/// Returns minus the forces on grains, minus the moments divided by the radius, then for each strain the
+/// conjugate stress times the volume.
 template <int Dim>
 Eigen::VectorXd load(const Packing<Dim>& packing) {
   const int n = packing.grains.size();
@@ -135,8 +136,8 @@ double difference_error(const Packing<Dim>& packing) {
   return (differences - k).cwiseAbs().maxCoeff() / k.cwiseAbs().maxCoeff();
 }
 
-/// Rounding is 1e-16/step = 1e-10 of the largest entry, truncation (step/spring)^2 where the direction of
-/// sliding turns: the shortest springs at their cap are a thousandth.
+/// The rounding error is 1e-16/step = 1e-10, relative to the largest entry. The truncation error is
+/// (step/spring)^2 where the direction of sliding rotates; the shortest springs at their limit are about 1e-3.
 constexpr double kTangentTolerance = 1e-7;
 
 template <int Dim>
@@ -177,7 +178,7 @@ TEST(Tangent, HoldsForGrainsThatTouchTheirOwnImages) {
   EXPECT_LT(difference_error(packing), kTangentTolerance);
 }
 
-/// Each contact of a packing by itself, so that no term hides behind a larger one of another contact.
+/// Checks each contact of a packing alone, so that large terms of other contacts cannot hide an error.
 template <int Dim>
 void expect_each_contact(const Packing<Dim>& packing) {
   for (const Contact<Dim>& c : packing.contacts) {
@@ -199,7 +200,8 @@ TEST(Tangent, WithoutTangentialForcesIsTheSymmetricStiffness) {
   EXPECT_LT((k - k.transpose()).topLeftCorner(n, n).cwiseAbs().maxCoeff(), 1e-14);
 }
 
-/// Where no contact slides, the forces on grains have the tangent whose symmetric part stability is judged by.
+/// If no contact slides, the stiffness used for stability is the symmetric part of the tangent of the forces on
+/// grains.
 template <int Dim>
 void expect_symmetric_part(const Packing<Dim>& packing) {
   const ContactNetwork<Dim> network = contact_network(test::at_rest(packing));

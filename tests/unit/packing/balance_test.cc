@@ -5,8 +5,8 @@
 namespace floc {
 namespace {
 
-/// Disks of radii 1 and 0.5 in a cell of 10 x 10 at (1, 1) and (2.4, 1), in contact with an overlap of 0.1,
-/// carrying F_N = 3, a tangential force of 0.5 along +y on the first, and a moment of 0.25 on the first.
+/// Disks of radii 1 and 0.5 at (1, 1) and (2.4, 1) in a cell of 10 x 10, with an overlap of 0.1. The contact
+/// carries F_N = 3; on the first disk act a tangential force of 0.5 along +y and a moment of 0.25.
 Packing<2> two_disks() {
   Packing<2> packing;
   packing.cell.matrix *= 10.0;
@@ -31,15 +31,15 @@ TEST(NetForces, OfOneContactAreThoseComputedByHand) {
   const Balance<2> net = net_forces(two_disks());
   EXPECT_NEAR((net.force[0] - Vec<2>(-3.0, 0.5)).norm(), 0.0, 1e-15);
   EXPECT_NEAR((net.force[1] - Vec<2>(3.0, -0.5)).norm(), 0.0, 1e-15);
-  // Arms l = R r/(Ri + Rj) with r = 1.4: 14/15 and 7/15. The tangential force acts on j downward at its left
-  // side.
+  // The lever arms are l = R r/(Ri + Rj) with r = 1.4: 14/15 and 7/15. The tangential force on disk j points
+  // down at its left side.
   EXPECT_NEAR(net.moment[0][0], 14.0 / 15.0 * 0.5 + 0.25, 1e-15);
   EXPECT_NEAR(net.moment[1][0], 7.0 / 15.0 * 0.5 - 0.25, 1e-15);
 }
 
 TEST(StaticStress, OfOneContactIsForceTimesBranchOverArea) {
   const Mat<2> stress = static_stress(two_disks());
-  // Force on j (3, -0.5), branch (1.4, 0), area 100; compression positive.
+  // The force on disk j is (3, -0.5), the branch (1.4, 0), the area 100. Compression is positive.
   EXPECT_NEAR(stress(0, 0), 3.0 * 1.4 / 100, 1e-16);
   EXPECT_NEAR(stress(1, 0), -0.5 * 1.4 / 100, 1e-16);
   EXPECT_EQ(stress(0, 1), 0.0);
@@ -49,14 +49,15 @@ TEST(StaticStress, OfOneContactIsForceTimesBranchOverArea) {
 TEST(StaticStress, TakesTheBranchThroughTheBoundary) {
   Packing<2> packing = two_disks();
   packing.cell.matrix << 10.0, 0.0, 3.0, 10.0;
-  // The contact again, with its second disk stored one image down along the skewed lattice vector.
+  // This is the contact above, with its second disk stored as an image, one cell below along the skewed lattice
+  // vector.
   packing.grains.position[1] -= Vec<2>(3.0, 10.0);
   packing.contacts[0].image = {0, 1};
   EXPECT_NEAR(static_stress(packing)(0, 0), 3.0 * 1.4 / 100, 1e-16);
 }
 
 TEST(BoundaryStress, IsTheForceAcrossAFaceOverItsArea) {
-  EXPECT_EQ(boundary_stress(two_disks()), Mat<2>(Mat<2>::Zero()));  // both disks inside
+  EXPECT_EQ(boundary_stress(two_disks()), Mat<2>(Mat<2>::Zero()));  // both disks are inside the cell
   Packing<2> packing = two_disks();
   packing.grains.position[0] += Vec<2>(8.0, 0.0);
   packing.grains.position[1] -= Vec<2>(2.0, 0.0);
@@ -101,14 +102,14 @@ TEST(MeanKineticEnergy, CountsTranslationsAndSpins) {
   Packing<2> packing = two_disks();
   packing.grains.velocity[0] = {3.0, 4.0};
   packing.grains.angular_velocity[1][0] = 2.0;
-  // Inertia of a disk m R^2/2 = 0.125.
+  // The moment of inertia of a disk is m R^2/2 = 0.125.
   EXPECT_DOUBLE_EQ(mean_kinetic_energy(packing), (0.5 * 4 * 25 + 0.5 * 0.125 * 4) / 2);
   Packing<3> ball;
   ball.grains = Grains<3>::with_size(1);
   ball.grains.radius = {0.5};
   ball.grains.mass = {10.0};
   ball.grains.angular_velocity[0] = {0.0, 1.0, 2.0};
-  // Inertia of a sphere 2 m R^2/5 = 1.
+  // The moment of inertia of a sphere is 2 m R^2/5 = 1.
   EXPECT_DOUBLE_EQ(mean_kinetic_energy(ball), 2.5);
 }
 

@@ -8,8 +8,8 @@
 namespace floc {
 namespace {
 
-/// Disks of radii 1 and 0.5 with the law K_N = 100, F0 = 2 with a tail of 0.05, K_T = 80, mu = 0.5, K_R = 3,
-/// mu_R = 0.1, the second at `distance` along (0.6, 0.8) through the boundary in x.
+/// Disks of radii 1 and 0.5 with K_N = 100, F0 = 2 with a tail of 0.05, K_T = 80, mu = 0.5, K_R = 3 and mu_R =
+/// 0.1. The second disk is at `distance` from the first along (0.6, 0.8), across the cell boundary in x.
 Packing<2> pair_at(double distance) {
   Packing<2> packing;
   packing.cell.matrix *= 10.0;
@@ -38,11 +38,11 @@ TEST(RefreshContact, RecomputesForcesFromPositionsAndSprings) {
   refresh_contacts(packing);
   ASSERT_EQ(packing.contacts.size(), 1u);
   const Contact<2>& c = packing.contacts[0];
-  // Positions near 10 carry rounding of 2e-15, times K_N.
+  // Positions near 10 have rounding errors of 2e-15, which K_N multiplies.
   EXPECT_NEAR(c.gap, -0.1, 1e-14);
   EXPECT_NEAR((c.normal - Vec<2>(0.6, 0.8)).norm(), 0.0, 1e-14);
   EXPECT_NEAR(c.elastic_force, 10.0, 1e-12);
-  EXPECT_NEAR(c.normal_force, 8.0, 1e-12);  // static: the velocity of grain 0 does not enter
+  EXPECT_NEAR(c.normal_force, 8.0, 1e-12);  // a static force: the velocity of grain 0 has no effect
   EXPECT_NEAR((c.shear_force - 0.8 * Vec<2>(-0.8, 0.6)).norm(), 0.0, 1e-13);
   EXPECT_NEAR(c.rolling_moment[0], 0.06, 1e-15);
   EXPECT_EQ(c.kn, 100.0);

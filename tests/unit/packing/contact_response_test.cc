@@ -43,7 +43,8 @@ struct Touching {
   Mat<Dim> frame;
 };
 
-/// A contact of random direction with springs and a motion of these shares of their caps.
+/// Returns a contact with random normal, springs and motion. @param tangential, rolling  elongations of the
+/// springs after the motion, divided by their limits
 template <int Dim>
 Touching<Dim> touching(double tangential, double rolling, unsigned seed) {
   std::mt19937 engine(seed);
@@ -65,7 +66,7 @@ Touching<Dim> touching(double tangential, double rolling, unsigned seed) {
   test::rolling_spring(t.contact) = 0.6 * rolling * furthest * axis;
   t.motion.relative_rotation = 0.4 * rolling * furthest * axis;
   if constexpr (Dim == 3) {
-    // Beyond its cap where the rolling spring is not, and the reverse.
+    // The twisting spring exceeds its limit if the rolling spring does not, and the other way round.
     const double twist = (rolling > 1.0 ? 0.5 : -1.3) * 0.2 * elastic / 5.0;
     test::twisting_spring(t.contact) = 0.2 * twist;
     t.motion.twist = 0.8 * twist;
@@ -104,7 +105,7 @@ ContactTangent<Dim> by_differences(const Touching<Dim>& t) {
     if (dof == 0) moved.contact.gap -= by;
     if (dof > 0 && dof < Dim)
       moved.motion.slip += by * to_shear<double>(t.contact.normal, Vec<Dim>(t.frame.col(dof)));
-    if (dof >= Dim)  // of i against j
+    if (dof >= Dim)  // rotation of i relative to j
       moved.motion.relative_rotation -=
           by * rolling_part<double>(t.contact.normal, RotationVector<Dim>(axes.col(dof - Dim)));
     if (Dim == 3 && dof == Dim) moved.motion.twist -= by;
@@ -130,7 +131,8 @@ void expect_tangents() {
         EXPECT_EQ(after(t).sliding, tangential > 1.0);
         EXPECT_EQ(after(t).rolling_yield, rolling > 1.0);
         EXPECT_EQ(after(t).twisting_yield, Dim == 3 && rolling < 1.0);
-        // Truncation is (step/spring)^2, some 1e-9, and rounding 1e-16/step, of stiffnesses up to 100.
+        // The truncation error is (step/spring)^2, about 1e-9, and the rounding error 1e-16/step; both are
+        // multiplied by stiffnesses of up to 100.
         EXPECT_LT((tangent_at(t) - by_differences(t)).cwiseAbs().maxCoeff(), 1e-6)
             << tangential << " " << rolling;
       }
@@ -156,9 +158,9 @@ TEST(ContactResponse, OfASlidingContactFollowsTheElasticForce) {
 template <int Dim>
 void expect_to_slide_on() {
   for (unsigned seed = 0; seed < 8; ++seed) {
-    auto t = touching<Dim>(1.0 + 1e-8, 1.0 + 1e-8, seed);  // hardly beyond both caps
+    auto t = touching<Dim>(1.0 + 1e-8, 1.0 + 1e-8, seed);  // slightly beyond both limits
     const auto sliding = tangent_at(t);
-    t.contact = after(t);  // at them, to rounding
+    t.contact = after(t);  // at both limits, up to rounding
     t.motion = {};
     EXPECT_LT((tangent_at(t) - sliding).cwiseAbs().maxCoeff(), 1e-5) << seed;
   }

@@ -9,8 +9,8 @@
 namespace floc {
 namespace {
 
-/// One disk of radius 1 squeezed between its own images along both sides of a 1.9 x 1.9 cell, F_N = 2: the
-/// stress is 2 x 1.9/1.9^2 on both axes.
+/// One disk of radius 1 compressed between its own images in a 1.9 x 1.9 cell, with F_N = 2. The stress on both
+/// axes is 2 x 1.9/1.9^2.
 Packing<2> squeezed() {
   Packing<2> packing;
   packing.cell.matrix *= 1.9;
@@ -47,7 +47,8 @@ TEST(ForceScale, In3DIsPressureOnTheSquareOfTheDiameter) {
   EXPECT_DOUBLE_EQ(force_scale(packing, Vec<3>(2.0, 2.0, 2.0)).force, 2.0 * 9.0);
 }
 
-/// Three disks that carry nothing but a force of 0.5 on the second along one axis and a moment on it.
+/// Three disks with a single contact: it exerts a force of 0.5 along the normal, a tangential force of 0.1 and
+/// thereby moments.
 template <class Change>
 Residuals with_sizes(double smallest, const Change& change) {
   Packing<2> packing = squeezed();
@@ -117,7 +118,7 @@ TEST(Residuals, AreInUnitsOfTheForceScaleAndNameTheWorstGrain) {
   c.shear_force = {0.1, 0.0};
   packing.contacts.push_back(c);
   packing.grains.position[1] = {0.0, 0.2};
-  packing.grains.position[2] = {0.0, 0.2};  // no branch: the contact adds nothing to the stress
+  packing.grains.position[2] = {0.0, 0.2};  // the branch is zero, so the contact adds nothing to the stress
   const Residuals r = residuals(packing, kStress);
   const double f1 = 2 / 1.9 * 2.0;
   EXPECT_NEAR(r.force, std::hypot(0.5, 0.1) / f1, 1e-15);

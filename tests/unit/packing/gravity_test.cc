@@ -6,12 +6,12 @@
 #include "floc/packing/wall_forces.h"
 #include "support/foreign_packing.h"
 
-/// Packings with weight, walls and free ends.
+/// Tests of packings with weight, walls and free ends.
 namespace floc {
 namespace {
 
-/// The weight of a grain is in its net force, and sums of forces over the boundary differ from those over the contacts by
-/// the net forces of the grains, whatever these are.
+/// Checks that net forces contain the weight, and that the stress summed over the boundary differs from the one
+/// summed over contacts by the net forces of the grains, whatever their values are.
 template <int Dim>
 void expect_identity(const test::Ends<Dim>& ends) {
   Packing<Dim> p = test::packing_with_forces<Dim>(ends).packing;

@@ -35,8 +35,8 @@ TEST(ShareLiquid, ThreeTouchingSpheresShareByTheirMeanRadii) {
   EXPECT_NEAR(shares.volume[2], 0.31390135, 5e-9);
 }
 
-/// Whether every pair of a set touches or is in reach of its bridge when the set shares the liquid. @param margin
-/// relative, of the volume
+/// Whether all pairs of a set touch or are within the rupture distance of their bridge if the set shares the
+/// liquid. @param margin  relative change of the volumes
 bool all_in_reach(const CapillaryAdhesion& law, double liquid, const std::vector<BridgeablePair>& pairs,
                   unsigned set, double margin) {
   double sum = 0.0;
@@ -49,8 +49,8 @@ bool all_in_reach(const CapillaryAdhesion& law, double liquid, const std::vector
   return true;
 }
 
-/// Whether a set leaves out no pair that is reached more easily than one in it: touching pairs first, then by R'
-/// over the cube of the gap.
+/// Whether no pair outside a set is reached more easily than a pair inside. Touching pairs are reached first,
+/// then pairs in the order of decreasing R'/gap^3.
 bool leaves_out_no_closer_pair(const std::vector<BridgeablePair>& pairs, unsigned set) {
   const auto ease = [](const BridgeablePair& p) {
     return p.gap > 0.0 ? p.radius / (p.gap * p.gap * p.gap) : std::numeric_limits<double>::infinity();
@@ -61,7 +61,7 @@ bool leaves_out_no_closer_pair(const std::vector<BridgeablePair>& pairs, unsigne
   return true;
 }
 
-/// A random small case, and the liquid for it.
+/// Random small set of pairs, with a volume of liquid.
 struct SmallCase {
   CapillaryAdhesion law = kWater;
   double liquid;
@@ -80,7 +80,7 @@ struct SmallCase {
   unsigned sets() const { return 1u << pairs.size(); }
 };
 
-/// Compares the result of share_liquid() for a case with every subset of its pairs.
+/// Compares the result of share_liquid() with every subset of the pairs.
 void expect_brute_force(const SmallCase& c, bool any_set, int& n_partial) {
   const LiquidShares shares = share_liquid(c.law, c.liquid, c.pairs);
   unsigned own = 0;
@@ -118,8 +118,9 @@ TEST(ShareLiquid, NoLargerSetOfPairsOfEqualGrainsIsInReachAtAll) {
   EXPECT_GT(n_partial, 300);
 }
 
-/// Without that, it may be: the large pair in the middle would take the liquid that the small one behind it
-/// can do without.
+/// share_liquid() does not accept a set of pairs if a pair outside the set is closer than a pair inside it. Here
+/// it does not accept pairs 0 and 2, because pair 1 is closer than pair 2. Pairs 0 and 1 are out of reach, so
+/// that only pair 0 gets liquid.
 TEST(ShareLiquid, APairBehindOneThatIsNotReachedStaysDry) {
   const auto gap_of = [](double radius, double q) { return std::cbrt(radius / q); };
   const std::vector<BridgeablePair> pairs{{-0.1, 1.0}, {gap_of(10.0, 9.0), 10.0}, {gap_of(1.0, 8.0), 1.0}};
@@ -129,7 +130,7 @@ TEST(ShareLiquid, APairBehindOneThatIsNotReachedStaysDry) {
 }
 
 TEST(ShareLiquid, PairsOfOneRankGoByTheirOrder) {
-  // Each alone would have a bridge, both together would not.
+  // Each of the two pairs could have a bridge alone, but not both together.
   const double reach = kWater.reach(1.0), gap = 0.9 * reach;
   const LiquidShares shares = share_liquid(kWater, 1.0, std::vector<BridgeablePair>{{gap, 1.0}, {gap, 1.0}});
   EXPECT_EQ(shares.n_bonds, 1);

@@ -9,7 +9,8 @@
 namespace floc {
 namespace {
 
-/// A large sphere that touches small ones of radius 1, with these overlaps.
+/// Returns a large sphere in contact with small spheres of radius 1. @param overlaps  overlaps with the small
+/// spheres
 Packing<3> spheres_with(const std::vector<double>& overlaps) {
   Packing<3> packing;
   packing.law += test::hertz(1.0, 0.3);

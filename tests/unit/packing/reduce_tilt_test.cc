@@ -12,8 +12,9 @@
 namespace floc {
 namespace {
 
-/// A random packing in a slanted cell, with springs that carry forces, so small that grains touch their own images.
-/// @param offset  of the last lattice vector along the first, in lengths of that
+/// Returns a random packing in a skewed cell, with springs that carry forces. It is so small that grains touch
+/// their own images.
+/// @param offset  offset of the last lattice vector along the first one, divided by the length of the first one
 template <int Dim>
 Packing<Dim> slanted_packing(double offset) {
   Packing<Dim> packing = test::random_packing<Dim>(Dim == 2 ? 7 : 5, 3, test::elastic_law(1.0, 0.7, 0.01));

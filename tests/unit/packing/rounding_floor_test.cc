@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// A square crystal of 30 x 30 disks in which every net force vanishes but for rounding.
+/// Returns a square crystal of 30 x 30 disks whose net forces vanish except for rounding.
 Packing<2> crystal(double stiffness) {
   Packing<2> packing;
   packing.law += test::linear(stiffness);
@@ -40,7 +40,7 @@ TEST(RoundingFloor, IsWhatRoundedPositionsLeaveOfABalance) {
     packing.grains.position_low.clear();
     refresh_contacts(packing);
     const double floor = rounding_floor<2>(packing, Vec<2>::Constant(1.0)).force;
-    // Half a unit of 30 is 1.8e-15; four contacts hold a grain.
+    // Half a unit in the last place of 30 is 1.8e-15, and each grain has four contacts.
     EXPECT_NEAR(floor / (4.0 * 0x1p-53 * 30.0 * stiffness), 1.0, 1e-3);
     EXPECT_LT(worst_net_force(packing), 2.0 * floor);
     EXPECT_GT(worst_net_force(packing), 0.05 * floor);

@@ -11,7 +11,7 @@
 namespace floc {
 namespace {
 
-/// A random packing whose springs carry forces.
+/// Returns a random packing whose springs carry forces.
 template <int Dim>
 Packing<Dim> loaded_packing() {
   Law law = test::elastic_law(1.0, 0.7, 0.01);
@@ -51,7 +51,7 @@ TYPED_TEST(Tile, KeepsTheForceOnEveryGrainAndTheStress) {
   Packing<kDim> unit = loaded_packing<kDim>();
   refresh_contacts(unit);
   Packing<kDim> whole = tiled<kDim>(unit, Vec<kDim, int>::Constant(2));
-  refresh_contacts(whole);  // forces from the springs as the copies carry them
+  refresh_contacts(whole);  // computes the forces of the copied springs
   EXPECT_NEAR((static_stress(whole) - static_stress(unit)).norm(), 0.0, 1e-14);
   const auto in_unit = net_forces(unit);
   const auto in_whole = net_forces(whole);

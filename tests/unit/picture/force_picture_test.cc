@@ -18,7 +18,8 @@ namespace {
 
 using test::elastic_law;
 
-/// Three disks; compression of a pair, tension across the border, a distant attraction, a force of zero.
+/// Three disks with four contacts: compression, tension across the cell boundary, an attraction at a distance,
+/// and a force of zero.
 Packing<2> four_contacts() {
   Packing<2> packing;
   packing.law = elastic_law(100.0, 50.0, 0.0);
@@ -55,7 +56,7 @@ TEST(EquilibriumForces, KindsGoBySignAndSizesHoldBothComponents) {
   EXPECT_EQ(picture.lines[1].kind, LineKind::tension);
   EXPECT_EQ(picture.lines[2].kind, LineKind::distant);
   EXPECT_EQ(picture.lines[3].kind, LineKind::zero);
-  // In units of the pull-off force, 2.
+  // Forces are in units of the pull-off force, 2.
   EXPECT_DOUBLE_EQ(picture.lines[0].force, 5.0);
   EXPECT_DOUBLE_EQ(picture.lines[1].force, 1.5);
   EXPECT_EQ(picture.force_unit, "F₀");
@@ -71,8 +72,8 @@ TEST(EquilibriumForces, WithoutAdhesionAreMeasuredInTheirMean) {
 }
 
 TEST(PressurePhases, BondsWithinThemAreDrawnAndTheLargestPartsAreDark) {
-  // Six columns and four rows of a square lattice with forces along the rows: two rows under pressure, one under
-  // tension, one with a grain under tension among grains that carry nothing.
+  // Square lattice of six columns and four rows with forces along the rows. Rows 0 and 1 are under pressure,
+  // row 2 under tension. In row 3 two neighbours are under tension, and the others carry nothing.
   Law law = elastic_law(100.0, 50.0, 0.0);
   law += test::constant_adhesion(2.0);
   Packing<2> packing = tiled<2>(test::square_frames(2, 1.0, law), {6, 4});
@@ -89,7 +90,8 @@ TEST(PressurePhases, BondsWithinThemAreDrawnAndTheLargestPartsAreDark) {
     EXPECT_TRUE(line.kind == LineKind::compression || line.kind == LineKind::tension);
     ++n[line.kind == LineKind::tension];
   }
-  // Two rows with the bonds across; one row, two grains above it with their bond, and the two across to it.
+  // Compression: two rows and the bonds between them. Tension: one row, the bond of the two grains above it,
+  // and the two bonds that connect them to the row.
   EXPECT_EQ(n[0], 12 + 6);
   EXPECT_EQ(n[1], 6 + 1 + 2);
   for (int i = 0; i < packing.grains.size(); ++i) {
@@ -112,7 +114,7 @@ TEST(IncrementForces, OfASquareLatticeAreTheStressTimesTheSpacing) {
   ASSERT_EQ(isotropic.lines.size(), 2u);
   for (const ContactLine<2>& line : isotropic.lines) {
     EXPECT_EQ(line.kind, LineKind::compression);
-    // A unit of stress on a unit of length, over the diameter, which overlaps by 2 %.
+    // The force of a unit stress on a unit length is divided by the diameter of 1.02.
     EXPECT_NEAR(line.force, 1.0 / 1.02, 1e-12);
   }
   const PackingPicture<2> deviatoric = step(StressStep::deviatoric);
@@ -120,7 +122,7 @@ TEST(IncrementForces, OfASquareLatticeAreTheStressTimesTheSpacing) {
 }
 
 TEST(IncrementForces, OfACubicLatticeAreTheStressTimesTheFace) {
-  // A sphere that touches its own images across the six faces of its cell, of side 0.98.
+  // A sphere that touches its own images across the six faces of its cell of side 0.98.
   Packing<3> packing;
   packing.law = elastic_law(2.0, 0.6, 0.1);
   packing.cell.matrix *= 0.98;
@@ -142,7 +144,8 @@ TEST(IncrementForces, OfACubicLatticeAreTheStressTimesTheFace) {
   }
 }
 
-/// In a running bond all grains meet along sides; with one point idle, one pair meets at a vertex.
+/// In a brick pattern all grains meet along sides. If one contact point carries no force, one pair is drawn as
+/// touching at a vertex.
 TEST(ContactKindsOf, ColoursGoByCarryingPoints) {
   Packing<2> packing = test::brick_bond(1.0, 0.3).packing;
   PackingPicture<2> picture = contact_kinds_of(packing, 1e-6);

@@ -13,7 +13,8 @@ Lattice<3> small_lattice() {
   return irregular_lattice(cell, {1.0, 0.35, 3});
 }
 
-/// Returns a lattice in an equivalent cell: whole multiples of the vectors before them are added to the last two.
+/// Returns the lattice in an equivalent cell: integer multiples of earlier lattice vectors are added to the
+/// last two.
 Lattice<3> slanted(Lattice<3> lattice) {
   Mat<3>& matrix = lattice.cell.matrix;
   matrix.row(2) += matrix.row(1) - matrix.row(0);
@@ -22,7 +23,7 @@ Lattice<3> slanted(Lattice<3> lattice) {
   return lattice;
 }
 
-/// A colour of its own for each node, and every bond as a crack.
+/// Returns a picture with a different value for each node, and with every bond drawn as a crack.
 LatticePicture<3> picture_of(const Lattice<3>& lattice) {
   LatticePicture<3> picture;
   for (int k = 0; k < lattice.n_nodes(); ++k)

@@ -15,7 +15,7 @@ Vec<2> on_circle(double angle) {
   return {std::cos(angle), std::sin(angle)};
 }
 
-/// Area inside an outline: half the integral of x dy - y dx along its arcs and straight sides.
+/// Returns the area inside an outline: half the integral of x dy - y dx along its arcs and straight sides.
 double area_of(const Outline& outline) {
   const double r = outline.radius;
   const auto cross = [](const Vec<2>& a, const Vec<2>& b) { return a[0] * b[1] - a[1] * b[0]; };
@@ -54,7 +54,7 @@ TEST(Outline, ArcsMeetTheSidesAndTurnOnceInAll) {
       const OutlineCorner& corner = outline.corners[k];
       const OutlineCorner& next = outline.corners[(k + 1) % outline.corners.size()];
       turned += corner.end - corner.begin;
-      // The straight side is normal to the radius at both of its ends.
+      // The straight side is perpendicular to the radius at both of its ends.
       const Vec<2> side = next.centre - corner.centre;
       EXPECT_NEAR(side.dot(on_circle(corner.end)), 0.0, 1e-14);
       EXPECT_NEAR(side.dot(on_circle(next.begin)), 0.0, 1e-14);

@@ -13,13 +13,13 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Linear light of a colour.
+/// Returns the linear light intensities of a colour.
 Vector3d linear(const Color& c) {
   const auto decode = [](double x) { return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4); };
   return {decode(c.red), decode(c.green), decode(c.blue)};
 }
 
-/// CIE L*a*b* of linear sRGB under D65.
+/// Converts linear sRGB to CIE L*a*b* with the white point D65.
 Vector3d lab(const Vector3d& rgb) {
   Matrix3d to_xyz;
   to_xyz << 0.4124, 0.3576, 0.1805, 0.2126, 0.7152, 0.0722, 0.0193, 0.1192, 0.9505;
@@ -29,8 +29,9 @@ Vector3d lab(const Vector3d& rgb) {
   return {116.0 * f(xyz[1]) - 16.0, 500.0 * (f(xyz[0]) - f(xyz[1])), 200.0 * (f(xyz[1]) - f(xyz[2]))};
 }
 
-/// Matrices that map linear light to its perception under full protanopia, deuteranopia and tritanopia: Machado,
-/// Oliveira and Fernandes, IEEE Trans. Vis. Comput. Graph. 15, 1291 (2009), severity 1. The first is full sight.
+/// Returns matrices that map linear light to its perception under full protanopia, deuteranopia and tritanopia:
+/// Machado, Oliveira and Fernandes, IEEE Trans. Vis. Comput. Graph. 15, 1291 (2009), severity 1. The first
+/// matrix is normal vision.
 std::vector<Matrix3d> sights() {
   std::vector<Matrix3d> m(4);
   m[0] = Matrix3d::Identity();
@@ -40,7 +41,8 @@ std::vector<Matrix3d> sights() {
   return m;
 }
 
-/// Smallest difference of two colours over all sights, in units of which one is just noticeable at about 2.3.
+/// Returns the smallest difference of two colours in CIE L*a*b* over all kinds of vision. A difference of about
+/// 2.3 is just noticeable.
 double least_difference(const Color& a, const Color& b) {
   double least = 1e9;
   for (const Matrix3d& sight : sights())
@@ -57,7 +59,8 @@ TEST(Palette, KindsOfContactsStayApartForColourBlindReaders) {
     for (std::size_t j = 0; j < i; ++j)
       EXPECT_GT(least_difference(kinds[i], kinds[j]), 20.0) << i << " and " << j;
   EXPECT_GT(least_difference(palette::kLost, palette::kGained), 20.0);
-  // The measure itself: red and green of one lightness are the pair that is lost.
+  // This checks the measure itself: red and green of equal lightness are hard to distinguish for the
+  // colour-blind.
   EXPECT_LT(least_difference(hex_color(0xC00000), hex_color(0x5A6E00)), 20.0);
 }
 

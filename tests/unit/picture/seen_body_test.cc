@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kBodyRounding = 1e-12;
 
-/// Volume of the pyramids from the origin to all facets.
+/// Returns the sum of the volumes of the pyramids from the origin to all facets.
 double volume_of(const Facets& facets) {
   double volume = 0.0;
   for (const Facets::Facet& facet : facets.facets)
@@ -46,7 +46,8 @@ TEST(Facets, OfARoundedBoxHaveABevelForEachEdgeAndCorner) {
   const Shape<3> shape = box<3>({1.0, 1.0, 1.0}, 0.1);
   const Facets facets = facets_of(shape);
   EXPECT_EQ(facets.facets.size(), 6u + 12u + 8u);
-  // The core, six slabs on its faces, twelve prisms along its edges and eight pyramids at its corners.
+  // The body consists of a core, six slabs on its faces, twelve prisms along its edges and eight pyramids at
+  // its corners.
   const double side = 2.0 * std::abs(shape.vertices[0][0]), r = shape.rounding;
   EXPECT_NEAR(volume_of(facets),
               std::pow(side, 3) + 6.0 * side * side * r + 12.0 * side * r * r / 2.0 + 8.0 * r * r * r / 6.0,
@@ -67,7 +68,7 @@ TEST(Facets, OfRoundedPolyhedraTurnOutwardsAndStayWithinThem) {
   }
 }
 
-/// Shapes of several kinds in any orientation.
+/// Returns shapes of several kinds with random orientations.
 std::vector<PlacedShape<3>> placed_shapes(const std::vector<Shape<3>>& shapes) {
   std::vector<PlacedShape<3>> placed;
   std::mt19937 engine(5);
@@ -79,8 +80,8 @@ std::vector<PlacedShape<3>> placed_shapes(const std::vector<Shape<3>>& shapes) {
   return placed;
 }
 
-/// Distance (length) of a point from the core of a shape, or for polyhedra, whose points inside matter, the largest
-/// height above a face.
+/// Returns the distance (length) of a point from the core of a shape. For polyhedra, whose inside must be
+/// distinguished, it is the largest height above a face.
 double height_above(const PlacedShape<3>& placed, const Vec<3>& point) {
   const Vec<3> x = placed.rotation.transpose() * (point - placed.position) / placed.scale;
   const Shape<3>& shape = *placed.shape;
@@ -123,7 +124,8 @@ TEST(HiddenParts, OfBodiesAgreeWithRays) {
       std::vector<std::pair<double, double>> parts;
       add_hidden_parts(from, to, body, parts);
       for (const double t : {0.03, 0.21, 0.48, 0.74, 0.96}) {
-        // Least height above the surface on the ray from the point towards the eye, in steps of 0.003.
+        // Smallest height above the surface on the ray from the point towards the eye, sampled in steps of
+        // 0.003.
         double least = 1e300;
         for (int k = 0; k < 1000; ++k)
           least = std::min(least, height_above(placed, from + t * (to - from) + Vec<3>(0.0, 0.0, 0.003 * k)));

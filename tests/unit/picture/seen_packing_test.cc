@@ -15,7 +15,8 @@ using Part = SeenPacking::Part;
 
 constexpr double kSeenRounding = 1e-12;
 
-/// The eye far up the z axis, x to the right and y upwards, so that what is seen are the coordinates themselves.
+/// View from far up the z axis, with x to the right and y upwards, so that seen coordinates equal those of the
+/// cell.
 View from_above() {
   View view;
   view.azimuth = -90.0;
@@ -42,14 +43,14 @@ TEST(SeenPacking, NearerSpheresAreDrawnLater) {
   ASSERT_EQ(seen.order.size(), 4u);
   std::vector<int> grains;
   for (const auto& mark : seen.order) grains.push_back(seen.spheres[mark.index].grain);
-  // The last is brought into the cell, to z = 1.5.
+  // The last sphere is moved into the cell, to z = 1.5.
   EXPECT_EQ(grains, (std::vector<int>{1, 3, 2, 0}));
   EXPECT_NEAR(seen.far, 1.0, kSeenRounding);
   EXPECT_NEAR(seen.near, 3.0, kSeenRounding);
 }
 
 TEST(SeenPacking, OrderOfCentresIsRightForTangentSpheresOfAnySize) {
-  // Where two spheres that touch overlap in the picture, the one with the nearer centre is in front.
+  // If two touching spheres overlap in the picture, the one whose centre is nearer to the eye is in front.
   std::mt19937 engine(3);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   for (int trial = 0; trial < 200; ++trial) {
@@ -67,7 +68,8 @@ TEST(SeenPacking, OrderOfCentresIsRightForTangentSpheresOfAnySize) {
 }
 
 TEST(SeenPacking, SpheresBehindOthersAreLeftOut) {
-  // A wall of spheres that overlap in the picture, a sphere behind it, and one that shows at its side.
+  // A wall of spheres that overlap in the picture, one sphere hidden behind it, and one that is visible beside
+  // it.
   std::vector<SeenSphere> spheres;
   for (int x = -6; x <= 6; ++x)
     for (int y = -6; y <= 6; ++y) spheres.push_back({{0.5 * x, 0.5 * y, 1.0 + 1e-3 * x}, 0.5, 0});
@@ -94,7 +96,8 @@ TEST(SeenPacking, TubesReachFromSphereToSphere) {
   EXPECT_TRUE(seen.tubes[0].to.isApprox(Vec<3>(2.0 - inside, 2, 2), kSeenRounding));
   EXPECT_EQ(seen.tubes[0].from_end, TubeEnd::at_sphere);
   EXPECT_NEAR(seen.tubes[0].width, 0.3, kSeenRounding);
-  // A tube wider than the spheres joins the centres; between whole spheres there is nothing to see.
+  // A tube that is wider than the spheres connects their centres. Between spheres drawn at full size no tube is
+  // visible.
   view.sphere_size = 0.2;
   const auto wide = seen_packing(picture, view, scale);
   EXPECT_TRUE(wide.tubes.at(0).from.isApprox(Vec<3>(1, 2, 2), kSeenRounding));
@@ -133,16 +136,17 @@ TEST(SeenPacking, ContactsWithAWallEndFlatOnIt) {
 
 TEST(SeenPacking, ASphereHidesWhatIsInItAndBehindIt) {
   const SeenSphere sphere{{0, 0, 0}, 1.0, 0};
-  // Level with its equator or behind: the width of its outline. Before its front: nothing.
+  // A line at the depth of the equator or behind it is hidden over the width of the outline. A line in front of
+  // the sphere is not hidden.
   EXPECT_EQ(hidden_part({-2, 0, -3}, {2, 0, -3}, sphere), (std::pair{0.25, 0.75}));
   EXPECT_FALSE(hidden_part({-2, 0, 1.5}, {2, 0, 1.5}, sphere));
   EXPECT_FALSE(hidden_part({-2, 1.5, -3}, {2, 1.5, -3}, sphere));
-  // Between equator and front: the width of the sphere at that depth.
+  // Between the equator and the front, a line is hidden over the width of the sphere at its depth.
   const auto part = hidden_part({-2, 0, 0.6}, {2, 0, 0.6}, sphere);
   ASSERT_TRUE(part);
   EXPECT_NEAR(part->first, 0.5 - 0.8 / 4.0, kSeenRounding);
   EXPECT_NEAR(part->second, 0.5 + 0.8 / 4.0, kSeenRounding);
-  // Towards the eye: from its end behind until it leaves the sphere.
+  // A line towards the eye is hidden from its far end to the point where it leaves the sphere.
   const auto towards = hidden_part({0.6, 0, -4}, {0.6, 0, 4}, sphere);
   ASSERT_TRUE(towards);
   EXPECT_EQ(towards->first, 0.0);
@@ -178,14 +182,15 @@ TEST(SeenPacking, ThreeEdgesOfACellLieBehindAndSixAreItsOutline) {
   const auto edges = edges_of(cell, Camera(View()), Vec<3>::Zero(), Vec<3>::Ones());
   EXPECT_EQ(edges.size(), 12u);
   EXPECT_EQ(count(edges), (std::pair<std::ptrdiff_t, std::ptrdiff_t>(3, 6)));
-  // End on: the face at the back and the four edges along the line of sight, of which the picture has corners.
+  // Seen along z, the far face and the four edges along the line of sight are behind, although these edges
+  // appear only as corners.
   EXPECT_EQ(count(edges_of(Cell<3>(), Camera(from_above()), Vec<3>::Zero(), Vec<3>::Ones())),
             (std::pair<std::ptrdiff_t, std::ptrdiff_t>(8, 4)));
 }
 
 TEST(SeenPacking, EdgesBehindASphereAreBroken) {
-  // The sphere sits on the upper edge along x that is nearest to the eye, which goes away from it towards x = 0:
-  // there the sphere's outline hides more of the edge than lies inside the sphere.
+  // The sphere lies on the upper edge along x that is nearest to the eye. Towards x = 0 this edge recedes from
+  // the eye, so the outline of the sphere hides more of the edge than lies inside the sphere.
   const double sine = std::cos(20.0 * std::numbers::pi / 180.0) * std::cos(65.0 * std::numbers::pi / 180.0);
   const auto seen = seen_packing(spheres_at({{2, 0, 4.0 - 1e-9}}), View(), {});
   for (const SeenEdge& edge : seen.cell_edges) {
@@ -203,7 +208,7 @@ TEST(PartInSlab, HoldsCentresAndTheLinesBetweenThem) {
                    line_between(picture, 2, 3, {1, 1, 2.9}), line_between(picture, 2, 4, {1, 0, 2.0})};
   picture.arrows = {{{1, 1, 0.5}, {0, 0, 1}, 0}, {{1, 1, 2}, {0, 0, 1}, 2}};
   const PackingPicture<3> part = part_in_slab(picture, {2, 0.5, 0.75});
-  // The fourth is brought into the cell, to z = 2.9; body 4 is a wall.
+  // The fourth sphere is moved into the cell, to z = 2.9; body 4 is a wall.
   ASSERT_EQ(part.position.size(), 2u);
   EXPECT_EQ(part.position[0], picture.position[2]);
   EXPECT_EQ(part.position[1], picture.position[3]);

@@ -24,7 +24,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-/// Grains of the given shapes, magnified by the given factors, in a cell of side 4, without rotation.
+/// Returns unrotated grains of the given shapes, magnified by `scale`, in a cell of side 4.
 template <int Dim>
 Packing<Dim> packing_of(const std::vector<Shape<Dim>>& shapes, const std::vector<Vec<Dim>>& position,
                         double scale) {
@@ -44,7 +44,7 @@ Packing<Dim> packing_of(const std::vector<Shape<Dim>>& shapes, const std::vector
   return packing;
 }
 
-/// A contact of grains i and j whose contact point is at `arm` from the centre of i.
+/// Returns a contact of grains i and j. @param arm  vector from the centre of i to the contact point
 template <int Dim>
 Contact<Dim> contact_at(const Packing<Dim>& packing, int i, int j, const Vec<Dim>& arm) {
   Contact<Dim> c;
@@ -58,7 +58,8 @@ Contact<Dim> contact_at(const Packing<Dim>& packing, int i, int j, const Vec<Dim
   return c;
 }
 
-/// Two pentagons and a disk in a row, with a contact between the first and the second and one across the border.
+/// Returns two pentagons and a disk in a row, with one contact between the pentagons and one across the cell
+/// boundary.
 Packing<2> pentagons() {
   Packing<2> packing = packing_of<2>({regular_polygon(5, 0.0), regular_polygon(5, 0.1), round_shape<2>(0.5)},
                                      {{0.7, 1.0}, {2.0, 1.0}, {3.3, 1.0}}, 1.2);
@@ -69,7 +70,7 @@ Packing<2> pentagons() {
   return packing;
 }
 
-/// Eight cubes, and a contact between two of them.
+/// Returns eight cubes with one contact between two of them.
 Packing<3> cubes() {
   std::vector<Vec<3>> positions;
   for (const double x : {1.0, 3.0})
@@ -80,7 +81,8 @@ Packing<3> cubes() {
   return packing;
 }
 
-/// Area (length^2) of all pixels of the colour scale's last blue, with pixels at edges counted by their share of it.
+/// Returns the area (length^2) of the last blue of the colour scale. Pixels at edges count in proportion to
+/// their blue.
 double blue_area(const std::string& png, double pixels_per_length) {
   const Pixels pixels(png);
   const int red = rgb_of(palette::diverging(1.0)) >> 16;
@@ -90,7 +92,7 @@ double blue_area(const std::string& png, double pixels_per_length) {
   return n / (pixels_per_length * pixels_per_length);
 }
 
-/// Whether all pixels outside a frame around the picture are white.
+/// Whether all pixels in a margin around the picture are white.
 bool is_white_outside(const Pixels& pixels, int margin) {
   for (int y = 0; y < pixels.height(); ++y)
     for (int x = 0; x < pixels.width(); ++x) {
@@ -143,14 +145,16 @@ TEST(SheetOfShapes, DrawnAreasAreThoseOfTheShapes) {
       picture.shade.value = {1.0};
       SheetOptions options = test::plain_png();
       options.resolution = 144.0;
-      // The outline is 0.6 points wide, of which half lies outside, and the border of the cell is 0.5 points wide.
+      // Half of the 0.6 points of the outline lies outside the shape, and the border of the cell is 0.5 points
+      // wide.
       const double area = blue_area(draw_sheet<2>({picture}, options), 200.0);
       EXPECT_NEAR(area, 9.0 * shape.volume, 0.1) << angle;
     }
 }
 
 TEST(SheetOfShapes, CornersAreAtTheirCoordinates) {
-  // A unit square from (1.5, 1.5) to (2.5, 2.5), at 100 points per length; the y axis of the page points down.
+  // A unit square from (1.5, 1.5) to (2.5, 2.5), with 100 points per length. The y axis of the page points
+  // down.
   Packing<2> packing = packing_of<2>({box<2>({1.0, 1.0}, 0.0)}, {{2.0, 2.0}}, std::sqrt(2.0));
   SheetOptions options = test::plain_png();
   options.format = PictureFormat::svg;
@@ -158,11 +162,11 @@ TEST(SheetOfShapes, CornersAreAtTheirCoordinates) {
   for (const char* corner : {"155 155 ", "255 155 ", "255 255 ", "155 255 "})
     EXPECT_THAT(sharp, HasSubstr(corner));
   EXPECT_THAT(sharp, Not(HasSubstr(" C ")));
-  // Turned by 45 degrees, its corners are on the axes.
+  // After a rotation by 45 degrees, its corners lie on the axes.
   packing.grains.orientation[0] = 0.25 * 3.14159265358979;
   const std::string turned = draw_sheet<2>({grains_of(packing)}, options);
   for (const char* corner : {"205 134.29 ", "275.71 205 "}) EXPECT_THAT(turned, HasSubstr(corner));
-  // Rounded corners are curves.
+  // Rounded corners are drawn as curves.
   packing = packing_of<2>({box<2>({1.0, 1.0}, 0.1)}, {{2.0, 2.0}}, std::sqrt(2.0));
   EXPECT_THAT(draw_sheet<2>({grains_of(packing)}, options), HasSubstr(" C "));
 }
@@ -181,7 +185,7 @@ TEST(SheetOfShapes, LinesPassThroughTheContactPoint) {
   const auto at = [&](double x, double y) {
     return pixels.rgb(static_cast<int>(5.0 + 100.0 * x), static_cast<int>(5.0 + 100.0 * (4.0 - y)));
   };
-  // The line from (0.7, 1) to (2, 1) bends at (1.3, 1.3), and that across the border at (0.1, 1.2).
+  // The line from (0.7, 1) to (2, 1) bends at (1.3, 1.3), the one across the cell boundary at (0.1, 1.2).
   for (const auto& [x, y] : {std::pair(1.3, 1.3), std::pair(1.0, 1.15), std::pair(1.65, 1.15),
                              std::pair(0.1, 1.2), std::pair(3.7, 1.1)})
     EXPECT_EQ(at(x, y), rgb_of(palette::kCompression)) << x << ' ' << y;
@@ -224,7 +228,7 @@ void draw_with_all_options(const Packing<Dim>& packing) {
       EXPECT_THAT(draw_sheet<Dim>({picture}, options), StartsWith("%PDF"));
       options.format = PictureFormat::png;
       const Pixels pixels(draw_sheet<Dim>({picture}, options));
-      // In 3D, arrows may leave the rectangle around the grains.
+      // In 3D, arrows may extend beyond the rectangle around the grains.
       const bool may_leave = Dim == 3 && !picture.arrows.empty();
       EXPECT_TRUE(may_leave || is_white_outside(pixels, 2));
     }
@@ -244,7 +248,8 @@ TEST(SheetOfShapes, EveryOptionWorksForCubes) {
 TEST(SheetOfShapes, ACubeHasTheAreaOfItsProjection) {
   const Packing<3> packing = packing_of<3>({box<3>({1.0, 1.0, 1.0}, 0.0)}, {{2.0, 2.0, 2.0}}, std::sqrt(3.0));
   const auto count_grey = [](const Pixels& pixels) {
-    // Facets are neither white nor as dark as the edges of the cell; the cell has edges in its outline only.
+    // The margin of 20 pixels excludes the edges of the cell, which all lie in its outline. So the pixels that
+    // are not white belong to the cube.
     int n = 0;
     for (int y = 20; y < pixels.height() - 20; ++y)
       for (int x = 20; x < pixels.width() - 20; ++x) n += pixels.rgb(x, y) != 0xFFFFFF;
@@ -253,7 +258,8 @@ TEST(SheetOfShapes, ACubeHasTheAreaOfItsProjection) {
   SheetOptions options = test::plain_png();
   options.view.azimuth = -90.0;
   options.view.elevation = 90.0;
-  // Along an edge, a cube of side 1 is a square of 100 x 100 pixels, with half of the width of its outline around.
+  // Seen along an edge, a cube of side 1 is a square of 100 x 100 pixels, plus half the width of its outline on
+  // each side.
   EXPECT_NEAR(count_grey(Pixels(draw_sheet<3>({grains_of(packing)}, options))), 100 * 100, 410);
 }
 
@@ -283,7 +289,7 @@ TEST(SeenPackingOfShapes, TubesLeadFromFaceToFaceThroughTheContactPoint) {
   const SeenPacking seen = seen_packing(picture, view, {});
   ASSERT_EQ(seen.tubes.size(), 2u);
   const Vec<3> bend(2.5, 2.0, 2.0);
-  // The tubes begin at z = 1.5 and end at z = 2.5, apart from the sagitta of the width of the tube.
+  // The tubes end at z = 1.5 and z = 2.5, up to the sagitta of the tube's width.
   EXPECT_TRUE(seen.tubes[0].from.isApprox(Vec<3>(2.25, 2.0, 1.5), 1e-3));
   EXPECT_TRUE(seen.tubes[0].to.isApprox(bend));
   EXPECT_EQ(seen.tubes[0].to_end, TubeEnd::round);
@@ -294,7 +300,7 @@ TEST(SeenPackingOfShapes, TubesLeadFromFaceToFaceThroughTheContactPoint) {
 }
 
 TEST(SeenPackingOfShapes, EdgesOfTheCellAreBrokenByBodies) {
-  // A cube with faces parallel to those of the cell covers the middle of an upper edge.
+  // A cube with faces parallel to those of the cell covers the middle of an upper edge of the cell.
   const Packing<3> packing = packing_of<3>({box<3>({1.0, 1.0, 1.0}, 0.0)}, {{2.0, 0.0, 3.9}}, std::sqrt(3.0));
   const SeenPacking seen = seen_packing(grains_of(packing), View(), {});
   for (const SeenEdge& edge : seen.cell_edges) {

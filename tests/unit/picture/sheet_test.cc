@@ -22,8 +22,8 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-/// Four disks on a square, of diameter 1 in a cell of side 4, and two lines along x: at y = 1 of force 2, at
-/// y = 3 of force 1.
+/// Four disks of diameter 1 at the corners of a square in a cell of side 4, and two lines along x: one at y = 1
+/// with force 2, one at y = 3 with force 1.
 PackingPicture<2> two_lines() {
   PackingPicture<2> picture;
   picture.cell.matrix *= 4.0;
@@ -44,11 +44,12 @@ TEST(Sheet, WidthsOfLinesAreProportionalToForces) {
   const Pixels pixels(draw_sheet<2>({two_lines()}, test::plain_png()));
   ASSERT_EQ(pixels.width(), 410);
   ASSERT_EQ(pixels.height(), 410);
-  // 0.15 diameters of 100 pixels for the r.m.s. force; pixels at the edges are mixed.
+  // A line with the r.m.s. force is 0.15 diameters wide, and a diameter is 100 pixels. Pixels at edges have
+  // mixed colours.
   const double rms = std::sqrt(2.5);
   EXPECT_NEAR(count_in_column(pixels, 205, palette::kCompression), 15.0 * 2.0 / rms, 2.0);
   EXPECT_NEAR(count_in_column(pixels, 205, palette::kTension), 15.0 * 1.0 / rms, 2.0);
-  // y goes up: the line at y = 1 is below.
+  // The y axis points up: the line at y = 1 is the lower one.
   EXPECT_EQ(pixels.rgb(205, 305), rgb_of(palette::kCompression));
   EXPECT_EQ(pixels.rgb(205, 105), rgb_of(palette::kTension));
 }
@@ -59,14 +60,14 @@ TEST(Sheet, PeriodicCopiesAreDrawnAndCutAtTheBorder) {
   picture.radius = {0.5};
   picture.lines = {{{3.5, 2.0}, {4.5, 2.0}, LineKind::compression, 1.0}};
   const Pixels pixels(draw_sheet<2>({picture}, test::plain_png()));
-  // A quarter of the disk in every corner, nothing in the middle.
+  // Each corner of the picture contains a quarter of the disk; the middle is empty.
   for (const int x : {8, 401})
     for (const int y : {8, 401}) EXPECT_EQ(pixels.rgb(x, y), rgb_of(palette::kGrain)) << x << ' ' << y;
   EXPECT_EQ(pixels.rgb(205, 305), 0xFFFFFF);
-  // The line leaves at the right and comes in at the left.
+  // The line leaves the cell on the right and continues on the left.
   EXPECT_EQ(pixels.rgb(380, 205), rgb_of(palette::kCompression));
   EXPECT_EQ(pixels.rgb(30, 205), rgb_of(palette::kCompression));
-  // Nothing but white beyond the border.
+  // All pixels outside the border are white.
   for (int k = 0; k < 410; ++k)
     for (const int edge : {0, 2, 407, 409}) {
       EXPECT_EQ(pixels.rgb(edge, k), 0xFFFFFF);
@@ -112,13 +113,13 @@ TEST(Sheet, AStripHasOneLengthScale) {
   options.width = 10.0 + 2 * 400.0 + 12.0;
   const Pixels pixels(draw_sheet<2>({two_lines(), half}, options));
   EXPECT_EQ(pixels.height(), 410);
-  // The second, of half the side, stands at the upper left of its column.
+  // The second picture, with half the side, is at the upper left of its column.
   const auto grey = rgb_of(palette::kGrain);
   EXPECT_EQ(pixels.rgb(5 + 412 + 100, 5 + 100), grey);
   EXPECT_EQ(pixels.rgb(5 + 412 + 100, 5 + 300), 0xFFFFFF);
 }
 
-/// Contacts of random disks, in as many copies as give about n grains.
+/// Returns the contacts of random disks, copied periodically to about n grains.
 PackingPicture<2> many(int n) {
   const Packing<2> packing = test::random_packing<2>(100, 3, test::elastic_law(1.0, 0.5, 0.0), 1.2);
   const int side = static_cast<int>(std::lround(std::sqrt(n / 100.0)));
@@ -139,13 +140,13 @@ TEST(Sheet, AHundredThousandGrainsAreNoBlackSquare) {
   options.format = PictureFormat::png;
   const Pixels dense(draw_sheet<2>({many(100'000)}, options));
   const Pixels sparse(draw_sheet<2>({many(100)}, options));
-  // As light as a hundred grains of the same kind, to what outlines are worth.
+  // The picture is as light as that of a hundred similar grains, except for the outlines.
   EXPECT_NEAR(dense.ink(), sparse.ink(), 0.05);
   EXPECT_LT(dense.ink(), 0.4);
   EXPECT_LE(std::max(dense.width(), dense.height()), 3000);
 }
 
-/// Four spheres apart from each other, and a contact between two.
+/// Returns four separate spheres, with a contact between two of them.
 PackingPicture<3> four_spheres() {
   PackingPicture<3> picture;
   picture.cell.matrix *= 4.0;
@@ -179,12 +180,12 @@ TEST(SheetOfSpheres, TheNearerHidesTheFarther) {
   options.view.elevation = 90.0;
   picture.position[2] = {1.2, 1, 3};
   const auto is_blue = [](int rgb) { return (rgb & 255) > (rgb >> 16 & 255); };
-  // From above the third lies over the first, which shows at its left.
+  // Seen from above, the third sphere covers most of the first one, which is visible at its left.
   const Pixels above(draw_sheet<3>({picture}, options));
   EXPECT_EQ(above.width(), 410);
   EXPECT_TRUE(is_blue(above.rgb(5 + 110, 5 + 300)));
   EXPECT_FALSE(is_blue(above.rgb(5 + 60, 5 + 300)));
-  // From below it is the reverse, up and down exchanged.
+  // Seen from below, the first sphere covers the third one, and up and down are exchanged.
   options.view.elevation = -90.0;
   const Pixels below(draw_sheet<3>({picture}, options));
   EXPECT_FALSE(is_blue(below.rgb(5 + 110, 5 + 100)));
@@ -210,7 +211,7 @@ TEST(SheetOfSpheres, ManyAreAnImageUnlessOthersHideThem) {
     picture.radius.assign(picture.position.size(), radius);
     return picture;
   };
-  // 8000 spheres that touch: those at three faces and what shows between them.
+  // Of 8000 touching spheres only those at three faces, and parts of others in between, are visible.
   const std::string dense = draw_sheet<3>({crystal(20, 0.5)}, {});
   EXPECT_THAT(dense, Not(HasSubstr("data:image/png")));
   EXPECT_LT(count_in(dense, "<radialGradient"), 4000);

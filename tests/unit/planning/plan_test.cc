@@ -19,9 +19,9 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Prices with round numbers: samples of 100 grains, of 10 states, that take 2 s with the settings of the scene.
-/// "fast" is four times cheaper, and wrong by 1e-3 in phi. phi scatters by 0.02 and B by 0.1 between samples, and both
-/// depend on the size: by 0.02 and 0.4 at 25 grains.
+/// Price table with simple numbers. Samples of 100 grains and 10 states take 2 s with the settings of the
+/// scene. The settings "fast" are four times cheaper and have an error of 1e-3 in phi. Between samples, phi
+/// scatters by 0.02 and B by 0.1. At 25 grains, finite size changes phi by 0.02 and B by 0.4.
 PriceTable prices() {
   std::string csv =
       "knob,value,observable,cost_ratio,core_seconds,error_before_high,error_after_high,mean_difference,mean_"
@@ -48,7 +48,7 @@ Scene scene(const std::vector<std::string>& changes = {}) {
   return read_scene(test::source_directory() + "/data/scenes/demo.toml", changes);
 }
 
-/// A scene with as many equilibria as the table has: 2 of the assembly and 8 of loading.
+/// Returns a scene with as many equilibria as the table: 2 of the assembly and 8 of the loading.
 Scene scene_of_ten_states() {
   return scene({"assembly.pressure=0.01", "load.0.to=1", "load.0.steps_per_decade=3", "load.1.to=0.01",
                 "load.1.steps_per_decade=1"});
@@ -76,16 +76,16 @@ class Plans : public testing::Test {
 TEST_F(Plans, PricesFollowTheLawsOfTheModel) {
   const ObservablePrice& phi = model_.observable("phi", "");
   const PricedSettings& plain = settings("scene as it is");
-  // 0.5 s at 25 grains and 2 s at 100: the power is one.
+  // Samples take 0.5 s with 25 grains and 2 s with 100, so the time is proportional to the number of grains.
   EXPECT_NEAR(model_.core_seconds(plain, 100), 2.0, 1e-12);
   EXPECT_NEAR(model_.core_seconds(plain, 400), 8.0, 1e-12);
   const PricedError one = model_.error(phi, plain, 100, 1), many = model_.error(phi, plain, 400, 16);
   EXPECT_NEAR(one.scatter, student_t_95(8) * 0.02, 1e-12);
   EXPECT_NEAR(many.scatter, one.scatter / 8.0, 1e-12) << "sqrt(4 x 16) as small";
-  // 0.02 = c (1/25 - 1/100), so that c/100 = 0.02/3.
+  // The size error is c/N, with c from 0.02 = c (1/25 - 1/100). For 100 grains this is 0.02/3.
   EXPECT_NEAR(one.size, 0.02 / 3.0, 1e-6);
   EXPECT_NEAR(many.size, one.size / 4.0, 1e-12);
-  // The means agree within their error, so that the error of single states is left.
+  // The means agree within their error, so only the error of single states counts.
   EXPECT_DOUBLE_EQ(one.settings, 1e-5);
 }
 
@@ -94,12 +94,13 @@ TEST_F(Plans, MoreStatesAndOtherRangesOfStepsCostAccordingly) {
   const PriceModel longer(
       scene({"load.0.to=1", "load.0.steps_per_decade=8", "load.1.to=0.01", "load.1.steps_per_decade=2"}),
       prices());
-  // Twice the states at 0.3 of the time each.
+  // The path has 22 states instead of 10. Each additional state takes 0.3 times as long as each of the first
+  // 10.
   EXPECT_NEAR(longer.core_seconds(plain, 100) / model_.core_seconds(plain, 100),
               1.0 + 0.3 * (22.0 / 10.0 - 1.0), 1e-9);
 }
 
-/// Errors and cost by the formulas of the documentation, from the numbers of the table.
+/// Cost and errors from the formulas of the documentation and the numbers of the table.
 struct ByHand {
   double seconds, phi, b;
 };
@@ -190,7 +191,7 @@ TEST_F(Plans, WhatCannotBeHadIsRefusedWithTheNearestThatCan) {
   dear.budget = 5.0;
   EXPECT_THAT(refusal(dear), AllOf(HasSubstr("the requested errors take "),
                                    HasSubstr("; the nearest errors that the budget allows are phi=0.0")));
-  // The nearest that is named can be had.
+  // The nearest error that the message names can be reached.
   const std::string words = refusal(below);
   const std::size_t at = words.find("at least ") + 9;
   below.wants = {{"phi", std::stod(words.substr(at))}};
@@ -225,7 +226,7 @@ TEST(PriceModelOfAScene, TakesCostAndScatterFromAPilotAndSettingsFromTheTable) {
   EXPECT_NEAR(alone.core_seconds(alone.settings_of_scene(), 200), 24.0, 1e-9);
   EXPECT_NEAR(alone.error(alone.observable("phi", ""), alone.settings_of_scene(), 50, 1).scatter,
               student_t_95(19) * 0.04, 1e-12);
-  // 19 degrees of freedom with 0.04 at 50 grains, 8 with 0.02 at 100.
+  // The scatters are pooled: 19 degrees of freedom with 0.04 at 50 grains, and 8 with 0.02 at 100 grains.
   EXPECT_NEAR(both.error(both.observable("phi", ""), both.settings_of_scene(), 100, 1).scatter,
               student_t_95(27) * std::sqrt((19 * 0.04 * 0.04 / 2.0 + 8 * 0.02 * 0.02) / 27.0), 1e-12);
   EXPECT_GT(both.error(both.observable("phi", ""), both.settings_of_scene(), 50, 1).settings, 0.0);

@@ -5,7 +5,7 @@
 #include "support/places.h"
 #include "support/promises.h"
 
-// Small versions of tests/long/promises_test.cc.
+// Smaller versions of the tests in tests/long/promises_test.cc.
 namespace floc {
 namespace {
 

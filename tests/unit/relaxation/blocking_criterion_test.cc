@@ -23,7 +23,8 @@ TEST(BlockingCriterion, EachDemandHasWordsOfItsOwn) {
   std::cout << "words of " << words.size() << " demands\n";
 }
 
-/// Messages give a quantity that is compared together with its limit, and a quantity that is counted as a number.
+/// If a criterion compares a quantity, the message gives the quantity with its limit; if it counts, the message
+/// gives the number.
 TEST(BlockingCriterion, DemandsGiveTheirNumbers) {
   for (const Demand compared : {Demand::response, Demand::density, Demand::stress, Demand::rest,
                                 Demand::pressure, Demand::energy_ratio})

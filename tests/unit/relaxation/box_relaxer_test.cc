@@ -17,7 +17,7 @@
 namespace floc {
 namespace {
 
-/// Contacts of the published study in units of diameter, mass and pressure: sc = f_c, se = k_n.
+/// Contact law of the published study in units of diameter, mass and pressure: sc = f_c and se = k_n.
 Law sticky(double sc, double se, double friction = 0.4) {
   Law law;
   law += test::linear(se);
@@ -59,7 +59,7 @@ End run_to_end(BoxRelaxer<Dim>& relaxer) {
   return {status, relaxer.report()};
 }
 
-/// n^3 spheres in a simple cubic crystal that just touches itself and its walls, without friction.
+/// Returns n^3 frictionless spheres in a simple cubic crystal that just touch each other and the walls.
 Packing<3> cubic_crystal(int n, const Law& law, const BoxOptions& box) {
   Packing<3> packing;
   packing.law = law;
@@ -76,8 +76,8 @@ Packing<3> cubic_crystal(int n, const Law& law, const BoxOptions& box) {
   return packing;
 }
 
-/// Side of the crystal at rest: K_N D - f_c = p L^2/n^2 and L = n d - (n - 1) D - 2 D_w,
-/// D_w = D + (f_w - f_c)/K_N.
+/// Returns the side L of the crystal at rest, from K_N D - f_c = p L^2/n^2 and L = n d - (n - 1) D - 2 D_w,
+/// with the overlap D of two spheres and the overlap D_w = D + (f_w - f_c)/K_N with a wall.
 double side_at_rest(int n, double sc, double se, double f_w, double p) {
   double side = n;
   for (int k = 0; k < 50; ++k) {
@@ -106,7 +106,7 @@ TEST_P(CubicCrystal, BetweenWallsHasTheSideOfItsEquilibrium) {
   EXPECT_EQ(end.report.ending, "dynamic");
   EXPECT_EQ(end.report.n_mechanisms, 0);
   const double side = side_at_rest(n, sc, se, f_w, p);
-  // Walls within 1e-3 of p L^2 = n^2 leave 1e-3/K_N of each overlap.
+  // The pressure of the walls is accurate to 1e-3 of p L^2 = n^2, which changes each overlap by 1e-3/K_N.
   for (int a = 0; a < 3; ++a) EXPECT_NEAR(relaxer.packing().cell.matrix(a, a), side, 2e-3 * n / se);
   for (int a = 0; a < 3; ++a) EXPECT_NEAR(wall_pressure(relaxer.packing())[a], p, 1e-3 * p);
 }
@@ -114,7 +114,7 @@ TEST_P(CubicCrystal, BetweenWallsHasTheSideOfItsEquilibrium) {
 INSTANTIATE_TEST_SUITE_P(Boxes, CubicCrystal,
                          testing::Values(Crystal{1, 1.0}, Crystal{4, 1.0}, Crystal{3, 0.0}));
 
-/// The published figures of the same closed form.
+/// Compares the closed form with the published values.
 TEST(CubicCrystal, OfOneAndOf64SpheresHasTheVoidRatiosOfTheSpecification) {
   const auto e = [](int n) {
     const double side = side_at_rest(n, 1.0, 1e4, 1.0, 1.0);
@@ -124,7 +124,8 @@ TEST(CubicCrystal, OfOneAndOf64SpheresHasTheVoidRatiosOfTheSpecification) {
   EXPECT_NEAR(e(4), 0.908428, 1e-6);
 }
 
-/// (3/4) m L'^2 + p L^3 is constant: from rest, half the side after 0.774155 sqrt(m/(p L0)).
+/// The energy (3/4) m L'^2 + p L^3 is conserved. Starting at rest, the side is halved after the time 0.774155
+/// sqrt(m/(p L0)).
 TEST(EmptyCube, ClosesAsItsEnergySays) {
   Packing<3> packing = cubic_crystal(1, sticky(1.0, 1e4), box_of(0.0, 0.0));
   const double side = 100.0, p = 1e-2;
@@ -140,13 +141,14 @@ TEST(EmptyCube, ClosesAsItsEnergySays) {
   for (int a = 0; a < 3; ++a) EXPECT_NEAR(dynamics->packing().cell.matrix(a, a), 0.5 * side, 1e-3);
 }
 
-/// At rest the stress of the contacts is the pressure on the walls less what the walls along bear of it.
+/// At rest, the contact stress is the pressure on the walls across an axis minus the friction that the parallel
+/// walls bear.
 template <int Dim>
 void expect_sum_rule(const Packing<Dim>& packing, double bound) {
   const Vec<Dim> difference =
       static_stress(packing).diagonal() + stress_borne_by_friction(packing) - wall_pressure(packing);
   EXPECT_LT(difference.cwiseAbs().maxCoeff(), bound);
-  // The forces on walls are those across the faces of the box.
+  // The forces on the walls act across the faces of the box, so the boundary stress is the contact stress.
   EXPECT_LT((boundary_stress(packing) - static_stress(packing)).cwiseAbs().maxCoeff(), bound);
 }
 
@@ -177,7 +179,7 @@ TYPED_TEST(SettledGasOf, BearsThePressureAndObeysTheSumRule) {
   EXPECT_EQ(end.report.n_mechanisms, 0);
   EXPECT_LT(wall_imbalance<Dim>(relaxer.packing(), Vec<Dim>::Constant(p)), 1e-3 * p);
   EXPECT_GT(stress_borne_by_friction(relaxer.packing()).norm(), 1e-3 * p);
-  // Net forces of 1e-6 F1 = 2e-7 on 80 grains, within 10 of the origin, in a volume of 60 or more.
+  // Net forces of 1e-6 F1 = 2e-7 act on 80 grains within 10 of the origin, in a volume of at least 60.
   expect_sum_rule(relaxer.packing(), 3e-6);
 }
 
@@ -197,7 +199,8 @@ TEST(BoxRelaxer, ContinuedFromItsProgressGivesTheSameBits) {
   EXPECT_EQ(unbroken.progress(), second.progress());
 }
 
-/// The pressure on moving walls is that of the load; fixed ones stay, a periodic side keeps its length.
+/// Moving walls bear the pressure of the load, fixed walls stay where they are, and a periodic axis keeps its
+/// length.
 TEST(BoxRelaxer, MovesTheWallsUnderPressureAlone) {
   BoxOptions box = box_of(0.4, 0.0, 0.02);
   box.boundary = {BoxSide::walls, BoxSide::fixed, BoxSide::periodic};
@@ -216,7 +219,7 @@ TEST(BoxRelaxer, MovesTheWallsUnderPressureAlone) {
   EXPECT_NEAR(wall_pressure(rest)[0], 0.1, 0.05);
 }
 
-/// A speed brings the walls to their pressure before it acts.
+/// With a wall speed, the walls first move at this speed; the pressure acts afterwards.
 TEST(BoxRelaxer, ClosesTheBoxAtTheSpeedGiven) {
   const BoxOptions box = box_of(0.4, 0.0, 0.0);
   const Packing<2> gas = boxed_gas<2>(60, sticky(0.0, 1e3), box, 0.35);
@@ -225,7 +228,7 @@ TEST(BoxRelaxer, ClosesTheBoxAtTheSpeedGiven) {
   BoxRelaxer<2> relaxer(options, gas, Vec<2>(0.1, 0.1));
   (void)relaxer.advance();
   const double expected = gas.cell.matrix(0, 0) - 0.5 * relaxer.report().time;
-  // The rate is that of the side at the beginning of the chunk.
+  // The strain rate is constant within a chunk of steps, computed from the side at its start.
   EXPECT_NEAR(relaxer.packing().cell.matrix(0, 0), expected, 0.1 * (gas.cell.matrix(0, 0) - expected));
 }
 
@@ -239,7 +242,7 @@ TEST(BoxRelaxer, SaysThatWallsRunAway) {
   EXPECT_THAT(end.report.blocking, testing::HasSubstr("and no grain touches them"));
 }
 
-/// The gas that would be pressed out by its walls is told, not integrated.
+/// If walls would squeeze grains out of the box, the relaxer gives up with a message.
 TEST(BoxRelaxer, SaysThatGrainsLeaveTheBox) {
   const Packing<2> gas = boxed_gas<2>(30, sticky(0.0, 10.0), box_of(0.0, 0.0, 0.0), 0.5);
   BoxRelaxer<2> relaxer(RelaxationOptions{}, gas, Vec<2>(20.0, 20.0));

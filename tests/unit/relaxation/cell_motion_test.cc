@@ -13,7 +13,7 @@ Cell<2> square_cell(double side) {
   return cell;
 }
 
-/// One block of grains at rest whose contacts have this virial on both axes.
+/// Returns one block of grains at rest whose contacts have the given virial on both axes.
 std::vector<BlockSums<2>> block_with_virial(double virial) {
   BlockSums<2> sums;
   for (int a = 0; a < 2; ++a) sums.virial[a][a] = virial;
@@ -42,14 +42,14 @@ TEST(CellMotion, WallsKeepTheirAxisFromWrapping) {
 
 TEST(CellMotion, LatticeStaysAtRestWhereTheVirialBalancesTheStress) {
   CellMotion<2> motion(square_cell(10.0), {}, BoundaryControl<2>::normal_stress(Vec<2>::Constant(2.0), 5.0));
-  motion.kick(0.1, block_with_virial(200.0));  // V Sigma
+  motion.kick(0.1, block_with_virial(200.0));  // equals V Sigma, the volume times the imposed stress
   EXPECT_TRUE(motion.cell().velocity.isZero(0.0));
 }
 
 TEST(CellMotion, LatticeIsAcceleratedByWhatTheStressDoesNotBalance) {
   CellMotion<2> motion(square_cell(10.0), {}, BoundaryControl<2>::normal_stress(Vec<2>::Constant(2.0), 5.0));
   motion.kick(0.1, block_with_virial(210.0));
-  // (W - V Sigma)/(L M) dt/2
+  // The change of the rate is (W - V Sigma)/(L M) dt/2, with the virial W, side L and mass M.
   EXPECT_DOUBLE_EQ(motion.cell().velocity(0, 0), 10.0 / 10.0 / 5.0 * 0.1);
   EXPECT_EQ(motion.cell().velocity(0, 1), 0.0);
 }
@@ -67,7 +67,7 @@ TEST(CellMotion, StrainRampEndsAtItsLengthAndAtRest) {
     motion.drift(0.01);
     motion.kick(0.005, sums);
   }
-  // Each step is rounded once or twice.
+  // The tolerance allows one or two roundings per step.
   EXPECT_NEAR(motion.cell().matrix(0, 0), 9.0, 1e-12);
   EXPECT_EQ(motion.cell().matrix(1, 1), 10.0);
   EXPECT_TRUE(motion.cell().velocity.isZero(1e-12));

@@ -38,7 +38,8 @@ TEST(ContactDynamicsRelaxer, FrictionlessSpheresAreIsostatic) {
   expect_isostatic<3>(std::nullopt, 3);
 }
 
-/// Expects the same bits for several numbers of threads, and if the relaxer is made anew after each chunk.
+/// Expects the same bits for several numbers of threads, and if the relaxer is created again after each chunk
+/// of steps.
 template <int Dim>
 void expect_repeatable(const RigidGas& gas) {
   const Packing<Dim> start = make_rigid_gas<Dim>(gas);
@@ -68,8 +69,8 @@ TEST(ContactDynamicsRelaxer, PolyhedraRepeatTheirBits) {
   expect_repeatable<3>({.count = 20, .shape = cut_stones(), .friction = 0.5});
 }
 
-/// Computes canonical forces from the positions of a packing whose forces have been removed, and compares them with
-/// those that a relaxation found with a history of forces.
+/// Removes the forces of a packing, computes canonical forces from its positions alone, and compares them with
+/// the forces of a relaxation, which depend on history.
 TEST(ContactDynamicsRelaxer, CanonicalForcesDependOnPositionsAlone) {
   RelaxationOptions options = rigid_options();
   options.contact_dynamics.forces = RigidForces::canonical;

@@ -19,7 +19,7 @@
 namespace floc {
 namespace {
 
-/// Linear contacts without adhesion, K_T = 0.8 K_N, in units of K_N and a.
+/// Law of linear contacts without adhesion, with K_T = 0.8 K_N, in units of K_N and a.
 Law linear_law(double friction) {
   Law law;
   law += test::linear(1.0);
@@ -28,7 +28,8 @@ Law linear_law(double friction) {
   return law;
 }
 
-/// The length of one axis changes by a logarithmic strain; the others keep theirs, or their stress.
+/// Returns a load that changes the length of one axis by a logarithmic strain. The other axes keep their length
+/// (others_strained) or their stress.
 template <int Dim>
 LoadTarget<Dim> driven(const Packing<Dim>& packing, int axis, double strain, bool others_strained) {
   LoadTarget<Dim> load;
@@ -64,7 +65,8 @@ Packing<Dim> solved(const Packing<Dim>& from, const LoadTarget<Dim>& load) {
   return solution.packing;
 }
 
-/// A gas pressed without friction, which then is there, with no force yet.
+/// Returns a gas that was compressed without friction and is solved again with friction, starting without
+/// tangential forces.
 template <int Dim>
 Packing<Dim> dense_packing(int n, double pressure, std::uint64_t seed) {
   Law smooth = linear_law(0.5);
@@ -75,7 +77,7 @@ Packing<Dim> dense_packing(int n, double pressure, std::uint64_t seed) {
       options, test::gas_of<Dim>(n, smooth, Dim == 2 ? 0.6 : 0.45, seed), Vec<Dim>::Constant(pressure));
   while (relaxer->advance() == RelaxationStatus::running) continue;
   Packing<Dim> packing = relaxer->packing();
-  packing.law = linear_law(1e3);  // however little a contact carries, none slides
+  packing.law = linear_law(1e3);  // so large that no contact slides
   refresh_contacts(packing);
   return solved<Dim>(packing, LoadTarget<Dim>::normal_stress(Vec<Dim>::Constant(pressure)));
 }
@@ -89,7 +91,7 @@ Mat<Dim> stiffness(const Packing<Dim>& packing) {
 
 constexpr double kStrain = 3e-7;
 
-/// Half the difference of two small steps, one each way: of the stress, and of the logarithmic strain.
+/// Half the difference between two small steps of opposite sign: changes of stress and of logarithmic strain.
 template <int Dim>
 struct Answer {
   Vec<Dim> stress, strain;
@@ -106,7 +108,8 @@ Answer<Dim> answer(const Packing<Dim>& packing, int axis, bool others_strained) 
           0.5 * (less.cell.matrix.diagonal().array() / more.cell.matrix.diagonal().array()).log()};
 }
 
-/// d sigma_lateral/d sigma_driven = C_ld/C_dd, and E and nu of the compliances, of every axis.
+/// Expects for every axis d sigma_lateral/d sigma_driven = C_ld/C_dd, and E and nu that follow from the
+/// compliance.
 template <int Dim>
 void expect_elastic_answers(const Packing<Dim>& packing, const Mat<Dim>& C) {
   const Mat<Dim> S = C.inverse();
@@ -141,14 +144,15 @@ TEST(DirectedLoad, OfDensePackingsIsThatOfTheirModuli) {
   expect_answers_of_moduli(dense_packing<3>(60, 1e-3, 4));
 }
 
-/// C_ab = R_ab/V + sigma_a, R being the derivative of the sum of f r over contacts by the strains once the grains have
-/// followed, by the consistent tangent: that of all forces, tangential ones included.
+/// Returns C_ab = R_ab/V + sigma_a. R is the derivative of the virial (sum of f r over contacts) with respect
+/// to the strains after relaxation of the grains, computed with the consistent tangent of all forces, including
+/// tangential ones.
 template <int Dim>
 Mat<Dim> consistent_stiffness(const Packing<Dim>& packing) {
   const Eigen::MatrixXd whole = test::consistent_tangent(packing, Dim);
   const Eigen::Index n = whole.rows() - Dim;
   const Eigen::MatrixXd grains = whole.topLeftCorner(n, n), border = whole.topRightCorner(n, Dim);
-  // Translations and rattlers resist nothing; the solution of least norm leaves them where they are.
+  // Translations and rattlers have no stiffness; the solution of least norm does not move them.
   const Eigen::MatrixXd followed = grains.completeOrthogonalDecomposition().solve(border);
   const Mat<Dim> relaxed = whole.bottomRightCorner<Dim, Dim>() - whole.bottomLeftCorner(Dim, n) * followed;
   const Vec<Dim> stress = static_stress(packing).diagonal();
@@ -163,8 +167,9 @@ double largest_mobilisation(const Packing<Dim>& packing) {
   return largest;
 }
 
-/// A packing that has been compressed along one axis by many times its elastic strain carries tangential forces. What it
-/// answers is that of its consistent tangent, and not of its moduli, which leave the geometric terms of these forces out.
+/// After a compression along one axis by many times its elastic strain, a packing carries tangential forces.
+/// Its response follows the consistent tangent. The moduli differ from it, because they omit the geometric
+/// terms of these forces.
 template <int Dim>
 void expect_answers_of_the_consistent_tangent(std::uint64_t seed) {
   Packing<Dim> packing = dense_packing<Dim>(60, 1e-2, seed);
@@ -180,7 +185,7 @@ TEST(DirectedLoad, UnderTangentialForcesIsThatOfTheConsistentTangent) {
   expect_answers_of_the_consistent_tangent<3>(4);
 }
 
-/// Every length stays, and the planes across an axis move along the first one.
+/// Returns a load that keeps all lengths and displaces the planes across `axis` along the first axis.
 template <int Dim>
 LoadTarget<Dim> sheared(const Packing<Dim>& packing, int axis, double strain) {
   LoadTarget<Dim> load;
@@ -189,8 +194,8 @@ LoadTarget<Dim> sheared(const Packing<Dim>& packing, int axis, double strain) {
   return load;
 }
 
-/// d tau/d gamma is the shear modulus of the symmetric strain: under the same stress on both axes the rotation
-/// changes nothing.
+/// Expects d tau/d gamma to equal the shear modulus. Simple shear also contains a rotation, which has no effect
+/// if the stresses on both axes are equal.
 template <int Dim>
 void expect_shear_answers(const Packing<Dim>& packing) {
   ModuliOptions options;
@@ -213,7 +218,8 @@ TEST(DirectedLoad, OfSimpleShearIsThatOfTheShearModuli) {
   expect_shear_answers(test::crystal_of(test::face_centred_cubic(), 0.99, 1.0, linear_law(0.5)));
 }
 
-/// The relaxer takes such steps at once, and a cycle of them leaves nothing.
+/// Expects that the relaxer solves such steps statically, and that a closed cycle of strains restores the
+/// positions.
 template <int Dim>
 void expect_closed_cycle(const Packing<Dim>& start) {
   Packing<Dim> packing = start;
@@ -242,7 +248,7 @@ TEST(DirectedLoad, AClosedElasticCycleBringsGrainsBack) {
   expect_closed_cycle(dense_packing<2>(60, 1e-3, 3));
 }
 
-/// By motion alone.
+/// Options with which the relaxer only integrates the motion, without static steps.
 RelaxationOptions moving() {
   RelaxationOptions options;
   options.finish = Finish::dynamic;
@@ -265,16 +271,17 @@ TEST(DirectedLoad, AStrainedAxisMovesToItsLengthAndStandsStill) {
   ASSERT_EQ(status, RelaxationStatus::converged) << relaxer->report().blocking;
   const Packing<2>& end = relaxer->packing();
   EXPECT_NEAR(end.cell.matrix(1, 1) / load.side[1], 1.0, 1e-14);
-  EXPECT_GE(shortest, load.side[1] * (1.0 - 1e-14));  // nowhere beyond
+  EXPECT_GE(shortest, load.side[1] * (1.0 - 1e-14));  // the axis never overshoots its target
   EXPECT_EQ(end.cell.velocity(1, 1), 0.0);
-  EXPECT_LE(fastest, 1.001e-3 * std::sqrt(1e-3 / 1.0) * 1.1);  // the cap, at a pressure near the first
+  // strain rate below the cap, at a pressure close to the initial one
+  EXPECT_LE(fastest, 1.001e-3 * std::sqrt(1e-3 / 1.0) * 1.1);
   const Mat<2> stress = static_stress(end);
   EXPECT_NEAR(stress(0, 0), 1e-3, 1e-8);  // kept
   EXPECT_GT(stress(1, 1), 1.05e-3);       // driven
   EXPECT_LT(relaxer->report().residuals.stress, 1e-5);
 }
 
-/// By motion, at a constant stress on the planes.
+/// Imposes a simple shear at constant normal stress on the shear planes, without static steps.
 TEST(DirectedLoad, AShearedLatticeMovesToItsOffsetAndStandsStill) {
   const Packing<2> start = dense_packing<2>(60, 1e-3, 3);
   const double height = start.cell.matrix(1, 1);
@@ -321,7 +328,7 @@ TEST(DirectedLoad, IsContinuedFromItsProgressBitByBit) {
   test::expect_same_bits(whole->packing(), broken->packing());
 }
 
-/// How a relaxation to lengths that no packing has ends.
+/// Returns the report of a relaxation to lengths that cannot be reached.
 RelaxationReport refused(const Packing<2>& start, const LoadTarget<2>& load) {
   const auto relaxer = make_equilibrator<2>(moving(), start, load);
   RelaxationStatus status = RelaxationStatus::running;
@@ -331,7 +338,7 @@ RelaxationReport refused(const Packing<2>& start, const LoadTarget<2>& load) {
   return relaxer->report();
 }
 
-/// Where every axis is drawn out, nothing would ever come to rest.
+/// If every axis is extended, the grains lose contact and the packing would never come to rest.
 TEST(DirectedLoad, APackingDrawnApartEndsInWords) {
   const Packing<2> start = dense_packing<2>(60, 1e-3, 3);
   LoadTarget<2> load;
@@ -339,7 +346,7 @@ TEST(DirectedLoad, APackingDrawnApartEndsInWords) {
   EXPECT_THAT(refused(start, load).blocking, testing::HasSubstr("stress zero"));
 }
 
-/// Adhesion that reaches nobody is no load either.
+/// Adhesion without contacts cannot carry a load either.
 TEST(DirectedLoad, CohesiveGrainsWithoutContactsEndInWords) {
   Packing<2> start = test::unit_grains<2>({{1.0, 1.0}, {3.0, 3.0}}, 4.0, test::cohesive_law());
   find_contacts(start);

@@ -35,7 +35,8 @@ TEST(Dynamics, VectorInstructionsLeaveNoTraceInTheBits) {
   test::expect_no_trace_of_instructions<2>(50u);
 }
 
-/// Total energy of a packing in a cell of inertia M under a pressure (docs/physics.md, "Boundary control").
+/// Returns the total energy of a packing in a cell with inertia M under a pressure (docs/physics.md, "Boundary
+/// control").
 double total_energy(const Packing<2>& packing, const BoundaryControl<2>& control) {
   const double kn = test::law_number(packing.law, "normal.stiffness");
   double energy =
@@ -46,7 +47,7 @@ double total_energy(const Packing<2>& packing, const BoundaryControl<2>& control
   return energy;
 }
 
-/// Largest relative change of the energy over the same time, in steps of dt.
+/// Returns the largest relative change of the energy during `n_steps` steps of dt.
 double energy_drift(double dt, int n_steps) {
   Law law;
   law += test::linear(1.0);
@@ -64,7 +65,7 @@ double energy_drift(double dt, int n_steps) {
   return largest;
 }
 
-/// Returns a gas with other lattice vectors of an equal lattice: `by` times the first is added to the second.
+/// Returns the gas with an equivalent lattice: `by` times the first lattice vector is added to the second.
 Packing<2> leaning(Packing<2> gas, int by) {
   gas.cell.matrix(1, 0) += by * gas.cell.matrix(0, 0);
   gas.contacts.clear();
@@ -77,18 +78,18 @@ BoundaryControl<2> all_under_stress(const Packing<2>& packing, double pressure) 
   return control;
 }
 
-/// As energy_drift() of a lattice that also shears, under no shear stress.
+/// Returns the same drift as energy_drift(), for a cell that can also shear, under zero shear stress.
 double energy_drift_of_sheared(double dt, int n_steps) {
   Law law;
   law += test::linear(1.0);
   Packing<2> gas = test::gas_of(100, law, 0.7, 3);
-  // Some overlap along the edge: energy that sets it in motion.
+  // Grains overlap along the edges of the sheared cell; this energy sets the cell in motion.
   gas.cell.matrix(1, 0) = 0.3 * gas.cell.matrix(0, 0);
   RandomStream random(4, 2);
   agitate(gas, 0.02, random);
   const BoundaryControl<2> control = all_under_stress(gas, 1e-3);
   const auto dynamics = make_dynamics(gas, control, {dt, 0.1});
-  dynamics->advance(1, Motion::free);  // contacts are known from here on
+  dynamics->advance(1, Motion::free);  // finds the contacts, on which the energy depends
   const double initial = total_energy(dynamics->packing(), control);
   double largest = 0.0;
   for (int k = 0; k < 10; ++k) {
@@ -116,7 +117,7 @@ TEST(TriangularLattice, OfOtherVectorsGivesTheSameMotion) {
   const Packing<2> p = straight->packing(), q = leant->packing();
   ASSERT_EQ(p.contacts.size(), q.contacts.size());
   EXPECT_GT(p.contacts.size(), 5u);
-  // A hundred steps of collisions amplify rounding.
+  // Collisions amplify rounding errors within a hundred steps.
   EXPECT_NEAR(q.cell.matrix(0, 0), p.cell.matrix(0, 0), 1e-9);
   EXPECT_NEAR(q.cell.matrix(1, 1), p.cell.matrix(1, 1), 1e-9);
   for (int i = 0; i < p.grains.size(); ++i)
@@ -127,7 +128,7 @@ TEST(TriangularLattice, ShearsAtTheRateGiven) {
   const Packing<2> gas = agitated_gas(60, cohesive_law());
   const double dt = time_step_of(gas, 0.2);
   BoundaryControl<2> control = pressed(gas, 0.01);
-  control.target[2] = -1e-2;  // gamma grows: opposite to shortening
+  control.target[2] = -1e-2;  // gamma increases, so its sign is opposite to that of shortening
   control.target[0] = 5e-3;
   control.imposed[0] = Imposed::rate;
   const auto dynamics = make_dynamics(gas, control, {dt, 0.05});
@@ -144,13 +145,13 @@ TEST(Dynamics, FrictionlessUndampedCellConservesEnergyToSecondOrder) {
   const double coarse = energy_drift(0.1, 4000);
   const double fine = energy_drift(0.025, 16000);
   EXPECT_LT(coarse, 2e-3);
-  // Second order: a quarter of the step has a sixteenth of the error. Contacts that open and close break the
-  // smoothness the order rests on, so half of that gain is asked for.
+  // Ideally, the error of a method of second order falls to 1/16 with a quarter of the step. Contacts that open
+  // and close are not smooth, so only half of this gain is required.
   EXPECT_LT(fine, coarse / 8.0);
 }
 
-/// Restitution of two disks, among others with diameters in [1/2, 1], that meet head on without adhesion, the
-/// first overlap of which falls at `phase` of a step.
+/// Returns the restitution of two disks that collide head on without adhesion, with a time step for diameters
+/// in [1/2, 1]. @param phase  fraction of a step at which the first overlap occurs
 double measured_restitution(double diameter_i, double diameter_j, double phase) {
   Law law;
   law += test::linear(1e5);
@@ -160,7 +161,7 @@ double measured_restitution(double diameter_i, double diameter_j, double phase) 
   pair.law = law;
   pair.cell.matrix *= 10.0;
   pair.grains = Grains<2>::with_size(3);
-  // The third disk sets the time step.
+  // The third disk is the smallest and determines the time step.
   pair.grains.radius = {0.5 * diameter_i, 0.5 * diameter_j, 0.25};
   pair.grains.mass = {diameter_i * diameter_i, diameter_j * diameter_j, 0.25};
   const double dt = time_step_of(pair, RelaxationOptions{}.time_step);
@@ -184,15 +185,15 @@ double mean_restitution(double diameter_i, double diameter_j) {
   return sum / kPhases;
 }
 
-/// The coefficients of restitution that the comment of RelaxationOptions::time_step states.
+/// The expected coefficients of restitution are those in the comment of RelaxationOptions::time_step.
 TEST(Dynamics, RestitutionIsRightAtTheDefaultStep) {
   EXPECT_NEAR(mean_restitution(1.0, 1.0), 0.015, 0.02 * 0.015);
   EXPECT_NEAR(mean_restitution(0.5, 1.0), 0.018, 0.001);
   EXPECT_NEAR(mean_restitution(0.5, 0.5), 0.025, 0.001);
 }
 
-/// A large disk from the left and one half as large from the right meet head on, both of them spinning; or the
-/// mirror image of that, with the numbers of the grains exchanged as well.
+/// Returns a large disk from the left and one of half its size from the right that meet head on while spinning,
+/// or the mirror image with exchanged grain numbers.
 Packing<2> unequal_pair(const Law& law, bool mirrored) {
   const int large = mirrored ? 1 : 0, small = 1 - large;
   const double sign = mirrored ? -1.0 : 1.0;
@@ -212,7 +213,7 @@ Packing<2> unequal_pair(const Law& law, bool mirrored) {
   return pair;
 }
 
-/// The pair after it has collided.
+/// Returns the grains after the collision.
 Grains<2> parted(const Packing<2>& pair) {
   const auto fixed = BoundaryControl<2>::fixed();
   const double time_step = time_step_of(pair, RelaxationOptions{}.time_step);
@@ -228,8 +229,8 @@ void expect_mirror_images(const Law& law) {
   const Grains<2> m = parted(unequal_pair(law, true));
   const double restitution = (g.velocity[1][0] - g.velocity[0][0]) / 2.0;
   EXPECT_GT(restitution, 0.0);
-  EXPECT_LT(restitution, 1.01);  // without damping one, but for the first step of the overlap
-  // Positions round differently, by 1e-15 of overlaps of 1e-3.
+  EXPECT_LT(restitution, 1.01);  // one without damping, except for the error of the first step with overlap
+  // Rounding errors of positions differ by 1e-15, at overlaps of 1e-3.
   constexpr double kRounding = 1e-9;
   EXPECT_NEAR((m.velocity[0][0] - m.velocity[1][0]) / -2.0, restitution, kRounding);
   for (const int grain : {0, 1}) {
@@ -260,7 +261,8 @@ TEST(Dynamics, CohesivePairRestsAtThePullOffOverlap) {
   dynamics->advance(2000, Motion::free);
   const Packing<2> rest = dynamics->packing();
   ASSERT_EQ(rest.contacts.size(), 1u);
-  EXPECT_NEAR(rest.contacts[0].gap, -1e-5, 1e-12);  // h0 = F0/K_N; 2000 steps damp the vibration to rounding
+  // h0 = F0/K_N; the vibration decays to rounding errors within 2000 steps
+  EXPECT_NEAR(rest.contacts[0].gap, -1e-5, 1e-12);
   EXPECT_NEAR(rest.contacts[0].normal_force, 0.0, 1e-7);
 }
 
@@ -275,7 +277,8 @@ TEST(Dynamics, GrainTouchesItsOwnImage) {
   EXPECT_EQ(still.grains.velocity[0], Vec<2>::Zero());
 }
 
-/// How many times its initial kinetic energy a crystal has that was moved by very little, so many steps later.
+/// Slightly agitates a crystal and returns the factor by which its kinetic energy grows in the given number of
+/// steps.
 double growth_in_crystal(int n_steps, double time_step, double restitution, double rolling_stiffness) {
   Law law;
   law += test::linear(1.0);
@@ -285,15 +288,15 @@ double growth_in_crystal(int n_steps, double time_step, double restitution, doub
   Packing<2> crystal = test::triangular_crystal(8, 1.0, law);
   RandomStream random(1, 1);
   agitate(crystal, 1e-8, random);
-  for (auto& spin : crystal.grains.angular_velocity) spin[0] = 1e-8;  // the mode that becomes unstable first
+  for (auto& spin : crystal.grains.angular_velocity) spin[0] = 1e-8;  // this mode becomes unstable first
   const auto fixed = BoundaryControl<2>::fixed();
   const auto dynamics = make_dynamics(crystal, fixed, {time_step_of(crystal, time_step), 0.1});
   dynamics->advance(n_steps, Motion::free);
   return mean_kinetic_energy(dynamics->packing()) / mean_kinetic_energy(crystal);
 }
 
-/// The stability of the crystal that the comment of RelaxationOptions::time_step states; 0.2 is about the rolling
-/// stiffness from which on the step is shortened.
+/// The expected limits are those in the comment of RelaxationOptions::time_step. From a rolling stiffness of
+/// about 0.2 on, the step is shortened.
 TEST(TimeStep, LeavesCrystalsStable) {
   for (const double restitution : {0.015, 0.5}) {
     EXPECT_LT(growth_in_crystal(3000, 0.40, restitution, 0.0), 1.0);

@@ -31,7 +31,8 @@ Law full_law() {
   return law;
 }
 
-/// The account of a dense gas that is deformed at random rates, all components of the strain at once.
+/// Returns the energy account of a dense gas whose cell deforms at random rates of all strain components.
+/// @param step_share  time step divided by the usual one
 template <int Dim>
 EnergyTerms deformed(const Law& law, std::uint64_t seed, double step_share) {
   RandomStream random(seed, 3);
@@ -51,7 +52,8 @@ EnergyTerms deformed(const Law& law, std::uint64_t seed, double step_share) {
   return account.terms();
 }
 
-/// Ten random loadings. Dashpots act half a step late, so that the account closes to first order in the step.
+/// Tests ten random loadings. Viscous forces use velocities half a step earlier, so the error of the account is
+/// of first order in the step.
 template <int Dim>
 void expect_to_close(const Law& law) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
@@ -87,8 +89,8 @@ Law wet_law(const std::string& formation, const std::string& form) {
   return law;
 }
 
-/// The energy of bridges that form, and of liquid that is shared out anew, has a term of its own; the balance of the
-/// others closes to first order.
+/// Energy of bridges that form, and of redistributed liquid, has a separate term. The error of the balance is
+/// of first order in the step.
 TEST(EnergyAccount, ClosesForWetGrainsToFirstOrder) {
   std::cout << "formation form: error at a step, at half of it, order; work, liquid\n";
   for (const char* const formation : {"gap", "contact"})
@@ -110,7 +112,7 @@ TEST(EnergyAccount, ClosesForWetGrainsToFirstOrder) {
     }
 }
 
-/// Contacts that carry shear forces and rolling moments.
+/// Returns a packing whose contacts carry shear forces and rolling moments.
 Packing<2> strained_packing(const Law& law) {
   const Packing<2> start = test::gas_of<2>(40, law, 0.6, 1);
   BoundaryControl<2> control = BoundaryControl<2>::fixed();
@@ -121,7 +123,7 @@ Packing<2> strained_packing(const Law& law) {
   return dynamics->packing();
 }
 
-/// As in a run, where what a contact remembers stays when a stage sets a number of the law.
+/// When a stage changes the law in a run, the histories of contacts are kept, as here.
 TEST(EnergyAccount, KeepsSpringsWhereTheLawChanges) {
   const Packing<2> packing = strained_packing(full_law<2>());
   Law rougher = packing.law, stiffer = packing.law;
@@ -134,7 +136,7 @@ TEST(EnergyAccount, KeepsSpringsWhereTheLawChanges) {
     refreshed.law = law;
     refresh_contacts(refreshed);
     const double elastic = EnergyAccount<2>(refreshed).terms().elastic;
-    // Sums of as many terms in another order.
+    // The two sums have the same number of terms in a different order.
     const double rounding = 1e-13 * elastic;
     EXPECT_NEAR(account.terms().elastic, elastic, rounding);
     EXPECT_NEAR(account.terms().law, elastic - EnergyAccount<2>(packing).terms().elastic, rounding);
@@ -142,7 +144,7 @@ TEST(EnergyAccount, KeepsSpringsWhereTheLawChanges) {
   }
   EnergyAccount<2> account(packing);
   account.change_law(rougher);
-  EXPECT_NEAR(account.terms().law, 0.0, 1e-13 * account.terms().elastic);  // no spring is beyond its cap
+  EXPECT_NEAR(account.terms().law, 0.0, 1e-13 * account.terms().elastic);  // no spring exceeds its limit
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ Law stiff_law(double friction) {
   return law;
 }
 
-/// A column of disks, each touching the next, on the lower wall of the second axis, with free space above.
+/// Returns a column of touching disks on the lower wall of the second axis, with free space above.
 Packing<2> column(int n, double gravity) {
   Packing<2> p;
   p.law = stiff_law(0.0);
@@ -96,7 +96,7 @@ BoxOptions bed_box(BoxSide vertical, double gravity) {
   return box;
 }
 
-/// Lets grains fall on a floor, and expects that the floor bears their weight and the pressure on the lid.
+/// Lets grains fall onto a floor, and expects that the floor bears their weight plus the pressure on the lid.
 template <int Dim>
 void expect_floor_bears_weight(BoxSide vertical, int n) {
   const double gravity = 0.5, pressure = vertical == BoxSide::lid ? 3.0 : gravity;

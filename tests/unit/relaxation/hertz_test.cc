@@ -15,7 +15,7 @@ namespace {
 
 using test::KernelPair;
 
-/// Glass beads in units of their diameter a, of E~ = E/(1 - nu^2) and, for motion, of their mass.
+/// Law of glass beads in units of the diameter a, the modulus E~ = E/(1 - nu^2) and, for motion, the mass.
 Law glass_of_unit_modulus(double friction = 0.3) {
   Law law;
   law += test::hertz(1.0 - 0.09, 0.3);
@@ -24,8 +24,8 @@ Law glass_of_unit_modulus(double friction = 0.3) {
 }
 
 constexpr double kOverlap = 1e-4;
-constexpr double kForce = 1e-4 / 300.0;  // E~ sqrt(a) h^1.5/3
-constexpr double kShear = 5e-8;          // mu N/2
+constexpr double kForce = 1e-4 / 300.0;  // normal force E~ sqrt(a) h^1.5/3
+constexpr double kShear = 5e-8;          // half the friction limit, mu N/2
 constexpr double kSlip = kShear / 4.117647e-3;
 
 const std::vector<InstructionSet>& instruction_sets() {
@@ -38,7 +38,7 @@ const std::vector<InstructionSet>& instruction_sets() {
   return all;
 }
 
-/// A pair at kOverlap that has slipped by kSlip: it carries kShear.
+/// Pair with overlap kOverlap and slip kSlip, which carries the shear force kShear.
 struct ShearedPair : KernelPair {
   explicit ShearedPair(InstructionSet set) : KernelPair(glass_of_unit_modulus(), kOverlap, set) {
     slip(Vec<3>(0.0, kSlip, 0.0));
@@ -61,7 +61,7 @@ TEST(Hertz, ForceStiffnessAndEnergyOfAPair) {
   EXPECT_NEAR(k.normal, 5e-3, 1e-15);
   EXPECT_NEAR(k.tangential, 4.117647e-3, 1e-9);
 
-  const HertzRepulsion si{70e9, 0.3};  // beads of 1 mm, overlapping by 0.1 um
+  const HertzRepulsion si{70e9, 0.3};  // beads of 1 mm with an overlap of 0.1 um
   const PairGeometry<> beads(-1e-7, 0.25e-3);
   EXPECT_NEAR(si.force(beads), 0.02564103, 1e-8);
   EXPECT_NEAR(si.stiffness(beads), 384615.4, 0.1);
@@ -81,7 +81,7 @@ TEST(Hertz, UnloadingAtFixedSlipScalesTheShearForceThenSlides) {
   }
 }
 
-/// Overlap and slip in proportion, there and back on the same line.
+/// Overlap and slip increase in proportion and return along the same path.
 TEST(Hertz, ObliqueLoadingFollowsTheGrowingStiffness) {
   constexpr int kSteps = 4000;
   for (const InstructionSet set : instruction_sets()) {
@@ -95,7 +95,7 @@ TEST(Hertz, ObliqueLoadingFollowsTheGrowingStiffness) {
   }
 }
 
-/// Work that slip does on a pair, along a closed path of overlaps and slips.
+/// Computes the work of slip along closed paths of overlap and slip.
 TEST(Hertz, ClosedPathsGiveNoEnergyBack) {
   for (const InstructionSet set : instruction_sets()) {
     const auto slip = [](KernelPair& pair, double by) {
@@ -151,7 +151,8 @@ TEST(Hertz, ARigidTurnKeepsTheShearForce) {
   }
 }
 
-/// Two beads after they met head on. @param step  over sqrt(m/K_N) at the deepest overlap
+/// Returns two beads after a head-on collision. @param step  time step divided by sqrt(m/K_N) at the largest
+/// overlap
 Packing<3> collided(double zeta, double speed, double step) {
   Packing<3> pair =
       test::unit_grains<3>({{4.0, 5.0, 5.0}, {5.0 + 1e-9, 5.0, 5.0}}, 10.0, glass_of_unit_modulus(0.0));

@@ -23,7 +23,7 @@ using test::for_each_law_and_dimension;
 template <int Dim, class Law>
 class PairUnder {
  public:
-  /// @param liquid  whether the pair has a bridge where the law knows of liquid
+  /// @param liquid  whether the pair has a liquid bridge, for laws with liquid
   PairUnder(const Law& law, double damping, bool liquid) : law_(law), damping_(damping) {
     ContactHistory<Dim> all = ContactHistory<Dim>::Zero();
     if (Law::kHoldsLiquid && liquid) all[HistoryLayout<Dim>::kAdhesion] = 1e-6;
@@ -44,7 +44,7 @@ class PairUnder {
   typename Law::template PairParameters<> parameters_;
 };
 
-/// Motions into contact, along it, out of it and to exactly no overlap.
+/// Motions that lead into contact, continue in contact, lead out of it, and end exactly at zero overlap.
 template <int Dim>
 std::vector<ContactMotion<Dim>> motions() {
   std::mt19937 random(1);
@@ -99,7 +99,7 @@ TEST(KernelLaw, OfWallsHasNoLiquid) {
   });
 }
 
-/// A normal law of constant stiffness that says nothing of kernels.
+/// Normal law of constant stiffness that does not declare a kernel.
 struct PlainRepulsion : LinearRepulsion {};
 
 template <class Adhesion, class Damping, class Friction, class Rolling, class Twisting>
@@ -118,7 +118,7 @@ TEST(KernelLaw, OfANewNormalLawIsTheSameForMostLaws) {
   EXPECT_TRUE((std::is_same_v<KernelLawOf<Sticky, 3, Partner::wall>, Spheres>));
 }
 
-/// A row of overlapping grains that move and spin.
+/// Returns a row of overlapping grains that move and spin.
 template <int Dim>
 Grains<Dim> row_of_grains(int n) {
   std::mt19937 random(2);
@@ -134,7 +134,7 @@ Grains<Dim> row_of_grains(int n) {
   return grains;
 }
 
-/// Rows and history that a kernel of the portable instruction set gives a row of grains, from the arrays of a law.
+/// Forces and history that a portable kernel computes for a row of grains.
 template <int Dim, class KernelLaw>
 struct Computed {
   PairArrays<Dim> pairs;

@@ -8,7 +8,7 @@
 namespace floc {
 namespace {
 
-/// Two disks of unit diameter at rest whose surfaces are 0.05 apart, under a law that acts on contact.
+/// Fixture: two disks of unit diameter at rest, with a gap of 0.05, under a law that acts only in contact.
 class NeighborListsOfTwoDisks : public testing::Test {
  protected:
   NeighborLists<2> lists_with_skin(double skin) const {
@@ -17,7 +17,7 @@ class NeighborListsOfTwoDisks : public testing::Test {
   std::size_t pairs_within(double skin) const {
     return lists_with_skin(skin).find(grains_, cell_, interactions_)[0].size();
   }
-  /// Moves the second disk and measures that.
+  /// Moves the second disk, and updates the displacement that the lists measure.
   void move(double distance, NeighborLists<2>& lists) {
     grains_.x[1][1] += distance;
     lists.motion().measure(0, interactions_.between_grains().kernels(), lists.motion().view_of(grains_));
@@ -67,7 +67,7 @@ TEST_F(NeighborListsOfTwoDisks, HaveASkinThatFollowsTheReachUnderThatRule) {
   interactions_.between_grains().set_range(0.4);
   NeighborLists<2> lists(grains_, cell_, 1e-3, SkinRule::follows_reach);
   lists.find(grains_, cell_, interactions_);
-  EXPECT_DOUBLE_EQ(lists.skin_to_continue_with(cell_, 0.4), 0.1);  // a quarter
+  EXPECT_DOUBLE_EQ(lists.skin_to_continue_with(cell_, 0.4), 0.1);  // a quarter of the reach
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ Law glass(double friction) {
   return law;
 }
 
-/// State A: put together without friction, which then is there, with no force yet.
+/// Returns beads of state A: assembled without friction, then given friction without tangential forces.
 Packing<3> beads_put_together_without_friction(int n, double pressure, std::uint64_t seed) {
   RelaxationOptions options;
   options.inertial_number_cap = 1e-2;
@@ -46,7 +46,8 @@ Packing<3> solved(const Packing<3>& from, const Vec<3>& stress) {
   return solution.packing;
 }
 
-/// Compliances of a packing under an isotropic pressure: what its sides shorten by when a stress changes.
+/// Returns the compliance of a packing under isotropic pressure: shortening of each side per change of a
+/// stress, by finite differences.
 Mat<3> compliance_by_differences(const Packing<3>& packing, double pressure) {
   const double step = 1e-4 * pressure;
   Mat<3> compliance;
@@ -62,7 +63,8 @@ Mat<3> compliance_by_differences(const Packing<3>& packing, double pressure) {
   return compliance;
 }
 
-/// Largest difference of compliances from those of moduli with prestress, over the largest.
+/// Returns the largest difference between this compliance and the inverse of the moduli with prestress, divided
+/// by the largest compliance.
 double error_of_moduli(const Packing<3>& start, double pressure) {
   const Packing<3> packing = solved(start, Vec<3>::Constant(pressure));
   ModuliOptions options;
@@ -74,14 +76,14 @@ double error_of_moduli(const Packing<3>& start, double pressure) {
 
 TEST(PrestressedModuli, OfAnFccCrystalAreRelaxedDifferences) {
   const Packing<3> crystal = test::crystal_of(test::face_centred_cubic(), 0.99, 1.0, glass(0.3));
-  // P = z N/(6 c r^2)
+  // P = z N/(6 c r^2), with the force N of a contact, the coordination number z and the volume c r^3 per sphere
   const double pressure = 12.0 / (6.0 / std::sqrt(2.0) * 0.99 * 0.99) * std::pow(0.01, 1.5) / 3.0;
   EXPECT_NEAR(pressure, 9.619519e-4, 1e-9);
   EXPECT_LT(error_of_moduli(crystal, pressure), 1e-6);
 }
 
-/// Two spheres to a cell, which move against each other under load; along the axis of symmetry the packing is
-/// stiffer, so that under a pressure it is not made of regular tetrahedra.
+/// A hexagonal close-packed crystal: its cell has two spheres that move relative to each other under load. It
+/// is stiffer along the axis of symmetry, so under pressure the tetrahedra of spheres become irregular.
 TEST(PrestressedModuli, OfAnHcpCrystalAreRelaxedDifferences) {
   const double distance = 0.99, height = std::sqrt(8.0 / 3.0) * distance, row = std::sqrt(0.75) * distance;
   Packing<3> crystal;
@@ -97,8 +99,7 @@ TEST(PrestressedModuli, OfAnHcpCrystalAreRelaxedDifferences) {
   EXPECT_LT(error_of_moduli(crystal, pressure), 1e-6);
 }
 
-/// No tangential force yet, and none of the contacts changes: what friction adds to the forces is of second
-/// order.
+/// The contacts carry no tangential force and do not change, so the effect of friction is of second order.
 TEST(PrestressedModuli, OfBeadsPutTogetherWithoutFrictionAreRelaxedDifferences) {
   const double pressure = std::pow(400.0, -1.5);
   EXPECT_LT(error_of_moduli(beads_put_together_without_friction(500, pressure, 1), pressure), 1e-6);

@@ -23,7 +23,7 @@ RelaxationOptions options() {
   return o;
 }
 
-/// The relaxer at the end of its way.
+/// Returns the relaxer after its last step.
 Relaxer<2> run_to_end(const RelaxationOptions& with, const Packing<2>& start, double pressure) {
   Relaxer<2> relaxer(with, start, Vec<2>::Constant(pressure));
   RelaxationStatus status = RelaxationStatus::running;
@@ -36,7 +36,7 @@ Packing<2> relaxed(const Packing<2>& start, double pressure) {
   return run_to_end(options(), start, pressure).packing();
 }
 
-/// One equilibrium that several claims are checked on.
+/// Equilibrium that several tests use.
 const Packing<2>& equilibrium() {
   static const Packing<2> packing = relaxed(test::gas_of(60, test::cohesive_law(), 0.5), 0.1);
   return packing;
@@ -45,14 +45,15 @@ const Packing<2>& equilibrium() {
 TEST(Relaxer, ReachesAllFourCriteria) {
   const Residuals r = residuals(equilibrium(), Vec<2>(0.1, 0.1));
   EXPECT_TRUE(r.within(EquilibriumTolerance{}));
-  EXPECT_LT(r.force, 1e-8);  // the target of Newton refinement
+  EXPECT_LT(r.force, 1e-8);  // target of the Newton refinement
 }
 
 TEST(Relaxer, TheForcesAcrossTheFacesOfTheCellAreTheStress) {
   const Mat<2> stress = static_stress(equilibrium());
-  // Net forces of 1e-8 on 60 grains within 5 of the middle of a cell of area 70 leave 5e-8.
+  // Net forces of 1e-8 on 60 grains within 5 of the centre of a cell of area 70 add up to 5e-8.
   EXPECT_LT((boundary_stress(equilibrium()) - stress).cwiseAbs().maxCoeff(), 5e-8);
-  for (int a = 0; a < 2; ++a) EXPECT_NEAR(stress(a, a), 0.1, 1e-8);  // residual of Newton refinement, in F0/a
+  // residual of the Newton refinement, in F0/a
+  for (int a = 0; a < 2; ++a) EXPECT_NEAR(stress(a, a), 0.1, 1e-8);
 }
 
 TEST(Relaxer, ContinuedFromItsProgressGivesTheSameBits) {
@@ -71,7 +72,7 @@ TEST(Relaxer, ContinuedFromItsProgressGivesTheSameBits) {
 
 TEST(Relaxer, ACellLighterThanAGrainComesToRest) {
   RelaxationOptions with = options();
-  with.cell_mass = 1e-3;  // 0.06 grains: it vibrates faster than contacts do
+  with.cell_mass = 1e-3;  // 0.06 times the mass of a grain: the cell vibrates faster than contacts
   const Packing<2> after = run_to_end(with, equilibrium(), 0.2).packing();
   EXPECT_TRUE(residuals(after, Vec<2>(0.2, 0.2)).within(EquilibriumTolerance{}));
 }
@@ -101,7 +102,8 @@ TEST(Relaxer, AStaticStepEndsWhereMotionEnds) {
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Contact<2>&p = contacts[k], &q = moved.packing().contacts[k];
     ASSERT_EQ(std::tie(p.i, p.j), std::tie(q.i, q.j));
-    // Forces of the order of 1; 1e-8 on grains leaves some 1e-6 on contacts in the softest directions.
+    // Forces are of order 1. Errors of 1e-8 on grains cause errors of about 1e-6 in contacts along the softest
+    // directions.
     EXPECT_NEAR(p.normal_force, q.normal_force, 1e-5);
     EXPECT_NEAR((p.shear_force - q.shear_force).norm(), 0.0, 1e-5);
     largest_change =
@@ -139,11 +141,11 @@ TEST(StaticSolver, ReturnsToEquilibriumFromASmallDisturbance) {
   RandomStream random(5, 1);
   for (Vec<2>& x : disturbed.grains.position)
     for (int a = 0; a < 2; ++a)
-      x[a] += 2e-9 * random.normal();  // overlaps are 1e-5: springs keep their side of the caps
+      x[a] += 2e-9 * random.normal();  // overlaps are 1e-5, so no spring crosses its limit
   const Vec<2> target(0.1, 0.1);
   const StaticSolution<2> solution = solve_statics(disturbed, target, StaticSolverOptions{});
   ASSERT_TRUE(solution.converged) << solution.reason;
-  EXPECT_LE(solution.iterations, 5);  // quadratic convergence: the tangent is the derivative
+  EXPECT_LE(solution.iterations, 5);  // convergence is quadratic, because the tangent is the exact derivative
   EXPECT_LT(residuals(solution.packing, target).force, 1e-8);
 }
 
@@ -165,9 +167,9 @@ TEST(Relaxer, SaysThatTheMotionDiverged) {
 TEST(Relaxer, IsNotHeldUpByRattlersThatSpin) {
   Packing<2> start = equilibrium();
   Grains<2>& g = start.grains;
-  g.position_low.clear();  // for one more grain to be added by its position alone
-  // One more grain in the largest hole would touch; a tiny one, spinning, fits anywhere the balance leaves
-  // room.
+  g.position_low.clear();  // an added grain has only its rounded position
+  // A grain of normal size would touch others even in the largest hole. A tiny spinning one fits anywhere
+  // without contacts.
   const Packing<2> rest = start;
   for (double x = 0.0; g.size() == rest.grains.size(); x += 0.01) {
     Grains<2> trial = rest.grains;
@@ -182,7 +184,8 @@ TEST(Relaxer, IsNotHeldUpByRattlersThatSpin) {
   }
   EXPECT_GT(residuals(start, Vec<2>(0.1, 0.1)).energy, EquilibriumTolerance{}.energy);
   RelaxationOptions coarse = options();
-  coarse.time_step = 2.0;  // in units of the tiny grain's contact time: that of the others
+  // in units of the tiny grain's contact time; this is the usual step for the other grains
+  coarse.time_step = 2.0;
   Relaxer<2> relaxer(coarse, start, Vec<2>::Constant(0.1));
   RelaxationStatus status = RelaxationStatus::running;
   for (int k = 0; k < 400 && status == RelaxationStatus::running; ++k) status = relaxer.advance();
@@ -200,8 +203,8 @@ TEST(StrainRateCap, FollowsTheUnitTheSceneNames) {
               1e-18);
 }
 
-/// A triangular crystal of smooth, sticky disks with a hole, across which three larger ones make a chain that is
-/// longer than the hole is wide. The chain swings.
+/// Returns a triangular crystal of frictionless adhesive disks with a hole. Three larger disks form a chain
+/// across the hole that is longer than its width and swings.
 Packing<2> swinging_chain(double speed) {
   Packing<2> packing;
   packing.law = test::cohesive_law();
@@ -229,7 +232,8 @@ Packing<2> swinging_chain(double speed) {
   const double x = std::sqrt(outer * outer - kRise * kRise), half = 2.0 * kDistance - x;
   const double rise = std::sqrt(inner * inner - half * half);
   const Vec<2> end(kDistance, kMiddle * kRow);
-  // Lengths stay: outer disks turn about the ends, the middle one goes up and down.
+  // Distances stay constant: the outer disks rotate about the ends of the chain, the middle one moves up and
+  // down.
   const double turn = speed / outer;
   const double up = turn * (x - kRise * half / rise);
   add(end + Vec<2>(x, kRise), turn * Vec<2>(-kRise, x), kLarger);
@@ -244,7 +248,7 @@ Packing<2> swinging_chain(double speed) {
   return packing;
 }
 
-/// Nothing damps it, so that its energy alone would keep the packing from being at rest.
+/// Nothing damps the chain, so its energy alone exceeds the tolerance of an equilibrium.
 TEST(Relaxer, EndsWhereChainsSwingForEver) {
   const Packing<2> start = swinging_chain(0.01);
   const double energy = residuals(start, Vec<2>(Vec<2>::Constant(0.1))).energy;

@@ -13,7 +13,7 @@ namespace floc {
 namespace {
 
 TEST(RowPlace, HoldsBeyondTheRowsThatTwoGigabytesHold) {
-  constexpr int kPairs = 1 << 26;  // rows of 32 bytes: their bytes no longer fit an int
+  constexpr int kPairs = 1 << 26;  // rows of 32 bytes: the byte offset does not fit into an int
   EXPECT_EQ(row_place(kPairs, row_size<2>(RowKind::moments)), 4LL * kPairs);
   EXPECT_EQ(row_place(2 * kPairs, row_size<2>(RowKind::forces)), 4LL * kPairs);
 }
@@ -24,7 +24,7 @@ TEST(RowPlace, RefusesMorePairsThanItCanName) {
               testing::ThrowsMessage<InputError>(testing::HasSubstr("536870911 pairs of neighbouring grains")));
 }
 
-/// Calls visit(grain of the block, row) for each place that a side of a block's sums reads.
+/// Calls visit(grain of the block, row) for each row that one side of a block's sums reads.
 template <class Visit>
 void for_each_row(const SideSumsPlan& side, const double* rows, const Visit& visit) {
   const int* place = side.row;
@@ -39,7 +39,7 @@ constexpr int kBlocksOfGroup = 2;
 
 class Sweeps : public testing::TestWithParam<int> {
  protected:
-  /// Visits the groups of all threads, one of each in turn.
+  /// Visits the groups of blocks of all threads, alternating between threads.
   template <class Visit>
   void for_each_group(const Visit& visit) const {
     for (int k = 0; k < plan_.n_groups(); ++k)
@@ -75,7 +75,7 @@ TEST_P(Sweeps, ReadEveryRowOnceForEitherGrainBeforeAnotherTakesItsPlace) {
     double* row = sums.rows_of_group(group);
     places.insert(row);
     for (int p = pairs_.first_of_block(first); p < pairs_.first_of_block(last); ++p, row += row_size<3>(kind))
-      *row = pairs_.padding(p) ? 0.0 : 1.0 + p;  // where a force would stand, which pair it is
+      *row = pairs_.padding(p) ? 0.0 : 1.0 + p;  // stores the number of the pair in place of its force
     for (int b = first; b < last; ++b)
       if (!plan_.is_shared(b)) sum(b);
   });
@@ -104,8 +104,8 @@ TEST_P(Sweeps, DriftEveryBlockOnceAndNoLaterThanPairsReadIt) {
   EXPECT_EQ(drifted.size(), static_cast<std::size_t>(gas_.n_blocks()));
 }
 
-/// The blocks that a thread drifts and sums within its sweep are read by no pair of another thread; blocks read by
-/// several threads are shared.
+/// No pair of another thread reads the blocks that a thread moves and sums within its sweep. Blocks that
+/// several threads read are marked as shared.
 TEST_P(Sweeps, ShareWhatSeveralThreadsRead) {
   EXPECT_EQ(plan_.shared_of(0).empty(), plan_.n_threads() == 1);
   EXPECT_FALSE(plan_.drifting_for(0).empty());

@@ -8,7 +8,7 @@
 namespace floc {
 namespace {
 
-/// Two grains that have two contacts, with springs of their own, and shear against each other.
+/// Returns two grains with two contacts, each with its own spring, that shear relative to each other.
 template <int Dim>
 Packing<Dim> twice_in_contact() {
   Packing<Dim> packing;
@@ -18,7 +18,7 @@ Packing<Dim> twice_in_contact() {
   packing.grains.radius = {0.5, 0.4};
   packing.grains.mass = {1.0, 0.6};
   for (Vec<Dim>& x : packing.grains.position) x.setConstant(2.0);
-  // The grain of higher index lies first along the cell, where motion has it first.
+  // Grain 1 lies before grain 0 along the cell, so that the sorting by position exchanges them.
   packing.grains.position[0][0] = 2.4;
   packing.grains.position[1][0] = 1.52;
   packing.grains.velocity[0][1] = 0.02;
@@ -38,7 +38,7 @@ void expect_two_contacts(const Packing<Dim>& packing, double tolerance) {
   ASSERT_EQ(packing.contacts.size(), 2u);
   EXPECT_EQ(packing.contacts[0].key, 0);
   EXPECT_EQ(packing.contacts[1].key, 1);
-  // Both take up the same slip.
+  // Both springs change by the same slip, so their difference stays constant.
   const Shear<Dim> difference =
       test::shear_spring(packing.contacts[0]) - test::shear_spring(packing.contacts[1]);
   EXPECT_NEAR(difference.norm(), 4e-4, tolerance);
@@ -47,7 +47,7 @@ void expect_two_contacts(const Packing<Dim>& packing, double tolerance) {
 template <int Dim>
 void expect_two_contacts_in_motion() {
   const Packing<Dim> start = twice_in_contact<Dim>();
-  // A skin so narrow that lists are made anew all the time.
+  // The skin is so narrow that neighbour lists are rebuilt frequently.
   const auto dynamics = make_dynamics(start, BoundaryControl<Dim>::fixed(), {1e-3, 1e-4});
   expect_two_contacts(dynamics->packing(), 1e-18);
   for (int k = 0; k < 5; ++k) dynamics->advance(4, Motion::free);

@@ -2,11 +2,11 @@
 
 #include "support/listed_gas.h"
 
-/// Numbers of equal grains, and of their pairs, are kept once: steps would be slower without that, and no less right.
+/// Numbers of equal grains and of their pairs are stored once, which makes steps faster.
 namespace floc {
 namespace {
 
-/// Grains that do not fill their last block, with padding after them.
+/// The grains do not fill their last block, which is padded.
 constexpr int kGrains = 3 * kGrainBlock / 2;
 
 TEST(SharedNumbers, OfEqualGrainsAreKeptOnce) {

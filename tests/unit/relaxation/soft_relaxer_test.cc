@@ -52,7 +52,7 @@ const Packing<3>& beads() {
   return packing;
 }
 
-/// Relative changes of the forces of the contacts that two packings share, and the number of those they do not share.
+/// Relative changes of forces in the contacts that two packings have in common, and number of other contacts.
 struct Change {
   double normal = 0.0, shear = 0.0, rolling = 0.0;
   int n_unshared = 0;
@@ -95,7 +95,7 @@ TEST(ChangeOfSoftening, KeepsEveryForceOfDisksAndTheirStress) {
   const Mat<2> stress = static_stress(disks());
   Packing<2> changed = disks();
   double from = 1.0;
-  for (const double to : {4.0, 10.0, 2.0, 1.0}) {  // softer, and stiff again
+  for (const double to : {4.0, 10.0, 2.0, 1.0}) {  // softer in two steps, then stiffer in two steps
     const Packing<2> before = changed;
     change_softening(changed, disks().law, from, to);
     const Change change = change_between(before, changed);
@@ -103,7 +103,7 @@ TEST(ChangeOfSoftening, KeepsEveryForceOfDisksAndTheirStress) {
     EXPECT_LT(change.normal, 0.03) << to;
     EXPECT_LT(change.shear, 0.03) << to;
     EXPECT_LT(change.rolling, 0.03) << to;
-    EXPECT_LT((static_stress(changed) - stress).cwiseAbs().maxCoeff(), 0.02) << to;  // of F0/a
+    EXPECT_LT((static_stress(changed) - stress).cwiseAbs().maxCoeff(), 0.02) << to;  // in units of F0/a
     expect_springs_below_their_caps(changed);
     from = to;
   }
@@ -126,8 +126,8 @@ TEST(ChangeOfSoftening, InPlaceChangesForcesByTheRatio) {
     EXPECT_EQ(softer.contacts[k].shear_force, disks().contacts[k].shear_force);
 }
 
-/// Mindlin's friction keeps its force and not an elongation. Beads have more contacts than displacements can satisfy, so
-/// that normal forces change more.
+/// Mindlin friction keeps a force, not an elongation. Beads have more contacts than displacements can satisfy,
+/// so their normal forces change more.
 TEST(ChangeOfSoftening, KeepsTangentialForcesOfBeads) {
   const Packing<3>& p = beads();
   ASSERT_GT(p.contacts.size(), 100u);
@@ -143,7 +143,7 @@ TEST(ChangeOfSoftening, KeepsTangentialForcesOfBeads) {
 
 TEST(ChangeOfSoftening, InPlaceAndBackIsNoChangeForBeads) {
   Packing<3> changed = beads();
-  soften_in_place(changed, beads().law, 1.0, 2.0);  // a power of two, so that nothing is rounded
+  soften_in_place(changed, beads().law, 1.0, 2.0);  // a power of two causes no rounding
   EXPECT_NE(changed.contacts.front().shear_force, beads().contacts.front().shear_force);
   soften_in_place(changed, beads().law, 2.0, 1.0);
   ASSERT_EQ(changed.contacts.size(), beads().contacts.size());
@@ -158,7 +158,7 @@ void expect_strict(const Packing<Dim>& packing, const Law& law, double pressure,
                    const EquilibriumTolerance& tolerance) {
   EXPECT_EQ(packing.law, law);
   EXPECT_TRUE(residuals(packing, Vec<Dim>(Vec<Dim>::Constant(pressure))).within(tolerance));
-  // Its forces are those that its law gives at its positions and histories, and it has no other contacts.
+  // Forces must follow from the law at the given positions and histories, and no contact may be missing.
   Packing<Dim> anew = packing;
   refresh_contacts(anew);
   ASSERT_EQ(anew.contacts.size(), packing.contacts.size());
@@ -190,15 +190,15 @@ TEST(SoftRelaxer, TakesBeadsToAStrictEquilibrium) {
   EXPECT_TRUE(residuals(end, Vec<3>(10.0, 10.0, 10.0)).within(with.tolerance));
 }
 
-/// Elastic steps are solved at once, as without softening.
+/// Elastic steps are solved statically, as without softening.
 TEST(SoftRelaxer, AnElasticStepIsTheOneOfTheLaw) {
   const Packing<2> p = equilibrium_of(soft_options(1.0), disks(), 0.1005);
   const Packing<2> q = equilibrium_of(soft_options(10.0), disks(), 0.1005);
   EXPECT_EQ(p.grains.position, q.grains.position);
 }
 
-/// An equilibrator made anew from packing and progress before every chunk gives the bits of one that goes on, through all
-/// stages: of grains that start as a gas, and of a packing that collapses under a load.
+/// Before every chunk the relaxer is created again from its packing and progress. It must give the same bits as
+/// one that continues, through all stages, for a gas and for a packing that collapses under a load.
 TEST(SoftRelaxer, ContinuedFromItsProgressGivesTheSameBits) {
   for (const Packing<2>& start : {test::gas_of(60, test::cohesive_law(), 0.5), disks()}) {
     const auto target = LoadTarget<2>::normal_stress(Vec<2>(20.0, 20.0));
@@ -240,7 +240,8 @@ TEST(SoftRelaxer, RefusesWhatCannotBeSoftened) {
   EXPECT_NE(words(2.0, disks(), strained).find("a stress is imposed on every axis"), std::string::npos);
 }
 
-/// Of soft contacts (kappa = a K_N/F0 = 100 and a wide range of the adhesion) and very stiff ones.
+/// The stiffnesses are those of soft contacts (kappa = a K_N/F0 = 100, with a large range of adhesion) and of
+/// very stiff ones.
 TEST(SoftRelaxer, TakesStiffnessesOfManyDecades) {
   struct Case {
     double kappa, range, softening;

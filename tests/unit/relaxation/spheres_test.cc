@@ -35,7 +35,7 @@ TEST(Spheres, VectorInstructionsLeaveNoTraceInTheBits) {
   test::expect_no_trace_of_instructions<3>(30u);
 }
 
-/// Lattice vectors that lean change how the boundary is written, not the motion.
+/// Equivalent lattice vectors describe the same boundary, so the motion is the same.
 TEST(Spheres, MoveAlikeInLatticesOfOtherVectors) {
   Packing<3> gas = agitated_gas<3>(150, cohesive_law());
   Packing<3> leaning = gas;
@@ -55,8 +55,8 @@ TEST(Spheres, MoveAlikeInLatticesOfOtherVectors) {
   }
 }
 
-/// Two spheres that meet off centre, spinning: momentum and angular momentum are conserved to rounding, since
-/// both arms together are the branch.
+/// Two spinning spheres collide off centre. Momentum and angular momentum are conserved up to rounding, because
+/// the two lever arms add up to the branch.
 TEST(Spheres, ACollisionConservesAngularMomentum) {
   Packing<3> pair;
   pair.law = cohesive_law();
@@ -82,7 +82,7 @@ TEST(Spheres, ACollisionConservesAngularMomentum) {
   EXPECT_LT((angular_momentum(end) - angular_momentum(pair)).norm(), 1e-12);
 }
 
-/// q of a sphere that spins freely about one axis for a time.
+/// If a sphere spins freely about one axis, its orientation q follows the angle of rotation.
 TEST(Spheres, OrientationFollowsTheSpin) {
   Packing<3> one;
   one.law = cohesive_law();
@@ -106,11 +106,10 @@ Law frictional_law() {
   return law;
 }
 
-/// A pair with a spring along y that turns rigidly about an axis, by its length in radians, in n steps.
-/// @return ratio of the spring to its value in a frame that turns with the pair
+/// Tangential force of a pair after a rigid rotation, compared with the exactly rotated force.
 struct Turned {
-  double length;  ///< over that of the start
-  double angle;   ///< between them (radians)
+  double length;  ///< length divided by that at the start
+  double angle;   ///< angle between the two forces (radians)
 };
 Turned turned_rigidly(const Vec<3>& axis, int n, InstructionSet set) {
   KernelPair pair(frictional_law(), 1e-3, set);
@@ -132,7 +131,7 @@ TEST(Spheres, ARigidTurnKeepsTheTangentialForce) {
   for (const InstructionSet set : {InstructionSet::portable, InstructionSet::avx2, InstructionSet::avx512}) {
     if (!supported(set)) continue;
     const Turned coarse = turned_rigidly(axis, 500, set), fine = turned_rigidly(axis, 1000, set);
-    EXPECT_NEAR(fine.length, 1.0, 3e-6);  // slip of a chord against its arc
+    EXPECT_NEAR(fine.length, 1.0, 3e-6);  // the chord of each step is shorter than its arc
     EXPECT_LT(fine.angle, 4e-6);
     EXPECT_NEAR(coarse.angle / fine.angle, 4.0, 0.2);
   }
@@ -151,7 +150,7 @@ TEST(Spheres, TheTangentialForceTurnsWithTheMeanSpinAboutTheNormal) {
   EXPECT_LT((end_of(0.8, -0.8) - Vec<3>(0.0, 1.0, 0.0)).norm(), 1e-12);
 }
 
-/// Gears roll on each other: neither the force nor its direction changes.
+/// When spheres rotate like gears, neither the magnitude nor the direction of the tangential force changes.
 TEST(Spheres, GearsKeepTheTangentialForce) {
   KernelPair pair(frictional_law(), 1e-3, widest_instruction_set());
   pair.slip(Vec<3>(0.0, 1e-4, 0.0));
@@ -172,7 +171,7 @@ TEST(Spheres, MomentsOfAContactAreThoseOfItsShearForce) {
   EXPECT_LT((pair.moment_on_j() - arm * unit).norm(), 1e-16);
 }
 
-/// Rolling resistance acts on rotations about axes in the tangent plane alone.
+/// Rolling resistance acts only on rotations about axes in the tangent plane.
 TEST(Spheres, RollingResistsRotationsAboutTangentsOnly) {
   Law law = frictional_law();
   law += test::rolling_spring(100.0, 0.3);
@@ -183,10 +182,10 @@ TEST(Spheres, RollingResistsRotationsAboutTangentsOnly) {
   EXPECT_EQ(pair.moment_on_i(), -pair.moment_on_j());
 }
 
-/// And twisting resistance on those about the normal, each up to a cap of its own.
+/// Twisting resistance acts only on rotations about the normal. Each resistance has its own limit.
 TEST(Spheres, TwistingResistsRotationsAboutTheNormalOnly) {
   Law law = frictional_law();
-  law += test::twisting_spring(0.1, 0.3);  // of a normal force of 1e-3
+  law += test::twisting_spring(0.1, 0.3);  // the limit is a fraction 0.3 of a normal force of 1e-3
   KernelPair pair(law, 1e-3, widest_instruction_set());
   const std::array<Vec<3>, 2> still = {pair.position(0), pair.position(1)};
   pair.move(still, {Vec<3>(2e-4, 1e-3, 2e-3), Vec<3>(-1e-4, -1e-3, -2e-3)}, 1.0);
@@ -196,7 +195,7 @@ TEST(Spheres, TwistingResistsRotationsAboutTheNormalOnly) {
   EXPECT_LT((pair.moment_on_j() - Vec<3>(1e-4, 0.0, 0.0)).norm(), 1e-18);
 }
 
-/// Both springs turn with the pair: a rigid turn leaves the size of the moment as it is.
+/// Both springs rotate with the pair, so a rigid rotation keeps the magnitude of the moment.
 TEST(Spheres, ARigidTurnKeepsTheMoment) {
   Law law = frictional_law();
   law += test::rolling_spring(100.0, 0.3);
@@ -207,7 +206,7 @@ TEST(Spheres, ARigidTurnKeepsTheMoment) {
     const Vec<3> x_i = pair.position(0), x_j = pair.position(1);
     const Vec<3> rotation(0.02, -0.01, 0.03);
     pair.move({x_i, x_j}, {rotation, -rotation}, 1.0);
-    // Without that of the shear force, which is the same on both.
+    // The moment of the shear force is the same on both spheres and cancels here.
     const auto of_springs = [&] { return Vec<3>(0.5 * (pair.moment_on_j() - pair.moment_on_i())); };
     const Vec<3> start = of_springs();
     EXPECT_LT((start - 2.0 * Vec<3>(0.2 * 0.02, -0.3 * 0.01, 0.3 * 0.03)).norm(), 1e-16);

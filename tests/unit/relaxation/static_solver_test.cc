@@ -20,8 +20,8 @@ namespace {
 
 const Vec<2> kTarget(0.5, 0.5);
 
-/// An equilibrium of grains so soft that their overlaps are a tenth of a diameter: the terms of the tangent
-/// that are of the order of force over branch weigh as much as those of stiffness.
+/// Returns an equilibrium of grains so soft that overlaps are a tenth of a diameter. The terms of the tangent
+/// of order force/branch are then as large as the stiffness terms.
 Packing<2> soft_equilibrium() {
   Law law = test::cohesive_law();
   law += test::linear(10.0);
@@ -37,8 +37,9 @@ Packing<2> soft_equilibrium() {
   return relaxer.packing();
 }
 
-/// Returns the soft equilibrium with the contact nearest to sliding put at its friction limit, and beyond it, so that
-/// it slides under any displacement of the grains; and with the contact nearest to its rolling limit put there.
+/// Returns the soft equilibrium with one sliding contact and one contact at its rolling limit. The contact
+/// nearest to sliding is chosen; its spring is stretched beyond the limit, so that it slides under any
+/// displacement of the grains.
 Packing<2> with_yielding_contacts(Packing<2> packing) {
   const auto mobilised = [](const Contact<2>& c) {
     return c.distant ? 0.0 : c.shear_force.norm() / c.elastic_force;
@@ -59,7 +60,7 @@ Packing<2> with_yielding_contacts(Packing<2> packing) {
   return packing;
 }
 
-/// The packing after a disturbance of this size of all positions and of the cell.
+/// Returns the packing with all positions and the cell disturbed by `size`.
 template <int Dim>
 Packing<Dim> disturbed(Packing<Dim> packing, double size) {
   RandomStream random(5, 1);
@@ -70,7 +71,7 @@ Packing<Dim> disturbed(Packing<Dim> packing, double size) {
   return packing;
 }
 
-/// Residual that one Newton step leaves of it.
+/// Returns the residual after one Newton step from a disturbed equilibrium.
 template <int Dim>
 double residual_after_one_step(const Packing<Dim>& equilibrium, const BoundaryControl<Dim>& control,
                                double size) {
@@ -81,13 +82,13 @@ double residual_after_one_step(const Packing<Dim>& equilibrium, const BoundaryCo
   return solve_statics(disturbed(equilibrium, size), control, one_step).residual;
 }
 
-/// A step with the exact tangent leaves what is quadratic in the disturbance: a hundredth for a tenth. Any
-/// error of the tangent would leave a tenth.
+/// With the exact tangent, the residual after one step is quadratic in the disturbance: a tenth of the
+/// disturbance gives a hundredth of the residual. With an inexact tangent it would give a tenth.
 template <int Dim>
 void expect_quadratic(const Packing<Dim>& equilibrium, const BoundaryControl<Dim>& control) {
   const double after_large = residual_after_one_step(equilibrium, control, 1e-4);
   const double after_small = residual_after_one_step(equilibrium, control, 1e-5);
-  EXPECT_GT(after_large, 1e-10);  // well above rounding
+  EXPECT_GT(after_large, 1e-10);  // well above rounding errors
   EXPECT_NEAR(after_large / after_small, 100.0, 10.0);
 }
 void expect_quadratic(const Packing<2>& equilibrium) {
@@ -124,7 +125,7 @@ Law sphere_law() {
   return law;
 }
 
-/// Spheres on the sites of a face-centred cubic crystal of 2 x 2 x 2 cubes, overlapping by a tenth.
+/// Returns spheres on the sites of a face-centred cubic crystal of 2 x 2 x 2 cells, with overlaps of a tenth.
 Packing<3> crystal() {
   Packing<3> cube;
   cube.law = sphere_law();
@@ -144,7 +145,7 @@ Vec<3> load_on(const Packing<3>& packing) {
   return static_stress(packing).diagonal();
 }
 
-/// The crystal with springs stretched at random to half their caps, brought to equilibrium.
+/// Returns the crystal in equilibrium with springs that were stretched at random up to half their limits.
 Packing<3> strained_crystal() {
   Packing<3> packing = crystal();
   RandomStream random(3, 1);
@@ -202,7 +203,7 @@ TEST(StaticSolver, AnswersAsTheModuliSayInASkewedCell) {
   options.prestress = true;
   const Mat<2> deformation = (start.cell.matrix.inverse() * solution.packing.cell.matrix).transpose();
   EXPECT_EQ(deformation(1, 0), 0.0);
-  // Shortening is positive. The solution is within 1e-8 of a load of 1e-5.
+  // Shortening is positive. The error of the solution is 1e-8, compared with a load of 1e-5.
   EXPECT_NEAR(-deformation(0, 1) * elastic_moduli(start, options).G / kShear, 1.0, 1e-3);
 }
 
@@ -229,14 +230,14 @@ TEST(StaticSolver, ComesToTheSameEquilibriumByEachWayOfSolving) {
     const StaticSolution<3> found = solve_statics(start, load, options);
     EXPECT_TRUE(found.converged) << found.reason;
     EXPECT_LE(found.iterations, 4);
-    // Residuals of 1e-8 of a force that overlaps of a tenth carry.
+    // Residuals are 1e-8 of the force at an overlap of a tenth.
     EXPECT_LT((found.packing.cell.matrix - expected.cell.matrix).norm(), 1e-7);
     for (int i = 0; i < start.grains.size(); ++i)
       EXPECT_LT((found.packing.grains.position[i] - expected.grains.position[i]).norm(), 1e-7) << i;
   }
 }
 
-/// Nothing but its lattice vectors balances the pressure on a gas: a step may not turn them inside out.
+/// A gas has no contacts that could balance the pressure. A Newton step must not invert its lattice vectors.
 template <int Dim>
 void expect_no_equilibrium_of_a_gas() {
   for (const double pressure : {1e-3, 0.5, 10.0})

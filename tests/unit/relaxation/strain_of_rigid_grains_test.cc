@@ -13,7 +13,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Load on a packing: the first axis keeps its length, the last axis bears a pressure of 1.
+/// Returns a load with constant length of the first axis and a pressure of 1 on the last axis.
 template <int Dim>
 LoadTarget<Dim> held_aside(const Packing<Dim>& packing) {
   LoadTarget<Dim> load = LoadTarget<Dim>::normal_stress(Vec<Dim>::Ones());
@@ -36,8 +36,8 @@ void expect_holds(const std::vector<Criterion>& criteria) {
     EXPECT_TRUE(c.holds) << c.name << " " << c.value.value_or(0.0) << " " << c.where;
 }
 
-/// Shears a packing at rest, and expects the imposed lengths, the forces of a time step, and the same bits for several
-/// threads and after stops.
+/// Shears a packing at rest. Expects the imposed lengths, the forces of the last time step, and the same bits
+/// for several threads and after interruptions.
 template <int Dim>
 void expect_sheared(const RigidGas& gas, double strain) {
   const RigidEnd<Dim> rest = relaxed<Dim>(make_rigid_gas<Dim>(gas));
@@ -73,8 +73,8 @@ TEST(StrainOfRigidGrains, ShearsPolyhedra) {
                     0.01);
 }
 
-/// Without contacts nothing but the imposed strain moves the grains: their reduced coordinates stay, and the strain takes
-/// the time that follows from the rate.
+/// Without contacts, grains move with the imposed strain only: their reduced coordinates are constant, and the
+/// duration follows from the rate.
 TEST(StrainOfRigidGrains, CarriesAGasAlong) {
   Packing<2> gas = make_rigid_gas<2>({.count = 10});
   gas.cell.matrix *= 4.0;
@@ -83,7 +83,7 @@ TEST(StrainOfRigidGrains, CarriesAGasAlong) {
   load.side[0] *= std::exp(0.01);
   RelaxationOptions options = rigid_options();
   options.contact_dynamics.inertial_number = 0.05;
-  options.cell_mass = 1e9;  // so that the axis under stress stays where it is
+  options.cell_mass = 1e9;  // so that the axis under stress keeps its length
   const RigidEnd<2> end = relaxed_under<2>(load, gas, options);
   ASSERT_EQ(end.status, RelaxationStatus::converged);
   const double unit = std::sqrt(largest_mass(gas.grains));
@@ -95,8 +95,8 @@ TEST(StrainOfRigidGrains, CarriesAGasAlong) {
         1e-7);
 }
 
-/// Momentum over the recorded step, by hand: with the recorded forces on two disks in a row, the velocities at the end of
-/// the step are those at which the disks neither part nor overlap.
+/// Repeats the momentum balance of the recorded time step: with the recorded forces, two disks in contact
+/// neither separate nor overlap at the end of the step.
 TEST(StrainOfRigidGrains, RecordedForcesStopTheApproach) {
   const RigidEnd<2> rest = relaxed<2>(make_rigid_gas<2>({.count = 60, .friction = 0.5}));
   const LoadTarget<2> load = under_shear(rest.packing, 0.02);
@@ -105,7 +105,7 @@ TEST(StrainOfRigidGrains, RecordedForcesStopTheApproach) {
   const double dt = end.report.motion->time_step;
   const Packing<2>& p = end.packing;
   const Balance<2> net = net_forces(p);
-  // The acceleration of the axis under stress, from its equation of motion.
+  // Equation of motion of the axis under stress.
   double mass = 0.0;
   for (const double m : p.grains.mass) mass += m;
   const double side = p.cell.matrix(1, 1);
@@ -156,7 +156,7 @@ TEST(StrainOfRigidGrains, VerificationFindsWrongForcesAndVelocities) {
   EXPECT_THAT(fails(spoiled), HasSubstr("length"));
 }
 
-/// An oedometric load holds the length of an axis, on which forces in balance leave the stress open.
+/// Under an oedometric load, one axis keeps its length, and the balanced forces determine the stress along it.
 template <int Dim>
 void expect_held(const RigidGas& gas, RigidForces forces) {
   const RigidEnd<Dim> rest = relaxed<Dim>(make_rigid_gas<Dim>(gas));

@@ -20,7 +20,7 @@ namespace {
 using test::agitated_gas;
 using test::cohesive_law;
 
-/// Puts walls around a gas, half a largest diameter away from its cell, across the first `n_axes` axes.
+/// Puts walls around a gas across the first `n_axes` axes, half the largest diameter outside its cell.
 Packing<2> boxed(Packing<2> gas, int n_axes, const Law& wall_law) {
   for (int a = 0; a < n_axes; ++a) {
     gas.walls.push_back({a, -1, -0.5, 0.0, 20.0});
@@ -36,7 +36,7 @@ Packing<2> one_disk() {
   return test::unit_grains<2>({{5.0, 5.0}}, 10.0, test::law_of({test::linear(1.0)}));
 }
 
-/// One disk in a box of walls on both axes, the walls touching it.
+/// Returns one disk in a box whose walls on both axes touch it.
 Packing<2> box_around_one_disk(const Law& law) {
   Packing<2> packing = one_disk();
   packing.law = packing.wall_law = law;
@@ -67,7 +67,7 @@ TEST(Walls, AroundManyGrainsLeaveTheSameBitsWhicheverRowsAreKept) {
         boxed(test::large_agitated_gas<2>(cohesive_law()), n_axes, cohesive_law()));
 }
 
-/// The walls of an empty square box approach each other as L = L0 cos(t sqrt(2 p/m)).
+/// In an empty square box the distance of walls is L = L0 cos(t sqrt(2 p/m)).
 TEST(Walls, OfAnEmptyBoxFollowTheirPressure) {
   Packing<2> box = one_disk();
   for (int a = 0; a < 2; ++a) {
@@ -93,16 +93,16 @@ TEST(Walls, ApproachEachOtherAtTheRateGiven) {
   EXPECT_NEAR(std::log(dynamics->packing().cell.matrix(0, 0) / 11.0), -0.1, 1e-5);
 }
 
-/// Ratio of speeds after and before an impact on a wall at rest, in units K_N = m = F0 = 1: contacts adhere
-/// with F0 and their dashpots are 0.248139 of critical. What the closed form of a damped oscillation gives
-/// (Bouzid et al. 2024, corrected).
+/// Returns the speed after an impact on a wall at rest divided by the speed before, in units K_N = m = F0 = 1.
+/// The contact has the adhesion F0 and a damping ratio of 0.248139. The closed form is that of a damped
+/// oscillation (Bouzid et al. 2024, corrected).
 double rebound(double speed) {
   Packing<2> packing = boxed(one_disk(), 1, {});
   packing.law += test::linear(1.0);
   packing.wall_law += test::linear(1.0);
   packing.wall_law += test::constant_adhesion(1.0);
   packing.wall_law += test::viscous_damping(std::sqrt(0.2));
-  // Overlaps are of the order of the speed: the disk is large enough for them.
+  // Overlaps are of the order of the speed, so the disk has to be large.
   const double scale = 1000.0;
   packing.grains.radius[0] = scale;
   packing.cell.matrix *= 10.0 * scale;
@@ -122,7 +122,7 @@ TEST(Walls, ReflectAndCatchAGrainAsTheDampedOscillationSays) {
   EXPECT_NEAR(rebound(5.0), 0.24834, 2e-3);
   EXPECT_NEAR(rebound(10.0), 0.36475, 2e-3);
   EXPECT_NEAR(rebound(100.0), 0.43994, 2e-3);
-  EXPECT_EQ(rebound(3.45), 0.0);  // sticks below 3.48447
+  EXPECT_EQ(rebound(3.45), 0.0);  // the disk sticks below a speed of 3.48447
   EXPECT_GT(rebound(3.52), 0.0);
 }
 
@@ -154,7 +154,7 @@ double total_energy(const Packing<2>& packing, const BoundaryControl<2>& control
   return energy;
 }
 
-/// Largest relative change of the energy of undamped disks between walls, in steps of dt.
+/// Returns the largest relative change of the energy of undamped disks between walls, for time steps of dt.
 double energy_drift(int n_walled_axes, double dt, int n_steps) {
   Law law;
   law += test::linear(1.0);
@@ -189,7 +189,7 @@ TEST(Walls, ConserveEnergyToSecondOrder) {
   }
 }
 
-/// K_N D - f = p L and L = d - 2 D on either axis.
+/// Closed form of the equilibrium: K_N D - f = p L and L = d - 2 D on each axis, with the overlap D.
 TEST(Walls, HoldADiskInTheEquilibriumOfTheirPressure) {
   Law law = cohesive_law();
   law += test::constant_adhesion(1.0);
@@ -213,12 +213,12 @@ TEST(Walls, HoldADiskInTheEquilibriumOfTheirPressure) {
   EXPECT_NEAR(net_forces(rest).force[0].norm(), 0.0, 1e-6);
 }
 
-/// A disk that spins between two walls is stopped by their friction, with the tangential forces of a couple.
+/// Friction of two walls stops a disk that spins between them; the tangential forces form a couple.
 TEST(Walls, FrictionActsWithTheDistanceOfThePlaneAsItsArm) {
   Law law = cohesive_law();
   law += test::without("rolling");
   Packing<2> box = box_around_one_disk(law);
-  box.walls.resize(2);  // the other axis is periodic
+  box.walls.resize(2);  // the other axis stays periodic
   box.cell.matrix(1, 1) = 10.0;
   const double spin = 1e-4;
   box.grains.angular_velocity[0][0] = spin;
@@ -226,7 +226,7 @@ TEST(Walls, FrictionActsWithTheDistanceOfThePlaneAsItsArm) {
   box.walls[0].position = 4.5 + 1e-4;
   box.walls[1].position = 5.5 - 1e-4;
   const double arm = 0.5 - 1e-4, inertia = box.grains.inertia(0);
-  // Two springs K_T at the arm: I w' = -2 K_T arm^2 angle.
+  // Two springs K_T act at the lever arm: I w' = -2 K_T arm^2 angle.
   const double frequency = std::sqrt(2.0 * 1e5 * arm * arm / inertia);
   const double dt = 0.01 / frequency;
   const auto dynamics = make_dynamics(box, control, {dt, 0.1});
@@ -254,7 +254,7 @@ TEST(Walls, MirroredBoxesMoveAsMirrorImages) {
   other->advance(300, Motion::free);
   const Packing<2> p = one->packing(), q = other->packing();
   EXPECT_GT(p.contacts.size(), 10u);
-  // Collisions amplify rounding.
+  // Collisions amplify rounding errors.
   EXPECT_NEAR(p.walls[0].velocity, -q.walls[1].velocity, 1e-6);
   for (int i = 0; i < p.grains.size(); ++i)
     EXPECT_NEAR(p.grains.velocity[i][0], -q.grains.velocity[i][0], 1e-5);
@@ -294,7 +294,8 @@ TEST(Walls, ListsThreadsAndInstructionsLeaveNoTraceInTheBits) {
   }
 }
 
-/// The packing from which a run is resumed holds the walls and the history of their contacts.
+/// The packing that a run saves contains the walls and the histories of their contacts, so that it can be
+/// resumed.
 TEST(Walls, MotionGoesOnFromThePackingThatItLeft) {
   const Packing<2> box = boxed(agitated_gas(100, cohesive_law()), 2, cohesive_law());
   const double dt = time_step_of(box, 0.2);
@@ -306,7 +307,7 @@ TEST(Walls, MotionGoesOnFromThePackingThatItLeft) {
   expect_same_bits(middle, again);
 }
 
-/// Rough walls around smooth grains: the friction of the walls alone turns them.
+/// Rough walls around frictionless grains: only the friction of the walls makes the grains spin.
 TEST(Walls, MayHaveFrictionWhereGrainsHaveNone) {
   Law smooth;
   smooth += test::linear(1e5);
@@ -324,7 +325,7 @@ TEST(Walls, MayHaveFrictionWhereGrainsHaveNone) {
   }
 }
 
-/// Functions that support periodic boundaries alone name this as the reason of their failure.
+/// Functions that support only periodic boundaries must say so in their message.
 TEST(Walls, AreRefusedWhereNothingKnowsThem) {
   Packing<2> box = box_around_one_disk(cohesive_law());
   find_contacts(box);

@@ -24,7 +24,7 @@ using test::all_volumes;
 using test::expect_same_bits;
 using test::liquid_of;
 
-/// Liquid bridges in units of F0 and a of two grains of diameter one.
+/// Law with liquid bridges, in units of the force F0 and the diameter a of two grains of diameter one.
 Law wet_law(double water, const std::string& formation = "gap") {
   Law law;
   law += test::linear(1e5);
@@ -41,7 +41,7 @@ int count_distant(const Packing<Dim>& packing) {
   return n;
 }
 
-/// Two grains of diameter one at a gap, without damping and friction.
+/// Returns two grains of diameter one at a gap, without damping and friction.
 Packing<3> doublet(double gap, double water) {
   Packing<3> pair = test::unit_grains<3>({{4.0, 4.0, 4.0}, {5.0 + gap, 4.0, 4.0}}, 10.0, wet_law(water));
   pair.law += test::without("damping");
@@ -90,7 +90,7 @@ void expect_liquid_kept(const std::string& formation) {
     packing = after(packing, {dt, 0.05}, {200});
     if (packing.contacts.empty()) continue;
     const double sum = all_volumes(packing);
-    if (sum == 0.0) continue;  // nothing has touched yet
+    if (sum == 0.0) continue;  // no grains have touched yet
     EXPECT_NEAR(sum, liquid_of(packing), 1e-12 * liquid_of(packing)) << "chunk " << chunk;
     ++n_chunks_with_liquid;
   }
@@ -109,7 +109,7 @@ TEST(WetGrains, ListsInMotionShareLiquidAsThePackingDoes) {
   const double dt = time_step_of(gas, RelaxationOptions{}.time_step);
   Packing<3> packing = after(gas, {dt, 0.05}, {600});
   spread_liquid(packing);
-  // A list made anew shares the liquid out before anything has moved.
+  // A new neighbour list distributes the liquid before the first step.
   const Packing<3> again = after(packing, {dt, 0.05}, {0});
   ASSERT_EQ(again.contacts.size(), packing.contacts.size());
   for (std::size_t k = 0; k < again.contacts.size(); ++k) {
@@ -137,8 +137,8 @@ TEST(WetGrains, ADoubletBouncesForEverWithAllOfItsEnergy) {
   }
   EXPECT_TRUE(apart);
   EXPECT_TRUE(touching);
-  // Where the surfaces meet the slope of the force jumps by K_N, and a step across that errs by some
-  // K_N (v dt)^2/8: 2e-5 at twice this step, a quarter of that here.
+  // When surfaces meet, the stiffness jumps by K_N. A step across this point has an error of about K_N (v
+  // dt)^2/8.
   EXPECT_LT(largest, 5e-4 * std::abs(energy));
 }
 

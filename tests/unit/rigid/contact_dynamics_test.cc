@@ -30,7 +30,7 @@ Packing<Dim> empty_packing(double friction) {
   return packing;
 }
 
-/// Adds walls across the last axis at 0 and 40 that nothing moves.
+/// Adds immovable walls across the last axis, at 0 and 40.
 template <int Dim>
 void add_floor(Packing<Dim>& packing) {
   const double heavy = std::numeric_limits<double>::infinity();
@@ -49,7 +49,7 @@ void add_grain(Packing<Dim>& packing, const Vec<Dim>& position, double radius, d
   g.angular_velocity.push_back(RotationVector<Dim>::Zero());
 }
 
-/// Adds a grain with the shape of number `shape` in the table, at density 1.
+/// Adds a grain of density 1. @param shape  index of its shape in the table of shapes
 template <int Dim>
 void add_shaped(Packing<Dim>& packing, const Vec<Dim>& position, int shape, double diameter) {
   Grains<Dim>& g = packing.grains;
@@ -59,7 +59,7 @@ void add_shaped(Packing<Dim>& packing, const Vec<Dim>& position, int shape, doub
   g.scale.push_back(diameter / own.diameter());
 }
 
-/// Returns a block with the given sides that stands on the floor, with its centre at 20 on the other axes.
+/// Returns a block with the given sides that stands on the floor; its centre is at 20 on the other axes.
 template <int Dim>
 Packing<Dim> block_on_floor(const Vec<Dim>& sides, double friction) {
   Packing<Dim> packing = empty_packing<Dim>(friction);
@@ -85,7 +85,7 @@ ContactDynamics<Dim> dynamics(const Packing<Dim>& packing, const ContactDynamics
   return out;
 }
 
-/// Returns gravity of size 1 on a plane that slopes by the angle with this tangent.
+/// Returns gravity of magnitude 1 relative to an inclined plane. @param tangent  tangent of its inclination
 template <int Dim>
 Vec<Dim> slope(double tangent) {
   Vec<Dim> g = Vec<Dim>::Zero();
@@ -94,7 +94,7 @@ Vec<Dim> slope(double tangent) {
   return g;
 }
 
-// Stack of disks: each contact carries the weight above it already in the first step, whatever the step.
+// In a stack of disks, each contact carries the weight above it after the first step, for any time step.
 TEST(ContactDynamics, StackOfDisksCarriesItsWeightInOneStep) {
   Packing<2> packing = empty_packing<2>(0.0);
   add_floor(packing);
@@ -110,7 +110,8 @@ TEST(ContactDynamics, StackOfDisksCarriesItsWeightInOneStep) {
   }
 }
 
-// A row of equal balls is hit by its first one [Newton's law of restitution between all of them at once].
+// The first ball hits a row of equal balls. Newton's law of restitution holds for all contacts at the same
+// time.
 TEST(ContactDynamics, RowOfBallsSharesTheImpact) {
   for (const double e : {0.0, 0.5, 1.0}) {
     constexpr int kBalls = 3;
@@ -148,7 +149,7 @@ void slides_to_rest() {
   ContactDynamics<Dim> motion = dynamics<Dim>(packing, exact(step), down);
   for (int k = 0; k < 300; ++k) motion.step(false);
   const Grains<Dim>& g = motion.packing().grains;
-  // v0^2/(2 mu g) - v0 dt/2
+  // The sliding distance is v0^2/(2 mu g) - v0 dt/2.
   EXPECT_NEAR(g.position[0][0] - 20.0, 0.6 - 0.5 * 0.6 * step, 1e-10);
   EXPECT_LT(g.velocity[0].norm(), 1e-12);
   EXPECT_LT(g.angular_velocity[0].norm(), 1e-12);
@@ -161,11 +162,12 @@ TEST(ContactDynamics, SlidingBlockStopsAfterItsPath) {
 
 struct OnSlope {
   double width, height, tangent, friction;
-  double acceleration;  // along the slope
-  double lower, upper;  // normal forces of the lower and the upper point in the first step
+  double acceleration;  // acceleration along the slope
+  double lower, upper;  // normal forces of the lower and the upper contact point in the first step
 };
 
-// A block slides if tan a > mu, tips if min(tan a, mu) > w/h, and rests otherwise.
+// On a slope of angle a, a block of width w and height h slides if tan a > mu, tips over if min(tan a, mu) >
+// w/h, and rests otherwise.
 TEST(ContactDynamics, BlockOnASlopeRestsSlidesOrTips) {
   const double step = 0.005;
   for (const OnSlope& c : {OnSlope{1, 1, 0.45, 0.5, 0.0, 0.66114309, 0.25077841},
@@ -207,7 +209,8 @@ double acceleration_on_slope(double tangent, double friction) {
   return motion.packing().grains.velocity[0][0] / step / slope<Dim>(tangent)[0];
 }
 
-// A disk rolls with 2/3 g sin a up to tan a = 3 mu, a sphere with 5/7 g sin a up to 7/2 mu.
+// A disk rolls with the acceleration 2/3 g sin a up to tan a = 3 mu, a sphere with 5/7 g sin a up to tan a =
+// 7/2 mu.
 TEST(ContactDynamics, RoundGrainsRollOrSlideDownASlope) {
   EXPECT_NEAR(acceleration_on_slope<2>(0.5, 0.2), 2.0 / 3.0, 1e-10);
   EXPECT_NEAR(acceleration_on_slope<2>(0.5, 0.1), 0.8, 1e-10);
@@ -215,7 +218,7 @@ TEST(ContactDynamics, RoundGrainsRollOrSlideDownASlope) {
   EXPECT_NEAR(acceleration_on_slope<3>(0.5, 0.1), 0.8, 1e-10);
 }
 
-// The friction of the four points has the moment mu m g sqrt(2)/2, and the moment of inertia is m/6.
+// Friction at the four contact points exerts a moment of mu m g sqrt(2)/2; the moment of inertia is m/6.
 TEST(ContactDynamics, SpinningCubeStops) {
   Packing<3> packing = block_on_floor<3>(Vec<3>::Ones(), 0.3);
   packing.grains.angular_velocity[0][2] = 0.9;
@@ -228,8 +231,8 @@ TEST(ContactDynamics, SpinningCubeStops) {
   EXPECT_NEAR(time, 0.9 * std::numbers::sqrt2 / (6.0 * 0.3), 2e-3);
 }
 
-// Column of ten cubes, each 0.04 further: the force under a cube is the weight above, and the centre of pressure is
-// below the centre of mass of the cubes above.
+// In a column of ten cubes, each is shifted by 0.04 relative to the one below. The force under a cube is the
+// weight above it, and the centre of pressure is below the centre of mass of the cubes above.
 TEST(ContactDynamics, LeaningColumnOfCubesStands) {
   constexpr int kCubes = 10;
   constexpr double kShift = 0.04;
@@ -257,7 +260,7 @@ TEST(ContactDynamics, LeaningColumnOfCubesStands) {
   }
 }
 
-/// Returns a gas of pentagons and disks that fly about without a load.
+/// Returns a gas of moving pentagons and disks without load.
 Packing<2> moving_mixture() {
   Packing<2> packing = empty_packing<2>(0.3);
   packing.cell.matrix = 10.0 * Mat<2>::Identity();
@@ -290,7 +293,7 @@ TEST(ContactDynamics, CollisionsKeepMomentumAndNeverAddEnergy) {
     double last = energy(start);
     for (int k = 0; k < 300; ++k) {
       motion.step(false);
-      // The stabilisation of overlaps may add a little energy, so overlaps are the measure of what it may add.
+      // The correction of overlaps may add energy. The tolerance allows for this.
       EXPECT_LE(energy(motion.packing()), last * (1.0 + 1e-3)) << k;
       last = energy(motion.packing());
     }

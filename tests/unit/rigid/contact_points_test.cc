@@ -7,7 +7,7 @@
 namespace floc {
 namespace {
 
-/// Contacts between walls are those in free space: no grain touches an image of another one across a wall.
+/// Expects no contacts of grains with images of other grains across a wall.
 template <int Dim>
 void expect_no_images_between_walls(const test::Ends<Dim>& ends) {
   for (Packing<Dim> p :

@@ -16,14 +16,14 @@ namespace {
 
 constexpr int kProblems = 10'000;
 
-/// Coefficients of friction of the problems, in turn.
+/// Friction coefficients of the problems, repeated periodically.
 double friction_of(int n) {
   constexpr double kFrictions[] = {0.5, 0.0, 0.1, 1.5, 10.0};
   return kFrictions[n % 5];
 }
 
-/// Random problems. In every other one slip and normal are coupled almost as strongly as a positive definite response
-/// allows: with much friction the contact is then a steep wedge.
+/// Random problems. In every second one, slip and normal motion are coupled almost as strongly as positive
+/// definiteness allows. With a large friction coefficient the contact then acts like a steep wedge.
 template <int Dim>
 class Problems {
  public:
@@ -60,7 +60,7 @@ void expect_the_impulses_of_the_reference() {
     n_stick += expected[0] > 0.0 && size < 0.999999 * limit;
     n_slide += expected[0] > 0.0 && size >= 0.999999 * limit;
   }
-  // A steep wedge in space may slide in several ways, of which contact_impulse() may take another.
+  // In 3D a steep wedge may have several solutions, so that contact_impulse() may find another one.
   EXPECT_LE(n_other, Dim == 2 ? 0 : 2);
   EXPECT_GT(n_stick, kProblems / 20);
   EXPECT_GT(n_slide, kProblems / 20);
@@ -74,7 +74,7 @@ TEST(CoupledResponse, SolvesProblemsInSpace) {
   expect_the_impulses_of_the_reference<3>();
 }
 
-/// Relative velocity at a contact, term by term.
+/// Returns the relative velocity at a contact.
 template <int Dim>
 Vec<Dim> relative_velocity(const BodyMotion<Dim>& bodies, const StepContact<Dim>& c) {
   Vec<Dim> u = bodies.velocity[c.j] + cross<double>(bodies.angular_velocity[c.j], c.arm_j);
@@ -82,7 +82,7 @@ Vec<Dim> relative_velocity(const BodyMotion<Dim>& bodies, const StepContact<Dim>
   return c.frame.transpose() * (u + bodies.stretch.cwiseProduct(c.branch));
 }
 
-/// Velocities after an impulse on j, and its opposite on i.
+/// Returns the velocities after an impulse on body j and the opposite impulse on body i.
 template <int Dim>
 BodyMotion<Dim> after(BodyMotion<Dim> bodies, const StepContact<Dim>& c, const Vec<Dim>& impulse) {
   const Vec<Dim> in_space = c.frame * impulse;
@@ -94,7 +94,7 @@ BodyMotion<Dim> after(BodyMotion<Dim> bodies, const StepContact<Dim>& c, const V
   return bodies;
 }
 
-/// The problem of a contact, with its response from unit impulses.
+/// Returns the problem of a contact, whose response is computed from unit impulses.
 template <int Dim>
 ContactProblem<Dim> problem_of(const BodyMotion<Dim>& bodies, const StepContact<Dim>& c) {
   ContactProblem<Dim> out;
@@ -108,7 +108,7 @@ ContactProblem<Dim> problem_of(const BodyMotion<Dim>& bodies, const StepContact<
   return out;
 }
 
-/// Two random bodies with a contact, in a cell under stress if the contact is not round.
+/// Two random bodies in contact; if the contact is not round, in a cell under stress.
 template <int Dim>
 class Pairs {
  public:
@@ -141,7 +141,7 @@ class Pairs {
     }
     out.branch = out.arm_i - out.arm_j;
     out.bias = vector<Dim>();
-    // The tangents may form a left-handed frame.
+    // The tangent vectors may form a left-handed frame.
     if (n % 3 == 0) out.frame.col(1) *= -1.0;
     if (n % 2 == 0) out.normal_compliance = positive();
     if (n % 4 == 0) out.tangential_compliance = positive();
@@ -170,7 +170,7 @@ void expect_one_sweep_to_solve_a_pair(bool round) {
     const ContactProblem<Dim> problem = problem_of(bodies, contacts[0]);
     const SweepResult result = GaussSeidel<Dim>(bodies, contacts).solve(0.0, 1);
     const Vec<Dim> expected = contact_impulse(problem);
-    // Velocities of order 1 and responses down to 0.4 leave rounding in impulses.
+    // Velocities are of order 1 and responses at least 0.4, so impulses have corresponding rounding errors.
     EXPECT_LT((contacts[0].impulse - expected).norm(), 1e-12 * expected.norm() + 1e-300) << "pair " << n;
     EXPECT_LT(result.residual, 1e-12) << "pair " << n;
     const BodyMotion<Dim> moved = after(before, contacts[0], expected);

@@ -9,7 +9,7 @@
 namespace floc::test {
 namespace {
 
-/// Returns a packing in which the two grains of a contact have moved and turned.
+/// Returns the packing after displacements and rotations of the two grains of a contact.
 template <int Dim>
 Packing<Dim> moved(Packing<Dim> packing, const Contact<Dim>& c, const PairMotion<Dim>& motion) {
   for (const int side : {0, 1}) {
@@ -25,7 +25,7 @@ Packing<Dim> moved(Packing<Dim> packing, const Contact<Dim>& c, const PairMotion
   return packing;
 }
 
-/// Returns the gap of the contact point of the same features, if they still meet there.
+/// Returns the gap of the contact point between the same features, if they still form a contact.
 template <int Dim>
 std::optional<double> gap_of(const Packing<Dim>& packing, const Contact<Dim>& of) {
   for (const Contact<Dim>& c : ContactPoints<Dim>().find(packing, 0.2))
@@ -33,8 +33,8 @@ std::optional<double> gap_of(const Packing<Dim>& packing, const Contact<Dim>& of
   return std::nullopt;
 }
 
-/// Compares the second derivatives with second differences of the gap, for all pairs of a packing that touch at one
-/// point, and returns the number of comparisons.
+/// Compares the second derivatives with second differences of the gap, for all pairs with a single contact
+/// point. @return number of comparisons
 template <int Dim>
 int compare_with_differences(const Packing<Dim>& packing, RandomStream& random) {
   constexpr double kMotion = 1e-4;
@@ -44,7 +44,7 @@ int compare_with_differences(const Packing<Dim>& packing, RandomStream& random) 
     const Contact<Dim>& c = contacts[k];
     const auto same = [&](const Contact<Dim>& d) { return d.i == c.i && d.j == c.j && d.image == c.image; };
     if (c.i == c.j || std::ranges::count_if(contacts, same) > 1) continue;
-    // The features of deep overlaps are not those of surfaces that touch.
+    // Deep overlaps have other features than touching surfaces.
     if (!packing.grains.are_round() && c.gap < 0.0) continue;
     const PairMatrix<Dim> curvature = gap_curvature(packing, c);
     for (int trial = 0; trial < 3; ++trial) {
@@ -66,7 +66,7 @@ template <int Dim>
 void expect_second_differences(const std::optional<ShapeOptions>& shape, double solid_fraction_share) {
   RandomStream random(3, 1);
   Packing<Dim> packing = make_rigid_gas<Dim>({.count = 60, .shape = shape});
-  // Grains come together until many pairs are close.
+  // Compresses the packing until many pairs are close to contact.
   packing.cell.matrix *= solid_fraction_share;
   for (Vec<Dim>& x : packing.grains.position) x *= solid_fraction_share;
   EXPECT_GT(compare_with_differences(packing, random), 20);

@@ -27,12 +27,12 @@ TEST(GaussSeidel, CarriesAStackOfDisksInTheFirstStep) {
       EXPECT_NEAR(contacts[k].impulse[0] / kStep, (k + 1) * kMass * kGravity, 1e-8);
     return result.n_sweeps;
   };
-  // The slowest error of a stack of n disks falls by exp(-pi^2/(4 n^2)) per sweep, or by about exp(-pi/n) if sweeps go on
-  // in conjugate directions.
+  // In a stack of n disks, the slowest error decreases by exp(-pi^2/(4 n^2)) per plain sweep, or by about
+  // exp(-pi/n) with conjugate directions.
   const double plain =
       4.0 / (std::numbers::pi * std::numbers::pi) * kDisks * kDisks * std::log(1.0 / kTolerance);
   EXPECT_LT(solve(), 0.15 * plain);
-  // From the solution, sweeps only remove its remaining error.
+  // If the sweeps start from the solution, they only remove its remaining error.
   EXPECT_LT(solve(), 100);
 }
 
@@ -45,7 +45,7 @@ TEST(GaussSeidel, BallsInARowTakeTheImpulsesOfTheClosedForm) {
     std::vector<StepContact<3>> contacts;
     for (int k = 0; k + 1 < kBalls; ++k) {
       contacts.push_back(touching<3>(k, k + 1, {0.5, 0.0, 0.0}, {-0.5, 0.0, 0.0}, {1.0, 0.0, 0.0}, 0.0));
-      // The relative velocity of approach before the step.
+      // Relative velocity before the step, which is reversed by the factor `restitution`.
       contacts.back().bias[0] = restitution * (k == 0 ? -kVelocity : 0.0);
     }
     GaussSeidel<3> solver(bodies, contacts);
@@ -59,8 +59,8 @@ TEST(GaussSeidel, BallsInARowTakeTheImpulsesOfTheClosedForm) {
   }
 }
 
-/// A block of width w and height h with weight w h on a slope, in axes along and across the slope, with the lower and the
-/// upper point of its base.
+/// Block of width w, height h and weight w h on a slope, in axes along and across the slope. It has two contact
+/// points, the lower and the upper end of its base.
 struct BlockOnSlope {
   double width, height, slope, friction;
   double step = 0.005;
@@ -83,7 +83,8 @@ struct BlockOnSlope {
   }
 };
 
-/// Acceleration along the slope and normal forces of the lower and the upper point in the first step.
+/// Acceleration along the slope, normal forces of the lower and the upper contact point, and spin after the
+/// first step.
 struct FirstStep {
   double acceleration, lower, upper, spin;
 };
@@ -138,12 +139,13 @@ double acceleration_on_slope(double slope, double friction) {
 TEST(GaussSeidel, RoundGrainsRollDownASlopeUntilItIsTooSteep) {
   EXPECT_NEAR(acceleration_on_slope<2>(0.29, 0.1), 2.0 / 3.0, 1e-12);
   EXPECT_NEAR(acceleration_on_slope<3>(0.34, 0.1), 5.0 / 7.0, 1e-12);
-  // Beyond 3 mu and 7/2 mu they slide: g (sin a - mu cos a).
+  // Beyond tan a = 3 mu (disk) and 7/2 mu (sphere) they slide, with the acceleration g (sin a - mu cos a).
   EXPECT_NEAR(acceleration_on_slope<2>(0.5, 0.1), 0.8, 1e-12);
   EXPECT_NEAR(acceleration_on_slope<3>(0.5, 0.1), 0.8, 1e-12);
 }
 
-// The force N of both contacts is not unique: 2 (N cos b + T sin b) = 1, where |T| may be anything up to mu N.
+// The forces of the two contacts are not unique. The balance is 2 (N cos b + T sin b) = 1, in which |T| may
+// have any value up to mu N.
 TEST(GaussSeidel, ADiskInAGrooveRestsOnForcesWithinTheLimitOfFriction) {
   constexpr double kAngle = std::numbers::pi / 3.0, kFriction = 0.3, kStep = 0.01;
   BodyMotion<2> bodies = balls_and_ground<2>(1, 1.0, 1.0);
@@ -162,7 +164,7 @@ TEST(GaussSeidel, ADiskInAGrooveRestsOnForcesWithinTheLimitOfFriction) {
   }
 }
 
-/// Corners of a rectangle in the plane z = height.
+/// Returns the corners of a rectangle in the plane z = height.
 std::vector<Vec<3>> corners(double x_low, double x_high, double y_half, double height) {
   return {
       {x_low, -y_half, height}, {x_high, -y_half, height}, {x_low, y_half, height}, {x_high, y_half, height}};
@@ -177,7 +179,7 @@ TEST(GaussSeidel, ASpinningCubeIsSlowedByFriction) {
   for (const Vec<3>& arm : corners(-0.5, 0.5, 0.5, -0.5))
     contacts.push_back(touching<3>(0, 1, arm, arm, {0.0, 0.0, -1.0}, kFriction));
   ASSERT_TRUE(GaussSeidel<3>(bodies, contacts).solve(kTolerance, 100'000).converged);
-  // It stops after the time w0 sqrt(2)/(6 mu g).
+  // The spin stops after the time w0 sqrt(2)/(6 mu g).
   const double slowing = 6.0 * kFriction * kGravity / std::numbers::sqrt2;
   EXPECT_NEAR(bodies.angular_velocity[0][2], kSpin - slowing * kStep, 1e-12);
   EXPECT_LT(bodies.velocity[0].norm(), 1e-12);
@@ -188,7 +190,7 @@ TEST(GaussSeidel, CarriesALeaningColumnOfCubes) {
   constexpr double kShift = 0.04, kStep = 0.01;
   BodyMotion<3> bodies = bodies_and_ground<3>(kCubes, 1.0, Mat<3>::Identity() / 6.0);
   std::vector<StepContact<3>> contacts;
-  // Cube k has its centre at (k shift, 0, k + 1/2), and cube 0 stands on the ground.
+  // Cube k has its centre at (k shift, 0, k + 1/2); cube 0 stands on the ground.
   for (int k = 0; k < kCubes; ++k) {
     bodies.velocity[k] = {0.0, 0.0, -kStep};
     const Vec<3> centre(k * kShift, 0.0, k + 0.5), below = centre - Vec<3>(kShift, 0.0, 1.0);
@@ -223,7 +225,8 @@ TEST(GaussSeidel, AnAdhesivePairPartsAboveItsAdhesion) {
 TEST(GaussSeidel, ContactsOfOneColourShareNoBodyThatMoves) {
   BodyMotion<2> bodies = balls_and_ground<2>(4, 1.0, 0.5);
   std::vector<StepContact<2>> contacts;
-  // A ring of four disks, each on the ground too: two colours of the ring, and one more.
+  // Four disks form a ring, and each touches the ground. The ring needs two colours, the ground contacts a
+  // third one.
   for (int k = 0; k < 4; ++k)
     contacts.push_back(touching<2>(k, (k + 1) % 4, {0.0, 0.0}, {0.0, 0.0}, {1.0, 0.0}, 0.0));
   for (int k = 0; k < 4; ++k) contacts.push_back(touching<2>(k, 4, {0.0, 0.0}, {0.0, 0.0}, {0.0, -1.0}, 0.0));

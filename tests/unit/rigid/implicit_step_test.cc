@@ -23,7 +23,7 @@ TEST(ImplicitStep, CarriesAStackOfDisks) {
   }
 }
 
-/// A contact that slides neither opens nor closes, and its tangential impulse is at Coulomb's limit.
+/// At a sliding contact the normal velocity is zero, and the tangential impulse is at the Coulomb limit.
 TEST(ImplicitStep, ABallSlidesDownASlope) {
   constexpr double kMass = 1.5, kGravity = 2.0, kStep = 0.01, kSlope = 0.9, kFriction = 0.2;
   const double down = kGravity * std::sin(kSlope), across = kGravity * std::cos(kSlope);
@@ -38,7 +38,8 @@ TEST(ImplicitStep, ABallSlidesDownASlope) {
   EXPECT_NEAR(contacts[0].impulse[0], kStep * kMass * across, 1e-7);
 }
 
-/// Balls in a cell whose sides close, one contact of which adheres, have the motion that sweeps find.
+/// Balls in a closing cell, one of whose contacts is adhesive: the solution must equal that of Gauss-Seidel
+/// sweeps.
 TEST(ImplicitStep, AgreesWithSweepsOnABallInACell) {
   BodyMotion<2> bodies = balls_and_ground<2>(2, 1.0, 0.5);
   bodies.velocity[0] = {0.3, 0.1};

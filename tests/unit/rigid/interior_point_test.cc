@@ -11,8 +11,8 @@
 namespace floc::test {
 namespace {
 
-/// Disk of radius 1 in a groove whose sides rise at an angle b, under a load (0, -W): blocks (P, T/mu) of its two
-/// contacts, rows of force along x and y and of moment.
+/// Disk of radius 1 in a groove whose sides have the angle b, under a load (0, -W). Each of its two contacts is
+/// a block (P, T/mu); the rows are the forces along x and y and the moment.
 struct Groove {
   double angle = std::numbers::pi / 3.0;
   double friction = 0.3;
@@ -37,7 +37,7 @@ struct Groove {
     out.load = Eigen::Vector3d(0.0, load, 0.0);
     return out;
   }
-  /// Normal force of either contact with friction fully mobilised upwards (+1) or downwards (-1).
+  /// Normal force of each contact if friction is fully mobilised upwards (direction = 1) or downwards (-1).
   double mobilised_force(double direction) const {
     return load / (2.0 * (std::cos(angle) + direction * friction * std::sin(angle)));
   }
@@ -66,7 +66,7 @@ TEST(InteriorPoint, ProvesThatADiskCanBeWedgedWithoutBound) {
 }
 
 TEST(InteriorPoint, LeastEnergyInAGrooveIsThatOfSprings) {
-  // Springs that follow a vertical displacement: T/P = (K_T/K_N) tan b.
+  // A vertical displacement stretches the springs in the ratio T/P = (K_T/K_N) tan b.
   const Groove groove{.friction = 1.0, .kn = 2.0, .kt = 1.0};
   const ConeProgram<2> program = groove.program();
   const ConeSolution<2> found = InteriorPoint<2>(program).solve(program);
@@ -79,7 +79,7 @@ TEST(InteriorPoint, ProvesThatNoForceHoldsADiskThatIsPulledOut) {
   const ConeProgram<2> program = Groove{.load = -1.0}.program();
   const ConeSolution<2> found = InteriorPoint<2>(program).solve(program);
   ASSERT_EQ(found.status, ConeStatus::kInfeasible);
-  // The motion does work under the load, and the contacts open.
+  // The load does work on the motion, and the contacts open: this proves that no forces balance the load.
   EXPECT_GT(program.load.dot(found.motion), 0.0);
   for (int k = 0; k < program.n_blocks(); ++k) {
     Vec<2> opening = Vec<2>::Zero();
@@ -89,7 +89,8 @@ TEST(InteriorPoint, ProvesThatNoForceHoldsADiskThatIsPulledOut) {
   }
 }
 
-/// Program with random coefficients, which is feasible because its load is A x of some x in the cones.
+/// Returns a program with random coefficients. It is feasible, because its load is A x for a given x in the
+/// cones.
 template <int Dim>
 ConeProgram<Dim> random_program(unsigned seed) {
   constexpr int kBlocks = 12, kRows = 8;
@@ -99,7 +100,7 @@ ConeProgram<Dim> random_program(unsigned seed) {
   out.load = Eigen::VectorXd::Zero(kRows);
   for (int r = 0; r < kRows; ++r) out.group.push_back(r);
   for (int k = 0; k < kBlocks; ++k) {
-    // Every third block of x is zero, and every third lies on the surface of the cone.
+    // Of every three blocks of x, one is zero, one lies on the surface of its cone, and one inside.
     Vec<Dim> x = Vec<Dim>::NullaryExpr([&] { return uniform(engine); });
     x[0] = x.template tail<Dim - 1>().norm() + (k % 3 == 0 ? 1.0 : 0.0);
     if (k % 3 == 1) x.setZero();
@@ -110,13 +111,13 @@ ConeProgram<Dim> random_program(unsigned seed) {
     }
     out.first.push_back(static_cast<int>(out.row.size()));
     out.compliance.push_back(Vec<Dim>::Constant(1.0 + 0.5 * uniform(engine)));
-    // Inside the cone, so that the objective has a bound.
+    // The cost vector is inside the cone, so that the objective is bounded.
     out.linear.push_back(Vec<Dim>::NullaryExpr([&] { return 0.3 * uniform(engine); }) + Vec<Dim>::Unit(0));
   }
   return out;
 }
 
-/// Optimality: A x = b, x and z = Q x + c - A' y in the cones, x' z = 0.
+/// Expects the optimality conditions: A x = b, x and z = Q x + c - A' y in the cones, and x' z = 0.
 template <int Dim>
 void expect_optimal(const ConeProgram<Dim>& program, const ConeSolution<Dim>& found, double tolerance) {
   ASSERT_EQ(found.status, ConeStatus::kSolved);
@@ -150,7 +151,8 @@ TEST(InteriorPoint, NoFeasibleDirectionLowersALinearMinimum) {
     const ConeProgram<2> program = random_program<2>(seed);
     const ConeSolution<2> minimum = InteriorPoint<2>(program).minimise_linear(program, -1e9);
     ASSERT_EQ(minimum.status, ConeStatus::kSolved);
-    // The multipliers of the last proximal point are those of the linear program: the moved origin costs nothing.
+    // At the last proximal point, the proximal term has no gradient. So the multipliers are those of the linear
+    // program.
     ConeProgram<2> linear = program;
     linear.compliance.assign(program.n_blocks(), Vec<2>::Zero());
     expect_optimal<2>(linear, minimum, 1e-6);
@@ -168,7 +170,7 @@ TEST(SecondOrderCone, ScalingMapsThePairToOnePoint) {
     };
     const Vec<3> x = inside(), z = inside();
     const cone::Scaling<3> scaling(x, z);
-    // Rounding of x and z alone moves W by eps/margin.
+    // Rounding errors of x and z change W by eps/margin.
     EXPECT_LT((scaling.scaled(z) - scaling.unscaled(x)).norm(), 1e-14 / margin);
     EXPECT_LT((scaling.unscaled(scaling.scaled(z)) - z).norm(), 1e-14 / margin);
   }

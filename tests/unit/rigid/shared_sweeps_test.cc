@@ -33,7 +33,8 @@ struct PeriodicLattice {
       }
     return out;
   }
-  /// Puts the cell under pressure, as a body whose mass is a multiple of the mass of the grains times the squared side.
+  /// Puts the cell under pressure. @param cell_mass  mass of the cell, in units of the mass of all grains times
+  /// the squared side
   void load(BodyMotion<Dim>& bodies, double pressure, double step, double cell_mass) const {
     bodies.inverse_stretch_mass.setConstant(1.0 / (cell_mass * size() * side * side));
     bodies.stretch = -step * pressure * std::pow(side, Dim) * bodies.inverse_stretch_mass;
@@ -50,14 +51,14 @@ void expect_a_cell_to_come_to_rest(int side, double cell_mass) {
   const SweepResult result = GaussSeidel<Dim>(bodies, contacts).solve(1e-12, 200'000, 10);
   EXPECT_TRUE(result.converged) << result.residual;
   EXPECT_LT(bodies.stretch.norm(), 1e-9);
-  // Rows may share the pressure unevenly.
+  // Rows of grains may carry different parts of the pressure, so only their mean is known.
   Vec<Dim> mean = Vec<Dim>::Zero();
   for (const StepContact<Dim>& c : contacts) mean += c.impulse[0] / kStep / lattice.size() * c.branch;
   for (int a = 0; a < Dim; ++a) EXPECT_NEAR(mean[a], kPressure, 1e-9);
 }
 
 TEST(GaussSeidel, ACellUnderPressureComesToRestOnItsGrains) {
-  // A cell of little mass responds to all contacts of a colour at once more strongly than any grain does.
+  // A light cell responds to the simultaneous contacts of one colour more strongly than any grain.
   for (const double cell_mass : {1.0, 0.01, 1e-4}) {
     expect_a_cell_to_come_to_rest<2>(5, cell_mass);
     expect_a_cell_to_come_to_rest<2>(20, cell_mass);
@@ -70,7 +71,7 @@ TEST(GaussSeidel, AnImposedRateOfStretchIsPartOfTheRelativeVelocity) {
   BodyMotion<2> bodies = lattice.bodies();
   bodies.stretch = {0.3, 0.2};
   std::vector<StepContact<2>> contacts = lattice.contacts();
-  // Springs that the stretch does not close.
+  // The contacts are springs that the stretch does not close completely.
   for (StepContact<2>& c : contacts) {
     c.normal_compliance = 2.0;
     c.bias[0] = -1.0;
@@ -81,7 +82,7 @@ TEST(GaussSeidel, AnImposedRateOfStretchIsPartOfTheRelativeVelocity) {
     EXPECT_NEAR(c.impulse[0], (1.0 - c.branch.dot(bodies.stretch)) / 2.0, 1e-13);
 }
 
-/// Lattice with random velocities in a cell under pressure.
+/// Lattice with random velocities, in a cell under pressure.
 template <int Dim>
 struct RandomStep {
   BodyMotion<Dim> bodies;
@@ -130,7 +131,7 @@ TEST(GaussSeidel, GivesTheSameBitsForAnyNumberOfThreads) {
     }
 }
 
-/// Disks in a row on the ground under a wall that only moves vertically, and that is pressed down.
+/// Disks in a row on the ground, under a wall that is pressed down and moves only vertically.
 struct RowUnderWall {
   int n_disks;
   BodyMotion<2> bodies;
@@ -152,7 +153,7 @@ TEST(GaussSeidel, AWallMovesAlongItsAxisOnly) {
   for (const int n : {2, 100}) {
     RowUnderWall row(n, 3.0);
     ASSERT_TRUE(GaussSeidel<2>(row.bodies, row.contacts, 2).solve(1e-12, 100'000).converged);
-    // The wall slides over the disks, so that friction makes them roll.
+    // The wall slides over the disks, so friction makes them roll.
     EXPECT_EQ(row.bodies.velocity[n][0], 0.5);
     EXPECT_NEAR(row.bodies.velocity[n][1], 0.0, 1e-12);
     double carried = 0.0;

@@ -29,8 +29,8 @@ Law frictional_law(double friction = kFriction) {
   return law;
 }
 
-/// A crystal of grains of diameter 1 at distances of about 0.98, a little out of their places, whose contacts have no
-/// forces yet.
+/// Returns a crystal of grains of diameter 1 at distances of about 0.98, slightly displaced, whose contacts
+/// carry no forces yet.
 template <int Dim>
 Packing<Dim> packing_without_forces(unsigned seed, double friction = kFriction) {
   constexpr double kDistance = 0.98, kDisplacement = 0.005;
@@ -83,7 +83,7 @@ TYPED_TEST(StaticForcesOf, CanonicalForcesBalanceGrainsAndStress) {
   Packing<Dim> packing = packing_without_forces<Dim>(1);
   const BalancedForces<Dim> forces = StaticForces<Dim>("s.h5", packing, under_pressure<Dim>(2.0)).canonical();
   give_forces(forces, packing);
-  // The balance of the packing is computed by other code than the constraints of the cone program.
+  // net_forces() computes the balance independently of the constraints of the cone program.
   const Balance<Dim> balance = net_forces(packing);
   for (int i = 0; i < packing.grains.size(); ++i) {
     EXPECT_LT(balance.force[i].norm(), 1e-9);
@@ -110,7 +110,7 @@ TYPED_TEST(StaticForcesOf, CanonicalForcesComeBackFromTheirGeometry) {
 TYPED_TEST(StaticForcesOf, ClosestForcesToBalancedOnesAreThose) {
   constexpr int Dim = TypeParam::value;
   Packing<Dim> packing = packing_without_forces<Dim>(3);
-  // Forces of other stiffnesses balance too, but are not those of least energy.
+  // Balanced forces computed with other stiffnesses, so they do not have the least energy.
   ForceBalanceOptions<Dim> options = under_pressure<Dim>(1.0);
   options.kn = 1.0;
   options.kt = 50.0;
@@ -156,18 +156,19 @@ TYPED_TEST(StaticForcesOf, RangesContainTheForcesThatBalance) {
 TYPED_TEST(StaticForcesOf, AdhesionLetsContactsPull) {
   constexpr int Dim = TypeParam::value;
   Packing<Dim> packing = packing_without_forces<Dim>(6);
-  // An elastic force of 1 that adhesion balances: no load, and a set of forces is zero everywhere.
+  // An elastic force of 1 in each contact cancels the adhesion. Without load, balanced forces are then zero
+  // everywhere.
   for (Contact<Dim>& c : packing.contacts) c.elastic_force = 1.0;
   const BalancedForces<Dim> closest = StaticForces<Dim>("s.h5", packing, ForceBalanceOptions<Dim>{}).closest();
   for (const double force : closest.normal_force) EXPECT_NEAR(force, 0.0, 1e-9);
-  // Under tension every contact pulls with at most the adhesion.
+  // Under tension, every contact pulls with at most the adhesion force.
   const BalancedForces<Dim> forces = StaticForces<Dim>("s.h5", packing, under_pressure<Dim>(-0.1)).closest();
   EXPECT_LT(forces.error.force, 1e-9);
   for (const double force : forces.normal_force) EXPECT_GE(force, -1.0 - 1e-9);
 }
 
 TEST(StaticForces, NamesTheGrainThatTheLoadMoves) {
-  // A row of disks along x carries no stress along y.
+  // A row of disks along x cannot carry a stress along y.
   Packing<2> packing = unit_grains<2>({{0.5, 1.5}, {1.5, 1.5}, {2.5, 1.5}}, 3.0, frictional_law());
   EXPECT_EQ(add_near_contacts(packing, 1e-6), 3);
   set_arms(packing);
@@ -209,7 +210,8 @@ TEST(StaticForces, RefusesInWordsWhatHasNoSuchForces) {
 TEST(NearContacts, AreThePairsCloserThanTheGapThatAreNotInContact) {
   Packing<2> packing = unit_grains<2>({{0.5, 1.5}, {1.49, 1.5}, {2.51, 1.5}}, 3.0, frictional_law());
   find_contacts(packing);
-  ASSERT_EQ(packing.contacts.size(), 2u);  // an overlap of 0.01 between the first two, and across the cell
+  // an overlap of 0.01 between the first two disks, and one across the cell boundary
+  ASSERT_EQ(packing.contacts.size(), 2u);
   EXPECT_EQ(add_near_contacts(packing, 0.03), 1);
   ASSERT_EQ(packing.contacts.size(), 3u);
   EXPECT_NEAR(packing.contacts.back().gap, 0.02, 1e-15);

@@ -14,8 +14,8 @@
 namespace floc {
 namespace {
 
-/// Disks without adhesion in an oedometer, a biaxial test and at constant volume, by motion alone so that there
-/// is something to stop.
+/// Returns a scene of disks without adhesion with the given loads, solved by motion alone, so that the run
+/// takes enough steps to be stopped.
 Scene scene_of(const std::string& loads, const std::string& finish) {
   const std::string disks = test::exchanged(test::scene_text("disks"), "count = 40", "count = 30");
   return parse_scene(disks + loads + "[equilibrium]\nfinish = \"" + finish + "\"\n", "directed.toml", ".");
@@ -84,7 +84,8 @@ TEST(DirectedDrive, MakesStatesThatVerifyAndRowsOfTheirAxes) {
   EXPECT_NEAR(at(5, "strain_2") - at(4, "strain_2"), -4e-3, 1e-12);
 }
 
-/// A lattice that is reduced before the second step, and what follows on it.
+/// The tilt of the lattice is reduced before the second step of the shear. The states, also those that follow,
+/// must verify.
 TEST(DirectedDrive, ASimpleShearStoppedAnywhereVerifiesAndIsTheUnbrokenRun) {
   const test::ScratchDirectory scratch;
   const Scene scene = scene_of(
@@ -112,7 +113,7 @@ TEST(DirectedDrive, ASimpleShearStoppedAnywhereVerifiesAndIsTheUnbrokenRun) {
   EXPECT_TRUE(path.is_empty(3, path.column("shear_strain")));
 }
 
-/// The state of a shear that is off its offset does not verify, as one off its length.
+/// A state whose offset differs from the imposed one fails verification, like one whose length differs.
 TEST(DirectedDrive, AnOffsetThatIsOffIsFound) {
   const test::ScratchDirectory scratch;
   DriveOptions<2> driving;
@@ -126,7 +127,7 @@ TEST(DirectedDrive, AnOffsetThatIsOffIsFound) {
     EXPECT_EQ(c.holds, c.name != std::string("length")) << c.name;
 }
 
-/// A length that is not the one imposed does not verify.
+/// A state whose length differs from the imposed one fails verification.
 TEST(DirectedDrive, ALengthThatIsOffIsFound) {
   const test::ScratchDirectory scratch;
   DriveOptions<2> driving;

@@ -19,9 +19,9 @@ namespace {
 namespace fs = std::filesystem;
 using test::ScratchDirectory;
 
-/// When the directory is taken away.
+/// Moment at which the directory is renamed.
 enum class When { at_start, after_a_state, before_a_checkpoint, after_the_last_state };
-/// File that has the name of the directory afterwards.
+/// New content at the old name of the directory.
 enum class Then { nothing, an_empty_directory, a_run };
 
 std::map<std::string, std::string> files_of(const std::string& directory) {
@@ -32,7 +32,7 @@ std::map<std::string, std::string> files_of(const std::string& directory) {
   return files;
 }
 
-/// Renames the directory of a run, and puts something else in its place.
+/// Renames the directory of a run, and puts `then` at its old name.
 void take_away(const std::string& path, Then then) {
   fs::rename(path, path + "-renamed");
   if (then != Then::nothing) fs::create_directory(path);
@@ -43,7 +43,8 @@ void take_away(const std::string& path, Then then) {
 
 class RenamedDirectory : public ::testing::TestWithParam<bool> {};
 
-/// A run whose directory is renamed stops at the next file it would write, and leaves what has the name now alone.
+/// A run whose directory was renamed stops when it would write its next file. Files at the old name stay
+/// unchanged.
 TEST_P(RenamedDirectory, IsNoticedBeforeAnythingIsWritten) {
   const bool with_table = GetParam();
   int n = 0;
@@ -73,7 +74,7 @@ TEST_P(RenamedDirectory, IsNoticedBeforeAnythingIsWritten) {
       }
       EXPECT_EQ(files_of(path), before) << int(when) << int(then);
       EXPECT_EQ(fs::exists(path), then != Then::nothing);
-      // The files saved so far are still a run, which can be resumed under its new name.
+      // Under its new name, the directory still contains a run that can be resumed.
       RunDirectory renamed(path + "-renamed", Existing::resume, scene);
       floc::Run<2> resumed = start_or_resume<2>(renamed, scene);
       DriveOptions<2> first;
@@ -86,7 +87,8 @@ TEST_P(RenamedDirectory, IsNoticedBeforeAnythingIsWritten) {
 
 INSTANTIATE_TEST_SUITE_P(WithAndWithoutATable, RenamedDirectory, ::testing::Bool());
 
-/// A lock that is removed leaves the directory; one of another process does not.
+/// If the lock file is deleted, the process still holds the directory. If another process has replaced the lock
+/// file, it does not.
 TEST(RenamedDirectory, LocksAreToldApart) {
   const ScratchDirectory scratch;
   const std::string path = scratch.file("run");

@@ -14,8 +14,8 @@
 #include "support/contact_laws.h"
 #include "support/law_list.h"
 
-/// Every law, in both dimensions, every stiffness of a contact, and factors by which other programs may be off:
-/// lists that are read, states that are read for moduli, states that are verified.
+/// Tests every law in both dimensions, every stiffness of a contact, and several factors by which another
+/// program's stiffness may differ: in contact lists, in states read for moduli, and in verification.
 namespace floc {
 namespace {
 
@@ -40,7 +40,7 @@ const std::map<std::string, double> kNumbers = {{"normal.stiffness", 1e5},
                                                 {"twisting.stiffness", 20.0}};
 constexpr double kFactors[] = {2.0, 10.0, 0.5, 2.0 / 3.0, 1.5, 1.001, 0.999};
 
-/// Two grains that overlap by 1e-3, and a third across a gap that an attraction may span.
+/// Two grains with an overlap of 1e-3, and a third grain at a gap within the range of attraction.
 template <int Dim>
 Packing<Dim> pair_and_neighbour(const Law& law) {
   Packing<Dim> packing;
@@ -67,8 +67,8 @@ double* stiffness(Contact<Dim>& c, std::size_t kind) {
   return members[kind];
 }
 
-/// Returns the reported differences of a list that holds the one contact that touches, with one stiffness scaled by a
-/// factor.
+/// Returns the differences that are reported for a list with the one touching contact. @param factor  factor of
+/// one of its stiffnesses
 template <int Dim>
 std::vector<std::string> said_of_list(const Packing<Dim>& packing, std::size_t kind, double factor) {
   ListedPacking listed;
@@ -139,7 +139,8 @@ void sweep(const Law& law, Counts& counts) {
                         "{} of 1 contact is {:.4g} times the value of the contact law", name, factor))));
         ++counts.lists;
       }
-      for (const double direction : {0.0, 2.0}) {  // one unit in the last place passes, and 1e-9 does not
+      // a change in the last bit passes, a relative change of 1e-9 does not
+      for (const double direction : {0.0, 2.0}) {
         Packing<Dim> changed = packing;
         double& value = *stiffness(changed.contacts[k], kind);
         value = std::nextafter(value, direction * value);

@@ -15,7 +15,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-/// Cohesive disks with kappa = 1e5 and D0 = 1e-3 a, so that softening is at most 10, and 5 from P = 200 on.
+/// Scene of cohesive disks with kappa = 1e5 and D0 = 1e-3 a. Its softening may be at most 10, and at most 5
+/// from P = 200 on.
 std::string soft_scene(const std::string& more) {
   return R"([scene]
 dimension = 2
@@ -61,7 +62,7 @@ TEST(CheckSoftening, EveryTableIsCheckedAgainstItsOwnSteps) {
               HasSubstr("load.0.softening = 5.1"));
   EXPECT_THAT(softening_faults(std::string(kDirect) + "softening = 11.0\n"),
               AllOf(HasSubstr("assembly.softening = 11"), HasSubstr("expected at most 10")));
-  // The way down from a high pressure begins there.
+  // The unloading stage starts at the high pressure, which therefore limits its softening.
   EXPECT_THAT(
       softening_faults(std::string(kDirect) + "[[load]]\nto = 200.0\nsteps_per_decade = 2\n"
                                               "[[load]]\nto = 1.0\nsteps_per_decade = 1\nsoftening = 6\n"),
@@ -83,7 +84,8 @@ TEST(CheckSoftening, OtherScenesSayWhyNot) {
   EXPECT_THAT(softening_faults(soft, {"contact.adhesion={law = \"constant\", force = 1.0}"}),
               HasSubstr("expected 1 (no softening)"));
   EXPECT_THAT(softening_faults(soft, {"contact.normal.stiffness=1e4"}), HasSubstr("expected 1 (no softening)"));
-  EXPECT_THAT(softening_faults(soft + "[accuracy]\nphi = 0.05\n"), HasSubstr("was not measured with soft springs"));
+  EXPECT_THAT(softening_faults(soft + "[accuracy]\nphi = 0.05\n"),
+              HasSubstr("was not measured with soft springs"));
   EXPECT_THAT(softening_faults(std::string(kDirect) + "[equilibrium]\nsoftening = 0.5\n"),
               HasSubstr("expected a number >= 1"));
   EXPECT_THAT(softening_faults(std::string(kDirect) + "[equilibrium]\nsoftening = 1\n"), IsEmpty());

@@ -23,13 +23,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The inputs of the energy account: one entry for all scenes that agree in them.
+/// Inputs of the energy account. Scenes with equal inputs share one entry.
 struct LawPath {
   std::vector<std::string> scenes;
-  GrainOptions grains;  ///< a few
+  GrainOptions grains;  ///< with a reduced number of grains
   int dimension = 2;
-  std::vector<Law> laws;  ///< that the path goes through, in order
-  double pressure = 0.0;  ///< the largest imposed
+  std::vector<Law> laws;  ///< laws of the path, in order
+  double pressure = 0.0;  ///< largest imposed pressure
 };
 
 LawPath law_path_of(const Scene& scene) {
@@ -47,7 +47,7 @@ LawPath law_path_of(const Scene& scene) {
   return path;
 }
 
-/// Returns the law paths of all shipped scenes in periodic cells, each once.
+/// Returns the law paths of all shipped scenes in periodic cells, without duplicates.
 std::vector<LawPath> shipped_law_paths() {
   std::vector<std::string> files;
   for (const auto& entry : fs::directory_iterator(test::source_directory() + "/data/scenes"))
@@ -56,7 +56,7 @@ std::vector<LawPath> shipped_law_paths() {
   std::vector<LawPath> paths;
   for (const std::string& file : files) {
     const Scene scene = read_scene(file);
-    if (scene.assembly.box || scene.law.is_rigid()) continue;  // for which no account is kept
+    if (scene.assembly.box || scene.law.is_rigid()) continue;  // no energy account exists for these
     LawPath path = law_path_of(scene);
     const auto same = std::find_if(paths.begin(), paths.end(), [&](const LawPath& other) {
       return other.laws == path.laws && other.dimension == path.dimension && other.pressure == path.pressure;
@@ -69,7 +69,7 @@ std::vector<LawPath> shipped_law_paths() {
   return paths;
 }
 
-/// A gas under the first law of a path, pressed until the grains hold each other, and still in some motion.
+/// Returns a gas under the first law of a path, compressed until the grains hold each other; it still moves.
 template <int Dim>
 Packing<Dim> pressed_packing(const LawPath& path, std::uint64_t seed) {
   RandomStream random(seed, 1);
@@ -88,7 +88,7 @@ Packing<Dim> pressed_packing(const LawPath& path, std::uint64_t seed) {
   return packing;
 }
 
-/// Random rates, at which a packing of this mean overlap (length) is deformed by as much in a time.
+/// Returns random strain rates that deform a packing by about its mean overlap (length) within `time`.
 template <int Dim>
 BoundaryControl<Dim> straining(double overlap, double size, double time, RandomStream& random) {
   BoundaryControl<Dim> control = BoundaryControl<Dim>::fixed();
@@ -97,7 +97,7 @@ BoundaryControl<Dim> straining(double overlap, double size, double time, RandomS
   return control;
 }
 
-/// Half as much stress again on each axis, or that of the path where there is none.
+/// Returns a load of the present stress plus half the pressure on each axis.
 template <int Dim>
 BoundaryControl<Dim> pressing(const Packing<Dim>& packing, double pressure) {
   const Vec<Dim> carried = static_stress(packing).diagonal();
@@ -105,8 +105,8 @@ BoundaryControl<Dim> pressing(const Packing<Dim>& packing, double pressure) {
                                              0.1 * test::total_mass(packing));
 }
 
-/// The account of a packing that goes through all laws of a path, under each first at rates of strain, then under
-/// stresses. @param share  of the time step of runs
+/// Returns the energy account of a packing under all laws of a path, each first with imposed strain rates and
+/// then with imposed stresses. @param share  time step divided by that of runs
 template <int Dim>
 EnergyTerms account_of(const LawPath& path, Packing<Dim> packing, std::uint64_t seed, double share) {
   constexpr double kCoarsest = 0.2;
@@ -139,12 +139,13 @@ EnergyTerms account_of(const LawPath& path, Packing<Dim> packing, std::uint64_t 
   return account.terms();
 }
 
-/// Energy of the motion that went in or out, whatever its sign.
+/// Returns the sum of all energies that entered or left the motion, without signs.
 double throughput(const EnergyTerms& t) {
   return std::abs(t.work) + t.viscous + t.sliding + t.scaling;
 }
 
-/// Errors over what went through, summed over samples, at a fifth, a tenth and a twentieth of the time step of runs.
+/// Returns the errors divided by the throughput, averaged over samples, at 0.2, 0.1 and 0.05 of the time step
+/// of runs.
 template <int Dim>
 std::array<double, 3> errors_of(const LawPath& path, EnergyTerms& last) {
   constexpr int kSamples = 2;
@@ -159,8 +160,8 @@ std::array<double, 3> errors_of(const LawPath& path, EnergyTerms& last) {
   return errors;
 }
 
-/// Under every law of every shipped scene, what changes of the law and of the liquid put in included, the account
-/// closes to the first order of the time step.
+/// Under the laws of every shipped scene, including changes of laws and added liquid, the error of the energy
+/// account is of first order in the time step.
 TEST(EnergyOfShippedScenes, ClosesWithTheTimeStep) {
   std::cout << "scenes: laws; error over throughput at steps of 0.2, 0.1 and 0.05 of those of runs, order; "
                "work, viscous, sliding, scaling, liquid, law\n";

@@ -52,7 +52,7 @@ TEST(AccuracyOfAScene, SetsWhatItChoosesAndSaysSoInItsText) {
   EXPECT_EQ(NumericalSettings::of(scene.relaxation), expected.settings);
   EXPECT_EQ(scene.relaxation.tolerance.energy, expected.settings.energy());
   EXPECT_EQ(scene.accuracy, expected.name + ": " + expected.reason);
-  // A state carries that text: read again it is the same scene, without choosing anew.
+  // States store this text. When it is read again, it gives the same scene without a new choice of settings.
   const Scene again = parse_scene(scene.text, "state", ".");
   EXPECT_EQ(NumericalSettings::of(again.relaxation), expected.settings);
   EXPECT_EQ(again.accuracy, scene.accuracy);
@@ -112,7 +112,8 @@ TEST(AccuracyOfAScene, IsChosenFromTheTableOfTheUser) {
 
 TEST(AccuracyOfAScene, CountsWhatItsCellAdds) {
   const std::string path = "[[load]]\nto = 1\nsteps_per_decade = 2\n[accuracy]\nphi = 0.05\n";
-  // kAskedScene gives the cell of the path ten times the default mass, and the default cap.
+  // In kAskedScene, the cell has ten times the default mass during loading, and the default cap of the strain
+  // rate.
   EXPECT_THAT(parse_scene(kAskedScene + path, "s.toml", ".").accuracy,
               HasSubstr("cell_mass at 10 times its default value"));
   EXPECT_THAT(parse_scene(kAskedScene + path, "s.toml", ".", {"load.0.cell_mass=0.1"}).accuracy,

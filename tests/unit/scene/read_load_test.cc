@@ -146,7 +146,8 @@ TEST(ReadLoad, StrainsTogetherDoNotCloseTheCell) {
   EXPECT_EQ(faults(2, thinner), "");
 }
 
-/// Of grains that are unloaded, and whose adhesion ends then.
+/// A stress of zero cannot be kept if the adhesion is removed in the same stage. The grains were unloaded
+/// before.
 TEST(ReadLoad, AStressOfZeroIsNotKeptWithoutAdhesion) {
   std::string cohesive =
       scene_of(2, "[[load]]\nto = 0\n[[load]]\ncontrol = \"triaxial\"\nstrain = 0.1\nsteps = 2\n");
@@ -164,7 +165,7 @@ TEST(ReadLoad, AStressOfZeroIsNotKeptWithoutAdhesion) {
   }
 }
 
-/// The stress on a strained axis is known only in the run.
+/// The stress on a strained axis is known only during the run.
 TEST(ReadLoad, StepsADecadeNeedAStressThatIsKnown) {
   const std::string first = "[[load]]\ncontrol = \"triaxial\"\nstrain = 0.1\nsteps = 2\n";
   EXPECT_THAT(faults(2, first + "[[load]]\nto = 2\nsteps_per_decade = 4\n"), HasSubstr("expected steps"));

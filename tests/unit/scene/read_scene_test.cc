@@ -125,7 +125,7 @@ TEST(ReadScene, OverridesChangeTheSceneAndItsText) {
   EXPECT_EQ(test::law_number(s.law, "rolling.coefficient"), 0.1234567890123456789);
   EXPECT_EQ(s.seed, 11u);
   EXPECT_EQ(s.load[0].to, 3.0);
-  // The stored text alone makes the same scene, to the last bit.
+  // The stored text alone gives the same scene, bit for bit.
   const Scene again = read(s.text);
   EXPECT_EQ(again.law, s.law);
   EXPECT_EQ(again.seed, s.seed);
@@ -250,7 +250,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"[[load]]", "[load]", "load = a table: expected tables [[load]]"},
         BadScene{"[cell]", "[cell", "s.toml:13"}));
 
-/// Options of the relaxations of a stage of the load path; of_assembly() has those of the assembly.
+/// Returns the relaxation options of a loading stage; of_assembly() returns those of the assembly.
 RelaxationOptions of_load(const Scene& scene, std::size_t stage = 0) {
   return scene.load.at(stage).cell.applied_to(scene.relaxation);
 }
@@ -282,7 +282,7 @@ TEST(ReadScene, WhatTheCellDoesIsSaidByTheStageElseByTheCellElseBuiltIn) {
     EXPECT_EQ(of_assembly(s).strain_rate_cap, 0.04);
     EXPECT_EQ(of_load(s).cell_mass, 0.02);
     EXPECT_EQ(of_load(s).strain_rate_cap, 0.03);
-    EXPECT_EQ(of_load(s, 1).cell_mass, text == silent ? kLoadCellMass : 1.0);  // said of the first stage alone
+    EXPECT_EQ(of_load(s, 1).cell_mass, text == silent ? kLoadCellMass : 1.0);  // set in the first stage only
   }
 }
 
@@ -319,7 +319,7 @@ TEST(ReadScene, AggregationNeedsAnAdhesionWithATail) {
               HasSubstr("the model \"constant\" of contact.adhesion has no range"));
 }
 
-/// The scene with liquid bridges in place of its tail, compressed at once.
+/// Returns the scene with liquid bridges instead of the tail, compressed in one step.
 std::string wet_scene(const std::string& adhesion) {
   std::string text =
       with("adhesion = {law = \"tail\", force = 1.0, range = 1e-3}", "adhesion = {" + adhesion + "}");
@@ -363,7 +363,8 @@ TEST(ReadScene, LiquidThatCannotBeIsRefusedInWords) {
               HasSubstr("form = 'linear'"));
 }
 
-/// A cap in units of the pressure is none that grains could follow without pressure, however they came to adhere.
+/// A cap in units of the pressure is zero at zero pressure, so that grains could not move, whatever the kind of
+/// their adhesion.
 TEST(ReadScene, ZeroPressureIsRefusedWhereTheCapOnRatesVanishes) {
   std::string text = wet_scene(
       "law = \"capillary\", surface_tension = 0.072, contact_angle = 10, water_content = 0, density_ratio = "

@@ -39,7 +39,7 @@ to = 1.0
 steps = 2
 )";
 
-/// A directory with a state of 30 disks of half the usual mass in it.
+/// Fixture: a directory with a state of 30 disks that have half the usual mass.
 class SceneOfAState : public testing::Test {
  protected:
   SceneOfAState() {
@@ -68,7 +68,8 @@ class SceneOfAState : public testing::Test {
   test::ScratchDirectory scratch_;
 };
 
-/// Its first pressure is a load like those that follow; what is shaken is put together anew.
+/// The first pressure has the default cell mass of a loading stage. With vibration, the sample is assembled
+/// again and has the default of the assembly.
 TEST_F(SceneOfAState, TakesTheResponseOfLoadsWhereNoneIsSaid) {
   const std::string cell = "[cell]\nmass = 1\nstrain_rate_cap = 0.05\n";
   std::string text = kSavedStartScene;
@@ -96,7 +97,7 @@ TEST_F(SceneOfAState, HasTheGrainsThatTheRunWillHave) {
     if (g.name == "N") {
       EXPECT_EQ(g.value, 180.0);
     }
-    if (g.name == "T0") {  // sqrt(a m/F0), m = 1/2
+    if (g.name == "T0") {  // T0 = sqrt(a m/F0) with m = 1/2
       EXPECT_NEAR(g.value, std::sqrt(0.5), 1e-12);
     }
     if (g.name == "equilibria") {
@@ -185,12 +186,12 @@ TEST_F(SceneOfAState, WithoutAPressureKeepsItsStresses) {
   EXPECT_EQ(first.axis, 1);
   EXPECT_EQ(first.axes[0].load, (AxisLoad{AxisLoad::stress, 0.3}));
   EXPECT_EQ(first.axes[1].load, (AxisLoad{AxisLoad::stress, 0.5}));
-  // One stress on all axes is a pressure.
+  // Equal stresses on all axes are a pressure.
   saved_.target_stress << 0.4, 0.4;
   save(saved_);
   EXPECT_FALSE(read({}, text).assembly.saved.kept.has_value());
   EXPECT_DOUBLE_EQ(read({}, text).assembly.pressure, 0.4);
-  // A pressure in the scene is what acts.
+  // A pressure in the scene replaces the stress of the state.
   EXPECT_FALSE(read({}).assembly.saved.kept.has_value());
   saved_.target_stress << 0.4, -0.5;
   save(saved_);

@@ -19,7 +19,7 @@ TEST(ContinuesPath, HoldsForALongerLastStageAndForFurtherStages) {
   EXPECT_TRUE(continues_path(exchanged("strain = 0.1", "strain = 0.2"), kTwoStages));
   EXPECT_TRUE(continues_path(kTwoStages + "[[load]]\nto = 3.0\n", kTwoStages));
   EXPECT_TRUE(continues_path("# a comment\n" + exchanged("strain = 0.1", "strain = 0.2"), kTwoStages));
-  // A scene without stages is continued by any.
+  // A scene without stages can be continued with any stages.
   EXPECT_TRUE(continues_path("[grains]\ncount = 40\n[[load]]\nto = 1.0\n", "[grains]\ncount = 40\n"));
 }
 
@@ -34,7 +34,7 @@ TEST(ContinuesPath, FailsForAnyOtherChange) {
                                  {"strain = 0.1", "strain = 0.1\naxis = 1"}})
     EXPECT_FALSE(continues_path(exchanged(old, now), kTwoStages)) << now;
   EXPECT_FALSE(continues_path(exchanged("count = 40", "count = 41") + "[[load]]\nto = 3.0\n", kTwoStages));
-  // A shorter path does not continue a longer one by stages.
+  // A longer path is not continued by a shorter one.
   EXPECT_FALSE(continues_path(kTwoStages, kTwoStages + "[[load]]\nto = 3.0\n"));
 }
 

@@ -81,7 +81,7 @@ TEST(SceneKind, CohesionThatAStageSwitchesOffCounts) {
 }
 
 TEST(SceneKind, LoadsAreNamedOnceInOrder) {
-  EXPECT_EQ(kind_of("oedometer"), "disks-cohesive-oedometer");  // three stages
+  EXPECT_EQ(kind_of("oedometer"), "disks-cohesive-oedometer");  // has three stages
   EXPECT_EQ(kind_of("biaxial_dense", {"load.0.control=simple_shear"}), "disks-cohesionless-simple-shear");
 }
 

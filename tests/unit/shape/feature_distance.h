@@ -7,19 +7,20 @@
 
 #include "unit/shape/pairs.h"
 
-/// Distance and depth of two shapes by trying all of their features. No search, no filter and no code of the library is
-/// used but the lists of vertices, faces and edges.
+/// Computes distance and overlap depth of two shapes from all pairs of their features. It uses only the lists
+/// of vertices, faces and edges of the library, no search, filter or other code.
 namespace floc::test {
 
-/// Distance of the cores of two shapes (the shapes without rounding) that are apart, and where it is attained.
+/// Distance between the cores (shapes without rounding) of two separate shapes, and kind of the closest
+/// features.
 struct FeatureDistance {
   double distance = std::numeric_limits<double>::max();
-  /// Whether the closest points lie inside a face and at a vertex, or inside two edges (in 2D: inside a side and at a
-  /// vertex): the line between them is then an axis that separating_axis() examines.
+  /// Whether the closest points are a vertex and a point inside a face, or lie inside two edges (in 2D: a
+  /// vertex and a point inside a side). Then separating_axis() also examines the line between them.
   bool is_axis = false;
 };
 
-/// Vertices of the core of a shape in space.
+/// Returns the vertices of the core of a shape in space.
 template <int Dim>
 std::vector<Vec<Dim>> vertices_in_space(const PlacedShape<Dim>& one) {
   if (one.shape->is_round()) return {one.position};
@@ -28,7 +29,7 @@ std::vector<Vec<Dim>> vertices_in_space(const PlacedShape<Dim>& one) {
   return found;
 }
 
-/// Edges of the core of a shape as pairs of vertices; the sides in 2D.
+/// Returns the edges of the core of a shape as pairs of vertices; in 2D its sides.
 template <int Dim>
 std::vector<std::array<int, 2>> edges_of(const Shape<Dim>& shape) {
   std::vector<std::array<int, 2>> found;
@@ -43,15 +44,15 @@ std::vector<std::array<int, 2>> edges_of(const Shape<Dim>& shape) {
 
 template <int Dim>
 void take(FeatureDistance& least, const Vec<Dim>& between, bool is_axis) {
-  // Of distances that are equal to rounding, that along an axis counts.
+  // If two distances are equal up to rounding, the one along an axis is taken.
   const double distance = between.norm();
   if (distance < least.distance - 1e-13 || (distance < least.distance + 1e-13 && is_axis))
     least.is_axis = is_axis;
   least.distance = std::min(least.distance, distance);
 }
 
-/// Distance of two segments: the lines' closest points if they lie inside both, otherwise an end and a segment, which
-/// vertex_to_edge() examines.
+/// Adds the distance of two segments if the closest points of their lines lie inside both. Otherwise
+/// vertex_to_edge() examines their ends.
 inline void edge_to_edge(FeatureDistance& least, const Vec<3>& p, const Vec<3>& u, const Vec<3>& q,
                          const Vec<3>& v) {
   const Vec<3> n = u.cross(v);
@@ -84,7 +85,7 @@ inline void vertices_to_faces(FeatureDistance& least, const PlacedShape<3>& one,
   }
 }
 
-/// Returns the distance of the cores of two shapes that are apart.
+/// Returns the distance of the cores of two separate shapes.
 template <int Dim>
 FeatureDistance distance_of_cores(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second) {
   FeatureDistance least;
@@ -105,14 +106,15 @@ FeatureDistance distance_of_cores(const PlacedShape<Dim>& first, const PlacedSha
   return least;
 }
 
-/// Returns the largest separation of the cores of two shapes over the normals of all faces and, in 3D, all pairs of
-/// edges. It is minus the depth of cores that overlap, and at most the distance of cores that are apart.
+/// Returns the largest separation of the cores of two shapes over the normals of all faces and, in 3D, over all
+/// pairs of edges. For overlapping cores this is minus the depth; for separate ones it is at most the distance.
 template <int Dim>
 double separation_over_axes(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second) {
   const std::vector<Vec<Dim>> a = vertices_in_space<Dim>(first), b = vertices_in_space<Dim>(second);
   double most = -std::numeric_limits<double>::max();
   const auto examine = [&](const Vec<Dim>& n) {
-    // The centres lie inside: no separation along n is larger than the distance of the centres along n.
+    // The centres lie inside the shapes, so the separation along n is at most the distance of the centres along
+    // n.
     if (n.dot(second.position - first.position) <= most) return;
     double high = -std::numeric_limits<double>::max(), low = -high;
     for (const Vec<Dim>& x : a) high = std::max(high, n.dot(x - first.position));
@@ -133,10 +135,10 @@ double separation_over_axes(const PlacedShape<Dim>& first, const PlacedShape<Dim
   return most;
 }
 
-/// Gap of two shapes, at least one of which has faces: their distance, or minus the depth by which they overlap.
+/// Gap of two shapes, at least one of which has faces: their distance, or minus the depth of their overlap.
 struct FeatureGap {
   double gap;
-  bool is_core_apart;  ///< whether the cores (the shapes without rounding) are apart
+  bool is_core_apart;  ///< whether the cores (the shapes without rounding) are separate
 };
 template <int Dim>
 FeatureGap gap_of_features(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second) {
@@ -146,7 +148,7 @@ FeatureGap gap_of_features(const PlacedShape<Dim>& first, const PlacedShape<Dim>
   return {distance_of_cores(first, second).distance - roundings, true};
 }
 
-/// Moves the second shape along the line from the centre of the first until their gap is close to the given one.
+/// Moves the second shape on a line through the centre of the first until their gap is close to `gap`.
 /// @return the gap that is reached
 template <int Dim>
 FeatureGap set_gap(const PlacedShape<Dim>& first, PlacedShape<Dim>& second, const Vec<Dim>& towards,
@@ -160,7 +162,7 @@ FeatureGap set_gap(const PlacedShape<Dim>& first, PlacedShape<Dim>& second, cons
   FeatureGap found;
   double near_excess = excess_at(near, found), far_excess = excess_at(far, found);
   for (int pass = 0; pass < 60 && std::abs(found.gap - gap) > 0.01 * std::abs(gap); ++pass) {
-    // Linear interpolation, and bisection every third time.
+    // Linear interpolation, with a bisection in every third pass.
     const double share = pass % 3 == 2 ? 0.5 : near_excess / (near_excess - far_excess);
     const double distance = near + share * (far - near), excess = excess_at(distance, found);
     (excess < 0.0 ? near : far) = distance;

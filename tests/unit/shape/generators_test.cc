@@ -59,7 +59,8 @@ TEST(Generators, PolygonsBoxesAndCapsulesHaveTheirClosedForms) {
   EXPECT_NEAR(capsule<2>(3.0).diameter(), 1.0, 1e-15);
 }
 
-// The counts of the design, from other samples: the mean of 300 is known to a fifth of a face.
+// The expected counts come from other samples of these generators. The mean of 300 shapes has an error of a
+// fifth of a face.
 TEST(Generators, HullsAndCutsHaveTheFacesOfTheDesign) {
   double faces = 0.0, vertices = 0.0;
   const auto hulls = hull_shapes<3>({}, 300, 0.0, 1);
@@ -80,7 +81,7 @@ TEST(Generators, AspectStretchesHulls) {
   double ratio = 0.0;
   for (const Shape<3>& shape : hull_shapes<3>({20, 24, 3.0}, 50, 0.0, 1))
     ratio += std::sqrt(shape.inertia.maxCoeff() / shape.inertia.minCoeff()) / 50.0;
-  EXPECT_NEAR(ratio, std::sqrt((9.0 + 1.0) / 2.0), 0.2);  // that of the ellipsoid
+  EXPECT_NEAR(ratio, std::sqrt((9.0 + 1.0) / 2.0), 0.2);  // aspect ratio of the ellipsoid
 }
 
 TEST(Voronoi, CellsFillTheBox) {

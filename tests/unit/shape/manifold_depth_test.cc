@@ -8,12 +8,12 @@ namespace {
 
 using namespace test;
 
-/// Counts of pairs that were compared.
+/// Numbers of pairs that were compared, and of pairs that agree up to rounding.
 struct Counts {
   int compared = 0, exact = 0;
 };
 
-/// Compares the contact of two shapes with the distance or depth that all pairs of their features give.
+/// Compares the contact of two shapes with the distance or depth computed from all pairs of features.
 template <int Dim>
 void compare(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, const FeatureGap& expected,
              Counts& counts) {
@@ -22,12 +22,13 @@ void compare(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, cons
   EXPECT_NEAR(contact.normal.norm(), 1.0, 1e-14);
   const double inner = std::min(first.inner_radius(), second.inner_radius()), outer = second.outer_radius();
   const double error = std::abs(contact.least_gap() - expected.gap), rounding_error = 1e-14 * outer;
-  // The margin of edges; shapes that are apart may have it too, because the axis decides which case they are.
+  // A contact may choose a face instead of an edge pair within a margin. The depth of separate shapes may have
+  // this error too, because the chosen axis decides whether shapes are separate.
   EXPECT_LT(error, 1.01e-4 * inner) << expected.gap;
   ++counts.compared;
   counts.exact += error < 4.0 * rounding_error ? 1 : 0;
-  // The contact holds along the normal: no part of the shapes is nearer than the smallest gap. A rounded shape may
-  // touch with a face whose normal is 1e-3 radians from the line between the closest points.
+  // Along the contact normal, no parts of the shapes are nearer than the smallest gap. If a rounded shape
+  // touches with a face, the face normal may differ by 1e-3 radians from the line between the closest points.
   const double along = separation_along<Dim>(first, second, contact.normal);
   if (first.rounding() + second.rounding() == 0.0 || !expected.is_core_apart)
     EXPECT_NEAR(along, contact.least_gap(), 1e-6 * inner + 10.0 * rounding_error) << expected.gap;
@@ -35,7 +36,7 @@ void compare(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, cons
     EXPECT_NEAR(along, contact.least_gap(), 1.1e-3 * std::min(first.outer_radius(), outer)) << expected.gap;
 }
 
-/// Gaps and overlaps of 1e-2, 1e-4 and 1e-6 of the size, 500 pairs of a generator.
+/// Tests 500 pairs of shapes with gaps and overlaps of 1e-2, 1e-4 and 1e-6 of the size.
 template <int Dim>
 void expect_depths_of_all_features(const std::vector<Shape<Dim>>& shapes) {
   RandomStream random(51, 1);
@@ -49,7 +50,7 @@ void expect_depths_of_all_features(const std::vector<Shape<Dim>>& shapes) {
     compare<Dim>(first, second, reached, counts);
     if (testing::Test::HasFatalFailure()) return;
   }
-  // The others prefer a face within the margins.
+  // The other pairs choose a face within the margin.
   EXPECT_EQ(counts.compared, 500);
   EXPECT_GE(counts.exact, 490);
 }

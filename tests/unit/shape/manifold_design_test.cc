@@ -10,8 +10,8 @@ namespace {
 
 using namespace test;
 
-/// Requires that a contact has the given points, all with one gap, at any common rotation of both shapes and after
-/// their exchange.
+/// Requires that a contact has the given points, all with one gap, for any common rotation of both shapes and
+/// after exchanging them.
 template <int Dim>
 void expect_everywhere(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, double gap,
                        const std::vector<Vec<Dim>>& points) {

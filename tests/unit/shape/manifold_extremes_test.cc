@@ -8,7 +8,7 @@ namespace {
 
 using namespace test;
 
-/// Needles and plates of aspect 20, and shapes between.
+/// Returns needles and plates of aspect ratio 20, and intermediate shapes.
 template <int Dim>
 std::vector<Shape<Dim>> extreme_shapes(double rounding);
 template <>
@@ -28,7 +28,7 @@ std::vector<Shape<3>> extreme_shapes(double rounding) {
           hull_shapes<3>({12, 24, 10.0}, 1, rounding, 3)[0]};
 }
 
-/// A pair of extreme shapes at random rotations.
+/// Two extreme shapes with random rotations.
 template <int Dim>
 struct ExtremePair {
   PlacedShape<Dim> first, second;
@@ -40,7 +40,8 @@ struct ExtremePair {
   double inner_radius() const { return std::min(first.inner_radius(), second.inner_radius()); }
 };
 
-/// Calls check(rounding, scale, shapes) for sharp, hardly rounded and rounded shapes of one size and of size ratio 49.
+/// Calls check(rounding, scale, shapes) for sharp, hardly rounded and rounded shapes, of equal size and of size
+/// ratio 49.
 template <int Dim>
 void for_extremes(const auto& check) {
   for (const double rounding : {0.0, 1e-6, 0.05}) {
@@ -68,7 +69,8 @@ void expect_gaps_of_features() {
         EXPECT_LT(error, 1.01e-4 * pair.inner_radius() + 1e-13 * scale) << gap;
         ++n;
         n_exact += error < 1e-13 * scale ? 1 : 0;
-        // A rounded shape may touch with a face 1e-3 radians off the normal of the closest points.
+        // If a rounded shape touches with a face, the face normal may differ by 1e-3 radians from the line
+        // between the closest points.
         if (rounding == 0.0) {
           EXPECT_NEAR(separation_along<Dim>(pair.first, pair.second, contact.normal), contact.least_gap(),
                       1e-6 * pair.inner_radius() + 1e-12 * scale)
@@ -101,7 +103,7 @@ void expect_exchange_to_keep_gaps() {
       EXPECT_NEAR(one.least_gap(), other.least_gap(), 1.01e-4 * pair.inner_radius() + 1e-13 * scale);
       n_opposite += (one.normal + other.normal).norm() < 1e-9 && one.n == other.n ? 1 : 0;
     }
-    // Of axes that tie within the margins, each order takes its own.
+    // If two axes tie within the margin, the choice depends on the order of the shapes.
     EXPECT_GE(n_opposite, 140);
   });
 }
@@ -111,8 +113,9 @@ TEST(ManifoldExtremes, KeepTheirGapsOnExchange) {
   expect_exchange_to_keep_gaps<3>();
 }
 
-/// The smallest gap changes by at most the motion and the margins: 1e-4 of the inner radius for edges, 1e-6 for faces
-/// and for rounded shapes that touch with a face (half of 1e-6 of the distance of their cores more).
+/// The smallest gap changes by at most the motion plus the margins. The margin is 1e-4 of the inner radius for
+/// edges, and 1e-6 for faces and for rounded shapes that touch with a face. For the latter, half of 1e-6 of the
+/// distance of the cores is added.
 template <int Dim>
 void expect_small_motions_to_change_gaps_little() {
   RandomStream random(63, 1);
@@ -126,7 +129,7 @@ void expect_small_motions_to_change_gaps_little() {
       AxisFeatures last;
       double before[2] = {};
       for (int step = 0; step < 300; ++step) {
-        // A circular motion: into the first shape, along it and out of it.
+        // The second shape moves on a circle: into the first shape, along it and out of it.
         const double phase = 2.0 * std::numbers::pi * step / 300;
         pair.second.position -= kStep * std::sin(phase) * pair.second.position.normalized();
         pair.second.position += 0.5 * kStep * random_direction<Dim>(random);
@@ -155,7 +158,7 @@ TEST(ManifoldExtremes, ChangeTheirGapsLittleInSmallMotions) {
   expect_small_motions_to_change_gaps_little<3>();
 }
 
-/// Shapes with one centre, shapes deep in each other, and identical shapes at one place.
+/// Tests shapes with a common centre, shapes deep inside each other, and identical shapes at the same position.
 template <int Dim>
 void expect_depths_of_concentric_shapes() {
   RandomStream random(64, 1);
@@ -191,7 +194,7 @@ TEST(ManifoldExtremes, RoundOnesWithOneCentreOverlapByTheirRadii) {
   }
 }
 
-/// With reach 0 only shapes that overlap are in contact, however large or far they are.
+/// With a reach of 0, only overlapping shapes are in contact, however large or far away they are.
 template <int Dim>
 void expect_no_contact_of_shapes_apart() {
   RandomStream random(65, 1);
@@ -212,13 +215,14 @@ TEST(ManifoldExtremes, ApartHaveNoContactWithinReach0) {
   expect_no_contact_of_shapes_apart<3>();
 }
 
-/// Closed forms at size ratio 49: a small cube on a large one, a needle along and across a plate.
+/// Compares with closed forms at size ratio 49: a small cube on a large one, and a needle along and across a
+/// plate.
 TEST(ManifoldExtremes, OnAPlateHaveTheirClosedForms) {
   const Shape<3> plate = shape_of<3>(box_points(20, 20, 1)), needle = shape_of<3>(box_points(20, 1, 1)),
                  cube = shape_of<3>(box_points(1, 1, 1));
   RandomStream random(66, 1);
   for (int trial = 0; trial < 100; ++trial) {
-    // The whole scene is turned; the upper body is turned about the normal of the plate.
+    // Both bodies are rotated together; in addition, the upper one is rotated about the normal of the plate.
     const Mat<3> turn = random_turn<3>(random);
     const double angle = random.uniform(0.0, 2.0 * std::numbers::pi), gap = random.uniform(-1e-3, 1e-3);
     const Mat<3> about_z = Eigen::AngleAxisd(angle, Vec<3>::UnitZ()).toRotationMatrix();
@@ -237,7 +241,7 @@ TEST(ManifoldExtremes, OnAPlateHaveTheirClosedForms) {
         EXPECT_NEAR(own.head<2>().squaredNorm(), area, 1e-11);
       }
     };
-    // Corners at distance sqrt(20^2 + 1)/2 of the centre, all over the plate of size 49 * 20.
+    // All corners lie over the plate of size 49 * 20, at a distance of sqrt(20^2 + 1)/2 from the centre.
     expect_support(needle, 1.0, 49.0, 4, 0.25 * 401.0);
     expect_support(cube, 1.0, 49.0, 4, 0.5);
     expect_support(cube, 1.0, 1.0, 4, 0.5);

@@ -43,7 +43,7 @@ TEST(Manifold, OfCubesTurnedBy45DegreesHasFourCornersOfTheOctagon) {
     EXPECT_NEAR(p[2], 0.4995, kExact);
     angles.push_back(std::atan2(p[1], p[0]));
   }
-  // Every other corner: a square.
+  // Every second corner of the octagon of intersection is a contact point: together they form a square.
   std::sort(angles.begin(), angles.end());
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(angles[k + 1] - angles[k], 0.5 * std::numbers::pi, 1e-12);
 }
@@ -54,7 +54,7 @@ TEST(Manifold, OfCrossedEdgesIsOnePoint) {
   for (const double z : {1.41, std::numbers::sqrt2, 1.42})
     for (const double degrees : {0.0, 30.0})
       for (int trial = 0; trial < 10; ++trial) {
-        // The upper edge lies along y, or at 60 degrees to the lower one.
+        // The upper edge lies along y, or at an angle of 60 degrees to the lower one.
         const Mat<3> all = trial == 0 ? kNoTurn : random_turn<3>(random);
         const Mat<3> upper = turn_about(Vec<3>::UnitZ(), -degrees) * turn_about(Vec<3>::UnitY(), 45.0);
         const Vec<3> centre(0.1, 0.2, z);
@@ -64,7 +64,7 @@ TEST(Manifold, OfCrossedEdgesIsOnePoint) {
         ASSERT_EQ(contact.n, 1);
         EXPECT_EQ(contact.type, ContactType::kEdgeEdge);
         EXPECT_NEAR(contact.points[0].gap, z - std::numbers::sqrt2, kExact);
-        // The upper edge's line through (0.1, 0.2) meets y = 0 further along at 60 degrees.
+        // The line of the upper edge through (0.1, 0.2) intersects y = 0 at this x.
         const double x = 0.1 - 0.2 * std::tan(degrees * std::numbers::pi / 180.0);
         EXPECT_NEAR((all.transpose() * contact.points[0].arm - Vec<3>(x, 0, 0.5 * z)).norm(), 0.0, 2e-13);
         EXPECT_NEAR((all.transpose() * contact.normal - Vec<3>::UnitZ()).norm(), 0.0, kExact);
@@ -74,7 +74,7 @@ TEST(Manifold, OfCrossedEdgesIsOnePoint) {
 TEST(Manifold, OfATetrahedronOnAFaceHasOnePointOrThree) {
   const Shape<3> plate = shape_of<3>(box_points(6, 6, 2)), tetrahedron = shape_of<3>(tetrahedron_points());
   const auto floor = placed<3>(plate, {0, 0, -1}, kNoTurn);
-  // (1, 1, 1) points down, then up.
+  // The corner (1, 1, 1) points down, then up.
   for (const double sign : {-1.0, 1.0}) {
     const Mat<3> turn =
         Eigen::Quaterniond::FromTwoVectors(Vec<3>(1, 1, 1), Vec<3>(0, 0, sign)).toRotationMatrix();
@@ -93,7 +93,7 @@ TEST(Manifold, OfPentagonsHasSidesOrAVertex) {
   const Shape<2> pentagon = shape_of<2>(polygon_points(5));
   const double degree = std::numbers::pi / 180.0;
   const auto a = placed<2>(pentagon, Vec<2>::Zero(), Mat<2>::Identity());
-  // The lowest side of one on top of that of the other, which is turned round.
+  // Side on side: the second pentagon lies below the first and is rotated by 180 degrees.
   for (const double shift : {-0.3, 0.0, 0.4})
     for (const double r : {1.61, 1.62}) {
       const auto b = placed<2>(pentagon, {shift, -r}, turn_by(180.0));
@@ -113,8 +113,8 @@ TEST(Manifold, OfPentagonsHasSidesOrAVertex) {
 }
 
 TEST(Manifold, OfTrianglesOnTheirHypotenusesHasTwoPoints) {
-  // Hypotenuse from (0, 0) to (5, 0), the other corner above; the second one is the first turned by 180
-  // degrees, shifted.
+  // The hypotenuse of the first triangle runs from (0, 0) to (5, 0), with its third corner above. The second
+  // triangle is the first one, rotated by 180 degrees and shifted.
   const Shape<2> triangle = shape_of<2>({{0, 0}, {5, 0}, {3.2, 2.4}});
   const auto a = placed<2>(triangle, Vec<2>::Zero(), Mat<2>::Identity());
   const auto b = placed<2>(triangle, {5.5, -0.01}, turn_by(180.0));
@@ -136,7 +136,8 @@ void expect_exchange_and_rigid_motions_to_change_nothing(double rounding) {
     n_touching += contact.n > 0 ? 1 : 0;
     ASSERT_EQ(contact.n, exchanged.n) << trial;
     if (contact.n == 0) continue;
-    // Ties within the margins go to the first shape, so that exchange may turn the normal: not in these pairs.
+    // If two axes tie within the margin, the first shape decides, and the exchange could change the normal.
+    // These pairs have no ties.
     EXPECT_NEAR((contact.normal + exchanged.normal).norm(), 0.0, 1e-11) << trial;
     EXPECT_NEAR(contact.least_gap(), exchanged.least_gap(), 1e-12) << trial;
     const Mat<Dim> turn = random_turn<Dim>(random);
@@ -171,7 +172,7 @@ TEST(Manifold, IsUnchangedByExchangeAndRigidMotions) {
   }
 }
 
-/// Gaps against the largest separation over all directions, found without faces and edges.
+/// Compares gaps with the largest separation over all directions, which is found without using faces and edges.
 template <int Dim>
 void expect_gaps_of_a_search_over_directions(double rounding) {
   RandomStream random(22, 1);
@@ -181,17 +182,16 @@ void expect_gaps_of_a_search_over_directions(double rounding) {
     const Manifold<Dim> contact = contact_manifold<Dim>(pair.first(), pair.second(), 1e-3);
     const double expected = separation_by_search(pair.first(), pair.second());
     ASSERT_GT(contact.n, 0) << trial;
-    // The search ends below the largest separation; an edge pair gives way to a face within 1e-4 of the inner
-    // radius.
+    // The search may end below the largest separation. The contact may choose a face instead of an edge pair
+    // within a margin of 1e-4 of the inner radius.
     EXPECT_GT(contact.least_gap(), expected - 1e-4 * 0.5) << trial;
-    // The normal is one along which the shapes are apart by no less than that, but for points just beside a
-    // face. Where cores are apart that holds of the distance alone: a face may be 1e-3 off the normal of the
-    // closest points.
+    // Along the contact normal, the separation equals the gap. For rounded shapes only the distance is exact,
+    // since a face normal may differ by 1e-3 from the line between the closest points.
     if (rounding == 0.0) {
       EXPECT_NEAR(separation_along(pair.first(), pair.second(), contact.normal), contact.least_gap(), 0.5e-6)
           << trial;
     }
-    // A translation by the gap makes it zero.
+    // A translation by the gap along the normal makes the gap zero.
     auto moved = pair.second();
     moved.position -= contact.least_gap() * contact.normal;
     const Manifold<Dim> touching = contact_manifold<Dim>(pair.first(), moved, 1e-3);
@@ -207,7 +207,7 @@ TEST(Manifold, HasTheDepthOfASearchOverDirections) {
   }
 }
 
-/// Overlapping polyhedra have the depth of all axes, most of them to rounding.
+/// Overlapping polyhedra have the depth found over all axes; most of them agree up to rounding.
 TEST(Manifold, OfPolyhedraHasTheDepthOfAllAxes) {
   RandomStream random(28, 1);
   int n_overlapping = 0, n_exact = 0, n_edges = 0;
@@ -215,7 +215,7 @@ TEST(Manifold, OfPolyhedraHasTheDepthOfAllAxes) {
     RandomPair<3> pair(random, 0.0);
     pair.set_depth(random, std::pow(10.0, random.uniform(-6.0, -1.0)));
     const double expected = separation_by_all_axes(pair.first(), pair.second());
-    if (expected > 0.0) continue;  // an edge pair separates them
+    if (expected > 0.0) continue;  // an edge pair separates the shapes
     const Manifold<3> contact = contact_manifold<3>(pair.first(), pair.second(), 1.0);
     const double margin = 1e-4 * std::min(pair.first().inner_radius(), pair.second().inner_radius());
     EXPECT_NEAR(contact.least_gap(), expected, margin) << trial;
@@ -228,7 +228,7 @@ TEST(Manifold, OfPolyhedraHasTheDepthOfAllAxes) {
   EXPECT_GT(n_edges, n_overlapping / 20);
 }
 
-/// Gaps of shapes apart: those of rounded ones are distances.
+/// For separate rounded shapes the gap is the distance.
 TEST(Manifold, OfRoundedShapesApartHasTheirDistance) {
   RandomStream random(23, 1);
   for (int trial = 0; trial < 200; ++trial) {
@@ -237,12 +237,13 @@ TEST(Manifold, OfRoundedShapesApartHasTheirDistance) {
     const PlacedShape<3> a = pair.first(), b = pair.second();
     const ClosestPoints<3> closest =
         closest_points<3>(*a.shape, *b.shape, RelativePlace<3>(a, b), Vec<3>::UnitX());
-    // No direction separates by more than the distance, and no two points are nearer: the distance is both.
+    // The separation along any direction is at most the distance, and the distance is at most that of any two
+    // points. Here both bounds are equal.
     const double expected = a.scale * closest.distance - a.rounding() - b.rounding();
     EXPECT_NEAR(separation_along<3>(a, b, a.rotation * closest.normal), expected, 1e-14) << trial;
     EXPECT_NEAR((closest.on_second - closest.on_first - closest.distance * closest.normal).norm(), 0.0, 1e-13);
-    // Along a face the normal may be 1e-3 off, which costs half its square of the distance of the cores, and
-    // points may lie 1e-6 of the inner radius further.
+    // If a face is chosen, its normal may deviate by 1e-3, which changes the gap by half the square of this
+    // times the distance of the cores. Points may lie 1e-6 of the inner radius further away.
     const Manifold<3> contact = contact_manifold<3>(a, b, 0.1);
     ASSERT_GT(contact.n, 0);
     EXPECT_NEAR(contact.least_gap(), expected, 6e-7) << trial;
@@ -267,7 +268,7 @@ TEST(Manifold, OfBallsAndPolytopesIsTheClosestPoint) {
   expect({0.1, 0.2, 0.78}, {0.1, 0.2, 0.5});        // face
   expect({0.1, 0.7, 0.71}, {0.1, 0.5, 0.5});        // edge
   expect({-0.65, 0.67, 0.68}, {-0.5, 0.5, 0.5});    // vertex
-  expect({0.1, 0.2, 0.5 + 1e-9}, {0.1, 0.2, 0.5});  // centre on the surface
+  expect({0.1, 0.2, 0.5 + 1e-9}, {0.1, 0.2, 0.5});  // the centre is on the surface
   EXPECT_EQ(contact_at({0.1, 0.2, 0.86}).n, 0);
   const Manifold<3> inside = contact_at({0.1, 0.2, 0.4});
   EXPECT_NEAR(inside.points[0].gap, -0.4, kExact);
@@ -310,8 +311,8 @@ TEST(Manifold, OfCapsulesHasOnePointOrTwoSideBySide) {
   EXPECT_NEAR(in_line.points[0].gap, -0.01, kExact);
 }
 
-/// The upper cube's edge turns through the direction of the lower one's: gaps stay continuous, points stay on
-/// the edge.
+/// The edge of the upper cube rotates through the direction of the lower edge. Gaps must stay continuous, and
+/// points must stay on the edge.
 TEST(Manifold, OfEdgesThatTurnThroughParallelIsContinuous) {
   const Shape<3> cube = shape_of<3>(box_points(1, 1, 1));
   const auto below = placed<3>(cube, Vec<3>::Zero(), turn_about(Vec<3>::UnitX(), 45.0));
@@ -329,7 +330,7 @@ TEST(Manifold, OfEdgesThatTurnThroughParallelIsContinuous) {
       const double expected = separation_along(below, above, contact.normal);
       EXPECT_NEAR(contact.least_gap(), expected, 0.5e-6) << degrees;
       if (features == nullptr) {
-        // A step near 2 degrees turns by 0.03 and moves the gap by 2e-4.
+        // Near 2 degrees, one step rotates the cube by 0.03 degrees and changes the gap by 2e-4.
         if (k > -2000) {
           EXPECT_NEAR(contact.least_gap(), before, 3e-4) << degrees;
         }
@@ -340,8 +341,8 @@ TEST(Manifold, OfEdgesThatTurnThroughParallelIsContinuous) {
 }
 
 TEST(Manifold, KeepsTheFeaturesOfTheStepBeforeWithinTheMargin) {
-  // A corner of a square in the plane that looks along the diagonal of another: two faces tie, and noise
-  // decides.
+  // The corners of two squares overlap along their diagonals, so that two faces tie, and noise would decide
+  // between them.
   const Shape<2> square = shape_of<2>({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
   const PlacedShape<2> one{&square, 1.0, {0, 0}, Mat<2>::Identity()};
   RandomStream random(2, 1);
@@ -357,7 +358,7 @@ TEST(Manifold, KeepsTheFeaturesOfTheStepBeforeWithinTheMargin) {
   EXPECT_EQ(keys.size(), 1u);
 }
 
-/// The features of the step before change time, not the answer, but within the margins.
+/// The features of the previous step save time; they change the gap by at most the margin.
 TEST(Manifold, WithFeaturesOfTheStepBeforeIsThatWithout) {
   RandomStream random(24, 1);
   for (int trial = 0; trial < 200; ++trial) {
@@ -412,7 +413,7 @@ TEST(Manifold, OfScaledShapesScales) {
     auto a = pair.first(), b = pair.second();
     const Manifold<3> one = contact_manifold<3>(a, b, 0.01);
     const Shape<3> half = scaled(*a.shape, 0.5), triple = scaled(*b.shape, 3.0);
-    // Two units of length, and a scale instead of a larger shape.
+    // Changes the unit of length, and uses scales instead of larger shapes.
     a = {&half, 2.0 * a.scale * 10.0, 10.0 * a.position, a.rotation};
     b = {&triple, b.scale * 10.0 / 3.0, 10.0 * b.position, b.rotation};
     const Manifold<3> other = contact_manifold<3>(a, b, 0.1);

@@ -6,7 +6,7 @@
 
 namespace floc::test {
 
-/// Message of the InputError that a call throws.
+/// Returns the message of the InputError that a call throws.
 template <class Call>
 std::string message_of(const Call& call) {
   try {

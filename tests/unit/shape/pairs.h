@@ -7,10 +7,11 @@
 #include "floc/shape/placed_shape.h"
 #include "unit/shape/solids.h"
 
-/// Random pairs of shapes, and their separation by a search that knows of no faces and edges.
+/// Random pairs of shapes, and their separation from a search that does not use faces and edges.
 namespace floc::test {
 
-/// Distance between the planes normal to n that touch the shapes, n from the first to the second.
+/// Returns the distance of the two planes normal to n that touch the shapes. @param n  direction from the first
+/// shape to the second
 template <int Dim>
 double separation_along(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, const Vec<Dim>& n) {
   const auto extent = [&](const PlacedShape<Dim>& one, const Vec<Dim>& direction) {
@@ -21,8 +22,8 @@ double separation_along(const PlacedShape<Dim>& first, const PlacedShape<Dim>& s
   return extent(second, n) + extent(first, -n);
 }
 
-/// Largest separation over all directions, by climbing from many of them with steps that shrink: distance of
-/// shapes that are apart, depth of those that overlap.
+/// Returns the largest separation over all directions: distance of separate shapes, minus the depth of
+/// overlapping ones. The search climbs from many directions with decreasing steps.
 template <int Dim>
 double separation_by_search(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second,
                             Vec<Dim>* normal = nullptr) {
@@ -51,8 +52,8 @@ double separation_by_search(const PlacedShape<Dim>& first, const PlacedShape<Dim
   return best;
 }
 
-/// Largest separation of two sharp polyhedra over the normals of all faces and all pairs of edges: the
-/// separation of overlapping shapes, without a look at arcs.
+/// Returns the largest separation of two sharp polyhedra over the normals of all faces and all pairs of edges,
+/// without a check of the arcs.
 inline double separation_by_all_axes(const PlacedShape<3>& first, const PlacedShape<3>& second) {
   double most = -1e9;
   const auto try_axis = [&](const Vec<3>& n) { most = std::max(most, separation_along<3>(first, second, n)); };
@@ -70,7 +71,7 @@ inline double separation_by_all_axes(const PlacedShape<3>& first, const PlacedSh
   return most;
 }
 
-/// Two random shapes of diameter 1 and 1.3 at random rotations.
+/// Two random shapes of diameters 1 and 1.3 with random rotations.
 template <int Dim>
 class RandomPair {
  public:
@@ -80,8 +81,8 @@ class RandomPair {
         turn_a_(random_turn<Dim>(random)),
         turn_b_(random_turn<Dim>(random)) {}
 
-  /// Moves the second along a random direction until the largest separation along normals of faces is -depth.
-  /// Edges can separate the shapes more.
+  /// Moves the second shape along a random direction until the largest separation along face normals is -depth.
+  /// The separation along edge pairs may be larger.
   void set_depth(RandomStream& random, double depth) {
     towards_ = random_direction<Dim>(random);
     double near = 0.0, far = 3.0;
@@ -92,7 +93,7 @@ class RandomPair {
     }
   }
 
-  /// Makes the largest separation along any direction -depth, to rounding.
+  /// Moves the second shape until the largest separation along any direction is -depth, up to rounding.
   void set_true_depth(RandomStream& random, double depth) {
     set_depth(random, depth);
     for (int pass = 0; pass < 5; ++pass) {
@@ -114,7 +115,7 @@ class RandomPair {
                                 : hull_shapes<Dim>({least, most, 1.3}, 1, rounding, seed)[0];
   }
 
-  /// Over the normals of all faces.
+  /// Returns the largest separation over the normals of all faces.
   double largest_separation() const {
     double most = -1e9;
     for (const Vec<Dim>& n : a_.normals)

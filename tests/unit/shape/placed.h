@@ -10,10 +10,10 @@
 #include "floc/shape/manifold.h"
 #include "unit/shape/solids.h"
 
-/// Shapes placed in space and the points of their contacts.
+/// Shapes placed in space, and the points of their contacts.
 namespace floc::test {
 
-/// Tolerance for the vectors of the design, which are given to 1e-10: rounding errors.
+/// Tolerance for rounding errors in examples with closed forms.
 inline constexpr double kExact = 1e-13;
 inline const Mat<3> kNoTurn = Mat<3>::Identity();
 
@@ -24,7 +24,8 @@ inline Mat<2> turn_by(double degrees) {
   return Eigen::Rotation2Dd(degrees * std::numbers::pi / 180.0).toRotationMatrix();
 }
 
-/// Returns a shape placed so that the points from which it was made are turned and then moved by `position`.
+/// Returns a shape placed so that the points from which it was made are rotated by `turn` and then shifted by
+/// `position`.
 template <int Dim>
 PlacedShape<Dim> placed(const Shape<Dim>& shape, const Vec<Dim>& position, const Mat<Dim>& turn) {
   return {&shape, 1.0, position + turn * shape.centre, turn * shape.axes};

@@ -17,7 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Writers of the formats, from a polytope.
+/// Returns a polytope in the OFF format; the functions below return it in other formats.
 std::string off_text(const Polytope<3>& p) {
   std::string text = fmt::format("OFF\n# a comment\n{} {} 0\n", p.vertices.size(), p.faces.size());
   for (const Vec<3>& v : p.vertices) text += fmt::format("{} {} {}\n", v[0], v[1], v[2]);
@@ -150,7 +150,7 @@ TEST(ShapeFiles, AreReadFromDisk) {
 }
 
 TEST(ShapeFiles, NotConvexAreTheirHullWithARemark) {
-  // A cube whose top has its middle pressed in.
+  // A cube with the centre of its top pressed in.
   Polytope<3> dented = convex_hull<3>(test::box_points(1, 1, 1)).polytope;
   dented.vertices.emplace_back(0, 0, 0.2);
   std::vector<std::vector<int>> faces;
@@ -266,7 +266,7 @@ TEST(ShapeFiles, MayHaveLengthsFrom1eMinus50To1e50) {
   }
 }
 
-/// Bytes changed, doubled, cut out, or numbers made huge.
+/// Returns the text with bytes changed, duplicated or removed, or with numbers made huge.
 std::string mutated(std::string text, RandomStream& random) {
   for (std::uint64_t n = 1 + random.below(4), k = 0; k < n && !text.empty(); ++k) {
     const std::size_t at = random.below(text.size()), length = 1 + random.below(12);

@@ -22,7 +22,8 @@ Vec<3> sorted(Vec<3> v) {
   return v;
 }
 
-/// Distance to a core by projection on its half-spaces in turns (Dykstra 1983), for points outside.
+/// Returns the distance of an outside point from a core, by alternating projections on its half-spaces (Dykstra
+/// 1983).
 template <int Dim>
 double distance_to_core(const Shape<Dim>& shape, const Vec<Dim>& point) {
   std::vector<Vec<Dim>> correction(shape.n_faces(), Vec<Dim>::Zero());
@@ -36,7 +37,7 @@ double distance_to_core(const Shape<Dim>& shape, const Vec<Dim>& point) {
   return (point - x).norm();
 }
 
-// Vector 9 of the design: printed numbers hold to their last digit, closed forms to rounding.
+// Expected values with a closed form are compared up to rounding, printed decimals up to their last digit.
 TEST(MassProperties, BoxAndRegularSolidsHaveTheirClosedForms) {
   const Shape<3> box = shape_of<3>(box_points(1, 2, 3));
   EXPECT_NEAR(box.volume, 6.0, 1e-14);
@@ -77,8 +78,8 @@ TEST(MassProperties, RoundOnesAndCapsulesHaveTheirClosedForms) {
   EXPECT_NEAR(sphere.volume, 32.0 / 3.0 * kPi, 1e-13);
   EXPECT_NEAR(sphere.inertia[1], 0.4 * sphere.volume * 4.0, 1e-12);
   EXPECT_NEAR(round_shape<2>(2.0).inertia[0], 8.0 * kPi, 1e-13);
-  // A capsule in the plane: a rectangle and two half disks, whose centres of mass are 4 rho/(3 pi) from the
-  // core's ends.
+  // A capsule in 2D consists of a rectangle and two half disks, whose centres of mass are at 4 rho/(3 pi) from
+  // the ends of the core.
   const double length = 1.3, rho = 0.4;
   const Shape<2> flat = capsule_shape<2>(length, rho);
   EXPECT_NEAR(flat.volume, 2.0 * rho * length + kPi * rho * rho, 1e-15);
@@ -88,7 +89,7 @@ TEST(MassProperties, RoundOnesAndCapsulesHaveTheirClosedForms) {
           kPi * rho * rho * (0.25 * length * length + 4.0 * rho * length / (3.0 * kPi) + 0.5 * rho * rho),
       1e-15);
   EXPECT_NEAR(flat.diameter(), length + 2.0 * rho, 1e-15);
-  // A capsule in space is the limit of a thin rounded box.
+  // A capsule in 3D is the limit of a thin rounded box.
   const Shape<3> capsule = capsule_shape<3>(length, rho);
   const double thin = length / 19.9;
   const Shape<3> box = shape_of<3>(box_points(length, thin, thin), rho);
@@ -100,13 +101,15 @@ TEST(MassProperties, RoundOnesAndCapsulesHaveTheirClosedForms) {
 }
 
 TEST(MassProperties, RoundedBoxHasItsClosedForm) {
-  // Boxes a x b x c, quarter cylinders and eighths of a ball, summed by hand for the moment of x^2.
+  // The rounded box consists of boxes a x b x c, quarter cylinders and eighths of a ball. Their moments of x^2
+  // are added.
   const double a = 1.0, b = 0.7, c = 0.4, r = 0.3;
   const Shape<3> box = shape_of<3>(box_points(a, b, c), r);
   const double volume =
       a * b * c + 2.0 * r * (a * b + b * c + c * a) + kPi * r * r * (a + b + c) + 4.0 / 3.0 * kPi * r * r * r;
   EXPECT_NEAR(box.volume, volume, 1e-14);
-  // Moment of x^2 by slices: |x| < a/2 has the rounded rectangle b x c; beyond, one of radius sqrt(r^2 - s^2).
+  // The moment of x^2 is integrated over slices. For |x| < a/2 a slice is the rectangle b x c rounded by r;
+  // beyond, at a distance s from it, the rounding is sqrt(r^2 - s^2).
   const auto area = [&](double rho) { return b * c + 2.0 * (b + c) * rho + kPi * rho * rho; };
   double xx = a * a * a / 12.0 * area(r);
   constexpr int kSlices = 2000;
@@ -115,7 +118,7 @@ TEST(MassProperties, RoundedBoxHasItsClosedForm) {
     xx += 2.0 * x * x * area(r * std::cos(angle)) * r * std::cos(angle) * 0.5 * kPi / kSlices;
   }
   const double trace = 0.5 * box.inertia.sum();
-  EXPECT_NEAR(trace - box.inertia[0], xx, 1e-7);  // the quadrature's error, of second order
+  EXPECT_NEAR(trace - box.inertia[0], xx, 1e-7);  // error of the quadrature, which is of second order
 }
 
 template <int Dim>
@@ -138,7 +141,7 @@ void expect_random_points_agree(double rounding) {
     first += x;
     second += x * x.transpose();
   }
-  // Five standard deviations of 40 000 trials.
+  // The tolerance is five standard deviations of 40 000 trials.
   const double box = std::pow(side, Dim), each = box / kTrials, tolerance = 5.0 / std::sqrt(kTrials);
   EXPECT_NEAR(inside * each, shape.volume, 0.5 * tolerance * box);
   EXPECT_LT((first * each).norm(), tolerance * box * 0.3);
@@ -155,7 +158,7 @@ TEST(MassProperties, AgreeWithRandomPointsSharpAndRounded) {
   }
 }
 
-/// A ball's sum with a polytope is the limit of the hull of its sum with a fine polytope.
+/// A rounded shape is the limit of the hull of many points on its rounded corners.
 TEST(MassProperties, RoundedOnesAreTheLimitOfFineHulls) {
   const std::vector<Vec<2>> core = {{0, 0}, {1, 0.1}, {0.3, 0.8}};
   const double rho = 0.2;
@@ -166,7 +169,7 @@ TEST(MassProperties, RoundedOnesAreTheLimitOfFineHulls) {
       fine.push_back(v + rho * Vec<2>(std::cos(angle), std::sin(angle)));
     }
   const Shape<2> rounded = shape_of<2>(core, rho), limit = shape_of<2>(fine);
-  // Sides of the polygon of 60 are up to 3e-4 inside the circle, along a perimeter of 4.
+  // The sides of a polygon with 60 corners lie up to 3e-4 inside its circle, along a perimeter of 4.
   EXPECT_NEAR(limit.volume, rounded.volume, 1e-3);
   EXPECT_NEAR(limit.inertia[0], rounded.inertia[0], 3e-4 * rounded.inertia[0] * 10.0);
   EXPECT_NEAR((limit.centre - rounded.centre).norm(), 0.0, 1e-4);
@@ -190,7 +193,8 @@ void expect_invariance_under_rotation() {
     EXPECT_NEAR((a - b).norm(), 0.0, 1e-13);
     EXPECT_NEAR((turn * one.centre + shift - other.centre).norm(), 0.0, 1e-13);
     EXPECT_NEAR(other.axes.determinant(), 1.0, 1e-13);
-    // Own coordinates and place give the points back.
+    // Vertices in the shape's own coordinates, together with its centre and axes, give back the original
+    // points.
     for (int v = 0; v < other.n_vertices(); ++v) {
       const Vec<Dim> given = other.centre + other.axes * other.vertices[v];
       double nearest = 1.0;
@@ -242,7 +246,7 @@ TEST(Shape, OfUnitDiameterHasTheRoundingAskedFor) {
 }
 
 TEST(Hull, MergesCoplanarTrianglesAndLeavesOutPointsOnThem) {
-  // The lattice of 5 x 5 x 5 points: 98 on the surface, eight of which are vertices.
+  // Of the lattice of 5 x 5 x 5 points, 98 lie on the surface, eight of them at vertices.
   std::vector<Vec<3>> points;
   for (int x = 0; x < 5; ++x)
     for (int y = 0; y < 5; ++y)

@@ -8,7 +8,7 @@
 #include "floc/base/random.h"
 #include "floc/shape/shape.h"
 
-/// Points of solids that have closed forms, and random ones.
+/// Vertices of solids with known volumes and moments of inertia, and random points.
 namespace floc::test {
 
 inline std::vector<Vec<3>> box_points(double x, double y, double z) {
@@ -18,7 +18,7 @@ inline std::vector<Vec<3>> box_points(double x, double y, double z) {
   return points;
 }
 
-/// Regular tetrahedron of edge sqrt(8) about its centre.
+/// Regular tetrahedron with edges of sqrt(8), centred at the origin.
 inline std::vector<Vec<3>> tetrahedron_points() {
   return {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
 }
@@ -27,7 +27,7 @@ inline std::vector<Vec<3>> octahedron_points() {
   return {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
 }
 
-/// Regular icosahedron of edge 2.
+/// Regular icosahedron with edges of 2.
 inline std::vector<Vec<3>> icosahedron_points() {
   std::vector<Vec<3>> points;
   for (const double a : {-1.0, 1.0})
@@ -36,7 +36,7 @@ inline std::vector<Vec<3>> icosahedron_points() {
   return points;
 }
 
-/// Corners of a regular polygon on the unit circle, the first at the top.
+/// Corners of a regular polygon on the unit circle, the first one at the top.
 inline std::vector<Vec<2>> polygon_points(int n) {
   std::vector<Vec<2>> points;
   for (int k = 0; k < n; ++k) {
@@ -66,7 +66,7 @@ Mat<Dim> random_turn(RandomStream& random) {
   return random_turn(random, Vec<Dim>());
 }
 
-/// Points near a sphere, whose hull has faces of all directions.
+/// Random points near a sphere; the faces of their hull have all directions.
 template <int Dim>
 std::vector<Vec<Dim>> random_points(RandomStream& random, int n) {
   std::vector<Vec<Dim>> points;

@@ -15,7 +15,7 @@ TEST(AxialTest, OfDisksByHand) {
   EXPECT_DOUBLE_EQ(t.lateral_ratio, 1.0 / 3.0);
   EXPECT_DOUBLE_EQ(t.volumetric_strain, 0.045);
   EXPECT_DOUBLE_EQ(t.mobilised, 0.5);
-  // eps_v goes up by 0.015 and eps_q by 0.025: it contracts
+  // eps_v grows by 0.015 and eps_q by 0.025: the sample contracts.
   EXPECT_NEAR(*t.dilatancy, -0.6, 1e-12);
 }
 
@@ -26,7 +26,7 @@ TEST(AxialTest, OfSpheresByHand) {
   EXPECT_DOUBLE_EQ(t.deviator, 3.0);
   EXPECT_DOUBLE_EQ(t.lateral_ratio, 0.25);
   EXPECT_DOUBLE_EQ(t.mobilised, 1.5);
-  // eps_v = 0.01, eps_q = 2/3 (0.03 + 0.01)
+  // Here eps_v = 0.01 and eps_q = 2/3 (0.03 + 0.01).
   EXPECT_NEAR(*t.dilatancy, -0.375, 1e-12);
 }
 

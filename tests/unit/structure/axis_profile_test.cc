@@ -22,7 +22,8 @@ TEST(AxisProfile, StressesOfSlicesHaveTheMeanOfThePacking) {
         }
 }
 
-/// A column of disks on a floor: between the centres of two disks, the stress is the weight above over the width.
+/// In a column of disks on a floor, the stress between the centres of two disks is the weight above divided by
+/// the width.
 TEST(AxisProfile, StressOfAColumnIsTheWeightAboveOverItsWidth) {
   constexpr int kDisks = 8;
   constexpr double kWeight = 2.0;
@@ -46,7 +47,7 @@ TEST(AxisProfile, StressOfAColumnIsTheWeightAboveOverItsWidth) {
   p.walls = {{1, -1, 0.0, 0.0, 1.0, false}, {1, 1, kDisks, 0.0, 1.0, true}};
   const std::vector<ProfileSlice> slices = axis_profile(p, 1, 2 * kDisks, {});
   for (int k = 0; k < 2 * kDisks; ++k) {
-    const int n_above = kDisks - (k + 1) / 2;  // disks whose centres are above the slice
+    const int n_above = kDisks - (k + 1) / 2;  // number of disks whose centres are above the slice
     EXPECT_NEAR(slices[static_cast<std::size_t>(k)].stress[1], kWeight * n_above / 1.25, 1e-12) << k;
     EXPECT_EQ(slices[static_cast<std::size_t>(k)].stress[0], 0.0);
   }

@@ -28,7 +28,7 @@ TEST(BondSigns, AreCountedWithAClassNearZero) {
   bond(3, 0.019, false);
   bond(3, -0.019, true);
   bond(3, 0.0, false);
-  bond(4, 5.0, false);  // with a wall
+  bond(4, 5.0, false);  // contact with a wall, which is not counted
   const BondSigns bonds = bond_signs(packing, 0.02);
   EXPECT_EQ(bonds.n_bonds, 7);
   EXPECT_DOUBLE_EQ(bonds.z, 3.5);
@@ -38,7 +38,7 @@ TEST(BondSigns, AreCountedWithAClassNearZero) {
   EXPECT_DOUBLE_EQ(bonds.minus_share, 0.5);
   EXPECT_DOUBLE_EQ(bonds.mean_plus, 3.0);
   EXPECT_DOUBLE_EQ(bonds.mean_minus, 2.0);
-  // Without a class near zero only what carries nothing at all is left of it.
+  // Without a threshold, only bonds with zero force count as near zero.
   EXPECT_DOUBLE_EQ(bond_signs(packing, 0.0).z_near, 0.5);
 }
 
@@ -51,7 +51,7 @@ TEST(Strength, OfCrystalsIsTheirStressAtThePullOffForce) {
     EXPECT_NEAR(virial_strength(3, crystal.z, solid_fraction(packing), kF0, kDiameter), -stress, 1e-10)
         << crystal.name;
   }
-  // The simple cubic one parts at F0/d^2.
+  // A simple cubic crystal separates at the stress F0/d^2.
   EXPECT_NEAR(virial_strength(3, 6, std::acos(-1.0) / 6.0, 0.7, 2.0), 0.7 / 4.0, 1e-15);
   EXPECT_NEAR(virial_strength(2, 4, std::acos(-1.0) / 4.0, 0.7, 2.0), 0.7 / 2.0, 1e-15);
   EXPECT_DOUBLE_EQ(rumpf_strength(3, 0.6, 0.7, 2.0), 1.5 * 0.7 / 4.0);

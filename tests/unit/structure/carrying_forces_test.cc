@@ -29,7 +29,8 @@ TEST(CarryingForces, OfCrystalsAreAllAlikeAndIsotropic) {
 }
 
 TEST(CarryingForces, CountRattlersAndGrainsOfTwoContacts) {
-  // Simple cubic, 27 spheres: the middle one keeps its two contacts along x, the first none.
+  // A simple cubic crystal of 27 spheres. The middle one keeps only its two contacts along x, the first one
+  // none.
   Packing<3> packing =
       tiled<3>(test::crystal_of(test::simple_cubic(), 0.99, 1.0, test::elastic_law(1.0, 0.5, 0.0)), {3, 3, 3});
   ASSERT_EQ(packing.contacts.size(), 81u);
@@ -47,7 +48,8 @@ TEST(CarryingForces, CountRattlersAndGrainsOfTwoContacts) {
 }
 
 TEST(CarryingForces, HaveTheMomentsOfAHandfulOfContacts) {
-  // N = 1, 8, 27 along x, x and y, |T|/N = 0.5, 0.5, 0.25; the last slides. <N> = 12.
+  // Three contacts with normal forces N = 1, 8 and 27 (mean <N> = 12) along x, x and y, and with |T|/N = 0.5,
+  // 0.5 and 0.25. The last one slides.
   Packing<3> packing;
   packing.grains = Grains<3>::with_size(3);
   for (int k = 0; k < 3; ++k) {
@@ -69,7 +71,7 @@ TEST(CarryingForces, HaveTheMomentsOfAHandfulOfContacts) {
   EXPECT_NEAR(f.fabric(0, 0), 1.0 / 3.0, 1e-15);
   EXPECT_NEAR(f.fabric(1, 1), 0.0, 1e-15);
   EXPECT_NEAR(f.fabric(2, 2), -1.0 / 3.0, 1e-15);
-  // The third contact alone is above <N>.
+  // Only the third contact carries more than <N>.
   EXPECT_NEAR(f.strong_fabric(0, 0), -1.0 / 9.0, 1e-15);
   EXPECT_NEAR(f.strong_fabric(1, 1), 2.0 / 9.0, 1e-15);
   EXPECT_NEAR(f.weak_fabric(0, 0), 4.0 / 9.0, 1e-15);

@@ -19,8 +19,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// Rows and columns of a square lattice of touching disks in a cell with room around them: no contact through
-/// its sides.
+/// Returns touching disks in rows and columns of a square lattice, in a cell with empty space around them, so
+/// that none touch across its sides.
 Packing<2> block(int columns, int rows) {
   std::vector<Vec<2>> places;
   for (int y = 0; y < rows; ++y)
@@ -28,7 +28,7 @@ Packing<2> block(int columns, int rows) {
   return disks(12.0 * Mat<2>::Identity(), places, 1.0, elastic_law(1.0, 0.5, 0.1));
 }
 
-/// Everything moved and wrapped into the cell.
+/// Returns the packing with all grains shifted and moved back into the cell.
 Packing<2> translated(Packing<2> packing, const Vec<2>& by) {
   for (Vec<2>& x : packing.grains.position) x = packing.cell.wrapped(x + by);
   find_contacts(packing);
@@ -71,7 +71,7 @@ TEST(ContactChanges, OfAnAffineStrainLeaveNoDisplacement) {
 }
 
 TEST(ContactChanges, NameWhatWasLostAndGained) {
-  // The third grain leaves the chain of three and comes to rest on the first.
+  // The third grain leaves the chain of three and ends in contact with the first.
   Packing<2> before =
       disks(8.0 * Mat<2>::Identity(), {{1, 1}, {2, 1}, {3, 1}}, 1.0, elastic_law(1.0, 0.0, 0.0));
   Packing<2> after = before;
@@ -85,14 +85,15 @@ TEST(ContactChanges, NameWhatWasLostAndGained) {
   EXPECT_EQ(before.contacts[found.lost[0]].i, 1);
   EXPECT_EQ(after.contacts[found.gained[0]].i, 0);
   EXPECT_EQ(after.contacts[found.gained[0]].j, 2);
-  // One grain of three moved by (-2, 1): the others stay behind the mean by a third of it.
+  // One of three grains moved by (-2, 1). Relative to the mean displacement, the others moved by -1/3 of it.
   EXPECT_LT((found.displacement[2] - 2.0 / 3.0 * Vec<2>(-2, 1)).norm(), 1e-13);
   EXPECT_LT((found.displacement[0] + 1.0 / 3.0 * Vec<2>(-2, 1)).norm(), 1e-13);
   EXPECT_NEAR(found.rms_displacement(), std::sqrt(5.0 * (4.0 + 1.0 + 1.0) / 9.0 / 3.0), 1e-13);
 }
 
 TEST(ContactChanges, TellContactsOfOnePairThroughDifferentSidesApart) {
-  // Two disks in a narrow cell touch through it on both sides, then on one only.
+  // Two disks in a narrow cell touch on both sides, directly and through the periodic boundary; afterwards on
+  // one side only.
   Mat<2> cell;
   cell << 2.0, 0.0, 0.0, 5.0;
   const Packing<2> before = disks(cell, {{0.1, 1}, {1.1, 1}}, 1.0, elastic_law(1.0, 0.0, 0.0));
@@ -151,7 +152,7 @@ TEST(ContactChanges, AreRefusedBetweenDifferentGrains) {
 }
 
 TEST(RigidClusters, AreWhatTurnsAsOne) {
-  // Two blocks of four, apart; one turns as a whole, in the other a grain rolls on its neighbours.
+  // Two separate blocks of four grains. One rotates as a whole; in the other, a grain rolls on its neighbours.
   Packing<2> before =
       disks(12.0 * Mat<2>::Identity(), {{1, 1}, {2, 1}, {1, 2}, {2, 2}, {6, 6}, {7, 6}, {6, 7}, {7, 7}}, 1.0,
             elastic_law(1.0, 0.5, 0.1));
@@ -171,7 +172,7 @@ TEST(RigidClusters, AreWhatTurnsAsOne) {
 TEST(RigidClusters, EndWhereAContactSlides) {
   const Packing<2> before = block(4, 1);
   Packing<2> after = before;
-  // Grains 2 and 3 go up by 0.05 a without turning: the contact between 1 and 2 slides.
+  // Grains 2 and 3 move up by 0.05 a without rotation, so the contact between grains 1 and 2 slides.
   for (const int i : {2, 3}) after.grains.position[i] += Vec<2>(-0.00125, 0.05);
   find_contacts(after);
   const ContactChanges<2> changes = contact_changes(before, after);

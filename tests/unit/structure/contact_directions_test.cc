@@ -15,7 +15,7 @@ Contact<2> contact(const Vec<2>& normal, double force) {
   return c;
 }
 
-/// Opposite directions are one; contacts that pull or do not touch point nowhere.
+/// Opposite directions are equivalent. Contacts under tension and contacts at a distance are not counted.
 TEST(ContactDirections, AreADensityOverHalfATurn) {
   Packing<2> packing;
   packing.contacts = {contact({1.0, 0.1}, 1.0), contact({-1.0, -0.1}, 1.0), contact({0.1, 1.0}, 4.0),
@@ -28,7 +28,7 @@ TEST(ContactDirections, AreADensityOverHalfATurn) {
   EXPECT_NEAR(std::accumulate(d.all.begin(), d.all.end(), 0.0) * width, 1.0, 1e-15);
   EXPECT_NEAR(d.all[0] * width, 2.0 / 3.0, 1e-15);
   EXPECT_NEAR(d.all[1] * width, 1.0 / 3.0, 1e-15);
-  EXPECT_NEAR(d.strong[1] * width, 1.0 / 3.0, 1e-15);  // above the mean force of 2
+  EXPECT_NEAR(d.strong[1] * width, 1.0 / 3.0, 1e-15);  // the force of 4 is above the mean force of 2
   EXPECT_EQ(d.strong[0], 0.0);
 }
 

@@ -11,7 +11,7 @@
 namespace floc::test {
 namespace {
 
-/// Returns the argument at which an increasing function of t in [0, 1] has a value.
+/// Returns the argument in [0, 1] at which an increasing function has a value.
 template <class Function>
 double argument_of(const Function& f, double value) {
   double low = 0.0, high = 1.0;
@@ -22,7 +22,7 @@ double argument_of(const Function& f, double value) {
   return low;
 }
 
-/// Contacts of one pair of grains after the other, all of which carry a force.
+/// Returns a structure in which all contacts of a packing carry a force.
 template <int Dim>
 CarryingStructure all_of(const Packing<Dim>& packing) {
   CarryingStructure out;
@@ -50,8 +50,8 @@ Packing<2> anisotropic(double a, double b, double c) {
   return packing;
 }
 
-/// Directions with the density 1 + a cos 2t, normal forces 1 + b cos 2t and tangential forces c sin 2t: sums over
-/// contacts are integrals, with <f_n> = 1 + ab/2.
+/// Directions have the density 1 + a cos 2t, normal forces are 1 + b cos 2t and tangential forces c sin 2t.
+/// Sums over contacts then become integrals, with <f_n> = 1 + ab/2.
 TEST(ContactStatistics, AnisotropiesOfKnownDensities) {
   const double a = 0.4, b = 0.3, c = 0.2, mean = 1.0 + 0.5 * a * b;
   const Packing<2> packing = anisotropic(a, b, c);
@@ -62,7 +62,8 @@ TEST(ContactStatistics, AnisotropiesOfKnownDensities) {
   EXPECT_NEAR(found->tangential_force, c / mean, 1e-6);
   EXPECT_NEAR(found->branch_normal, 0.0, 1e-12);
   EXPECT_NEAR(found->branch_tangential, 0.0, 1e-12);
-  // With branches of one length the prediction is exact but for the order of a tangential force with the density.
+  // For branches of equal length, the prediction is exact except for products of the anisotropies of tangential
+  // forces and directions.
   EXPECT_NEAR(found->stress_ratio, 0.5 * (a + b + c) / mean, 1e-6);
   EXPECT_NEAR(found->predicted_ratio, found->stress_ratio, 1e-6);
 }
@@ -72,14 +73,14 @@ TEST(ContactStatistics, IsotropicForcesHaveNoDirection) {
   EXPECT_FALSE(contact_anisotropy(packing, all_of(packing)));
 }
 
-/// Spheres whose contacts have the density 1 + a (3 cos^2 t - 1) about the last axis.
+/// The contacts of spheres have the density 1 + a (3 cos^2 t - 1) about the last axis.
 TEST(ContactStatistics, AxialAnisotropyInSpace) {
   const double a = 0.2;
   Packing<3> packing;
   packing.grains = Grains<3>::with_size(2);
   constexpr int kPolar = 400, kAround = 8;
   for (int k = 0; k < kPolar; ++k) {
-    // cos t is 1 - 2 s, with the share (1 - a) s + a (1 - (1 - 2 s)^3)/2 of the directions below.
+    // With cos t = 1 - 2 s, a fraction (1 - a) s + a (1 - (1 - 2 s)^3)/2 of the directions has a smaller angle.
     const auto share = [&](double s) { return (1.0 - a) * s + 0.5 * a * (1.0 - std::pow(1.0 - 2.0 * s, 3)); };
     const double cosine = 1.0 - 2.0 * argument_of(share, (k + 0.5) / kPolar),
                  sine = std::sqrt(1.0 - cosine * cosine);
@@ -95,12 +96,12 @@ TEST(ContactStatistics, AxialAnisotropyInSpace) {
   const auto found = contact_anisotropy(packing, all_of(packing));
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->normals, a, 1e-4);
-  // The difference of the principal stresses over the mean is 6/5 a, and q a third of it.
+  // The difference of the principal stresses divided by their mean is 6/5 a, and q is a third of it.
   EXPECT_NEAR(found->stress_ratio, 0.4 * a, 1e-4);
   EXPECT_NEAR(found->predicted_ratio, found->stress_ratio, 1e-12);
 }
 
-/// Quantiles of the joined form with alpha = 0.3.
+/// Forces are quantiles of the joined power law and exponential with alpha = 0.3.
 TEST(ContactStatistics, RecoversTheJoinedForm) {
   const double alpha = 0.3, beta = std::sqrt((1.0 - alpha) * (2.0 - alpha));
   const double k = 1.0 / (1.0 / (1.0 - alpha) + 1.0 / beta), below = k / (1.0 - alpha);
@@ -126,8 +127,8 @@ TEST(ContactStatistics, FewForcesHaveNoShape) {
   EXPECT_FALSE(force_shape(std::vector<double>(50, 1.0)).alpha);
 }
 
-/// Each square of a running bond has six neighbours, all of which it meets along sides; those of its row carry half of the
-/// pressure each, those of other rows a quarter for each half of a side.
+/// In a brick pattern each square touches its six neighbours along sides. Neighbours in its row carry half of
+/// the pressure each, those of other rows a quarter for each half of a side.
 TEST(ContactStatistics, BricksMeetAlongSides) {
   const State<2> state = brick_bond(0.7, 0.3);
   const CarryingStructure held = carrying_structure(state.packing, 1e-6, 2);
@@ -138,7 +139,7 @@ TEST(ContactStatistics, BricksMeetAlongSides) {
   EXPECT_NEAR(*mean_mobilisation(state.packing, held), 0.0, 1e-15);
 }
 
-/// With one of its two points idle, a pair of sides is a contact of a vertex.
+/// If one of the two points between two sides carries no force, the pair counts as a contact of a vertex.
 TEST(ContactStatistics, KindsGoByCarryingPoints) {
   State<2> state = brick_bond(0.7, 0.3);
   state.packing.contacts[0].normal_force = state.packing.contacts[0].elastic_force = 0.0;

@@ -26,11 +26,12 @@ TEST(Coordination, CountsContactsBySignAndDistantOnesApart) {
   EXPECT_DOUBLE_EQ(c.z_plus, 2.0 / 5.0);
   EXPECT_DOUBLE_EQ(c.z_minus, 2.0 / 5.0);
   EXPECT_DOUBLE_EQ(c.z_zero, 2.0 / 5.0);
-  EXPECT_DOUBLE_EQ(c.rattler_fraction, 1.0 / 5.0);  // grain 4; grain 3 is held by a tail
+  EXPECT_DOUBLE_EQ(c.rattler_fraction, 1.0 / 5.0);  // grain 4; grain 3 is held by an attraction at a distance
 }
 
 TEST(Coordination, LeavesRattlersOutAndCountsPairsOfTwo) {
-  // A ring of four with a tail of one on grain 0, and a lone grain: contacts 01 12 23 30 04.
+  // A ring of grains 0 to 3, grain 4 attached to grain 0, and grain 5 alone. The contacts are 01, 12, 23, 30
+  // and 04.
   Packing<2> packing;
   packing.law += test::linear(1.0);
   packing.law += test::tail_adhesion(1.0, 0.1);
@@ -43,8 +44,8 @@ TEST(Coordination, LeavesRattlersOutAndCountsPairsOfTwo) {
   const Coordination c = coordination(packing, 0.0);
   EXPECT_EQ(c.n_rattlers, 1);
   EXPECT_DOUBLE_EQ(c.z_star, 10.0 / 5.0);
-  EXPECT_DOUBLE_EQ(c.x22, 2.0 / 5.0);  // 12 and 23
-  // Without adhesion the tail is a rattler too, and its contact is left out of z*.
+  EXPECT_DOUBLE_EQ(c.x22, 2.0 / 5.0);  // contacts 12 and 23
+  // Without adhesion grain 4 is a rattler too, and its contact does not count in z*.
   packing.law += test::without("adhesion");
   const Coordination bare = coordination(packing, 0.0);
   EXPECT_EQ(bare.n_rattlers, 2);

@@ -22,7 +22,7 @@ TEST(ElasticEnergy, OfLinearCrystalsIsThatOfTheirSprings) {
 }
 
 TEST(ElasticEnergy, OfHertzContactsIsTwoFifthsOfForceTimesOverlap) {
-  // fcc, a = E = 1, h = 0.01: 8e-6 a grain.
+  // Face-centred cubic crystal with a = E = 1 and h = 0.01, whose energy per grain is 8e-6.
   Packing<3> packing =
       test::crystal_of(test::face_centred_cubic(), 0.99, 1.0, test::elastic_law(1.0, 0.5, 0.0));
   test::make_hertzian(1.0, 14.0 / 17.0, packing);
@@ -33,7 +33,7 @@ TEST(ElasticEnergy, OfHertzContactsIsTwoFifthsOfForceTimesOverlap) {
 }
 
 TEST(ElasticEnergy, IsTheIntegralOfTheForceOverTheOverlap) {
-  // N = h^q of any power q.
+  // The integral holds for N = h^q with any power q.
   for (const double q : {1.0, 1.5, 2.0, 3.0}) {
     Packing<3> pair;
     pair.grains = Grains<3>::with_size(2);
@@ -47,12 +47,12 @@ TEST(ElasticEnergy, IsTheIntegralOfTheForceOverTheOverlap) {
 }
 
 TEST(ContactPressure, OfHertzContactsHasItsClosedForm) {
-  // a = E = 1, h = 1e-4: 6.366198e-3, (2 3^(1/3)/pi) N^(1/3).
+  // For a = E = 1 and h = 1e-4, the contact pressure is (2 3^(1/3)/pi) N^(1/3) = 6.366198e-3.
   const double N = 1e-6 / 3.0;
   EXPECT_NEAR(hertz_contact_pressure(N, 1e-4, 0.25), 6.366198e-3, 1e-9);
   EXPECT_NEAR(hertz_contact_pressure(N, 1e-4, 0.25), 2.0 * std::cbrt(3.0 * N) / std::acos(-1.0), 1e-15);
   Packing<3> packing = test::crystal_of(test::simple_cubic(), 0.9999, 1.0, test::elastic_law(1.0, 0.0, 0.0));
-  EXPECT_FALSE(largest_contact_pressure(packing));  // linear contacts
+  EXPECT_FALSE(largest_contact_pressure(packing));  // linear contacts have no Hertz pressure
   test::make_hertzian(1.0, 0.0, packing);
   EXPECT_NEAR(largest_contact_pressure(packing).value(), 6.366198e-3, 1e-9);
   packing.contacts.clear();

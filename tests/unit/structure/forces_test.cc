@@ -48,7 +48,7 @@ TEST(ForceDistribution, ByTheMeanIsOfMeanOne) {
   EXPECT_DOUBLE_EQ(force_distribution(packing, ForceKind::normal, ForceUnit::mean, 0.1).unit, 3.0);
   const ForceDistribution t = force_distribution(packing, ForceKind::tangential, ForceUnit::mean, 0.1);
   EXPECT_DOUBLE_EQ(t.unit, 1.5);
-  EXPECT_EQ(t.first, 3);  // sizes: the least is 0.5/1.5
+  EXPECT_EQ(t.first, 3);  // the smallest size is 0.5/1.5
   EXPECT_DOUBLE_EQ(force_distribution(packing, ForceKind::rolling, ForceUnit::mean, 0.1).unit, 0.03);
   packing.contacts[0].distant = true;
   EXPECT_EQ(force_distribution(packing, ForceKind::tangential, ForceUnit::mean, 0.1).n, 3);
@@ -76,7 +76,7 @@ TEST(ForceDistribution, OfAnyValuesIsInTheirUnit) {
 }
 
 TEST(ForceDistribution, CountsWhatLiesBeyondItsBinsAndPutsItInNone) {
-  // Bins reach to +-1e5 widths, so to +-1e4 here; the upper end belongs to no bin.
+  // There are at most 1e5 bins on each side of zero, here up to +-1e4. The upper end belongs to no bin.
   const ForceDistribution d =
       distribution_of({-2e4, -1e4, -0.05, 0.0, 9999.95, 1e4, 3e7, std::nan("")}, 1.0, 0.1);
   EXPECT_EQ(d.n, 8);
@@ -101,7 +101,7 @@ TEST(ForceDistribution, CountsWhatLiesBeyondItsBinsAndPutsItInNone) {
 }
 
 TEST(ForceDistribution, HasNoUnitOfRounding) {
-  // Forces that cancel their adhesion but for rounding, and a pressure that is what is left of it.
+  // Elastic forces cancel the adhesion except for rounding, and the pressure consists of this rounding error.
   Packing<2> packing = with_forces({1e-16, -1e-16}, 1.0);
   packing.cell.matrix.setIdentity();
   EXPECT_EQ(force_unit(packing, ForceKind::normal, ForceUnit::mean), 0.0);
@@ -122,7 +122,7 @@ TEST(ForceDistribution, OfStatesAddUp) {
 }
 
 TEST(ForceMoments, OfAHandfulOfContacts) {
-  // Elastic forces 1, 2, 3, 6 with mean 3; |F_T|/N = 0.5.
+  // Elastic forces are 1, 2, 3 and 6, with mean 3. The ratio |F_T|/N is 0.5.
   Packing<2> packing = with_forces({1.0, 2.0, 3.0, 6.0}, 0.0);
   packing.contacts[3].shear_force *= 0.5;
   const ForceMoments m = force_moments(packing);
@@ -136,7 +136,7 @@ TEST(ForceMoments, OfAHandfulOfContacts) {
 }
 
 TEST(ForceMoments, WithAdhesionAreOfTheElasticPart) {
-  const ForceMoments m = force_moments(with_forces({-1.0, 1.0}, 2.0));  // elastic 1 and 3
+  const ForceMoments m = force_moments(with_forces({-1.0, 1.0}, 2.0));  // elastic forces of 1 and 3
   EXPECT_DOUBLE_EQ(m.mean_normal, 2.0);
   EXPECT_DOUBLE_EQ(m.largest, 3.0);
   EXPECT_DOUBLE_EQ(m.Z[0], 5.0 / 4.0);

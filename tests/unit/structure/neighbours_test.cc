@@ -20,7 +20,8 @@ namespace {
 using testing::ElementsAre;
 
 TEST(PairCorrelation, OfALatticeIsItsShellsBeyondTheCellToo) {
-  // One disk a cell: every pair is of images. Shells at 1 (4 neighbours), sqrt 2 (4), 2 (4), sqrt 5 (8).
+  // There is one disk per cell, so every pair consists of images. The shells are at 1 (4 neighbours), sqrt 2
+  // (4), 2 (4) and sqrt 5 (8).
   const Packing<2> packing = square_frames(2, 1.0, elastic_law(1.0, 0.0, 0.0));
   const PairCorrelation found = pair_correlation(packing, 2.5, 25);
   std::vector<double> neighbours(25, 0.0);
@@ -43,24 +44,27 @@ TEST(PairCorrelation, OfIndependentGrainsIsOne) {
 }
 
 TEST(PairCorrelation, BetweenWallsIsThatOfGrainsAwayFromThem) {
-  // A square lattice of 6 x 8 disks between two walls: those of the rows that are 2.5 from either see their shells.
+  // A square lattice of 6 x 8 disks between two walls. Only rows at least 2.5 from both walls have complete
+  // shells.
   Packing<2> packing = tiled<2>(square_frames(2, 1.0, elastic_law(1.0, 0.0, 0.0)), {6, 8});
   for (Vec<2>& x : packing.grains.position) x[1] += 0.5;
   packing.walls = {{1, -1, 0.0}, {1, 1, 8.0}};
   const PairCorrelation found = pair_correlation(packing, 2.5, 25);
-  // Rows at 2.5, 3.5, 4.5 and 5.5: 24 grains with 4, 4, 4 and 8 neighbours, and 24 in the volume of 6 x 3.
+  // Four rows, at 2.5, 3.5, 4.5 and 5.5, count as centres: 24 grains with 4, 4, 4 and 8 neighbours. The density
+  // is 24 grains in an area of 6 x 3.
   const std::vector<std::pair<int, int>> shells = {{10, 4}, {14, 4}, {20, 4}, {22, 8}};
   for (const auto& [b, n] : shells) {
     EXPECT_EQ(found.n_pairs[b], 24 * n) << b;
     const double ring = std::numbers::pi * 0.01 * (2 * b + 1);
     EXPECT_NEAR(found.g[b], n / (24.0 / 18.0 * ring), 1e-12) << b;
   }
-  packing.walls[1].position = 4.0;  // no grain is far enough from both
+  packing.walls[1].position = 4.0;  // no grain is far enough from both walls
   EXPECT_EQ(pair_correlation(packing, 2.5, 25).g[10], 0.0);
 }
 
 TEST(GapCoordination, CountsPairsUpToEachGap) {
-  // Disks of diameter 0.9 on a square lattice: 4 neighbours at a gap of 0.1, 4 at sqrt 2 - 0.9, 4 at 1.1.
+  // Disks of diameter 0.9 on a square lattice have 4 neighbours at a gap of 0.1, 4 at sqrt 2 - 0.9 and 4 at
+  // 1.1.
   Packing<2> packing = square_frames(2, 1.0, elastic_law(1.0, 0.0, 0.0));
   packing.grains.radius[0] = 0.45;
   const std::vector<double> z = gap_coordination(packing, {0.0, 0.0999, 0.1001, 0.5, 0.52, 1.2});
@@ -73,7 +77,7 @@ TEST(GapCoordination, WithoutAGapIsThatOfContacts) {
 }
 
 TEST(Neighbours, OfCubicCrystalsAreTheirShells) {
-  // Distances of the shells in those of the first, and spheres in them.
+  // Distance of each shell, divided by that of the first, and number of spheres in the shell.
   const std::vector<std::vector<std::pair<double, int>>> shells = {
       {{1.0, 6}, {std::sqrt(2.0), 12}, {std::sqrt(3.0), 8}, {2.0, 6}},
       {{1.0, 8}, {std::sqrt(4.0 / 3.0), 6}, {std::sqrt(8.0 / 3.0), 12}, {std::sqrt(11.0 / 3.0), 24}},
@@ -97,7 +101,7 @@ TEST(Neighbours, OfCubicCrystalsAreTheirShells) {
   }
 }
 
-/// Smallest gap of grain i to others, and how many grains are within a hair of it.
+/// Returns the smallest gap of grain i to other grains, and the number of grains at this gap (within 1e-9).
 template <int Dim>
 std::pair<double, int> touched_by(const Packing<Dim>& packing, int i) {
   double least = 1e9;
@@ -133,7 +137,7 @@ TEST(PushedRattlers, OfDisksEndOnTwoGrains) {
 }
 
 TEST(PushedRattlers, OfSpheresEndOnThreeGrains) {
-  // A cage of spheres around the middle of each face, edge and corner of a cube; the cell is the cube.
+  // A cage of spheres around the centre of the cubic cell; the spheres lie on its faces, edges and corners.
   Packing<3> packing;
   packing.law = elastic_law(1.0, 0.0, 0.0);
   packing.cell.matrix = 3.0 * Mat<3>::Identity();

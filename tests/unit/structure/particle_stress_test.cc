@@ -11,7 +11,7 @@
 namespace floc::test {
 namespace {
 
-/// Grains in contact, with forces anyhow.
+/// Returns grains in contact with arbitrary forces.
 template <int Dim>
 Packing<Dim> loaded_packing() {
   Packing<Dim> packing = random_packing<Dim>(30, 5, elastic_law(1.0, 0.5, 0.1));
@@ -53,8 +53,8 @@ TEST(ParticleStress, IsTheLoadOnALattice) {
 }
 
 TEST(PressurePhases, AreJoinedByContactsAndPercolateWhereTheyWind) {
-  // Four columns and three rows of a square lattice; the second column pulls, but for one grain; one grain is
-  // neutral.
+  // Square lattice of four columns and three rows. Two grains of the second column and one other grain are
+  // under tension, one grain is neutral, the others are under pressure.
   std::vector<Vec<2>> places;
   for (int y = 0; y < 3; ++y)
     for (int x = 0; x < 4; ++x) places.emplace_back(x, y);
@@ -71,7 +71,7 @@ TEST(PressurePhases, AreJoinedByContactsAndPercolateWhereTheyWind) {
   EXPECT_DOUBLE_EQ(phases.positive.mean, 9.0 / 8.0);
   EXPECT_DOUBLE_EQ(phases.negative.mean, -5.0 / 3.0);
   EXPECT_EQ(phases.positive.n_clusters, 1);
-  EXPECT_EQ(phases.positive.n_directions, 1);  // the first column goes up through the cell
+  EXPECT_EQ(phases.positive.n_directions, 1);  // the first column crosses the cell vertically
   EXPECT_EQ(phases.negative.n_clusters, 2);
   EXPECT_EQ(phases.negative.largest_cluster, 2);
   EXPECT_EQ(phases.negative.n_directions, 0);

@@ -14,7 +14,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// A square lattice of nx times ny disks, numbered along x first.
+/// Returns a square lattice of nx times ny disks, numbered along x first.
 Packing<2> square(int nx, int ny) {
   std::vector<Vec<2>> places;
   for (int y = 0; y < ny; ++y)
@@ -23,7 +23,8 @@ Packing<2> square(int nx, int ny) {
 }
 
 TEST(PhaseStructure, OfColumnsIsCountedByHand) {
-  // Four columns, three rows; the second column pulls, but for one grain; one grain is neutral.
+  // Four columns and three rows. Two grains of the second column and one other grain are under tension, one
+  // grain is neutral, the others are under pressure.
   const Packing<2> packing = square(4, 3);
   const std::vector<double> pressure = {1, -1, 1, 1,  //
                                         1, -1, 1, 1,  //
@@ -34,11 +35,12 @@ TEST(PhaseStructure, OfColumnsIsCountedByHand) {
   EXPECT_THAT(phases.positive.along, ElementsAre(false, true, false));
   EXPECT_EQ(phases.positive.n_directions, 1);
   EXPECT_THAT(phases.negative.along, ElementsAre(false, false, false));
-  // Of 24 bonds four are of the neutral grain; each grain that pulls has three with grains under pressure.
+  // Of the 24 bonds, four belong to the neutral grain. Each grain under tension has three bonds with grains
+  // under pressure.
   EXPECT_EQ(phases.n_bonds, 20);
   EXPECT_DOUBLE_EQ(phases.like_share, 11.0 / 20.0);
   EXPECT_DOUBLE_EQ(phases.like_expected, (8.0 * 7.0 + 3.0 * 2.0) / (11.0 * 10.0));
-  // The lone grain has no like neighbour, each of the pair one of four.
+  // The single grain under tension has no neighbour of its own sign; each of the other two has one among four.
   EXPECT_EQ(phases.negative.by_share[0].n_grains, 1);
   EXPECT_DOUBLE_EQ(phases.negative.by_share[0].mean_size, 3.0);
   EXPECT_EQ(phases.negative.by_share[2].n_grains, 2);
@@ -49,16 +51,18 @@ TEST(PhaseStructure, OfColumnsIsCountedByHand) {
 TEST(PhaseStructure, ShuffledSignsHaveTheShareOfTheClosedForm) {
   const Packing<2> packing = square(20, 20);
   std::vector<double> pressure(400);
-  for (int i = 0; i < 400; ++i) pressure[i] = i < 100 ? -1.0 : 1.0;  // five rows pull
+  for (int i = 0; i < 400; ++i) pressure[i] = i < 100 ? -1.0 : 1.0;  // five rows are under tension
   PhaseOptions options;
   options.n_shuffles = 200;
   const PhaseStructure phases = phase_structure(contact_network(packing), packing.cell, pressure, options);
   EXPECT_DOUBLE_EQ(phases.like_share, 760.0 / 800.0);
   EXPECT_DOUBLE_EQ(phases.like_expected, (300.0 * 299.0 + 100.0 * 99.0) / (400.0 * 399.0));
-  // Bonds of shuffled signs are nearly independent: the deviation of 800 of them.
+  // If signs are shuffled, bonds are nearly independent, so the standard deviation is that of 800 independent
+  // bonds.
   const double q = phases.like_expected;
   EXPECT_NEAR(phases.like_deviation, std::sqrt(q * (1 - q) / 800.0), 0.5 * std::sqrt(q * (1 - q) / 800.0));
-  // Sites of the square lattice percolate from 0.593 on: three quarters do, one quarter does not.
+  // Site percolation on the square lattice starts at a fraction of 0.593: three quarters of the sites
+  // percolate, one quarter does not.
   EXPECT_GT(phases.positive.shuffled_percolates, 0.95);
   EXPECT_LT(phases.negative.shuffled_percolates, 0.01);
   EXPECT_GT(phases.positive.largest_shuffled, 250.0);
@@ -81,7 +85,7 @@ TEST(PhaseStructure, InThreeDimensionsAPlaneWindsAlongTwoLatticeVectors) {
   EXPECT_THAT(phases.negative.along, ElementsAre(true, true, false));
   EXPECT_EQ(phases.negative.n_directions, 2);
   EXPECT_DOUBLE_EQ(phases.like_share, 160.0 / 192.0);
-  // Four of six neighbours of the plane are in it.
+  // Grains in the plane have six neighbours, four of them within the plane.
   EXPECT_EQ(phases.negative.by_share[6].n_grains, 16);
   EXPECT_DOUBLE_EQ(phases.negative.by_share[6].mean_size, 8.5);
   EXPECT_NEAR(phases.negative.by_share[6].mean_error, std::sqrt(255.0 / 12.0 / 15.0), 1e-12);

@@ -22,7 +22,7 @@ Packing<2> of_radius(Packing<2> packing, double R) {
   return packing;
 }
 
-/// Adds disks at rest to a packing, and finds its contacts anew.
+/// Adds disks at rest to a packing and finds all contacts again.
 void add_disks(Packing<2>& packing, const std::vector<Vec<2>>& places, const std::vector<double>& radii) {
   const Grains<2> old = packing.grains;
   packing.grains = Grains<2>::with_size(old.size() + static_cast<int>(places.size()));
@@ -35,7 +35,8 @@ void add_disks(Packing<2>& packing, const std::vector<Vec<2>>& places, const std
   find_contacts(packing);
 }
 
-/// Square of the radius of gyration of a square of side s less a quarter disk of radius R at each corner.
+/// Returns the squared radius of gyration of a square of side s without a quarter disk of radius R at each
+/// corner.
 double square_pore(double s, double R) {
   const double quarter = std::numbers::pi * R * R / 4.0;
   const double second =
@@ -57,8 +58,9 @@ TEST(Pores, OfASquareLatticeAreExact) {
 TEST(Pores, OfATriangularLatticeAreTwoOfAKind) {
   const Pores found = find_pores(of_radius(triangular(2.0, elastic_law(1.0, 0.0, 0.0)), 1.0));
   ASSERT_THAT(found.pores, SizeIs(2));
-  // Second moment of the triangle of side 2 about its centre is side^2 area/12; each sector of 60 degrees has
-  // its own, with its first moment 2 sin(30 deg) R^3/3 towards the centre, which is 2/sqrt 3 away.
+  // The second moment of a triangle of side 2 about its centre is side^2 area/12. Each 60-degree sector is
+  // subtracted, with its own second moment, its first moment 2 sin(30 deg) R^3/3 towards the centre, and its
+  // corner at the distance 2/sqrt 3 from the centre.
   const double area = std::sqrt(3.0) - std::numbers::pi / 2.0;
   const double sector = std::numbers::pi / 6.0;
   const double second = sector / 2.0 + sector * 4.0 / 3.0 - 2.0 * (1.0 / 3.0) * 2.0 / std::sqrt(3.0);
@@ -71,7 +73,8 @@ TEST(Pores, OfATriangularLatticeAreTwoOfAKind) {
 }
 
 TEST(Pores, OfDifferentSizesCountByTheirArea) {
-  // Frames of 5 disks a side: one large pore; two of them in one cell, one with a disk in the middle.
+  // A frame of 5 disks per side has one large pore. The packing has two frames in one cell, one of them with a
+  // disk in the middle.
   const Packing<2> packing = square_frames(5, 1.0, elastic_law(1.0, 0.0, 0.0));
   const double large = find_pores(of_radius(packing, 0.5)).pores.at(0).gyration_radius;
   Packing<2> two = packing;
@@ -97,14 +100,14 @@ TEST(Pores, OfDifferentSizesCountByTheirArea) {
 }
 
 TEST(Pores, HoldIslandsAndDeadEnds) {
-  // A frame with a dead end of one disk, a lone disk and a pair inside.
+  // A frame that contains a side branch of one disk, a single disk and a pair.
   Packing<2> packing = square_frames(9, 1.0, elastic_law(1.0, 0.0, 0.0));
   add_disks(packing, {{3.0, 1.0}, {6.0, 5.5}, {2.3, 4.0}, {2.3, 5.0}}, std::vector<double>(4, 0.51));
   packing = of_radius(packing, 0.5);
   const Pores found = find_pores(packing);
   ASSERT_THAT(found.pores, SizeIs(1));
   EXPECT_NEAR(found.pores[0].area, packing.cell.volume() * (1.0 - solid_fraction(packing)), 1e-11);
-  // Against the sum over the disks: the frame's own pore, less each disk with its parallel axis.
+  // The expected value is the pore of the empty frame minus each disk, shifted by the parallel axis theorem.
   const Pores bare = find_pores(of_radius(square_frames(9, 1.0, elastic_law(1.0, 0.0, 0.0)), 0.5));
   const double disk = std::numbers::pi / 4.0;
   double area = bare.pores[0].area, second = area * std::pow(bare.pores[0].gyration_radius, 2);
@@ -118,8 +121,8 @@ TEST(Pores, HoldIslandsAndDeadEnds) {
   EXPECT_NEAR(found.pores[0].gyration_radius, std::sqrt(second / area - (first / area).squaredNorm()), 1e-11);
 }
 
-/// A perturbed triangular net, of which some edges are taken out: contacts by topology, disks that do not
-/// overlap.
+/// Returns a distorted triangular net in which some edges are missing. Contacts follow the edges, and disks do
+/// not overlap.
 Packing<2> net(int side, unsigned seed) {
   std::mt19937 engine(seed);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
@@ -174,7 +177,7 @@ TEST(Pores, ThatWindAroundTheCellHaveNoSize) {
 }
 
 TEST(Pores, OfContactsThatCrossAreRefused) {
-  // Squares whose four corners all touch each other.
+  // The four disks at the corners of a square all touch each other.
   Packing<2> packing = square_frames(2, 1.0, elastic_law(1.0, 0.0, 0.0));
   packing.grains.radius[0] = 0.8;
   find_contacts(packing);

@@ -23,7 +23,7 @@ Packing<3> one_sphere(const Vec<3>& place, double side) {
   return packing;
 }
 
-/// Share of random points of a cube of half width h about the centre of the cell that lie in grains.
+/// Returns the fraction of random points inside grains, in a cube of half side h about the centre of the cell.
 template <int Dim>
 double share_of_points(const Packing<Dim>& packing, double h) {
   std::mt19937 engine(4);
@@ -47,7 +47,7 @@ double share_of_points(const Packing<Dim>& packing, double h) {
 TEST(PorosityProbe, OfASphereInTheMiddleIsASphereInACube) {
   const auto probes = porosity_probes(one_sphere(Vec<3>::Constant(1.0), 2.0), 8);
   ASSERT_EQ(probes.size(), 8u);
-  // A cube of half side 0.125 lies in the sphere, one of 0.5 or more holds it.
+  // The first cube lies inside the sphere; cubes of half side 0.5 or more contain it.
   EXPECT_NEAR(probes[0].in_cube, 1.0, 1e-13);
   EXPECT_DOUBLE_EQ(probes[0].half_side, 1.0 / 16.0);
   EXPECT_NEAR(probes[3].in_cube, kPi / 6.0, 1e-13);
@@ -70,7 +70,7 @@ TEST(PorosityProbe, OfASkewedCellHasNoShrunkCell) {
   const auto probes = porosity_probes(packing, 3);
   EXPECT_FALSE(probes[2].in_cell);
   const double L = 2.5 * 3.0 / std::hypot(2.5, 1.3);
-  // 1e5 points give a share to 0.0016.
+  // With 1e5 points the fraction has an error of 0.0016.
   for (const PorosityProbe& p : probes)
     EXPECT_NEAR(p.in_cube, share_of_points(packing, p.half_side * std::min(L, 2.5)), 0.007);
 }
@@ -79,7 +79,8 @@ TEST(PorosityProbe, BetweenWallsHasNoImages) {
   Packing<3> packing = one_sphere(Vec<3>(0.5, 1.0, 1.0), 2.0);
   packing.walls = {{0, -1, 0.0}, {0, 1, 2.0}};
   EXPECT_NEAR(*porosity_probes(packing, 1)[0].in_cell, kPi / 6.0 / 8.0, 1e-13);
-  packing.grains.position[0][0] = 0.25;  // half the radius in the wall: the rest is lost, not on the other side
+  // half the radius lies in the wall; this part is missing and does not reappear on the other side
+  packing.grains.position[0][0] = 0.25;
   const double cap = kPi * 0.25 * 0.25 * (1.5 - 0.25) / 3.0;
   EXPECT_NEAR(*porosity_probes(packing, 1)[0].in_cell, (kPi / 6.0 - cap) / 8.0, 1e-13);
 }
@@ -88,7 +89,8 @@ TEST(AxisProfile, OfALayerIsCapsAndMeans) {
   Packing<3> packing = one_sphere(Vec<3>(1.0, 1.0, 0.1), 2.0);
   const auto slices = axis_profile(packing, 2, 4, {{7.0}});
   ASSERT_EQ(slices.size(), 4u);
-  // From -0.4 to 0.6: the last slice has a cap of height 0.4, the second of 0.1.
+  // The sphere extends from -0.4 to 0.6. The last slice contains a cap of height 0.4, the second one a cap of
+  // height 0.1.
   const auto cap = [](double h) { return kPi * h * h * (1.5 - h) / 3.0; };
   EXPECT_NEAR(slices[3].solid_fraction, cap(0.4) / 2.0, 1e-14);
   EXPECT_NEAR(slices[1].solid_fraction, cap(0.1) / 2.0, 1e-14);

@@ -23,7 +23,7 @@
 #include "floc/structure/scattering.h"
 #include "support/network_packings.h"
 
-/// The library itself refuses numbers that its functions cannot take, whoever calls it.
+/// Tests that the library itself refuses invalid arguments, independently of the program.
 namespace floc::test {
 namespace {
 
@@ -38,7 +38,7 @@ Packing<2> some_disks() {
   return random_packing<2>(20, 1, elastic_law(100.0, 100.0, 0.0));
 }
 
-/// A number of a function by its name, and how the function is called with it.
+/// Name of an argument, and a function that passes a value for it.
 struct Argument {
   const char* name;
   std::function<void(double)> call;

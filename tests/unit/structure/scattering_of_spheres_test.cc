@@ -17,7 +17,7 @@ using testing::ElementsAre;
 constexpr double kTau = 2.0 * std::numbers::pi;
 
 TEST(BallTransform, IsTheIntegralOfItsShells) {
-  // 4 pi integral of r sin(kr)/k from 0 to R.
+  // Compares with 4 pi times the integral of r sin(kr)/k from 0 to R.
   for (const double R : {0.5, 2.0})
     for (const double k : {1e-4, 0.03, 0.05, 1.0, 7.0}) {
       constexpr int kSteps = 2000;
@@ -28,13 +28,13 @@ TEST(BallTransform, IsTheIntegralOfItsShells) {
       }
       EXPECT_NEAR(ball_transform(k, R), sum, 1e-5 * R * R * R) << k;
     }
-  // Both forms, where they meet.
+  // The two forms of the function agree where they meet.
   EXPECT_NEAR(ball_transform(0.02 - 1e-12, 1.0) / ball_transform(0.02, 1.0), 1.0, 1e-11);
 }
 
 TEST(Scattering, OfOneSphereIsItsFormFactor) {
-  // Waves (1,0,0), three, and (1,1,0), six, are in the first bin; (1,1,1), four, (2,0,0), three, and (2,1,0) and
-  // (2,1,1), twelve each, in the second.
+  // The first bin contains 3 waves (1,0,0) and 6 waves (1,1,0); the second one 4 (1,1,1), 3 (2,0,0), 12 (2,1,0)
+  // and 12 (2,1,1).
   const double R = 0.3;
   const Packing<3> packing = crystal_of(simple_cubic(), 1.0, 2.0 * R, elastic_law(1.0, 0.0, 0.0));
   const Scattering s = scattering(packing);
@@ -48,7 +48,8 @@ TEST(Scattering, OfOneSphereIsItsFormFactor) {
 }
 
 TEST(Scattering, OfACrystalIsAtItsReciprocalLattice) {
-  // bcc, two spheres a cubic cell of side L: waves of even sum alone, I = 4 f^2/L^3; tiled, the same.
+  // A body-centred cubic crystal has two spheres in a cubic cell of side L. Only waves with an even sum of
+  // indices scatter, with I = 4 f^2/L^3.
   const Packing<3> packing = crystal_of(body_centred_cubic(), 1.0, 0.9, elastic_law(1.0, 0.0, 0.0));
   const double L = packing.cell.matrix(0, 0);
   const auto I = [&](double n2) {
@@ -57,7 +58,7 @@ TEST(Scattering, OfACrystalIsAtItsReciprocalLattice) {
   const Scattering s = scattering(packing);
   EXPECT_NEAR(s.I[0], 6.0 * I(2.0) / 9.0, 1e-14);
   EXPECT_NEAR(s.I[1], (3.0 * I(4.0) + 12.0 * I(6.0)) / 31.0, 1e-14);
-  // In a cell twice as large the waves of the crystal come back: all others vanish.
+  // In a cell twice as large, only the waves of the crystal scatter; all others vanish.
   const Packing<3> large = tiled<3>(packing, {2, 2, 2});
   ScatteringAverage peak({kTau / L * 1.4, kTau / L * 1.42});
   peak.add(large, 1000);
@@ -74,7 +75,7 @@ TEST(Scattering, OfIndependentSpheresIsThatOfOneTimesTheirDensity) {
     double expected = 0.0;
     for (const double R : packing.grains.radius)
       expected += std::pow(ball_transform(s.k[b], R), 2) * density / packing.grains.size();
-    if (s.n_vectors[b] < 30 || s.k[b] > 4.0) continue;  // beyond, I varies within a bin
+    if (s.n_vectors[b] < 30 || s.k[b] > 4.0) continue;  // beyond this k, I varies within a bin
     EXPECT_NEAR(s.I[b] / expected, 1.0, 4.0 / std::sqrt(static_cast<double>(s.n_vectors[b]))) << s.k[b];
     EXPECT_LE(s.n_vectors[b], 300);
     ++n;

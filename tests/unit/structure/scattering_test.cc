@@ -16,12 +16,12 @@ namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
-/// Fourier transform of a disk.
+/// Returns the Fourier transform of a disk.
 double form_factor(double k, double R) {
   return kTwoPi * R * std::cyl_bessel_j(1.0, k * R) / k;
 }
 
-/// I(k) of disks in closed form, bin by bin over the same wave vectors.
+/// Closed form of I(k) for disks, in each bin averaged over the same wave vectors.
 struct Exact {
   std::vector<double> I, envelope;
 };
@@ -62,7 +62,7 @@ Packing<2> one_disk(double R, const Mat<2>& cell) {
   return packing;
 }
 
-/// Disks of two sizes anywhere, independently.
+/// Returns disks of two sizes at independent random positions.
 Packing<2> uncorrelated(int n, double side, unsigned seed) {
   std::mt19937 engine(seed);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
@@ -98,7 +98,7 @@ TEST(Scattering, OfASquareLatticeIsInItsBraggPeaks) {
     packing.grains.position[i] = Vec<2>(0.1 + i % kSide, 0.2 + i / kSide);
     packing.grains.radius[i] = 0.5;
   }
-  // Bins about |k|/(2 pi) = 1, sqrt 2, 2 and what is between.
+  // Bins around |k|/(2 pi) = 1, sqrt 2 and 2, and between them.
   const std::vector<double> edges = {0.5 * kTwoPi, 0.95 * kTwoPi, 1.05 * kTwoPi, 1.39 * kTwoPi, 1.43 * kTwoPi};
   ScatteringAverage average(edges);
   ScatteringMesh mesh = scattering_mesh(packing, {});
@@ -115,7 +115,8 @@ TEST(Scattering, OfASquareLatticeIsInItsBraggPeaks) {
   EXPECT_NEAR(expected.envelope[3], peak(std::sqrt(2.0) * kTwoPi), 1e-9 * peak(kTwoPi));
 }
 
-/// Equivalent lattice vectors give equal results; a mesh along a vector of a million cells would never finish.
+/// Equivalent lattice vectors must give equal results. A mesh along a vector of a million cells would never
+/// finish.
 TEST(Scattering, OfALatticeDoesNotDependOnItsCell) {
   Packing<2> packing = one_disk(0.4, Mat<2>::Identity() * 3.0);
   const Scattering straight = scattering(packing);
@@ -126,8 +127,9 @@ TEST(Scattering, OfALatticeDoesNotDependOnItsCell) {
 }
 
 TEST(Scattering, OfUncorrelatedDisksIsThatOfEachOfThem) {
-  // Each realisation against its own closed form, and their mean against rho <f^2>: over the bins beyond the
-  // sixth, with 30 states, some 1e4 independent speckles, which scatter by 1 %.
+  // The first state is compared with the closed form for its positions, and the mean of all states with rho
+  // <f^2>, where rho is the number density and f the form factor of a disk. Beyond the sixth bin, 30 states
+  // have about 1e4 independent speckles, whose mean has an error of 1 %.
   constexpr int kStates = 30, kGrains = 60;
   const Packing<2> first = uncorrelated(kGrains, 14.0, 0);
   const ScatteringMesh mesh = scattering_mesh(first, {});
@@ -160,12 +162,13 @@ TEST(Scattering, MeshesAreNoLargerThanAllowed) {
   options.most_cells = 10000;
   const Packing<2> packing = uncorrelated(10, 100.0, 1);
   const ScatteringMesh mesh = scattering_mesh(packing, options);
-  // Lattice vectors are longer than the cell is wide, and sizes are rounded up to products of small primes.
+  // Lattice vectors are longer than the cell is wide, and mesh sizes are rounded up to products of small
+  // primes.
   EXPECT_LT(mesh.size(packing.cell).prod(), 1.3 * 10000);
   EXPECT_NEAR(mesh.edges.back(), kTwoPi / (8.0 * mesh.spacing), 1e-12);
 }
 
-/// A Gaussian field on a mesh whose I(k) is the law of aggregates in the mean.
+/// Returns a random Gaussian field on a mesh whose mean I(k) follows the law of aggregates.
 CoverageMap aggregate_field(int n, double side, double xi, double dF, unsigned seed) {
   std::mt19937 engine(seed);
   std::normal_distribution<double> normal;
@@ -183,7 +186,8 @@ CoverageMap aggregate_field(int n, double side, double xi, double dF, unsigned s
     for (int column = 0; column <= n / 2; ++column) {
       const int m = row <= n / 2 ? row : row - n;
       const double k = kTwoPi * std::hypot(m, column) / side;
-      // White noise has |hat|^2 = n^2; of a wave its mean over a mesh cell is what a mesh sees.
+      // The Fourier transform of white noise has the mean square n^2. The factors kept() account for the
+      // average of a wave over a mesh cell.
       const double amplitude = std::sqrt(scattered_intensity(1.0, xi, dF, k)) * kept(m) * kept(column);
       hat[static_cast<std::size_t>(row) * (n / 2 + 1) + column] *= amplitude / (static_cast<double>(n) * n);
     }

@@ -14,7 +14,7 @@
 namespace floc::test {
 namespace {
 
-/// How many voids there are of each radius, in millionths.
+/// Returns the number of voids of each radius; radii are rounded to 1e-6.
 std::map<long, int> voids_by_radius(const VoronoiTessellation& found) {
   std::map<long, int> count;
   for (const VoidBall& ball : found.voids) ++count[std::lround(1e6 * ball.radius)];
@@ -22,7 +22,8 @@ std::map<long, int> voids_by_radius(const VoronoiTessellation& found) {
 }
 
 TEST(Voronoi, OfCubicCrystalsHasTheirCellsAndHoles) {
-  // Radii of the holes over that of the spheres, and holes a sphere: cube; tetrahedron; tetrahedron, octahedron.
+  // For each crystal: radius of the holes divided by that of the spheres, and number of holes per sphere. The
+  // holes are cubic (sc), tetrahedral (bcc), and tetrahedral and octahedral (fcc).
   const std::vector<std::vector<std::pair<double, int>>> holes = {
       {{std::sqrt(3.0) - 1.0, 1}},
       {{std::sqrt(5.0 / 3.0) - 1.0, 6}},
@@ -45,7 +46,8 @@ TEST(Voronoi, OfCubicCrystalsHasTheirCellsAndHoles) {
 }
 
 TEST(Voronoi, OfAnyPackingFillsTheCell) {
-  // Skewed cells and spheres of many sizes, lattice vectors of either handedness, units of length far from one.
+  // Cells are skewed, with lattice vectors of both orientations; spheres have many sizes, and the unit of
+  // length varies widely.
   for (const unsigned seed : {1u, 2u, 3u})
     for (const double unit : {1.0, 1e-30, 1e12}) {
       Packing<3> packing = random_packing<3>(60, seed, elastic_law(1.0, 0.0, 0.0), 0.7);
@@ -59,7 +61,7 @@ TEST(Voronoi, OfAnyPackingFillsTheCell) {
     }
 }
 
-/// Distance of a place to the nearest surface, and how many surfaces are that near.
+/// Returns the distance of a position from the nearest surface, and the number of surfaces at this distance.
 std::pair<double, int> nearest_surfaces(Packing<3> packing, const Vec<3>& place) {
   Grains<3>& g = packing.grains;
   const int last = g.size();
@@ -97,8 +99,8 @@ TEST(Voronoi, HasVoidBallsUpToTheNearestOfUnequalSpheres) {
 }
 
 TEST(Voronoi, OfUnequalSpheresIsRadical) {
-  // Two spheres of radii R and S a distance d apart along z in a cell 2 d high: the plane between them is
-  // d/2 + (R^2 - S^2)/(2 d) from the first.
+  // Two spheres of radii R and S at a distance d along z, in a cell of height 2 d. The dividing plane is at d/2
+  // + (R^2 - S^2)/(2 d) from the first centre.
   Packing<3> packing;
   packing.cell.matrix = Vec<3>(1.0, 1.0, 2.0).asDiagonal();
   packing.grains = Grains<3>::with_size(2);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
-/// A state of which only what the comparison reads is made.
+/// Returns a state with only the numbers that the comparison needs.
 ObservedState state(int stage, double pressure, double phi, double B) {
   ObservedState s;
   s.stage = stage;
@@ -26,7 +26,7 @@ ObservedState state(int stage, double pressure, double phi, double B) {
   return s;
 }
 
-/// Assembled, then three steps of which the second collapses.
+/// Returns a path with the assembled state and three loading steps, the second of which is a collapse.
 SamplePath path(double shift) {
   SamplePath p;
   p.states = {state(-1, 0.01, 0.5, 1000.0), state(0, 0.02, 0.50001 + shift, 1000.0),
@@ -40,7 +40,8 @@ TEST(Comparison, QuantileOfErrorsAndItsConfidenceLimitAreOrderStatistics) {
   const Spread spread = spread_of(errors);
   EXPECT_EQ(spread.n, 100);
   EXPECT_EQ(spread.error, 95.0);
-  // The binomial distribution of 100 with 0.95: at most 97 with probability 0.882, at most 98 with 0.963.
+  // For 100 errors, the number below the 95 % quantile is binomial: at most 97 with probability 0.882, at most
+  // 98 with 0.963.
   EXPECT_EQ(spread.high, 99.0);
 }
 
@@ -57,7 +58,7 @@ TEST(Comparison, MeanOfPairsHasTheirStandardError) {
   EXPECT_EQ(mean.n, 3);
   EXPECT_EQ(mean.difference, 3.0);
   EXPECT_DOUBLE_EQ(mean.standard_error, 2.0 / std::sqrt(3.0));
-  EXPECT_NEAR(mean.error95 / mean.standard_error, 4.302653, 1e-6);  // Student's t of two degrees of freedom
+  EXPECT_NEAR(mean.error95 / mean.standard_error, 4.302653, 1e-6);  // Student's t with two degrees of freedom
 }
 
 TEST(Comparison, StatesAreComparedUntilTheFirstCollapseOfEither) {
@@ -70,14 +71,14 @@ TEST(Comparison, StatesAreComparedUntilTheFirstCollapseOfEither) {
 TEST(Comparison, ANewTurnStartsFromTheReferenceAgain) {
   SamplePath reference = path(0.0), other = path(0.01);
   reference.states.push_back(state(1, 0.04, 0.6, 2000.0));
-  other.states.push_back(state(1, 0.04, 0.6, 2000.0));  // 0.01 away from the other's own last state
+  other.states.push_back(state(1, 0.04, 0.6, 2000.0));  // differs by 0.01 from its predecessor in the same path
   EXPECT_TRUE(before_collapse(reference, other).back());
 }
 
 TEST(Comparison, ErrorsAreAgainstTheReferenceBeforeACollapseAndTheSettledStateAfter) {
   const SamplePath reference = path(0.0);
   SamplePath other = path(0.0);
-  other.states[1].observation[kPhi] *= 1.0 + 1e-6;                          // moved from the reference
+  other.states[1].observation[kPhi] *= 1.0 + 1e-6;                          // differs from the reference
   other.states[3].observation[kPhi] *= 1.0 + 1e-3;                          // not settled
   other.states[2].observation[kPhi] = other.states[2].settled[kPhi] = 0.7;  // another collapse, but settled
   const ObservableError e = compare({&reference}, {&other}, std::nullopt)[kPhi];
@@ -85,11 +86,11 @@ TEST(Comparison, ErrorsAreAgainstTheReferenceBeforeACollapseAndTheSettledStateAf
   EXPECT_NEAR(e.before.high, 1e-6, 1e-12);
   EXPECT_EQ(e.after.n, 3);
   EXPECT_NEAR(e.after.high, 1e-3, 1e-6);
-  // Means over the assembled and the collapsed states: 0.1/0.65 and 1e-3 of three.
+  // Mean over the assembled state and the two states at and after the collapse: 0.1/0.65, 1e-3 and 0.
   EXPECT_NEAR(e.mean.difference, (0.1 / 0.65 + 1e-3) / 3.0, 1e-6);
 }
 
-/// Paths of other steps are compared under the loads that both have.
+/// Paths with different steps are compared at the loads that both have.
 TEST(Comparison, MeansOfOtherStepsAreOverEqualLoads) {
   const SamplePath reference = path(0.0);
   SamplePath coarse;
@@ -97,13 +98,13 @@ TEST(Comparison, MeansOfOtherStepsAreOverEqualLoads) {
                    state(0, 0.08, 0.60001, 2000.0)};
   const MeanDifference mean = compare_means({&reference}, {&coarse}, std::nullopt)[kPhi].mean;
   EXPECT_EQ(mean.n, 1);
-  EXPECT_NEAR(mean.difference, (0.03 / 0.615) / 3.0, 1e-12);  // of three pairs only the second differs
+  EXPECT_NEAR(mean.difference, (0.03 / 0.615) / 3.0, 1e-12);  // only the second of three pairs differs
   SamplePath fine = reference;
   fine.states.insert(fine.states.begin() + 2, state(0, 0.03, 0.9, 1.0));
   EXPECT_EQ(compare_means({&reference}, {&fine}, std::nullopt)[kPhi].mean.difference, 0.0);
 }
 
-/// One test, of which the largest ratio and the mean over the last quarter are known.
+/// A shear test with known peak ratio and known mean over its last quarter.
 TEST(Comparison, ShearTestsHaveTheirPeakAndTheirCriticalState) {
   SamplePath test;
   const std::vector<double> ratios = {0.1, 0.3, 0.5, 0.45, 0.4, 0.4, 0.38, 0.36, 0.34, 0.33, 0.32, 0.31};
@@ -116,14 +117,15 @@ TEST(Comparison, ShearTestsHaveTheirPeakAndTheirCriticalState) {
   EXPECT_EQ(path_value(kPeakRatio, test), 0.5);
   EXPECT_NEAR(path_value(kCriticalRatio, test), 0.32, 1e-12);
   EXPECT_TRUE(std::isnan(path_value(kK0, test)));
-  test.states.resize(8);  // a quarter of which is two states
+  test.states.resize(8);  // its last quarter has only two states
   EXPECT_TRUE(std::isnan(path_value(kCriticalRatio, test)));
 }
 
 TEST(Comparison, SamplingErrorFallsWithTheRootOfTheirNumber) {
   const SamplePath a = path(0.0), b = path(0.02);
   const double one = sampling_errors({&a, &b}, 1, std::nullopt)[kPhi].mean.standard_error;
-  // The relative standard deviation of two samples: over states, the mean of 0.02/(Phi_a + Phi_b), times sqrt(2).
+  // The relative standard deviation of two samples is sqrt(2) times the mean over all states of 0.02/(Phi_a +
+  // Phi_b).
   EXPECT_NEAR(one, std::sqrt(2.0) * 0.25 * (0.02 / 1.02002 + 0.02 / 1.22 + 0.02 / 1.22002), 1e-9);
   EXPECT_DOUBLE_EQ(sampling_errors({&a, &b}, 4, std::nullopt)[kPhi].mean.standard_error, 0.5 * one);
 }
@@ -138,7 +140,7 @@ TEST(Tradeoff, FrontHoldsWhatNoOtherBeatsInBothCostAndError) {
     t.settings.push_back(m);
   }
   EXPECT_EQ(pareto_front(t, kB), (std::vector<bool>{true, false, true, false}));
-  EXPECT_EQ(pareto_front(t, kPhi), (std::vector<bool>{false, false, false, false}));  // nothing compared
+  EXPECT_EQ(pareto_front(t, kPhi), (std::vector<bool>{false, false, false, false}));  // no values were compared
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Shipped scene of a kind, made so small that a sample takes a fraction of a second.
+/// Shipped scene of a kind, reduced so that a sample takes a fraction of a second.
 struct SmallScene {
   const char* kind;
   const char* scene;
@@ -81,7 +81,7 @@ TEST_P(EveryKind, HasItsName) {
 
 TEST_P(EveryKind, HasAValueOfEachObservableAndNoErrorAgainstItself) {
   SamplePath path = sample();
-  // A small sample may lack some: forces in tension, enough forces for a tail, and a bend of the consolidation law.
+  // A small sample may lack tensile forces, enough forces for a tail, or a bend in its consolidation curve.
   const std::set<std::string> rare = {"tail_plus", "tail_minus", "lambda", "alpha", "Phi_max", "M_oedometer"};
   const Observation mean = mean_values({&path}, std::nullopt);
   for (std::size_t k = 0; k < kObservables; ++k) {

@@ -20,7 +20,7 @@ Scene few_disks() {
                     {"grains.count=20", "grains.diameter={distribution=\"uniform\", min=0.5, max=1.0}"});
 }
 
-/// Another number of nodes gives another answer, while a loose tolerance or another method gives that of the scene.
+/// The result depends on the number of nodes, but hardly on the tolerance and the method of the solver.
 TEST(LatticeStudy, NodesADiameterDecideAndTheToleranceDoesNot) {
   TradeoffOptions options;
   options.budget = 300.0;

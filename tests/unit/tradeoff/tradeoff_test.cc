@@ -26,7 +26,8 @@ TEST(Tradeoff, KeepsItsBudgetAndSaysWhatItLeftOut) {
     options.budget = budget;
     const double start = processor_seconds();
     const Tradeoff tradeoff = study_tradeoff(small_scene(60), options);
-    // A run is broken off between two chunks of 500 steps (here a few ms); then a sample's moduli are taken.
+    // A run can be interrupted only between chunks of 500 steps (a few ms here). Then the moduli of a sample
+    // are computed.
     EXPECT_LT(processor_seconds() - start, budget + 0.2);
     EXPECT_FALSE(tradeoff.left_out.empty());
   }
@@ -82,13 +83,13 @@ TEST(Tradeoff, PairedPathsStartFromTheSameStatesAndTheReferenceEqualsItself) {
   SamplePath reference = make_sample(options, {}, nullptr, never);
   ASSERT_TRUE(reference.whole()) << reference.failure;
   settle(options.relaxation, never, reference);
-  // From each stage's start, the same options make the same bits.
+  // Starting from the same states, the same options give the same bits.
   const SamplePath again = make_sample(options, {}, &reference, never);
   ASSERT_EQ(again.states.size(), reference.states.size());
   for (std::size_t k = 0; k < again.states.size(); ++k) {
     EXPECT_EQ(again.states[k].observation[kPhi], reference.states[k].observation[kPhi]) << k;
     EXPECT_EQ(again.states[k].observation[kB], reference.states[k].observation[kB]) << k;
-    // The strict settings leave nothing to settle.
+    // With strict settings, states are already settled.
     EXPECT_EQ(reference.states[k].settled[kPhi], reference.states[k].observation[kPhi]) << k;
   }
   const ObservableErrors errors = compare({&reference}, {&again}, std::nullopt);

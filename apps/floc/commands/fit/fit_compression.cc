@@ -30,9 +30,9 @@ int log_fits(const PathTable& path, const CompressedPath& compressed) {
     if (fit.found()) ranks.push_back(fmt::format("{} {:.4g}", name_of(fit.law), fit.delta_aicc));
   if (ranks.size() > 1)
     spdlog::info(
-        "{}: laws in the order of Akaike's criterion AICc, with its difference from that of the best: {} (for "
-        "independent errors of the solid fraction; it says which law describes these rows best, not that one "
-        "is right)",
+        "{}: laws in the order of Akaike's criterion AICc, each with the difference of its "
+        "AICc from the smallest AICc: {} (the order assumes independent errors of the solid "
+        "fraction; the first law describes these rows best, but need not be right)",
         path.name, fmt::join(ranks, ", "));
   for (const CompressionFit& fit : compressed.fits) {
     if (!fit.found())

@@ -56,7 +56,8 @@ std::string change_text(const std::optional<ChangePoint>& change, const Consolid
                      at(change->first - 1), at(change->first), at(change->low95 - 1), at(change->high95));
 }
 
-/// Returns whether the points before regime II lie on a line that surely falls, and are not a plateau.
+/// Returns whether the points before regime II lie on a recompression line with a significant slope, and not on
+/// a plateau.
 bool is_recompressed(const ConsolidationFit& fit) {
   const FittedParameter* kappa = fit.find("kappa");
   return kappa && kappa->low95.value_or(0.0) > 0.0;
@@ -70,7 +71,8 @@ std::string quoted(const ConsolidationFit& fit, const char* name, const char* sy
   return p->low95 && p->high95 ? text + fmt::format(" ({:.4g} to {:.4g})", *p->low95, *p->high95) : text;
 }
 
-/// Returns what a reader quotes of a fit: the slopes, the yield pressure, the window and how much lambda depends on it.
+/// Returns the main results of a fit as text: the slopes, the yield pressure, the window, and the range of
+/// lambda if the window is shifted by one row.
 std::string headline(const ConsolidationFit& fit) {
   std::vector<std::string> parts;
   const bool yields = fit.n_plateau > 0;
@@ -201,7 +203,7 @@ int fit_tables(ConsolidationArguments arguments) {
     array.push_back(as_json(sample, fit, arguments.fit));
     add_rows(sample, fit, arguments.fit, table);
   }
-  // `fit` is the last fit: that of the mean of the samples if there are several, otherwise that of the only sample.
+  // If there are several samples, `fit` is the fit of their mean; otherwise, it is the fit of the only sample.
   if (!arguments.plot.empty() && !samples.empty() && fit.found())
     write_plot(arguments.plot, plot_of_fit({samples.back().name, samples.back().unit, samples.back().stress,
                                             samples.back().loading.curve, fit, samples.back().loops()}));

@@ -17,12 +17,11 @@
 namespace floc {
 
 void add_columns_option(CommandLine app, std::string& text, const std::string& names) {
-  app.add_option(
-         "--columns", text,
-         "NAME=COLUMN,...: columns of the input table to use for " + names +
-             " [those with these names or usual ones], with a unit if the table has none, as in \"e [%]\"; "
-             "items without = are names or patterns of columns to print [all columns; on a terminal "
-             "those that fit its width]")
+  app.add_option("--columns", text,
+                 "NAME=COLUMN,...: columns of the input table to use for " + names +
+                     " [columns with these names or other usual names]; add a unit if the table has none, "
+                     "as in \"e [%]\"; items without = are names or patterns of columns to print [all "
+                     "columns; on a terminal those that fit its width]")
       .joined(',');
 }
 

@@ -32,7 +32,7 @@ std::vector<std::string> names_with_densities(std::vector<std::string> names);
 /// which of its rows do not count.
 void log_notes(const PathTable& path);
 
-/// Prints on stderr how a table is written, unless it is a plain csv table.
+/// Prints the format of a table on stderr, unless it is a plain csv table.
 void log_description(const CsvTable& table);
 
 /// Calls `work` for every table that the inputs name; `work` returns an exit code. If an input cannot be read, an error

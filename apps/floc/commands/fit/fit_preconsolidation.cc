@@ -75,10 +75,9 @@ Command add_fit_preconsolidation(CommandLine fit) {
                  "tables with the columns P_star (reduced pressure), phi (solid fraction) or void_ratio, and "
                  "optionally branch; or directories of `floc run`; - for a table on stdin")
       .required();
-  app.add_option(
-         "--branch", arguments->branch,
-         "branches to fit: reloading, first (the first loading, with the yield of a sample that was loaded "
-         "before) or all [reloading; without a reloading branch, first]")
+  app.add_option("--branch", arguments->branch,
+                 "branches to fit: reloading, first (the first loading of a sample that was loaded "
+                 "before the test) or all [reloading; without a reloading branch, first]")
       .one_of({"reloading", "first", "all"});
   add_columns_option(app, arguments->columns, "P_star, phi, void_ratio or another density, branch");
   add_printing_options(app, arguments->printing);

@@ -38,7 +38,7 @@ TestKind kind_of(const std::string& text) {
 }
 
 /// Returns the two stresses of the option `--modulus`; std::nullopt if it was not given.
-/// @throws InputError unless they are positive and grow
+/// @throws InputError unless both are positive and the second is larger than the first
 std::optional<std::pair<double, double>> modulus_range(const std::vector<double>& stresses) {
   if (stresses.empty()) return std::nullopt;
   if (!(stresses[0] > 0.0 && stresses[1] > stresses[0]))
@@ -47,7 +47,7 @@ std::optional<std::pair<double, double>> modulus_range(const std::vector<double>
   return std::pair(stresses[0], stresses[1]);
 }
 
-/// Prints on stderr why tests have no parameters, and the warnings. @return exit code
+/// Prints on stderr the reasons why tests have no parameters, and the warnings. @return exit code
 int log_fits(const std::vector<StrengthFit>& fits) {
   int code = kDone;
   for (const StrengthFit& fit : fits) {
@@ -99,27 +99,25 @@ Command add_fit_strength(CommandLine fit) {
                                        "drained (biaxial, triaxial) tests, strength and pore pressure of "
                                        "undrained tests (at constant volume), K0 and "
                                        "constrained modulus of oedometer tests");
-  app.add_option(
-         "TABLE", arguments->inputs,
-         "directories of `floc run` whose paths have stages with a driven axis; or tables of one drained test "
-         "each, with the columns sigma1 and sigma3 (stresses along and across the axis), strain (along the "
-         "axis) and volumetric_strain, positive in compression; or tables with sigma1 and sigma3 alone, one "
-         "sample at failure in each row; - for a table on stdin")
+  app.add_option("TABLE", arguments->inputs,
+                 "directories of `floc run` whose paths have stages with a driven axis; or tables of "
+                 "one drained test each, with the columns sigma1 and sigma3 (stresses along and "
+                 "across the axis), strain (along the axis) and volumetric_strain, positive in "
+                 "compression; or tables with only sigma1 and sigma3, with one row per sample at "
+                 "failure; - for a table on stdin")
       .required();
   app.add_option("--kind", arguments->kind,
                  "kind of the test in tables that `floc run` has not written: drained, undrained (sigma1 and "
                  "sigma3 are "
                  "effective stresses) or oedometer [drained]")
       .one_of({"drained", "undrained", "oedometer"});
-  app.add_option(
-         "--critical-from", arguments->critical_from,
-         "axial strain from which on a sample is in its critical state [the last quarter of the strain of the "
-         "test]")
+  app.add_option("--critical-from", arguments->critical_from,
+                 "axial strain at which the critical state begins [three quarters of the strain of "
+                 "the test]")
       .positive();
-  app.add_option(
-         "--modulus", arguments->modulus,
-         "LOW,HIGH: axial stresses between which the constrained modulus is taken [half of the largest stress "
-         "to the largest stress]")
+  app.add_option("--modulus", arguments->modulus,
+                 "LOW,HIGH: axial stresses between which the constrained modulus is computed [half of "
+                 "the largest stress to the largest stress]")
       .delimiter(',')
       .expected(2);
   add_columns_option(app, arguments->columns, "sigma1, sigma3, strain, volumetric_strain");

@@ -16,7 +16,7 @@ struct ImposedStrain {
   int sheared_axis = 0;                   ///< axis of the sheared lattice vector; 0 if there is no shear
   /// Offset of the sheared lattice vector before and after the strain (length).
   double offset_from = 0.0, offset_to = 0.0;
-  double duration = 0.0;   ///< duration of the strain (time)
+  double duration = 0.0;  ///< duration of the strain (time)
 
   /// Returns the largest strain: of the logarithmic strains of the imposed lengths and the shear strain.
   double size() const {

@@ -19,7 +19,7 @@ struct DiameterDistribution {
     power_law,   ///< probability density P(d) ~ d^-exponent from min to max
     /// ln d is normally distributed about ln median; diameters below min and above max are cut off
     lognormal,
-    sieve,  ///< the fraction of the mass below each of some sizes is given
+    sieve,  ///< fractions of the mass of the grains that are finer than given sizes (SieveCurve)
   };
   /// Fractions of the number of grains at which the quantiles are taken as the diameters of N grains i = 0 ... N - 1.
   enum class Quantiles {

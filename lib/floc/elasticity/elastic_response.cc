@@ -108,7 +108,7 @@ struct Problem {
   }
   SpringSystem springs() const { return SpringList<Dim>(core(), unknowns, unit, options).take(); }
 
-  /// Returns an answer without a response, with the reason that the factor would take too many bytes.
+  /// Returns an answer that contains no response, but the reason for its absence: the factor would take too many bytes.
   ElasticResponse refuse(double bytes) {
     answer.factor_bytes = bytes;
     answer.failure = fmt::format(

@@ -91,8 +91,9 @@ template <int Dim>
 [[nodiscard]] ElasticResponse elastic_response(const ContactNetwork<Dim>& network,
                                                const ResponseOptions& options);
 
-/// Solves for the response of a network with a given object for the factor. The symbolic part of the factor is kept
-/// from one network to the next as long as the contacts are the same. Its ordering replaces `options.ordering`.
+/// Solves for the response of a network and leaves the factor of the stiffness matrix in `factor`. If `factor` comes
+/// from an earlier network with the same contacts, its symbolic part is used again. The ordering of `factor` replaces
+/// `options.ordering`.
 template <int Dim>
 [[nodiscard]] ElasticResponse elastic_response(const ContactNetwork<Dim>& network,
                                                const ResponseOptions& options, SymmetricFactor& factor);

@@ -19,8 +19,8 @@ namespace {
 /// eliminated with products of dense blocks, which is faster.
 constexpr int kPanel = 32;
 
-/// View of consecutive columns of a supernode of the factor L, from one of its rows to the last, in A + shift * 1 = L S
-/// L^T.
+/// View of consecutive columns of a supernode of the factor L in A + shift * 1 = L S L^T. It begins at one row of the
+/// supernode and ends with its last row.
 struct Block {
   double* value;
   int stride;

@@ -400,10 +400,10 @@ bool Relaxer<Dim>::newton_is_cheaper() const {
   return plan_statics(packing_, BoundaryControl<Dim>::imposing(load_, target_, 0.0)).seconds <= motion;
 }
 
-/// Whether Newton refinement of a packing whose residuals are within tolerance may be tried before the next attempt is
-/// due. In 3D an attempt may take minutes. After an attempt that failed although the residuals were within tolerance,
-/// the next attempt is therefore made only when it is due: for a packing at rest on a saddle of the energy, every
-/// attempt would fail.
+/// Returns whether Newton refinement of a packing whose residuals are within tolerance may be tried at every check. In
+/// 3D an attempt may take minutes. Once an attempt has failed although the residuals were within tolerance, further
+/// attempts are therefore made only after a pause: for a packing at rest on a saddle of the energy, every attempt would
+/// fail.
 template <int Dim>
 bool Relaxer<Dim>::may_repeat_refinement() const {
   return Dim == 2 || !progress_.refused_within;

@@ -50,7 +50,8 @@ class CoupledResponse<2> {
  private:
   Mat<2> response_, stick_;
   double friction_;
-  double slide_normal_[2], slide_tangent_[2];  // impulse per normal velocity, for slip downwards and upwards
+  // impulse per normal velocity of a sliding contact, for negative and positive tangential impulse
+  double slide_normal_[2], slide_tangent_[2];
 };
 
 /// Contact problem in 3D, with the axes in which A_tt is diagonal as tangents: A = (a, c'; c, diag(l)).

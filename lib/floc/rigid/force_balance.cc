@@ -38,7 +38,8 @@ class BalanceRows {
   int n_boundary() const { return n_boundary_; }
   Eigen::VectorXd& load() { return load_; }
 
-  /// Calls visit(row, coefficient) for the rows that a contact acts on: row = sum coefficient . (F_N, T).
+  /// Calls visit(row, coefficient) for each row of the balance in which a contact appears. The contact contributes to
+  /// the row the scalar product of `coefficient` and its force (F_N, T).
   void for_each_row(const NetworkContact<Dim>& c, const auto& visit) const {
     const ContactRows<Dim> rows = contact_rows(c);
     for (int a = 0; a < kDofs<Dim>; ++a) {

@@ -14,7 +14,7 @@ namespace {
 /// in large cells.
 constexpr double kRound = 1e-12;
 
-/// Returns whether RoundContacts can describe the side of a contact on a body.
+/// Returns whether a body behaves like a round body at one of its contacts, as RoundContacts requires.
 template <int Dim>
 bool is_round(const BodyMotion<Dim>& bodies, int body, const Vec<Dim>& arm, const Vec<Dim>& normal) {
   const Mat<kRotations<Dim>>& inertia = bodies.inverse_inertia[body];

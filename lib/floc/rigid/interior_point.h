@@ -49,7 +49,7 @@ class InteriorPoint {
 
   SymmetricFactor factor_;
   Eigen::SparseMatrix<double> matrix_;  ///< lower triangle of A G A'
-  /// for each pair of entries of each block: its index in the values of matrix_
+  /// for each pair of entries of each block: index of its value in the array of the values of matrix_
   std::vector<int> place_;
 };
 

@@ -134,8 +134,8 @@ PairMatrix<3> SeparatingPlates::gap_curvature_at(const StepContact<3>& c) const 
   return out;
 }
 
-/// Returns, for each contact, the change of the momenta of its two bodies due to the rotation of its impulse, like
-/// convex_stiffness().
+/// Returns, for each contact, the change of the momenta of its two bodies due to the rotation of its impulse, in the
+/// form of convex_stiffness().
 std::vector<PairMatrix<3>> SeparatingPlates::stiffnesses(double dt) const {
   std::vector<PairMatrix<3>> out;
   for (const StepContact<3>& c : contacts_)

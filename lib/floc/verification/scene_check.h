@@ -23,10 +23,10 @@ namespace floc {
 template <int Dim>
 std::vector<Criterion> check_against_scene(const std::string& file, const State<Dim>& state);
 
-/// Returns the largest gap of a contact that carries a force, divided by the diameter of its smaller grain, from the
-/// scene of a state of rigid grains; absent if the state has no scene, if its scene cannot be read, or if the scene
+/// Reads the scene of a state of rigid grains and returns the largest gap at which a contact may carry a force, divided
+/// by the diameter of the smaller grain. Absent if the state has no scene, if its scene cannot be read, or if the scene
 /// does not set this gap.
-/// @param file  see check_against_scene()
+/// @param file  name of the state file, see check_against_scene()
 template <int Dim>
 std::optional<double> scene_gap_tolerance(const std::string& file, const State<Dim>& state);
 

@@ -27,7 +27,7 @@ struct StateChoice {
   std::vector<double> P_star;  ///< reduced imposed pressures of the states, if `kind` is `pressures`
   /// whether `P_star` are stresses on the driven axis, not equal pressures on all axes
   bool is_driven = false;
-  std::string place;           ///< "FILE:LINE" in the campaign file, for messages
+  std::string place;  ///< "FILE:LINE" in the campaign file, for messages
 };
 
 /// A case of a campaign: its scene with some keys changed, which is run with every seed.

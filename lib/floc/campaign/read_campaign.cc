@@ -20,7 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 using Need = TableReader::Need;
 
-/// Largest number of seeds of a campaign, and of its runs. A campaign file with more is refused, as probably a mistake.
+/// Largest numbers of seeds and of runs of a campaign. A campaign file with more of them is refused, because it
+/// is probably a mistake.
 constexpr std::uint64_t kMaxSeeds = 10'000;
 constexpr std::size_t kMaxRuns = 100'000;
 

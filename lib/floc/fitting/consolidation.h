@@ -131,8 +131,8 @@ struct ConsolidationFit {
   const FittedParameter* find(const std::string& name) const;
 };
 
-/// Returns a curve as points with the given weights, which must not be those of the scatter between samples in a search
-/// for regimes: that scatter is correlated between neighbouring pressures.
+/// Returns a curve as points with the given weights. In a search for regimes, the weights must not come from
+/// the scatter between samples, which is correlated between neighbouring pressures.
 [[nodiscard]] LawPoints law_points(const ConsolidationCurve& curve, Weighting weighting);
 
 /// Fits a consolidation law (docs/physics.md, "Consolidation laws") to a curve of the solid fraction Phi

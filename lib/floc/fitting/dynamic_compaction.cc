@@ -158,7 +158,8 @@ std::optional<RobustView> robust_view(const CompactionData& data) {
   for (double& size : sizes) size = std::abs(size);
   const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
   std::nth_element(sizes.begin(), middle, sizes.end());
-  constexpr double kNormal = 1.4826;  // standard deviation over median absolute value of a normal variable
+  // standard deviation divided by median absolute value, for a normal variable
+  constexpr double kNormal = 1.4826;
   // The standard deviation is taken to be at least the rounding of a table with ten digits.
   view.deviation = std::max(kNormal * *middle, 1e-10);
   const Eigen::VectorXd& t = solution->theta;

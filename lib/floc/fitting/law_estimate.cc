@@ -26,8 +26,8 @@ ResidualVariance residuals_of_law(const LawEstimate& e) {
 
 /// Returns the variance of the residuals in one part of the data, before or within regime II. `own` is the
 /// variance computed from this part alone. It is used if it has enough degrees of freedom, because the errors
-/// may differ between the parts; otherwise the common variance of both parts is used. The plateau of a level
-/// line is ignored, because residuals of a level that is not constant would look like noise.
+/// may differ between the parts. Otherwise the common variance of both parts is used. A plateau that was fitted
+/// by a level line is ignored: if it is not level, its residuals would look like noise.
 ResidualVariance shared_variance(const LawEstimate& e, const ResidualVariance& own) {
   constexpr int kEnough = 6;
   if (!e.line.slopes || own.dof >= kEnough) return own;

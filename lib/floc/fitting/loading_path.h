@@ -58,10 +58,10 @@ struct PathFault {
   std::string expected;
 };
 
-/// Returns the first row whose pressure does not fit its branch, or nothing. Along a branch, which consists of
-/// consecutive rows with one branch name, the pressures must not fall, or must not grow; in the branch "load" they must
-/// not fall, in "unload" not grow. Rows without branch names always fit. Rows whose load differs between the axes always
-/// fit, because the stress on an axis with imposed strain may fall.
+/// Returns the first row whose pressure does not fit its branch, or nothing. A branch consists of consecutive
+/// rows with one branch name. Along a branch the pressures must not change direction. They must not fall in the
+/// branch "load", and must not grow in the branch "unload". Rows without branch names always fit. Rows whose
+/// load differs between the axes always fit, because the stress on an axis with imposed strain may fall.
 std::optional<PathFault> path_fault(const std::vector<PathRow>& rows);
 
 /// Rows of a load path as a consolidation curve.

@@ -76,7 +76,7 @@ double guaranteed_error(const PricedSettings& candidate, const std::string& obse
   return std::isfinite(scatter) ? difference + scatter : std::numeric_limits<double>::infinity();
 }
 
-/// Returns the multiple of the default value that a row about the cell was measured with, for example 10 for the value
+/// Returns the factor by which the default value is multiplied in a row about the cell, for example 10 for the value
 /// "10 times"; NaN if the value contains no number.
 double factor_of(const PricedSettings& of_cell) {
   return parse_number<double>(of_cell.value.substr(0, of_cell.value.find(' ')))

@@ -91,7 +91,7 @@ class HardGrains {
       const double reach = 0.5 * (diameter_[i] + grid.largest);
       const Vec<Dim, int> centre = bin_of(x, grid);
       Vec<Dim, int> most;
-      // If `reach` is half of the region or more, all bins of the grid are visited.
+      // If `reach` is at least half of a side of the region, all bins of the grid along this side are visited.
       for (int a = 0; a < Dim; ++a)
         most[a] = std::min(grid.bins[a] / 2, static_cast<int>(std::ceil(reach / room_.side[a] * grid.bins[a])));
       Vec<Dim, int> offset = -most;

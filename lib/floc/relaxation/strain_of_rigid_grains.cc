@@ -97,7 +97,7 @@ std::string ContactDynamicsRelaxer<Dim>::closed_cell() const {
   return "";
 }
 
-/// Strains the cell by some steps, and records the motion at the end of the strain.
+/// Strains the cell in the next kStrainingSteps time steps, and records the motion at the end of the strain.
 template <int Dim>
 RelaxationStatus ContactDynamicsRelaxer<Dim>::strain() {
   if (!closed_cell().empty()) {

@@ -118,7 +118,8 @@ BodyMotion<Dim> ContactDynamics<Dim>::free_motion(double dt, bool at_rest) const
     if (!external_force_.empty()) v += dt / g.mass[i] * external_force_[i];
     const Mat<kRotations<Dim>> inertia = g.inertia_tensor(i);
     const Mat<kRotations<Dim>> inverse = inertia.inverse();
-    // The spin of a body without moments changes by Euler's equations if its axes have different moments of inertia.
+    // Even if no moment acts on a body, its spin changes by Euler's equations if its principal moments of inertia
+    // differ.
     if constexpr (Dim == 3)
       if (!g.are_round()) w -= dt * inverse * w.cross(inertia * w);
     out.velocity.push_back(v);

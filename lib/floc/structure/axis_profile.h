@@ -15,8 +15,8 @@ struct ProfileSlice {
   /// solid fraction from exact volumes; the volume of an overlap counts once for each of its two grains
   double solid_fraction = 0.0;
   int n_grains = 0;
-  /// Stress along each axis (force/length^(d-1)), compression positive: sum over the contacts of the share of their
-  /// stress that belongs to the part of their branch vector in the slice, per volume of the slice.
+  /// Stress along each axis (force/length^(d-1)), compression positive. Each contact contributes its force times the
+  /// part of its branch vector that lies in the slice; the sum is divided by the volume of the slice.
   std::vector<double> stress;
   /// Mean, over the grains of the slice, of each array of values given to axis_profile(); NaN if the slice has no
   /// grains.

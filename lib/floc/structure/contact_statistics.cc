@@ -110,8 +110,8 @@ ForceShape force_shape(const std::vector<double>& forces) {
     out.beta_error = *out.beta / std::sqrt(n_above);
   }
   if (n < kFewestForces || n_below == 0 || !(form.beyond_above > 0.0)) return out;
-  // The interval of alpha extends far beyond the values of packings on both sides. A distribution whose likeliest alpha
-  // lies at its ends does not have the joined form.
+  // The interval in which alpha is searched extends far beyond the values of packings on both sides. If the likeliest
+  // alpha lies at an end of this interval, the distribution does not have the joined form.
   constexpr double kLeast = -50.0, kMost = 0.999, kStep = 1e-4;
   const auto likelihood = [&](double alpha) { return form.log_likelihood(alpha); };
   const double alpha = maximum(likelihood, kLeast, kMost);

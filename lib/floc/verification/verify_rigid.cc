@@ -21,8 +21,8 @@
 namespace floc {
 namespace {
 
-/// Largest accepted violation of the law of contacts, divided by the mean normal force. The forces are computed more
-/// accurately by a few digits.
+/// Largest accepted violation of the contact law of rigid grains, divided by the mean normal force. A run computes the
+/// forces a few digits more accurately than this.
 constexpr double kForceError = 1e-9;
 /// Largest repulsive force that counts as the rounding error of a contact without force, divided by the mean repulsive
 /// force.

@@ -424,8 +424,8 @@ TEST(RefusedRun, GoesOnFromNoCheckpointOfAnotherVersion) {
               HasSubstr("d/checkpoint/checkpoint.h5: this is not a checkpoint of this version of floc: "));
 }
 
-/// If a scene starts from a saved state at rest, all samples are the same, and a study needs different samples.
-/// So both commands refuse it.
+/// If a scene starts from a saved state at rest, all samples are equal, but a study needs different samples.
+/// The commands floc run --seeds and floc tradeoff therefore refuse it.
 TEST(RefusedRun, OfSamplesFromAStateAtRest) {
   const ScratchDirectory scratch;
   ASSERT_EQ(run_floc("run " + source_directory() +

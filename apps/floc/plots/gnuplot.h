@@ -14,7 +14,7 @@ struct Plot {
     std::vector<std::vector<double>> rows;
   };
   std::vector<Block> blocks;
-  std::string script;             ///< gnuplot commands, to follow those that set terminal, output and data
+  std::string script;             ///< gnuplot commands that follow the commands for terminal, output and data
   int width = 720, height = 520;  ///< size of the plot (1/96 inch)
 
   /// Adds a block. @return index of the block

@@ -71,9 +71,9 @@ FittedParameter kappa_of(const LawEstimate& estimate, const Covariance& covarian
 /// Returns a parameter with its standard error and its 95 % interval by Student's t.
 FittedParameter fitted_parameter(const Quantity& quantity, const Covariance& covariance);
 
-/// Returns the 95 % interval of one coordinate of theta from the profile of the sum of squares: the smallest
-/// sum of squares for a fixed value of this coordinate. The interval ends where this sum exceeds the minimum by
-/// r (t95 s)^2. Here t95 is the half width of the interval by Student's t, in standard errors; s^2 is the
+/// Returns the 95 % interval of one coordinate of theta from its profile. The profile gives the smallest sum of
+/// squares for each fixed value of this coordinate. The interval ends where this sum exceeds the minimum by r
+/// (t95 s)^2. Here t95 is the half width of the interval by Student's t, in standard errors; s^2 is the
 /// variance of the residuals; r is the variance of the coordinate in `covariance` divided by its variance from
 /// the residuals. An end is absent if the data allow any value on that side.
 ProfileInterval profile_interval(const LawEstimate& estimate, int coordinate, const Covariance& covariance);

@@ -84,7 +84,8 @@ MohrCoulombFit fit_mohr_coulomb(const std::vector<FailureStress>& stresses, cons
                angle_of_ratio(*ratio.low95),
                angle_of_ratio(*ratio.high95),
                *ratio.low95 > 1.0};
-  // c = C/(2 sqrt N). Its error follows by propagation of the errors of C and N.
+  // The cohesion is c = C/(2 sqrt N), for the line sigma_1 = C + N sigma_3. Its error follows by propagation of
+  // the errors of C and N.
   const double by_C = 0.5 / std::sqrt(N), by_N = -0.25 * C / (N * std::sqrt(N));
   const double variance = by_C * by_C * line.covariance(0, 0) + 2.0 * by_C * by_N * line.covariance(0, 1) +
                           by_N * by_N * line.covariance(1, 1);

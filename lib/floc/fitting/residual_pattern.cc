@@ -46,7 +46,7 @@ double runs_probability(const Eigen::VectorXd& r) {
 /// `ratio`.
 double smoothness_probability(double ratio, const Eigen::MatrixXd& hat) {
   const Eigen::Index n = hat.rows();
-  Eigen::MatrixXd differences = Eigen::MatrixXd::Zero(n, n);  // r^T differences r = sum (r_k+1 - r_k)^2
+  Eigen::MatrixXd differences = Eigen::MatrixXd::Zero(n, n);  // matrix D with r^T D r = sum (r_k+1 - r_k)^2
   for (Eigen::Index k = 0; k + 1 < n; ++k) {
     differences(k, k) += 1.0;
     differences(k + 1, k + 1) += 1.0;

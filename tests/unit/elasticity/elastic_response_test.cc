@@ -57,7 +57,7 @@ void expect_dense_answer(const ContactNetwork<Dim>& network, double tolerance) {
   EXPECT_LT(response.residual, 1e-12);
 }
 
-/// Rounding errors of both results, with condition numbers of up to 1e4.
+/// Rounding errors of the compared results, with condition numbers of up to 1e4.
 constexpr double kTolerance = 1e-10;
 
 TEST(ElasticResponse, EqualsThePseudoInverseWithEveryKindOfContact) {

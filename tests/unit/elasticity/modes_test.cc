@@ -43,7 +43,7 @@ void expect_dense_eigenvalues(const ContactNetwork<Dim>& network, int count) {
   const auto n_negative = (dense.array() < -1e-12).count();
   for (int m = 0; m < count; ++m) {
     const double expected = dense[m < n_negative ? m : m + soft.free.modes.cols()];
-    // The tolerance covers rounding of both, and the squared error of the eigenvectors.
+    // The tolerance covers the rounding errors of both eigenvalues, and the squared error of the eigenvectors.
     EXPECT_NEAR(soft.modes[m].eigenvalue, expected, 1e-12) << "mode " << m;
   }
 }
@@ -126,7 +126,8 @@ struct Met {
 /// compares the number of smaller eigenvalues with count_near_mechanisms().
 template <int Dim>
 void expect_dense_count(ContactNetwork<Dim> network, Met& met) {
-  constexpr double kZero = 1e-11;  // rounding error of both, divided by the largest stiffness
+  // rounding error of the compared eigenvalues, divided by the largest stiffness
+  constexpr double kZero = 1e-11;
   const double unit = stiffness_scale(network);
   const ElasticResponse response = elastic_response(network, {});
   const Eigen::VectorXd all = dense_eigenvalues(network) / unit;

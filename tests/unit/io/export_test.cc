@@ -62,7 +62,8 @@ TEST(ExtendedXyz, ReadsWhatItWroteToTheLastDigit) {
 template <int Dim>
 void expect_same_lattice_and_distances() {
   State<Dim> state = test::busy_state<Dim>();
-  state.packing.cell.matrix(0, 1) = 0.3;  // now the first lattice vector is not along x, as LAMMPS requires
+  // the first lattice vector is no longer along x, although LAMMPS requires this
+  state.packing.cell.matrix(0, 1) = 0.3;
   state.packing.cell.matrix.row(1) += 2.0 * state.packing.cell.matrix.row(0);
   const Packing<Dim>& written = state.packing;
   const Packing<Dim> read = written_and_read("lammps-data", state);

@@ -168,7 +168,8 @@ TEST_F(Imports, ReadGeneralTriclinicBoxesOfLammps) {
 
 TEST_F(Imports, ReadPlainXyzByTheNumbersOfItsColumns) {
   write("plain.xyz", "2\nany comment\nA 0.5 0.5 0.5 0.5 1\nB 1.49 0.5 0.6 0.5 2\n");
-  EXPECT_THAT(convert("plain.xyz", {"--walls", "x=:,y=:,z=:"}).err, HasSubstr("give --columns radius=5"));
+  EXPECT_THAT(convert("plain.xyz", {"--walls", "x=:,y=:,z=:"}).err,
+              HasSubstr("give --columns with the number of a column, radius=5"));
   ASSERT_EQ(convert("plain.xyz", {"--walls", "x=:,y=:,z=:", "--columns", "radius=5,mass=6"}).code, 0);
   EXPECT_EQ(row("network").at("n_contacts"), 1);
   ASSERT_EQ(convert("plain.xyz", {"--walls", "x=:,y=:,z=:", "--columns", "x=4,y=3,z=2,diameter=5"}).code, 0);
@@ -201,9 +202,8 @@ TEST_F(Imports, MergePairsThatAreListedTwice) {
   merged.emplace_back("--pairs-twice");
   const Outcome o = convert("g.csv", merged);
   EXPECT_EQ(o.code, 0) << o.err;
-  EXPECT_THAT(o.err,
-              HasSubstr("2 of the 4 contacts listed are second rows of a pair and are left out; the forces "
-                        "of 1 of them contradict the first row"));
+  EXPECT_THAT(o.err, HasSubstr("2 of the 4 contacts listed are second rows of a pair and are left out; 1 of "
+                               "these second rows contradict the forces in the first row"));
 }
 
 }  // namespace

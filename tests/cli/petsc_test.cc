@@ -128,7 +128,7 @@ TEST_F(Petsc, SaysAFaultOnceAndGoesOnWithTheNextState) {
   write_text(file("text.h5"), "not a state");
   const Outcome o = together(2, "--solver petsc --format csv none.h5 text.h5 disks.h5 -o out.csv");
   EXPECT_EQ(o.code, 4);
-  for (const char* words : {"none.h5: No such file", "text.h5: the file is not a floc state",
+  for (const char* words : {"none.h5: No such file", "text.h5: the file is not a state file of floc",
                             "disks.h5: this state is not in equilibrium"}) {
     EXPECT_THAT(o.err, HasSubstr(words));
     EXPECT_EQ(o.err.find(words), o.err.rfind(words)) << words;

@@ -97,7 +97,7 @@ TEST_F(RunFromAState, SaysWhichKeyNamesAFileThatIsNoState) {
   const Outcome refused = floc("run tiled.toml -o none --set assembly.state=tiled.toml");
   EXPECT_EQ(refused.code, 4);
   EXPECT_THAT(refused.err, AllOf(HasSubstr("--set assembly.state=tiled.toml: assembly.state: tiled.toml"),
-                                 HasSubstr("is not a floc state")));
+                                 HasSubstr("is not a state file of floc")));
   EXPECT_FALSE(exists("none"));
   const Outcome check = floc("scene check tiled.toml");
   EXPECT_EQ(check.code, 0);

@@ -110,7 +110,7 @@ std::string refusal_of(const Scene& scene, bool dynamic) {
     return "expected equilibrium.finish = \"dynamic\"";
   for (const LoadStage& stage : scene.load)
     if (stage.shear != 0.0) return "is a simple shear";
-  return scene.assembly.vibration ? "assembly.vibration moves the grains" : "";
+  return scene.assembly.vibration ? "assembly.vibration displaces the grains" : "";
 }
 
 /// The refusal comes before any file is written, for one run and for several.
@@ -135,7 +135,7 @@ TEST_F(TrackEnergy, IsRefusedForShippedScenesOfWhichNoAccountIsKept) {
   }
   for (const auto& [words, n] : n_refused) std::cout << n << " refusals: " << words << "\n";
   EXPECT_GE(n_refused["the scene has walls (table [box])"], 4);
-  EXPECT_GE(n_refused["assembly.vibration moves the grains"], 2);
+  EXPECT_GE(n_refused["assembly.vibration displaces the grains"], 2);
 }
 
 /// A shipped scene, and the number of an equilibrium up to which the run uses every kind of control of the

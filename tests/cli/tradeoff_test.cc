@@ -112,10 +112,9 @@ TEST(TradeoffCommand, RefusesObservablesThatTheSceneDoesNotHave) {
     EXPECT_EQ(o.out, "") << arguments;
     return o.err;
   };
-  EXPECT_THAT(
-      refusal("demo.toml --observables phi,K0"),
-      HasSubstr("--observables K0: a study of the kind \"disks-cohesive\" does not have this observable; the "
-                "one with the most similar name is "));
+  EXPECT_THAT(refusal("demo.toml --observables phi,K0"),
+              HasSubstr("--observables K0: a study of the kind \"disks-cohesive\" does not have this "
+                        "observable; the most similar name is "));
   EXPECT_THAT(refusal("rigid_disks_demo.toml --observables B"), HasSubstr("\"rigid-disks\""));
   EXPECT_THAT(refusal("cohesionless_cycle.toml --observables tail_minus"), HasSubstr("is tail_plus"));
   EXPECT_THAT(refusal("demo.toml --lattice 0.1 --observables phi"), HasSubstr("\"disks-cemented\""));

@@ -24,12 +24,12 @@ TEST(Hdf5Reader, TakesNoMemoryForWhatIsLongerThanItsFile) {
   ASSERT_LT(std::filesystem::file_size(scratch.file("s.h5")), 10'000u);
   const Hdf5Reader reader("s.h5", scratch.file("s.h5"));
   EXPECT_THAT([&] { reader.n_rows("rows"); },
-              ThrowsMessage<InputError>(
-                  HasSubstr("s.h5:/rows: the dataset is said to have 1e+09 bytes, but the whole file has ")));
+              ThrowsMessage<InputError>(HasSubstr(
+                  "s.h5:/rows: the dataset has 1e+09 bytes according to its header, but the whole file has ")));
   std::vector<double> values;
   EXPECT_THAT([&] { reader.array("rows", {kRows}, values); },
-              ThrowsMessage<InputError>(
-                  HasSubstr("s.h5:/rows: the dataset is said to have 8e+09 bytes, but the whole file has ")));
+              ThrowsMessage<InputError>(HasSubstr(
+                  "s.h5:/rows: the dataset has 8e+09 bytes according to its header, but the whole file has ")));
   EXPECT_EQ(values.capacity(), 0u);
 }
 

@@ -23,7 +23,7 @@ TEST(StateFeatures, ThatAReaderDoesNotKnowAreRefusedByName) {
   const std::string foreign = with_replaced(scratch.file("s.h5"), "contacts/memory", "contacts/liquid");
   EXPECT_THAT([&] { read_state(foreign); },
               ThrowsMessage<InputError>(
-                  AllOf(HasSubstr("does not know contacts/liquid"), HasSubstr("contacts/memory"))));
+                  AllOf(HasSubstr("does not support contacts/liquid"), HasSubstr("contacts/memory"))));
 }
 
 TEST(StateFeatures, NameTheMemoryOfLawsThatHaveOne) {

@@ -184,7 +184,7 @@ TEST_F(Plans, WhatCannotBeHadIsRefusedWithTheNearestThatCan) {
   PlanRequest none;
   none.wants = {{"K0", 0.1}};
   EXPECT_THAT(refusal(none),
-              HasSubstr("K0 is not a quantity of this scene that the table prices.csv has: expected one "
+              HasSubstr("K0 is not a quantity of this scene that the table prices.csv contains: expected one "
                         "of phi, B; the nearest is "));
   PlanRequest dear;
   dear.wants = {{"phi", 2e-3}};

@@ -117,7 +117,7 @@ TEST(AccuracyOfAScene, CountsWhatItsCellAdds) {
   EXPECT_THAT(parse_scene(kAskedScene + path, "s.toml", ".").accuracy,
               HasSubstr("cell_mass at 10 times its default value"));
   EXPECT_THAT(parse_scene(kAskedScene + path, "s.toml", ".", {"load.0.cell_mass=0.1"}).accuracy,
-              Not(HasSubstr("Added to these")));
+              Not(HasSubstr("The total also includes")));
   EXPECT_THAT(parse_scene(kAskedScene + path, "s.toml", ".", {"assembly.strain_rate_cap=0.02"}).accuracy,
               HasSubstr("strain_rate_cap at 0.2 times its default value"));
 }

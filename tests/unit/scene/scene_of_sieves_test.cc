@@ -136,7 +136,8 @@ TEST(SieveKeys, AreArraysOfOneLength) {
   EXPECT_EQ(parsed_sizes(sieve("sizes = [0.5, 1], passing = [0, 100]")).grains.diameter.curve.sizes.size(), 2u);
   EXPECT_THAT(
       faults_of_sizes(sieve("sizes = [0.5, 1], passing = [0, 50, 100]")),
-      HasSubstr("grains.diameter.passing has 3 numbers, but grains.diameter.sizes has 2: expected as many"));
+      HasSubstr(
+          "grains.diameter.passing has 3 numbers, but grains.diameter.sizes has 2: expected equally many"));
   EXPECT_THAT(faults_of_sizes(sieve("sizes = [0.5, 1]")), HasSubstr("grains.diameter.passing is missing"));
   EXPECT_THAT(faults_of_sizes(sieve("quantiles = \"ends\", sizes = [0.5, 1], passing = [0, 100]")),
               HasSubstr("unknown key grains.diameter.quantiles"));

@@ -40,7 +40,7 @@ TEST(Tradeoff, SettingsThatDoNotFitAreLeftOutByName) {
   EXPECT_EQ(tradeoff.n_grains, 40);
   EXPECT_THAT(
       tradeoff.left_out.front(),
-      HasSubstr("the samples have 40 grains in place of 400, because more grains do not fit into the budget"));
+      HasSubstr("the samples have 40 grains instead of 400, because more grains do not fit into the budget"));
 }
 
 TEST(Tradeoff, ComparesOnlySettingsThatLeaveThePhysicsAlone) {

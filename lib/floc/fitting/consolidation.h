@@ -141,8 +141,8 @@ struct ConsolidationFit {
 /// Standard errors of a fit to a single curve follow from the residuals. For a mean over three samples or more they
 /// follow from the scatter of the samples: the deviation of each sample from the mean is propagated through the
 /// linearised fit, so that the correlation of errors along the curve is included. If the fit has found the regimes, the
-/// scatter of the parameters over the probable ends of the regimes is added. To the line of regime II of a mean over samples,
-/// with given regimes, what the lag of jumps may do is added too.
+/// scatter of the parameters over the probable ends of the regimes is added. Of regimes with lagging points, these are left
+/// out of the line of regime II, and its start is not varied.
 ///
 /// The 95 % intervals follow from Student's t in the logarithm of a parameter, or in 1/Phi0 for Phi0. Those of alpha
 /// and Phi_max follow from the profile likelihood. The bootstrap draws samples if the curve is a mean over samples, and

@@ -19,8 +19,9 @@ std::vector<std::string> names_of_quantities();
 
 /// Reads a table as a load path, as grains or as contacts, by the columns that it has, and adds a row for each of its
 /// columns to the table of `floc info`: header, quantity, unit and range of the numbers.
-/// @param names  headers of columns, as `--columns NAME=COLUMN,...` gives them
+/// @param names      headers of columns, as `--columns NAME=COLUMN,...` gives them
+/// @param phi_limit  see largest_solid_fraction()
 /// @throws InputError if the table cannot be read; if it is a load path whose values are refused, after its rows were added
-TableInfo add_table_info(const std::string& file, const ColumnNames& names, Table& table);
+TableInfo add_table_info(const std::string& file, const ColumnNames& names, double phi_limit, Table& table);
 
 }  // namespace floc

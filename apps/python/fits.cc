@@ -9,6 +9,8 @@
 #include "floc/tables/compression_fits.h"
 #include "floc/tables/consolidation_fits.h"
 #include "floc/tables/elastic_fits.h"
+#include "floc/tables/modulus_fits.h"
+#include "floc/tables/strength_fits.h"
 #include "floc/tables/table_fits.h"
 
 namespace floc::python {
@@ -23,12 +25,12 @@ struct Inputs {
 
 /// Returns the samples as tables of load paths: first the tables of the files, then the tables of the arrays.
 std::vector<PathTable> tables_of(const Inputs& inputs, const std::vector<std::string>& pressures,
-                                 OedometerPressure oedometer = OedometerPressure::driven) {
+                                 OedometerPressure oedometer, double phi_limit) {
   std::vector<PathTable> paths;
   for (const std::string& input : inputs.files)
     for (const std::string& file : floc::tables_of(input))
-      paths.push_back(read_path(file, inputs.columns, pressures, oedometer));
-  for (const PathArrays& arrays : inputs.arrays) paths.push_back(path_of_arrays(arrays));
+      paths.push_back(read_path(file, inputs.columns, pressures, oedometer, phi_limit));
+  for (const PathArrays& arrays : inputs.arrays) paths.push_back(path_of_arrays(arrays, phi_limit));
   return paths;
 }
 
@@ -49,6 +51,11 @@ Inputs inputs_of(const py::list& samples, const ColumnNames& columns) {
                              parts[4].cast<std::vector<std::string>>()});
   }
   return inputs;
+}
+
+/// Converts the argument `phi_limit`, which is None for no bound.
+double phi_limit_of(const py::object& given) {
+  return number_if_any("phi_limit", given, kPositiveNumber).value_or(kInfinity);
 }
 
 /// Converts the argument `bootstrap`, the number of resampled fits; 0 means no resampling.
@@ -90,14 +97,14 @@ py::object consolidation(const py::list& samples, const ColumnNames& columns, co
   arguments.n_bootstrap = bootstrap_of(bootstrap);
   arguments.seed = seed_of("seed", seed);
   arguments.stress = word_of("stress", stress, {"driven", "mean"});
-  arguments.phi_limit = number_if_any("phi_limit", phi_limit, kPositiveNumber).value_or(kInfinity);
+  arguments.phi_limit = phi_limit_of(phi_limit);
   const Inputs inputs = inputs_of(samples, columns);
   return to_python(without_gil([&] {
     const ConsolidationOptions options = consolidation_options(arguments);
     const OedometerPressure oedometer =
         arguments.stress == "mean" ? OedometerPressure::mean : OedometerPressure::driven;
     std::vector<ConsolidationSample> read;
-    std::vector<PathTable> paths = tables_of(inputs, {"P_star"}, oedometer);
+    std::vector<PathTable> paths = tables_of(inputs, {"P_star"}, oedometer, arguments.phi_limit);
     for (PathTable& path : paths) {
       convert_pressures(paths.front(), path);
       read.push_back(consolidation_sample(path, arguments));
@@ -116,11 +123,12 @@ py::object compression(const py::list& samples, const ColumnNames& columns, cons
       word_of("law", law, {"all", "heckel", "kawakita", "cooper-eaton", "walker", "gurnham", "adams"});
   arguments.density = word_of("density", density, {"out-of-die", "in-die"});
   arguments.fit.D0 = number_if_any("D0", D0, kPositiveNumber).value_or(0.0);
-  arguments.fit.phi_limit = number_if_any("phi_limit", phi_limit, kPositiveNumber).value_or(kInfinity);
+  arguments.fit.phi_limit = phi_limit_of(phi_limit);
   const Inputs inputs = inputs_of(samples, columns);
   return to_python(without_gil([&] {
     Json array = Json::array();
-    for (const PathTable& path : tables_of(inputs, {"P_star", "P"})) {
+    for (const PathTable& path :
+         tables_of(inputs, {"P_star", "P"}, OedometerPressure::driven, arguments.phi_limit())) {
       const CompressedPath compressed = compression_fits(path, arguments);
       for (const CompressionFit& fit : compressed.fits)
         array.push_back(as_json(path, compressed, fit, arguments));
@@ -129,33 +137,104 @@ py::object compression(const py::list& samples, const ColumnNames& columns, cons
   }));
 }
 
-py::object preconsolidation(const py::list& samples, const ColumnNames& columns, const py::object& branches) {
+py::object preconsolidation(const py::list& samples, const ColumnNames& columns, const py::object& branches,
+                            const py::object& phi_limit) {
   const std::string which = word_of("branches", branches, {"", "reloading", "first", "all"});
+  const double limit = phi_limit_of(phi_limit);
   const Inputs inputs = inputs_of(samples, columns);
   return to_python(without_gil([&] {
     Json array = Json::array();
-    for (const PathTable& path : tables_of(inputs, {"P_star"}))
+    for (const PathTable& path : tables_of(inputs, {"P_star"}, OedometerPressure::driven, limit))
       for (const ReloadingFit& reloading : preconsolidation_fits(path, which))
         array.push_back(as_json(path, reloading));
     return array;
   }));
 }
 
-py::object elastic(const py::list& samples, const ColumnNames& columns, const std::string& state) {
+py::object elastic(const py::list& samples, const ColumnNames& columns, const std::string& state,
+                   const py::object& phi_limit) {
+  const double limit = phi_limit_of(phi_limit);
   const Inputs inputs = inputs_of(samples, columns);
   return to_python(without_gil([&] {
     Json array = Json::array();
-    for (const PathTable& path : tables_of(inputs, {"P", "P_star"}, OedometerPressure::mean))
+    for (const PathTable& path : tables_of(inputs, {"P", "P_star"}, OedometerPressure::mean, limit))
       for (const ElasticBranch& branch : elastic_branches(path, state)) array.push_back(as_json(path, branch));
     return array;
   }));
 }
 
-py::dict cycle(const py::list& samples, const ColumnNames& columns) {
+py::object moduli(const std::vector<std::string>& files, const ColumnNames& columns, const py::object& moduli,
+                  const py::object& branch, const py::object& phi_limit) {
+  ModulusFitOptions options;
+  if (!moduli.is_none()) options.moduli = moduli.cast<std::vector<std::string>>();
+  options.branch = word_of("branch", branch, {"first", "all"});
+  options.phi_limit = phi_limit_of(phi_limit);
+  return to_python(without_gil([&] {
+    std::vector<ModulusFit> fits;
+    for (const std::string& file : files)
+      for (ModulusFit& fit : modulus_fits(file, columns, options).fits) fits.push_back(std::move(fit));
+    for (ModulusFit& mean : pooled_over_samples(fits)) fits.push_back(std::move(mean));
+    Json array = Json::array();
+    for (const ModulusFit& fit : fits) array.push_back(as_json(fit));
+    return array;
+  }));
+}
+
+py::object strength(const std::vector<std::string>& inputs, const ColumnNames& columns, const py::object& kind,
+                    const py::object& critical_from, const py::object& modulus) {
+  StrengthOptions options;
+  options.critical_from = number_if_any("critical_from", critical_from, kPositiveNumber);
+  if (!modulus.is_none()) {
+    const std::vector<double> range = numbers_of("modulus", modulus, kPositiveNumber);
+    if (range.size() != 2 || range[0] >= range[1])
+      throw InputError("modulus", "expected two axial stresses, the lower one first");
+    options.modulus_range = std::pair(range[0], range[1]);
+  }
+  const TestKind of_tables =
+      kind_of_test(word_of("kind", kind, {"drained", "undrained", "oedometer", "simple-shear"}));
+  return to_python(without_gil([&] {
+    std::vector<StrengthTest> tests;
+    for (const std::string& input : inputs)
+      for (const std::string& table : tables_of_tests(input))
+        for (StrengthTest& test : read_strength_tests(table, columns, of_tables))
+          tests.push_back(std::move(test));
+    Json array = Json::array();
+    if (tests.empty()) return array;
+    for (const StrengthFit& fit : strength_fits(std::move(tests), options)) array.push_back(as_json(fit));
+    return array;
+  }));
+}
+
+py::dict read_table(const std::string& file, const ColumnNames& columns, const py::object& phi_limit) {
+  const double limit = phi_limit_of(phi_limit);
+  const PathTable path = without_gil([&] {
+    return read_path(file, columns, {"P_star", "P"}, OedometerPressure::driven, limit);
+  });
+  std::vector<double> pressure, phi;
+  std::vector<std::string> branch;
+  for (const PathRow& row : path.rows) {
+    pressure.push_back(row.P_star);
+    phi.push_back(row.phi);
+    branch.push_back(row.branch);
+  }
+  py::dict read;
+  read["name"] = path.name;
+  read["reading"] = path.reading;
+  read["notes"] = path.notes;
+  read["unit"] = path.unit.empty() ? py::object(py::none()) : py::object(py::str(path.unit));
+  read["pressure"] = py::array_t<double>(static_cast<py::ssize_t>(pressure.size()), pressure.data());
+  read["solid_fraction"] = py::array_t<double>(static_cast<py::ssize_t>(phi.size()), phi.data());
+  read["branch"] = branch;
+  return read;
+}
+
+py::dict cycle(const py::list& samples, const ColumnNames& columns, const py::object& phi_limit) {
+  const double limit = phi_limit_of(phi_limit);
   const Inputs inputs = inputs_of(samples, columns);
   return columns_to_python(without_gil([&] {
     Table table = cycle_table();
-    for (const PathTable& path : tables_of(inputs, {"P", "P_star"})) add_cycles(path, table);
+    for (const PathTable& path : tables_of(inputs, {"P", "P_star"}, OedometerPressure::driven, limit))
+      add_cycles(path, table);
     return table;
   }));
 }
@@ -207,9 +286,16 @@ void bind_fits(py::module_& module) {
   module.def("fit_compression", &compression, py::arg("samples"), py::kw_only(), py::arg("columns"),
              py::arg("law"), py::arg("density"), py::arg("D0"), py::arg("phi_limit"));
   module.def("fit_preconsolidation", &preconsolidation, py::arg("samples"), py::kw_only(), py::arg("columns"),
-             py::arg("branches"));
-  module.def("fit_elastic", &elastic, py::arg("samples"), py::kw_only(), py::arg("columns"), py::arg("state"));
-  module.def("fit_cycle", &cycle, py::arg("samples"), py::kw_only(), py::arg("columns"));
+             py::arg("branches"), py::arg("phi_limit"));
+  module.def("fit_elastic", &elastic, py::arg("samples"), py::kw_only(), py::arg("columns"), py::arg("state"),
+             py::arg("phi_limit"));
+  module.def("fit_cycle", &cycle, py::arg("samples"), py::kw_only(), py::arg("columns"), py::arg("phi_limit"));
+  module.def("fit_moduli", &moduli, py::arg("files"), py::kw_only(), py::arg("columns"), py::arg("moduli"),
+             py::arg("branch"), py::arg("phi_limit"));
+  module.def("fit_strength", &strength, py::arg("inputs"), py::kw_only(), py::arg("columns"), py::arg("kind"),
+             py::arg("critical_from"), py::arg("modulus"));
+  module.def("read_table", &read_table, py::arg("file"), py::kw_only(), py::arg("columns"),
+             py::arg("phi_limit"));
   module.def("fit_dynamic_compaction", &dynamic_compaction, py::arg("e"), py::arg("p"), py::arg("sc"),
              py::arg("se"), py::kw_only(), py::arg("p_D"), py::arg("eta_m"), py::arg("plateau"),
              py::arg("p_0"));

@@ -86,6 +86,7 @@ TEST_F(Columns, OfAnotherCommandAreRefusedBeforeWork) {
                               "fit consolidation none.csv",
                               "fit elastic none.csv",
                               "fit preconsolidation none.csv",
+                              "fit moduli none.csv",
                               "fit cycle none.csv",
                               "fit strength none.csv",
                               "fit force-distribution none.csv",
@@ -159,6 +160,7 @@ TEST_F(Columns, AreAllDescribedAndNothingElseIs) {
   ASSERT_EQ(floc("info run/state-0003.h5 --sizes state-sizes.csv").code, 0);
   write_text(file("failures.csv"), "sigma1,sigma3\n208,50\n350,100\n640,200\n1235,400\n");
   write_text(file("test.csv"), "p [kPa],e\n1,0.9\n2,0.8\n");
+  write_text(file("moduli.csv"), "P,B\n1,5\n2,6\n3,7\n4,8\n");
   const std::pair<const char*, std::string> tables[] = {
       {"moduli", floc("moduli run/state-0003.h5 --strains full --prestress --rolling-stiffness 1").out},
       {"modes", floc("modes run/state-0003.h5").out},
@@ -179,6 +181,7 @@ TEST_F(Columns, AreAllDescribedAndNothingElseIs) {
        floc("fit compression " + source_directory() + "/data/tables/demo/seed-1 --law kawakita").out},
       {"fit elastic", floc("fit elastic run").out},
       {"fit preconsolidation", floc("fit preconsolidation " + source_directory() + "/data/tables/reload").out},
+      {"fit moduli", floc("fit moduli moduli.csv").out},
       {"fit cycle", floc("fit cycle run").out},
       {"fit strength", floc("fit strength failures.csv").out},
       {"fit force-distribution", floc("fit force-distribution run/state-0003.h5 --draws 2").out},

@@ -37,6 +37,33 @@ TEST(FitCompression, TheBestLawComesFirstWithItsUnits) {
   EXPECT_THAT(one.out, HasSubstr(",MPa,"));
 }
 
+TEST(FitCompression, InADieRowsAboveTheSolidAreReadWhereTheBoundIsLifted) {
+  // Heckel's law, on which elastic strain takes the density beyond 1, and the way back.
+  std::string table = "p [MPa],D\n";
+  for (const double p : {10, 40, 80, 120, 160, 200, 240, 280, 320, 240, 160, 80})
+    table += fmt::format("{},{:.6f}\n", p, (p == 320 ? 1.0 : 0.99) - std::exp(-0.8 - p / 60.0) + p / 12000.0);
+  const std::string compression = "fit compression - --columns P=p,phi=D --format json ";
+  const Outcome refused = run_floc(compression, ".", table);
+  EXPECT_EQ(refused.code, 4);
+  EXPECT_THAT(refused.err, HasSubstr("measured in a die under load"));
+  EXPECT_THAT(refused.err, HasSubstr("--phi-limit none"));
+  for (const char* lifted : {"--density in-die", "--phi-limit none", "--phi-limit 1.1"}) {
+    const Outcome o = run_floc(compression + lifted, ".", table);
+    ASSERT_EQ(o.code, 0) << lifted << o.err;
+    const json fits = json::parse(o.out);
+    EXPECT_EQ(fits[0]["rows_used"].back(), 8) << o.out;
+  }
+  for (const char* command : {"fit consolidation - --columns P_star=p,phi=D", "fit cycle - --columns P=p,phi=D",
+                              "fit elastic - --columns P=p,phi=D",
+                              "fit preconsolidation - --columns P_star=p,phi=D --branch first"}) {
+    EXPECT_EQ(run_floc(command, ".", table).code, 4) << command;
+    const Outcome o = run_floc(std::string(command) + " --phi-limit none", ".", table);
+    EXPECT_NE(o.code, 4) << command << o.err;
+  }
+  EXPECT_EQ(run_floc("fit cycle - --columns P=p,phi=D --phi-limit none", ".", "p,D\n1,62\n2,63\n1,62\n").code,
+            4);
+}
+
 TEST(FitCompression, BadInputIsRefused) {
   EXPECT_EQ(run_floc("fit compression - --law cubic", ".", tablet()).code, 2);
   EXPECT_EQ(run_floc("fit compression - --columns P=p,phi=D --phi-limit much", ".", tablet()).code, 4);

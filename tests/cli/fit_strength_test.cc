@@ -114,6 +114,58 @@ TEST(FitStrength, OfAnOedometerIsItsK0AndModulus) {
   EXPECT_NEAR(value_of(o.out, "stdin", "oedometer", "constrained_modulus"), 8000, 1e-3);
 }
 
+/// Table of a test of simple shear under a normal stress: a line to the peak, then a plateau.
+std::string sheared_table(double normal, double peak, const std::string& unit, double scale) {
+  std::string text = fmt::format("sigma_n [{}],tau [{}],gamma [%],eps_v [%]\n", unit, unit);
+  for (int k = 0; k <= 40; ++k)
+    text += fmt::format("{},{},{},{}\n", scale * normal, scale * peak * std::min(1.0, k / 10.0), 0.5 * k,
+                        -0.02 * std::min(k, 20));
+  return text;
+}
+
+TEST(FitStrength, OfSimpleShearIsTheLineOfItsPlanes) {
+  const ScratchDirectory dir;
+  const auto peak = [](double normal) { return 12.0 + normal * std::tan(std::numbers::pi / 6.0); };
+  write_text(dir.file("a.csv"), sheared_table(50, peak(50), "kPa", 1));
+  write_text(dir.file("b.csv"), sheared_table(100, peak(100), "MPa", 1e-3));
+  write_text(dir.file("c.csv"), sheared_table(400, peak(400), "kPa", 1));
+  const Outcome o = run_floc("fit strength a.csv b.csv c.csv --format csv", dir.path());
+  ASSERT_EQ(o.code, 0) << o.err;
+  for (const char* state : {"peak", "critical"}) {
+    EXPECT_NEAR(value_of(o.out, "pooled", "simple-shear", std::string("friction_angle_") + state), 30, 1e-6);
+    EXPECT_NEAR(value_of(o.out, "pooled", "simple-shear", std::string("cohesion_") + state), 12, 1e-6);
+  }
+  EXPECT_NEAR(value_of(o.out, "a.csv", "simple-shear", "strain_peak"), 0.05, 1e-12);
+  // At the peak the volume grows by 0.02 % for each 0.5 % of shear.
+  EXPECT_NEAR(value_of(o.out, "a.csv", "simple-shear", "dilatancy_angle"),
+              std::atan(0.04) * 180.0 / std::numbers::pi, 2.0);
+  const Outcome rows =
+      run_floc("fit strength - --format csv", dir.path(), "sigma_n,tau\n50,40\n100,70\n200,130\n");
+  EXPECT_NEAR(value_of(rows.out, "pooled", "failure", "cohesion_peak"), 10, 1e-9) << rows.err;
+}
+
+TEST(FitStrength, OfACampaignIsThatOfTheRunsOfAllItsCases) {
+  const ScratchDirectory dir;
+  const std::string scene = source_directory() + "/data/scenes/disks_shear_demo.toml";
+  for (const char* one : {"runs/a/seed-1", "runs/a/seed-2", "runs/b/seed-1"})
+    ASSERT_EQ(
+        run_floc(fmt::format("run {} -o campaign/{} --seed {} --set grains.count=40 --set load.0.strain=0.15",
+                             scene, one, one[12]),
+                 dir.path())
+            .code,
+        0);
+  const Outcome o = run_floc("fit strength campaign --format csv", dir.path());
+  EXPECT_NE(o.code, 4) << o.err;
+  const CsvTable path = CsvTable::read(dir.file("campaign/runs/a/seed-1/path.csv"));
+  double largest = 0;
+  for (int row = 1; row < path.n_rows(); ++row)
+    largest = std::max(largest, path.number(row, path.column("mobilised_friction")));
+  EXPECT_NEAR(value_of(o.out, "campaign/runs/a/seed-1", "simple-shear", "secant_angle_peak"),
+              std::atan(largest) * 180.0 / std::numbers::pi, 1e-9);
+  EXPECT_THAT(o.out, HasSubstr("campaign/runs/b/seed-1"));
+  EXPECT_THAT(o.out, HasSubstr("pooled,,simple-shear,secant_angle_peak"));
+}
+
 TEST(FitStrength, OfWhatIsNoTestIsRefusedInWords) {
   const auto fit = [](const std::string& table, const std::string& options = "") {
     return run_floc("fit strength - " + options, ScratchDirectory().path(), table);

@@ -9,6 +9,7 @@
 #include "floc/base/random.h"
 #include "floc/fitting/consolidation.h"
 #include "floc/fitting/consolidation_law.h"
+#include "floc/fitting/loading_path.h"
 #include "support/published_consolidation.h"
 
 namespace floc::test {
@@ -52,6 +53,19 @@ inline ConsolidationCurve noisy_curve(const std::function<double(double)>& phi_o
     curve.phi.push_back(noise.spoil(phi_of(P), random));
   }
   return curve;
+}
+
+/// Returns a curve as a table has it in which the sample creeps: under every second load there are one or two earlier rows of
+/// the same pressure, in which it is looser than at last. Of these rows the last one counts.
+inline ConsolidationCurve through_creep(const ConsolidationCurve& curve, RandomStream& random) {
+  std::vector<PathRow> rows;
+  for (std::size_t i = 0; i < curve.phi.size(); ++i) {
+    const int n_earlier = i % 2 == 0 ? 0 : 1 + static_cast<int>(random.below(2));
+    for (int k = n_earlier; k > 0; --k)
+      rows.push_back({"", curve.P_star[i], 1.0 / (1.0 / curve.phi[i] + 0.01 * k * random.uniform())});
+    rows.push_back({"", curve.P_star[i], curve.phi[i]});
+  }
+  return first_loading(rows).curve;
 }
 
 }  // namespace floc::test

@@ -7,6 +7,7 @@
 
 #include "commands/fit/fit_input.h"
 #include "floc/base/read_file.h"
+#include "floc/tables/consolidation_fits.h"
 #include "floc/tables/info_row.h"
 #include "floc/tables/size_rows.h"
 #include "floc/tables/table_info.h"
@@ -21,6 +22,7 @@ namespace {
 struct InfoArguments {
   std::vector<std::string> files;
   std::string columns;
+  std::string phi_limit = "1";
   Printing printing;
   bool scene = false;
   std::string sizes;  ///< name of the csv file for the sizes of the grains; if empty, no file is written
@@ -55,10 +57,11 @@ bool is_table(const std::string& file) {
 }
 
 /// Prints how floc reads tables: a summary of each table on stderr, and one row for each column on stdout.
-int info_of_tables(const std::vector<std::string>& files, const ColumnNames& names, const Printing& printing) {
+int info_of_tables(const std::vector<std::string>& files, const ColumnNames& names, double phi_limit,
+                   const Printing& printing) {
   Table table;
   const int code = for_each_file(files, [&](const std::string& file) {
-    const TableInfo read = add_table_info(file, names, table);
+    const TableInfo read = add_table_info(file, names, phi_limit, table);
     spdlog::info("{}: {}", file, read.reading);
     for (const std::string& note : read.notes) spdlog::info("{}: {}", file, note);
     return int{kDone};
@@ -73,7 +76,7 @@ int info(const InfoArguments& arguments) {
   const ColumnNames names = parse_column_names(arguments.columns, names_of_quantities(), printing);
   std::vector<std::string> tables, states;
   for (const std::string& file : arguments.files) (is_table(file) ? tables : states).push_back(file);
-  const int code_of_tables = info_of_tables(tables, names, printing);
+  const int code_of_tables = info_of_tables(tables, names, phi_limit_of(arguments.phi_limit), printing);
   const int code = for_each_state(states, [&](const std::string& file, const AnyState& state, const Remarks&) {
     if (arguments.scene)
       std::visit([](const auto& s) { std::cout << s.scene; }, state);
@@ -99,6 +102,7 @@ Command add_info(CommandLine program) {
                  "state files, or directories that floc run wrote; - reads one state from stdin; or "
                  "tables, to see how floc fit and floc convert read them")
       .required();
+  add_phi_limit_option(app, arguments->phi_limit);
   add_columns_option(app, arguments->columns, "quantities such as P_star and void_ratio");
   add_printing_options(app, arguments->printing);
   app.add_flag("--scene", arguments->scene, "print only the scene file with which the state was made");

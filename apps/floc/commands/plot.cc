@@ -12,6 +12,7 @@
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/require_elastic.h"
 #include "floc/picture/drawn_scale.h"
+#include "floc/tables/consolidation_fits.h"
 #include "plots/path_plots.h"
 #include "plots/pressure_text.h"
 #include "plots/state_plots.h"
@@ -34,6 +35,7 @@ struct PlotArguments {
   std::string kind = "normal";
   std::string unit = "mean";
   std::string columns;
+  std::string phi_limit = "1";
   ColumnNames names;  ///< headers of the columns to read, parsed from `columns`
   Printing printing;
 };
@@ -47,15 +49,16 @@ struct Made {
 Made consolidation(const PlotArguments& arguments) {
   std::vector<PathTable> samples;
   Made made;
+  const double phi_limit = phi_limit_of(arguments.phi_limit);
   made.code = for_each_table(arguments.inputs, [&](const std::string& file) {
-    PathTable path = read_path(file, arguments.names);
+    PathTable path = read_path(file, arguments.names, {"P_star"}, OedometerPressure::driven, phi_limit);
     log_notes(path);
     if (!samples.empty()) convert_pressures(samples.front(), path);
     samples.push_back(std::move(path));
     return int{kDone};
   });
   if (samples.empty()) return made;
-  const FittedConsolidation fitted = fitted_consolidation(samples);
+  const FittedConsolidation fitted = fitted_consolidation(samples, phi_limit);
   if (!fitted.fit.found()) {
     spdlog::warn("the consolidation law is not drawn, because it cannot be fitted: {}",
                  fitted.fit.failure_reason);
@@ -359,6 +362,7 @@ Command add_plot(CommandLine program) {
   app.add_option("--unit", arguments->unit,
                  "unit of the plotted forces: mean (mean of their magnitudes) or F0 (pull-off force) [mean]")
       .one_of({"mean", "F0"});
+  add_phi_limit_option(app, arguments->phi_limit);
   add_columns_option(app, arguments->columns, "P_star, phi, void_ratio, branch");
   add_printing_options(app, arguments->printing);
   return {app, [arguments] {

@@ -174,12 +174,14 @@ std::string parameters_text(const ConsolidationFit& fit) {
 
 }  // namespace
 
-FittedConsolidation fitted_consolidation(const std::vector<PathTable>& samples) {
+FittedConsolidation fitted_consolidation(const std::vector<PathTable>& samples, double phi_limit) {
   std::vector<ConsolidationCurve> curves;
   for (const PathTable& sample : samples) curves.push_back(first_loading(sample.rows).curve);
   FittedConsolidation result;
   result.curve = curves.size() == 1 ? curves.front() : mean_curve(curves);
-  result.fit = fit_supported_law(result.curve, ConsolidationOptions{});
+  ConsolidationOptions options;
+  options.phi_limit = phi_limit;
+  result.fit = fit_supported_law(result.curve, options);
   return result;
 }
 

@@ -19,7 +19,7 @@ struct FittedConsolidation {
 
 /// Fits the consolidation law that the data support. It is fitted to the first loading of a sample or, for
 /// several samples, to the mean of their first loadings.
-FittedConsolidation fitted_consolidation(const std::vector<PathTable>& samples);
+FittedConsolidation fitted_consolidation(const std::vector<PathTable>& samples, double phi_limit = 1.0);
 
 /// Plots 1/Phi against P*, with Phi (solid fraction) on the right axis. The plot shows the samples, their mean with its
 /// error, the fitted law with its regimes, and the unloading branches with their elastic lines dPhi/Phi = dP/B. The

@@ -13,8 +13,8 @@ from ._errors import InputError
 from ._records import Record
 from ._state import read, unmasked
 
-__all__ = ["Fit", "Parameter", "compression", "consolidation", "cycle", "dynamic_compaction", "elastic", "force_distribution",
-           "preconsolidation"]
+__all__ = ["Fit", "LoadPath", "Parameter", "compression", "consolidation", "cycle", "dynamic_compaction", "elastic",
+           "force_distribution", "moduli", "preconsolidation", "read_table", "strength"]
 
 
 class Parameter(Record):
@@ -76,6 +76,52 @@ class Fit:
         return "\n".join([f"Fit of {self.sample}:", *lines])
 
 
+class LoadPath:
+    """A load path read from a table of measurements.
+
+    Attributes
+    ----------
+    reading : str
+        What was understood, in one line: rows, pressure and its unit, the quantity that stands for the solid fraction.
+    notes : list of str
+        Rows that do not count because the next one has the same pressure, and conversions.
+    pressure, solid_fraction : array, (n,)
+    branch : list of str
+        Name of the branch of each row; empty names if the table has none.
+    unit : str or None
+        Unit of the pressures.
+    name : str
+        Name of the table.
+    """
+
+    def __init__(self, values):
+        self.__dict__.update(values)
+
+    def __len__(self):
+        return len(self.pressure)
+
+    def __repr__(self):
+        return f"<{self.name}: {self.reading}>"
+
+
+def read_table(table, *, columns=None, phi_limit=1.0):
+    """Reads a load path from a table of measurements, as the commands read it.
+
+    Parameters
+    ----------
+    table : path-like
+    columns : dict, optional
+        Names of the columns, as in `consolidation`.
+    phi_limit : float or None
+        Largest solid fraction that the rows may have; None for no bound, as in a die under load.
+
+    Returns
+    -------
+    LoadPath
+    """
+    return LoadPath(_core.read_table(os.fspath(table), columns=columns or {}, phi_limit=phi_limit))
+
+
 def consolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None, law="auto", window=None, P0=None,
                   protocol=None, loading=None, weights=None, loss="squared", bootstrap=0, seed=1, stress="driven",
                   phi_limit=1.0, columns=None):
@@ -112,7 +158,8 @@ def consolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None
     seed : int
         Seed of the resampling.
     phi_limit : float or None
-        Largest solid fraction to which a law may tend at high pressure; None for no bound.
+        Largest solid fraction to which a law may tend at high pressure, and that the samples may have; None for no bound, as
+        for densities measured in a die under load.
     stress : {"driven", "mean"}, columns : dict
         For tables only: the stress from which P* of an oedometric test is computed, and the names of the columns for
         the keys P_star, phi, void_ratio or another density, branch, with a unit if the table has none, as in
@@ -154,7 +201,8 @@ def compression(pressure, solid_fraction=None, *, void_ratio=None, branch=None, 
     D0 : float, optional
         Solid fraction of the powder without pressure [fitted].
     phi_limit : float or None
-        Largest solid fraction to which a law may tend at high pressure; None for no bound.
+        Largest solid fraction to which a law may tend at high pressure, and that the samples may have; None for no bound, as
+        for densities measured in a die under load.
     columns : dict
         For tables only: the names of the columns for the keys P, P_star, phi, void_ratio, branch.
 
@@ -174,7 +222,8 @@ def compression(pressure, solid_fraction=None, *, void_ratio=None, branch=None, 
                                                       phi_limit=phi_limit)]
 
 
-def preconsolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None, branches=None, columns=None):
+def preconsolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None, branches=None, phi_limit=1.0,
+                     columns=None):
     """Determines the preconsolidation pressure of overconsolidated samples from reloading branches or a first loading.
 
     Parameters
@@ -183,6 +232,8 @@ def preconsolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=N
         As in `consolidation`.
     branches : {"reloading", "first", "all"}, optional
         Branches to fit; "first" is the first loading [reloading branches or, if there are none, the first loading].
+    phi_limit : float or None
+        Largest solid fraction that the samples may have; None for no bound, as in a die under load.
 
     Returns
     -------
@@ -191,10 +242,11 @@ def preconsolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=N
         P_c_casagrande, P_c_pacheco_silva, P_c_butterfield, P_c_becker, and P_c_agreed, where all of these agree.
     """
     samples = _samples(pressure, solid_fraction, void_ratio, branch)
-    return [Fit(fit) for fit in _core.fit_preconsolidation(samples, columns=columns or {}, branches=branches or "")]
+    return [Fit(fit) for fit in _core.fit_preconsolidation(samples, columns=columns or {}, branches=branches or "",
+                                                           phi_limit=phi_limit)]
 
 
-def elastic(pressure, solid_fraction=None, *, void_ratio=None, branch=None, state=None, columns=None):
+def elastic(pressure, solid_fraction=None, *, void_ratio=None, branch=None, state=None, phi_limit=1.0, columns=None):
     """Fits elastic moduli to unloading branches, by ln Phi = ln Phi_unloaded + P/B.
 
     In an oedometer, B is the modulus for the mean stress and M the modulus for the driven stress.
@@ -206,6 +258,8 @@ def elastic(pressure, solid_fraction=None, *, void_ratio=None, branch=None, stat
     state : path-like, optional
         State file. The modulus of this state, computed from its contact network, is given in addition to the fit [for
         tables, the state at the start of the branch, if its file is in the directory of the table].
+    phi_limit : float or None
+        Largest solid fraction that the samples may have; None for no bound, as in a die under load.
 
     Returns
     -------
@@ -213,24 +267,83 @@ def elastic(pressure, solid_fraction=None, *, void_ratio=None, branch=None, stat
         One per unloading branch.
     """
     samples = _samples(pressure, solid_fraction, void_ratio, branch)
-    fits = _core.fit_elastic(samples, columns=columns or {}, state="" if state is None else os.fspath(state))
+    fits = _core.fit_elastic(samples, columns=columns or {}, state="" if state is None else os.fspath(state),
+                             phi_limit=phi_limit)
     return [Fit(fit) for fit in fits]
 
 
-def cycle(pressure, solid_fraction=None, *, void_ratio=None, branch=None, columns=None):
+def cycle(pressure, solid_fraction=None, *, void_ratio=None, branch=None, phi_limit=1.0, columns=None):
     """Computes the permanent changes of Phi after pressure cycles, and the work of the cycles.
 
     Parameters
     ----------
     pressure, solid_fraction, void_ratio, branch, columns
         As in `consolidation`; the pressures are P.
+    phi_limit : float or None
+        Largest solid fraction that the samples may have; None for no bound, as in a die under load.
 
     Returns
     -------
     dict of arrays
         The columns of ``floc fit cycle``, one row per pressure of a cycle.
     """
-    return _core.fit_cycle(_samples(pressure, solid_fraction, void_ratio, branch), columns=columns or {})
+    return _core.fit_cycle(_samples(pressure, solid_fraction, void_ratio, branch), columns=columns or {},
+                           phi_limit=phi_limit)
+
+
+def moduli(tables, *, moduli=None, branch="first", phi_limit=1.0, columns=None):
+    """Fits power laws of elastic moduli against the pressure and against the solid fraction.
+
+    Parameters
+    ----------
+    tables : path-like or sequence of them
+        Tables of ``floc moduli``, or other tables with a pressure and moduli.
+    moduli : sequence of str, optional
+        Columns of the moduli [those of B, B_S, G, G_shear, M and E that the table has].
+    branch : {"first", "all"}
+        States to fit: those of the first loading of each sample, or all.
+    phi_limit : float or None
+        Largest solid fraction that the samples may have; None for no bound, as in a die under load.
+    columns : dict, optional
+        Names of the columns of the keys P, P_star, phi or another density, B, G and other moduli.
+
+    Returns
+    -------
+    list of Fit
+        One per sample, modulus and quantity, with the attributes modulus and against ("P" or "phi"); for several samples
+        also their means. Parameters exponent, coefficient and, against the solid fraction, phi_0.
+
+    Notes
+    -----
+    M = coefficient P^exponent, and M = coefficient (Phi - phi_0)^exponent.
+    """
+    return [Fit(fit) for fit in _core.fit_moduli(_names(tables), columns=columns or {}, moduli=moduli, branch=branch,
+                                                 phi_limit=phi_limit)]
+
+
+def strength(tables, *, kind="drained", critical_from=None, modulus=None, columns=None):
+    """Evaluates mechanical tests as a laboratory reports them.
+
+    Parameters
+    ----------
+    tables : path-like or sequence of them
+        Directories that ``floc run`` wrote, or of campaigns, or tables of a test.
+    kind : {"drained", "undrained", "oedometer", "simple-shear"}
+        Kind of the test in tables that ``floc run`` has not written.
+    critical_from : float, optional
+        Strain from which on a sample is in its critical state [the last quarter of the strain].
+    modulus : (float, float), optional
+        Axial stresses between which the constrained modulus is taken [half of the largest one to the largest].
+    columns : dict, optional
+        Names of the columns of the keys sigma1, sigma3, strain, volumetric_strain, or sigma_n, tau, shear_strain.
+
+    Returns
+    -------
+    list of Fit
+        One per test, then one for all tests of each kind together, with the attribute test.
+    """
+    return [Fit(fit) for fit in _core.fit_strength(_names(tables), columns=columns or {}, kind=kind,
+                                                   critical_from=critical_from, modulus=modulus)]
 
 
 def dynamic_compaction(e, p, sc, se, *, p_D=None, eta_m=None, plateau="p", p_0=None):
@@ -290,6 +403,13 @@ def force_distribution(forces, *, form="all", threshold=None, draws=None, seed=N
     fits = _core.fit_force_distribution(name, _flat("forces", forces), form=form, threshold=threshold, draws=draws,
                                         seed=seed)
     return [Fit(fit) for fit in fits]
+
+
+def _names(tables):
+    """Returns names of files, given as one or several."""
+    if isinstance(tables, (str, os.PathLike)):
+        tables = [tables]
+    return [os.fspath(table) for table in tables]
 
 
 def _flat(name, values):

@@ -31,6 +31,20 @@ class Fit:
     def __getitem__(self, parameter: str) -> Parameter: ...
     def to_dict(self) -> dict[str, Any]: ...
 
+class LoadPath:
+    name: str
+    reading: str
+    notes: list[str]
+    unit: str | None
+    pressure: npt.NDArray[Any]
+    solid_fraction: npt.NDArray[Any]
+    branch: list[str]
+    def __init__(self, values: dict[str, Any]) -> None: ...
+    def __len__(self) -> int: ...
+
+def read_table(
+    table: str | _PathLike[str], *, columns: Mapping[str, str] | None = None,
+    phi_limit: float | None = 1.0) -> LoadPath: ...
 def consolidation(
     pressure: _Curve | str | _PathLike[str], solid_fraction: _Curve | None = None, *,
     void_ratio: _Curve | None = None, branch: _Branch = None, law: str = "auto",
@@ -45,15 +59,22 @@ def compression(
 def preconsolidation(
     pressure: _Curve | str | _PathLike[str], solid_fraction: _Curve | None = None, *,
     void_ratio: _Curve | None = None, branch: _Branch = None, branches: str | None = None,
-    columns: Mapping[str, str] | None = None) -> list[Fit]: ...
+    phi_limit: float | None = 1.0, columns: Mapping[str, str] | None = None) -> list[Fit]: ...
 def elastic(
     pressure: _Curve | str | _PathLike[str], solid_fraction: _Curve | None = None, *,
     void_ratio: _Curve | None = None, branch: _Branch = None, state: str | _PathLike[str] | None = None,
-    columns: Mapping[str, str] | None = None) -> list[Fit]: ...
+    phi_limit: float | None = 1.0, columns: Mapping[str, str] | None = None) -> list[Fit]: ...
 def cycle(
     pressure: _Curve | str | _PathLike[str], solid_fraction: _Curve | None = None, *,
-    void_ratio: _Curve | None = None, branch: _Branch = None,
+    void_ratio: _Curve | None = None, branch: _Branch = None, phi_limit: float | None = 1.0,
     columns: Mapping[str, str] | None = None) -> dict[str, npt.NDArray[Any]]: ...
+def moduli(
+    tables: str | _PathLike[str] | Sequence[str | _PathLike[str]], *, moduli: Sequence[str] | None = None,
+    branch: str = "first", phi_limit: float | None = 1.0, columns: Mapping[str, str] | None = None) -> list[Fit]: ...
+def strength(
+    tables: str | _PathLike[str] | Sequence[str | _PathLike[str]], *, kind: str = "drained",
+    critical_from: float | None = None, modulus: tuple[float, float] | None = None,
+    columns: Mapping[str, str] | None = None) -> list[Fit]: ...
 def dynamic_compaction(
     e: npt.ArrayLike, p: npt.ArrayLike, sc: npt.ArrayLike, se: npt.ArrayLike, *, p_D: float | None = None,
     eta_m: float | None = None, plateau: str = "p", p_0: float | None = None) -> Fit: ...

@@ -243,9 +243,12 @@ void add_fit(const Campaign& campaign, const CampaignCase& one, const CampaignFi
   std::vector<std::string> parameters;  // names of the parameters, in the order of the printed table
   std::set<std::string> pooled;
   const auto cell = [&](int row, const char* column) { return printed.text(row, printed.column(column)); };
+  std::set<std::string> tests;  // kinds of mechanical tests, whose parameters have the same names
+  for (int row = 0; printed.has("test") && row < printed.n_rows(); ++row) tests.insert(cell(row, "test"));
   const auto parameter_of = [&](int row) {
     const bool of_state = printed.has("source") && cell(row, "source") == "state";
-    return cell(row, "parameter") + (of_state ? "_state" : "");
+    return cell(row, "parameter") + (of_state ? "_state" : "") +
+           (tests.size() > 1 ? "_" + cell(row, "test") : "");
   };
   for (int row = 0; row < printed.n_rows(); ++row) {
     if (std::count(parameters.begin(), parameters.end(), parameter_of(row)) == 0)

@@ -227,7 +227,7 @@ Collection read_collection(Part& part) {
 
 CampaignFit read_fit(Part& part) {
   CampaignFit fit;
-  const std::vector<std::string> laws = {"consolidation", "elastic", "preconsolidation"};
+  const std::vector<std::string> laws = {"consolidation", "elastic", "preconsolidation", "strength"};
   if (const auto which = part.reader.choice("law", laws)) fit.law = laws[*which];
   fit.options = part.reader.texts("options", "a list of options and their values, each a string");
   return fit;

@@ -45,8 +45,8 @@ columns = ["kept_share"]
 before = {{step = 1}}
 states = {{branch = "load", P_star = 13.33}}
 
-[[fit]]                             # fit to the samples of each case: consolidation, elastic or preconsolidation
-law = "consolidation"
+[[fit]]                             # fit to the samples of each case
+law = "consolidation"               # or elastic, preconsolidation, strength
 # options = ["--law", "log"]
 
 # A reference value. A mean of n samples with standard deviation s agrees with it if they differ by at most

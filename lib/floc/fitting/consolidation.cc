@@ -83,7 +83,8 @@ Window given_window(const ConsolidationCurve& curve, std::pair<double, double> w
 Window window_of(Law law, const Regimes& regimes, int n) {
   const int k = regimes.n_plateau;
   if (law == Law::full) return {k, n - k, k};
-  if (law == Law::log) return {k, regimes.end_of_two - k, k};
+  const int lagging = regimes.n_lagging;
+  if (law == Law::log) return {k + lagging, regimes.end_of_two - k - lagging, k, lagging};
   return {regimes.end_of_two, n - regimes.end_of_two, 0};
 }
 
@@ -121,8 +122,9 @@ std::optional<LawSolution> solve_robustly(Law law, LawPoints& points, Loss loss)
 void describe_window(const ConsolidationCurve& curve, const Window& window, ConsolidationFit& fit) {
   fit.n_plateau = window.n_plateau;
   if (window.n_plateau > 0) {
-    fit.plateau_low = curve.P_star[window.first - window.n_plateau];
-    fit.plateau_high = curve.P_star[window.first - 1];
+    const int first = window.first_of_plateau();
+    fit.plateau_low = curve.P_star[first];
+    fit.plateau_high = curve.P_star[first + window.n_plateau - 1];
   }
   for (int i = 0; i < window.n; ++i) fit.used.push_back(window.first + i);
   fit.window_low = curve.P_star[window.first];
@@ -140,7 +142,9 @@ void add_spread_over_places(const LawEstimate& e, const LawPoints& all, const Wi
   };
   std::vector<Other> others;
   const int end = window.first + window.n;
-  if (e.law != Law::power && regimes.plateau_end)
+  // Samples that jump move the end of the plateau as they move lambda: their scatter has it already.
+  const bool of_jumps = regimes.jump_distance > 0.0 && e.law == Law::log;
+  if (e.law != Law::power && regimes.plateau_end && !of_jumps)
     for (const ChangePlace& p : regimes.plateau_end->places) others.push_back({p.first, end, p.probability});
   if (e.law != Law::full && regimes.onset_three)
     for (const ChangePlace& p : regimes.onset_three->places)
@@ -161,26 +165,6 @@ void add_spread_over_places(const LawEstimate& e, const LawPoints& all, const Wi
     }
     covariance.matrix += o.probability * change * change.transpose();
   }
-}
-
-/// Adds an estimate of a systematic error to the covariance of the line of regime II, fitted to a mean of
-/// samples that collapse in jumps. At the beginning of regime II, samples that have not collapsed yet lie above
-/// the line, and more so if jumps are rare. This makes the mean less steep. The estimate is the change of theta
-/// if the first quarter of the points is left out. Nothing is added to the full law, which is chosen only if
-/// the mean curve is smooth.
-void add_lag_of_collapses(const LawEstimate& e, const LawPoints& all, const Window& window,
-                          Covariance& covariance) {
-  const int left_out = std::max(1, window.n / 4);
-  if (e.law != Law::log || window.n - left_out <= n_parameters(e.law)) return;
-  const auto solution =
-      solve_law_from(e.law, all.range(window.first + left_out, window.n - left_out), e.solution.theta);
-  if (!solution || !keeps_regime_two(e.law, all.range(window.first + left_out, window.n - left_out), *solution))
-    return;
-  Eigen::VectorXd change = Eigen::VectorXd::Zero(covariance.matrix.rows());
-  change.head(e.solution.theta.size()) =
-      at_first_pressure(e.law, solution->theta, all.log_P[window.first] - all.log_P[window.first + left_out]) -
-      e.solution.theta;
-  covariance.matrix += change * change.transpose();
 }
 
 /// Returns the two parts of the standard error of each parameter: the part from the scatter of the data, and
@@ -237,7 +221,7 @@ ConsolidationFit fit_window(const ConsolidationCurve& curve, LawPoints all, cons
     return refused(law, "the solid fraction does not grow with pressure in the window that is fitted");
   all.weight.segment(window.first, window.n) = points.weight;
   const int n_plateau = options.hold_P0 ? 0 : window.n_plateau;
-  const LawPoints plateau = all.range(window.first - n_plateau, n_plateau);
+  const LawPoints plateau = all.range(n_plateau > 0 ? window.first_of_plateau() : window.first, n_plateau);
   const LawEstimate estimate{law, points, *solution, plateau,
                              recompression_line(plateau, options.regimes.has_value())};
   const bool ends_early = law == Law::full && !detects_regime_three(points, estimate.solution);
@@ -250,10 +234,13 @@ ConsolidationFit fit_window(const ConsolidationCurve& curve, LawPoints all, cons
   describe_window(curve, window, fit);
   describe_solution(reported, fit);
 
-  const Eigen::MatrixXd samples =
-      curve.samples.cols() >= 2
-          ? Eigen::MatrixXd(curve.samples.middleRows(window.first - n_plateau, window.n + n_plateau))
-          : Eigen::MatrixXd();
+  Eigen::MatrixXd samples;
+  if (curve.samples.cols() >= 2) {
+    samples.resize(n_plateau + window.n, curve.samples.cols());
+    if (n_plateau > 0)
+      samples.topRows(n_plateau) = curve.samples.middleRows(window.first_of_plateau(), n_plateau);
+    samples.bottomRows(window.n) = curve.samples.middleRows(window.first, window.n);
+  }
   fit.errors_from_samples = samples.cols() >= kMinSamples;
   Covariance covariance = fit.errors_from_samples ? covariance_from_samples(reported, deviations_of(samples))
                                                   : covariance_from_residuals(reported);
@@ -261,7 +248,6 @@ ConsolidationFit fit_window(const ConsolidationCurve& curve, LawPoints all, cons
   if (options.widen) covariance.matrix *= fit.pattern.variance_factor();
   const Covariance scatter = covariance;
   if (fit.regimes) add_spread_over_places(reported, all, window, *fit.regimes, covariance);
-  if (options.regimes && fit.errors_from_samples) add_lag_of_collapses(reported, all, window, covariance);
   fit.error_parts = parts_of_errors(reported, scatter, covariance);
   if (ends_early)
     bound_regime_three(reported, covariance, curve.phi[fit.used.back()], fit);

@@ -139,12 +139,11 @@ struct ConsolidationFit {
 /// against the reduced pressure P*, by weighted least squares in 1/Phi, with a robust loss function if the
 /// options choose one.
 ///
-/// Standard errors of a fit to a single curve follow from the residuals. For a mean over three samples or more
-/// they follow from the scatter of the samples: the deviation of each sample from the mean is propagated
-/// through the linearised fit, so that the correlation of errors along the curve is included. If the fit has
-/// found the regimes, the scatter of the parameters over the probable ends of the regimes is added. If the
-/// regimes are given, and the line of regime II is fitted to a mean over samples, an estimate of the error from
-/// late collapses is added too.
+/// Standard errors of a fit to a single curve follow from the residuals. For a mean over three samples or more they
+/// follow from the scatter of the samples: the deviation of each sample from the mean is propagated through the
+/// linearised fit, so that the correlation of errors along the curve is included. If the fit has found the regimes, the
+/// scatter of the parameters over the probable ends of the regimes is added. Of regimes with lagging points, these are left
+/// out of the line of regime II, and its start is not varied.
 ///
 /// The 95 % intervals follow from Student's t in the logarithm of a parameter, or in 1/Phi0 for Phi0. Those of
 /// alpha and Phi_max follow from the profile likelihood. The bootstrap draws samples if the curve is a mean

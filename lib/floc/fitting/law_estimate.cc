@@ -135,7 +135,7 @@ std::vector<Quantity> quantities_of(const LawEstimate& e) {
   // its standard error. P0* and Phi0 follow from the other parameters and from the level of the plateau.
   switch (e.law) {
     case Law::log:
-      found.push_back({"lambda", false, theta[0], unit(n, 0)});
+      found.push_back({"lambda", false, theta[0], unit(n, 0), true});
       add_start_of_regime_two(e, first, none, theta[1], unit(n, 1), found);
       break;
     case Law::power: {
@@ -192,7 +192,7 @@ Covariance covariance_from_samples(const LawEstimate& e, const Eigen::MatrixXd& 
         -d.cwiseProduct(e.plateau.weight).transpose() * deviations.topRows(n_plateau) / d.squaredNorm();
   }
   const auto m = static_cast<double>(deviations.cols());
-  Covariance c{change * change.transpose() / (m * (m - 1.0)), static_cast<int>(deviations.cols()) - 1};
+  Covariance c{change * change.transpose() / (m * (m - 1.0)), static_cast<int>(deviations.cols()) - 1, true};
   for (Eigen::Index k = 0; k < n; ++k)
     if (!std::isfinite(unscaled(k, k))) c.matrix(k, k) = unscaled(k, k);
   return c;
@@ -208,8 +208,13 @@ FittedParameter fitted_parameter(const Quantity& quantity, const Covariance& cov
         variance += quantity.gradient[i] * covariance.matrix(i, j) * quantity.gradient[j];
   const double error = std::sqrt(std::max(variance, 0.0));
   const double t95 = student_t_95(covariance.dof);
-  return quantity.is_inverse ? from_inverse(quantity.name, quantity.value, error, t95)
-                             : from_logarithm(quantity.name, quantity.value, error, t95);
+  if (quantity.is_inverse) return from_inverse(quantity.name, quantity.value, error, t95);
+  FittedParameter p = from_logarithm(quantity.name, quantity.value, error, t95);
+  if (!covariance.is_of_samples || !quantity.is_mean) return p;
+  // Student's interval of a mean is symmetric, and a positive mean has no negative end.
+  p.low95 = std::max(0.0, *p.value - t95 * *p.standard_error);
+  p.high95 = *p.value + t95 * *p.standard_error;
+  return p;
 }
 
 FittedParameter kappa_of(const LawEstimate& e, const Covariance& covariance) {

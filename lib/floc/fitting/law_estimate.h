@@ -39,6 +39,8 @@ struct Quantity {
   bool is_inverse;  ///< true if the parameter is 1/value, false if it is exp(value)
   double value;
   Eigen::VectorXd gradient;  ///< derivatives of `value` with respect to the coordinates of the fit
+  /// Whether the parameter of a mean curve is the mean of those of the samples, as the slope of a line is.
+  bool is_mean = false;
 
   double parameter() const;
 };
@@ -52,6 +54,7 @@ std::vector<Quantity> quantities_of(const LawEstimate& estimate);
 struct Covariance {
   Eigen::MatrixXd matrix;
   int dof;
+  bool is_of_samples = false;  ///< whether it is the scatter between samples
 };
 
 /// Returns the covariance of the coordinates as (J^T J)^-1 times the residual variance, with J the Jacobian of the

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "floc/fitting/line_fit.h"
 #include "floc/fitting/student_t.h"
@@ -22,58 +23,86 @@ double angle_of_ratio(double N) {
   return degrees(std::asin((N - 1.0) / (N + 1.0)));
 }
 
-/// Returns the line sigma_1 = C + N sigma_3 with the coefficients C and N. Residuals are relative to the fitted
-/// sigma_1; the weights converge in two or three rounds.
-LinearFit line_of_relative_errors(const Eigen::VectorXd& minor, const Eigen::VectorXd& major) {
+/// Returns the line y = C + N x with the coefficients C and N. Residuals are divided by the fitted y, which two or three
+/// rounds settle.
+LinearFit line_of_relative_errors(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
   constexpr int kRounds = 4;
-  Eigen::VectorXd scale = major;
+  Eigen::VectorXd scale = y;
   LinearFit line;
   for (int round = 0; round < kRounds; ++round) {
-    Eigen::MatrixXd columns(minor.size(), 2);
-    columns << scale.cwiseInverse(), minor.cwiseQuotient(scale);
-    line = fit_linear(columns, major.cwiseQuotient(scale));
-    const Eigen::VectorXd fitted = line.coefficients[0] + (line.coefficients[1] * minor).array();
+    Eigen::MatrixXd columns(x.size(), 2);
+    columns << scale.cwiseInverse(), x.cwiseQuotient(scale);
+    line = fit_linear(columns, y.cwiseQuotient(scale));
+    const Eigen::VectorXd fitted = line.coefficients[0] + (line.coefficients[1] * x).array();
     if ((fitted.array() <= 0.0).any()) break;
     scale = fitted;
   }
   return line;
 }
 
+/// Stress that is imposed on each sample, and the stress at which the sample fails.
+struct Failures {
+  Eigen::VectorXd imposed, found;
+  const char* name;  ///< of the imposed stress, in messages
+};
+
+template <class Stress>
+Failures failures_of(const std::vector<Stress>& stresses, double Stress::*imposed, double Stress::*found,
+                     const char* name) {
+  const auto n = static_cast<Eigen::Index>(stresses.size());
+  Failures failures{Eigen::VectorXd(n), Eigen::VectorXd(n), name};
+  for (Eigen::Index i = 0; i < n; ++i) {
+    failures.imposed[i] = stresses[static_cast<std::size_t>(i)].*imposed;
+    failures.found[i] = stresses[static_cast<std::size_t>(i)].*found;
+  }
+  return failures;
+}
+
+/// Returns the reason why samples do not give a line; empty if they may.
+std::string why_no_line(const Failures& f) {
+  constexpr Eigen::Index kLeast = 3;
+  if (f.imposed.size() < kLeast)
+    return fmt::format("there are {} tests, but a line with its error needs at least {}", f.imposed.size(),
+                       kLeast);
+  // Tests under nearly one stress say nothing about the slope.
+  constexpr double kLeastRange = 0.05;
+  const double least = f.imposed.minCoeff(), most = f.imposed.maxCoeff();
+  if (f.found.minCoeff() > 0.0 && most - least >= kLeastRange * most) return "";
+  return fmt::format(
+      "the {} stresses of the tests, {:.6g} to {:.6g}, differ by less than 5 %, so that friction angle and "
+      "cohesion "
+      "cannot be separated",
+      f.name, least, most);
+}
+
+void warn_of_negative_cohesion(MohrCoulombFit& fit) {
+  if (*fit.cohesion.high95 >= 0.0) return;
+  fit.warnings.push_back(fmt::format(
+      "the cohesion of the line is negative, {:.5g} (95 % interval {:.5g} to {:.5g}): the envelope of the "
+      "tests is curved, and its angle belongs to their range of stresses alone",
+      *fit.cohesion.value, *fit.cohesion.low95, *fit.cohesion.high95));
+}
+
+MohrCoulombFit refused_line(std::string why) {
+  MohrCoulombFit fit;
+  fit.failure_reason = std::move(why);
+  return fit;
+}
+
 }  // namespace
 
 MohrCoulombFit fit_mohr_coulomb(const std::vector<FailureStress>& stresses, const std::string& suffix) {
-  MohrCoulombFit fit;
-  constexpr std::size_t kLeast = 3;
-  if (stresses.size() < kLeast) {
-    fit.failure_reason =
-        fmt::format("there are {} tests, but a line with its error needs at least {}", stresses.size(), kLeast);
-    return fit;
-  }
-  const auto n = static_cast<Eigen::Index>(stresses.size());
-  Eigen::VectorXd minor(n), major(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    minor[i] = stresses[static_cast<std::size_t>(i)].minor;
-    major[i] = stresses[static_cast<std::size_t>(i)].major;
-  }
-  // Tests at nearly equal lateral stresses do not determine the slope.
-  constexpr double kLeastRange = 0.05;
-  if (!(major.minCoeff() > 0.0) || minor.maxCoeff() - minor.minCoeff() < kLeastRange * minor.maxCoeff()) {
-    fit.failure_reason = fmt::format(
-        "the lateral stresses of the tests, {:.6g} to {:.6g}, differ by less than 5 %, so that friction "
-        "angle and cohesion cannot be separated",
-        minor.minCoeff(), minor.maxCoeff());
-    return fit;
-  }
-  const LinearFit line = line_of_relative_errors(minor, major);
+  const Failures failures = failures_of(stresses, &FailureStress::minor, &FailureStress::major, "lateral");
+  if (std::string why = why_no_line(failures); !why.empty()) return refused_line(std::move(why));
+  const LinearFit line = line_of_relative_errors(failures.imposed, failures.found);
   const double C = line.coefficients[0], N = line.coefficients[1];
-  if (!(N > 1.0)) {
-    fit.failure_reason = fmt::format(
-        "the largest stress grows by only {:.4g} for each unit of the lateral stress, so "
-        "that the line has no friction angle",
-        N);
-    return fit;
-  }
-  fit.rms = std::sqrt(line.sum_of_squares / static_cast<double>(n));
+  if (!(N > 1.0))
+    return refused_line(
+        fmt::format("the largest stress grows by only {:.4g} for each unit of the lateral stress, so "
+                    "that the line has no friction angle",
+                    N));
+  MohrCoulombFit fit;
+  fit.rms = std::sqrt(line.sum_of_squares / static_cast<double>(stresses.size()));
   const double t95 = student_t_95(line.dof), error = std::sqrt(line.covariance(1, 1));
   const FittedParameter ratio = from_logarithm("N", std::log(N), error / N, t95);
   // d phi/d ln N = cos(phi)/2.
@@ -90,11 +119,28 @@ MohrCoulombFit fit_mohr_coulomb(const std::vector<FailureStress>& stresses, cons
   const double variance = by_C * by_C * line.covariance(0, 0) + 2.0 * by_C * by_N * line.covariance(0, 1) +
                           by_N * by_N * line.covariance(1, 1);
   fit.cohesion = from_value("cohesion" + suffix, C * by_C, std::sqrt(std::max(0.0, variance)), t95);
-  if (*fit.cohesion.high95 < 0.0)
-    fit.warnings.push_back(fmt::format(
-        "the cohesion of the line is negative, {:.5g} (95 % interval {:.5g} to {:.5g}): the envelope of the "
-        "tests is curved, and its angle belongs to their range of stresses alone",
-        *fit.cohesion.value, *fit.cohesion.low95, *fit.cohesion.high95));
+  warn_of_negative_cohesion(fit);
+  return fit;
+}
+
+MohrCoulombFit fit_mohr_coulomb_planes(const std::vector<PlaneStress>& stresses, const std::string& suffix) {
+  const Failures failures = failures_of(stresses, &PlaneStress::normal, &PlaneStress::shear, "normal");
+  if (std::string why = why_no_line(failures); !why.empty()) return refused_line(std::move(why));
+  const LinearFit line = line_of_relative_errors(failures.imposed, failures.found);
+  if (!(line.coefficients[1] > 0.0))
+    return refused_line(
+        fmt::format("the shear stress changes by {:.4g} for each unit of the normal stress, so that the "
+                    "line has no friction angle",
+                    line.coefficients[1]));
+  MohrCoulombFit fit;
+  fit.rms = std::sqrt(line.sum_of_squares / static_cast<double>(stresses.size()));
+  const double t95 = student_t_95(line.dof);
+  const auto coefficient = [&](const std::string& name, int k) {
+    return from_value(name, line.coefficients[k], std::sqrt(line.covariance(k, k)), t95);
+  };
+  fit.angle = angle_of_tangent(coefficient("friction_angle" + suffix, 1));
+  fit.cohesion = coefficient("cohesion" + suffix, 0);
+  warn_of_negative_cohesion(fit);
   return fit;
 }
 
@@ -111,6 +157,14 @@ FittedParameter angle_of_sine(const FittedParameter& sine) {
     p.standard_error = degrees(*p.standard_error / std::sqrt(std::max(1e-12, 1.0 - *p.value * *p.value)));
   for (auto* end : {&p.value, &p.low95, &p.high95})
     if (*end) *end = angle(**end);
+  return p;
+}
+
+FittedParameter angle_of_tangent(const FittedParameter& tangent) {
+  FittedParameter p = tangent;
+  if (p.value && p.standard_error) p.standard_error = degrees(*p.standard_error / (1.0 + *p.value * *p.value));
+  for (auto* end : {&p.value, &p.low95, &p.high95})
+    if (*end) *end = degrees(std::atan(**end));
   return p;
 }
 

@@ -49,6 +49,10 @@ struct Regimes {
   /// Beginning of regime III; absent if the points do not distinguish regime III from the line of regime II.
   std::optional<ChangePoint> onset_three;
   int end_of_two = 0;  ///< index after the last point of regime II
+  /// Number of points at the beginning of regime II in which samples that collapse in jumps lag behind its line, and the
+  /// mean distance of these jumps in ln P; 0 for the curve of a single sample.
+  int n_lagging = 0;
+  double jump_distance = 0.0;
 };
 
 /// Finds the regimes of a consolidation curve by a change-point search with least squares: each change is put where the

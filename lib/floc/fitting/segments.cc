@@ -162,12 +162,13 @@ bool is_elastic(const LawPoints& points, double information) {
 
 }  // namespace
 
-std::optional<Regimes> find_segments(const LawPoints& points) {
+std::optional<Regimes> find_segments(const LawPoints& points, bool bends) {
   const int n = points.size();
   std::vector<Division> divisions = divisions_with_two(points);
+  if (!bends) std::erase_if(divisions, [n](const Division& d) { return d.upper_begin < n; });
   const auto less = [](const Division& a, const Division& b) { return a.information < b.information; };
   const auto best_with = std::min_element(divisions.begin(), divisions.end(), less);
-  const std::vector<Division> without = divisions_without_two(points);
+  const std::vector<Division> without = bends ? divisions_without_two(points) : std::vector<Division>{};
   const auto best_without = std::min_element(without.begin(), without.end(), less);
   if (best_with == divisions.end() && best_without == without.end()) return std::nullopt;
   const double with_two = best_with == divisions.end() ? kInfinity : best_with->information;

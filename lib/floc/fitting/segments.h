@@ -12,13 +12,12 @@ namespace floc {
 /// between the last point of the former and the first point of the latter. A division may lack any of these
 /// parts, but it has at least one of regimes II and III.
 ///
-/// The function returns the division with the smallest information criterion: that of Bayes, with the penalty
-/// of p parameters multiplied by n/(n - p - 1), because laboratory tables have as few as n = 8 rows. The
-/// probability of a division is proportional to exp(-criterion/2). The interval of one end of regime II follows
-/// from the sum of these probabilities over all positions of the other end.
-/// @return the regimes, with `end_of_two == n_plateau` if there is no regime II; `all_in_one` is set if a
-/// constant or an elastic line describes the curve better; absent if no division fits, because the solid
-/// fraction does not grow with pressure
-[[nodiscard]] std::optional<Regimes> find_segments(const LawPoints& points);
+/// The division has the smallest information criterion of all: that of Bayes, with the penalty of p parameters enlarged
+/// by n/(n - p - 1), because tables of a laboratory have as few as n = 8 rows. The probability of a division is in
+/// proportion to exp(-criterion/2); the range of the end of one part is taken over all ends of the other.
+/// @param bends  whether the curve may bend away from the line of regime II
+/// @return the regimes, of which `end_of_two == n_plateau` if there is no regime II; `all_in_one` is set if a constant or
+/// an elastic line explains the curve better; absent if the solid fraction does not grow anywhere as it should
+[[nodiscard]] std::optional<Regimes> find_segments(const LawPoints& points, bool bends = true);
 
 }  // namespace floc

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "floc/fitting/collapse_jumps.h"
 #include "floc/fitting/segments.h"
 
 namespace floc {
@@ -79,6 +80,30 @@ void add_beyond(const ConsolidationCurve& curve, const ConsolidationOptions& opt
   line.parameters.insert(after_indices, {alpha, phi_max, P1});
 }
 
+/// Returns the regimes of a mean over samples. A bend counts only if the samples show it; without it, the curve is divided
+/// again.
+std::optional<Regimes> regimes_of_samples(const ConsolidationCurve& curve, const LawPoints& points) {
+  const std::optional<Regimes> regimes = find_segments(points);
+  const int n = points.size();
+  if (!regimes || regimes->all_in_one || regimes->end_of_two == n) return regimes;
+  const int first = regimes->n_plateau, end = regimes->end_of_two - first;
+  // A power law without regime II has no place of its bend.
+  const int place = end > 0 ? end : (n - first) / 2;
+  if (samples_bend_at(curve.samples.bottomRows(n - first), points.log_P.tail(n - first), place)) return regimes;
+  const std::optional<Regimes> straight = find_segments(points, false);
+  return straight ? straight : regimes;
+}
+
+/// Finds the jumps of the samples from the line of regime II that was fitted to their mean, and the points in which they
+/// lag behind it.
+void find_jumps(const ConsolidationCurve& curve, const LawPoints& points, double lambda, Regimes& regimes) {
+  const int first = regimes.n_plateau, n = regimes.end_of_two - first;
+  const Eigen::VectorXd log_P = points.log_P.segment(first, n);
+  regimes.jump_distance = distance_of_jumps(curve.samples.middleRows(first, n), log_P, lambda);
+  // Without a plateau the samples have lagged before already.
+  if (first > 0) regimes.n_lagging = points_in_lag(log_P, regimes.jump_distance);
+}
+
 /// Adds a parameter lambda without a value to a fit of the power law, and a warning that the curve has no
 /// regime II.
 ConsolidationFit without_two(ConsolidationFit power) {
@@ -97,13 +122,14 @@ ConsolidationFit fit_supported_law(const ConsolidationCurve& curve, Consolidatio
   options.widen = true;
   options.regimes = std::nullopt;
   constexpr Eigen::Index kMinSamples = 3;
+  const bool has_samples = curve.samples.cols() >= kMinSamples;
   // The user's table does not tell whether its errors are errors of 1/Phi or of Phi.
-  if (options.weighting == Weighting::automatic && curve.samples.cols() < kMinSamples)
-    options.weighting = Weighting::between;
+  if (options.weighting == Weighting::automatic && !has_samples) options.weighting = Weighting::between;
   if (!options.window) {
     const auto n = static_cast<int>(curve.phi.size());
     constexpr int kEnough = 5;  // fewer points do not determine a division into regimes
-    if (n >= kEnough) options.regimes = find_segments(law_points(curve, Weighting::between));
+    const LawPoints points = law_points(curve, Weighting::between);
+    if (n >= kEnough) options.regimes = has_samples ? regimes_of_samples(curve, points) : find_segments(points);
     if (options.regimes && options.regimes->all_in_one) return fit_as(Law::log, curve, options);
   }
   ConsolidationFit full = fit_as(Law::full, curve, options);
@@ -113,8 +139,15 @@ ConsolidationFit fit_supported_law(const ConsolidationCurve& curve, Consolidatio
   }
   if (options.regimes && options.regimes->end_of_two == options.regimes->n_plateau)
     return without_two(fit_as(Law::power, curve, options));
+  // Weights from the scatter of a few samples would follow their deviations, and make the intervals of the line too small.
+  if (options.weighting == Weighting::automatic) options.weighting = Weighting::between;
   ConsolidationFit line = fit_as(Law::log, curve, options);
   if (!line.found()) return line;
+  const FittedParameter* lambda = line.find("lambda");
+  if (has_samples && options.regimes && lambda && lambda->value) {
+    find_jumps(curve, law_points(curve, Weighting::between), *lambda->value, *options.regimes);
+    line = fit_as(Law::log, curve, options);
+  }
   add_indices(line);
   add_beyond(curve, options, line);
   return line;

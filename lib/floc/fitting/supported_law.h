@@ -15,10 +15,13 @@ namespace floc {
 /// the points beyond gives alpha, Phi_max and the pressure P1* at which regime III begins;
 /// 3. the power law of regime III, if the curve has no regime II.
 ///
-/// The points before regime II lie on a recompression line of slope kappa. The yield pressure P0* is the
-/// pressure at which this line meets the line of regime II. The compression index is C_c = ln(10) lambda, the
-/// swelling index C_s = ln(10) kappa. Systematic residuals of a single curve widen its intervals.
-/// @param options  options of fit_consolidation(); `law`, `regimes` and `widen` are not used
+/// The points before regime II lie on a recompression line, whose slope is kappa; P0*, the yield pressure, is where it
+/// meets the line of regime II. The parameters C_c = ln(10) lambda and C_s = ln(10) kappa follow lambda and kappa.
+/// Systematic residuals of a single curve widen its intervals.
+///
+/// A mean over three samples or more is that of samples that may collapse in jumps (collapse_jumps.h): it bends only if its
+/// samples do, and the points in which they lag behind the line of regime II are left out of it.
+/// @param options  options of fit_consolidation(), of which `law`, `regimes` and `widen` are not used
 [[nodiscard]] ConsolidationFit fit_supported_law(const ConsolidationCurve& curve, ConsolidationOptions options);
 
 }  // namespace floc

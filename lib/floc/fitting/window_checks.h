@@ -5,11 +5,14 @@
 
 namespace floc {
 
-/// Window of points to which a consolidation law is fitted: index of its first point, number of points, and
-/// number of points of the plateau or recompression line right before it.
+/// Window of points to which a consolidation law is fitted: index of its first point, number of points, number of points
+/// of the plateau or recompression line before it, and number of points between the two that are not fitted.
 struct Window {
   int first, n;
   int n_plateau;
+  int n_left_out = 0;
+
+  int first_of_plateau() const { return first - n_left_out - n_plateau; }
 };
 
 /// Finds the pattern in the residuals of a fit to a single curve, and warns if they are systematic.

@@ -30,13 +30,17 @@ const char* name_of(CompressionLaw law) {
       ->name;
 }
 
+double CompressionFitOptions::phi_limit() const {
+  return density == "in-die" ? kInfinity : fit.phi_limit;
+}
+
 CompressedPath compression_fits(const PathTable& path, const CompressionFitOptions& asked) {
   CompressedPath compressed{first_loading(path.rows), {}};
   std::vector<CompressionLaw> laws;
   for (const NamedCompressionLaw& named : compression_laws())
     if (asked.law == "all" || asked.law == named.name) laws.push_back(named.law);
   CompressionOptions options = asked.fit;
-  if (asked.density == "in-die") options.phi_limit = kInfinity;
+  options.phi_limit = asked.phi_limit();
   compressed.fits =
       fit_compression(compressed.loading.curve.P_star, compressed.loading.curve.phi, laws, options);
   std::stable_sort(compressed.fits.begin(), compressed.fits.end(),

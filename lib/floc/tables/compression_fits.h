@@ -14,6 +14,9 @@ struct CompressionFitOptions {
   std::string law = "all";             ///< name of a compression law, or "all"
   std::string density = "out-of-die";  ///< "out-of-die", or "in-die" for densities measured under load
   CompressionOptions fit;
+
+  /// Returns the bound of solid fractions: that of `fit`, which is lifted for densities in a die.
+  double phi_limit() const;
 };
 
 /// Compression laws fitted to the first loading of a load path, sorted by Akaike's criterion, the best law first.
@@ -22,8 +25,7 @@ struct CompressedPath {
   std::vector<CompressionFit> fits;
 };
 
-/// Fits compression laws to the first loading of a load path. For densities measured under load (in-die), solid
-/// fractions above 1 are allowed.
+/// Fits compression laws to the first loading of a load path.
 CompressedPath compression_fits(const PathTable& path, const CompressionFitOptions& asked);
 
 /// Returns the name of a compression law.

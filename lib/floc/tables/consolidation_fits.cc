@@ -204,7 +204,7 @@ ConsolidationFit consolidation_fit(const std::vector<std::string>& inputs, const
   std::vector<PathTable> paths;
   for (const std::string& input : inputs)
     for (const std::string& table : tables_of(input)) {
-      paths.push_back(read_path(table, columns, {"P_star"}, stress));
+      paths.push_back(read_path(table, columns, {"P_star"}, stress, asked.phi_limit));
       convert_pressures(paths.front(), paths.back());
     }
   std::vector<ConsolidationSample> samples;

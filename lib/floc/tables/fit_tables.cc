@@ -103,17 +103,6 @@ std::vector<std::string> path_names() {
   return names;
 }
 
-/// Finds the column of the pressures. Candidates are, in this order, the column that the user named, the columns in
-/// `names`, and columns with a usual name of a pressure. @return name and column
-std::pair<std::string, UnitColumn> pressure_column(const NamedColumns& columns,
-                                                   const std::vector<std::string>& names) {
-  for (const std::string& name : names)
-    if (columns.is_named(name)) return {name, columns.unit_column(name)};
-  for (const std::string& name : names)
-    if (const auto found = columns.find_exactly(name)) return {name, *found};
-  return {names.back(), columns.unit_column(names.back())};
-}
-
 /// @throws InputError if the column has a known unit that is not a unit of pressure
 void require_unit_of_pressure(const CsvTable& table, const UnitColumn& pressure) {
   const std::string measures = quantity_of_unit(pressure.unit);
@@ -172,8 +161,17 @@ std::vector<std::string> tables_of(const std::string& input) {
   return tables;
 }
 
+std::pair<std::string, UnitColumn> pressure_column(const NamedColumns& columns,
+                                                   const std::vector<std::string>& names) {
+  for (const std::string& name : names)
+    if (columns.is_named(name)) return {name, columns.unit_column(name)};
+  for (const std::string& name : names)
+    if (const auto found = columns.find_exactly(name)) return {name, *found};
+  return {names.back(), columns.unit_column(names.back())};
+}
+
 PathTable read_path(const std::string& file, const ColumnNames& columns,
-                    const std::vector<std::string>& pressures, OedometerPressure oedometer) {
+                    const std::vector<std::string>& pressures, OedometerPressure oedometer, double phi_limit) {
   std::vector<std::string> wanted = path_names();
   wanted.insert(wanted.end(), pressures.begin(), pressures.end());
   PathTable path{file == "-" ? "stdin" : file, {}, "", CsvTable::read(file, wanted_names(wanted, columns))};
@@ -181,7 +179,7 @@ PathTable read_path(const std::string& file, const ColumnNames& columns,
   const NamedColumns named(table, columns);
   const auto [name, pressure] = pressure_column(named, pressures);
   require_unit_of_pressure(table, pressure);
-  const SolidFractions density = solid_fractions(named);
+  const SolidFractions density = solid_fractions(named, phi_limit);
   const int branch = named.has("branch") ? named.column("branch") : -1;
   path.unit = pressure.unit;
   const LoadColumns loads(table);
@@ -215,7 +213,7 @@ void convert_pressures(const PathTable& to, PathTable& path) {
   for (PathRow& row : path.rows) row.P_star *= factor;
 }
 
-PathTable path_of_arrays(const PathArrays& arrays) {
+PathTable path_of_arrays(const PathArrays& arrays, double phi_limit) {
   PathTable path;
   path.name = arrays.name;
   const auto place = [&arrays](int row) { return fmt::format("{}[{}]", arrays.name, row); };
@@ -224,7 +222,7 @@ PathTable path_of_arrays(const PathArrays& arrays) {
     if (!(arrays.pressure[i] >= 0))
       throw InputError(here, fmt::format("pressure = {}: expected a pressure >= 0", arrays.pressure[i]));
     path.rows.push_back({arrays.branch.empty() ? "" : arrays.branch[i], arrays.pressure[i],
-                         solid_fraction_of(here, arrays.density[i], arrays.is_void_ratio)});
+                         solid_fraction_of(here, arrays.density[i], arrays.is_void_ratio, phi_limit)});
   }
   require_path(path.rows, "pressure", place);
   return path;

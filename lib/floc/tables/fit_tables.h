@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "floc/fitting/loading_path.h"
@@ -37,6 +38,12 @@ struct PathTable {
   TableValue stress_of_rows() const { return or_undefined(stress); }
 };
 
+/// Finds the column of the pressures: that which the user named, then the first of the `names` that the table has, then
+/// a column with a usual name of a pressure. @return name and column
+/// @throws InputError listing the columns of the table if there is none
+std::pair<std::string, UnitColumn> pressure_column(const NamedColumns& columns,
+                                                   const std::vector<std::string>& names);
+
 /// Stress used as the pressure in rows of oedometer tests: the stress on the driven axis, or the mean over the axes.
 enum class OedometerPressure { driven, mean };
 
@@ -47,11 +54,12 @@ enum class OedometerPressure { driven, mean };
 /// @param columns    headers of columns whose names are neither the names that floc uses nor other usual names of the
 /// quantity
 /// @param pressures  names of columns of pressures; the first of them that exists in the table is read
+/// @param phi_limit  see largest_solid_fraction()
 /// @throws InputError with file, line and value if a column is missing, if a value is not a number or is negative, or
 /// if the pressures along a branch are neither all increasing, nor all decreasing, nor all equal
 PathTable read_path(const std::string& file, const ColumnNames& columns,
                     const std::vector<std::string>& pressures = {"P_star"},
-                    OedometerPressure oedometer = OedometerPressure::driven);
+                    OedometerPressure oedometer = OedometerPressure::driven, double phi_limit = 1.0);
 
 /// Converts the pressures of `path` to the unit of the path `to`, so that the mean of the two paths can be computed.
 /// @throws InputError if only one of the paths has a unit, or if the units cannot be converted
@@ -67,9 +75,10 @@ struct PathArrays {
 };
 
 /// Converts arrays to a load path, without a table.
+/// @param phi_limit  see largest_solid_fraction()
 /// @throws InputError with the name of the arrays, the index and the value, if a value is negative, or if the pressures
 /// along a branch are neither all increasing, nor all decreasing, nor all equal
-PathTable path_of_arrays(const PathArrays& arrays);
+PathTable path_of_arrays(const PathArrays& arrays, double phi_limit = 1.0);
 
 /// Returns ascending row numbers as a text of ranges, such as "1-9, 12".
 std::string ranges(const std::vector<int>& rows);

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "floc/base/error.h"
+#include "floc/base/infinity.h"
 #include "floc/base/parse_number.h"
 #include "floc/io/table_units.h"
 
@@ -73,11 +74,19 @@ std::string percent_question(const std::string& name, const std::string& header)
                      item, item);
 }
 
+/// Returns advice for a solid fraction that may be that of a powder in a die; empty if it cannot be.
+std::string advice_for_die(double phi) {
+  if (!(phi > 1.0 && phi <= largest_solid_fraction(kInfinity))) return "";
+  return "; a density measured in a die under load, where elastic strain may take it beyond that of the solid, "
+         "is "
+         "read with --phi-limit none";
+}
+
 /// Reads the solid fractions of one table.
 class DensityReader {
  public:
-  explicit DensityReader(const NamedColumns& columns)
-      : columns_(columns), table_(columns.table()), main_(main_column()) {
+  DensityReader(const NamedColumns& columns, double phi_limit)
+      : columns_(columns), table_(columns.table()), phi_limit_(phi_limit), main_(main_column()) {
     read_factor_of_share();
     read_references();
   }
@@ -198,7 +207,7 @@ class DensityReader {
     const double value = table_.number(row, main_.column.index) * main_.factor;
     const std::string place = table_.place(row);
     if (main_.is("phi") || main_.is("void_ratio"))
-      return solid_fraction_of(place, value, main_.is("void_ratio"));
+      return solid_fraction_of(place, value, main_.is("void_ratio"), phi_limit_);
     if (main_.is("porosity")) return in_range(row, 1.0 - value, "a porosity from 0 to 1");
     if (main_.is("specific_volume")) return in_range(row, 1.0 / value, "a specific volume of at least 1");
     if (main_.is("axial_strain"))
@@ -211,10 +220,10 @@ class DensityReader {
   /// Returns `phi` if it is a possible solid fraction.
   /// @throws InputError that names the cell from which it was computed if it is not
   double in_range(int row, double phi, const char* expected) const {
-    if (phi > 0.0 && phi <= 1.0) return phi;
-    throw InputError(table_.place(row),
-                     fmt::format("{} = {}: expected {}; {}", main_.density.name,
-                                 table_.text(row, main_.column.index), expected, question()));
+    if (phi > 0.0 && phi <= largest_solid_fraction(phi_limit_)) return phi;
+    throw InputError(table_.place(row), fmt::format("{} = {}: expected {}; {}{}", main_.density.name,
+                                                    table_.text(row, main_.column.index), expected, question(),
+                                                    advice_for_die(phi)));
   }
 
   void read_factor_of_share() {
@@ -256,6 +265,7 @@ class DensityReader {
 
   const NamedColumns& columns_;
   const CsvTable& table_;
+  double phi_limit_;
   DensityColumn main_;
   double initial_ = 1.0;  // ratio of the volume of the sample to the volume of its grains before the test
   std::vector<std::string> reference_words_;
@@ -297,21 +307,28 @@ double factor_of_share(const NamedColumns& columns, const std::string& name) {
   return factor;
 }
 
-SolidFractions solid_fractions(const NamedColumns& columns) {
-  return DensityReader(columns).read();
+SolidFractions solid_fractions(const NamedColumns& columns, double phi_limit) {
+  return DensityReader(columns, phi_limit).read();
 }
 
-double solid_fraction_of(const std::string& place, double value, bool is_void_ratio) {
+double largest_solid_fraction(double phi_limit) {
+  constexpr double kSolid = 1.0, kMost = 1.5;
+  return std::clamp(phi_limit, kSolid, kMost);
+}
+
+double solid_fraction_of(const std::string& place, double value, bool is_void_ratio, double phi_limit) {
+  const double most = largest_solid_fraction(phi_limit), phi = is_void_ratio ? 1.0 / (1.0 + value) : value;
   if (!is_void_ratio && value <= 0)
     throw InputError(place, fmt::format("phi = {}: expected a positive solid fraction", value));
-  if (!is_void_ratio && value > 1)
-    throw InputError(
-        place, fmt::format("phi = {}: expected a solid fraction of at most 1; is it in "
-                           "percent (--columns \"phi=... [%]\"), or a void ratio (--columns void_ratio=...)?",
-                           value));
-  if (is_void_ratio && value < 0)
-    throw InputError(place, fmt::format("void_ratio = {}: expected a void ratio >= 0", value));
-  return is_void_ratio ? 1.0 / (1.0 + value) : value;
+  if (!is_void_ratio && value > most)
+    throw InputError(place, fmt::format("phi = {}: expected a solid fraction of at most {:g}; is it in "
+                                        "percent (--columns \"phi=... [%]\"), or a void ratio (--columns "
+                                        "void_ratio=...)?{}",
+                                        value, most, advice_for_die(phi)));
+  if (is_void_ratio && !(value > -1.0 && phi <= most))
+    throw InputError(place, fmt::format("void_ratio = {}: expected a void ratio >= {:.3g}{}", value,
+                                        1.0 / most - 1.0, advice_for_die(phi)));
+  return phi;
 }
 
 }  // namespace floc

@@ -30,11 +30,18 @@ std::vector<std::string> density_names();
 ///   height           H: Phi = H_s/H, where the height of the grains H_s is solid_height, or
 ///                    initial_height/(1 + initial_void_ratio), initial_height being by default the first height
 ///
-/// Numbers whose unit is % are divided by 100. If the table has both columns phi and void_ratio, and the user named
-/// neither, the two columns must agree.
-/// @throws InputError with file, line and value if there is no such column, if a value is not possible, if the numbers
-/// seem to be in percent although the table does not say so (or the reverse), or if the two columns disagree
-SolidFractions solid_fractions(const NamedColumns& columns);
+/// Numbers whose unit is % are divided by 100. If the table has the columns phi and void_ratio and the user named
+/// neither, they have to agree.
+/// @param phi_limit  see largest_solid_fraction()
+/// @throws InputError naming file, line and value if no such column is there, if a value is not possible, if the numbers
+/// seem to be in percent although the table does not say so, or the other way round, or if two columns contradict each
+/// other
+SolidFractions solid_fractions(const NamedColumns& columns, double phi_limit = 1.0);
+
+/// Returns the largest solid fraction that a row of a table may have: 1, or the bound `phi_limit` if that is larger, as for
+/// powders in a die, where elastic strain makes the grains denser than the solid without load. Whatever the bound, a number
+/// of more than 1.5 is not a solid fraction, but in percent.
+double largest_solid_fraction(double phi_limit);
 
 /// Returns the factor that converts the numbers in the column `name`, a void ratio or another ratio, to plain ratios:
 /// 0.01 for percent, otherwise 1.
@@ -43,8 +50,9 @@ SolidFractions solid_fractions(const NamedColumns& columns);
 double factor_of_share(const NamedColumns& columns, const std::string& name);
 
 /// Returns a solid fraction that is given either as a solid fraction or as a void ratio.
-/// @param place  place of the value in messages
+/// @param place      place of the value in messages
+/// @param phi_limit  see largest_solid_fraction()
 /// @throws InputError if the value is not possible
-double solid_fraction_of(const std::string& place, double value, bool is_void_ratio);
+double solid_fraction_of(const std::string& place, double value, bool is_void_ratio, double phi_limit = 1.0);
 
 }  // namespace floc

@@ -16,7 +16,9 @@ namespace {
 struct Pool {
   int n_tests = 0;
   std::vector<FailureStress> peak, critical;
-  std::vector<double> lateral;                        ///< lateral stress at the beginning of each test
+  std::vector<PlaneStress> peak_planes, critical_planes;  ///< of tests on planes
+  /// Lateral stress, or stress across the planes, at the beginning of each test.
+  std::vector<double> imposed;
   std::map<std::string, std::vector<double>> values;  ///< values of each parameter; the key is its name
   std::vector<std::string> names;                     ///< names of the parameters, in order
 
@@ -37,6 +39,10 @@ void convert_stresses(const StrengthTest& to, StrengthTest& test) {
     p.axial_stress *= factor;
     p.lateral_stress *= factor;
   }
+  for (PlaneShearPoint& p : test.planes) {
+    p.normal_stress *= factor;
+    p.shear_stress *= factor;
+  }
 }
 
 /// Adds the states of a table in which each row is a sample at failure.
@@ -44,8 +50,14 @@ void add_failures(const StrengthTest& test, Pool& pool) {
   for (const ShearPoint& p : test.points) {
     ++pool.n_tests;
     pool.peak.push_back(p.failure());
-    pool.lateral.push_back(p.failure().minor);
+    pool.imposed.push_back(p.failure().minor);
     pool.add({held_at("secant_angle_peak", secant_angle(p.failure()))});
+  }
+  for (const PlaneShearPoint& p : test.planes) {
+    ++pool.n_tests;
+    pool.peak_planes.push_back(p.stress());
+    pool.imposed.push_back(p.normal_stress);
+    pool.add({angle_of_tangent(held_at("secant_angle_peak", p.mobilised()))});
   }
 }
 
@@ -60,7 +72,22 @@ StrengthFit evaluate_shear(const StrengthTest& test, const StrengthOptions& opti
   ++pool.n_tests;
   pool.peak.push_back(result.peak_stress);
   if (result.critical_stress) pool.critical.push_back(*result.critical_stress);
-  pool.lateral.push_back(test.points.front().lateral_stress);
+  pool.imposed.push_back(test.points.front().lateral_stress);
+  pool.add(result.parameters);
+  return fit;
+}
+
+StrengthFit evaluate_simple_shear(const StrengthTest& test, const StrengthOptions& options, Pool& pool) {
+  StrengthFit fit;
+  const SimpleShearTest result = evaluate_simple_shear_test(test.planes, options.critical_from);
+  fit.failure_reason = result.failure_reason;
+  fit.parameters = result.parameters;
+  fit.warnings = result.warnings;
+  if (!result.found()) return fit;
+  ++pool.n_tests;
+  pool.peak_planes.push_back(result.peak_stress);
+  if (result.critical_stress) pool.critical_planes.push_back(*result.critical_stress);
+  pool.imposed.push_back(test.planes.front().normal_stress);
   pool.add(result.parameters);
   return fit;
 }
@@ -76,16 +103,20 @@ StrengthFit evaluate_oedometer(const StrengthTest& test, const StrengthOptions& 
   return fit;
 }
 
-/// Whether all tests began under the same lateral stress, within 5 %.
-bool have_one_lateral_stress(const std::vector<double>& lateral) {
+StrengthFit evaluate(const StrengthTest& test, const StrengthOptions& options, Pool& pool) {
+  if (test.kind == TestKind::oedometer) return evaluate_oedometer(test, options, pool);
+  if (test.kind == TestKind::simple_shear) return evaluate_simple_shear(test, options, pool);
+  return evaluate_shear(test, options, pool);
+}
+
+/// Whether all tests began under one stress, to 5 %.
+bool have_one_stress(const std::vector<double>& imposed) {
   constexpr double kSame = 0.05;
-  const auto [least, most] = std::ranges::minmax(lateral);
+  const auto [least, most] = std::ranges::minmax(imposed);
   return most - least <= kSame * std::abs(most);
 }
 
-void add_line(const std::vector<FailureStress>& stresses, const std::string& suffix, StrengthFit& fit) {
-  if (stresses.empty()) return;
-  const MohrCoulombFit line = fit_mohr_coulomb(stresses, suffix);
+void add_line(const MohrCoulombFit& line, const std::string& suffix, StrengthFit& fit) {
   if (!line.found()) {
     fit.warnings.push_back(fmt::format("no Mohr-Coulomb line was fitted to the states of the {}: {}",
                                        suffix == "_peak" ? "peak" : "critical state", line.failure_reason));
@@ -100,13 +131,17 @@ StrengthFit pooled(TestKind kind, const Pool& pool) {
   fit.sample = "pooled";
   fit.kind = kind;
   fit.n = pool.n_tests;
-  if (pool.lateral.empty() || have_one_lateral_stress(pool.lateral)) {
+  if (pool.imposed.empty() || have_one_stress(pool.imposed)) {
     for (const std::string& name : pool.names)
       fit.parameters.push_back(mean_of_samples(name, pool.values.at(name)));
     return fit;
   }
-  add_line(pool.peak, "_peak", fit);
-  add_line(pool.critical, "_critical", fit);
+  const auto add_lines = [&](const auto& fit_line, const auto& peak, const auto& critical) {
+    for (const auto& [stresses, suffix] : {std::pair(&peak, "_peak"), std::pair(&critical, "_critical")})
+      if (!stresses->empty()) add_line(fit_line(*stresses, suffix), suffix, fit);
+  };
+  add_lines(fit_mohr_coulomb, pool.peak, pool.critical);
+  add_lines(fit_mohr_coulomb_planes, pool.peak_planes, pool.critical_planes);
   return fit;
 }
 
@@ -129,12 +164,11 @@ std::vector<StrengthFit> strength_fits(std::vector<StrengthTest> tests, const St
       add_failures(test, pool);
       continue;
     }
-    StrengthFit fit = test.kind == TestKind::oedometer ? evaluate_oedometer(test, options, pool)
-                                                       : evaluate_shear(test, options, pool);
+    StrengthFit fit = evaluate(test, options, pool);
     fit.sample = test.sample;
     fit.rows = ranges(test.rows);
     fit.kind = test.kind;
-    fit.n = static_cast<int>(test.points.size());
+    fit.n = static_cast<int>(test.n_states());
     fits.push_back(std::move(fit));
   }
   for (const auto& [kind, pool] : pools)

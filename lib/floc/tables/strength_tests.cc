@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "floc/base/error.h"
 
@@ -33,6 +36,7 @@ class RunColumns {
     if (control == "triaxial") return TestKind::drained;
     if (control == "constant_volume") return TestKind::undrained;
     if (control == "oedometric") return TestKind::oedometer;
+    if (control == "simple_shear") return TestKind::simple_shear;
     return std::nullopt;
   }
   /// Whether two successive rows belong to one test. Unloading and reloading in an oedometer belong to the same test.
@@ -62,6 +66,17 @@ class RunColumns {
     return p;
   }
 
+  /// State of a row of simple shear; with `is_start`, of the row before, from which the shear begins.
+  PlaneShearPoint plane(int row, std::size_t axis, bool is_start) const {
+    PlaneShearPoint p;
+    p.normal_stress = table_.number(row, stress_[axis]);
+    for (const int column : strain_) p.volumetric_strain += table_.number(row, column);
+    if (is_start) return p;
+    p.shear_strain = table_.number(row, table_.column("shear_strain"));
+    p.shear_stress = table_.number(row, table_.column("shear_stress"));
+    return p;
+  }
+
  private:
   const CsvTable& table_;
   int branch_, control_, axis_;
@@ -70,12 +85,24 @@ class RunColumns {
 
 /// Subtracts the strains of the first point of a test from the strains of all its points.
 void count_strains_from_start(StrengthTest& test) {
-  if (test.points.empty()) return;
-  const ShearPoint start = test.points.front();
+  const ShearPoint start = test.points.empty() ? ShearPoint{} : test.points.front();
   for (ShearPoint& p : test.points) {
     p.axial_strain -= start.axial_strain;
     p.volumetric_strain -= start.volumetric_strain;
   }
+  const PlaneShearPoint of_planes = test.planes.empty() ? PlaneShearPoint{} : test.planes.front();
+  for (PlaneShearPoint& p : test.planes) {
+    p.shear_strain -= of_planes.shear_strain;
+    p.volumetric_strain -= of_planes.volumetric_strain;
+  }
+}
+
+/// Adds the state of a row to the test to which the row `of` belongs.
+void add_state(const RunColumns& columns, int row, int of, StrengthTest& test) {
+  if (test.kind == TestKind::simple_shear)
+    test.planes.push_back(columns.plane(row, columns.axis(of), row != of));
+  else
+    test.points.push_back(columns.point(row, columns.axis(of)));
 }
 
 std::vector<StrengthTest> tests_of_run(const std::string& name, const CsvTable& table) {
@@ -85,11 +112,11 @@ std::vector<StrengthTest> tests_of_run(const std::string& name, const CsvTable& 
     const std::optional<TestKind> kind = columns.kind(row);
     if (!kind) continue;
     if (tests.empty() || tests.back().rows.back() != row - 1 || !columns.same_test(row - 1, row)) {
-      tests.push_back({name, *kind, {}, "", {}});
-      if (row > 0) tests.back().points.push_back(columns.point(row - 1, columns.axis(row)));
+      tests.push_back({name, *kind, {}, "", {}, {}});
+      if (row > 0) add_state(columns, row - 1, row, tests.back());
     }
     tests.back().rows.push_back(row);
-    tests.back().points.push_back(columns.point(row, columns.axis(row)));
+    add_state(columns, row, row, tests.back());
   }
   for (StrengthTest& test : tests) count_strains_from_start(test);
   return tests;
@@ -105,25 +132,63 @@ double strain_factor(const CsvTable& table, const UnitColumn& column) {
                                table.columns()[static_cast<std::size_t>(column.index)], column.unit));
 }
 
+/// Column of strains, with the factor that makes shares of one of them.
+struct StrainColumn {
+  int index;
+  double factor;
+};
+
+StrainColumn strain_column(const NamedColumns& columns, const std::string& name) {
+  const UnitColumn column = columns.unit_column(name);
+  return {column.index, strain_factor(columns.table(), column)};
+}
+
+/// Whether a table gives stresses on planes that are sheared along each other.
+bool is_of_planes(const NamedColumns& columns, TestKind kind) {
+  return kind == TestKind::simple_shear || (!columns.has("sigma1") && columns.has("tau"));
+}
+
+std::vector<StrengthTest> tests_on_planes(const std::string& name, const NamedColumns& columns) {
+  const CsvTable& table = columns.table();
+  const UnitColumn normal = columns.unit_column("sigma_n"), shear = columns.unit_column("tau");
+  const double factor = unit_factor(fmt::format("{}, tau", name), shear.unit, "sigma_n", normal.unit);
+  std::optional<StrainColumn> strain, volume;
+  if (columns.has("shear_strain")) {
+    strain = strain_column(columns, "shear_strain");
+    volume = strain_column(columns, "volumetric_strain");
+  }
+  StrengthTest test{name, strain ? TestKind::simple_shear : TestKind::failure, {}, normal.unit, {}, {}};
+  for (int row = 0; row < table.n_rows(); ++row) {
+    PlaneShearPoint p;
+    p.normal_stress = table.number(row, normal.index);
+    p.shear_stress = factor * table.number(row, shear.index);
+    if (strain) p.shear_strain = strain->factor * table.number(row, strain->index);
+    if (volume) p.volumetric_strain = volume->factor * table.number(row, volume->index);
+    test.rows.push_back(row);
+    test.planes.push_back(p);
+  }
+  count_strains_from_start(test);
+  return {test};
+}
+
 std::vector<StrengthTest> tests_of_laboratory(const std::string& name, const NamedColumns& columns,
                                               TestKind kind) {
   const CsvTable& table = columns.table();
   const UnitColumn axial = columns.unit_column("sigma1"), lateral = columns.unit_column("sigma3");
   const double factor = unit_factor(fmt::format("{}, sigma3", name), lateral.unit, "sigma1", axial.unit);
-  const bool has_strain = columns.has("strain");
-  std::optional<UnitColumn> strain, volume;
-  if (has_strain) {
-    strain = columns.unit_column("strain");
+  std::optional<StrainColumn> strain, volume;
+  if (columns.has("strain")) {
+    strain = strain_column(columns, "strain");
     // An oedometer keeps the lateral lengths constant, so its volumetric strain equals its axial strain.
-    volume = kind == TestKind::oedometer ? strain : columns.unit_column("volumetric_strain");
+    volume = kind == TestKind::oedometer ? strain : strain_column(columns, "volumetric_strain");
   }
-  StrengthTest test{name, has_strain ? kind : TestKind::failure, {}, axial.unit, {}};
+  StrengthTest test{name, strain ? kind : TestKind::failure, {}, axial.unit, {}, {}};
   for (int row = 0; row < table.n_rows(); ++row) {
     ShearPoint p;
     p.axial_stress = table.number(row, axial.index);
     p.lateral_stress = factor * table.number(row, lateral.index);
-    if (strain) p.axial_strain = strain_factor(table, *strain) * table.number(row, strain->index);
-    if (volume) p.volumetric_strain = strain_factor(table, *volume) * table.number(row, volume->index);
+    if (strain) p.axial_strain = strain->factor * table.number(row, strain->index);
+    if (volume) p.volumetric_strain = volume->factor * table.number(row, volume->index);
     test.rows.push_back(row);
     test.points.push_back(p);
   }
@@ -141,20 +206,57 @@ const char* name_of(TestKind kind) {
       return "undrained";
     case TestKind::oedometer:
       return "oedometer";
+    case TestKind::simple_shear:
+      return "simple-shear";
     case TestKind::failure:
       break;
   }
   return "failure";
 }
 
+namespace {
+
+/// Whether a directory of a case of a campaign has the path of at least one run.
+bool has_path(const std::filesystem::path& directory) {
+  for (const auto& entry : std::filesystem::directory_iterator(directory))
+    if (std::filesystem::exists(entry.path() / "path.csv")) return true;
+  return false;
+}
+
+}  // namespace
+
+TestKind kind_of_test(const std::string& word) {
+  for (const TestKind kind : {TestKind::undrained, TestKind::oedometer, TestKind::simple_shear})
+    if (word == name_of(kind)) return kind;
+  return TestKind::drained;
+}
+
+const std::vector<std::string>& strength_names() {
+  static const std::vector<std::string> names = {"sigma1",  "sigma3", "strain",      "volumetric_strain",
+                                                 "sigma_n", "tau",    "shear_strain"};
+  return names;
+}
+
+std::vector<std::string> tables_of_tests(const std::string& input) {
+  namespace fs = std::filesystem;
+  const fs::path runs = fs::path(input) / "runs";
+  if (input == "-" || !fs::is_directory(runs)) return tables_of(input);
+  std::set<std::string> cases;
+  for (const auto& entry : fs::directory_iterator(runs))
+    if (entry.is_directory() && has_path(entry.path())) cases.insert(entry.path().string());
+  std::vector<std::string> tables;
+  for (const std::string& one : cases)
+    for (std::string& table : tables_of(one)) tables.push_back(std::move(table));
+  return tables;
+}
+
 std::vector<StrengthTest> read_strength_tests(const std::string& file, const ColumnNames& columns,
                                               TestKind kind) {
-  const CsvTable table =
-      CsvTable::read(file, wanted_names({"sigma1", "sigma3", "strain", "volumetric_strain"}, columns));
+  const CsvTable table = CsvTable::read(file, wanted_names(strength_names(), columns));
   const std::string name = file == "-" ? "stdin" : file;
-  return columns.empty() && RunColumns::are_in(table)
-             ? tests_of_run(name, table)
-             : tests_of_laboratory(name, NamedColumns(table, columns), kind);
+  if (columns.empty() && RunColumns::are_in(table)) return tests_of_run(name, table);
+  const NamedColumns named(table, columns);
+  return is_of_planes(named, kind) ? tests_on_planes(name, named) : tests_of_laboratory(name, named, kind);
 }
 
 }  // namespace floc

@@ -112,7 +112,7 @@ std::vector<std::string> names_of_quantities() {
   return names;
 }
 
-TableInfo add_table_info(const std::string& file, const ColumnNames& names, Table& table) {
+TableInfo add_table_info(const std::string& file, const ColumnNames& names, double phi_limit, Table& table) {
   const CsvTable read = CsvTable::read(file, wanted_names(names_of_quantities(), names));
   const NamedColumns columns(read, names);
   TableInfo info;
@@ -122,7 +122,7 @@ TableInfo add_table_info(const std::string& file, const ColumnNames& names, Tabl
   if (is_path(columns)) {
     quantities = quantities_of(columns, path_quantities());
     try {
-      const PathTable path = read_path(file, names);
+      const PathTable path = read_path(file, names, {"P_star"}, OedometerPressure::driven, phi_limit);
       info = {path.reading, path.notes};
     } catch (const InputError&) {
       refusal = std::current_exception();

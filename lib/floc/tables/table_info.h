@@ -17,11 +17,11 @@ struct TableInfo {
 /// Names of all quantities that floc reads from tables of load paths, grains, contacts, forces and compacted samples.
 std::vector<std::string> names_of_quantities();
 
-/// Reads a table file as a load path, as grains or as contacts, depending on its columns. For each of its columns, adds
-/// a row to the table of `floc info`: header, quantity, unit and range of the numbers.
-/// @param names  headers of columns, given by `--columns NAME=COLUMN,...`
-/// @throws InputError if the table cannot be read. If it is a load path with invalid values, the error is thrown after
-/// its rows were added
-TableInfo add_table_info(const std::string& file, const ColumnNames& names, Table& table);
+/// Reads a table as a load path, as grains or as contacts, by the columns that it has, and adds a row for each of its
+/// columns to the table of `floc info`: header, quantity, unit and range of the numbers.
+/// @param names      headers of columns, as `--columns NAME=COLUMN,...` gives them
+/// @param phi_limit  see largest_solid_fraction()
+/// @throws InputError if the table cannot be read; if it is a load path whose values are refused, after its rows were added
+TableInfo add_table_info(const std::string& file, const ColumnNames& names, double phi_limit, Table& table);
 
 }  // namespace floc

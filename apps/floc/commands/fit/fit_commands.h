@@ -9,6 +9,7 @@ Command add_fit_consolidation(CommandLine fit);
 Command add_fit_compression(CommandLine fit);
 Command add_fit_preconsolidation(CommandLine fit);
 Command add_fit_elastic(CommandLine fit);
+Command add_fit_moduli(CommandLine fit);
 Command add_fit_cycle(CommandLine fit);
 Command add_fit_strength(CommandLine fit);
 Command add_fit_dynamic_compaction(CommandLine fit);

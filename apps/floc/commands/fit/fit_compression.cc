@@ -51,7 +51,8 @@ int fit_tables(CompressionArguments arguments) {
   Json array = Json::array();
   Table table = compression_table();
   const int code = for_each_table(arguments.inputs, [&](const std::string& file) {
-    const PathTable path = read_path(file, columns, {"P_star", "P"});
+    const PathTable path =
+        read_path(file, columns, {"P_star", "P"}, OedometerPressure::driven, arguments.fit.phi_limit());
     log_notes(path);
     const CompressedPath compressed = compression_fits(path, arguments.fit);
     for (const CompressionFit& fit : compressed.fits)

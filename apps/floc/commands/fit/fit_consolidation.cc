@@ -32,7 +32,8 @@ ConsolidationSample read_sample(const std::string& file, const ColumnNames& colu
                                 const ConsolidationArguments& arguments, std::optional<PathTable>& first) {
   PathTable path =
       read_path(file, columns, {"P_star"},
-                arguments.fit.stress == "mean" ? OedometerPressure::mean : OedometerPressure::driven);
+                arguments.fit.stress == "mean" ? OedometerPressure::mean : OedometerPressure::driven,
+                arguments.fit.phi_limit);
   log_notes(path);
   if (first) convert_pressures(*first, path);
   if (!first) first = path;

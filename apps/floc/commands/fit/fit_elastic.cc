@@ -4,6 +4,7 @@
 
 #include "commands/fit/fit_commands.h"
 #include "commands/fit/fit_input.h"
+#include "floc/tables/consolidation_fits.h"
 #include "floc/tables/elastic_fits.h"
 #include "process/output.h"
 #include "process/printing.h"
@@ -15,11 +16,13 @@ struct ElasticArguments {
   std::vector<std::string> inputs;
   std::string state;
   std::string columns;
+  std::string phi_limit = "1";
   Printing printing;
 };
 
 int fit_tables(const ElasticArguments& arguments) {
   Printing printing = arguments.printing;
+  const double phi_limit = phi_limit_of(arguments.phi_limit);
   const ColumnNames columns =
       parse_column_names(arguments.columns, names_with_densities({"P", "P_star", "branch"}), printing);
   Json array = Json::array();
@@ -28,7 +31,7 @@ int fit_tables(const ElasticArguments& arguments) {
     // The path is read with the mean stress as pressure, also for oedometer tests, because the bulk modulus B is fitted
     // against the mean stress. For an oedometer test, elastic_branches() also fits the modulus M, against the stress on
     // the driven axis.
-    const PathTable path = read_path(file, columns, {"P", "P_star"}, OedometerPressure::mean);
+    const PathTable path = read_path(file, columns, {"P", "P_star"}, OedometerPressure::mean, phi_limit);
     log_notes(path);
     const std::vector<ElasticBranch> branches = elastic_branches(path, arguments.state);
     if (branches.empty()) {
@@ -74,6 +77,7 @@ Command add_fit_elastic(CommandLine fit) {
       "--state", arguments->state,
       "state file whose computed moduli are printed for comparison [if its file exists, the state of the first "
       "row of the branch or, for a curved branch, of the middle row of its straight part]");
+  add_phi_limit_option(app, arguments->phi_limit);
   add_columns_option(app, arguments->columns, "P, P_star, phi, void_ratio or another density, branch");
   add_printing_options(app, arguments->printing);
   return {app, [arguments] { return fit_tables(*arguments); }};

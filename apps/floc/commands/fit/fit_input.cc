@@ -25,6 +25,13 @@ void add_columns_option(CommandLine app, std::string& text, const std::string& n
       .joined(',');
 }
 
+void add_phi_limit_option(CommandLine app, std::string& text) {
+  app.add_option(
+      "--phi-limit", text,
+      "largest solid fraction that the rows may have, or none for no bound, as for densities measured in a "
+      "die under load [1]");
+}
+
 ColumnNames parse_column_names(const std::string& text, const std::vector<std::string>& names,
                                Printing& printing) {
   ColumnNames columns;
@@ -66,11 +73,12 @@ void log_description(const CsvTable& table) {
 }
 
 int for_each_table(const std::vector<std::string>& inputs,
-                   const std::function<int(const std::string& file)>& work) {
+                   const std::function<int(const std::string& file)>& work,
+                   const std::function<std::vector<std::string>(const std::string& input)>& tables) {
   int code = kDone;
   for (const std::string& input : inputs) {
     try {
-      for (const std::string& table : tables_of(input)) code = worse(code, work(table));
+      for (const std::string& table : tables(input)) code = worse(code, work(table));
     } catch (const InputError& error) {
       std::cerr << "floc: " << error.what() << '\n';
       code = worse(code, kBadInput);

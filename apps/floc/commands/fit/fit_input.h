@@ -17,6 +17,9 @@ namespace floc {
 /// @param names  names of the quantities, as the help lists them
 void add_columns_option(CommandLine app, std::string& text, const std::string& names);
 
+/// Adds the option `--phi-limit`. @param text  receives the value of the option, which phi_limit_of() reads
+void add_phi_limit_option(CommandLine app, std::string& text);
+
 /// Parses the value of `--columns`, a list of items separated by commas. An item NAME=COLUMN says that COLUMN of the
 /// input table contains the quantity NAME; these items are returned. Any other item is the name of a column to print
 /// and is added to `printing`.
@@ -38,9 +41,11 @@ void log_description(const CsvTable& table);
 /// Calls `work` for every table that the inputs name; `work` returns an exit code. If an input cannot be read, an error
 /// with the name of this input is printed on stderr, and the other inputs are still processed.
 /// @param inputs  csv files, or directories of `floc run` or of an ensemble
+/// @param tables  function that returns the tables that an input stands for
 /// @return the worst of the exit codes, by the order of worse()
 int for_each_table(const std::vector<std::string>& inputs,
-                   const std::function<int(const std::string& file)>& work);
+                   const std::function<int(const std::string& file)>& work,
+                   const std::function<std::vector<std::string>(const std::string& input)>& tables = tables_of);
 
 /// Prints a fit on stdout: as `json` if this is the chosen format, otherwise as `table`. On a terminal only the first
 /// `n_short` columns of the table are printed, because the summary on stderr contains the values of the other columns.

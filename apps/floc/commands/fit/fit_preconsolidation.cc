@@ -5,6 +5,7 @@
 
 #include "commands/fit/fit_commands.h"
 #include "commands/fit/fit_input.h"
+#include "floc/tables/consolidation_fits.h"
 #include "floc/tables/table_fits.h"
 #include "process/output.h"
 #include "process/printing.h"
@@ -16,17 +17,19 @@ struct PreconsolidationArguments {
   std::vector<std::string> inputs;
   std::string branch;
   std::string columns;
+  std::string phi_limit = "1";
   Printing printing;
 };
 
 int fit_tables(const PreconsolidationArguments& arguments) {
   Printing printing = arguments.printing;
+  const double phi_limit = phi_limit_of(arguments.phi_limit);
   const ColumnNames columns =
       parse_column_names(arguments.columns, names_with_densities({"P_star", "branch"}), printing);
   Json array = Json::array();
   Table table = preconsolidation_table();
   const int code = for_each_table(arguments.inputs, [&](const std::string& file) {
-    const PathTable path = read_path(file, columns);
+    const PathTable path = read_path(file, columns, {"P_star"}, OedometerPressure::driven, phi_limit);
     log_notes(path);
     const std::vector<ReloadingFit> fits = preconsolidation_fits(path, arguments.branch);
     if (fits.empty()) {
@@ -79,6 +82,7 @@ Command add_fit_preconsolidation(CommandLine fit) {
                  "branches to fit: reloading, first (the first loading of a sample that was loaded "
                  "before the test) or all [reloading; without a reloading branch, first]")
       .one_of({"reloading", "first", "all"});
+  add_phi_limit_option(app, arguments->phi_limit);
   add_columns_option(app, arguments->columns, "P_star, phi, void_ratio or another density, branch");
   add_printing_options(app, arguments->printing);
   return {app, [arguments] { return fit_tables(*arguments); }};

@@ -31,12 +31,6 @@ std::string described(const StrengthFit& fit) {
                           : fmt::format("{}: {} test in rows {}", fit.sample, name_of(fit.kind), fit.rows);
 }
 
-/// Returns the kind of test that the option `--kind` gives.
-TestKind kind_of(const std::string& text) {
-  if (text == name_of(TestKind::undrained)) return TestKind::undrained;
-  return text == name_of(TestKind::oedometer) ? TestKind::oedometer : TestKind::drained;
-}
-
 /// Returns the two stresses of the option `--modulus`; std::nullopt if it was not given.
 /// @throws InputError unless both are positive and the second is larger than the first
 std::optional<std::pair<double, double>> modulus_range(const std::vector<double>& stresses) {
@@ -61,24 +55,25 @@ int log_fits(const std::vector<StrengthFit>& fits) {
 
 int fit_strength(const StrengthArguments& arguments) {
   Printing printing = arguments.printing;
-  const ColumnNames columns =
-      parse_column_names(arguments.columns, {"sigma1", "sigma3", "strain", "volumetric_strain"}, printing);
+  const ColumnNames columns = parse_column_names(arguments.columns, strength_names(), printing);
   StrengthOptions options;
   options.critical_from = arguments.critical_from;
   options.modulus_range = modulus_range(arguments.modulus);
   std::vector<StrengthTest> tests;
-  int code = for_each_table(arguments.inputs, [&](const std::string& file) {
-    std::vector<StrengthTest> found = read_strength_tests(file, columns, kind_of(arguments.kind));
+  const auto read = [&](const std::string& file) {
+    std::vector<StrengthTest> found = read_strength_tests(file, columns, kind_of_test(arguments.kind));
     if (found.empty()) {
       spdlog::warn(
-          "{}: the table has no test that strains the sample along one axis: no rows with the control "
-          "triaxial, constant_volume or oedometric",
+          "{}: the table has no test that strains the sample along one axis or shears it: no rows with the "
+          "control "
+          "triaxial, constant_volume, oedometric or simple_shear",
           file);
       return static_cast<int>(kNotConverged);
     }
     std::ranges::move(found, std::back_inserter(tests));
     return static_cast<int>(kDone);
-  });
+  };
+  int code = for_each_table(arguments.inputs, read, tables_of_tests);
   if (tests.empty()) return code;
   const std::vector<StrengthFit> fits = strength_fits(std::move(tests), options);
   code = worse(code, log_fits(fits));
@@ -96,21 +91,25 @@ Command add_fit_strength(CommandLine fit) {
   CommandLine app = fit.add_subcommand("strength",
                                        "evaluate mechanical tests as a laboratory reports them: friction "
                                        "angles, cohesion and dilatancy angle of "
-                                       "drained (biaxial, triaxial) tests, strength and pore pressure of "
-                                       "undrained tests (at constant volume), K0 and "
+                                       "drained (biaxial, triaxial) and simple shear tests, strength and pore "
+                                       "pressure of undrained tests (at constant volume), K0 and "
                                        "constrained modulus of oedometer tests");
   app.add_option("TABLE", arguments->inputs,
-                 "directories of `floc run` whose paths have stages with a driven axis; or tables of "
-                 "one drained test each, with the columns sigma1 and sigma3 (stresses along and "
-                 "across the axis), strain (along the axis) and volumetric_strain, positive in "
-                 "compression; or tables with only sigma1 and sigma3, with one row per sample at "
-                 "failure; - for a table on stdin")
+                 "directories of `floc run` whose paths have stages with a driven axis or simple shear, or of "
+                 "a campaign; or "
+                 "tables of one test each, with the columns sigma1 and sigma3 (stresses along and across the "
+                 "axis), strain "
+                 "(along the axis) and volumetric_strain, positive in compression, or sigma_n and tau "
+                 "(stresses across and "
+                 "along the sheared planes), shear_strain and volumetric_strain; or tables with the stresses "
+                 "alone, one "
+                 "sample at failure in each row; - for a table on stdin")
       .required();
   app.add_option("--kind", arguments->kind,
                  "kind of the test in tables that `floc run` has not written: drained, undrained (sigma1 and "
                  "sigma3 are "
-                 "effective stresses) or oedometer [drained]")
-      .one_of({"drained", "undrained", "oedometer"});
+                 "effective stresses), oedometer or simple-shear [drained; with sigma_n and tau simple-shear]")
+      .one_of({"drained", "undrained", "oedometer", "simple-shear"});
   app.add_option("--critical-from", arguments->critical_from,
                  "axial strain at which the critical state begins [three quarters of the strain of "
                  "the test]")
@@ -120,7 +119,8 @@ Command add_fit_strength(CommandLine fit) {
                  "the largest stress to the largest stress]")
       .delimiter(',')
       .expected(2);
-  add_columns_option(app, arguments->columns, "sigma1, sigma3, strain, volumetric_strain");
+  add_columns_option(app, arguments->columns,
+                     "sigma1, sigma3, strain, volumetric_strain, sigma_n, tau, shear_strain");
   add_printing_options(app, arguments->printing);
   return {app, [arguments] { return fit_strength(*arguments); }};
 }

@@ -49,7 +49,8 @@ std::vector<PricedSettings> cell_prices(const PriceTable& table, const std::vect
 
 /// Returns the bound of the relative error of a mean over states that the choice of settings causes: the error of 95 %
 /// of single states, or the difference of the means from the strictest settings as far as it exceeds the half width of
-/// its 95 % interval, whichever is larger. NaN if neither was measured.
+/// its 95 % interval, whichever is larger. With soft springs, which lead to other packings, it is the root of the sum of
+/// the squares of the difference and of the half width of its interval. NaN if neither was measured.
 double settings_error(const PricedSettings& settings, const std::string& observable);
 
 /// Result of choose_accuracy(): the cheapest numerical settings whose errors do not exceed the requested ones, or the
@@ -71,6 +72,8 @@ struct AccuracyChoice {
 /// samples does not exceed it by more than the sampling error (half width of the 95 % confidence interval).
 /// 2. For a quantity fitted to a whole path, of which there are only means, the difference of the means plus its
 /// sampling error is at most the requested error.
+///
+/// Settings with soft springs are never chosen: they lead to other packings, and [accuracy] speaks of single states.
 ///
 /// A requested error below all measured ones is refused, because the error of the reference run itself is unknown. If
 /// the mass or the strain rate of the cell differs from its default, the errors that were measured for such a cell are

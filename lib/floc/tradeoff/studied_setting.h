@@ -35,12 +35,15 @@ struct StudiedSetting {
   std::optional<LatticeSettings> lattice;  ///< present in a study of cemented grains
 
   bool is_reference() const { return parameter == "strict"; }
+  /// Whether every study has this variant: the strictest settings, or the scene as it is.
+  bool is_compared_with() const { return is_reference() || parameter == "scene"; }
   /// Whether only the computation of the elastic moduli differs from the scene. No run is then made: the moduli are
   /// computed for the states of the reference.
   bool is_moduli_level() const { return parameter == "moduli"; }
   /// Whether the states are those of other packings, or at other steps of the path, than with the strictest settings.
-  /// They cannot be compared one by one then, only in the mean over all states under equal loads.
-  bool has_other_states() const { return n_grains != 0 || steps_factor != 1.0; }
+  /// They cannot be compared one by one then, only in the mean over all states under equal loads. Soft springs put the
+  /// grains together in another way.
+  bool has_other_states() const { return n_grains != 0 || steps_factor != 1.0 || numerical.softening.any(); }
 };
 
 /// Parameter that a study varies: the scenes to which it applies, and the function that adds one variant of the scene
@@ -53,6 +56,15 @@ struct DeclaredSetting {
 
 /// Returns all parameters that a study varies, in the order of their importance.
 const std::vector<DeclaredSetting>& declared_settings();
+
+/// Whether the samples of a scene may have another number of grains than the scene: its packings are made from a gas,
+/// and their diameters are not those of a list.
+bool has_any_number_of_grains(const Scene& scene);
+
+/// Removes the variants of other parameters from the list of a study. The strictest settings and the scene as it is stay.
+/// @param names  parameters to keep; empty: all
+/// @throws InputError if a parameter is none of the list
+void keep_parameters(const std::vector<std::string>& names, std::vector<StudiedSetting>& settings);
 
 /// Returns the strictest numerical settings of elastic grains: a tolerance of 1e-8 (rounding errors of the positions
 /// hide smaller forces), about a quarter of the default time step, and twice the default patience.

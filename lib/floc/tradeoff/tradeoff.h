@@ -14,6 +14,8 @@ struct TradeoffOptions {
   /// largest number of samples; the seeds of the samples count up from that of the scene
   int max_samples = 8;
   static constexpr WholeRange kSamples{.least = 1, .most = 10000};
+  /// parameters whose values are compared (DeclaredSetting::parameter); empty: all
+  std::vector<std::string> parameters;
   /// Function that is called after each part of the work, with a description of it.
   std::function<void(const std::string&)> progress = [](const std::string&) {};
 };
@@ -63,12 +65,17 @@ struct Tradeoff {
 /// out of the study.
 /// 3. A run that reaches the deadline is stopped, and so is a run that takes longer than that with the strictest
 /// settings.
-/// @throws InputError if the budget is not positive, if the number of samples is outside of kSamples, or if the scene
-/// starts from a saved state: samples are made from a gas
+/// A scene that starts from a saved packing keeps its number of grains. If seeds make no difference to it either, there
+/// is one sample, and the errors are those of its states alone.
+/// @throws InputError if the budget is not positive, if the number of samples is outside of kSamples, or if a parameter
+/// is none that a study of the scene varies
 Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options);
 
-/// Requires options and a scene from which a study can make samples. @throws InputError as study_tradeoff()
-void require_study(const Scene& scene, const TradeoffOptions& options);
+/// Requires valid numbers in the options of a study. @throws InputError as study_tradeoff()
+void require_study(const TradeoffOptions& options);
+
+/// Returns the largest number of samples of a study, and adds a reason to `left_out` if it is smaller than wanted.
+int number_of_samples(const Scene& scene, const TradeoffOptions& options, std::vector<std::string>& left_out);
 
 /// Describes the reference paths of a study: its members n_states, reference and scatter.
 /// @param references  paths of the runs with the strictest settings, one for each seed, at least one

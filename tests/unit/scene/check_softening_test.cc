@@ -84,7 +84,7 @@ TEST(CheckSoftening, OtherScenesSayWhyNot) {
               HasSubstr("expected 1, or no softening"));
   EXPECT_THAT(softening_faults(soft, {"contact.normal.stiffness=1e4"}),
               HasSubstr("expected 1, or no softening"));
-  EXPECT_THAT(softening_faults(soft + "[accuracy]\nphi = 0.05\n"), HasSubstr("has no errors of soft springs"));
+  EXPECT_THAT(softening_faults(soft + "[accuracy]\nphi = 0.05\n"), HasSubstr("without soft springs"));
   EXPECT_THAT(softening_faults(std::string(kDirect) + "[equilibrium]\nsoftening = 0.5\n"),
               HasSubstr("expected a number >= 1"));
   EXPECT_THAT(softening_faults(std::string(kDirect) + "[equilibrium]\nsoftening = 1\n"), IsEmpty());

@@ -15,6 +15,7 @@
 
 #include "floc/assembly/gas.h"
 #include "floc/contact/law_parameters.h"
+#include "floc/contact/law_table.h"
 #include "floc/elasticity/stability.h"
 #include "floc/io/state_file.h"
 #include "floc/neighbors/space_order.h"
@@ -90,8 +91,8 @@ void force_loop(benchmark::State& state) {
 /// time to make a new list of pairs, in units of this sum. The grains do not move.
 void passes(benchmark::State& state) {
   const Packing<2>& packing = dense(static_cast<int>(state.range(0)), kFriction, false);
-  const AnyContactLaw law = compose_law(packing.law);
-  const AnyKernelLaw<2> in_kernel = kernel_law<2>(law, Partner::grain);
+  const ComposedLaw law{compose_law(packing.law)};
+  const AnyKernelLaw<2> in_kernel = kernel_law<2>(law.any, Partner::grain);
   const void* const composed = address_of_alternative(in_kernel);
   GrainArrays<2> grains(packing.grains, space_order(packing.cell, packing.grains));
   const auto x_list = grains.x;

@@ -109,5 +109,6 @@ void bind_packings(py::module_& module);
 void bind_analysis(py::module_& module);
 void bind_fits(py::module_& module);
 void bind_run(py::module_& module);
+void bind_plan(py::module_& module);
 
 }  // namespace floc::python

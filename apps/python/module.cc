@@ -72,4 +72,5 @@ PYBIND11_MODULE(_core, module) {
   fp::bind_analysis(module);
   fp::bind_fits(module);
   fp::bind_run(module);
+  fp::bind_plan(module);
 }

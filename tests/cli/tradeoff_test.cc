@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <tuple>
 #include <vector>
 
@@ -121,6 +122,60 @@ TEST(TradeoffCommand, RefusesObservablesThatTheSceneDoesNotHave) {
   EXPECT_THAT(refusal("demo.toml --observables E_lattice"), HasSubstr("\"disks-cohesive\""));
   EXPECT_THAT(refusal("rigid_disks_demo.toml --lattice 0.1"),
               HasSubstr("elastic disks or spheres in a periodic cell"));
+}
+
+TEST(TradeoffCommand, ComparesTheParametersThatAreNamed) {
+  const Outcome o =
+      run_floc("tradeoff " + kSmall +
+               "--samples 2 --budget 60 --knobs softening,patience --observables phi --format json");
+  ASSERT_EQ(o.code, 0) << o.err;
+  std::set<std::string> knobs;
+  for (const auto& row : nlohmann::json::parse(o.out)) {
+    knobs.insert(row["knob"]);
+    const bool soft = row["knob"] == "softening";
+    EXPECT_EQ(row["softening"] > 1.0, soft) << row["knob"];
+    // Packings that were put together on other springs are compared in the mean.
+    if (soft) {
+      EXPECT_TRUE(row["error_before_high"].is_null() && row["mean_difference"].is_number());
+    }
+  }
+  EXPECT_EQ(knobs, (std::set<std::string>{"strict", "scene", "softening", "patience", "samples"}));
+  const Outcome refused = run_floc("tradeoff " + kSmall + "--knobs colour");
+  EXPECT_EQ(refused.code, 4);
+  EXPECT_THAT(refused.err, HasSubstr("--knobs colour: this is no parameter that a study of this scene varies"));
+}
+
+TEST(TradeoffCommand, StudiesScenesThatStartFromASavedState) {
+  const ScratchDirectory scratch;
+  ASSERT_EQ(run_floc("run " + kSmall + "-o saved --until 2", scratch.path()).code, 0);
+  const std::string scene = source_directory() + "/data/scenes/type1_rolling_small.toml";
+  std::string text = content_of(scene);
+  const std::size_t assembly = text.find("[assembly]"), load = text.find("[[load]]");
+  ASSERT_NE(assembly, std::string::npos);
+  ASSERT_LT(assembly, load);
+  text.replace(assembly, load - assembly,
+               "[assembly]\nprotocol = \"state\"\nstate = \"saved/state-0002.h5\"\npressure = 0.1\n\n");
+  for (const char* table : {"[grains]", "[cell]"}) {
+    const std::size_t begin = text.find(table), end = text.find("\n[", begin);
+    if (begin != std::string::npos) text.erase(begin, end + 1 - begin);
+  }
+  write_text(scratch.file("from_state.toml"), text);
+  const Outcome o = run_floc(
+      "tradeoff from_state.toml --set load.0.to=0.2 --set load.0.steps_per_decade=3 --samples 2 --budget 60 "
+      "--format "
+      "json",
+      scratch.path());
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(o.err,
+              HasSubstr("all samples beyond the first, because the run starts from a saved packing at rest"));
+  bool has_states = false;
+  for (const auto& row : nlohmann::json::parse(o.out)) {
+    EXPECT_EQ(row["n_grains"], 40);
+    EXPECT_EQ(row["n_samples"], 1);
+    EXPECT_NE(row["knob"], "count");
+    has_states = has_states || (row["knob"] == "scene" && row["error_before"].is_number());
+  }
+  EXPECT_TRUE(has_states);
 }
 
 TEST(TradeoffCommand, SaysWhatABudgetDidNotAllow) {

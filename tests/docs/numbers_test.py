@@ -546,9 +546,10 @@ class Test:
         points = list(csv.DictReader(open(os.path.join(self.source, "data/tables/softening/points.csv"))))
 
         def values(factors, name):
-            return [float(r[name]) for r in points if (r["softening"], r["beyond"]) == factors]
+            return [float(r[name]) for r in points if "-".join(r[part] for part in parts) == factors]
 
-        strict_ones = ("1", "1")
+        parts = ("assembly", "to_0.1", "to_0.316", "to_1", "beyond")
+        strict_ones = "1-1-1-1-1"
 
         def change(shown, factors, name, what, scale=1.0):
             base, other = values(strict_ones, name), values(factors, name)
@@ -557,9 +558,8 @@ class Test:
             self.number(mean, scale * (statistics.mean(other) - statistics.mean(base)), what)
             self.number(deviation, scale * error, what + ", two standard errors")
 
-        for factor, beyond, pressure, samples, strict, soft, phi, z, B in self.claim_table("| s | beyond | P* | samples |"):
-            factors = (factor, beyond)
-            what = f"softening {factor} and {beyond}, P* = {pressure}"
+        for factors, pressure, samples, strict, soft, phi, z, B in self.claim_table("| softening | P* | samples |"):
+            what = f"softening {factors}, P* = {pressure}"
             self.number(samples, len(values(factors, "seed")), what + ", samples")
             self.mean_and_scatter(strict, values(strict_ones, "Phi_" + pressure), what + ", strict")
             self.mean_and_scatter(soft, values(factors, "Phi_" + pressure), what + ", soft")

@@ -94,15 +94,17 @@ inline PromisesOfTable count_promises(const Scene& scene, const PriceTable& tabl
     const auto one =
         std::find_if(priced.begin(), priced.end(), [&](const auto& p) { return p.name() == name; });
     if (one == priced.end()) continue;
+    const StudiedSetting setting = studied(scene, name);
     std::vector<SamplePath> paths;
     for (int s = 0; s < n_samples; ++s) {
-      paths.push_back(
-          make_sample(run_options(scene, studied(scene, name), seed + s), {}, &references[s], never));
+      const SamplePath* reference = setting.has_other_states() ? nullptr : &references[s];
+      paths.push_back(make_sample(run_options(scene, setting, seed + s), {}, reference, never));
       settle(run_options(scene, strict, seed + s).relaxation, never, paths.back());
       EXPECT_TRUE(paths.back().whole()) << name << ": " << paths.back().failure;
-      count_states(*one, references[s], paths.back(), promises.states);
+      if (reference != nullptr) count_states(*one, references[s], paths.back(), promises.states);
     }
-    const ObservableErrors errors = compare(pointers_to(references), pointers_to(paths), std::nullopt);
+    const auto compared = setting.has_other_states() ? compare_means : compare;
+    const ObservableErrors errors = compared(pointers_to(references), pointers_to(paths), std::nullopt);
     for (std::size_t k = 0; k < kObservables; ++k) {
       const MeanDifference& mean = errors[k].mean;
       const double promised = settings_error(*one, declared_observables()[k].name);

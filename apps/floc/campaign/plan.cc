@@ -25,9 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kCampaignFile = "campaign.toml";
-constexpr const char* kSceneFile = "scene.toml";
-
 struct PlanArguments {
   std::string file;
   std::string name;
@@ -126,11 +123,11 @@ int plan_campaign(const PlanArguments& arguments) {
   const fs::path directory(arguments.directory);
   const std::string scene = portable_scene(planned.campaign);
   planned.campaign.scene = scene;
-  planned.campaign.scene_file = (directory / kSceneFile).string();
+  planned.campaign.scene_file = (directory / kCampaignScene).string();
   planned.plans = plan_cases(planned.campaign);  // file names in the cases are relative to `directory`
   const std::pair<const char*, std::string> files[] = {
       {kCampaignFile, read_file(arguments.file)},
-      {kSceneFile, scene},
+      {kCampaignScene, scene},
       {"Snakefile", snakefile_of(planned.campaign, planned.plans, this_program())}};
   std::error_code failed;
   fs::create_directories(directory, failed);
@@ -156,20 +153,6 @@ int plan_campaign(const PlanArguments& arguments) {
 PlannedCampaign planned_campaign(const std::string& file) {
   PlannedCampaign planned{read_campaign(file), {}};
   check_columns(planned.campaign);
-  planned.plans = plan_cases(planned.campaign);
-  return planned;
-}
-
-PlannedCampaign campaign_of(const std::string& directory) {
-  const fs::path file = fs::path(directory) / kCampaignFile;
-  if (!fs::is_regular_file(file) || !fs::is_regular_file(fs::path(directory) / kSceneFile))
-    throw InputError(directory,
-                     "this directory holds no campaign: expected a directory that floc campaign plan wrote");
-  PlannedCampaign planned{read_campaign(file.string(), kSceneFile), {}};
-  // A campaign without a name is named after its file. Here this file is always campaign.toml, so the name of the
-  // directory is used instead.
-  if (planned.campaign.name == file.stem().string())
-    planned.campaign.name = fs::canonical(directory).filename().string();
   planned.plans = plan_cases(planned.campaign);
   return planned;
 }

@@ -65,6 +65,12 @@ struct TradeoffRow {
   const DeclaredObservable& declared() const { return declared_observables()[observable]; }
 };
 
+/// Returns a factor of softer springs; undefined for grains without springs, and for lattices.
+TableValue softening_cell(const TradeoffRow& row, double Softening::*part) {
+  if (row.run.scene.law.is_rigid() || row.setting.setting.lattice) return {};
+  return row.setting.setting.numerical.softening.*part;
+}
+
 const std::vector<Column<TradeoffRow>>& tradeoff_columns() {
   using Row = TradeoffRow;
   static const std::vector<Column<Row>> columns = {
@@ -103,6 +109,8 @@ const std::vector<Column<TradeoffRow>>& tradeoff_columns() {
       {"sample_scatter", [](const Row& r) { return or_undefined_number(r.tradeoff.scatter[r.observable]); }},
       {"n_states", [](const Row& r) { return count(r.tradeoff.n_states); }},
       {"memory_mb", [](const Row& r) { return or_undefined_number(r.setting.memory); }},
+      {"softening", [](const Row& r) { return softening_cell(r, &Softening::load); }},
+      {"assembly_softening", [](const Row& r) { return softening_cell(r, &Softening::assembly); }},
   };
   return columns;
 }
@@ -195,6 +203,12 @@ Command add_tradeoff(CommandLine program) {
       .delimiter(',')
       .one_argument_each()
       .one_of(observable_names());
+  app.add_option(
+         "--knobs", command->options.parameters,
+         "parameters whose values are compared with the strictest settings and with the scene as it is: "
+         "time_step, softening, ... [all]")
+      .delimiter(',')
+      .one_argument_each();
   app.add_option("--lattice", command->matrix_content,
                  "study the lattice of floc lattice instead of the states: volume fraction of a "
                  "matrix that cements the grains of the last state")

@@ -20,11 +20,12 @@ from ._analysis import (Chain, Comparison, Compliance, Forces, Moduli, Network, 
                         moduli, network, structure)
 from ._core import commit, version as __version__
 from ._errors import EquilibriumError, Error, FileError, FlocWarning, InputError, NumericalError
+from ._plan import Plan, PlanCheck, Plans, check_plan, plan
 from ._records import Record, Records, columns
 from ._run import Progress, Run, run
 from ._state import Packing, State, read
 
 __all__ = ["Chain", "Comparison", "Compliance", "EquilibriumError", "Error", "FileError", "FlocWarning", "Forces",
-           "InputError", "Moduli", "Network", "NumericalError", "Packing", "Progress", "Record", "Records", "Run",
-           "State", "Structure", "chain", "columns", "commit", "compare", "fit", "forces", "moduli", "network", "plot",
-           "read", "run", "structure"]
+           "InputError", "Moduli", "Network", "NumericalError", "Packing", "Plan", "PlanCheck", "Plans", "Progress",
+           "Record", "Records", "Run", "State", "Structure", "chain", "check_plan", "columns", "commit", "compare",
+           "fit", "forces", "moduli", "network", "plan", "plot", "read", "run", "structure"]

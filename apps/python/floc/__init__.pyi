@@ -425,6 +425,41 @@ class Comparison(Record):
     strain23: float | None
     strain33: float | None
 
+class Plan(Record):
+    plan: int | None
+    observable: str
+    error: float | None
+    n_grains: int | None
+    n_samples: int | None
+    knob: str
+    value: str
+    cpu_hours: float | None
+    wall_hours: float | None
+    memory_mb: float | None
+    error_settings: float | None
+    error_size: float | None
+    error_scatter: float | None
+    tolerance: float | None
+    time_step: float | None
+    finish: str
+    patience: float | None
+    kind: str
+    softening: float | None
+    assembly_softening: float | None
+
+class PlanCheck(Record):
+    quantity: str
+    unit: str
+    promised: float | None
+    achieved: float | None
+    ratio: float | None
+    mean: float | None
+    n_samples: int | None
+
+class Plans(Records[Plan]):
+    remarks: list[str]
+    def __init__(self, rows: _Iterable[Plan], remarks: list[str]) -> None: ...
+
 class Compliance(Record):
     formula: float | None
     solved: float | None
@@ -512,3 +547,9 @@ def run(
     changes: _Mapping[str, _Any] | None = None, seed: int | None = None, threads: int | None = None,
     until: int | None = None, track_contacts: float | None = None, track_energy: bool = False, resume: bool = False,
     overwrite: bool = False, timing: bool = True, prices: str | _PathLike[str] | None = None) -> Run: ...
+def plan(
+    scene: str | _PathLike[str], *, budget: str | float | None = None, want: _Mapping[str, float] | None = None,
+    cores: int = 1, observables: str | _Iterable[str] = (), changes: _Mapping[str, _Any] | None = None,
+    prices: str | _PathLike[str] | None = None, pilot: bool = False,
+    output: str | _PathLike[str] | None = None) -> Plans: ...
+def check_plan(directory: str | _PathLike[str]) -> Records[PlanCheck]: ...

@@ -111,11 +111,16 @@ def run(scene, directory, *, on_progress=None, interval=0.5, changes=None, seed=
         def told(*values):
             on_progress(Progress(*values))
     _core.run(os.fspath(scene), os.fspath(directory),
-              changes=[f"{key}={_toml(value)}" for key, value in (changes or {}).items()],
+              changes=changes_of(changes),
               prices="" if prices is None else os.fspath(prices), seed=seed, threads=threads,
               until=until, track_contacts=track_contacts, track_energy=track_energy, resume=resume,
               overwrite=overwrite, timing=timing, told=told, interval=interval)
     return Run(directory)
+
+
+def changes_of(changes):
+    """Returns the changes of a scene, a dict or None, as texts KEY=VALUE."""
+    return [f"{key}={_toml(value)}" for key, value in (changes or {}).items()]
 
 
 def _toml(value):

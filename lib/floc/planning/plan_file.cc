@@ -10,6 +10,7 @@
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
 #include "floc/scene/read_scene.h"
+#include "floc/scene/scene_softening.h"
 #include "floc/tables/column_reference.h"
 
 namespace floc {
@@ -79,6 +80,17 @@ std::string promise_of(const Plan& plan, const std::vector<ObservablePrice>& obs
       plan.settings.name(), prices, plan.core_seconds, fmt::join(errors, ", "));
 }
 
+/// Adds the changes of a scene that give it softer springs, where they differ from those that it has.
+void add_softening(const Softening& softening, const Scene& scene, std::vector<std::string>& changes) {
+  if (softening == softening_of(scene)) return;
+  changes.push_back(fmt::format("equilibrium.softening={:g}", softening.load));
+  changes.push_back(fmt::format("assembly.softening={:g}", softening.assembly));
+  const std::vector<bool> strained = strained_stages(scene);
+  for (std::size_t k = 0; k < scene.load.size(); ++k)
+    if (strained[k] || scene.load[k].cell.softening)
+      changes.push_back(fmt::format("load.{}.softening={:g}", k, strained[k] ? 1.0 : softening.load));
+}
+
 }  // namespace
 
 bool is_fitted(const std::string& observable) {
@@ -99,13 +111,14 @@ std::vector<std::string> changes_of(const PricedSettings& chosen, const Scene& s
     return changes;
   }
   const NumericalSettings& s = chosen.settings;
-  if (is_of_scene && s == NumericalSettings::of(scene.relaxation)) return changes;
+  if (is_of_scene && s == settings_of(scene)) return changes;
   for (const char* key : {"force", "moment", "stress"})
     changes.push_back(fmt::format("equilibrium.{}={:g}", key, s.tolerance));
   changes.push_back(fmt::format("equilibrium.energy={:g}", s.energy()));
   changes.push_back(fmt::format("equilibrium.patience={:g}", s.patience));
   if (!scene.assembly.box) changes.push_back(fmt::format("equilibrium.finish={}", finish_name(s.finish)));
   changes.push_back(fmt::format("run.time_step={:g}", s.time_step));
+  add_softening(s.softening, scene, changes);
   return changes;
 }
 

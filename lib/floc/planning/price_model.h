@@ -87,9 +87,12 @@ class PriceModel {
   /// cause.
   PricedError error(const ObservablePrice& observable, const PricedSettings& settings, double n_grains,
                     double n_samples) const;
-  /// Returns the settings of the table that equal those of the scene. If there are none, returns the settings of the
-  /// row "scene", with the processor time scaled to the time step of the scene.
+  /// Returns the settings of the table that are those of the scene, or those of the row "scene" with the processor time
+  /// of the scene's time step and softening.
   PricedSettings settings_of_scene() const;
+  /// Returns the processor time of a run with softer springs over that without: interpolated among the rows of softening
+  /// in the table; the assembly takes a fixed share of it.
+  double time_with_softening(const Softening& softening) const;
 
  private:
   void take_table();

@@ -40,9 +40,9 @@ bool is_of_cell(const std::string& parameter) {
 /// Whether a parameter in a table of prices is one that a scene can change to gain accuracy. The list contains the
 /// settings of elastic grains, then the settings of rigid grains.
 bool is_settable(const std::string& parameter) {
-  static const std::vector<std::string> kSettable = {"strict",    "scene",           "finish",
-                                                     "tolerance", "time_step",       "patience",
-                                                     "together",  "sweep_tolerance", "gap_tolerance"};
+  static const std::vector<std::string> kSettable = {
+      "strict",   "scene",           "finish",        "tolerance", "time_step",         "patience",
+      "together", "sweep_tolerance", "gap_tolerance", "softening", "assembly_softening"};
   return std::find(kSettable.begin(), kSettable.end(), parameter) != kSettable.end();
 }
 
@@ -124,6 +124,7 @@ class AccuracyChooser {
  public:
   AccuracyChooser(const PriceTable& table, const WantedAccuracy& wanted, const std::vector<CellFactors>& cells)
       : table_(table), candidates_(settable_prices(table)), additions_(cell_prices(table, cells)) {
+    std::erase_if(candidates_, [](const PricedSettings& c) { return c.settings.softening.any(); });
     for (const auto& [key, asked] : wanted) wanted_.push_back({key, asked, priced_observables(table, key)});
   }
 
@@ -250,6 +251,8 @@ double settings_error(const PricedSettings& settings, const std::string& observa
   const auto found = settings.of.find(observable);
   if (found == settings.of.end()) return std::numeric_limits<double>::quiet_NaN();
   const PriceRow& row = *found->second;
+  // Soft springs change the mean by an amount of which the samples may not have seen all.
+  if (settings.settings.softening.any()) return std::hypot(row.mean_difference, row.mean_error);
   const double detected = std::isfinite(row.mean_error)
                               ? std::max(0.0, std::abs(row.mean_difference) - row.mean_error)
                               : std::numeric_limits<double>::quiet_NaN();

@@ -51,9 +51,10 @@ std::vector<PricedSettings> settable_prices(const PriceTable& table);
 /// errors in these rows are added to the errors of the numerical settings.
 std::vector<PricedSettings> cell_prices(const PriceTable& table, const std::vector<CellFactors>& cells);
 
-/// Returns an upper bound of the relative error, caused by the settings, of a mean over states. It is the larger of two
-/// numbers: the error that 95 % of single states do not exceed, and the amount by which the difference of the mean from
-/// that of the strictest settings exceeds the half width of its 95 % confidence interval. NaN if neither was measured.
+/// Returns the bound of the relative error of a mean over states that the choice of settings causes: the error of 95 %
+/// of single states, or the difference of the means from the strictest settings as far as it exceeds the half width of
+/// its 95 % interval, whichever is larger. With soft springs, which lead to other packings, it is the root of the sum of
+/// the squares of the difference and of the half width of its interval. NaN if neither was measured.
 double settings_error(const PricedSettings& settings, const std::string& observable);
 
 /// Result of choose_accuracy(): the cheapest numerical settings whose errors do not exceed the requested errors, or the
@@ -75,6 +76,8 @@ struct AccuracyChoice {
 /// samples exceeds the requested error by at most the sampling error (half width of the 95 % confidence interval).
 /// 2. If only means were compared, because the quantity is fitted to a whole path: the difference of the means plus its
 /// sampling error is at most the requested error.
+///
+/// Settings with soft springs are never chosen: they lead to other packings, and [accuracy] speaks of single states.
 ///
 /// A requested error below all measured errors is refused, because the error of the reference run itself is unknown. If
 /// the mass or the strain rate of the cell differs from its default, the errors that were measured for such a cell are

@@ -55,20 +55,28 @@ class Cells {
   int row_;
 };
 
-NumericalSettings settings_of(const Cells& cells) {
+/// Returns a factor of softer springs; 1 if the table does not say it.
+double softening_in(const Cells& cells, const std::string& column) {
+  const double factor = cells.number(column);
+  return std::isnan(factor) ? 1.0 : factor;
+}
+
+NumericalSettings settings_in(const Cells& cells) {
   const std::string finish = cells.text("finish");
-  return {cells.number("tolerance"), cells.number("time_step"),
+  return {cells.number("tolerance"),
+          cells.number("time_step"),
           finish == finish_name(Finish::dynamic)   ? Finish::dynamic
           : finish == finish_name(Finish::statics) ? Finish::statics
                                                    : Finish::automatic,
-          cells.number("patience")};
+          cells.number("patience"),
+          {softening_in(cells, "assembly_softening"), softening_in(cells, "softening")}};
 }
 
 PriceRow row_of(const Cells& cells) {
   PriceRow row;
   row.parameter = cells.text("knob");
   row.value = cells.text("value");
-  row.settings = settings_of(cells);
+  row.settings = settings_in(cells);
   row.observable = cells.text("observable");
   row.unit = cells.text("unit");
   row.cost_ratio = cells.number("cost_ratio");

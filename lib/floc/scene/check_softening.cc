@@ -7,38 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "floc/contact/softened_law.h"
-#include "floc/loading/run_plan.h"
+#include "floc/scene/scene_softening.h"
 
 namespace floc {
 namespace {
 
 using Need = TableReader::Need;
-
-/// Returns the largest stress that a step of a run imposes on an axis (stress unit of the scene).
-double largest_stress(const PlannedEquilibrium& step) {
-  if (step.is_isotropic()) return step.pressure;
-  double largest = 0.0;
-  for (const AxisStep& axis : step.axes)
-    if (axis.load.kind == AxisLoad::stress) largest = std::max(largest, axis.load.end);
-  return largest;
-}
-
-bool imposes_length(const PlannedEquilibrium& step) {
-  return step.shears() || std::any_of(step.axes.begin(), step.axes.end(),
-                                      [](const AxisStep& axis) { return axis.load.kind == AxisLoad::strain; });
-}
-
-/// Returns the largest allowed factor by which springs can be softened in a step of a run.
-/// @param pressure  largest pressure on the packing at the start or at the end of this step (stress unit of the scene)
-SofteningLimit limit_of(const PlannedEquilibrium& step, const Scene& scene, double pressure) {
-  if (imposes_length(step))
-    return {1.0,
-            fmt::format("springs can be softened only where a stress is imposed on every axis, but the stage "
-                        "\"{}\" imposes a strain",
-                        step.branch)};
-  return softening_limit(step.law, scene.dimension, scene.grains.largest(), pressure);
-}
 
 /// Records a fault if the softening in a table of the scene is larger than the limit of the steps to which it applies.
 void check_limit(TableReader& table, double s, const SofteningLimit& limit) {
@@ -63,9 +37,8 @@ void check_softening(TableReader& root, const SceneSource& source, const Scene& 
   for (const PlannedEquilibrium& step : plan_run(scene.assembly, scene.law, scene.load, scene.dimension)) {
     const double stress = largest_stress(step);
     const SofteningLimit limit =
-        root.has("accuracy")
-            ? SofteningLimit{1.0, "the table of errors for [accuracy] was not measured with soft springs"}
-            : limit_of(step, scene, std::max(before, stress));
+        root.has("accuracy") ? SofteningLimit{1.0, "[accuracy] chooses among settings without soft springs"}
+                             : softening_limit_of(step, scene, std::max(before, stress));
     before = stress;
     SofteningLimit& tightest = limits.try_emplace(step.cell.softening ? step.stage : -2, limit).first->second;
     if (limit.largest < tightest.largest) tightest = limit;

@@ -93,11 +93,14 @@ class LatticeStudy {
         lattice_(lattice),
         options_(options),
         deadline_(kShareOfSamples * options.budget),
-        settings_(lattice_settings(scene_)),
-        paths_(settings_.size()) {}
+        max_samples_(number_of_samples(scene_, options, left_out_)),
+        settings_(lattice_settings(scene_)) {
+    keep_parameters(options.parameters, settings_);
+    paths_.resize(settings_.size());
+  }
 
   Tradeoff run() {
-    for (int k = 0; k < options_.max_samples && next_sample_fits(k); ++k) run_seed(k);
+    for (int k = 0; k < max_samples_ && next_sample_fits(k); ++k) run_seed(k);
     Tradeoff out;
     out.n_grains = scene_.grains.count;
     if (!paths_[0].empty()) measure(out);
@@ -111,7 +114,7 @@ class LatticeStudy {
     left_out_.push_back(
         fmt::format("all samples after the first {} of {}, because the next sample would take {:.0f} s, but "
                     "only {:.0f} s of the budget are left",
-                    k, options_.max_samples, seconds_of_seed_, std::max(0.0, deadline_.left())));
+                    k, max_samples_, seconds_of_seed_, std::max(0.0, deadline_.left())));
     return false;
   }
 
@@ -191,18 +194,19 @@ class LatticeStudy {
   LatticeStudyOptions lattice_;
   const TradeoffOptions& options_;
   Deadline deadline_;
+  std::vector<std::string> left_out_;
+  int max_samples_;
   std::vector<StudiedSetting> settings_;
   // for each setting, the path of each sample; the key is the number of the sample
   std::vector<std::map<int, SamplePath>> paths_;
   std::set<std::size_t> skipped_;
-  std::vector<std::string> left_out_;
   double seconds_of_seed_ = 0.0;
 };
 
 }  // namespace
 
 Tradeoff study_lattice(Scene scene, const LatticeStudyOptions& lattice, const TradeoffOptions& options) {
-  require_study(scene, options);
+  require_study(options);
   require_in_range("matrix content", lattice.matrix_content, CementOptions::kContent);
   require_in_range("stiffness ratio", lattice.stiffness_ratio, LatticeStudyOptions::kRatio);
   if (scene.law.is_rigid() || scene.assembly.box)

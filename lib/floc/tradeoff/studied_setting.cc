@@ -1,10 +1,15 @@
 #include "floc/tradeoff/studied_setting.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
 #include <limits>
+
+#include "floc/base/error.h"
+#include "floc/base/nearest_name.h"
+#include "floc/scene/scene_softening.h"
 
 namespace floc {
 namespace {
@@ -67,7 +72,12 @@ void add_moduli(const Scene&, const StudiedSetting& base, Settings& list) {
 void add_together(const Scene&, const StudiedSetting& base, Settings& list) {
   const auto all = [&](const char* value, const NumericalSettings& n) {
     add(
-        base, "together", value, [&](StudiedSetting& s) { s.numerical = n; }, list);
+        base, "together", value,
+        [&](StudiedSetting& s) {
+          s.numerical = n;
+          s.numerical.softening = base.numerical.softening;
+        },
+        list);
   };
   all("coarse", {1e-2, 0.36, Finish::statics, 0.2});
   all("medium", {1e-4, 0.36, Finish::statics, 0.2});
@@ -156,6 +166,32 @@ void add_gap_tolerance(const Scene&, const StudiedSetting& base, Settings& list)
         [&](StudiedSetting& s) { s.contact_dynamics.gap_tolerance = tolerance; }, list);
 }
 
+/// Springs that are softer in the whole run, as far as the scene allows.
+void add_softening(const Scene& scene, const StudiedSetting& base, Settings& list) {
+  const Softening largest = largest_softening(scene);
+  for (const double factor : {3.0, 10.0, 30.0})
+    if (factor <= largest.assembly && factor <= largest.load)
+      add(
+          base, "softening", fmt::format("{}", factor),
+          [&](StudiedSetting& s) {
+            s.numerical.softening = {factor, factor};
+          },
+          list);
+}
+
+/// Springs that are softer while the grains are put together, and as they are on the load path.
+void add_assembly_softening(const Scene& scene, const StudiedSetting& base, Settings& list) {
+  if (scene.load.empty() || scene.starts_from_state()) return;
+  for (const double factor : {10.0, 100.0})
+    if (factor <= largest_softening(scene).assembly)
+      add(
+          base, "assembly_softening", fmt::format("{}", factor),
+          [&](StudiedSetting& s) {
+            s.numerical.softening = {factor, 1.0};
+          },
+          list);
+}
+
 void add_patience(const Scene&, const StudiedSetting& base, Settings& list) {
   for (const double patience : {0.2, 0.5, 2.0})
     add(
@@ -199,10 +235,6 @@ void add_end(const Scene& scene, const StudiedSetting& base, Settings& list) {
         [&](StudiedSetting& s) { *s.compaction.longest *= factor; }, list);
 }
 
-bool has_any_number_of_grains(const Scene& scene) {
-  return scene.grains.diameter.kind != DiameterDistribution::Kind::list;
-}
-
 void add_count(const Scene& scene, const StudiedSetting& base, Settings& list) {
   for (const int share : {4, 2})
     if (const int n = scene.grains.count / share; n >= 20)
@@ -221,7 +253,7 @@ StudiedSetting as_it_is(const Scene& scene) {
   StudiedSetting setting;
   setting.parameter = "scene";
   setting.value = "as it is";
-  setting.numerical = NumericalSettings::of(scene.relaxation);
+  setting.numerical = settings_of(scene);
   setting.contact_dynamics = scene.relaxation.contact_dynamics;
   setting.compaction = scene.relaxation.compaction;
   return setting;
@@ -253,6 +285,26 @@ void scale_caps(double factor, Capped& capped) {
 
 }  // namespace
 
+bool has_any_number_of_grains(const Scene& scene) {
+  return !scene.starts_from_state() && scene.grains.diameter.kind != DiameterDistribution::Kind::list;
+}
+
+void keep_parameters(const std::vector<std::string>& names, std::vector<StudiedSetting>& settings) {
+  if (names.empty()) return;
+  std::vector<std::string> known;
+  for (const StudiedSetting& s : settings)
+    if (!s.is_compared_with() && (known.empty() || known.back() != s.parameter)) known.push_back(s.parameter);
+  for (const std::string& name : names)
+    if (std::ranges::find(known, name) == known.end())
+      throw InputError("--knobs " + name,
+                       fmt::format("this is no parameter that a study of this scene varies: expected some of "
+                                   "{}; the nearest is {}",
+                                   fmt::join(known, ", "), nearest_name(name, known)));
+  std::erase_if(settings, [&](const StudiedSetting& s) {
+    return !s.is_compared_with() && std::ranges::find(names, s.parameter) == names.end();
+  });
+}
+
 const std::vector<DeclaredSetting>& declared_settings() {
   static const std::vector<DeclaredSetting> settings = {
       {"moduli", applies_to_elastic, add_moduli},
@@ -267,6 +319,8 @@ const std::vector<DeclaredSetting>& declared_settings() {
       {"gap_tolerance", applies_to_rigid, add_gap_tolerance},
       {"end", applies_to_walls, add_end},
       {"patience", applies_to_elastic, add_patience},
+      {"softening", applies_to_newton, add_softening},
+      {"assembly_softening", applies_to_newton, add_assembly_softening},
       {"strain_rate_cap", applies_to_cells, add_rate_cap},
       {"cell_mass", applies_to_cells, add_cell_mass},
       {"count", has_any_number_of_grains, add_count},
@@ -338,7 +392,7 @@ RunOptions run_options(const Scene& scene, const StudiedSetting& setting, std::u
   RunOptions options = scene;
   options.seed = seed;
   options.text.clear();
-  setting.numerical.apply(options.relaxation);
+  apply_settings(setting.numerical, options);
   // A study varies one tolerance, but a scene gives four. If the setting has the tolerance of the scene, all four are
   // kept.
   if (setting.numerical.tolerance == scene.relaxation.tolerance.force)

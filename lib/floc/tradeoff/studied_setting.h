@@ -37,12 +37,15 @@ struct StudiedSetting {
   std::optional<LatticeSettings> lattice;
 
   bool is_reference() const { return parameter == "strict"; }
+  /// Whether every study has this variant: the strictest settings, or the scene as it is.
+  bool is_compared_with() const { return is_reference() || parameter == "scene"; }
   /// Whether the variant differs from the scene only in how the elastic moduli are computed. No run is then made: the
   /// moduli are computed for the states of the reference.
   bool is_moduli_level() const { return parameter == "moduli"; }
-  /// Whether the packings or the steps of the path differ from those of the strictest settings. States then cannot be
-  /// compared one by one, but only as means over the states under equal loads.
-  bool has_other_states() const { return n_grains != 0 || steps_factor != 1.0; }
+  /// Whether the states are those of other packings, or at other steps of the path, than with the strictest settings.
+  /// They cannot be compared one by one then, only in the mean over all states under equal loads. Soft springs put the
+  /// grains together in another way.
+  bool has_other_states() const { return n_grains != 0 || steps_factor != 1.0 || numerical.softening.any(); }
 };
 
 /// Declaration of a parameter that a study varies: the scenes to which it applies, and the function that adds one
@@ -55,6 +58,15 @@ struct DeclaredSetting {
 
 /// Returns all parameters that a study varies, the most important first.
 const std::vector<DeclaredSetting>& declared_settings();
+
+/// Whether the samples of a scene may have another number of grains than the scene: its packings are made from a gas,
+/// and their diameters are not those of a list.
+bool has_any_number_of_grains(const Scene& scene);
+
+/// Removes the variants of other parameters from the list of a study. The strictest settings and the scene as it is stay.
+/// @param names  parameters to keep; empty: all
+/// @throws InputError if a parameter is none of the list
+void keep_parameters(const std::vector<std::string>& names, std::vector<StudiedSetting>& settings);
 
 /// Returns the strictest numerical settings of elastic grains: a tolerance of 1e-8 (smaller forces are lost in the
 /// rounding errors of the positions), about a quarter of the default time step, and twice the default patience.

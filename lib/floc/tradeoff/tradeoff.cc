@@ -43,13 +43,15 @@ class Study {
       : scene_(std::move(scene)),
         options_(options),
         deadline_(kShareOfRuns * options.budget),
-        settings_(studied_settings(scene_)) {}
+        max_samples_(number_of_samples(scene_, options, left_out_)) {
+    list_settings();
+  }
 
   Tradeoff run() {
     fit_size_to_budget();
-    settings_ = studied_settings(scene_);
+    list_settings();
     samples_.resize(settings_.size());
-    for (int k = 0; k < options_.max_samples && next_sample_fits(k); ++k) run_seed(k);
+    for (int k = 0; k < max_samples_ && next_sample_fits(k); ++k) run_seed(k);
     Tradeoff out;
     out.n_grains = scene_.grains.count;
     measure(out);
@@ -68,6 +70,12 @@ class Study {
     // time of the moduli with this setting is added to it.
     double base_seconds = 0.0;
   };
+
+  /// Lists the settings that are compared, for the present number of grains.
+  void list_settings() {
+    settings_ = studied_settings(scene_);
+    keep_parameters(options_.parameters, settings_);
+  }
 
   /// Returns the expected ratio of the processor time of a sample with a setting to that with the settings of the
   /// scene.
@@ -91,12 +99,6 @@ class Study {
 
   int least_grains() const { return scene_.dimension == 2 ? kMinDisks : kMinSpheres; }
 
-  /// Whether samples may have another number of grains than the scene. They may unless the diameters are given as a
-  /// list.
-  bool has_any_number_of_grains() const {
-    return scene_.grains.diameter.kind != DiameterDistribution::Kind::list;
-  }
-
   /// Makes a sample. If it cannot be made, for example because its cell would be too small, the result has a reason of
   /// failure.
   static SamplePath tried_sample(const RunOptions& options, const ModuliOptions& moduli,
@@ -114,14 +116,14 @@ class Study {
   /// into its budget.
   void fit_size_to_budget() {
     Scene small = scene_;
-    if (has_any_number_of_grains()) small.grains.count = std::min(scene_.grains.count, least_grains());
+    if (has_any_number_of_grains(scene_)) small.grains.count = std::min(scene_.grains.count, least_grains());
     const StudiedSetting plain = settings_[1];
     const Deadline start(0.0);
     const SamplePath pilot = tried_sample(run_options(small, plain, scene_.seed), {}, nullptr, deadline_);
     const double speed = -start.left() / expected_cost(small);
     options_.progress(fmt::format("a sample of {} grains with the settings of the scene took {:.1f} s",
                                   small.grains.count, -start.left()));
-    if (!pilot.whole() || !has_any_number_of_grains()) return;
+    if (!pilot.whole() || !has_any_number_of_grains(scene_)) return;
     const int wanted = scene_.grains.count;
     while (scene_.grains.count > least_grains() &&
            kSamplesWanted * sample_cost(scene_.grains.count, speed) > deadline_.left())
@@ -137,10 +139,10 @@ class Study {
     if (k == 0) return true;
     if (!last_seed_whole_) return false;
     if (kMargin * last_seed_seconds_ < deadline_.left()) return true;
-    left_out_.push_back(
-        fmt::format("all samples after the first {} of {}, because the next sample would take {:.0f} s, but "
-                    "only {:.0f} s of the budget are left",
-                    k, options_.max_samples, last_seed_seconds_, deadline_.left()));
+    left_out_.push_back(fmt::format(
+        "all samples beyond {} of {}, because the next sample would take {:.0f} s, but only {:.0f} s "
+        "of the budget are left",
+        k, max_samples_, last_seed_seconds_, deadline_.left()));
     return false;
   }
 
@@ -276,27 +278,32 @@ class Study {
   Scene scene_;
   const TradeoffOptions& options_;
   Deadline deadline_;
+  std::vector<std::string> left_out_;
+  int max_samples_;
   std::vector<StudiedSetting> settings_;
   std::vector<std::vector<Sample>> samples_;  // for each setting, its samples
   std::set<std::size_t> skipped_;
-  std::vector<std::string> left_out_;
   double last_seed_seconds_ = 0.0;
   bool last_seed_whole_ = true;
 };
 
 }  // namespace
 
-void require_study(const Scene& scene, const TradeoffOptions& options) {
+void require_study(const TradeoffOptions& options) {
   require_in_range("budget", options.budget, kPositiveNumber);
   require_in_range("samples", options.max_samples, TradeoffOptions::kSamples);
-  if (scene.starts_from_state())
-    throw InputError("assembly.protocol = \"state\"",
-                     "the study varies the number of grains, so the samples must be made from a gas and not "
-                     "from a saved state: expected \"direct\" or \"aggregation\"");
+}
+
+int number_of_samples(const Scene& scene, const TradeoffOptions& options, std::vector<std::string>& left_out) {
+  if (scene.is_random() || options.max_samples == 1) return options.max_samples;
+  left_out.push_back(
+      "all samples beyond the first, because the run starts from a saved packing at rest, so that every seed "
+      "makes the same states");
+  return 1;
 }
 
 Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options) {
-  require_study(scene, options);
+  require_study(options);
   return Study(std::move(scene), options).run();
 }
 

@@ -14,6 +14,8 @@ struct TradeoffOptions {
   /// largest number of samples; the first sample has the seed of the scene, and each further sample the next seed
   int max_samples = 8;
   static constexpr WholeRange kSamples{.least = 1, .most = 10000};
+  /// parameters whose values are compared (DeclaredSetting::parameter); empty: all
+  std::vector<std::string> parameters;
   /// Function that is called after each part of the work, with a description of it.
   std::function<void(const std::string&)> progress = [](const std::string&) {};
 };
@@ -63,13 +65,17 @@ struct Tradeoff {
 /// out of the study.
 /// 3. A run is stopped if it reaches the deadline, or if it takes more than about 1.5 times as long as the run with the
 /// strictest settings.
-/// @throws InputError if the budget is not positive, if the number of samples is outside of kSamples, or if the scene
-/// starts from a saved state, because samples are made from a gas
+/// A scene that starts from a saved packing keeps its number of grains. If seeds make no difference to it either, there
+/// is one sample, and the errors are those of its states alone.
+/// @throws InputError if the budget is not positive, if the number of samples is outside of kSamples, or if a parameter
+/// is none that a study of the scene varies
 Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options);
 
-/// Checks that a study can make samples from a scene with these options.
-/// @throws InputError under the conditions of study_tradeoff()
-void require_study(const Scene& scene, const TradeoffOptions& options);
+/// Requires valid numbers in the options of a study. @throws InputError as study_tradeoff()
+void require_study(const TradeoffOptions& options);
+
+/// Returns the largest number of samples of a study, and adds a reason to `left_out` if it is smaller than wanted.
+int number_of_samples(const Scene& scene, const TradeoffOptions& options, std::vector<std::string>& left_out);
 
 /// Fills the members of `out` that describe the reference paths of a study: n_states, reference and scatter.
 /// @param references  paths of the runs with the strictest settings, one for each seed, at least one

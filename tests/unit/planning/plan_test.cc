@@ -9,7 +9,9 @@
 
 #include "floc/base/error.h"
 #include "floc/fitting/student_t.h"
+#include "floc/planning/plan_file.h"
 #include "floc/scene/read_scene.h"
+#include "floc/scene/scene_softening.h"
 #include "support/places.h"
 
 namespace floc {
@@ -206,6 +208,62 @@ TEST_F(Plans, WantsAreNamesOfObservablesOrKeysOfAccuracy) {
   for (const char* bad : {"phi", "phi=", "phi=-1", "phi=0", "phi=nan", "phi=inf", "=1", "psi=1", "lambda=0.1"})
     EXPECT_THROW((void)wants_of({bad}, names), InputError) << bad;
   EXPECT_THROW((void)wants_of({"phi=1", "phi=2"}, names), InputError);
+}
+
+/// The prices above, with a row of softer springs that take half of the time.
+PriceTable soft_prices() {
+  PriceTable table = prices();
+  for (const char* name : {"phi", "B"}) {
+    PriceRow row = *table.find("scene", "as it is", name);
+    row.parameter = "softening";
+    row.value = "10";
+    row.settings.softening = {10.0, 10.0};
+    row.core_seconds *= 0.5;
+    row.cost_ratio *= 0.5;
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+TEST(PriceModelOfAScene, CostsAsMuchAsItsSofteningSays) {
+  const auto seconds = [](const std::optional<PriceTable>& table, std::vector<std::string> changes) {
+    for (const char* fixed : {"assembly.pressure=0.01", "load.0.to=1", "load.0.steps_per_decade=3",
+                              "load.1.to=0.01", "load.1.steps_per_decade=1"})
+      changes.push_back(fixed);
+    const Scene soft = scene(changes);
+    const PriceModel model(soft, table);
+    return model.core_seconds(model.settings_of_scene(), 100);
+  };
+  EXPECT_NEAR(seconds(prices(), {}), 2.0, 1e-12);
+  // Without a row of softening, 0.7 of the time goes as 1/sqrt(softening).
+  const double tenth = 0.3 + 0.7 / std::sqrt(10.0);
+  EXPECT_NEAR(seconds(prices(), {"equilibrium.softening=10"}), 2.0 * tenth, 1e-9);
+  EXPECT_NEAR(seconds(prices(), {"assembly.softening=10"}), 2.0 * (0.57 * tenth + 0.43), 1e-9);
+  // With one, its time counts, and a smaller softening takes the power of it in between.
+  EXPECT_NEAR(seconds(soft_prices(), {"equilibrium.softening=10"}), 1.0, 1e-9);
+  EXPECT_NEAR(seconds(soft_prices(), {"load.0.softening=10", "load.1.softening=10"}), 2.0 * (0.57 + 0.43 * 0.5),
+              1e-9);
+  EXPECT_NEAR(seconds(soft_prices(), {"equilibrium.softening=3.1622776601683795"}), std::sqrt(2.0), 1e-9);
+}
+
+TEST(ChangesOfAScene, GiveItTheSofteningOfThePlan) {
+  const auto softened = [](const Scene& from, const Softening& softening) {
+    PricedSettings settings;
+    settings.parameter = "softening";
+    settings.settings = settings_of(from);
+    settings.settings.softening = softening;
+    return changes_of(settings, from);
+  };
+  EXPECT_THAT(softened(scene(), {10.0, 10.0}),
+              testing::IsSupersetOf({"equilibrium.softening=10", "assembly.softening=10"}));
+  EXPECT_THAT(softened(scene(), {10.0, 1.0}),
+              testing::IsSupersetOf({"equilibrium.softening=1", "assembly.softening=10"}));
+  EXPECT_THAT(softened(scene(), {}), testing::Each(Not(HasSubstr("softening"))));
+  // A stage's own softening, and stages that impose a strain.
+  EXPECT_THAT(softened(scene({"load.1.softening=3"}), {}), testing::Contains("load.1.softening=1"));
+  const Scene oedometer = read_scene(test::source_directory() + "/data/scenes/oedometer.toml", {});
+  const std::vector<std::string> changes = softened(oedometer, {2.0, 2.0});
+  EXPECT_NO_THROW((void)read_scene(test::source_directory() + "/data/scenes/oedometer.toml", changes));
 }
 
 TEST(PriceModelOfAScene, KeepsTheNumberOfListedGrains) {

@@ -65,6 +65,25 @@ TEST(Accuracy, ADifferenceOfMeansBeyondItsSamplingErrorCountsToo) {
   EXPECT_EQ(choice({{"phi", 1.9e-2}}).name, "scene as it is");
 }
 
+TEST(Accuracy, SoftSpringsAreNoChoiceAndTheirErrorIsAllThatTheSamplesDoNotExclude) {
+  std::string soft;
+  for (const char* row : {"strict,all,phi,0,0,0,0,1,1e-8,0.1,auto,2,1e5,1,1\n",
+                          "scene,as it is,phi,2e-6,,0.001,0.02,0.3,1e-5,0.28,auto,1,1e5,1,1\n",
+                          "softening,10,phi,,,0.003,0.004,0.1,1e-5,0.28,auto,1,1e5,10,10\n",
+                          "assembly_softening,100,phi,,,0.004,0.003,0.2,1e-5,0.28,auto,1,1e5,,100\n"})
+    soft += row;
+  const PriceTable table =
+      shipped_like(kHeader.substr(0, kHeader.size() - 1) + ",softening,assembly_softening\n" + soft);
+  EXPECT_EQ(choose_accuracy(table, {{"phi", 0.1}}).name, "scene as it is");
+  const std::vector<PricedSettings> prices = settable_prices(table);
+  ASSERT_EQ(prices.size(), 4u);
+  EXPECT_EQ(prices[0].settings.softening, (Softening{10.0, 10.0}));
+  EXPECT_EQ(prices[1].settings.softening, (Softening{100.0, 1.0}));
+  EXPECT_DOUBLE_EQ(settings_error(prices[0], "phi"), 0.005);
+  EXPECT_DOUBLE_EQ(settings_error(prices[1], "phi"), 0.005);
+  EXPECT_DOUBLE_EQ(settings_error(prices[2], "phi"), 2e-6);
+}
+
 TEST(Accuracy, AllThatIsAskedForHasToHold) {
   EXPECT_EQ(choice({{"phi", 1e-2}, {"moduli", 6e-3}}).name, "scene as it is");
   const AccuracyChoice none = choice({{"phi", 1e-2}, {"moduli", 4.9e-3}});

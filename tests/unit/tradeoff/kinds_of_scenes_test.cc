@@ -7,6 +7,7 @@
 #include "floc/base/error.h"
 #include "floc/scene/read_scene.h"
 #include "floc/scene/scene_kind.h"
+#include "floc/scene/scene_softening.h"
 #include "floc/tradeoff/comparison.h"
 #include "support/places.h"
 
@@ -122,6 +123,7 @@ TEST_P(EveryKind, SettingsAreThoseOfItsDynamics) {
   EXPECT_EQ(parameters.contains("tolerance"), !scene.law.is_rigid());
   EXPECT_EQ(parameters.contains("moduli"), !scene.law.is_rigid());
   EXPECT_EQ(parameters.contains("strain_rate_cap"), !scene.assembly.box.has_value());
+  EXPECT_EQ(parameters.contains("softening"), largest_softening(scene).load >= 3.0);
 }
 
 TEST_P(EveryKind, EachSettingChangesItsOptionsAlone) {

@@ -1,0 +1,45 @@
+#include "arguments.h"
+#include "floc/campaign/campaign_directory.h"
+#include "floc/io/atomic_file.h"
+#include "floc/planning/plans_of_scene.h"
+
+namespace floc::python {
+namespace {
+
+/// Chooses plans for a scene, and writes the file of the best one if `output` is not empty.
+/// @return the table of the plans, and remarks about them
+py::tuple plan(const std::string& scene, const std::vector<std::string>& changes, const std::string& prices,
+               const std::string& budget, const std::vector<std::string>& want, const py::object& cores,
+               const std::vector<std::string>& observables, bool pilot, const std::string& output) {
+  PlanWishes wishes{scene, changes, prices, budget, want, pilot, 1, observables};
+  wishes.cores = whole_of("cores", cores, PlanRequest::kCores);
+  std::vector<std::string> remarks;
+  const Table table = without_gil([&] {
+    try {
+      const PlansOfScene plans(wishes, [&](const std::string& remark) { remarks.push_back(remark); });
+      if (!output.empty()) write_bytes_atomically(output, plans.file(output));
+      return plans.table();
+    } catch (const NoResult& error) {
+      throw NumericalError(scene + ": " + error.what());
+    }
+  });
+  return py::make_tuple(to_python(table), remarks);
+}
+
+py::tuple check(const std::string& directory) {
+  return to_python(without_gil([&] {
+    const auto [campaign, plans] = campaign_of(directory);
+    return check_table(check_plan(campaign, plans, directory));
+  }));
+}
+
+}  // namespace
+
+void bind_plan(py::module_& module) {
+  module.def("plan", &plan, py::arg("scene"), py::kw_only(), py::arg("changes"), py::arg("prices"),
+             py::arg("budget"), py::arg("want"), py::arg("cores"), py::arg("observables"), py::arg("pilot"),
+             py::arg("output"));
+  module.def("check_plan", &check, py::arg("directory"));
+}
+
+}  // namespace floc::python

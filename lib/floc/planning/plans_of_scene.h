@@ -1,0 +1,64 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "floc/io/table.h"
+#include "floc/planning/plan.h"
+#include "floc/planning/plan_check.h"
+#include "floc/planning/plan_file.h"
+#include "floc/scene/scene.h"
+
+namespace floc {
+
+/// A scene file, and what a user wishes of plans for it.
+struct PlanWishes {
+  std::string scene;                   ///< path of the scene file
+  std::vector<std::string> overrides;  ///< texts "key.path=value" that change the scene, see read_scene()
+  std::string prices;                  ///< file of a table of prices; empty: the table shipped with floc
+  std::string budget;                  ///< time that may be spent, see duration_of(); empty: no budget
+  std::vector<std::string> wants;      ///< wanted errors, see wants_of()
+  bool pilot = false;                  ///< whether small samples of the scene are run first, see run_pilot()
+  int cores = 1;
+  std::vector<std::string> observables;  ///< see PlanRequest::observables
+};
+
+/// Plans for a scene: the scene, the model of its prices, and the best plans.
+class PlansOfScene {
+ public:
+  using Remark = std::function<void(const std::string&)>;
+
+  /// Reads the scene and its prices, runs the pilot if one is asked for, and chooses the plans.
+  /// @param tell  function that takes remarks, such as what a pilot has measured
+  /// @throws InputError as choose_plans(); also if there is neither a budget nor a wanted error, if the scene has faults,
+  /// chooses its settings itself or starts from a saved packing, and if no table of prices applies without a pilot
+  PlansOfScene(PlanWishes wishes, const Remark& tell);
+  // The model refers to the scene, and the plans to the rows of its table.
+  PlansOfScene(const PlansOfScene&) = delete;
+  PlansOfScene& operator=(const PlansOfScene&) = delete;
+
+  const Plan& best() const { return choice_.plans.front(); }
+
+  /// Returns the table of `floc plan`: a row for each plan and observable.
+  Table table() const;
+  /// Returns the text of the file of the best plan, see plan_file().
+  std::string file(const std::string& output) const;
+
+ private:
+  PriceModel make_model(const Remark& tell);
+  PlanChoice choose();
+
+  PlanWishes wishes_;
+  PlanRequest request_;
+  Scene scene_;
+  std::string prices_;  ///< table of prices, or pilot, in words
+  PriceModel model_;
+  PlanChoice choice_;
+};
+
+/// Returns the table of `floc plan --check`.
+Table check_table(const std::vector<PlanCheck>& checks);
+
+}  // namespace floc

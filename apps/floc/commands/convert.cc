@@ -243,7 +243,8 @@ void add_reading_options(CommandLine app, ConvertArguments& arguments) {
       "--walls", arguments.walls,
       "axes that are not periodic, separated by commas: x (walls at both faces of the box across x), z- or "
       "z+ (a wall at the lower or upper face, and a free surface), z=0:5 (walls at these places), z=0: (a "
-      "floor at 0 and a free surface) [those that IN states; without them the packing is periodic or ends "
+      "floor at 0 and a free surface); or an input script of LAMMPS or LIGGGHTS, or an STL file, that has the "
+      "walls [those that IN states; without them the packing is periodic or ends "
       "in free space]");
   app.add_option("--wall-law", arguments.wall_law,
                  "contact law between grains and walls, given as for --law [the law between grains]");

@@ -18,13 +18,16 @@ struct ImportOptions {
   /// cell in the file is used.
   std::vector<std::vector<double>> cell;
   std::optional<Law> wall_law;  ///< contact law between grains and walls; absent: `law`
-  std::string walls;            ///< axes that are not periodic: see parse_walls(); empty: the file decides
+  /// Axes that are not periodic (see parse_walls()) and files that have walls (see read_wall_file()), separated by commas;
+  /// empty: the file decides.
+  std::string walls;
   std::vector<double>
       gravity;  ///< acceleration due to gravity, one component per axis; empty: that of the file
   std::map<std::int64_t, WallSide>
       wall_ids;  ///< bodies of the file of contacts that are walls, by their identifiers
   /// Maps the names that floc uses for columns of grains to the names of these columns in the file, such as "x" to "X".
-  /// A column that is not in this map has the name that floc uses.
+  /// A column that is not in this map has the name that floc uses. For a LAMMPS dump, names of walls such as "x-" stand
+  /// for columns with their forces: see read_lammps_dump().
   std::map<std::string, std::string> columns;
   /// Path of a file that lists the contacts; empty: contacts are found from the positions and radii.
   std::string contacts;
@@ -78,6 +81,8 @@ struct Imported {
   bool complete = false;
   /// Whether the file lists contacts; otherwise they are found from the positions and radii.
   bool contacts_known = false;
+  /// Whether the list of contacts has none with the walls of the packing, so that these are found from the geometry.
+  bool lacks_wall_contacts = false;
   /// Whether the stiffnesses of the contact law were computed as means of the listed stiffnesses.
   bool law_of_contacts = false;
   ListedContactCounts listed_contacts;  ///< set only if contacts_known is true

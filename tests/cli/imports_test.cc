@@ -130,6 +130,98 @@ TEST_F(Imports, HoldBondsAcrossGaps) {
   EXPECT_EQ(row("network").at("n_solid_bonds"), 1);
 }
 
+/// Two disks that touch walls and each other, each in columns of LAMMPS' fix wall/gran and as found from positions.
+TEST_F(Imports, HaveTheContactsWithWallsOfColumnsOrOfTheGeometry) {
+  write("s.dump",
+        "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff ff\n0 1.994\n0 1.994\n-0.5 "
+        "0.5\nITEM: ATOMS id x "
+        "y z radius f_w[1] f_w[2] f_w[3] f_w[4] f_w[5] f_w[6] f_w[7] f_w[8]\n"
+        "7 0.498 0.498 0 0.5 1 2 0.25 0 0 0.498 0 0.5\n9 1.496 0.498 0 0.5 1 -2 0.125 0 1.994 0.498 0 0.5\n");
+  write("c.csv", "id1,id2,force1,force2\n7,9,-2,0\n");
+  const std::string law = "normal.stiffness=1000,friction.coefficient=0.5,friction.stiffness=800";
+  const std::vector<std::string> options = {"--contacts", scratch_.file("c.csv"), "--walls",
+                                            "x,y=:",      "--tolerance",          "1e9"};
+  const Outcome found = convert("s.dump", options, law);
+  ASSERT_EQ(found.code, 0) << found.err;
+  EXPECT_THAT(found.err,
+              AllOf(HasSubstr("the file of contacts has none with walls"), Not(HasSubstr("not listed"))));
+  EXPECT_NEAR(row("info").at("p_wall").get<double>(), 1.0, 1e-12);  // the mean of 2 across x and 0 across y
+  std::vector<std::string> with_columns = options;
+  with_columns.insert(with_columns.end(), {"--columns", "x-=f_w,x+=f_w"});
+  const Outcome listed = convert("s.dump", with_columns, law);
+  ASSERT_EQ(listed.code, 0) << listed.err;
+  EXPECT_THAT(listed.err, AllOf(HasSubstr("contacts: 3 read, 3 kept"), Not(HasSubstr("none with walls"))));
+  ASSERT_EQ(floc_arguments({"export", scratch_.file("s.h5"), "--contacts", scratch_.file("e.csv")}).code, 0);
+  EXPECT_THAT(content_of(scratch_.file("e.csv")),
+              AllOf(HasSubstr("7,x-,0,0,2,0,0.25,"), HasSubstr("9,x+,0,0,2,0,0.125,")));
+  EXPECT_THAT(convert("s.dump", {"--walls", "x,y=:", "--columns", "x-=f_w"}, law).err,
+              HasSubstr("forces of walls are given, but those between grains are not: give --contacts"));
+  EXPECT_THAT(
+      convert("s.dump", {"--contacts", scratch_.file("c.csv"), "--walls", "x,y=:", "--columns", "x-=f_v"}, law)
+          .err,
+      HasSubstr("the dump has no column f_v[1]"));
+  EXPECT_THAT(
+      convert("s.dump", {"--contacts", scratch_.file("c.csv"), "--walls", "y", "--columns", "x-=f_w"}, law).err,
+      HasSubstr("the packing has no wall there: give --walls"));
+}
+
+TEST_F(Imports, TakeWallsAndGravityFromAScript) {
+  write("one.csv", "x,y,radius,mass\n0.5,0.498,0.5,1\n");
+  write("in.lmp", "fix w all wall/gran hooke 1 2 3 4 5 6 yplane 0 NULL\nfix g all gravity 2 vector 0 -1 0\n");
+  const Outcome o = convert("one.csv", {"--walls", "x=:," + scratch_.file("in.lmp")});
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(o.err,
+              AllOf(HasSubstr("in.lmp are y- at 0"), HasSubstr("in.lmp is 0,-2,0"), Not(HasSubstr("warning"))));
+  EXPECT_EQ(
+      convert("one.csv", {"--walls", "x=:," + scratch_.file("in.lmp"), "--gravity=0,-1"}).err.find("in.lmp is"),
+      std::string::npos);
+}
+
+/// Whether a contact slides depends on its forces, whatever stiffness the file gives it.
+TEST_F(Imports, SlideAtTheLimitOfTheirForces) {
+  write("g.csv", "x,y,radius\n0.5,0.5,0.5\n1.49,0.5,0.5\n2.48,0.5,0.5\n");
+  write("c.csv",
+        "id1,id2,normal_force,shear_force1,shear_force2,kn,kt\n0,1,10,0,4.5,1000,400\n1,2,10,0,5,1000,1600\n");
+  const Outcome o =
+      convert("g.csv", {"--cell", "9,0;0,9", "--contacts", scratch_.file("c.csv"), "--tolerance", "1e9"},
+              "normal.stiffness=1000,friction.coefficient=0.5,friction.stiffness=800");
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(o.err, AllOf(HasSubstr("1 have a tangential force or moment at its limit"),
+                           Not(HasSubstr("above their limit"))));
+}
+
+/// The strengths of bonds come back from the state, from the table of its contacts and from VTKHDF.
+TEST_F(Imports, KeepTheStrengthsOfBonds) {
+  write("g.csv", "id,x,y,z,radius\n1,9.5,1,1,0.5\n2,0.6,1,1,0.5\n3,2.6,1,1.2,0.5\n");
+  write("b.csv",
+        "id1,id2,kn,kt,kr,ktw,tensile_strength,shear_strength,twisting_strength\n"
+        "3,2,5,4,3,2,30,20,0.5\n1,2,7,6,5,4,10,0,0.25\n");
+  const std::string law = "normal.stiffness=1000,friction.coefficient=0.5,friction.stiffness=800";
+  const std::vector<std::string> cell = {"--cell", "10,0,0;0,10,0;0,0,10", "--tolerance", "1e9"};
+  std::vector<std::string> options = cell;
+  options.insert(options.end(), {"--bonds", scratch_.file("b.csv")});
+  ASSERT_EQ(convert("g.csv", options, law).code, 0);
+  const auto exported = [&] {
+    EXPECT_EQ(floc_arguments({"export", scratch_.file("s.h5"), "--contacts", scratch_.file("e.csv")}).code, 0);
+    return content_of(scratch_.file("e.csv"));
+  };
+  const std::string kept = exported();
+  EXPECT_THAT(
+      kept, AllOf(HasSubstr("ktw,tensile_strength,shear_strength,twisting_strength\n"),
+                  HasSubstr("4,10,0,0.25\n"), HasSubstr("2,30,20,0.5\n"), Not(HasSubstr("rolling_strength"))));
+  ASSERT_EQ(floc_arguments({"convert", scratch_.file("s.h5"), scratch_.file("s.vtkhdf")}).code, 0);
+  ASSERT_EQ(convert("s.vtkhdf", {"--tolerance", "1e9"}, law).code, 0);
+  EXPECT_EQ(exported(), kept);
+  write("again.csv", kept);
+  options = cell;
+  options.insert(options.end(), {"--contacts", scratch_.file("again.csv")});
+  ASSERT_EQ(convert("g.csv", options, law).code, 0);
+  EXPECT_EQ(exported(), kept);
+  write("b.csv", "id1,id2,kn,tensile_strength\n1,2,7,-1\n");
+  EXPECT_THAT(convert("g.csv", {"--cell", "10,0,0;0,10,0;0,0,10", "--bonds", scratch_.file("b.csv")}, law).err,
+              HasSubstr("b.csv:2: tensile_strength = -1, expected a strength of 0 or more"));
+}
+
 TEST_F(Imports, ReadTheAtomStylesOfLammpsThatHaveRadii) {
   const std::string head = "title\n\n2 atoms\n\n0 4 xlo xhi\n0 4 ylo yhi\n0 4 zlo zhi\n\nAtoms";
   for (const auto& [style, first, second] :

@@ -47,18 +47,30 @@ def net_forces(group):
     return net, np.abs(cells["normal_force"]).max()
 
 
-def compare_with_vtk(path, n_points, n_cells):
-    """Opens the file in the way of ParaView, if VTK is installed."""
+def compare_with_vtk(path, group):
+    """Opens the file as ParaView does, where VTK is installed, and requires that VTK reads the arrays of the file."""
     try:
+        from vtkmodules.util.numpy_support import vtk_to_numpy
         from vtkmodules.vtkIOHDF import vtkHDFReader
     except ImportError:
         return "VTK is not installed"
     reader = vtkHDFReader()
+    assert reader.CanReadFile(path)
     reader.SetFileName(path)
     reader.Update()
     data = reader.GetOutput()
-    assert (data.GetNumberOfPoints(), data.GetNumberOfCells()) == (n_points, n_cells)
-    assert data.GetPointData().HasArray("radius") and data.GetCellData().HasArray("normal_force")
+    assert np.array_equal(vtk_to_numpy(data.GetPoints().GetData()), group["Points"][:])
+    n_points, n_cells = data.GetNumberOfPoints(), data.GetNumberOfCells()
+    for name, read, n in (("PointData", data.GetPointData(), n_points), ("CellData", data.GetCellData(), n_cells)):
+        assert read.GetNumberOfArrays() == len(group[name]), name
+        for array in group[name]:
+            assert np.array_equal(vtk_to_numpy(read.GetArray(array)).reshape(-1), group[name][array][:].reshape(-1)), array
+    offsets, connectivity = group["Offsets"][:], group["Connectivity"][:]
+    assert n_cells == len(group["Types"])
+    for k in range(n_cells):
+        cell = data.GetCell(k)
+        assert cell.GetCellType() == group["Types"][k]
+        assert [cell.GetPointId(p) for p in range(cell.GetNumberOfPoints())] == list(connectivity[offsets[k]:offsets[k + 1]])
     return "read by VTK"
 
 
@@ -67,10 +79,11 @@ def main(path, allowed):
         group = file["VTKHDF"]
         n_points, n_cells = layout(group)
         net, largest = net_forces(group)
+        vtk = compare_with_vtk(path, group)
     worst = np.linalg.norm(net, axis=1).max() / largest
     if not worst <= allowed:
         sys.exit(f"the largest net force is {worst}, allowed {allowed}")
-    print(f"{n_points} points, {n_cells} cells, {compare_with_vtk(path, n_points, n_cells)}")
+    print(f"{n_points} points, {n_cells} cells, {vtk}")
 
 
 if __name__ == "__main__":

@@ -59,6 +59,20 @@ TEST(VtkHdfFromPython, HasVtksLayoutAndBalancedForces) {
   EXPECT_THAT(result.out, HasSubstr("28 points, 49 cells"));
 }
 
+TEST(VtkHdfFromPython, IsReadByVtk) {
+  const ScratchDirectory scratch;
+  if (run_arguments(kPython, {"-c", "import vtkmodules.vtkIOHDF"}).code != 0)
+    GTEST_SKIP() << "VTK is not installed";
+  write_state(scratch.file("box.h5"), boxed_state<3>());
+  ASSERT_EQ(floc_arguments({"convert", scratch.file("box.h5"), scratch.file("box.vtkhdf")}).code, 0);
+  ASSERT_EQ(floc_arguments({"convert", jambashbulk_file(), scratch.file("disks.vtkhdf")}).code, 0);
+  for (const std::string name : {"box.vtkhdf", "disks.vtkhdf"}) {
+    const Outcome result = run_arguments(kPython, {kScripts + "read_vtkhdf.py", scratch.file(name), "1e9"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("read by VTK")) << name;
+  }
+}
+
 TEST(BadState, WithoutAnyOfItsPartsIsRefusedByThePartsName) {
   const ScratchDirectory scratch;
   write_state(scratch.file("s.h5"), busy_state<2>());

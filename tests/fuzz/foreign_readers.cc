@@ -4,6 +4,7 @@
 
 #include "floc/base/read_file.h"
 #include "floc/io/csv_packing.h"
+#include "floc/io/lammps_dump.h"
 #include "floc/io/legacy_vtk.h"
 #include "floc/io/lmgc90.h"
 #include "floc/io/mercurydpm.h"
@@ -108,6 +109,42 @@ void read_wall_bytes(const std::string& bytes) {
     options.cell = {{2.0, 0.0}, {0.0, 2.0}};
     options.wall_ids[9] = {1, -1};
   });
+}
+
+/// The walls of two spheres in an input script of LAMMPS or LIGGGHTS.
+void read_script_bytes(const std::string& bytes) {
+  const MemoryFile script(bytes);
+  read_packing(read_csv_packing, "x,y,z,r\n0.49,0.49,0.5,0.5\n1.47,0.49,0.5,0.5\n",
+               [&](ImportOptions& options) { options.walls = script.path(); });
+}
+
+/// A dump with the columns of walls; its contacts are none.
+void read_wall_column_bytes(const std::string& bytes) {
+  const MemoryFile contacts("id1,id2\n");
+  read_packing(read_lammps_dump, bytes, [&](ImportOptions& options) {
+    options.contacts = contacts.path();
+    options.walls = "x=0:2";
+    options.columns = {{"x-", "f_w"}, {"x+", "f_w"}};
+  });
+}
+
+std::vector<std::string> script_seeds() {
+  return {
+      "region box block 0 2 0 1 0 INF # words\nvariable h equal 2.0\nfix a all wall/gran hooke 1 2 3 xplane 0 "
+      "${h}\n"
+      "fix b all wall/gran/region hooke 1 2 region box\nfix c all gravity 9.81 vector 0 0 -1\n",
+      "fix m all mesh/surface file none.stl type 1 scale 2 move 0 0 1\nfix w all wall/gran model hertz &\n "
+      "mesh "
+      "n_meshes 1 meshes m\nfix f all wall/gran model hertz primitive type 1 zplane 0.0\nunfix w\n"};
+}
+
+std::vector<std::string> wall_column_seeds() {
+  return {
+      "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff pp pp\n0 2\n0 2\n0 2\nITEM: ATOMS id x "
+      "y z "
+      "radius f_w[1] f_w[2] f_w[3] f_w[4] f_w[5] f_w[6] f_w[7]\n1 0.49 1 1 0.5 1 3 0 0 0 1 1\n2 1.2 1 0.9 0.4 "
+      "0 0 0 0 "
+      "0 0 0\n"};
 }
 
 std::vector<std::string> datbox_seeds() {
@@ -230,6 +267,8 @@ std::vector<Reader> foreign_readers() {
          return std::vector<std::string>{std::string(
              "\x1f\x8b\x08\0\0\0\0\0\x02\x03\x4b\xcb\xc9\x4f\xe6\x02\0\xd1\x1d\xf5\x95\x05\0\0\0", 25)};
        }},
+      {"wall_script", read_script_bytes, script_seeds},
+      {"wall_columns", read_wall_column_bytes, wall_column_seeds},
       {"walls", read_wall_bytes,
        [] {
          return std::vector<std::string>{

@@ -21,6 +21,7 @@
 #include "floc/io/lammps_dump.h"
 #include "floc/io/law_text.h"
 #include "floc/io/state_file.h"
+#include "floc/io/vtkhdf.h"
 #include "floc/io/vtu.h"
 #include "floc/io/yade_text.h"
 #include "floc/neighbors/find_contacts.h"
@@ -157,30 +158,36 @@ void read_unsealed_bytes(const std::string& bytes) {
   }
 }
 
-/// States that the reader "state" edits, without their seals, and the positions of their datasets.
-struct StateImage {
+/// An HDF5 file that edits start from, and where in it datasets lie.
+struct Image {
   std::string content;
   std::vector<std::size_t> places;  ///< position of each byte of each dataset
 };
 
-const std::vector<StateImage>& state_images() {
-  static const std::vector<StateImage> images = [] {
-    std::vector<StateImage> made;
-    for (const std::string& bytes : written_states(".h5")) {
-      StateImage& image = made.emplace_back();
-      image.content = test::without_seal(bytes);
-      image.places = dataset_bytes(image.content);
-    }
-    return made;
+std::vector<Image> images_of(const std::vector<std::string>& contents) {
+  std::vector<Image> made;
+  for (const std::string& content : contents) made.push_back({content, dataset_bytes(content)});
+  return made;
+}
+
+/// States without their seals.
+const std::vector<Image>& state_images() {
+  static const std::vector<Image> images = [] {
+    std::vector<std::string> contents;
+    for (const std::string& bytes : written_states(".h5")) contents.push_back(test::without_seal(bytes));
+    return images_of(contents);
   }();
   return images;
 }
 
-/// Edits numbers of a state and seals it again. The first byte of `edits` chooses the state; each edit is two
-/// bytes for the position and eight for the value.
-void read_edited_state(const std::string& edits) {
-  if (edits.empty()) return;
-  const StateImage& image = state_images()[static_cast<unsigned char>(edits[0]) % state_images().size()];
+const std::vector<Image>& vtkhdf_images() {
+  static const std::vector<Image> images = images_of(written_states(".vtkhdf"));
+  return images;
+}
+
+/// Edits of the numbers of a file: the first byte chooses the file, then two bytes say where and eight what.
+std::string edited(const std::vector<Image>& images, const std::string& edits) {
+  const Image& image = images[static_cast<unsigned char>(edits[0]) % images.size()];
   std::string content = image.content;
   for (std::size_t at = 1; at + 10 <= edits.size(); at += 10) {
     std::uint16_t where = 0;
@@ -188,7 +195,17 @@ void read_edited_state(const std::string& edits) {
     for (std::size_t k = 0; k < 8; ++k)
       content[image.places[(where + k) % image.places.size()]] = edits[at + 2 + k];
   }
-  read_unsealed_bytes(test::sealed(content));
+  return content;
+}
+
+void read_edited_state(const std::string& edits) {
+  if (!edits.empty()) read_unsealed_bytes(test::sealed(edited(state_images(), edits)));
+}
+void read_edited_vtkhdf(const std::string& edits) {
+  if (!edits.empty()) read_packing(read_vtkhdf, edited(vtkhdf_images(), edits));
+}
+void read_vtkhdf_bytes(const std::string& bytes) {
+  read_packing(read_vtkhdf, bytes);
 }
 
 template <class... Path>
@@ -222,6 +239,14 @@ std::vector<std::string> csv_seeds() {
           "Titel;;\nx;y;Radius\n[mm];[mm];[um]\n0,0;0,0;500\n;;\n0,999;0,0;500\n",
           "# x y radius\n0 0 0.5\n0.999 0 0.5\n"};
 }
+std::vector<std::string> yade_seeds() {
+  std::vector<std::string> seeds = shipped("packings/yade/spheres.txt");
+  seeds.emplace_back(
+      "# wall x- 0\n# wall x+ 2\n# wall z- 0\n# gravity 0 0 -9.81\n# id x y z r\n1 0.5 0.5 0.5 0.5\n2 1.49 0.5 "
+      "0.6 "
+      "0.5\n");
+  return seeds;
+}
 std::vector<std::string> path_seeds() {
   return {"branch,P_star,phi\nload,0.1,0.5\nload,0.2,0.52\nunload,0.1,0.51\n",
           "Probe 12, Tiefe 4,5 m\nSpannung;Porenzahl\n[kPa];[%]\n12,5;90,1\n12,5;89,0\n25,0;85\n;\n12,5;86\n",
@@ -247,12 +272,14 @@ const std::vector<Reader>& readers() {
         {"law", read_law_bytes, law_seeds},
         {"state", read_edited_state, edit_seeds},
         {"state_bytes", read_unsealed_bytes, [] { return written_states(".h5"); }},
+        {"vtkhdf", read_edited_vtkhdf, edit_seeds},
+        {"vtkhdf_bytes", read_vtkhdf_bytes, [] { return written_states(".vtkhdf"); }},
         {"csv", read_csv_bytes, csv_seeds},
         {"contacts", read_contacts_bytes, contact_seeds},
         {"path", read_path_bytes, path_seeds},
         {"lammps_dump", read_dump_bytes, [] { return shipped("packings/lammps/disks.dump"); }},
         {"lammps_data", read_data_bytes, [] { return written_states(".data"); }},
-        {"yade", read_yade_bytes, [] { return shipped("packings/yade/spheres.txt"); }},
+        {"yade", read_yade_bytes, yade_seeds},
         {"vtu", read_vtu_bytes, [] { return written_states(".vtu"); }},
         {"extended_xyz", read_xyz_bytes, [] { return written_states(".xyz"); }},
         {"jambashbulk", read_jambashbulk_bytes, [] { return shipped("packings/disks/disks16.txt"); }},

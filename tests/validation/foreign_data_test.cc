@@ -84,6 +84,9 @@ TEST_F(ForeignData, FstatOfAChuteListsItsPairsTwice) {
   options.drop_tensile = true;
   const State<3> state = read<3>("mercurydpm/chute_periodic.restart", options);
   EXPECT_EQ(state.packing.grains.size(), 107);
+  // 171 rows are 92 pairs, of which one pulls. The sum of f r over the others does not depend on where the free end is.
+  EXPECT_EQ(state.packing.contacts.size(), 91u);
+  EXPECT_NEAR(state.stress.trace() / 3.0 * state.packing.cell.volume(), 3.1817834280059e-06, 1e-18);
   EXPECT_FALSE(between_walls(state.packing.walls, 0));
   EXPECT_TRUE(is_open_along(state.packing.walls, 2));
 }

@@ -239,11 +239,13 @@ void add_reading_options(CommandLine app, ConvertArguments& arguments) {
   app.add_option(
       "--cell", arguments.cell,
       "lattice vectors of the periodic cell, separated by semicolons, e.g. \"9.5,0;0.06,9.57\" (length)");
-  app.add_option("--walls", arguments.walls,
-                 "axes that are not periodic, separated by commas: x (walls at both faces of the box "
-                 "across x), z- or z+ (a wall at the lower or upper face, and a free surface), z=0:5 "
-                 "(walls at these places), z=0: (a floor at 0 and a free surface) [as given in IN; if "
-                 "IN gives none, the packing is periodic or ends in free space]");
+  app.add_option(
+      "--walls", arguments.walls,
+      "axes that are not periodic, separated by commas: x (walls at both faces of the box across x), z- or "
+      "z+ (a wall at the lower or upper face, and a free surface), z=0:5 (walls at these places), z=0: (a "
+      "floor at 0 and a free surface); or an input script of LAMMPS or LIGGGHTS, or an STL file, that has the "
+      "walls [those that IN states; without them the packing is periodic or ends "
+      "in free space]");
   app.add_option("--wall-law", arguments.wall_law,
                  "contact law between grains and walls, given as for --law [the law between grains]");
   app.add_option("--wall-ids", arguments.wall_ids,

@@ -46,11 +46,26 @@ Table grain_table(const Packing<Dim>& packing) {
   return table;
 }
 
+/// Names of the strengths that some contact has, with their places among the strengths.
+std::vector<std::pair<std::string, std::size_t>> given_strengths(const std::vector<Strengths>& strengths) {
+  std::vector<std::pair<std::string, std::size_t>> given;
+  for (std::size_t k = 0; k < kStrengthNames.size(); ++k)
+    if (std::any_of(strengths.begin(), strengths.end(), [&](const Strengths& s) { return s[k] > 0.0; }))
+      given.emplace_back(kStrengthNames[k], k);
+  return given;
+}
+
 /// Returns the table of the contacts. It contains rolling and twisting moments only if the contact law resists rolling
-/// or twisting, because `floc convert` rejects these moments for other contact laws.
+/// or twisting, or bonds may, because `floc convert` rejects these moments for other contact laws.
 template <int Dim>
-Table contact_table(const Packing<Dim>& packing) {
-  const bool rolls = packing.law.has_rolling(), twists = packing.law.has_twisting();
+Table contact_table(const State<Dim>& state) {
+  const Packing<Dim>& packing = state.packing;
+  const bool bonds = std::any_of(packing.contacts.begin(), packing.contacts.end(),
+                                 [](const Contact<Dim>& c) { return c.bonded; });
+  const bool rolls = packing.law.has_rolling() || bonds;
+  const bool twists = packing.law.has_twisting() || (bonds && Dim == 3);
+  const std::vector<Strengths> strengths = strengths_by_contact(packing.contacts, state.bond_strengths);
+  const auto given = given_strengths(strengths);
   Table table{{"id1", "id2"}, {}};
   const auto numbered = [&table](const char* name, int n) {
     for (int a = 1; a <= n; ++a) table.columns.push_back(fmt::format("{}{}", name, a));
@@ -67,7 +82,10 @@ Table contact_table(const Packing<Dim>& packing) {
   if (stiff) table.columns.insert(table.columns.end(), {"kn", "kt"});
   if (rolls) table.columns.emplace_back("kr");
   if (holds_liquid(packing)) table.columns.emplace_back("bridge_volume");
-  for (const Contact<Dim>& c : packing.contacts) {
+  if (bonds && Dim == 3) table.columns.emplace_back("ktw");
+  for (const auto& [name, k] : given) table.columns.push_back(name);
+  for (std::size_t at = 0; at < packing.contacts.size(); ++at) {
+    const Contact<Dim>& c = packing.contacts[at];
     auto& row = table.rows.emplace_back();
     row.emplace_back(packing.grains.name(c.i));
     if (packing.is_wall(c.j))
@@ -82,6 +100,8 @@ Table contact_table(const Packing<Dim>& packing) {
     if (stiff) row.emplace_back(c.kn), row.emplace_back(c.kt);
     if (rolls) row.emplace_back(c.kr);
     if (holds_liquid(packing)) row.emplace_back(bridge_volume(packing, c));
+    if (bonds && Dim == 3) row.emplace_back(c.ktw);
+    for (const auto& [name, k] : given) row.emplace_back(strengths[at][k]);
   }
   return table;
 }
@@ -125,7 +145,7 @@ template <int Dim>
 void export_state(const ExportArguments& arguments, const State<Dim>& state) {
   const bool both = !arguments.grains.empty() && !arguments.contacts.empty();
   if (!arguments.grains.empty()) write_csv(arguments.grains, grain_table(state.packing));
-  if (!arguments.contacts.empty()) write_csv(arguments.contacts, contact_table(state.packing));
+  if (!arguments.contacts.empty()) write_csv(arguments.contacts, contact_table(state));
   if (!both) return;
   spdlog::info("wrote {} grains and {} contacts. The following command restores the state:\n  {}",
                state.packing.grains.size(), state.packing.contacts.size(), convert_command(arguments, state));

@@ -6,6 +6,8 @@ springs of stiffness 1000 carry a force of 2.
 
     box.restart      MercuryDPM, with contacts and gravity 0
     box.dump         LIGGGHTS or LAMMPS, dump custom in a box that is not periodic
+    walls.liggghts   commands of an input script of LIGGGHTS that make the walls: planes and a plate as a mesh
+    plate.stl        this plate, whose upper face is the floor
 
 Twenty-seven spheres on a cubic grid as a tomograph sees them, with errors of up to 0.01 of a diameter:
 
@@ -61,6 +63,35 @@ def dump():
     return lines + [f"{k + 1} 1 {x:.6g} {y:.6g} {z:.6g} {RADIUS}" for k, (x, y, z) in enumerate(CENTRES)]
 
 
+def script():
+    lines = ["# Walls of the box: five planes, and the upper face of a plate.", f"variable side equal {SIDE:.6g}",
+             "fix plate all mesh/surface file plate.stl type 1",
+             "fix floor all wall/gran model hooke tangential history mesh n_meshes 1 meshes plate"]
+    for name, plane, place in (("left", "xplane", "0"), ("right", "xplane", "${side}"), ("front", "yplane", "0"),
+                               ("back", "yplane", "${side}"), ("lid", "zplane", "${side}")):
+        lines.append(f"fix {name} all wall/gran model hooke tangential history primitive type 1 {plane} {place}")
+    return lines
+
+
+def plate():
+    """A block from (-1, -1, -0.2) to (3, 3, 0)."""
+    low, high = (-1, -1, -0.2), (3, 3, 0)
+    lines = ["solid plate"]
+    for axis in range(3):
+        b, c = (axis + 1) % 3, (axis + 2) % 3
+        for end in (low, high):
+            corners = []
+            for along_b, along_c in ((low[b], low[c]), (high[b], low[c]), (high[b], high[c]), (low[b], high[c])):
+                corner = [0, 0, 0]
+                corner[axis], corner[b], corner[c] = end[axis], along_b, along_c
+                corners.append(corner)
+            for triangle in ((0, 1, 2), (0, 2, 3)):
+                lines += ["facet normal " + along(axis, 1 if end is high else -1), "outer loop"]
+                lines += ["vertex " + " ".join(f"{x:g}" for x in corners[k]) for k in triangle]
+                lines += ["endloop", "endfacet"]
+    return lines + ["endsolid plate"]
+
+
 def tomography():
     draw = random.Random(1)
     lines = ["X,Y,Z,D"]
@@ -69,6 +100,7 @@ def tomography():
     return lines
 
 
-for name, lines in {"box.restart": restart(), "box.dump": dump(), "tomography.csv": tomography()}.items():
+for name, lines in {"box.restart": restart(), "box.dump": dump(), "walls.liggghts": script(),
+                    "plate.stl": plate(), "tomography.csv": tomography()}.items():
     with open(name, "w", encoding="utf-8") as out:
         out.write("\n".join(lines) + "\n")

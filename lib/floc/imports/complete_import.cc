@@ -105,6 +105,16 @@ void find_missing_contacts(double touch_gap, Packing<Dim>& packing) {
   std::sort(packing.contacts.begin(), packing.contacts.end(), precedes<Contact<Dim>>);
 }
 
+/// Adds the contacts with walls to a packing whose list of contacts has none.
+template <int Dim>
+void find_wall_contacts(Packing<Dim>& packing) {
+  Packing<Dim> found = packing;
+  find_contacts(found);
+  std::copy_if(found.contacts.begin(), found.contacts.end(), std::back_inserter(packing.contacts),
+               [&](const Contact<Dim>& c) { return packing.is_wall(c.j); });
+  std::sort(packing.contacts.begin(), packing.contacts.end(), precedes<Contact<Dim>>);
+}
+
 }  // namespace
 
 template <int Dim>
@@ -112,6 +122,7 @@ std::string complete_import(const std::string& place, const Imported& imported,
                             const ImportCompletion& completion, State<Dim>& state) {
   if (const std::string fault = state.packing.law.fault_in_dimension(Dim); !fault.empty())
     throw InputError(completion.law_place, fault);
+  if (imported.lacks_wall_contacts) find_wall_contacts(state.packing);
   if (!imported.contacts_known)
     find_missing_contacts(completion.touch_gap, state.packing);
   else if (!imported.liquid_known)

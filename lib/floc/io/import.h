@@ -17,14 +17,17 @@ struct ImportOptions {
   /// Lattice vectors of the periodic cell (length), one per row. The number of vectors is the dimension. If empty, the
   /// cell in the file is used.
   std::vector<std::vector<double>> cell;
-  std::optional<Law> wall_law;  ///< contact law between grains and walls; if absent, `law`
-  std::string walls;            ///< axes that are not periodic, see parse_walls(); if empty, as in the file
+  std::optional<Law> wall_law;  ///< contact law between grains and walls; absent: `law`
+  /// Axes that are not periodic (see parse_walls()) and files that have walls (see read_wall_file()), separated by commas;
+  /// empty: the file decides.
+  std::string walls;
   std::vector<double>
       gravity;  ///< acceleration due to gravity, one component per axis; if empty, as in the file
   std::map<std::int64_t, WallSide>
-      wall_ids;  ///< bodies of the file of contacts that are walls; the key is the identifier of the body
-  /// Names of the columns of grains in the file: the key is the name that floc uses, such as "x", the value is the name
-  /// in the file, such as "X". A column that is not in this map has the name that floc uses.
+      wall_ids;  ///< bodies of the file of contacts that are walls, by their identifiers
+  /// Maps the names that floc uses for columns of grains to the names of these columns in the file, such as "x" to "X".
+  /// A column that is not in this map has the name that floc uses. For a LAMMPS dump, names of walls such as "x-" stand
+  /// for columns with their forces: see read_lammps_dump().
   std::map<std::string, std::string> columns;
   /// Path of a file that lists the contacts. If empty, contacts are found from the positions and radii.
   std::string contacts;
@@ -80,6 +83,8 @@ struct Imported {
   bool complete = false;
   /// Whether the file lists contacts. Otherwise they are found from the positions and radii.
   bool contacts_known = false;
+  /// Whether the list of contacts has none with the walls of the packing, so that these are found from the geometry.
+  bool lacks_wall_contacts = false;
   /// Whether the stiffnesses of the contact law were computed as means of the listed stiffnesses.
   bool law_of_contacts = false;
   ListedContactCounts listed_contacts;  ///< numbers of listed contacts; set only if contacts_known is true

@@ -19,6 +19,7 @@
 #include "floc/io/lammps_box.h"
 #include "floc/io/listed_columns.h"
 #include "floc/io/listed_space.h"
+#include "floc/io/wall_columns.h"
 
 namespace floc {
 namespace {
@@ -286,8 +287,7 @@ bool find_positions(const CsvTable& table, std::map<std::string, std::string>& n
   return false;
 }
 
-std::vector<ListedGrain> grains_of(const DumpFrame& frame, const ImportOptions& options) {
-  std::map<std::string, std::string> names = options.columns;
+std::vector<ListedGrain> grains_of(const DumpFrame& frame, std::map<std::string, std::string> names) {
   const bool scaled = find_positions(frame.table, names);
   const NamedColumns columns(frame.table, names);
   if (!columns.has("radius") && !columns.has("diameter"))
@@ -330,10 +330,12 @@ std::vector<ListedContact> read_dump_contacts(const ImportOptions& options, int 
 }
 
 Imported read_lammps_dump(const std::string& path, const ImportOptions& options) {
-  check_grain_columns("--columns", options.columns);
+  const DumpColumns columns(options.columns);
+  check_grain_columns("--columns", columns.grains);
   ListedPacking listed = listed_packing(path, options);
   DumpFrame frame = read_grain_frame(path, options, listed.remarks);
-  listed.grains = grains_of(frame, options);
+  listed.grains = grains_of(frame, columns.grains);
+  listed.wall_contacts = wall_contacts_of(frame.table, columns.walls, listed.grains);
   frame.table = {};  // releases the memory of the table, which is large
   listed.space = space_of(frame, listed.grains, options);
   listed.timestep = frame.timestep;

@@ -12,11 +12,13 @@ namespace floc {
 /// Whether a file begins with "ITEM: ", as dumps of LAMMPS do.
 bool is_lammps_dump(const std::string& path);
 
-/// Reads grains from one frame of a file that the command `dump custom` of LAMMPS wrote: frame number `options.index`
-/// (from 0), or the last frame by default. The columns are x y [z] (or xu yu [zu], or the scaled positions xs ys [zs]
-/// or xsu ysu [zsu]), radius or diameter and, optionally, id and mass. `options.columns` renames the columns. The box
-/// may be triclinic; it must be periodic (pp) unless `options.cell` replaces it. settle_space() decides the dimension;
-/// in 2D all z must be equal, and the third lattice vector is ignored. `options.law` is required.
+/// Reads grains from one frame of a file that the command `dump custom` of LAMMPS wrote: from the frame number
+/// `options.index` (from 0), by default from the last frame. The columns are x y [z] (or xu yu [zu], or the scaled
+/// positions xs ys [zs] or xsu ysu [zsu]), radius or diameter and, optionally, id and mass. `options.columns` renames
+/// the columns. The box may be triclinic; it has to be periodic (pp) unless `options.cell` replaces it. settle_space()
+/// decides the dimension; in 2D all z have to be equal, and the third lattice vector is ignored. `options.law` is
+/// required. A wall in `options.columns`, such as "x-" to "f_W", reads its contacts from the columns of a fix: see
+/// wall_contacts_of().
 ///
 /// `options.contacts` may name a file of contacts: see read_contact_file(). In a `dump local`, the last frame with the
 /// time step of the grains is read. The columns of a `dump local` are named after the computes of LAMMPS that produced

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <memory>
@@ -71,6 +72,7 @@ int image_of(const CsvTable& table, int row, int column) {
 struct ContactColumns {
   int id1, id2, normal_force, kn, kt, kr, ktw, bridge_volume, rolling_moment_2d, twisting_moment, gap;
   std::vector<int> image, force, shear_force, rolling_moment, point, normal;
+  std::array<int, 4> strengths{};
 
   ContactColumns(const NamedColumns& names, int dimension)
       : id1(names.column("id1")),
@@ -89,7 +91,9 @@ struct ContactColumns {
         shear_force(numbered(names, "shear_force", dimension)),
         rolling_moment(dimension == 3 ? numbered(names, "rolling_moment", 3) : std::vector<int>{}),
         point(numbered(names, "point", dimension)),
-        normal(numbered(names, "normal", dimension)) {}
+        normal(numbered(names, "normal", dimension)) {
+    for (std::size_t k = 0; k < strengths.size(); ++k) strengths[k] = column_if(names, kStrengthNames[k]);
+  }
 };
 
 /// Reads the two bodies of a contact: the identifiers of two grains, or the identifier of a grain and the name of a
@@ -134,6 +138,12 @@ ListedContact read_contact(const CsvTable& table, int row, const ContactColumns&
   c.kr = number_of(table, row, columns.kr);
   c.ktw = number_of(table, row, columns.ktw);
   c.bridge_volume = number_of(table, row, columns.bridge_volume);
+  for (std::size_t k = 0; k < c.strengths.size(); ++k) {
+    c.strengths[k] = number_of(table, row, columns.strengths[k]).value_or(0.0);
+    if (c.strengths[k] < 0.0)
+      throw InputError(table.place(row), fmt::format("{} = {}, expected a strength of 0 or more",
+                                                     kStrengthNames[k], c.strengths[k]));
+  }
   c.point = vector_of(table, row, columns.point);
   c.normal = vector_of(table, row, columns.normal);
   if (!columns.point.empty()) c.gap = number_of(table, row, columns.gap);
@@ -292,6 +302,10 @@ std::vector<std::string> contact_names() {
           "kt",
           "kr",
           "ktw",
+          "tensile_strength",
+          "shear_strength",
+          "rolling_strength",
+          "twisting_strength",
           "bridge_volume",
           "point1",
           "point2",

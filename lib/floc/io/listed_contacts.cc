@@ -450,7 +450,8 @@ class ListedContacts {
 
 template <int Dim>
 ListedContactCounts add_contacts(const ListedPacking& listed, const Identifiers& identifiers,
-                                 Packing<Dim>& packing) {
+                                 State<Dim>& state) {
+  Packing<Dim>& packing = state.packing;
   const auto order = [](const Contact<Dim>& c) {
     return std::tuple(c.i, c.j, std::vector(c.image.begin(), c.image.end()));
   };
@@ -480,12 +481,16 @@ ListedContactCounts add_contacts(const ListedPacking& listed, const Identifiers&
                      fmt::format("the contact of grains {} and {} is listed twice, first at {}", second.id1,
                                  second_name(second), twice->second->place.text()));
   }
-  for (const auto& [contact, from] : placed) packing.contacts.push_back(contact);
+  for (const auto& [contact, from] : placed) {
+    packing.contacts.push_back(contact);
+    if (from->strengths != Strengths{})
+      state.bond_strengths.push_back({contact.i, contact.j, contact.image, from->strengths});
+  }
   if (!packing.grains.are_round()) number_points(packing, packing.contacts);
   return contacts.counts();
 }
 
-template ListedContactCounts add_contacts(const ListedPacking&, const Identifiers&, Packing<2>&);
-template ListedContactCounts add_contacts(const ListedPacking&, const Identifiers&, Packing<3>&);
+template ListedContactCounts add_contacts(const ListedPacking&, const Identifiers&, State<2>&);
+template ListedContactCounts add_contacts(const ListedPacking&, const Identifiers&, State<3>&);
 
 }  // namespace floc

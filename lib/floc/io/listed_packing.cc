@@ -87,7 +87,8 @@ std::vector<Wall<Dim>> make_walls(const ListedPacking& listed) {
 
 /// Moves every grain by lattice vectors into the cell, along its periodic axes, and updates the images of the contacts.
 template <int Dim>
-void wrap(const ListedPacking& listed, Packing<Dim>& packing) {
+void wrap(const ListedPacking& listed, State<Dim>& state) {
+  Packing<Dim>& packing = state.packing;
   std::vector<Vec<Dim, int>> moved;
   std::vector<DoubleDoubleVec<Dim>> centres;
   for (int i = 0; i < packing.grains.size(); ++i) {
@@ -98,8 +99,8 @@ void wrap(const ListedPacking& listed, Packing<Dim>& packing) {
     centres.push_back(displaced<Dim>(packing.grains.centre(i), packing.cell, moved.back()));
   }
   packing.grains.set_centres(centres);
-  for (Contact<Dim>& c : packing.contacts) {
-    if (packing.is_wall(c.j)) continue;
+  const auto update_image = [&](auto& c) {
+    if (packing.is_wall(c.j)) return;
     using Wide = Vec<Dim, std::int64_t>;
     const Wide image = c.image.template cast<std::int64_t>() + moved[c.i].template cast<std::int64_t>() -
                        moved[c.j].template cast<std::int64_t>();
@@ -110,7 +111,9 @@ void wrap(const ListedPacking& listed, Packing<Dim>& packing) {
               "the grain is more than 1e9 cells away from the grain at {}, but a contact of the two is listed",
               listed.grains[c.j].place.text()));
     c.image = image.template cast<int>();
-  }
+  };
+  for (Contact<Dim>& c : packing.contacts) update_image(c);
+  for (BondStrength<Dim>& strength : state.bond_strengths) update_image(strength);
 }
 
 bool lists_liquid(const ListedPacking& listed) {
@@ -149,18 +152,35 @@ Imported assemble_in(const ListedPacking& listed) {
   packing.grains = make_grains<Dim>(listed);
   const Identifiers identifiers(listed);
   Imported imported;
-  imported.listed_contacts = add_contacts(listed, identifiers, packing);
+  imported.listed_contacts = add_contacts(listed, identifiers, state);
   imported.liquid_known = holds_liquid(packing) && lists_liquid(listed);
-  wrap(listed, packing);
+  wrap(listed, state);
   state.path.branch = "imported";
   state.provenance.source = listed.place;
   imported.state = std::move(state);
   imported.contacts_known = listed.contacts.has_value();
+  imported.lacks_wall_contacts = listed.lacks_wall_contacts;
   imported.remarks = listed.remarks;
   imported.inconsistencies = listed.inconsistencies;
   if (imported.liquid_known)
     add_doubt_of_liquid(std::get<State<Dim>>(imported.state).packing, imported.inconsistencies);
   return imported;
+}
+
+/// Completes a file of contacts that has contacts of grains alone by contacts with walls.
+void add_wall_contacts(ListedPacking& listed) {
+  std::vector<ListedContact>& contacts = *listed.contacts;
+  contacts.insert(contacts.end(), listed.wall_contacts.begin(), listed.wall_contacts.end());
+  const bool has_walls = std::any_of(listed.ends.begin(), listed.ends.end(),
+                                     [](const ListedEnds& ends) { return ends.low || ends.high; });
+  if (!has_walls || !listed.shapes.empty() ||
+      std::any_of(contacts.begin(), contacts.end(), [](const ListedContact& c) { return c.wall.has_value(); }))
+    return;
+  listed.lacks_wall_contacts = true;
+  listed.remarks.emplace_back(
+      "the file of contacts has none with walls: they are found from the positions and radii, and have the "
+      "normal "
+      "forces of the contact law and no tangential forces");
 }
 
 }  // namespace
@@ -195,8 +215,13 @@ Imported assemble(const ListedPacking& listed) {
 
 Imported assemble(ListedPacking listed, const ImportOptions& options) {
   const int dimension = settle_space(options, listed);
-  if (auto contacts = read_contact_file(options, dimension, listed.timestep, &listed.remarks))
+  if (auto contacts = read_contact_file(options, dimension, listed.timestep, &listed.remarks)) {
     listed.contacts = std::move(contacts);
+    add_wall_contacts(listed);
+  } else if (!listed.wall_contacts.empty()) {
+    throw InputError("--columns",
+                     "forces of walls are given, but those between grains are not: give --contacts");
+  }
   if (options.pairs_twice && !listed.shapes.empty())
     throw InputError(listed.place,
                      "--pairs-twice merges the contacts of disks and spheres, but the grains have corners");

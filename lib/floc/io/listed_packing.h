@@ -10,6 +10,7 @@
 #include "floc/io/import.h"
 #include "floc/io/listed_shapes.h"
 #include "floc/io/listed_space.h"
+#include "floc/packing/bond_strength.h"
 
 namespace floc {
 
@@ -59,6 +60,7 @@ struct ListedContact {
   std::optional<double> kt;               ///< tangential stiffness (force/length)
   std::optional<double> kr;               ///< rolling stiffness (force * length)
   std::optional<double> ktw;              ///< twisting stiffness (force * length)
+  Strengths strengths{};                  ///< strengths, which are kept with the state; 0: not given
   /// Volume of the liquid bridge (length^3); negative for a bridge that has broken.
   std::optional<double> bridge_volume;
 
@@ -74,6 +76,10 @@ struct ListedPacking {
   ListedShapes shapes;
   std::optional<std::vector<ListedContact>> contacts;
   std::vector<ListedContact> bonds;  ///< contacts that act across gaps, in addition to `contacts`
+  /// Contacts with walls that the file of the grains lists, in addition to those of a file of contacts.
+  std::vector<ListedContact> wall_contacts;
+  /// Whether the list of contacts has none with the walls of the packing, so that these are found from the geometry.
+  bool lacks_wall_contacts = false;
   Law law;
   std::optional<Law> wall_law;  ///< law of contacts with walls; if absent, `law`
   std::string units;            ///< "reduced" or "SI"
@@ -116,7 +122,8 @@ const Law& required_law(const std::string& path, const ImportOptions& options);
 Imported assemble(const ListedPacking& listed);
 
 /// Assembles a packing from the record that a reader has filled: settles the space, reads the file of contacts if the
-/// options name one, and calls the function above. The contacts in this file replace those in the record.
+/// options name one, and calls the function above. Contacts of the file of contacts replace those in the record. If they
+/// are contacts of grains alone, the contacts with walls are those of the record or are found from the geometry.
 /// @throws InputError under the conditions of settle_space(), read_contact_file() and assemble()
 Imported assemble(ListedPacking listed, const ImportOptions& options);
 

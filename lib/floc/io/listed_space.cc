@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
 
 #include "floc/base/error.h"
@@ -64,7 +65,29 @@ ListedEnds ends_of(const std::string& entry, const ListedSpace& space, int n_axe
   return ends;
 }
 
+/// Whether an entry of the option is of the form of an axis: "x", "x-", "x+" or "x=...".
+bool has_form_of_axis(std::string_view entry) {
+  return entry.size() <= 1 || (std::string_view("xyz").find(entry[0]) != std::string_view::npos &&
+                               std::string_view("-+=").find(entry[1]) != std::string_view::npos);
+}
+
 }  // namespace
+
+WallOption split_walls(const std::string& text) {
+  WallOption option;
+  std::istringstream in(text);
+  bool first = true;
+  for (std::string entry; std::getline(in, entry, ',');) {
+    const std::string name(trimmed(entry));
+    if (!has_form_of_axis(name) && (name.find('.') != std::string::npos || std::filesystem::exists(name))) {
+      option.files.push_back(name);
+    } else {
+      option.axes += (first ? "" : ",") + entry;
+      first = false;
+    }
+  }
+  return option;
+}
 
 std::optional<WallSide> wall_side(const std::string& name) {
   if (name.size() != 2 || (name[1] != '-' && name[1] != '+')) return std::nullopt;

@@ -61,7 +61,16 @@ void add_wall(const WallSide& wall, double position, ListedSpace& space);
 /// @pre the cell is given
 void add_wall_at_face(const WallSide& wall, ListedSpace& space);
 
-/// Reads the option `--walls`, a list of axes that are not periodic, separated by commas. Each entry is one of
+/// The entries of the option `--walls`: axes, for parse_walls(), and files of other programs that have walls.
+struct WallOption {
+  std::string axes;
+  std::vector<std::string> files;
+};
+
+/// Separates the entries of the option `--walls`. Names of files are those that are no axes and exist or contain a dot.
+WallOption split_walls(const std::string& text);
+
+/// Reads the axes in the option `--walls`, a list of axes that are not periodic, separated by commas. Each entry is one of
 ///
 ///   x         walls at both faces of the box across x
 ///   x-, x+    a wall at the lower or upper face across x; the other end is open

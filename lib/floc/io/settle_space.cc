@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "floc/base/error.h"
+#include "floc/io/wall_planes.h"
 
 namespace floc {
 namespace {
@@ -154,6 +155,25 @@ void add_stated_ends(int dimension, ListedPacking& listed) {
         "give --walls for a packing with walls");
 }
 
+/// Sets the ends of axes that have no ends yet to the walls that a file of another program gives, and takes its gravity.
+void add_walls_of_file(const std::string& file, const ImportOptions& options, int dimension,
+                       ListedPacking& listed) {
+  const ListedWalls walls = read_wall_file(file);
+  std::string places;
+  for (const ListedEnds& ends : ends_of_planes(walls.planes, listed.grains, dimension)) {
+    if (find_ends(listed.ends, ends.axis)) continue;
+    listed.ends.push_back(ends);
+    for (const int side : {-1, 1})
+      if (const std::optional<double>& at = side < 0 ? ends.low : ends.high)
+        places += fmt::format("{}{} at {}", places.empty() ? "" : ", ", WallSide{ends.axis, side}.name(), *at);
+  }
+  if (!places.empty()) listed.remarks.push_back(fmt::format("the walls of {} are {}", file, places));
+  if (!walls.gravity || !options.gravity.empty()) return;
+  listed.space.gravity = *walls.gravity;
+  listed.remarks.push_back(
+      fmt::format("the gravity of {} is {}; --gravity gives another", file, fmt::join(*walls.gravity, ",")));
+}
+
 /// Sets the ends of the axes that are not periodic, from the options or, without them, from the file.
 void set_ends(const ImportOptions& options, int dimension, ListedPacking& listed) {
   ListedSpace box = listed.space;
@@ -161,7 +181,9 @@ void set_ends(const ImportOptions& options, int dimension, ListedPacking& listed
     box.cell = options.cell;
     box.origin.setZero();
   }
-  listed.ends = parse_walls(options.walls, box, dimension);
+  const WallOption walls = split_walls(options.walls);
+  listed.ends = parse_walls(walls.axes, box, dimension);
+  for (const std::string& file : walls.files) add_walls_of_file(file, options, dimension, listed);
   if (options.cell.empty()) add_stated_ends(dimension, listed);
   std::sort(listed.ends.begin(), listed.ends.end(),
             [](const ListedEnds& a, const ListedEnds& b) { return a.axis < b.axis; });

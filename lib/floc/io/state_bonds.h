@@ -2,9 +2,9 @@
 
 #include "floc/io/hdf5_file.h"
 #include "floc/io/state_archive.h"
-#include "floc/packing/packing.h"
+#include "floc/packing/state.h"
 
-/// Writes and reads which contacts of a packing are bonds (docs/states.md).
+/// Writes and reads which contacts of a packing are bonds, and the strengths of contacts (docs/states.md).
 namespace floc {
 
 template <int Dim>
@@ -15,12 +15,13 @@ bool has_bonds(const Packing<Dim>& packing);
 template <int Dim>
 bool keeps_twisting(const Packing<Dim>& packing);
 
-/// Writes the flags of the contacts that are bonds; nothing if there are none.
+/// Writes the flags of the contacts that are bonds and the strengths of contacts, as far as there are any.
 template <int Dim>
-void write_bonds(WritingArchive& archive, const Packing<Dim>& packing);
+void write_bonds(WritingArchive& archive, const State<Dim>& state);
 
-/// Reads the flags of the contacts that are bonds. @pre the contacts of the packing have been read
+/// Reads the flags of the contacts that are bonds, and the strengths of contacts. @pre the contacts of the packing have been
+/// read
 template <int Dim>
-void read_bonds(const Hdf5Reader& file, ReadingArchive& archive, Packing<Dim>& packing);
+void read_bonds(const Hdf5Reader& file, ReadingArchive& archive, State<Dim>& state);
 
 }  // namespace floc

@@ -239,7 +239,7 @@ void encode(const State<Dim>& s, const std::string& progress, const std::string&
   describe_grains<Dim>(archive, s.packing.grains);
   describe_contacts<Dim>(archive, s.packing.contacts);
   if (keeps_twisting(s.packing)) describe_twisting(archive, s.packing.contacts);
-  write_bonds(archive, s.packing);
+  write_bonds(archive, s);
   write_shapes(archive, s.packing);
   write_memory(archive, s.packing);
   write_version_1_names(file, archive, s.packing);
@@ -395,7 +395,7 @@ State<Dim> decode(const Hdf5Reader& file, std::int64_t version) {
     read_contact_points(file, archive, packing);
   packing.law = read_law(file, Dim);
   require_one_kind_of_law(file, packing);
-  read_bonds(file, archive, packing);
+  read_bonds(file, archive, s);
   if (keeps_twisting(packing)) describe_twisting(archive, packing.contacts);
   // The overlaps in a checkpoint are not checked: a packing in motion may have larger overlaps for a short time.
   if (!file.has("progress")) require_small_overlaps(file.place("contacts/gap"), packing);

@@ -49,13 +49,19 @@ struct Column {
 class Grid {
  public:
   template <int Dim>
-  explicit Grid(const Packing<Dim>& packing) {
+  explicit Grid(const State<Dim>& state) {
+    const Packing<Dim>& packing = state.packing;
     const Grains<Dim>& g = packing.grains;
     n_grains_ = g.size();
     for (int i = 0; i < g.size(); ++i)
       add_point(in_space<Dim>(g.position[i]), g.radius[i], g.mass[i], g.name(i));
     for (int i = 0; i < g.size(); ++i) add_cell_data(packing, Contact<Dim>(), i);
     for (const Contact<Dim>& c : packing.contacts) add_contact(packing, c);
+    const std::vector<Strengths> strengths = strengths_by_contact(packing.contacts, state.bond_strengths);
+    for (std::size_t k = 0; k < strengths_.size() && !strengths.empty(); ++k) {
+      strengths_[k].values.resize(static_cast<std::size_t>(n_grains_));
+      for (const Strengths& of_contact : strengths) strengths_[k].add(of_contact[k]);
+    }
   }
 
   void write(Hdf5Writer& file) const {
@@ -86,8 +92,10 @@ class Grid {
     for (const Column* column :
          {&normal_force_, &shear_force_, &rolling_moment_, &twisting_moment_, &gap_, &image_, &wall_, &bonded_})
       write_column(file, "CellData", *column);
-    // Stiffnesses that the contact law does not have are left out, for example those of rigid contacts.
-    for (const Column* column : {&kn_, &kt_, &kr_, &ktw_})
+    // Stiffnesses that the contact law does not have, as those of rigid contacts, and strengths that are not given are left
+    // out.
+    for (const Column* column :
+         {&kn_, &kt_, &kr_, &ktw_, &strengths_[0], &strengths_[1], &strengths_[2], &strengths_[3]})
       if (std::any_of(column->values.begin(), column->values.end(), [](double k) { return k != 0.0; }))
         write_column(file, "CellData", *column);
     integers(file, kRoot + "/CellData/id2", id2_);
@@ -147,6 +155,10 @@ class Grid {
       twisting_moment_{"twisting_moment", 1, {}}, gap_{"gap", 1, {}}, kn_{"kn", 1, {}}, kt_{"kt", 1, {}},
       kr_{"kr", 1, {}}, ktw_{"ktw", 1, {}}, image_{"image", 3, {}}, wall_{"wall", 1, {}},
       bonded_{"bonded", 1, {}};
+  std::array<Column, 4> strengths_{{{kStrengthNames[0], 1, {}},
+                                    {kStrengthNames[1], 1, {}},
+                                    {kStrengthNames[2], 1, {}},
+                                    {kStrengthNames[3], 1, {}}}};
 };
 
 template <int Dim>
@@ -156,7 +168,7 @@ void encode_vtkhdf(const State<Dim>& state, const std::string& path) {
   file.group(kRoot);
   file.attribute(kRoot, "Version", std::vector<std::int64_t>{1, 0});
   file.fixed_text_attribute(kRoot, "Type", "UnstructuredGrid");
-  Grid(packing).write(file);
+  Grid(state).write(file);
   file.group(kRoot + "/FieldData");
   Column cell{"cell", 3, {}}, dimension{"dimension", 1, {Dim}}, walls{"walls", 3, {}},
       periodic{"periodic", 1, {}}, gravity{"gravity", 3, {}};
@@ -307,6 +319,8 @@ std::vector<ListedContact> contacts_of(const VtkHdf& file, const VtkCells& cells
                   rolling = array("rolling_moment", 3), twisting = array("twisting_moment"), kn = array("kn"),
                   kt = array("kt"), kr = array("kr"), ktw = array("ktw"), image = array("image", 3),
                   wall = array("wall"), bonded = array("bonded"), id2 = array("id2");
+  std::vector<CellArray> strengths;
+  for (const char* name : kStrengthNames) strengths.push_back(array(name));
   const auto place = std::make_shared<const std::string>(file.place("CellData") + ", cell ");
   std::vector<ListedContact> contacts;
   for (const VtkCells::Line& line : cells.lines) {
@@ -339,6 +353,12 @@ std::vector<ListedContact> contacts_of(const VtkHdf& file, const VtkCells& cells
     c.kt = kt.number_if(k);
     c.kr = kr.number_if(k);
     c.ktw = ktw.number_if(k);
+    for (std::size_t s = 0; s < strengths.size(); ++s) {
+      c.strengths[s] = strengths[s].number_if(k).value_or(0.0);
+      if (c.strengths[s] < 0.0)
+        throw InputError(c.place.text(), fmt::format("{} = {}, expected a strength of 0 or more",
+                                                     kStrengthNames[s], c.strengths[s]));
+    }
     c.bond = !bonded.empty() && bonded.number(k) != 0.0;
     contacts.push_back(std::move(c));
   }

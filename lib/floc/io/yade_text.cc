@@ -18,11 +18,13 @@
 namespace floc {
 namespace {
 
-/// Table in a text file of YADE (spheres or interactions), and the periodic cell if a comment in the file contains it.
+/// Table in a text file of YADE (spheres or interactions), and the periodic cell, walls and gravity that comments in the
+/// file give.
 struct YadeTable {
   CsvTable table;
-  std::vector<std::vector<double>> cell;
-  std::string cell_place;
+  ListedSpace space;
+  /// Reads a comment line. @return whether it gives a part of the space
+  bool take_space(const std::string& place, const std::vector<std::string>& tokens);
 };
 
 /// Returns the words of a comment line. For "#format x_y_z_r", they are the names of the columns: x, y, z and r.
@@ -39,19 +41,59 @@ bool contains(const std::vector<std::string>& tokens, const std::string& token) 
   return std::find(tokens.begin(), tokens.end(), token) != tokens.end();
 }
 
-std::vector<std::vector<double>> parse_cell(const std::string& place, const std::vector<std::string>& tokens) {
-  if (tokens.size() != 10)
-    throw InputError(place, fmt::format("the cell has {} numbers, expected three vectors of three numbers",
-                                        tokens.size() - 1));
-  std::vector<std::vector<double>> cell(3);
-  for (std::size_t k = 0; k < 9; ++k) {
-    const auto value = parse_number<double>(tokens[k + 1]);
+/// Reads the numbers of a comment, which come last in it.
+/// @param what  meaning of the numbers, for messages
+std::vector<double> comment_numbers(const std::string& place, const std::string& what,
+                                    const std::vector<std::string>& tokens, std::size_t first,
+                                    std::size_t count) {
+  if (tokens.size() != first + count)
+    throw InputError(place, fmt::format("{} has {} numbers, expected {}", what,
+                                        tokens.size() - std::min(first, tokens.size()), count));
+  std::vector<double> numbers;
+  for (std::size_t k = first; k < tokens.size(); ++k) {
+    const auto value = parse_number<double>(tokens[k]);
     if (!value)
-      throw InputError(place, fmt::format("the cell contains \"{}\", expected a finite number{}", tokens[k + 1],
-                                          decimal_comma_hint(tokens[k + 1])));
-    cell[k / 3].push_back(*value);
+      throw InputError(place, fmt::format("{} contains \"{}\", expected a finite number{}", what, tokens[k],
+                                          decimal_comma_hint(tokens[k])));
+    numbers.push_back(*value);
   }
+  return numbers;
+}
+
+std::vector<std::vector<double>> parse_cell(const std::string& place, const std::vector<std::string>& tokens) {
+  const std::vector<double> numbers = comment_numbers(place, "the cell", tokens, 1, 9);
+  std::vector<std::vector<double>> cell;
+  for (std::size_t a = 0; a < 9; a += 3) cell.emplace_back(&numbers[a], &numbers[a] + 3);
   return cell;
+}
+
+/// Reads a comment "wall x- POSITION".
+void parse_wall(const std::string& place, const std::vector<std::string>& tokens, ListedSpace& space) {
+  const std::optional<WallSide> wall = tokens.size() > 1 ? wall_side(tokens[1]) : std::nullopt;
+  if (!wall)
+    throw InputError(place, fmt::format("the wall is \"{}\", expected one of x-, x+, y-, y+, z- and z+",
+                                        tokens.size() > 1 ? tokens[1] : ""));
+  ListedEnds& ends = ends_along(wall->axis, space);
+  if (wall->side < 0 ? ends.low : ends.high)
+    throw InputError(place, fmt::format("the wall {} is given twice", wall->name()));
+  add_wall(*wall, comment_numbers(place, "the wall", tokens, 2, 1)[0], space);
+}
+
+bool YadeTable::take_space(const std::string& place, const std::vector<std::string>& tokens) {
+  if (tokens.empty()) return false;
+  if (tokens[0] == "cell") {
+    if (!space.cell.empty()) throw InputError(place, "the cell is given twice, first at " + space.place);
+    space.place = place;
+    space.cell = parse_cell(place, tokens);
+  } else if (tokens[0] == "wall") {
+    parse_wall(place, tokens, space);
+  } else if (tokens[0] == "gravity") {
+    const std::vector<double> gravity = comment_numbers(place, "gravity", tokens, 1, 3);
+    space.gravity = Eigen::Vector3d(gravity[0], gravity[1], gravity[2]);
+  } else {
+    return false;
+  }
+  return true;
 }
 
 /// Reads a text file of YADE.
@@ -68,13 +110,8 @@ YadeTable read_table(const std::string& path, const std::string& mark, std::vect
     if (text.empty()) continue;
     if (text.starts_with('#')) {
       const std::vector<std::string> tokens = comment_tokens(text);
-      if (!tokens.empty() && tokens[0] == "cell") {
-        if (!result.cell.empty())
-          throw InputError(fmt::format("{}:{}", path, number),
-                           "the cell is given twice, first at " + result.cell_place);
-        result.cell_place = fmt::format("{}:{}", path, number);
-        result.cell = parse_cell(result.cell_place, tokens);
-      } else if (!begun && contains(tokens, mark)) {
+      if (result.take_space(fmt::format("{}:{}", path, number), tokens)) continue;
+      if (!begun && contains(tokens, mark)) {
         // Comments after the first row of the table do not name columns, even if they contain the word `mark`.
         columns = tokens;
       }
@@ -173,7 +210,7 @@ std::vector<ListedContact> read_yade_contacts(const ImportOptions& options, int 
 bool is_yade_text(const std::string& path) {
   const std::vector<std::string> tokens = first_comment(path);
   if (tokens.empty()) return false;
-  return (tokens[0] == "cell" && tokens.size() == 10) ||
+  return (tokens[0] == "cell" && tokens.size() == 10) || (tokens[0] == "wall" && tokens.size() == 3) ||
          (contains(tokens, "x") && contains(tokens, "y") && contains(tokens, "z") && contains(tokens, "r"));
 }
 
@@ -192,10 +229,14 @@ Imported read_yade_text(const std::string& path, const ImportOptions& options) {
   if (says_law) completed.law = law_of(read_table(options.contacts, "id1", {}).table, options.contacts);
   ListedPacking listed = listed_packing(path, completed);
   listed.grains = read_grains(NamedColumns(spheres.table, options.columns));
-  listed.space.place = spheres.cell_place;
-  listed.space.cell = spheres.cell;
-  // YADE has a cell only if the packing is periodic.
-  if (!spheres.cell.empty()) listed.space.periodic = {true, true, true};
+  listed.space = spheres.space;
+  if (listed.space.place.empty()) listed.space.place = path;
+  // YADE has a cell only if the packing is periodic. Without one, it ends in free space where no wall is.
+  if (!listed.space.cell.empty()) listed.space.periodic = {true, true, true};
+  if (listed.space.cell.empty() && !listed.space.ends.empty()) {
+    listed.space.periodic = {false, false, false};
+    listed.space.boundary = "the file gives walls and no cell";
+  }
   if (says_law)
     listed.remarks.push_back("the contact law has the mean stiffnesses of the listed contacts: " +
                              law_text(listed.law));

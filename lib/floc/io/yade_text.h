@@ -7,15 +7,17 @@
 
 namespace floc {
 
-/// Whether the first line of a file is a comment that names the columns x, y, z and r, or that contains a periodic
-/// cell.
+/// Whether the first line of a file is a comment that names the columns x, y, z and r, or that gives a cell or a wall.
 bool is_yade_text(const std::string& path);
 
 /// Whether the first line of a file is a comment that names the columns id1 and id2.
 bool is_yade_interactions(const std::string& path);
 
-/// Reads spheres from a text file that a script of YADE has written, one sphere per line. Two comment lines are read:
+/// Reads spheres that a script of YADE wrote as text, one per line. These comment lines are read:
 ///   # cell ax ay az bx by bz cx cy cz     lattice vectors (columns of O.cell.hSize), unless `options.cell` is given
+///   # wall x- 0                           a wall, as data/packings/yade/export.py writes it; without a cell the packing ends
+///                                         in free space where no wall is
+///   # gravity gx gy gz                    acceleration due to gravity
 ///   # id x y z r [mass]                   names of the columns; the comment of export.textExt(),
 ///                                         "\#format x_y_z_r", is accepted as well
 /// If no comment names the columns, they are x y z r. Without a column id, spheres are numbered from 0.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "floc/packing/bond_strength.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/load_target.h"
 #include "floc/packing/motion_record.h"
@@ -60,6 +61,7 @@ template <int Dim>
 struct State {
   std::string units = "reduced";  ///< system of units, "reduced" or "SI"
   Packing<Dim> packing;
+  std::vector<BondStrength<Dim>> bond_strengths = {};  ///< sorted by precedes(); empty: no strengths are given
   /// Stress imposed on each axis, compression positive (force/length^(Dim-1)). On an axis with an imposed side length
   /// it is the stress that the packing carried.
   Vec<Dim> target_stress = Vec<Dim>::Zero();

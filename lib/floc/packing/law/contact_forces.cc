@@ -73,8 +73,10 @@ void set_forces(const Law& law, double pull_off_force, const Grains<Dim>& grains
   c.kt = Law::kHasFriction ? kt.value_or(k.tangential) : 0.0;
   c.kr = k.rolling;
   c.ktw = k.twisting;
+  // The springs are those of the law, also if the contact has stiffnesses of its own, so that the law gives the forces that are
+  // given, and their limits.
   law.template set_force<Dim>(to_shear<double>(c.normal, c.shear_force), -c.rolling_moment, -c.twisting_moment,
-                              {c.kn, c.kt, c.kr, c.ktw}, history);
+                              k, history);
   set_mobilised(law, history, tolerance, c);
   c.history = unpacked_history<Law, Dim>(history);
 }

@@ -1,0 +1,126 @@
+#include "floc/io/wall_planes.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "floc/base/error.h"
+#include "floc/io/settle_space.h"
+#include "support/run_program.h"
+
+namespace floc {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+/// Two grains at x, y, z = 1 and 2.
+std::vector<ListedGrain> two_grains() {
+  std::vector<ListedGrain> grains(2);
+  for (std::size_t k = 0; k < 2; ++k) {
+    grains[k].id = static_cast<std::int64_t>(k);
+    grains[k].position.setConstant(1.0 + static_cast<double>(k));
+    grains[k].radius = 0.5;
+  }
+  return grains;
+}
+
+std::string in_words(const std::vector<ListedEnds>& all) {
+  std::string words;
+  for (const ListedEnds& e : all)
+    words += fmt::format("{}={}:{} ", "xyz"[e.axis], e.low ? fmt::format("{}", *e.low) : "",
+                         e.high ? fmt::format("{}", *e.high) : "");
+  return words;
+}
+
+class WallFile : public testing::Test {
+ protected:
+  std::string walls(const std::string& text) {
+    test::write_text(scratch_.file("in.walls"), text);
+    return in_words(ends_of_planes(read_wall_file(scratch_.file("in.walls")).planes, two_grains(), 3));
+  }
+  void refused(const std::string& text, const std::string& words) {
+    EXPECT_THAT([&] { walls(text); }, ThrowsMessage<InputError>(HasSubstr(words))) << text;
+  }
+  void write_triangle(const std::string& corners) {
+    std::string text = "solid s\nfacet normal 0 0 1\nouter loop\n";
+    std::istringstream in(corners);
+    for (std::string corner; std::getline(in, corner, ';');) text += "vertex " + corner + "\n";
+    test::write_text(scratch_.file("s.stl"), text + "endloop\nendfacet\nendsolid s\n");
+  }
+
+  test::ScratchDirectory scratch_;
+};
+
+TEST_F(WallFile, OfLammpsHasThePlanesOfItsFixes) {
+  EXPECT_EQ(walls("fix w all wall/gran hooke 1 2 3 4 0.5 1 xplane 0 3.5 contacts\n"), "x=0:3.5 ");
+  EXPECT_EQ(walls("fix a all wall/gran granular hertz 1 2 tangential mindlin 1 2 3 zplane 0.1 NULL # floor\n"),
+            "z=0.1: ");
+  EXPECT_EQ(walls("variable h equal 4\nvariable l index -1\nfix a all wall/gran hooke 1 &\n yplane ${l} v_h\n"),
+            "y=-1:4 ");
+  EXPECT_EQ(
+      walls("region box block 0 3 INF INF -1 INF units box\nfix a all wall/gran/region hooke 1 2 region box\n"),
+      "x=0:3 z=-1: ");
+  EXPECT_EQ(
+      walls("fix a all wall/gran hooke 1 zplane 0 9\nunfix a\nfix a all wall/gran hooke 1 zplane 0 NULL\n"),
+      "z=0: ");
+}
+
+TEST_F(WallFile, OfLiggghtsHasPlanesAndMeshes) {
+  EXPECT_EQ(walls("fix a all wall/gran model hertz primitive type 1 xplane 0\nfix b all wall/gran model hertz "
+                  "primitive type "
+                  "1 xplane 3\n"),
+            "x=0:3 ");
+  write_triangle("0 0 -1;4 0 -1;4 4 -1");
+  const std::string fix = "fix w all wall/gran model hertz mesh n_meshes 1 meshes m\n";
+  EXPECT_EQ(walls("fix m all mesh/surface file s.stl type 1\n" + fix), "z=-1: ");
+  EXPECT_EQ(walls("fix m all mesh/surface/stress file s.stl type 1 scale 2 move 0 0 6\n" + fix), "z=:4 ");
+  EXPECT_EQ(in_words(ends_of_planes(read_wall_file(scratch_.file("s.stl")).planes, two_grains(), 3)), "z=-1: ");
+  // Only the innermost of two faces counts, and only a face that looks to a grain.
+  EXPECT_EQ(walls("fix a all wall/gran model hertz primitive type 1 zplane -0.5\nfix m all mesh/surface file "
+                  "s.stl type 1\n" +
+                  fix),
+            "z=-0.5: ");
+  write_triangle("5 0 -1;9 0 -1;9 4 -1");
+  EXPECT_EQ(walls("fix m all mesh/surface file s.stl type 1\n" + fix), "");
+}
+
+TEST_F(WallFile, GivesGravity) {
+  test::write_text(scratch_.file("in"),
+                   "fix w all wall/gran hooke 1 zplane 0 NULL\nfix g all gravity 9.81 vector 0 0 -2\n");
+  EXPECT_EQ(read_wall_file(scratch_.file("in")).gravity, Eigen::Vector3d(0.0, 0.0, -9.81));
+}
+
+TEST_F(WallFile, ThatFlocCannotTakeIsRefusedWithItsLine) {
+  refused("units lj\n", "in.walls: the script has no wall");
+  refused("\nfix w all wall/gran hooke 1 zcylinder 3\n", "in.walls:2: the wall is no plane");
+  refused("fix w all wall/gran hooke 1 zplane ${h} 3\n",
+          "the position of the wall across z is \"${h}\", expected a number");
+  refused("fix w all wall/gran hooke 1 zplane 0 NULL wiggle z 1 2\n", "the wall moves (wiggle)");
+  refused("fix w all wall/gran/region hooke 1 region cone\n", "does not define the region");
+  refused("region cone cone z 0 0 1 2 0 3\nfix w all wall/gran/region hooke 1 region cone\n",
+          "the region cone is no block");
+  refused("fix w all wall/gran model hertz mesh n_meshes 1 meshes m\n", "no fix mesh/surface with the name m");
+  refused(
+      "fix m all mesh/surface file s.stl type 1\nfix v all move/mesh mesh m linear 0 0 1\nfix w all wall/gran "
+      "model hertz "
+      "mesh n_meshes 1 meshes m\n",
+      "in.walls:2: the mesh m moves");
+  refused("fix w all wall/gran hooke 1 zplane 0 NULL\nfix g all gravity 9.81 chute 24\n",
+          "the style of gravity is \"chute\"");
+  write_triangle("0 0 -1;4 0 -1;4 4 1");
+  refused(
+      "fix m all mesh/surface file s.stl type 1\nfix w all wall/gran model hertz mesh n_meshes 1 meshes m\n",
+      "s.stl, triangle 1: the triangle lies across no axis");
+}
+
+TEST(WallOption, HasAxesAndFiles) {
+  const WallOption option = split_walls("in.lammps, z=0:,x-,xwall.stl,/dev/null");
+  EXPECT_EQ(option.axes, " z=0:,x-");
+  EXPECT_EQ(option.files, (std::vector<std::string>{"in.lammps", "xwall.stl", "/dev/null"}));
+  EXPECT_EQ(split_walls("x=0.5:1.5").axes, "x=0.5:1.5");
+  EXPECT_EQ(split_walls("x,,y").axes, "x,,y");
+}
+
+}  // namespace
+}  // namespace floc

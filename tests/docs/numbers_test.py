@@ -601,6 +601,15 @@ class Test:
                 values = [float(r[name]) / (1.0 if name == "phi" else 0.1) for r in rows if r["boundary"] == boundary]
                 self.mean_and_scatter(cell, values, f"{name} of 1000 spheres, {boundary}")
 
+    def lambda_of_ensembles(self):
+        """lambda of the committed ensembles, as the script beside them prints it."""
+        script = os.path.join(self.source, "data/tables/lambda.py")
+        printed = subprocess.run([sys.executable, script, self.floc], check=True, capture_output=True, text=True).stdout
+        rows = [[cell.strip() for cell in line.strip("| ").split("|")] for line in printed.splitlines()[2:]]
+        for shown, row in zip(self.claim_table("| ensemble | samples | law |"), rows, strict=True):
+            if shown != row:
+                self.differs(f"lambda of ensembles: the page says {shown}, the script {row}")
+
     def compaction_sweep(self):
         """Checks the base curve for the published number of spheres, and the fit of the sweep with 4000 spheres."""
         base = list(csv.DictReader(open(os.path.join(self.source, "data/tables/compaction/base_17657.csv"))))
@@ -1029,7 +1038,7 @@ class Test:
                               self.scene_faults, self.rolling_stiffness, self.network, self.compare, self.crystal,
                               self.preconsolidation, self.measured_tables, self.conversions, self.python, self.python_package, self.spheres,
                               self.spheres_of_lammps, self.quasistatic, self.softening, self.compaction, self.compaction_variants,
-                              self.compaction_moduli, self.compaction_sweep, self.powder2d, self.wet, self.loads, self.compression_laws,
+                              self.compaction_moduli, self.lambda_of_ensembles, self.compaction_sweep, self.powder2d, self.wet, self.loads, self.compression_laws,
                               self.lattice, self.tradeoff, self.names_of_tradeoff, self.settings_that_matter, self.kinds_of_shapes, self.shapes_of_states):
                     try:
                         with self.hanging_on_demo(check in of_demo):

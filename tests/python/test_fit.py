@@ -115,6 +115,56 @@ class Consolidation(unittest.TestCase):
         print(f"{len(calls)} masked arrays of fits refused")
 
 
+class Tables(unittest.TestCase):
+    table = samples.SOURCE / "data/tables/your-test/oedometer.csv"
+
+    def test_are_read_as_the_command_reads_them(self):
+        path = floc.fit.read_table(self.table)
+        self.assertEqual(path.unit, "kPa")
+        self.assertIn("read 14 rows: pressure in kPa, void ratio; 2 reversals", path.reading)
+        self.assertEqual(len(path), 14)
+        self.assertEqual(path.pressure[0], 12.5)
+        self.assertAlmostEqual(path.solid_fraction[0], 1 / 1.7770, 12)
+        mine = floc.fit.consolidation(path.pressure, path.solid_fraction)
+        theirs = floc.fit.consolidation(self.table)
+        self.assertEqual(mine["lambda"].to_dict(), theirs["lambda"].to_dict())
+
+    def test_in_a_die_are_read_without_bound(self):
+        file = samples.directory() / "die.csv"
+        file.write_text("P,phi\n1,0.8\n2,0.95\n3,1.01\n")
+        with self.assertRaisesRegex(floc.InputError, "measured in a die under load"):
+            floc.fit.read_table(file)
+        self.assertEqual(floc.fit.read_table(file, phi_limit=None).solid_fraction[-1], 1.01)
+        with self.assertRaisesRegex(floc.InputError, r"arrays\[2\]: phi = 1.01"):
+            floc.fit.cycle([1, 2, 3], [0.8, 0.95, 1.01])
+        floc.fit.cycle([1, 2, 3], [0.8, 0.95, 1.01], phi_limit=None)
+
+
+class Tests(unittest.TestCase):
+    def same(self, mine, theirs):
+        self.assertEqual([fit.to_dict() for fit in mine], theirs)
+
+    def test_of_failures_and_planes(self):
+        folder = samples.directory()
+        (folder / "failures.csv").write_text("sigma1 [kPa],sigma3 [kPa]\n208,50\n350,100\n640,200\n1235,400\n")
+        (folder / "planes.csv").write_text("sigma_n,tau\n50,40\n100,71\n200,130\n")
+        for name in ("failures.csv", "planes.csv"):
+            fits = floc.fit.strength(folder / name)
+            self.same(fits, command("strength", folder / name))
+            self.assertIn("friction_angle_peak", fits[-1].parameters)
+        with self.assertRaisesRegex(floc.InputError, "kind"):
+            floc.fit.strength(folder / "planes.csv", kind="torsion")
+
+    def test_of_moduli(self):
+        file = samples.directory() / "moduli.csv"
+        file.write_text("P,phi,B\n" + "".join(f"{p},{0.6 + 0.01 * k},{3.0 * p ** 0.4}\n"
+                                              for k, p in enumerate((1, 2, 4, 8, 16, 32, 64))))
+        fits = floc.fit.moduli(file)
+        self.same(fits, command("moduli", file))
+        self.assertAlmostEqual(fits[0]["exponent"].value, 0.4, 9)
+        self.assertEqual([fit.against for fit in fits], ["P", "phi"])
+
+
 class OtherFits(unittest.TestCase):
     def test_of_a_run(self):
         run = samples.directory() / "powder"

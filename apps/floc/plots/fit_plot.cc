@@ -56,6 +56,19 @@ std::string title_of(const ConsolidationPlot& plot) {
   return title;
 }
 
+/// Axis of the residuals: the power of ten in which they are drawn, and half of the range of the axis in this unit.
+struct ResidualAxis {
+  double unit, half;
+};
+
+ResidualAxis residual_axis(const Plot& drawn) {
+  double largest = 0.0;
+  for (const std::vector<double>& row : drawn.blocks.front().rows)
+    largest = std::max(largest, std::abs(row.back()));
+  const double unit = largest > 0.0 ? std::pow(10.0, std::floor(std::log10(largest))) : 1e-12;
+  return {unit, 1.2 * (std::floor(largest / unit) + 1.0)};
+}
+
 const char* law_title(const ConsolidationFit& fit) {
   return fit.reported_law == ConsolidationLaw::log ? "virgin line" : "law";
 }
@@ -66,50 +79,53 @@ std::string script_of(const ConsolidationPlot& plot, const Plot& drawn) {
   const std::string curves = plot_command(
       drawn,
       {{3,
-        "using 1:2 with linespoints linewidth 1 pointtype 1 pointsize 0.6 linecolor rgb '#888888' title "
+        "using 1:2 with linespoints linewidth 1 pointtype 1 pointsize 0.8 linecolor rgb '#666666' title "
         "'unloading "
         "and reloading'"},
-       {2, fmt::format("using 1:2 with lines linewidth 2 linecolor rgb '#c0392b' title '{}'",
+       {2, fmt::format("using 1:2 with lines linewidth 3 linecolor rgb '#c0392b' title '{}'",
                        law_title(plot.fit))},
-       {4, "using 1:2 with lines linewidth 2 dashtype 2 linecolor rgb '#27667b' title 'recompression line'"},
+       {4, "using 1:2 with lines linewidth 3 dashtype 2 linecolor rgb '#27667b' title 'recompression line'"},
        {5, "using 1:2 with points pointtype 12 pointsize 2 linewidth 2 linecolor rgb '#000000' title 'yield'"},
-       {1, "using 1:2:3 with yerrorbars pointtype 6 linecolor rgb '#888888' title 'left out'"},
-       {0,
-        "using 1:2:3 with yerrorbars pointtype 7 pointsize 0.7 linecolor rgb '#1f4e79' title 'fitted; window "
-        "dashed'"}});
+       {1, "using 1:2:3 with yerrorbars pointtype 6 pointsize 1.2 linecolor rgb '#666666' title 'left out'"},
+       {0, "using 1:2:3 with yerrorbars pointtype 7 pointsize 1 linecolor rgb '#1f4e79' title 'fitted'"}});
+  const ResidualAxis axis = residual_axis(drawn);
   const double low = plot.curve.P_star.front();
   const double high = plot.curve.P_star.back();
   // Without noenhanced, gnuplot would turn names in the title, such as Phi_max, into subscripts.
   return fmt::format(
       R"(set termoption noenhanced
+set termoption font ',20'
 set multiplot
 set logscale x
 set format x ''
 set xrange [{xlow}:{xhigh}]
-set lmargin at screen 0.13
+set lmargin at screen 0.19
 set rmargin at screen 0.97
-set tmargin at screen 0.93
-set bmargin at screen 0.36
-set title {title}
-set ylabel '1/Phi'
-set key top right
+set tmargin at screen 0.94
+set bmargin at screen 0.37
+set title {title} font ',13' offset 0,-0.4
+set ylabel '1/Phi' offset -1,0
+set key top right font ',17' samplen 2.5 spacing 1.05 width -1
 set arrow 1 from first {wlow}, graph 0 to first {wlow}, graph 1 nohead dashtype 2 linecolor rgb '#888888'
 set arrow 2 from first {whigh}, graph 0 to first {whigh}, graph 1 nohead dashtype 2 linecolor rgb '#888888'
 {curves}unset title
 set format x '%g'
-set tmargin at screen 0.33
-set bmargin at screen 0.11
+set tmargin at screen 0.35
+set bmargin at screen 0.14
 set xlabel {xlabel}
-set ylabel 'residual'
+set ylabel {residual}
 set xzeroaxis linetype 1 linecolor rgb '#c0392b'
-set ytics nomirror autofreq
+set yrange [-{half}:{half}]
+set ytics nomirror ({tic}, 0, -{tic})
 unset key
-plot data index 0 using 1:4 with impulses linecolor rgb '#888888', \
-     data index 0 using 1:4 with points pointtype 7 pointsize 0.7 linecolor rgb '#1f4e79'
+plot data index 0 using 1:($4/{unit}) with impulses linecolor rgb '#888888', \
+     data index 0 using 1:($4/{unit}) with points pointtype 7 pointsize 1 linecolor rgb '#1f4e79'
 unset multiplot
 )",
       fmt::arg("xlow", low / 1.2), fmt::arg("xhigh", high * 1.2),
       fmt::arg("title", gnuplot_quoted(title_of(plot))), fmt::arg("curves", curves),
+      fmt::arg("half", axis.half), fmt::arg("tic", axis.half / 1.2), fmt::arg("unit", axis.unit),
+      fmt::arg("residual", gnuplot_quoted(fmt::format("residual / {:g}", axis.unit))),
       fmt::arg("wlow", plot.fit.window_low), fmt::arg("whigh", plot.fit.window_high),
       fmt::arg("xlabel", gnuplot_quoted(pressure_label(plot.unit, plot.stress))));
 }
@@ -147,7 +163,7 @@ std::string pressure_label(const std::string& unit, const std::string& stress) {
 
 Plot plot_of_fit(const ConsolidationPlot& of) {
   Plot plot;
-  plot.height = 640;
+  plot.height = 680;
   add_blocks(of, plot);
   plot.script = script_of(of, plot);
   return plot;

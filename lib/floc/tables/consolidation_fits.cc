@@ -94,7 +94,10 @@ Json regimes_as_json(const ConsolidationSample& sample, const ConsolidationFit& 
           {"onset_of_III", change_as_json(r.onset_three, sample.loading.curve)},
           {"rows_I", rows_of(sample, 0, r.n_plateau)},
           {"rows_II", rows_of(sample, r.n_plateau, r.end_of_two)},
-          {"rows_III", rows_of(sample, r.end_of_two, n)}};
+          {"rows_III", rows_of(sample, r.end_of_two, n)},
+          {"jump_distance",
+           fit.law == ConsolidationLaw::log && r.jump_distance > 0.0 ? Json(r.jump_distance) : Json(nullptr)},
+          {"n_lagging", fit.law == ConsolidationLaw::log ? r.n_lagging : 0}};
 }
 
 /// Returns the cells window_low and window_high of a parameter. They are empty for parameters other than lambda and

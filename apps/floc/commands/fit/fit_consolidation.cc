@@ -133,6 +133,12 @@ void log_fit(const ConsolidationSample& sample, const ConsolidationFit& fit, int
     // Each text that change_text() returns begins with "; ". This is removed from the first text.
     if (!pieces.empty()) spdlog::info("{}: {}", sample.name, pieces.substr(2));
   }
+  if (fit.regimes && fit.law == ConsolidationLaw::log && fit.regimes->jump_distance > 0.0)
+    spdlog::info(
+        "{}: the samples collapse in jumps, {:.2g} of ln P* apart on average; {} pressures at the beginning of "
+        "regime II, "
+        "in which samples that have not collapsed yet lie above its line, are left out of it",
+        sample.name, fit.regimes->jump_distance, fit.regimes->n_lagging);
   std::vector<std::string> budget;
   for (const ErrorParts& parts : fit.error_parts)
     budget.push_back(fmt::format(

@@ -82,6 +82,7 @@ UNCHECKED_TABLES = {
     "| parameter | construction |": "words",
     "| | loose | dense |": "processor time",
     "| command | 4000 beads | 32 000 beads |": "processor time and memory",
+    "| packing | instructions | double | single | gain |": "processor time",
     "| column | meaning |": "words",
     "| quantity | floc's name |": "words",
     "| column of a contact | meaning |": "words",

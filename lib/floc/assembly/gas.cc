@@ -67,9 +67,18 @@ class HardGrains {
 
   const Room<Dim>& room() const { return room_; }
 
-  /// Returns whether grain i would overlap no other placed grain with its centre at x and all diameters multiplied by
-  /// `scale`.
-  bool free_at(int i, const Vec<Dim>& x, double scale) const { return clearance(i, x, scale) >= 1.0; }
+  /// Returns whether grain i would overlap no other placed grain if its centre were at x and all diameters were
+  /// multiplied by `scale`: clearance(i, x, scale) >= 1.
+  bool free_at(int i, const Vec<Dim>& x, double scale) const {
+    bool free = true;
+    visit_near(i, x, [&](int j, const Vec<Dim>& r) {
+      const double touching = 0.5 * scale * (diameter_[i] + diameter_[j]);
+      // Most grains are so far away that their distance need not be known exactly.
+      if (r.squaredNorm() < kSurelyApart * touching * touching) free = r.norm() / touching >= 1.0;
+      return free;
+    });
+    return free;
+  }
 
   /// Returns the distance of grain i from the nearest other grain, with the centre of i at x and all diameters
   /// multiplied by `scale` <= 1. It is the distance between the centres divided by the sum of the radii. A result above
@@ -78,12 +87,13 @@ class HardGrains {
     double least = 2.0;
     visit_near(i, x, [&](int j, const Vec<Dim>& r) {
       least = std::min(least, r.norm() / (0.5 * scale * (diameter_[i] + diameter_[j])));
+      return true;
     });
     return least;
   }
 
   /// Calls visit(j, r) for every grain j that grain i might touch with its centre at x, and for some grains farther
-  /// away. The vector r leads from x to the centre of grain j.
+  /// away, until it returns false. The vector r leads from x to the centre of grain j.
   template <typename Visit>
   void visit_near(int i, const Vec<Dim>& x, Visit&& visit) const {
     for (const Grid& grid : grids_) {
@@ -94,19 +104,26 @@ class HardGrains {
       // If `reach` is at least half of a side of the region, all bins of the grid along this side are visited.
       for (int a = 0; a < Dim; ++a)
         most[a] = std::min(grid.bins[a] / 2, static_cast<int>(std::ceil(reach / room_.side[a] * grid.bins[a])));
-      Vec<Dim, int> offset = -most;
+      // The order of the offsets along an axis is 0, 1, -1, 2, -2, ..., because the nearest bins hold the grains that most
+      // often end the search.
+      Vec<Dim, int> offset = Vec<Dim, int>::Zero();
       int a = 0;
       while (a < Dim) {
         for (const int j : grid.members[flat(centre + offset, grid)])
-          if (j != i) visit(j, nearest_image(position_[j] - x));
-        for (a = 0; a < Dim && ++offset[a] > most[a]; ++a) offset[a] = -most[a];
+          if (j != i && !visit(j, nearest_image(position_[j] - x))) return;
+        for (a = 0; a < Dim; offset[a] = 0, ++a) {
+          offset[a] = offset[a] > 0 ? -offset[a] : 1 - offset[a];
+          if (offset[a] <= most[a]) break;
+        }
       }
     }
   }
 
   Vec<Dim> nearest_image(Vec<Dim> r) const {
+    // Most vectors are shorter than half of the region, so that no division and rounding is needed.
     for (int a = 0; a < Dim; ++a)
-      if (!room_.walled[a]) r[a] -= room_.side[a] * std::round(r[a] / room_.side[a]);
+      if (!room_.walled[a] && std::abs(r[a]) > kSurelyNearest * room_.side[a])
+        r[a] -= room_.side[a] * std::round(r[a] / room_.side[a]);
     return r;
   }
 
@@ -124,6 +141,10 @@ class HardGrains {
   const std::vector<Vec<Dim>>& position() const { return position_; }
 
  private:
+  /// Squared distance over the squared sum of the radii from which on grains do not overlap, whatever the rounding
+  /// errors are, and length over the side of the region below which no image of a vector is shorter.
+  static constexpr double kSurelyApart = 1.0 + 1e-9, kSurelyNearest = 0.499;
+
   struct Grid {
     double largest = 0.0;  ///< largest diameter of the grains in this grid (length)
     int n_grains = 0;
@@ -148,11 +169,15 @@ class HardGrains {
       bin[a] = std::min(grid.bins[a] - 1, static_cast<int>(x[a] / room_.side[a] * grid.bins[a]));
     return bin;
   }
+  /// Returns the place of a bin in Grid::members. A number beyond the bins of an axis, by at most as many as there are,
+  /// is that of a bin at the other end.
   std::size_t flat(const Vec<Dim, int>& bin, const Grid& grid) const {
     std::size_t index = 0;
-    for (int a = 0; a < Dim; ++a)
-      index = index * static_cast<std::size_t>(grid.bins[a]) +
-              static_cast<std::size_t>((bin[a] + grid.bins[a]) % grid.bins[a]);
+    for (int a = 0; a < Dim; ++a) {
+      const int n = grid.bins[a];
+      const int inside = bin[a] < 0 ? bin[a] + n : bin[a] >= n ? bin[a] - n : bin[a];
+      index = index * static_cast<std::size_t>(n) + static_cast<std::size_t>(inside);
+    }
     return index;
   }
   std::vector<int>& bin_at(int i, const Vec<Dim>& x) {
@@ -229,9 +254,11 @@ void shuffle(HardGrains<Dim>& grains, const std::vector<double>& diameter, doubl
       x[a] = wrapped(x[a], room.side[a]);
     }
     if (!inside) continue;
-    const double clearance = grains.clearance(i, x, scale);
+    const Vec<Dim>& now = grains.position()[i];
     // A grain that overlaps another grain after all grains have grown may also move to a place where it overlaps less.
-    if (clearance >= 1.0 || clearance > grains.clearance(i, grains.position()[i], scale)) grains.move(i, x);
+    if (grains.free_at(i, x, scale) ||
+        (!grains.free_at(i, now, scale) && grains.clearance(i, x, scale) > grains.clearance(i, now, scale)))
+      grains.move(i, x);
   }
 }
 
@@ -299,6 +326,7 @@ void part(HardGrains<Dim>& hard, const std::vector<double>& diameter) {
       overlapping.clear();
       hard.visit_near(i, hard.position()[i], [&](int j, const Vec<Dim>& r) {
         if (2.0 * r.norm() < diameter[i] + diameter[j]) overlapping.push_back(j);
+        return true;
       });
       std::sort(overlapping.begin(), overlapping.end());
       for (const int j : overlapping) {

@@ -41,7 +41,7 @@ Overlaps measure_overlaps(const Packing<Dim>& packing) {
   Overlaps out;
   int n_touching = 0, n_deep = 0;
   for (const Contact<Dim>& c : packing.contacts) {
-    if (c.distant) continue;
+    if (c.distant || (c.bonded && c.gap > 0.0)) continue;  // surfaces that do not touch
     const double overlap = -c.gap / smaller_radius(packing, c);
     ++n_touching;
     n_deep += overlap > kDeepOverlap;

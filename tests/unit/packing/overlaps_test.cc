@@ -33,6 +33,12 @@ TEST(Overlaps, AreMeasuredOverTheSmallerRadius) {
   EXPECT_EQ(measure_overlaps(spheres_with({})).mean, 0.0);
 }
 
+TEST(Overlaps, AreNoneOfBondsAcrossGaps) {
+  Packing<3> packing = spheres_with({0.04, -3.0});
+  packing.contacts[1].bonded = true;
+  EXPECT_EQ(measure_overlaps(packing).mean, 0.04);
+}
+
 TEST(Overlaps, BeyondATenthAreWarnedOfWithTheirShare) {
   EXPECT_EQ(overlap_warning(spheres_with({0.01, 0.1})), "");
   EXPECT_THAT(

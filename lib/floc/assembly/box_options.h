@@ -33,7 +33,7 @@ struct BoxOptions {
 /// pull-off force of the walls. Walls without friction do not resist rolling or twisting either. There are no liquid
 /// bridges to walls.
 /// @param grains  contact law between two grains
-/// @pre the contact law between two grains has friction if the walls have friction
+/// @pre the contact law between two grains has friction if the walls have friction, or the contacts are rigid
 Law wall_law(const Law& grains, const BoxOptions& box);
 
 /// Returns whether one or both faces across an axis are walls that move under the imposed pressure.

@@ -40,9 +40,10 @@ struct ContactDynamicsProgress {
   std::string obstacle;  ///< reason why no balanced forces were found last; empty before the first trial
 };
 
-/// Brings a packing of rigid grains to equilibrium under a stress on each axis of its cell, in three phases:
+/// Brings a packing of rigid grains to equilibrium under a stress on each axis of its cell or on its walls, and under its
+/// weight, in three phases:
 /// 1. The grains move under the load (contact_dynamics.h) until, for 40 steps, the root mean square velocity is below
-/// 6e-3 d/T and the strain rate of the cell below 3 % of its cap, with the largest diameter d and the time unit T =
+/// 6e-3 d/T and the strain rates of the cell and of the box below 3 % of their cap, with the largest diameter d and the time unit T =
 /// sqrt(m/(P d^(Dim-2))).
 /// 2. All velocities are set to zero before each step, until the net forces are small. Steps of frictionless grains with
 /// corners, and of all grains that sweeps have not brought to rest, are solved at once (rigid/implicit_step.h).
@@ -82,6 +83,8 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
   ContactDynamicsSettings settings() const;
   BoundaryLoad<Dim> boundary_load() const;
   double gap_tolerance() const;
+  double boundary_rate(const Packing<Dim>& packing) const;
+  double rate_cap(const Packing<Dim>& packing) const;
   bool is_calm(const Packing<Dim>& packing) const;
   void make_steps(int n_steps);
   bool forces_are_nearly_balanced() const;

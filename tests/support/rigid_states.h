@@ -102,9 +102,14 @@ void keep_neighbours_across_faces(State<Dim>& state) {
   measure(state);
 }
 
-/// Simple cubic crystal of 27 cubes of side 1: each of the four points between neighbours carries P/4.
+/// Simple cubic crystal of eight cubes of side 1: each of the four points between neighbours carries P/4.
 inline State<3> cube_stack(double pressure, double friction) {
-  State<3> state = cubic_crystal(pressure, friction);
+  State<3> state;
+  state.packing.law = rigid_law(friction);
+  state.packing.cell.matrix = 2.0 * Mat<3>::Identity();
+  state.packing.grains = Grains<3>::with_size(8);
+  for (int i = 0; i < 8; ++i)
+    state.packing.grains.position[i] = Vec<3>(0.5 + i % 2, 0.5 + i / 2 % 2, 0.5 + i / 4);
   set_shape(state.packing.grains, box<3>(Vec<3>(1.0, 1.0, 1.0), 0.0), std::sqrt(3.0));
   load_contacts(state, pressure, [&](const Contact<3>&) { return 0.25 * pressure; });
   keep_neighbours_across_faces(state);

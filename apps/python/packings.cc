@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "arguments.h"
@@ -9,6 +10,8 @@
 #include "floc/io/law_text.h"
 #include "floc/io/listed_packing.h"
 #include "floc/io/settle_space.h"
+#include "floc/shape/manifold.h"
+#include "floc/shape/shape.h"
 
 namespace floc::python {
 namespace {
@@ -62,7 +65,8 @@ Eigen::Vector3d row_of(const std::string& name, const Numbers& array, py::ssize_
   return row;
 }
 
-std::vector<ListedGrain> listed_grains(const Numbers& position, const Numbers& radius,
+/// Grains are disks or spheres of given radii, or have shapes, poses and radii that follow from these.
+std::vector<ListedGrain> listed_grains(const Numbers& position, const std::optional<Numbers>& radius,
                                        const std::optional<Numbers>& mass, const std::optional<Integers>& ids,
                                        int dimension) {
   if (position.ndim() != 2 || position.shape(1) != dimension)
@@ -73,7 +77,7 @@ std::vector<ListedGrain> listed_grains(const Numbers& position, const Numbers& r
             shape_of(position), dimension));
   const py::ssize_t n = position.shape(0);
   if (n == 0) throw InputError("position", "this array has no rows: expected one row per grain");
-  require_shape("radius", radius, n, -1);
+  if (radius) require_shape("radius", *radius, n, -1);
   if (mass) require_shape("mass", *mass, n, -1);
   if (ids) require_shape("ids", *ids, n, -1);
   const auto before = std::make_shared<const std::string>("grain ");
@@ -83,11 +87,105 @@ std::vector<ListedGrain> listed_grains(const Numbers& position, const Numbers& r
     grain.place = {before, static_cast<int>(i)};
     grain.id = ids ? ids->data()[i] : i;
     grain.position = row_of("position", position, i, dimension);
-    grain.radius = positive("radius", i, radius.data()[i]);
+    if (radius) grain.radius = positive("radius", i, radius->data()[i]);
     if (mass) grain.mass = positive("mass", i, mass->data()[i]);
   }
   return grains;
 }
+
+/// Arrays that describe grains with corners: their shapes, as dicts with vertices and rounding, and the pose of each grain.
+class ShapeArrays {
+ public:
+  /// @param arrays  shapes, and optionally shape, scale and orientation
+  ShapeArrays(const py::dict& arrays, int dimension) : arrays_(arrays), dimension_(dimension) {}
+
+  /// Gives the listed grains the shapes. Their positions are the places of the origins of the vertices.
+  void give(ListedPacking& listed) const {
+    const auto given = arrays_["shapes"].cast<std::vector<py::dict>>();
+    if (given.empty()) throw InputError("shapes", "there is no shape, expected one at least");
+    for (std::size_t s = 0; s < given.size(); ++s) {
+      if (dimension_ == 2)
+        listed.shapes.in_2d.push_back(made<2>(s, given[s], listed.remarks));
+      else
+        listed.shapes.in_3d.push_back(made<3>(s, given[s], listed.remarks));
+    }
+    const auto n = static_cast<py::ssize_t>(listed.grains.size());
+    const auto scale = optional<Numbers>("scale", n, -1);
+    const auto orientation = optional<Numbers>("orientation", n, dimension_ == 2 ? -1 : 4);
+    for (py::ssize_t i = 0; i < n; ++i) {
+      ListedGrain& grain = listed.grains[static_cast<std::size_t>(i)];
+      set_shape(listed.shapes, index(i, n, static_cast<std::int64_t>(given.size())),
+                scale ? positive("scale", i, scale->data()[i]) : 1.0, grain.position, turn(orientation, i),
+                grain);
+    }
+  }
+
+ private:
+  template <class Array>
+  std::optional<Array> optional(const char* name, py::ssize_t n, int columns) const {
+    if (!arrays_.contains(name)) return std::nullopt;
+    auto found = arrays_[name].cast<Array>();
+    require_shape(name, found, n, columns);
+    return found;
+  }
+
+  /// Returns the index of the shape of grain i.
+  int index(py::ssize_t i, py::ssize_t n, std::int64_t n_shapes) const {
+    const auto shape = optional<Integers>("shape", n, -1);
+    if (!shape && n_shapes > 1)
+      throw InputError(
+          "shape",
+          fmt::format("there are {} shapes, expected an array with the index of that of each grain", n_shapes));
+    const std::int64_t s = shape ? shape->data()[i] : 0;
+    if (s < 0 || s >= n_shapes)
+      throw InputError(
+          fmt::format("shape[{}]", i),
+          fmt::format("this number is {}, expected the index of a shape, from 0 to {}", s, n_shapes - 1));
+    return static_cast<int>(s);
+  }
+
+  /// Returns the rotation of grain i from the axes of its shape to those of space.
+  Eigen::Matrix3d turn(const std::optional<Numbers>& orientation, py::ssize_t i) const {
+    if (!orientation) return Eigen::Matrix3d::Identity();
+    if (dimension_ == 2)
+      return Eigen::AngleAxisd(finite("orientation", i, orientation->data()[i]), Eigen::Vector3d::UnitZ())
+          .toRotationMatrix();
+    Eigen::Vector4d q;
+    for (int a = 0; a < 4; ++a) q[a] = finite("orientation", i, orientation->data()[4 * i + a]);
+    if (std::abs(q.norm() - 1.0) > kUnit)
+      throw InputError(fmt::format("orientation[{}]", i),
+                       fmt::format("the norm of this quaternion is {}, expected 1", q.norm()));
+    return Eigen::Quaterniond(q).normalized().toRotationMatrix();
+  }
+
+  /// Makes shape s: the hull of its points, a capsule of two, or a disk or sphere of the radius `rounding` of none.
+  template <int Dim>
+  static Shape<Dim> made(std::size_t s, const py::dict& words, std::vector<std::string>& remarks) {
+    const std::string name = fmt::format("shapes[{}]", s);
+    const double rounding = words.contains("rounding") ? words["rounding"].cast<double>() : 0.0;
+    if (!(rounding >= 0.0) || !std::isfinite(rounding))
+      throw InputError(name, fmt::format("rounding is {}, expected a number >= 0", rounding));
+    const auto vertices = words["vertices"].cast<Numbers>();
+    if (vertices.ndim() != 2 || vertices.shape(1) != Dim)
+      throw InputError(name, fmt::format("vertices has shape {}, expected (k, {})", shape_of(vertices), Dim));
+    std::vector<Vec<Dim>> points;
+    for (py::ssize_t v = 0; v < vertices.shape(0); ++v)
+      points.push_back(row_of(name + ": vertices", vertices, v, Dim).template head<Dim>());
+    if (points.size() < 3 && !(rounding > 0.0))
+      throw InputError(
+          name, fmt::format("it has {} vertices and no rounding, expected a number > 0 of rounding or more "
+                            "vertices",
+                            points.size()));
+    if (points.empty()) return round_shape<Dim>(rounding);
+    ShapeOfPoints<Dim> made = shape_of_points<Dim>(points, rounding, name);
+    remarks.insert(remarks.end(), made.remarks.begin(), made.remarks.end());
+    return std::move(made.shape);
+  }
+
+  static constexpr double kUnit = 1e-6;  ///< largest error of the norm of a quaternion
+  const py::dict& arrays_;
+  int dimension_;
+};
 
 /// Arrays that describe contacts. They have the names of the columns that `floc convert --contacts` reads.
 class ContactArrays {
@@ -121,6 +219,10 @@ class ContactArrays {
     numbers("kr", &ListedContact::kr, contacts);
     numbers("ktw", &ListedContact::ktw, contacts);
     numbers("bridge_volume", &ListedContact::bridge_volume, contacts);
+    vectors("point", &ListedContact::point, contacts);
+    vectors("normal", &ListedContact::normal, contacts);
+    numbers("gap", &ListedContact::gap, contacts);
+    set_kinds(contacts);
     return contacts;
   }
 
@@ -140,6 +242,15 @@ class ContactArrays {
       contact.image = Eigen::Vector3i::Zero();
       for (int a = 0; a < dimension_; ++a) (*contact.image)[a] = static_cast<int>(*next++);
     }
+  }
+
+  /// Reads the array `type` of contacts of a state: the kinds of contact points.
+  void set_kinds(std::vector<ListedContact>& contacts) const {
+    if (!arrays_.contains("type")) return;
+    const auto type = arrays_["type"].cast<Integers>();
+    require_shape(name_ + ": type", type, static_cast<py::ssize_t>(contacts.size()), -1);
+    for (std::size_t c = 0; c < contacts.size(); ++c)
+      contacts[c].edges = type.data()[c] == static_cast<std::int64_t>(ContactType::kEdgeEdge);
   }
 
   /// Reads the array `wall`: names of walls such as "y-", or empty texts for contacts between grains.
@@ -203,6 +314,15 @@ class ContactArrays {
   std::string name_;
 };
 
+/// Moves contact points, which the arrays give from the centre of the first grain, to their place in space.
+void place_points(const std::vector<ListedGrain>& grains, std::vector<ListedContact>& contacts) {
+  std::map<std::int64_t, Eigen::Vector3d> centre;
+  for (const ListedGrain& grain : grains) centre.emplace(grain.id, grain.position);
+  for (ListedContact& contact : contacts)
+    if (const auto found = centre.find(contact.id1); contact.point && found != centre.end())
+      *contact.point += found->second;
+}
+
 /// Makes a packing of the arrays and completes it, as `floc convert` completes a packing from files.
 NamedState assembled(const ListedPacking& listed, const ImportCompletion& completion) {
   return without_gil([&](const Remarks& remarks) {
@@ -221,13 +341,13 @@ NamedState assembled(const ListedPacking& listed, const ImportCompletion& comple
   });
 }
 
-NamedState from_arrays(const Numbers& position, const Numbers& radius, const Numbers& cell,
-                       const std::string& law, const std::optional<py::dict>& contacts,
-                       const std::optional<py::dict>& bonds, const std::string& walls,
-                       const std::optional<std::string>& wall_law, const py::object& gravity,
-                       const std::optional<Numbers>& mass, const std::optional<Integers>& ids,
-                       const py::object& stress, const py::object& tolerance, const py::object& units,
-                       bool drop_tensile) {
+NamedState from_arrays(const Numbers& position, const std::optional<Numbers>& radius, const Numbers& cell,
+                       const std::optional<py::dict>& shapes, const std::string& law,
+                       const std::optional<py::dict>& contacts, const std::optional<py::dict>& bonds,
+                       const std::string& walls, const std::optional<std::string>& wall_law,
+                       const py::object& gravity, const std::optional<Numbers>& mass,
+                       const std::optional<Integers>& ids, const py::object& stress,
+                       const py::object& tolerance, const py::object& units, bool drop_tensile) {
   if (cell.ndim() != 2 || cell.shape(0) != cell.shape(1) || (cell.shape(0) != 2 && cell.shape(0) != 3))
     throw InputError("cell", fmt::format("this array has shape {}, expected (2, 2) or (3, 3)", shape_of(cell)));
   const auto dimension = static_cast<int>(cell.shape(0));
@@ -247,11 +367,13 @@ NamedState from_arrays(const Numbers& position, const Numbers& radius, const Num
   listed.space.periodic = {true, true, true};
   if (wall_law) listed.wall_law = parse_law("wall_law", *wall_law);
   listed.grains = listed_grains(position, radius, mass, ids, dimension);
+  if (shapes) ShapeArrays(*shapes, dimension).give(listed);
   ImportOptions options;
   options.walls = walls;
   options.gravity = numbers_of("gravity", gravity);
   settle_space(options, listed);
   if (contacts) listed.contacts = ContactArrays(*contacts, dimension, "contacts").listed();
+  if (listed.contacts) place_points(listed.grains, *listed.contacts);
   if (bonds) listed.bonds = ContactArrays(*bonds, dimension, "bonds").listed();
   for (ListedContact& bond : listed.bonds) bond.bond = true;
   return assembled(listed, {.law_place = "law",
@@ -264,9 +386,9 @@ NamedState from_arrays(const Numbers& position, const Numbers& radius, const Num
 
 void bind_packings(py::module_& module) {
   module.def("from_arrays", &from_arrays, py::kw_only(), py::arg("position"), py::arg("radius"),
-             py::arg("cell"), py::arg("law"), py::arg("contacts"), py::arg("bonds"), py::arg("walls"),
-             py::arg("wall_law"), py::arg("gravity"), py::arg("mass"), py::arg("ids"), py::arg("stress"),
-             py::arg("tolerance"), py::arg("units"), py::arg("drop_tensile"));
+             py::arg("cell"), py::arg("shapes"), py::arg("law"), py::arg("contacts"), py::arg("bonds"),
+             py::arg("walls"), py::arg("wall_law"), py::arg("gravity"), py::arg("mass"), py::arg("ids"),
+             py::arg("stress"), py::arg("tolerance"), py::arg("units"), py::arg("drop_tensile"));
 }
 
 }  // namespace floc::python

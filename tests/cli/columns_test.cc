@@ -241,7 +241,18 @@ TEST_F(Columns, AreAllDescribedAndNothingElseIs) {
                                            "verify step",
                                            "verify overlap",
                                            "inertial_number",
-                                           "step_residual"};
+                                           "step_residual",
+                                           "export --grains shape",
+                                           "scale",
+                                           "angle",
+                                           "qx",
+                                           "qy",
+                                           "qz",
+                                           "qw",
+                                           "point?",
+                                           "normal?",
+                                           "export --contacts gap",
+                                           "export --contacts kind"};
   for (const auto& [table, text] : tables) {
     const std::vector<std::string> names = described(table);
     const auto columns = header(text);

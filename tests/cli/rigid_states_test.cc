@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "floc/io/csv.h"
 #include "floc/io/state_file.h"
 #include "support/run_program.h"
 
@@ -23,6 +24,8 @@ class RigidStates : public ::testing::Test {
     write_state(scratch_.file("bricks.h5"), brick_bond(0.7, 0.3));
     write_state(scratch_.file("spheres.h5"), cubic_crystal(0.7, 0.3));
     write_state(scratch_.file("disks.h5"), triangular_crystal(0.7, 0.0));
+    write_state(scratch_.file("cubes.h5"), cube_stack(0.7, 0.3));
+    write_state(scratch_.file("x.h5"), boxed_squares(0.7, 0.3));
   }
   Outcome run(const std::string& arguments) const { return run_floc(arguments, scratch_.path()); }
 
@@ -32,51 +35,70 @@ class RigidStates : public ::testing::Test {
 /// Arguments of a command, in which `S` stands for the state file.
 struct Case {
   const char* arguments;
-  bool reads_bricks, reads_spheres;  ///< whether the command accepts the state
+  /// Initials of the states that the command accepts: bricks, cubes, spheres, and squares in a box, which is written x.
+  const char* reads;
 };
 
 const Case kCommands[] = {
-    {"info S", true, true},
-    {"verify S", true, true},
-    {"forces S --contacts f.csv --range", true, true},
-    {"forces S --gap 1e-3 --selection canonical", true, true},
-    {"network S --with bonds,phases --pdf d.csv --particle-stress p.csv --clusters c.csv", true, true},
-    {"network S --without mechanics", true, true},
-    {"structure S", false, true},
-    {"moduli S", false, false},
-    {"moduli S --kn 1 --kt 0.5", true, true},
-    {"moduli S --method bounds --strains full", false, false},
-    {"modes S", false, false},
-    {"compare S S", false, true},
-    {"draw S -o picture.svg", true, true},
-    {"draw S -o picture.svg --forces kinds", true, false},
-    {"plot --show forces S -o plot.svg", true, true},
-    {"plot --show pressures S -o plot.svg", true, true},
-    {"plot --show moduli S -o plot.svg", false, false},
-    {"plot --show scattering S -o plot.svg", false, true},
-    {"lattice S --matrix 0.2", false, true},
-    {"export S --grains g.csv --contacts e.csv", false, true},
-    {"convert S copy.h5 --overwrite", true, true},
-    {"convert S copy.vtu --overwrite", true, true},
-    {"convert S copy.vtkhdf --overwrite", false, true},
-    {"convert S copy.xyz --overwrite", false, true},
+    {"info S", "bcsx"},
+    {"verify S", "bcsx"},
+    {"forces S --contacts f.csv --range", "bcsx"},
+    {"forces S --gap 1e-3 --selection canonical", "bcsx"},
+    {"network S --with bonds,phases --pdf d.csv --particle-stress p.csv --clusters c.csv", "bcsx"},
+    {"network S --without mechanics", "bcsx"},
+    {"structure S", "bcsx"},
+    {"structure S --pair-correlation g.csv", "bcsx"},
+    {"structure S --intensity i.csv", "s"},
+    {"structure S --gaps z.csv", "s"},
+    {"structure S --map m.csv", "s"},
+    {"structure S --porosity p.csv", "s"},
+    {"structure S --profile p.csv", "s"},
+    {"structure S --pores p.csv", "s"},
+    {"moduli S", ""},
+    {"moduli S --kn 1 --kt 0.5", "bcsx"},
+    {"moduli S --method bounds --strains full", ""},
+    {"modes S", ""},
+    {"compare S S", "bcs"},
+    {"compare S S --contacts c.csv --displacements d.csv", "bcs"},
+    {"draw S -o picture.svg", "bcsx"},
+    {"draw S -o picture.svg --forces kinds", "bcx"},
+    {"draw S -o picture.svg --forces particle-pressure", "bcsx"},
+    {"draw S -o picture.svg --forces phases", "bcs"},
+    {"draw S -o picture.svg --forces increment", ""},
+    {"draw S -o picture.svg --slab z,0.2,0.9", "cs"},
+    {"plot --show forces S -o plot.svg", "bcsx"},
+    {"plot --show pressures S -o plot.svg", "bcsx"},
+    {"plot --show moduli S -o plot.svg", ""},
+    {"plot --show scattering S -o plot.svg", "s"},
+    {"lattice S --matrix 0.2", "s"},
+    {"export S --grains g.csv --contacts e.csv", "bcsx"},
+    {"export S --shapes s.csv", "bcx"},
+    {"convert S copy.h5 --overwrite", "bcsx"},
+    {"convert S copy.vtu --overwrite", "bcsx"},
+    {"convert S copy.obj --overwrite", "cs"},
+    {"convert S copy.vtkhdf --overwrite", "s"},
+    {"convert S copy.xyz --overwrite", "s"},
+    {"convert S copy.data --overwrite", "s"},
 };
 
 TEST_F(RigidStates, GiveNumbersOrOneSentence) {
   for (const Case& one : kCommands)
-    for (const bool bricks : {true, false}) {
-      const std::string file = bricks ? "bricks.h5" : "spheres.h5";
+    for (const char* file : {"bricks.h5", "cubes.h5", "spheres.h5", "x.h5"}) {
       const std::string arguments = std::regex_replace(one.arguments, std::regex("\\bS\\b"), file);
       const Outcome outcome = run(arguments);
       SCOPED_TRACE(arguments + "\n" + outcome.out + outcome.err);
-      if (bricks ? one.reads_bricks : one.reads_spheres) {
+      if (std::string(one.reads).find(file[0]) != std::string::npos) {
         EXPECT_EQ(outcome.code, 0);
         EXPECT_THAT(outcome.out, Not(::testing::ContainsRegex("nan|inf[,\n]")));
       } else {
         EXPECT_EQ(outcome.code, 4);
-        EXPECT_THAT(outcome.err,
-                    ::testing::ContainsRegex("the grains of this packing have corners|the contacts of "
-                                             "this packing are rigid|the grains are disks or spheres"));
+        EXPECT_THAT(
+            outcome.err,
+            ::testing::ContainsRegex(
+                "the grains of this packing have corners|the contacts of this packing are rigid|the grains are "
+                "disks or spheres|all grains are disks or spheres|between walls|walls|this is a state in "
+                "2D|the packing is "
+                "two-dimensional"));
         EXPECT_THAT(outcome.err, ::testing::StartsWith("floc: "));
       }
       for (const char* internal : {"::", "_law", "std", "compose"})
@@ -84,8 +106,28 @@ TEST_F(RigidStates, GiveNumbersOrOneSentence) {
     }
 }
 
+/// Tables of grains with corners: one row for each grain, contact point and vertex.
+TEST_F(RigidStates, AreExportedWithShapesAndPoints) {
+  EXPECT_EQ(run("export cubes.h5 --grains g.csv --contacts e.csv --shapes s.csv").code, 0);
+  const CsvTable grains = CsvTable::read(scratch_.file("g.csv"));
+  EXPECT_EQ(grains.n_rows(), 8);
+  for (const char* column : {"shape", "scale", "qx", "qw"}) EXPECT_TRUE(grains.has(column)) << column;
+  const CsvTable contacts = CsvTable::read(scratch_.file("e.csv"));
+  EXPECT_EQ(contacts.n_rows(), 4 * 24);
+  for (const char* column : {"point3", "normal3", "gap", "kind"}) EXPECT_TRUE(contacts.has(column)) << column;
+  EXPECT_EQ(CsvTable::read(scratch_.file("s.csv")).n_rows(), 8);
+}
+
+/// The points of a pair count as one contact, whatever features they are on.
+TEST_F(RigidStates, AreComparedByPairs) {
+  const std::string row = run("compare cubes.h5 cubes.h5 --format json").out;
+  EXPECT_THAT(row, HasSubstr("\"n_kept\": 24"));
+  EXPECT_THAT(row, HasSubstr("\"n_lost\": 0"));
+  EXPECT_THAT(row, HasSubstr("\"rigid_largest\": 8"));
+}
+
 TEST_F(RigidStates, AreVerified) {
-  for (const char* file : {"bricks.h5", "spheres.h5", "disks.h5"}) {
+  for (const char* file : {"bricks.h5", "spheres.h5", "disks.h5", "cubes.h5", "x.h5"}) {
     const Outcome outcome = run(std::string("verify --format json ") + file);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("\"cone\""));

@@ -66,6 +66,26 @@ class Shapes(unittest.TestCase):
             np.testing.assert_allclose(solid / abs(np.linalg.det(state.cell)), state.solid_fraction, rtol=1e-12)
             if d == 2:
                 self.check_points(state)
+        self.check_round_trip(rest)
+
+    def check_round_trip(self, state):
+        """A state taken apart and put together has the same corners, contacts and balance."""
+        again = floc.Packing.from_arrays(
+            state.position, None, state.cell, state.law, contacts=state.contacts, mass=state.mass,
+            stress=state.target_stress, shapes=state.shapes, shape=state.shape, scale=state.scale,
+            orientation=state.orientation)
+        np.testing.assert_allclose(again.position, state.position, atol=1e-13)
+        np.testing.assert_allclose(again.radius, state.radius, rtol=1e-13)
+        self.assertAlmostEqual(again.solid_fraction, state.solid_fraction, delta=1e-13)
+        for i in range(state.n_grains):
+            a, b = (np.array(sorted(map(tuple, np.round(s.vertices(i), 9)))) for s in (again, state))
+            np.testing.assert_allclose(a, b, atol=1e-8)
+        self.assertEqual(again.n_contacts, state.n_contacts)
+        order = [np.lexsort((*s.contacts["point"].T.round(9), s.contacts["id2"], s.contacts["id1"])) for s in (again, state)]
+        for name in ("id1", "id2", "image", "normal", "normal_force", "shear_force", "point", "gap"):
+            np.testing.assert_allclose(again.contacts[name][order[0]], state.contacts[name][order[1]], atol=1e-9,
+                                       err_msg=name)
+        self.assertEqual(again.equilibrium_faults, "")
 
     def check_points(self, state):
         """Checks that a contact point lies midway between the surfaces of both grains."""
@@ -84,6 +104,38 @@ class Shapes(unittest.TestCase):
 
     def test_boxes(self):
         self.check(BOXES, 8)
+
+    def test_closed_forms_of_vertices(self):
+        """A triangle away from the origin, twice as large and turned by a right angle: area 6 scale^2, and its corners."""
+        law = {"normal": {"law": "rigid"}, "friction": {"coefficient": 0.5}}
+        triangle = np.array([[1.0, 1.0], [4.0, 1.0], [1.0, 5.0]])
+        packing = floc.Packing.from_arrays([[10.0, 10.0]], None, [40.0, 40.0], law, shapes=[triangle], scale=[2.0],
+                                           orientation=[np.pi / 2])
+        self.assertAlmostEqual(packing.solid_fraction, 24 / 1600, delta=1e-15)
+        corners = np.array(sorted(map(tuple, packing.vertices(0))))
+        np.testing.assert_allclose(corners, [[0.0, 12.0], [8.0, 12.0], [8.0, 18.0]], atol=1e-12)
+        cube = {"vertices": [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], "rounding": 0.0}
+        packing = floc.Packing.from_arrays([[1.0, 1.0, 1.0]], None, [4.0] * 3, law, shapes=[cube],
+                                           orientation=[[0.0, 0.0, np.sqrt(0.5), np.sqrt(0.5)]])
+        np.testing.assert_allclose(packing.position, [[0.5, 1.5, 1.5]], atol=1e-12)
+        self.assertAlmostEqual(packing.mass[0], 1.0 / (np.pi / 6), delta=1e-12)
+
+    def test_mistakes_are_named(self):
+        square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
+        right = {"position": [[1.0, 1.0]], "radius": None, "cell": [4.0, 4.0], "law": "normal.law=rigid", "shapes": [square]}
+        self.assertEqual(floc.Packing.from_arrays(**right).n_grains, 1)
+        for wrong, words in (({"radius": [0.5]}, "radius: expected the radii of disks or spheres, or None"),
+                             ({"shapes": []}, "there is no shape"),
+                             ({"shapes": [square[:2]]}, "it has 2 vertices and no rounding"),
+                             ({"shapes": [[[0.0, 0.0, 0.0]] * 4]}, "vertices has shape (4, 3), expected (k, 2)"),
+                             ({"shapes": [square, square]}, "there are 2 shapes"),
+                             ({"shape": [1]}, "shape[0]: this number is 1"),
+                             ({"scale": [-1.0]}, "scale[0]: this number is -1"),
+                             ({"orientation": [0.0, 1.0]}, "orientation: this array has shape (2,)"),
+                             ({"shapes": None, "radius": [0.5], "scale": [1.0]}, "scale: expected shapes beside it")):
+            with self.assertRaises(floc.InputError) as caught:
+                floc.Packing.from_arrays(**{**right, **wrong})
+            self.assertIn(words, str(caught.exception))
 
     def test_disks_have_none(self):
         packing = floc.Packing.from_arrays([[0.5, 0.5]], [0.4], [0.799, 0.799], "normal.stiffness=1")

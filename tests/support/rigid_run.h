@@ -43,6 +43,43 @@ checkpoint_every = 0.02
 )";
 }
 
+/// Scene of rigid grains that fall between walls on a floor and are pressed by a lid: two states in a second or so.
+/// @param shape  line of the scene with the shape of the grains; empty for disks and spheres
+inline std::string rigid_box_scene(const std::string& shape, int dimension = 2) {
+  const bool plane = dimension == 2;
+  return R"([scene]
+name = "rigid-box"
+units = "reduced"
+dimension = )" +
+         std::string(plane ? "2" : "3") + "\n[grains]\ncount = " + (plane ? "25" : "12") + R"(
+diameter = {distribution = "uniform", min = 0.5, max = 1.0}
+)" + shape +
+         R"(
+[contact]
+normal = {law = "rigid"}
+friction = {coefficient = 0.5}
+[assembly]
+protocol = "direct"
+[box]
+)" +
+         (plane ? "sides = [5, 10]\nboundary = {x = \"fixed\", y = \"lid\"}\ngravity = [0, -1]\n"
+                : "sides = [3, 3, 6]\nboundary = {x = \"fixed\", y = \"walls\", z = \"lid\"}\ngravity = [0, 0, "
+                  "-1]\n") +
+         R"(friction = 0.3
+adhesion = 0
+pressure = 2.0
+mass = 5
+[[load]]
+name = "load"
+to = 4.0
+steps = 1
+[run]
+seed = 1
+checkpoint_every = 0.02
+)";
+}
+
+inline const char* const kCutStones = R"(shape = {kind = "cut", count = 5})";
 inline const char* const kPentagons = R"(shape = {kind = "polygon", sides = 5})";
 
 }  // namespace floc::test

@@ -96,4 +96,46 @@ inline State<2> brick_bond(double pressure, double friction) {
   return state;
 }
 
+/// Leaves out the contacts of blocks that meet in an edge or corner only, and measures the state again.
+template <int Dim>
+void keep_neighbours_across_faces(State<Dim>& state) {
+  const Packing<Dim>& packing = state.packing;
+  std::erase_if(state.packing.contacts, [&](const Contact<Dim>& c) {
+    return !packing.is_wall(c.j) && branch(packing, c).norm() > 1.2;
+  });
+  measure(state);
+}
+
+/// Simple cubic crystal of eight cubes of side 1: each of the four points between neighbours carries P/4.
+inline State<3> cube_stack(double pressure, double friction) {
+  State<3> state;
+  state.packing.law = rigid_law(friction);
+  state.packing.cell.matrix = 2.0 * Mat<3>::Identity();
+  state.packing.grains = Grains<3>::with_size(8);
+  for (int i = 0; i < 8; ++i)
+    state.packing.grains.position[i] = Vec<3>(0.5 + i % 2, 0.5 + i / 2 % 2, 0.5 + i / 4);
+  set_shape(state.packing.grains, box<3>(Vec<3>(1.0, 1.0, 1.0), 0.0), std::sqrt(3.0));
+  load_contacts(state, pressure, [&](const Contact<3>&) { return 0.25 * pressure; });
+  keep_neighbours_across_faces(state);
+  return state;
+}
+
+/// Four squares of side 1 that fill a box between walls: each of the two points of a side carries P/2.
+inline State<2> boxed_squares(double pressure, double friction) {
+  State<2> state;
+  Packing<2>& packing = state.packing;
+  packing.law = packing.wall_law = rigid_law(friction);
+  packing.cell.matrix = 2.0 * Mat<2>::Identity();
+  packing.grains = Grains<2>::with_size(4);
+  for (int i = 0; i < 4; ++i) packing.grains.position[i] = Vec<2>(0.5 + i % 2, 0.5 + i / 2);
+  for (const int axis : {0, 1})
+    for (const int side : {-1, 1})
+      packing.walls.push_back(
+          {.axis = axis, .side = side, .position = side < 0 ? 0.0 : 2.0, .velocity = 0.0, .mass = 1.0});
+  set_shape(packing.grains, box<2>(Vec<2>(1.0, 1.0), 0.0), std::sqrt(2.0));
+  load_contacts(state, pressure, [&](const Contact<2>&) { return 0.5 * pressure; });
+  keep_neighbours_across_faces(state);
+  return state;
+}
+
 }  // namespace floc::test

@@ -337,11 +337,12 @@ Command add_draw(CommandLine program) {
   app.add_flag("--vectors", arguments->vectors,
                "in svg and pdf, draw grains and lines as vectors, even if there are many of them")
       .excludes(image);
-  app.add_option("--view", arguments->view,
-                 "AZIMUTH,ELEVATION: direction from which spheres are viewed (degrees); azimuth 0 is the x "
-                 "axis, azimuth 90 the y axis [-65,20]");
+  app.add_option(
+      "--view", arguments->view,
+      "AZIMUTH,ELEVATION: direction from which grains in 3D are viewed (degrees); azimuth 0 is the x "
+      "axis, azimuth 90 the y axis [-65,20]");
   app.add_option("--slab", arguments->slab,
-                 "AXIS,FROM,TO: draw only the spheres whose centres lie between two fractions of the cell, for "
+                 "AXIS,FROM,TO: draw only the grains whose centres lie between two fractions of the cell, for "
                  "example z,0.4,0.6");
   app.add_option("--sphere-size", arguments->sheet.view.sphere_size,
                  "ratio of the drawn radius of spheres to their true radius, from 0 to 1 [1; 0.25 if forces or "

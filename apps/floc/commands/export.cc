@@ -12,7 +12,6 @@
 #include "floc/io/law_text.h"
 #include "floc/packing/body_name.h"
 #include "floc/packing/liquid/liquid.h"
-#include "floc/packing/require_elastic.h"
 #include "floc/tables/column.h"
 #include "process/output.h"
 
@@ -21,10 +20,23 @@ namespace {
 
 struct ExportArguments {
   std::string state;
-  std::string grains, contacts;  ///< names of the csv files to write; a file with an empty name is not written
+  /// Names of the csv files to write; a file with an empty name is not written.
+  std::string grains, contacts, shapes;
 };
 
 constexpr const char* kAxes[] = {"x", "y", "z"};
+
+/// Columns of the orientation of a grain: an angle (radians), or the components of a unit quaternion, the real one last.
+template <int Dim>
+const std::vector<std::string> kOrientation =
+    Dim == 2 ? std::vector<std::string>{"angle"} : std::vector<std::string>{"qx", "qy", "qz", "qw"};
+
+void add_orientation(double angle, std::vector<TableValue>& row) {
+  row.emplace_back(angle);
+}
+void add_orientation(const Eigen::Quaterniond& q, std::vector<TableValue>& row) {
+  for (const double component : {q.x(), q.y(), q.z(), q.w()}) row.emplace_back(component);
+}
 
 template <int Dim>
 Table grain_table(const Packing<Dim>& packing) {
@@ -35,6 +47,10 @@ Table grain_table(const Packing<Dim>& packing) {
     for (int a = 0; a < Dim; ++a)
       if (part[0] == '\0' || exact) table.columns.push_back(std::string(kAxes[a]) + part);
   table.columns.insert(table.columns.end(), {"radius", "mass"});
+  if (!grains.are_round()) {
+    table.columns.insert(table.columns.end(), {"shape", "scale"});
+    table.columns.insert(table.columns.end(), kOrientation<Dim>.begin(), kOrientation<Dim>.end());
+  }
   for (int i = 0; i < grains.size(); ++i) {
     auto& row = table.rows.emplace_back();
     row.emplace_back(grains.name(i));
@@ -42,6 +58,30 @@ Table grain_table(const Packing<Dim>& packing) {
     for (int a = 0; a < Dim && exact; ++a) row.emplace_back(grains.position_low[i][a]);
     row.emplace_back(grains.radius[i]);
     row.emplace_back(grains.mass[i]);
+    if (grains.are_round()) continue;
+    row.push_back(count(grains.shape[i]));
+    row.emplace_back(grains.scale[i]);
+    add_orientation(grains.orientation[i], row);
+  }
+  return table;
+}
+
+/// Returns the table of the vertices of all shapes, in the axes of the shape and about its centre of mass. A shape without
+/// vertices, a disk or sphere, has one row for its centre.
+template <int Dim>
+Table shape_table(const Packing<Dim>& packing) {
+  Table table{{"shape", "vertex"}, {}};
+  for (int a = 0; a < Dim; ++a) table.columns.emplace_back(kAxes[a]);
+  table.columns.emplace_back("rounding");
+  for (int s = 0; s < static_cast<int>(packing.grains.shapes->size()); ++s) {
+    const Shape<Dim>& shape = (*packing.grains.shapes)[static_cast<std::size_t>(s)];
+    std::vector<Vec<Dim>> vertices = shape.vertices;
+    if (vertices.empty()) vertices.push_back(Vec<Dim>::Zero());
+    for (int v = 0; v < static_cast<int>(vertices.size()); ++v) {
+      auto& row = table.rows.emplace_back(std::vector<TableValue>{count(s), count(v)});
+      for (const double x : vertices[static_cast<std::size_t>(v)]) row.emplace_back(x);
+      row.emplace_back(shape.rounding);
+    }
   }
   return table;
 }
@@ -82,6 +122,12 @@ Table contact_table(const State<Dim>& state) {
   if (stiff) table.columns.insert(table.columns.end(), {"kn", "kt"});
   if (rolls) table.columns.emplace_back("kr");
   if (holds_liquid(packing)) table.columns.emplace_back("bridge_volume");
+  const bool has_points = !packing.grains.are_round();
+  if (has_points) {
+    numbered("point", Dim);
+    numbered("normal", Dim);
+    table.columns.insert(table.columns.end(), {"gap", "kind"});
+  }
   if (bonds && Dim == 3) table.columns.emplace_back("ktw");
   for (const auto& [name, k] : given) table.columns.push_back(name);
   for (std::size_t at = 0; at < packing.contacts.size(); ++at) {
@@ -100,8 +146,12 @@ Table contact_table(const State<Dim>& state) {
     if (stiff) row.emplace_back(c.kn), row.emplace_back(c.kt);
     if (rolls) row.emplace_back(c.kr);
     if (holds_liquid(packing)) row.emplace_back(bridge_volume(packing, c));
-    if (bonds && Dim == 3) row.emplace_back(c.ktw);
-    for (const auto& [name, k] : given) row.emplace_back(strengths[at][k]);
+    if (!has_points) continue;
+    const Vec<Dim> point = packing.grains.position[c.i] + c.arm_i;
+    for (int a = 0; a < Dim; ++a) row.emplace_back(point[a]);
+    for (int a = 0; a < Dim; ++a) row.emplace_back(c.normal[a]);
+    row.emplace_back(c.gap);
+    row.emplace_back(contact_type_name(c.type));
   }
   return table;
 }
@@ -146,18 +196,27 @@ void export_state(const ExportArguments& arguments, const State<Dim>& state) {
   const bool both = !arguments.grains.empty() && !arguments.contacts.empty();
   if (!arguments.grains.empty()) write_csv(arguments.grains, grain_table(state.packing));
   if (!arguments.contacts.empty()) write_csv(arguments.contacts, contact_table(state));
-  if (!both) return;
+  if (!arguments.shapes.empty()) write_csv(arguments.shapes, shape_table(state.packing));
+  if (!state.packing.grains.are_round())
+    spdlog::info(
+        "the grains have corners, which floc convert does not read from tables of grains; Packing.from_arrays "
+        "of the "
+        "Python package does, and floc convert {} FILE.conf keeps them for Rockable",
+        shell_word(arguments.state));
+  if (!both || !state.packing.grains.are_round()) return;
   spdlog::info("wrote {} grains and {} contacts. The following command restores the state:\n  {}",
                state.packing.grains.size(), state.packing.contacts.size(), convert_command(arguments, state));
 }
 
 int run_export(const ExportArguments& arguments) {
-  if (arguments.grains.empty() && arguments.contacts.empty())
+  if (arguments.grains.empty() && arguments.contacts.empty() && arguments.shapes.empty())
     throw InputError("floc export", "no output file is named: give --grains FILE, --contacts FILE or both");
   return for_each_file({arguments.state}, [&](const std::string& file) {
     std::visit(
         [&](const auto& state) {
-          require_round(state.packing, "tables of grains and contacts are written", file);
+          if (!arguments.shapes.empty() && state.packing.grains.are_round())
+            throw InputError(file,
+                             "all grains are disks or spheres, which have no vertices; expected no --shapes");
           export_state(arguments, state);
         },
         read_state(file));
@@ -172,10 +231,15 @@ Command add_export(CommandLine program) {
       "export", "Write the grains and contacts of a state to csv files that floc convert can read");
   auto arguments = std::make_shared<ExportArguments>();
   app.add_option("STATE", arguments->state, "state file, or - for a state on stdin").required();
-  app.add_option("--grains", arguments->grains,
-                 "csv file to write, with one row per grain: position, radius, mass");
+  app.add_option(
+      "--grains", arguments->grains,
+      "csv file to write, with one row per grain: position, radius, mass; of grains with corners also "
+      "shape, scale and orientation");
   app.add_option("--contacts", arguments->contacts,
-                 "csv file to write, with one row per contact: forces, moments, stiffnesses");
+                 "csv file to write, with one row per contact: forces, moments, stiffnesses; of grains with "
+                 "corners also point, normal, gap and kind");
+  app.add_option("--shapes", arguments->shapes,
+                 "of grains with corners: csv file to write, with one row per vertex of each shape");
   app.footer(
       "If both files are written, the command is printed that restores the state from them; it contains the "
       "cell, the\nwalls, the contact law and the load, which are not in the tables. Velocities, angles and the "

@@ -20,6 +20,7 @@
 #include "floc/scene/read_scene.h"
 #include "floc/structure/coordination.h"
 #include "floc/tables/fit_parameters.h"
+#include "floc/tables/network_rows.h"
 #include "plots/html.h"
 #include "plots/path_plots.h"
 #include "plots/pressure_text.h"
@@ -51,20 +52,28 @@ struct ReportedRun {
   std::vector<std::string> shown_files;
   std::optional<State<Dim>> first;
   std::vector<ModuliPoint> moduli;
+  /// Whether the contacts are rigid. Such states have no moduli and, without adhesion, no reduced pressures: the report
+  /// describes their contacts in place of these.
+  bool is_rigid = false;
   Table packings{{"state", "branch", "P*", "Φ", "z", "z+", "z−", "z0", "distant", "rattlers x0"}, {}};
   Table elasticity{{"state", "P*", "B Reuss", "B", "± B", "B Voigt", "G", "± G", "G Voigt", "isotropy defect",
                     "unstable", "bounds hold"},
                    {}};
+  Table contacts{{"state", "P", "z of points", "z of pairs", "below the mean", "α", "β", "mobilised", "q/p",
+                  "vertex-face", "edge-edge", "double", "face-face"},
+                 {}};
   std::vector<std::string> warnings;
   /// Numbers of the states to which each warning applies.
   std::map<std::string, std::vector<int>> state_warnings;
 };
 
-/// Returns the indices of three states of the first loading: the first and loosest state, the last and densest
-/// state, and the state half way between them along the load path. If the path contains no loading, returns
-/// only the index of its last state.
-std::set<std::size_t> shown_states(const PathTable& path) {
+/// Returns the indices of three states of the first loading: the first and loosest one, the last and densest one, and
+/// the one half way between them along the load path. If the path contains no loading, returns the index of its last
+/// state only. States of rigid grains have no reduced pressure that could rise: returns those of the whole path.
+/// @param is_rigid  whether the grains are rigid
+std::set<std::size_t> shown_states(const PathTable& path, bool is_rigid) {
   std::set<std::size_t> shown;
+  if (is_rigid) return {0, (path.rows.size() - 1) / 2, path.rows.size() - 1};
   const Loading loading = first_loading(path.rows);
   if (loading.rows.empty()) return {path.rows.size() - 1};
   const std::size_t last = loading.rows.size() - 1;
@@ -73,8 +82,37 @@ std::set<std::size_t> shown_states(const PathTable& path) {
   return shown;
 }
 
+/// Adds a state of rigid grains, whose contacts are described in place of its moduli.
 template <int Dim>
-void add_state(const State<Dim>& state, ReportedRun<Dim>& run) {
+void add_rigid_state(const std::string& file, const State<Dim>& state, ReportedRun<Dim>& run) {
+  NetworkTableOptions options;
+  options.mechanics = false;
+  NetworkTables side;
+  const NetworkRow row = network_row(file, state, options, side, {});
+  const Packing<Dim>& packing = state.packing;
+  const std::int64_t step = state.path.step;
+  const Coordination& c = row.coordination;
+  run.packings.columns[2] = "P";
+  run.packings.rows.push_back({step, state.path.branch, state.target_stress.mean(), row.solid_fraction, c.z,
+                               c.z_plus, c.z_minus, c.z_zero, std::int64_t{c.n_distant}, c.rattler_fraction});
+  const ForceShape& forces = row.force_by_points;
+  std::vector<TableValue> values = {
+      step,
+      state.target_stress.mean(),
+      c.z,
+      2.0 * static_cast<double>(n_touching_pairs(packing)) / packing.grains.size(),
+      forces.below_mean,
+      or_undefined(forces.alpha),
+      or_undefined(forces.beta),
+      or_undefined(row.mobilisation),
+      row.anisotropy ? TableValue{row.anisotropy->stress_ratio} : TableValue{}};
+  for (std::size_t k = 0; k < 4; ++k)
+    values.push_back(row.kinds ? TableValue{row.kinds->share[k]} : TableValue{});
+  run.contacts.rows.push_back(std::move(values));
+}
+
+template <int Dim>
+void add_elastic_state(const State<Dim>& state, ReportedRun<Dim>& run) {
   const Packing<Dim>& packing = state.packing;
   ModuliOptions options;
   options.unloaded = state.target_stress.isZero(0.0);
@@ -94,6 +132,20 @@ void add_state(const State<Dim>& state, ReportedRun<Dim>& run) {
                                  m.G_error, m.bounds.G_voigt, m.isotropy_defect, std::int64_t{m.n_negative},
                                  m.bounds_hold()});
   for (const std::string& warning : m.warnings) run.state_warnings[warning].push_back(state.path.step);
+}
+
+/// Adds a state to the tables of the report.
+/// @throws InputError if it is a state of elastic grains with walls or corners
+template <int Dim>
+void add_state(const std::string& file, const State<Dim>& state, ReportedRun<Dim>& run) {
+  if (state.packing.law.is_rigid()) {
+    add_rigid_state(file, state, run);
+  } else {
+    require_periodic(state.packing, "a report of elastic grains is made", file);
+    require_round(state.packing, "a report of elastic grains is made", file);
+    add_elastic_state(state, run);
+  }
+  if (state.motion) return;
   if (const std::string message = equilibrium_faults(state); !message.empty())
     run.state_warnings["not in equilibrium: " + message].push_back(state.path.step);
 }
@@ -101,6 +153,10 @@ void add_state(const State<Dim>& state, ReportedRun<Dim>& run) {
 /// Unit of pressures and moduli in packings in reduced units, as text for HTML.
 template <int Dim>
 constexpr const char* kPressureUnit = Dim == 2 ? "F0/a" : "F0/a²";
+
+bool is_rigid_state(const std::string& file) {
+  return std::visit([](const auto& state) { return state.packing.law.is_rigid(); }, read_state(file));
+}
 
 /// Reads the table path.csv and all states of a run.
 /// @throws InputError unless the table has one row per state and all states have the dimension Dim
@@ -115,7 +171,8 @@ ReportedRun<Dim> read_run(const std::string& directory) {
                      fmt::format("this directory has {} state files, but its path.csv has {} rows: expected "
                                  "one row per state file (floc run --resume completes an unfinished run)",
                                  run.files.size(), run.path.rows.size()));
-  const std::set<std::size_t> shown = shown_states(run.path);
+  run.is_rigid = is_rigid_state(run.files.front());
+  const std::set<std::size_t> shown = shown_states(run.path, run.is_rigid);
   for (std::size_t k = 0; k < run.files.size(); ++k) {
     const AnyState any = read_state(run.files[k]);
     const auto* found = std::get_if<State<Dim>>(&any);
@@ -126,10 +183,12 @@ ReportedRun<Dim> read_run(const std::string& directory) {
               "this state is not in {}D, but {} is: expected a directory with the states of a single run", Dim,
               run.files.front()));
     const State<Dim>& state = *found;
-    require_periodic(state.packing, "a report is made", run.files[k]);
-    require_elastic(state.packing, "a report is made", run.files[k]);
-    require_round(state.packing, "a report is made", run.files[k]);
-    add_state(state, run);
+    if (state.packing.law.is_rigid() != run.is_rigid)
+      throw InputError(run.files[k],
+                       fmt::format("the contacts of this state are {}, but those of {} are not: expected a "
+                                   "directory with the states of a single run",
+                                   run.is_rigid ? "elastic" : "rigid", run.files.front()));
+    add_state(run.files[k], state, run);
     if (k == 0) run.first = state;
     if (shown.contains(k)) run.shown.push_back(state), run.shown_files.push_back(run.files[k]);
   }
@@ -219,11 +278,25 @@ std::string fit_section(const ConsolidationFit& fit, ReportedRun<Dim>& run) {
 }
 
 template <int Dim>
+std::vector<ForceSample> force_samples(const ReportedRun<Dim>& run) {
+  std::vector<ForceSample> forces;
+  for (std::size_t k = 0; k < run.shown.size(); ++k)
+    forces.push_back(force_sample(run.shown_files[k], pressure_text(run.shown[k]), run.shown[k].packing,
+                                  ForceKind::normal, ForceUnit::mean));
+  return forces;
+}
+
+template <int Dim>
 std::string plots_section(const FittedConsolidation& fitted, ReportedRun<Dim>& run) {
   std::string out = "<h2>Plots</h2>\n<div class=\"plots\">\n";
   const auto add = [&out](const Plot& plot, const std::string& caption) {
     out += html_figure(plot_as_svg(plot), caption);
   };
+  if (run.is_rigid) {
+    add(forces_plot(force_samples(run), ForceKind::normal, ForceUnit::mean),
+        "Probability density of the normal forces of contact points, positive in compression.");
+    return out + "</div>\n";
+  }
   add(consolidation_plot({run.path}, fitted),
       "Consolidation curve with the fitted law, unloading branches and elastic lines.");
   const bool cohesive = run.first->packing.law.adheres();
@@ -231,19 +304,16 @@ std::string plots_section(const FittedConsolidation& fitted, ReportedRun<Dim>& r
       "Bulk and shear moduli; bounds are shown for the states for which they hold.");
   add(coordination_plot(run.path.table),
       "Coordination number by the sign of the normal force; open symbols: unloading.");
-  std::vector<ForceSample> forces;
   std::vector<ScatteringSample> scattering;
   for (std::size_t k = 0; k < run.shown.size(); ++k) {
     const std::string name = pressure_text(run.shown[k]);
-    forces.push_back(
-        force_sample(run.shown_files[k], name, run.shown[k].packing, ForceKind::normal, ForceUnit::mean));
     scattering.push_back(scattering_sample(name, run.shown[k].packing));
     if (!scattering.back().failure_reason.empty())
       run.warnings.push_back("I(k) at " + name +
                              ": the law of fractal aggregates is not drawn, because it cannot be fitted: " +
                              scattering.back().failure_reason);
   }
-  add(forces_plot(forces, ForceKind::normal, ForceUnit::mean),
+  add(forces_plot(force_samples(run), ForceKind::normal, ForceUnit::mean),
       "Probability density of the normal forces, positive in compression.");
   add(scattering_plot(scattering),
       "Scattered intensity I(k) of the grains, and the fitted law of fractal aggregates.");
@@ -253,11 +323,18 @@ std::string plots_section(const FittedConsolidation& fitted, ReportedRun<Dim>& r
 template <int Dim>
 std::string pictures_section(const ReportedRun<Dim>& run) {
   std::string out = "<h2>Force networks</h2>\n";
-  for (std::size_t k = 0; k < run.shown.size(); ++k)
+  for (std::size_t k = 0; k < run.shown.size(); ++k) {
+    const bool round = run.shown[k].packing.grains.are_round();
+    const Shown shown = round ? Shown::equilibrium : Shown::kinds;
     out += html_figure(
-        draw_sheet<Dim>({picture_of(run.shown_files[k], run.shown[k], Shown::equilibrium)}, {}),
+        draw_sheet<Dim>({picture_of(run.shown_files[k], run.shown[k], shown)}, {}),
         "Forces at " + pressure_text(run.shown[k]) + ", " + fs::path(run.shown_files[k]).filename().string() +
-            ": lines join the centres of grains that interact; their width is proportional to the force.");
+            (round
+                 ? ": lines join the centres of grains that interact; their width is proportional to the force."
+                 : ": lines join the centres of grains that interact, in colours of what meets at the contact; "
+                   "their "
+                   "width is proportional to the force."));
+  }
   return out;
 }
 
@@ -273,22 +350,35 @@ std::string warnings_section(const ReportedRun<Dim>& run) {
 }
 
 template <int Dim>
+std::string moduli_section(const ReportedRun<Dim>& run) {
+  const std::string unit = stress_unit(run.first->units, Dim, run.first->packing.law.adheres());
+  return "<h2>Moduli</h2>\n<p>In " +
+         (unit == "F_0/a" || unit == "F_0/a^2" ? kPressureUnit<Dim> : html_text(unit)) +
+         "; ± gives an upper bound of the numerical error.</p>\n" + html_table(run.elasticity);
+}
+
+template <int Dim>
+std::string grains_in_words(const Packing<Dim>& packing) {
+  if (packing.grains.are_round()) return Dim == 2 ? "disks" : "spheres";
+  return Dim == 2 ? "polygons" : "polyhedra";
+}
+
+template <int Dim>
 std::string page_of(ReportedRun<Dim>& run) {
-  const FittedConsolidation fitted = fitted_consolidation({run.path});
+  const FittedConsolidation fitted = run.is_rigid ? FittedConsolidation{} : fitted_consolidation({run.path});
   const std::string title = "floc report: " + fs::path(run.directory).lexically_normal().string();
   const State<Dim>& dense = run.shown.back();
-  const std::string groups = groups_section(run), fit = fit_section(fitted.fit, run),
+  const std::string groups = groups_section(run),
+                    fit = run.is_rigid ? std::string() : fit_section(fitted.fit, run),
                     plots = plots_section(fitted, run);
   std::string body = "<h1>" + html_text(title) + "</h1>\n";
-  body += html_text(fmt::format("{} {}, {} equilibrium states, up to {} at a solid fraction of Φ = {:.4f}.",
-                                dense.packing.grains.size(), Dim == 2 ? "disks" : "spheres", run.files.size(),
-                                pressure_text(dense), solid_fraction(dense.packing)));
+  body += html_text(fmt::format("{} {}, {} {}, up to {} at a solid fraction of Φ = {:.4f}.",
+                                dense.packing.grains.size(), grains_in_words(dense.packing), run.files.size(),
+                                dense.motion ? "states" : "equilibrium states", pressure_text(dense),
+                                solid_fraction(dense.packing)));
   body += warnings_section(run) + pictures_section(run) + plots + fit;
   body += "<h2>States</h2>\n" + html_table(run.packings);
-  const std::string unit = stress_unit(run.first->units, Dim, run.first->packing.law.adheres());
-  body += "<h2>Moduli</h2>\n<p>In " +
-          (unit == "F_0/a" || unit == "F_0/a^2" ? kPressureUnit<Dim> : html_text(unit)) +
-          "; ± gives an upper bound of the numerical error.</p>\n" + html_table(run.elasticity);
+  body += run.is_rigid ? "<h2>Contacts</h2>\n" + html_table(run.contacts) : moduli_section(run);
   body += groups + provenance_section(run);
   if (!run.first->scene.empty()) body += "<h2>Scene</h2>\n<pre>" + html_text(run.first->scene) + "</pre>\n";
   return html_page(title, body);

@@ -71,12 +71,15 @@ class State:
 class Packing(State):
     @classmethod
     def from_arrays(
-        cls, position: _npt.ArrayLike, radius: _npt.ArrayLike, cell: _npt.ArrayLike, law: str | _Mapping[str, _Any],
+        cls, position: _npt.ArrayLike, radius: _npt.ArrayLike | None, cell: _npt.ArrayLike,
+        law: str | _Mapping[str, _Any],
         contacts: _Mapping[str, _npt.ArrayLike] | _npt.NDArray[_np.void] | None = None, *,
         mass: _npt.ArrayLike | None = None, stress: _Iterable[float] | None = None, tolerance: float | None = None,
         units: str = "reduced", drop_tensile: bool = False, ids: _npt.ArrayLike | None = None, walls: str = "",
         wall_law: str | _Mapping[str, _Any] | None = None, gravity: _npt.ArrayLike | None = None,
-        bonds: _Mapping[str, _npt.ArrayLike] | _npt.NDArray[_np.void] | None = None) -> Packing: ...
+        bonds: _Mapping[str, _npt.ArrayLike] | _npt.NDArray[_np.void] | None = None,
+        shapes: _Iterable[_npt.ArrayLike | _Mapping[str, _Any]] | None = None, shape: _npt.ArrayLike | None = None,
+        scale: _npt.ArrayLike | None = None, orientation: _npt.ArrayLike | None = None) -> Packing: ...
 
 class Record(_Mapping[str, _Any]):
     tables: dict[str, _Table]

@@ -155,7 +155,8 @@ class Packing(State):
 
     @classmethod
     def from_arrays(cls, position, radius, cell, law, contacts=None, *, mass=None, stress=None, tolerance=None,
-                    units="reduced", drop_tensile=False, ids=None, walls="", wall_law=None, gravity=None, bonds=None):
+                    units="reduced", drop_tensile=False, ids=None, walls="", wall_law=None, gravity=None, bonds=None,
+                    shapes=None, shape=None, scale=None, orientation=None):
         """Makes a packing from arrays of any program, as ``floc convert`` makes a packing from files.
 
         Quantities that `contacts` does not give follow from the contact law. Forces that are given are kept to the last
@@ -165,9 +166,10 @@ class Packing(State):
         Parameters
         ----------
         position : array_like, (n, d)
-            Centres of the grains, inside or outside the cell (length).
+            Centres of the grains, inside or outside the cell (length); of grains with `shapes`, the places of the origin of
+            the vertices.
         radius : array_like, (n,)
-            Radii of the grains (length).
+            Radii of the grains (length); None with `shapes`.
         cell : array_like, (d, d) or (d,)
             Lattice vectors of the periodic cell, one per row, or the sides of a rectangular cell (length). d is 2 or 3.
         law : str or dict
@@ -178,10 +180,13 @@ class Packing(State):
             id1 and id2: the `ids` of the two grains or, without `ids`, their indices from 0. Optional are image (m, d);
             normal_force (m,), positive in compression, and shear_force (m, d) on id1, or instead force (m, d), the
             whole force on id1; rolling_moment (m,), in 3D (m, 3); twisting_moment (m,); kn, kt, kr, ktw (m,); and
-            bridge_volume (m,) for a law with liquid. m is the number of contacts. Where `walls` are given, wall (m,)
+            bridge_volume (m,) for a law with liquid. Contacts of `shapes` need point (m, d), from the centre of mass of id1
+            to the contact point, and may have normal (m, d), from id1 to id2, gap (m,) and type (m,), as ``contacts`` of
+            a state has them. m is the number of contacts. Where `walls` are given, wall (m,)
             holds the names of walls, "x-" or "y+", that id1 touches, and empty texts for contacts of two grains.
         mass : array_like, (n,), optional
-            Masses of the grains; by default, a grain with unit diameter has unit mass.
+            Masses of the grains; by default, a disk or sphere with unit diameter has unit mass, and `shapes` its
+            density.
         stress : array_like, (d,), optional
             Imposed normal stresses, positive in compression; by default, the stresses of the contacts.
         tolerance : float, optional
@@ -201,6 +206,16 @@ class Packing(State):
             Acceleration due to gravity, zero along periodic axes (length/time^2).
         bonds : dict of arrays, structured array or DataFrame, optional
             Contacts that act across gaps, with the arrays of `contacts`, of which kn is required.
+        shapes : sequence of array_like (k, d), or of dicts, optional
+            Vertices of each convex shape, or dicts with `vertices` and `rounding`, the radius by which its corners are
+            rounded (length), as ``shapes`` of a state has them. Two vertices with rounding are a capsule, none a disk
+            or sphere.
+        shape : array_like of int, (n,), optional
+            Index in `shapes` of the shape of each grain; by default 0, if there is one shape.
+        scale : array_like, (n,), optional
+            Factor by which the shape of each grain is magnified [1].
+        orientation : array_like, (n,), in 3D (n, 4), optional
+            Angles (radians) or quaternions in the order x, y, z, w that turn the vertices [no turn].
 
         Returns
         -------
@@ -220,8 +235,9 @@ class Packing(State):
         if cell.ndim == 1:
             cell = np.diag(cell)
         return cls(_core.from_arrays(
-            position=_numbers("position", position), radius=_numbers("radius", radius), cell=cell, law=_law_text(law),
-            contacts=_contact_arrays(contacts), bonds=_contact_arrays(bonds, "bonds"), walls=walls,
+            position=_numbers("position", position), radius=_radii(radius, shapes), cell=cell,
+            shapes=_shape_arrays(shapes, shape, scale, orientation), law=_law_text(law),
+            contacts=_contact_arrays(contacts, has_points=shapes is not None), bonds=_contact_arrays(bonds, "bonds"), walls=walls,
             wall_law=None if wall_law is None else _law_text(wall_law),
             gravity=[] if gravity is None else unmasked("gravity", gravity), mass=None if mass is None else _numbers("mass", mass),
             stress=[] if stress is None else unmasked("stress", stress), tolerance=tolerance, units=units,
@@ -313,6 +329,8 @@ def _numbers(name, values):
 _CONTACT_NUMBERS = ("image", "force", "normal_force", "shear_force", "rolling_moment", "twisting_moment", "kn", "kt", "kr",
                     "ktw", "bridge_volume")
 # Fields of the contacts of a state, all zero if its law has no rolling or twisting moments; they are then left out.
+# What contacts of grains with corners have besides.
+_POINT_NUMBERS = ("point", "normal", "gap", "type")
 _MOMENTS = ("rolling_moment", "twisting_moment")
 
 
@@ -326,7 +344,32 @@ def _integers(name, array):
     return array.astype(np.int64)
 
 
-def _contact_arrays(contacts, what="contacts"):
+def _radii(radius, shapes):
+    if (radius is None) == (shapes is None):
+        raise InputError("radius: expected the radii of disks or spheres, or None beside shapes, from which they follow")
+    return None if radius is None else _numbers("radius", radius)
+
+
+def _shape_arrays(shapes, shape, scale, orientation):
+    poses = {"shape": shape, "scale": scale, "orientation": orientation}
+    given = {name: array for name, array in poses.items() if array is not None}
+    if shapes is None:
+        if given:
+            raise InputError(f"{next(iter(given))}: expected shapes beside it")
+        return None
+    arrays = {"shapes": []}
+    for k, one in enumerate(shapes):
+        words = one if isinstance(one, dict) else {"vertices": one}
+        if "vertices" not in words:
+            raise InputError(f"shapes[{k}]: this dict has no vertices")
+        arrays["shapes"].append({"vertices": _numbers(f"shapes[{k}]: vertices", words["vertices"]),
+                                 "rounding": number(f"shapes[{k}]: rounding", words.get("rounding", 0.0))})
+    for name, array in given.items():
+        arrays[name] = (_integers if name == "shape" else _numbers)(name, np.asarray(unmasked(name, array)))
+    return arrays
+
+
+def _contact_arrays(contacts, what="contacts", has_points=False):
     if contacts is None:
         return None
     try:
@@ -335,7 +378,7 @@ def _contact_arrays(contacts, what="contacts"):
         names = None
     if names is None:
         raise InputError(f"{what}: expected a dict of arrays, a structured array or a data frame")
-    known = ("id1", "id2", "wall", *_CONTACT_NUMBERS)
+    known = ("id1", "id2", "wall", *_CONTACT_NUMBERS, *(_POINT_NUMBERS if has_points else ()))
     if isinstance(contacts, dict) and not set(names) <= set(known):
         raise InputError(f"{what}: {sorted(set(names) - set(known))[0]!r} is not one of {', '.join(known)}")
     arrays = {}
@@ -348,7 +391,7 @@ def _contact_arrays(contacts, what="contacts"):
         array = np.asarray(unmasked(f"{what}: {name}", contacts[name]))
         if name in _MOMENTS and isinstance(contacts, np.ndarray) and not array.any():
             continue
-        arrays[name] = (_integers if name in ("id1", "id2", "image") else _numbers)(f"{what}: {name}", array)
+        arrays[name] = (_integers if name in ("id1", "id2", "image", "type") else _numbers)(f"{what}: {name}", array)
     return arrays
 
 

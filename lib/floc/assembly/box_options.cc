@@ -19,6 +19,8 @@ Law wall_law(const Law& grains, const BoxOptions& box) {
     law.friction.reset();
     law.rolling.reset();
     law.twisting.reset();
+  } else if (grains.is_rigid() && !law.friction) {
+    law.friction = RigidFriction{box.friction};
   }
   for (const LawNumber& n : numbers_of(law)) {
     if (n.key == "adhesion.force") *n.value = box.adhesion;

@@ -34,7 +34,7 @@ struct BoxOptions {
 /// the pull-off force of the walls. Walls without friction do not resist rolling or twisting. There are no liquid
 /// bridges to walls.
 /// @param grains  contact law between two grains
-/// @pre the contact law between two grains has friction if the walls have friction
+/// @pre the contact law between two grains has friction if the walls have friction, or the contacts are rigid
 Law wall_law(const Law& grains, const BoxOptions& box);
 
 /// Returns whether a face across an axis is a wall that moves under the imposed pressure.

@@ -378,8 +378,8 @@ Packing<Dim> grains_of(const GrainOptions& options, const Law& law, const std::v
   return gas;
 }
 
-/// Gives the grains velocities of equal magnitude in random directions, subtracts the mean velocity, and scales all
-/// velocities. The mass density times the mean squared speed then equals `kinetic_pressure`.
+}  // namespace
+
 template <int Dim>
 void send_off(Packing<Dim>& packing, double kinetic_pressure, RandomStream& random) {
   Grains<Dim>& g = packing.grains;
@@ -402,8 +402,6 @@ void send_off(Packing<Dim>& packing, double kinetic_pressure, RandomStream& rand
       twice_kinetic > 0.0 ? std::sqrt(kinetic_pressure * packing.cell.volume() / twice_kinetic) : 0.0;
   for (Vec<Dim>& v : g.velocity) v *= factor;
 }
-
-}  // namespace
 
 template <int Dim>
 Packing<Dim> make_gas(const GrainOptions& options, const Law& law, double solid_fraction, RandomStream& random,
@@ -472,6 +470,8 @@ template Packing<2> make_boxed_gas(const GrainOptions&, const Law&, const BoxOpt
                                    GasKind);
 template Packing<3> make_boxed_gas(const GrainOptions&, const Law&, const BoxOptions&, double, RandomStream&,
                                    GasKind);
+template void send_off(Packing<2>&, double, RandomStream&);
+template void send_off(Packing<3>&, double, RandomStream&);
 template void agitate(Packing<2>&, double, RandomStream&);
 template void agitate(Packing<3>&, double, RandomStream&);
 

@@ -39,6 +39,11 @@ template <int Dim>
 Packing<Dim> make_boxed_gas(const GrainOptions& options, const Law& law, const BoxOptions& box,
                             double solid_fraction, RandomStream& random, GasKind kind = GasKind::equilibrated);
 
+/// Gives the grains velocities of equal magnitude in random directions, subtracts the mean velocity, and scales all
+/// velocities such that mass density times mean squared speed equals the kinetic pressure.
+template <int Dim>
+void send_off(Packing<Dim>& packing, double kinetic_pressure, RandomStream& random);
+
 /// Gives the grains random velocities (Maxwell distribution) with zero total momentum and the root mean square speed
 /// `rms_speed` (length/time). Their spins are not changed.
 template <int Dim>

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cassert>
+#include <cmath>
 #include <numbers>
 #include <numeric>
 
@@ -80,23 +81,53 @@ double densest_gas(const Grains<Dim>& grains) {
   return kDensestGas<Dim> * share_of_bounding_balls(grains);
 }
 
+namespace {
+
+/// Makes a gas of grains with shapes, whose circumscribed circles or spheres are placed by place_balls(). This function gets
+/// options with these balls and their solid fraction.
+/// @param key  key of a scene that gives the solid fraction
 template <int Dim>
-Packing<Dim> make_shaped_gas(const GrainOptions& options, const Law& law, double solid_fraction,
-                             std::uint64_t seed, RandomStream& random, GasKind kind) {
-  // The diameters are drawn here. make_gas() gets them as a list, from which it does not draw.
+Packing<Dim> shaped_gas(const GrainOptions& options, double solid_fraction, const char* key, std::uint64_t seed,
+                        RandomStream& random, const auto& place_balls) {
+  // The diameters are drawn here, and place_balls() takes them as a list, which it does not draw from.
   GrainOptions balls = options;
   balls.diameter.values = draw_diameters(options, random);
   balls.diameter.kind = DiameterDistribution::Kind::list;
   Grains<Dim> grains = shaped_grains<Dim>(options, balls.diameter.values, seed);
   if (solid_fraction > densest_gas(grains))
     throw InputError(
-        "cell.solid_fraction",
-        fmt::format("{:g}: the circumscribed {} of the grains can be placed without overlap only up "
-                    "to a solid fraction of the grains of {:.4g}; expected at most this number",
-                    solid_fraction, Dim == 2 ? "circles" : "spheres", densest_gas(grains)));
-  Packing<Dim> gas = make_gas<Dim>(balls, law, solid_fraction / share_of_bounding_balls(grains), random, kind);
+        key, fmt::format("{:g}: the circumscribed {} of the grains can be placed without overlap only up "
+                         "to a solid fraction of the grains of {:.4g}; expected at most this number",
+                         solid_fraction, Dim == 2 ? "circles" : "spheres", densest_gas(grains)));
+  Packing<Dim> gas = place_balls(balls, solid_fraction / share_of_bounding_balls(grains));
   grains.position = std::move(gas.grains.position);
   gas.grains = std::move(grains);
+  return gas;
+}
+
+}  // namespace
+
+template <int Dim>
+Packing<Dim> make_shaped_gas(const GrainOptions& options, const Law& law, double solid_fraction,
+                             std::uint64_t seed, RandomStream& random, GasKind kind) {
+  return shaped_gas<Dim>(options, solid_fraction, "cell.solid_fraction", seed, random,
+                         [&](const GrainOptions& balls, double fraction) {
+                           return make_gas<Dim>(balls, law, fraction, random, kind);
+                         });
+}
+
+template <int Dim>
+Packing<Dim> make_boxed_shaped_gas(const GrainOptions& options, const Law& law, const BoxOptions& box,
+                                   double solid_fraction, std::uint64_t seed, RandomStream& random,
+                                   GasKind kind) {
+  Packing<Dim> gas = shaped_gas<Dim>(options, solid_fraction, "assembly.solid_fraction", seed, random,
+                                     [&](const GrainOptions& balls, double fraction) {
+                                       return make_boxed_gas<Dim>(balls, law, box, fraction, random, kind);
+                                     });
+  send_off(gas, box.kinetic_pressure, random);
+  // Walls are as heavy as the scene gives them in masses of the largest grain, and not of its ball.
+  for (Wall<Dim>& wall : gas.walls)
+    if (std::isfinite(wall.mass)) wall.mass = box.mass * largest_mass(gas.grains);
   return gas;
 }
 
@@ -110,5 +141,9 @@ template Packing<2> make_shaped_gas(const GrainOptions&, const Law&, double, std
                                     GasKind);
 template Packing<3> make_shaped_gas(const GrainOptions&, const Law&, double, std::uint64_t, RandomStream&,
                                     GasKind);
+template Packing<2> make_boxed_shaped_gas(const GrainOptions&, const Law&, const BoxOptions&, double,
+                                          std::uint64_t, RandomStream&, GasKind);
+template Packing<3> make_boxed_shaped_gas(const GrainOptions&, const Law&, const BoxOptions&, double,
+                                          std::uint64_t, RandomStream&, GasKind);
 
 }  // namespace floc

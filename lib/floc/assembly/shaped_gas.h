@@ -38,4 +38,13 @@ template <int Dim>
 Packing<Dim> make_shaped_gas(const GrainOptions& options, const Law& law, double solid_fraction,
                              std::uint64_t seed, RandomStream& random, GasKind kind);
 
+/// Makes a gas of grains with shapes in a box with walls, of circumscribed circles or spheres placed by
+/// make_boxed_gas(). The grains have its velocities.
+/// @param solid_fraction  volume of the grains over that of the box; if it is 0, `box.sides` are lengths
+/// @throws InputError as make_shaped_gas() and make_boxed_gas()
+template <int Dim>
+Packing<Dim> make_boxed_shaped_gas(const GrainOptions& options, const Law& law, const BoxOptions& box,
+                                   double solid_fraction, std::uint64_t seed, RandomStream& random,
+                                   GasKind kind);
+
 }  // namespace floc

@@ -355,7 +355,14 @@ class ListedContacts {
   double radii(const Contact<Dim>& c) const {
     return packing_.grains.radius[c.i] + packing_.surface_radius(c.j);
   }
-  double gap_of(const Contact<Dim>& c) const { return locate(packing_, c).gap; }
+  /// Returns the distance of the surfaces of two bodies (length); of grains with corners, that of their nearest points.
+  double gap_of(const Contact<Dim>& c) const {
+    if (packing_.grains.are_round()) return locate(packing_, c).gap;
+    const Manifold<Dim> manifold = manifold_of(packing_, c, branch(packing_, c), radii(c));
+    double least = radii(c);
+    for (int p = 0; p < manifold.n; ++p) least = std::min(least, manifold.points[p].gap);
+    return least;
+  }
   bool can_touch(const Contact<Dim>& c) const {
     return gap_of(c) <= range_of(packing_, c) + 0.5 * kFarthestGap * radii(c);
   }

@@ -80,6 +80,9 @@ Run<Dim>::Run(RunOptions options)
       point_.last_stress = assembly.saved.kept->stress;
     }
     if (assembly.box) take_walls(*assembly.box, options_.law, packing_);
+  } else if (assembly.box && options_.grains.shape) {
+    packing_ = make_boxed_shaped_gas<Dim>(options_.grains, plan_.front().law, *assembly.box,
+                                          assembly.solid_fraction, options_.seed, random, assembly.gas);
   } else if (assembly.box) {
     packing_ = make_boxed_gas<Dim>(options_.grains, plan_.front().law, *assembly.box, assembly.solid_fraction,
                                    random, assembly.gas);

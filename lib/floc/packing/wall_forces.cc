@@ -24,6 +24,20 @@ Packing<Dim> with_walls_at_cell(Packing<Dim> packing) {
 }
 
 template <int Dim>
+void fit_open_ends(Packing<Dim>& packing) {
+  const Grains<Dim>& g = packing.grains;
+  for (std::size_t w = 0; w + 1 < packing.walls.size(); w += 2) {
+    const Wall<Dim>& floor = packing.walls[w];
+    Wall<Dim>& above = packing.walls[w + 1];
+    if (!above.open) continue;
+    double highest = g.position[0][above.axis] + g.radius[0];
+    for (int i = 1; i < g.size(); ++i) highest = std::max(highest, g.position[i][above.axis] + g.radius[i]);
+    above.position = highest;
+    packing.cell.matrix(above.axis, above.axis) = highest - floor.position;
+  }
+}
+
+template <int Dim>
 double wall_area(const Packing<Dim>& packing, int axis) {
   double area = 1.0;
   for (int b = 0; b < Dim; ++b)
@@ -92,6 +106,7 @@ double wall_imbalance(const Packing<Dim>& packing, const Vec<Dim>& target_stress
 #define FLOC_INSTANTIATE(Dim)                                             \
   template bool follows_forces(const Wall<Dim>&);                         \
   template Packing<Dim> with_walls_at_cell(Packing<Dim>);                 \
+  template void fit_open_ends(Packing<Dim>&);                             \
   template double wall_area(const Packing<Dim>&, int);                    \
   template std::vector<double> wall_forces(const Packing<Dim>&);          \
   template Vec<Dim> wall_pressure(const Packing<Dim>&);                   \

@@ -17,6 +17,11 @@ bool follows_forces(const Wall<Dim>& wall);
 template <int Dim>
 Packing<Dim> with_walls_at_cell(Packing<Dim> packing);
 
+/// Moves each open end to the surface of the grain that reaches furthest, and gives the cell the side between the ends.
+/// A grain with corners counts as its circumscribed circle or sphere.
+template <int Dim>
+void fit_open_ends(Packing<Dim>& packing);
+
 /// Returns the area of each of the two walls that are normal to an axis (length^(Dim-1)).
 template <int Dim>
 double wall_area(const Packing<Dim>& packing, int axis);

@@ -12,7 +12,10 @@ namespace floc {
 
 template <int Dim>
 double mean_diameter(const PackingPicture<Dim>& picture) {
-  return mean_diameter(picture.radius);
+  if (picture.shape.empty()) return mean_diameter(picture.radius);
+  double sum = 0.0;
+  for (const DrawnShape<Dim>& grain : picture.shape) sum += grain.scale * grain.shape->equal_volume_diameter();
+  return sum / static_cast<double>(picture.shape.size());
 }
 
 template <int Dim>

@@ -11,6 +11,7 @@ struct DrawnScale {
   double points_per_displacement = 0.0;
 };
 
+/// Mean diameter of the grains of a picture (length); of grains with corners, that of disks or spheres of equal volume.
 template <int Dim>
 double mean_diameter(const PackingPicture<Dim>& picture);
 

@@ -67,6 +67,24 @@ void mark_largest(const ContactNetwork<Dim>& network, const Adjacency& of, const
   for (const int i : largest) shade[i] = value;
 }
 
+LineKind line_of_kind(ContactType kind) {
+  return kind == ContactType::kFaceFace ? LineKind::tension
+         : kind == ContactType::kDouble ? LineKind::distant
+                                        : LineKind::compression;
+}
+
+/// Returns the kind of the contact of a grain with a wall: what of the grain lies on the wall, by the number of its points
+/// that carry a force.
+template <int Dim>
+ContactType kind_on_wall(const Packing<Dim>& packing, const Contact<Dim>& contact, double zero_force) {
+  const auto of_grain = std::ranges::equal_range(packing.contacts, contact.i, {}, &Contact<Dim>::i);
+  const auto n = std::ranges::count_if(of_grain, [&](const Contact<Dim>& c) {
+    return c.j == contact.j && std::abs(c.normal_force) > zero_force;
+  });
+  if (n >= Dim) return ContactType::kFaceFace;
+  return n == 2 ? ContactType::kDouble : ContactType::kVertexFace;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -100,15 +118,15 @@ PackingPicture<Dim> contact_kinds_of(const Packing<Dim>& given, double zero_forc
     if (!packing.is_wall(packing.contacts[k].j) && std::abs(packing.contacts[k].normal_force) > zero_force)
       carrying.contacts.push_back(static_cast<int>(k));
   std::size_t next = 0;
-  for (const ContactPair& pair : contact_pairs(packing, carrying)) {
-    const LineKind kind = pair.kind == ContactType::kFaceFace ? LineKind::tension
-                          : pair.kind == ContactType::kDouble ? LineKind::distant
-                                                              : LineKind::compression;
+  for (const ContactPair& pair : contact_pairs(packing, carrying))
     for (int k = 0; k < pair.n_points; ++k) {
       const Contact<Dim>& c = packing.contacts[carrying.contacts[next++]];
-      picture.lines.push_back(contact_line(packing, c, kind, size_of_force(c, unit)));
+      picture.lines.push_back(contact_line(packing, c, line_of_kind(pair.kind), size_of_force(c, unit)));
     }
-  }
+  for (const Contact<Dim>& c : packing.contacts)
+    if (packing.is_wall(c.j) && std::abs(c.normal_force) > zero_force)
+      picture.lines.push_back(
+          contact_line(packing, c, line_of_kind(kind_on_wall(packing, c, zero_force)), size_of_force(c, unit)));
   return picture;
 }
 

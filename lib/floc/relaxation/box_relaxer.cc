@@ -78,22 +78,6 @@ double void_ratio(const Packing<Dim>& packing) {
   return volume / total_volume(packing.grains) - 1.0;
 }
 
-/// Moves each open end of the cell to the surface of the outermost grain, and sets the side of the cell to the distance
-/// between its two ends.
-template <int Dim>
-void fit_open_ends(Packing<Dim>& packing) {
-  const Grains<Dim>& g = packing.grains;
-  for (std::size_t w = 0; w + 1 < packing.walls.size(); w += 2) {
-    const Wall<Dim>& floor = packing.walls[w];
-    Wall<Dim>& above = packing.walls[w + 1];
-    if (!above.open) continue;
-    double highest = g.position[0][above.axis] + g.radius[0];
-    for (int i = 1; i < g.size(); ++i) highest = std::max(highest, g.position[i][above.axis] + g.radius[i]);
-    above.position = highest;
-    packing.cell.matrix(above.axis, above.axis) = highest - floor.position;
-  }
-}
-
 /// Whether the walls bear at least half of the weight of the grains.
 template <int Dim>
 bool walls_bear_weight(const Packing<Dim>& packing) {

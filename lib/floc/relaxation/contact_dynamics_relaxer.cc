@@ -9,6 +9,7 @@
 #include "floc/packing/balance.h"
 #include "floc/packing/grain_sizes.h"
 #include "floc/packing/law/contact_forces.h"
+#include "floc/packing/wall_forces.h"
 #include "floc/packing/wrap.h"
 #include "floc/relaxation/members_as_json.h"
 #include "floc/relaxation/relaxer.h"
@@ -222,8 +223,12 @@ template <int Dim>
 BoundaryLoad<Dim> ContactDynamicsRelaxer<Dim>::boundary_load() const {
   BoundaryLoad<Dim> load;
   load.stress = imposed_;
-  for (int a = 0; a < Dim; ++a) load.under_stress[a] = !load_.strained(a);
+  // In a box, periodic axes keep their lengths.
+  for (int a = 0; a < Dim; ++a) load.under_stress[a] = packing_.walls.empty() && !load_.strained(a);
   load.cell_mass = options_.cell_mass;
+  // At rest, a drag would only make walls heavier than all grains, for which sweeps converge slowly.
+  if (!packing_.walls.empty() && progress_.phase == ContactDynamicsProgress::resting) return load;
+  load.wall_speed = options_.compaction.wall_speed;
   // While the cell is strained there is no cap, since the drag of a cap would bear a part of the stress on sides that
   // dilate.
   if (progress_.phase != ContactDynamicsProgress::straining)
@@ -237,6 +242,21 @@ double ContactDynamicsRelaxer<Dim>::gap_tolerance() const {
                                                                                       : kGapToleranceAngular);
 }
 
+/// Returns the largest rate at which a side of the cell or the distance of two walls changes (1/time).
+template <int Dim>
+double ContactDynamicsRelaxer<Dim>::boundary_rate(const Packing<Dim>& packing) const {
+  return packing.cell.rate().diagonal().cwiseAbs().maxCoeff();
+}
+
+/// Returns the rate at which the boundary closes without contacts, at most 1/T (1/time).
+template <int Dim>
+double ContactDynamicsRelaxer<Dim>::rate_cap(const Packing<Dim>& packing) const {
+  double cap = strain_rate_cap(options_, packing, imposed_);
+  if (const std::optional<double>& speed = options_.compaction.wall_speed; speed && !packing.walls.empty())
+    cap = *speed / packing.cell.matrix.diagonal().maxCoeff();
+  return std::min(cap, 1.0 / time_unit_);
+}
+
 /// Returns whether the motion of the packing has nearly ended. The strain rate of the cell shows whether the stress is
 /// balanced: it is proportional to the difference between the stress and the imposed stress, and errors of single
 /// impulses cancel in it.
@@ -244,9 +264,8 @@ template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::is_calm(const Packing<Dim>& packing) const {
   const double jitter = are_smooth_polyhedra(packing) ? kJitter : 1.0;
   const double velocity = jitter * kCalmVelocity * largest_diameter(packing.grains) / time_unit_;
-  const double cap = std::min(strain_rate_cap(options_, packing, imposed_), 1.0 / time_unit_);
   return rms_velocity(packing.grains) < velocity &&
-         packing.cell.rate().diagonal().cwiseAbs().maxCoeff() < jitter * kCalmRate * cap;
+         boundary_rate(packing) < jitter * kCalmRate * rate_cap(packing);
 }
 
 /// Makes time steps and then moves the grains into the cell, so that a relaxation that was interrupted continues from
@@ -276,6 +295,7 @@ void ContactDynamicsRelaxer<Dim>::make_steps(int n_steps) {
   progress_.last_step = motion.last_step();
   packing_ = motion.release_packing();
   wrap_into_cell(packing_);
+  fit_open_ends(packing_);
   measure();
   if (observer_.callback) observer_.callback(packing_, progress_.time);
 }
@@ -400,10 +420,11 @@ bool ContactDynamicsRelaxer<Dim>::stays_in_place(const Packing<Dim>& rested) con
   chosen.longest_step = options_.contact_dynamics.time_step * time_unit_;
   ContactDynamics<Dim> motion(rested, boundary_load(), chosen, chosen.longest_step);
   for (int k = 0; k < kFreeSteps; ++k) motion.step(false);
-  const Packing<Dim>& now = motion.packing();
+  // Walls may drift with all grains between them.
+  const Packing<Dim> before = with_walls_at_cell(rested), now = with_walls_at_cell(motion.packing());
   const double allowed = kStaysWithin * gap_tolerance();
   for (int i = 0; i < rested.grains.size(); ++i) {
-    const Vec<Dim> carried_along = now.cell.matrix.transpose() * rested.cell.reduced(rested.grains.position[i]);
+    const Vec<Dim> carried_along = now.cell.matrix.transpose() * before.cell.reduced(before.grains.position[i]);
     const double moved = (now.grains.position[i] - carried_along).norm();
     if (carries[i] && moved > allowed * 2.0 * rested.grains.radius[i]) return false;
   }
@@ -416,8 +437,15 @@ bool ContactDynamicsRelaxer<Dim>::stays_in_place(const Packing<Dim>& rested) con
 template <int Dim>
 void ContactDynamicsRelaxer<Dim>::set_balanced_forces(Packing<Dim>& packing) const {
   ForceBalanceOptions<Dim> options;
-  options.axis_stress = imposed_;
-  for (int a = 0; a < Dim; ++a) options.open_axis[a] = load_.strained(a);
+  if (packing.walls.empty()) {
+    options.axis_stress = imposed_;
+    for (int a = 0; a < Dim; ++a) options.open_axis[a] = load_.strained(a);
+  } else {
+    std::vector<double> load;
+    for (const Wall<Dim>& wall : packing.walls)
+      load.push_back(imposed_[wall.axis] * wall_area(packing, wall.axis));
+    options.wall_force = forces_on_moving_walls(packing, load);
+  }
   StaticForces<Dim> forces("the packing", packing, options);
   const bool closest = options_.contact_dynamics.forces == RigidForces::closest;
   const BalancedForces<Dim> found = closest ? forces.closest() : forces.canonical();
@@ -461,9 +489,9 @@ RelaxationReport ContactDynamicsRelaxer<Dim>::report() const {
   else
     report.blocking = fmt::format(
         "the grains still move: their root mean square velocity is {:.2g} of the largest diameter per time "
-        "unit T, and the largest strain rate of the cell is {:.2g} per T",
+        "unit T, and the largest strain rate of the {} {:.2g} per T",
         rms_velocity(packing_.grains) * time_unit_ / largest_diameter(packing_.grains),
-        packing_.cell.rate().diagonal().cwiseAbs().maxCoeff() * time_unit_);
+        packing_.walls.empty() ? "cell" : "box", boundary_rate(packing_) * time_unit_);
   return report;
 }
 

@@ -40,12 +40,13 @@ struct ContactDynamicsProgress {
   std::string obstacle;  ///< reason why the last search found no balanced forces; empty before the first search
 };
 
-/// Brings a packing of rigid grains to equilibrium under a stress on each axis of its cell, in three phases:
+/// Brings a packing of rigid grains to equilibrium under a stress on each axis of its cell or on its walls, and under its
+/// weight, in three phases:
 /// 1. The grains move under the load (contact_dynamics.h) until, for 40 steps, the root mean square velocity is below
-/// 6e-3 d/T and the strain rate of the cell is below 3 % of its cap. Here d is the largest diameter, T = sqrt(m/(P
-/// d^(Dim-2))) the time unit, m the mass of the largest grain and P the pressure.
-/// 2. All velocities are set to zero before each step, until the net forces are small. Steps of frictionless grains
-/// with corners, and of all grains that sweeps have not brought to rest, are solved at once (rigid/implicit_step.h).
+/// 6e-3 d/T and the strain rates of the cell and of the box below 3 % of their cap, with the largest diameter d and the time unit T =
+/// sqrt(m/(P d^(Dim-2))).
+/// 2. All velocities are set to zero before each step, until the net forces are small. Steps of frictionless grains with
+/// corners, and of all grains that sweeps have not brought to rest, are solved at once (rigid/implicit_step.h).
 /// 3. With the grains held, forces are sought that balance all grains and the stress and satisfy Coulomb's conditions
 /// (rigid/static_forces.h). If there are no such forces, some grain still moves, and phase 2 continues.
 /// Sides of the cell whose imposed length equals their present length do not move; the stress on them results from the
@@ -83,6 +84,8 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
   ContactDynamicsSettings settings() const;
   BoundaryLoad<Dim> boundary_load() const;
   double gap_tolerance() const;
+  double boundary_rate(const Packing<Dim>& packing) const;
+  double rate_cap(const Packing<Dim>& packing) const;
   bool is_calm(const Packing<Dim>& packing) const;
   void make_steps(int n_steps);
   bool forces_are_nearly_balanced() const;

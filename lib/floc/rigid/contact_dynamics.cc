@@ -11,6 +11,7 @@
 #include "floc/packing/body_name.h"
 #include "floc/packing/grain_sizes.h"
 #include "floc/packing/law/contact_forces.h"
+#include "floc/packing/wall_forces.h"
 #include "floc/rigid/implicit_step.h"
 #include "floc/rigid/separating_plates.h"
 
@@ -62,6 +63,14 @@ Orientation<Dim> turned(const Orientation<Dim>& orientation, const RotationVecto
   }
 }
 
+/// Stops all grains, the cell, and the walls that follow forces.
+template <int Dim>
+void stop_all(Packing<Dim>& packing) {
+  stop_grains(packing);
+  for (Wall<Dim>& wall : packing.walls)
+    if (follows_forces(wall)) wall.velocity = 0.0;
+}
+
 /// Returns whether the grains, as a whole, move backwards: the scalar product of their present and earlier velocities
 /// and spins, weighted with the masses, is negative.
 template <int Dim>
@@ -107,7 +116,17 @@ double ContactDynamics<Dim>::reach() const {
   return 2.0 * kLongestMove * 2.0 * largest;
 }
 
-/// Returns the motion of the grains and walls at the end of a step without contacts.
+/// Returns the velocity gradient with which the grains are carried along (1/time). Along axes between walls, grains move
+/// relative to space and not to the box.
+template <int Dim>
+Mat<Dim> ContactDynamics<Dim>::cell_rate() const {
+  Mat<Dim> rate = packing_.cell.rate();
+  for (int a = 0; a < Dim; ++a)
+    if (between_walls(packing_.walls, a)) rate(a, a) = 0.0;
+  return rate;
+}
+
+/// Returns the motion of the grains, the walls and the cell at the end of a step without contacts.
 template <int Dim>
 BodyMotion<Dim> ContactDynamics<Dim>::free_motion(double dt, bool at_rest) const {
   const Grains<Dim>& g = packing_.grains;
@@ -115,7 +134,7 @@ BodyMotion<Dim> ContactDynamics<Dim>::free_motion(double dt, bool at_rest) const
   for (int i = 0; i < g.size(); ++i) {
     Vec<Dim> v = at_rest ? Vec<Dim>(Vec<Dim>::Zero()) : g.velocity[i];
     RotationVector<Dim> w = at_rest ? RotationVector<Dim>(RotationVector<Dim>::Zero()) : g.angular_velocity[i];
-    if (!external_force_.empty()) v += dt / g.mass[i] * external_force_[i];
+    v += dt * packing_.gravity;
     const Mat<kRotations<Dim>> inertia = g.inertia_tensor(i);
     const Mat<kRotations<Dim>> inverse = inertia.inverse();
     // Even if no moment acts on a body, its spin changes by Euler's equations if its principal moments of inertia
@@ -127,32 +146,56 @@ BodyMotion<Dim> ContactDynamics<Dim>::free_motion(double dt, bool at_rest) const
     out.inverse_mass.push_back(Vec<Dim>::Constant(1.0 / g.mass[i]));
     out.inverse_inertia.push_back(inverse);
   }
-  const double volume = packing_.cell.volume();
+  add_walls(dt, at_rest, out);
+  add_cell(dt, at_rest, out);
+  return out;
+}
+
+/// Returns the speed at which a wall that grains do not touch moves inwards in the end (length/time).
+template <int Dim>
+double ContactDynamics<Dim>::terminal_speed(const Wall<Dim>& wall) const {
+  const double closing =
+      load_.wall_speed.value_or(load_.strain_rate_cap * packing_.cell.matrix(wall.axis, wall.axis));
+  const auto shares = [&](const Wall<Dim>& w) { return w.axis == wall.axis && follows_forces(w); };
+  return closing / static_cast<double>(std::ranges::count_if(packing_.walls, shares));
+}
+
+/// Adds the walls to the bodies of a step. A wall of mass M and area A moves by M v' = F - P A - (P A/V) v, with the force
+/// F of the grains and the terminal speed V; the last term is a drag. Velocities are counted outwards here.
+template <int Dim>
+void ContactDynamics<Dim>::add_walls(double dt, bool at_rest, BodyMotion<Dim>& bodies) const {
   for (const Wall<Dim>& wall : packing_.walls) {
-    const double inverse = 1.0 / wall.mass;  // zero for a wall that does not move under forces
-    const double force = load_.stress[wall.axis] * volume / packing_.cell.matrix(wall.axis, wall.axis);
-    const double start = at_rest && inverse > 0.0 ? 0.0 : wall.velocity;
-    out.velocity.push_back((start - wall.side * dt * inverse * force) * Vec<Dim>::Unit(wall.axis));
-    out.angular_velocity.push_back(RotationVector<Dim>::Zero());
-    out.inverse_mass.push_back(inverse * Vec<Dim>::Unit(wall.axis));
-    out.inverse_inertia.push_back(Mat<kRotations<Dim>>::Zero());
+    double inverse = 0.0, velocity = wall.velocity;
+    if (follows_forces(wall)) {
+      const double force = load_.stress[wall.axis] * wall_area(packing_, wall.axis);
+      const double drag = 1.0 + dt * force / (terminal_speed(wall) * wall.mass);
+      inverse = 1.0 / (wall.mass * drag);
+      velocity = (at_rest ? 0.0 : velocity) / drag - wall.side * dt * inverse * force;
+    }
+    bodies.velocity.push_back(velocity * Vec<Dim>::Unit(wall.axis));
+    bodies.angular_velocity.push_back(RotationVector<Dim>::Zero());
+    bodies.inverse_mass.push_back(inverse * Vec<Dim>::Unit(wall.axis));
+    bodies.inverse_inertia.push_back(Mat<kRotations<Dim>>::Zero());
   }
+}
+
+/// Gives the bodies of a step the stretch of the cell. A side moves by M_a L' = V (sigma_a - P_a) - (V P_a/E) L, with the
+/// rate cap E: without contacts its rate ends at -E.
+template <int Dim>
+void ContactDynamics<Dim>::add_cell(double dt, bool at_rest, BodyMotion<Dim>& bodies) const {
+  const double volume = packing_.cell.volume();
   const Mat<Dim> rate = packing_.cell.rate();
   for (int a = 0; a < Dim; ++a) {
     if (between_walls(packing_.walls, a)) continue;
-    out.stretch[a] = rate(a, a);
+    bodies.stretch[a] = rate(a, a);
     if (!load_.under_stress[a]) continue;
-    // The rate of stretch L of the side changes by M_a L' = V (sigma_a - P_a) - (V P_a/E) L, with the inertia M_a of
-    // the side, the volume V, the stress sigma_a carried by the contacts, the imposed stress P_a and the cap E on the
-    // rate. Without contacts L tends to -E.
     const double side = packing_.cell.matrix(a, a);
     const double mass = load_.cell_mass * grain_mass_ * side * side;
     const double force = volume * load_.stress[a];
     const double drag = 1.0 + dt * force / (load_.strain_rate_cap * mass);
-    out.stretch[a] = ((at_rest ? 0.0 : rate(a, a)) - dt * force / mass) / drag;
-    out.inverse_stretch_mass[a] = 1.0 / (mass * drag);
+    bodies.stretch[a] = ((at_rest ? 0.0 : rate(a, a)) - dt * force / mass) / drag;
+    bodies.inverse_stretch_mass[a] = 1.0 / (mass * drag);
   }
-  return out;
 }
 
 /// Returns the rate of change of the gap of a contact at the start of a step (length/time).
@@ -163,8 +206,7 @@ double ContactDynamics<Dim>::gap_rate(const Contact<Dim>& c) const {
   if (packing_.is_wall(c.j))
     u[packing_.wall(c.j).axis] += packing_.wall(c.j).velocity;
   else
-    u += g.velocity[c.j] + cross<double>(g.angular_velocity[c.j], c.arm_j) +
-         packing_.cell.rate() * (c.arm_i - c.arm_j);
+    u += g.velocity[c.j] + cross<double>(g.angular_velocity[c.j], c.arm_j) + cell_rate() * (c.arm_i - c.arm_j);
   return u.dot(c.normal);
 }
 
@@ -283,6 +325,11 @@ double ContactDynamics<Dim>::largest_share_moved(const Trial& trial, double dt, 
         trial.motion.velocity[i].norm() + trial.motion.angular_velocity[i].norm() * g.radius[i];
     largest = std::max(largest, speed * dt / (2.0 * g.radius[i] * allowed[i]));
   }
+  const double a = largest_diameter(g);
+  for (std::size_t w = 0; w < packing_.walls.size(); ++w) {
+    const std::size_t body = static_cast<std::size_t>(g.size()) + w;
+    largest = std::max(largest, trial.motion.velocity[body].norm() * dt / (a * kLongestMove));
+  }
   return largest;
 }
 
@@ -291,7 +338,7 @@ double ContactDynamics<Dim>::largest_share_moved(const Trial& trial, double dt, 
 template <int Dim>
 Packing<Dim> ContactDynamics<Dim>::moved(const Trial& trial, double dt) const {
   Packing<Dim> out = packing_;
-  Mat<Dim> rate = out.cell.rate();
+  Mat<Dim> rate = cell_rate();
   for (int a = 0; a < Dim; ++a)
     if (!between_walls(out.walls, a)) rate(a, a) = trial.motion.stretch[a];
   Grains<Dim>& g = out.grains;
@@ -405,7 +452,7 @@ void ContactDynamics<Dim>::step(bool at_rest) {
       halvings = 0;
       continue;
     }
-    if (method.at_once && (method.at_rest || turns_back(packing_, next))) stop_grains(next);
+    if (method.at_once && (method.at_rest || turns_back(packing_, next))) stop_all(next);
     packing_ = std::move(next);
     last_step_ = dt;
     time_step_ = share < kTimid && halvings == 0 ? std::min(2.0 * dt, settings_.longest_step) : dt;

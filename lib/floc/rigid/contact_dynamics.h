@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "floc/packing/packing.h"
@@ -13,16 +14,20 @@
 
 namespace floc {
 
-/// Load on the boundary of a packing in contact dynamics. On an axis under stress the side of the periodic cell, or the
-/// pair of walls, moves under the stress. All other sides keep their rate of change Cell::velocity.
+/// Load on the boundary of a packing in contact dynamics. On a periodic axis under stress the side of the cell moves;
+/// other sides keep their rate of change Cell::velocity. Every wall of finite mass moves under the stress on its axis.
 template <int Dim>
 struct BoundaryLoad {
   Vec<Dim> stress = Vec<Dim>::Zero();  ///< stress on each axis, compression positive (force/length^(Dim-1))
-  std::array<bool, Dim> under_stress = {};  ///< for each axis: whether a stress is imposed
-  double cell_mass = 1.0;                   ///< inertia of a side of the cell divided by the mass of all grains
-  /// Rate |L'/L| to which the motion of a side L of the cell tends without contacts, because a drag acts on the side
-  /// (1/time).
+  /// Whether the side of the cell follows the stress on this axis; not used on axes between walls.
+  std::array<bool, Dim> under_stress = {};
+  double cell_mass = 1.0;  ///< mass of a side of the cell over the mass of all grains
+  /// Rate |L'/L| at which a side of the cell, or the distance of two walls, shrinks in the end without contacts (1/time):
+  /// a drag acts on the side or the walls.
   double strain_rate_cap = std::numeric_limits<double>::infinity();
+  /// Speed at which two walls approach each other in the end without contacts (length/time); absent: it follows from
+  /// strain_rate_cap.
+  std::optional<double> wall_speed = {};
 };
 
 /// Settings of the time steps of contact dynamics.
@@ -80,9 +85,6 @@ class ContactDynamics {
   /// velocities at the end of that step are computed from these forces.
   double error_of_forces() const;
 
-  /// Sets the force that acts on each grain in addition to its contacts, such as its weight (force); empty for none.
-  void set_external_force(std::vector<Vec<Dim>> force) { external_force_ = std::move(force); }
-
   const Packing<Dim>& packing() const { return packing_; }
   Packing<Dim> release_packing() { return std::move(packing_); }
   const StepCounts& counts() const { return counts_; }
@@ -106,6 +108,10 @@ class ContactDynamics {
   double reach() const;
   void find_contacts(Packing<Dim>& packing);
   BodyMotion<Dim> free_motion(double dt, bool at_rest) const;
+  double terminal_speed(const Wall<Dim>& wall) const;
+  void add_walls(double dt, bool at_rest, BodyMotion<Dim>& bodies) const;
+  void add_cell(double dt, bool at_rest, BodyMotion<Dim>& bodies) const;
+  Mat<Dim> cell_rate() const;
   double gap_rate(const Contact<Dim>& contact) const;
   double restitution(const Contact<Dim>& contact) const;
   std::vector<StepContact<Dim>> step_contacts(double dt, double removed, std::vector<int>& source) const;
@@ -123,8 +129,6 @@ class ContactDynamics {
   ContactDynamicsSettings settings_;
   double time_step_, last_step_;
   double grain_mass_;  ///< mass of all grains
-  /// force on each grain in addition to the forces of its contacts (force); empty for none
-  std::vector<Vec<Dim>> external_force_;
   ContactPoints<Dim> points_;
   StepCounts counts_;
 };

@@ -23,8 +23,14 @@ class BalanceRows {
   BalanceRows(const Packing<Dim>& packing, const ForceBalanceOptions<Dim>& options)
       : network_(contact_network(packing)),
         strains_(packing.walls.empty() && !options.axis_stress ? StrainSet::full : StrainSet::diagonal),
-        n_boundary_(n_boundary_unknowns(network_, strains_)),
+        by_wall_(options.wall_force.has_value()),
+        n_boundary_(by_wall_ ? static_cast<int>(packing.walls.size())
+                             : n_boundary_unknowns(network_, strains_)),
         load_(Eigen::VectorXd::Zero(first_of_boundary() + n_boundary_)) {
+    for (int i = 0; i < network_.n_grains; ++i)
+      load_.segment(first_unknown<Dim>(i), Dim) = packing.grains.mass[i] * packing.gravity;
+    for (int w = 0; by_wall_ && w < n_boundary_; ++w)
+      load_[first_of_boundary() + w] = (*options.wall_force)[w].value_or(0.0);
     if (options.stress)
       for (int s = 0; s < n_boundary_; ++s)
         load_[first_of_boundary() + s] =
@@ -38,6 +44,13 @@ class BalanceRows {
   int n_boundary() const { return n_boundary_; }
   Eigen::VectorXd& load() { return load_; }
 
+  /// Returns the sum of normal forces times branches that the load asks for, which is the mean stress times the volume;
+  /// of a packing whose walls have given forces, the sum of these forces and of the weights of the grains.
+  double sum_of_loads() const {
+    if (by_wall_) return load_.cwiseAbs().sum();
+    return std::abs(load_.segment(first_of_boundary(), Dim).sum());
+  }
+
   /// Calls visit(row, coefficient) for each row of the balance in which a contact appears. The contact contributes to
   /// the row the scalar product of `coefficient` and its force (F_N, T).
   void for_each_row(const NetworkContact<Dim>& c, const auto& visit) const {
@@ -45,6 +58,10 @@ class BalanceRows {
     for (int a = 0; a < kDofs<Dim>; ++a) {
       visit(first_unknown<Dim>(c.i) + a, Vec<Dim>(rows.on_i.col(a).template head<Dim>()));
       if (c.i != c.j) visit(first_unknown<Dim>(c.j) + a, Vec<Dim>(rows.on_j.col(a).template head<Dim>()));
+    }
+    if (by_wall_) {
+      if (c.on_wall()) visit(first_of_boundary() + c.wall, Vec<Dim>(Vec<Dim>::Unit(0)));
+      return;
     }
     const BoundaryRows<Dim> boundary = boundary_rows(network_, c, rows, strains_);
     for (int s = 0; s < n_boundary_; ++s)
@@ -58,16 +75,28 @@ class BalanceRows {
     return turns ? network_.grain_size[row / kDofs<Dim>] : 1.0;
   }
   double boundary_scale() const {
-    const double mean_branch = std::pow(network_.volume / std::max(1, network_.n_grains), 1.0 / Dim);
-    return mean_branch * std::sqrt(static_cast<double>(std::max<std::size_t>(1, network_.contacts.size())));
+    return unit_length() * std::sqrt(static_cast<double>(std::max<std::size_t>(1, network_.contacts.size())));
+  }
+  /// Typical coefficient of a row of the boundary: the length of a branch, or 1 for the force on a wall.
+  double unit_length() const {
+    return by_wall_ ? 1.0 : std::pow(network_.volume / std::max(1, network_.n_grains), 1.0 / Dim);
   }
 
  private:
   ContactNetwork<Dim> network_;
   StrainSet strains_;
+  bool by_wall_;  ///< whether the rows of the boundary are the forces on single walls
   int n_boundary_;
   Eigen::VectorXd load_;
 };
+
+/// Returns whether the forces may give any value to a row of the boundary.
+/// @param s  number of the row, counted from the first of the boundary
+template <int Dim>
+bool is_free(const ForceBalanceOptions<Dim>& options, int s) {
+  if (options.wall_force) return !(*options.wall_force)[static_cast<std::size_t>(s)];
+  return s < Dim && options.open_axis[static_cast<std::size_t>(s)];
+}
 
 /// Returns the force (F_N, T) of a contact in its frame.
 template <int Dim>
@@ -77,10 +106,11 @@ Vec<Dim> present_force(const NetworkContact<Dim>& c) {
   return f;
 }
 
-/// Marks the contacts that can carry no force: contacts without adhesion of grains that have no other contact. Without
-/// these contacts, other grains may be left with a single contact, too.
+/// Marks the contacts that can carry no force: those that do not adhere, of grains on which no other force acts.
+/// Their grains may leave others with one contact. The weight of a grain may act on any contact.
 template <int Dim>
 std::vector<bool> idle_contacts(const Packing<Dim>& packing) {
+  if (!packing.gravity.isZero(0.0)) return std::vector<bool>(packing.contacts.size(), false);
   const int n = packing.grains.size();
   std::vector<std::vector<int>> contacts_of(n);
   for (std::size_t k = 0; k < packing.contacts.size(); ++k) {
@@ -156,6 +186,9 @@ void require_balance(const std::string& place, const Packing<Dim>& packing,
           place,
           "its contact law resists rolling or twisting; forces at rest can be computed only for contacts "
           "without moments");
+  if (options.wall_force && options.wall_force->size() != packing.walls.size())
+    throw InputError(place, fmt::format("wall_force has {} numbers: expected {}, one for each wall",
+                                        options.wall_force->size(), packing.walls.size()));
   if (options.stress && !packing.walls.empty())
     throw InputError(place,
                      "a stress cannot be given for a packing between walls: its forces balance the forces "
@@ -174,8 +207,9 @@ std::vector<std::string> ForceBalanceOptions<Dim>::validate() const {
       faults.push_back(fmt::format("{} = {}: expected a positive stiffness (force/length)", name, *value));
   if (axis_stress && !axis_stress->allFinite()) faults.emplace_back("axis_stress: expected finite components");
   if (!axis_stress && std::ranges::count(open_axis, true) > 0)
-    faults.emplace_back("open_axis: expected axis_stress, the stress on the other axes, to be given, too");
-  if (stress && axis_stress) faults.emplace_back("axis_stress: expected that stress is not given, too");
+    faults.emplace_back("open_axis: expected a stress on the other axes beside it");
+  if (wall_force && (stress || axis_stress)) faults.emplace_back("wall_force: expected no stress beside it");
+  if (stress && axis_stress) faults.emplace_back("axis_stress: expected no stress beside it");
   if (stress && !stress->allFinite()) faults.emplace_back("stress: expected finite components");
   return faults;
 }
@@ -198,7 +232,7 @@ ForceBalance<Dim> force_balance(const std::string& place, const Packing<Dim>& pa
       if (row >= from) load[row] += sign * coefficient.dot(force);
     });
   };
-  if (!options.stress && !options.axis_stress)
+  if (!options.stress && !options.axis_stress && !options.wall_force)
     for (const NetworkContact<Dim>& c : contacts) add(c, present_force(c), 1.0, rows.first_of_boundary());
   for (const NetworkContact<Dim>& c : contacts)
     if (c.distant) add(c, present_force(c), -1.0, 0);
@@ -207,11 +241,9 @@ ForceBalance<Dim> force_balance(const std::string& place, const Packing<Dim>& pa
     add(contacts[u.contact], u.adhesion * Vec<Dim>::Unit(0), 1.0, 0);
     sum += std::abs(u.present[0]);
   }
-  // The trace of the stress times the volume is the sum of the normal forces times the lengths of the branch vectors.
-  const double boundary = load.segment(rows.first_of_boundary(), Dim).sum();
   const double n = static_cast<double>(out.unknowns.size());
   const double branch = rows.boundary_scale() / std::sqrt(static_cast<double>(contacts.size()));
-  out.unit = std::max(sum, std::abs(boundary) / branch) / n;
+  out.unit = std::max(sum, rows.sum_of_loads() / branch) / n;
   if (!(out.unit > 0.0))
     throw InputError(place, "its contacts carry no force: give the stress that their forces have to transmit");
 
@@ -222,9 +254,9 @@ ForceBalance<Dim> force_balance(const std::string& place, const Packing<Dim>& pa
       coefficient.template tail<Dim - 1>() *= u.friction;
       if (coefficient.template lpNorm<Eigen::Infinity>() / rows.scale(row) > kNoCoefficient) number[row] = 0;
     });
-  for (int a = 0; a < Dim; ++a)
-    if (options.open_axis[a])
-      number[rows.first_of_boundary() + a] = -1, load[rows.first_of_boundary() + a] = 0.0;
+  for (int s = 0; s < rows.n_boundary(); ++s)
+    if (is_free(options, s))
+      number[rows.first_of_boundary() + s] = -1, load[rows.first_of_boundary() + s] = 0.0;
   std::vector<double> scaled_load;
   int last_group = -1;
   for (int row = 0; row < rows.n_rows(); ++row) {

@@ -22,6 +22,9 @@ struct ForceBalanceOptions {
   std::optional<Vec<Dim>> axis_stress;
   /// With `axis_stress`: axes whose length is fixed. The forces may transmit any stress along these axes.
   std::array<bool, Dim> open_axis = {};
+  /// Force of the grains on each wall, in the order of Packing::walls (force); absent for a wall that bears any force.
+  /// Without this list, the force on each pair of walls is that of the present forces.
+  std::optional<std::vector<std::optional<double>>> wall_force = {};
 
   /// Every fault as "key = value: requirement"; empty when the options can be used.
   std::vector<std::string> validate() const;
@@ -50,9 +53,8 @@ struct UnknownForce {
 };
 
 /// Balance of the contact forces of a packing at rest as the constraints of a cone program: force and moment vanish on
-/// each grain, and the forces transmit the given stress. Each contact satisfies Coulomb's condition P >= 0, |T| <= mu
-/// P, with the symbols of UnknownForce. Attractions across a gap keep their present forces. The force on each pair of
-/// walls is that of the present forces.
+/// each grain, and the forces transmit the given stress. Each contact satisfies Coulomb's condition P >= 0,
+/// |T| <= mu P. Attractions across a gap keep the forces that they have.
 template <int Dim>
 struct ForceBalance {
   std::vector<UnknownForce<Dim>> unknowns;
@@ -64,12 +66,12 @@ struct ForceBalance {
   double unit_of_boundary = 1.0;
 };
 
-/// Returns the balance of the forces of a packing. Contacts that cannot carry a force in equilibrium are left out, such
-/// as a contact without adhesion of a grain with no other contact.
+/// Returns the balance of the forces of a packing, which also carry the weight of the grains. Contacts that cannot carry a force in equilibrium, as those of a
+/// grain with one contact that does not adhere, are left out.
 /// @param place  file, for messages
-/// @throws InputError if an option is not valid; if the law resists rolling or twisting, whose moments are not part of
-/// this balance; if no contact touches; if no stress is given and the present forces are zero; or if a stress is given
-/// for a packing between walls
+/// @throws InputError if an option is not valid; if the law resists rolling or twisting, whose moments this balance
+/// does not have; if no contact touches; if no stress is given and the present forces are zero; if a stress is
+/// given for a packing between walls; or if wall_force does not have a number for each wall
 template <int Dim>
 ForceBalance<Dim> force_balance(const std::string& place, const Packing<Dim>& packing,
                                 const ForceBalanceOptions<Dim>& options);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "floc/base/error.h"
+#include "floc/packing/wall_forces.h"
 
 namespace floc {
 namespace {
@@ -150,6 +151,15 @@ void StaticForces<Dim>::fail(const ConeSolution<Dim>& solution) const {
 }
 
 template <int Dim>
+std::vector<std::optional<double>> forces_on_moving_walls(const Packing<Dim>& packing,
+                                                          const std::vector<double>& force) {
+  std::vector<std::optional<double>> out;
+  for (std::size_t w = 0; w < packing.walls.size(); ++w)
+    out.push_back(follows_forces(packing.walls[w]) ? std::optional(force[w]) : std::nullopt);
+  return out;
+}
+
+template <int Dim>
 double force_distance(const BalancedForces<Dim>& f, const BalancedForces<Dim>& g) {
   double difference = 0.0, size = 0.0;
   for (std::size_t k = 0; k < f.normal_force.size(); ++k) {
@@ -163,11 +173,16 @@ double force_distance(const BalancedForces<Dim>& f, const BalancedForces<Dim>& g
 template <int Dim>
 std::optional<double> force_freedom(const State<Dim>& state) {
   if (state.motion) return std::nullopt;
+  const Packing<Dim>& packing = state.packing;
   ForceBalanceOptions<Dim> options;
-  options.axis_stress = state.stress.diagonal();
-  for (int a = 0; a < Dim; ++a) options.open_axis[a] = state.target_side[a] > 0.0;
+  if (packing.walls.empty()) {
+    options.axis_stress = state.stress.diagonal();
+    for (int a = 0; a < Dim; ++a) options.open_axis[a] = state.target_side[a] > 0.0;
+  } else {
+    options.wall_force = forces_on_moving_walls(packing, wall_forces(packing));
+  }
   try {
-    StaticForces<Dim> forces("the state", state.packing, options);
+    StaticForces<Dim> forces("the state", packing, options);
     return force_distance(forces.present(), forces.canonical());
   } catch (const NoResult&) {
     return std::nullopt;
@@ -178,6 +193,10 @@ std::optional<double> force_freedom(const State<Dim>& state) {
 
 template class StaticForces<2>;
 template class StaticForces<3>;
+template std::vector<std::optional<double>> forces_on_moving_walls(const Packing<2>&,
+                                                                   const std::vector<double>&);
+template std::vector<std::optional<double>> forces_on_moving_walls(const Packing<3>&,
+                                                                   const std::vector<double>&);
 template double force_distance(const BalancedForces<2>&, const BalancedForces<2>&);
 template double force_distance(const BalancedForces<3>&, const BalancedForces<3>&);
 template std::optional<double> force_freedom(const State<2>&);

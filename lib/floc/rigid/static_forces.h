@@ -69,6 +69,13 @@ class StaticForces {
   InteriorPoint<Dim> method_;
 };
 
+/// Returns forces as the conditions of a balance (ForceBalanceOptions::wall_force): walls that do not follow forces bear
+/// any force.
+/// @param force  force on each wall, in the order of Packing::walls (force)
+template <int Dim>
+std::vector<std::optional<double>> forces_on_moving_walls(const Packing<Dim>& packing,
+                                                          const std::vector<double>& force);
+
 /// Returns the relative distance of two sets of forces: sqrt(sum |f - g|^2 / sum |f|^2); 0 if `f` is zero.
 template <int Dim>
 double force_distance(const BalancedForces<Dim>& f, const BalancedForces<Dim>& g);

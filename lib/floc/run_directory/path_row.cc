@@ -109,8 +109,10 @@ void add_walls(const State<Dim>& state, const Coordination& c, std::vector<Table
                     [&](const auto& contact) { return packing.is_wall(contact.j) && !contact.distant; });
   row.emplace_back(std::int64_t{n_on_walls});
   row.emplace_back(c.z + static_cast<double>(n_on_walls) / packing.grains.size());
-  row.emplace_back(kinetic_over_elastic_energy(packing));
-  row.emplace_back(std::int64_t{least_mechanisms(packing)});
+  // Rigid contacts have neither energy nor springs.
+  const bool rigid = packing.law.is_rigid();
+  row.push_back(rigid ? TableValue{} : TableValue{kinetic_over_elastic_energy(packing)});
+  row.push_back(rigid ? TableValue{} : TableValue{std::int64_t{least_mechanisms(packing)}});
   for (const Vec<Dim>* values : {&pressure, &borne})
     for (int a = 0; a < Dim; ++a) {
       row.emplace_back();

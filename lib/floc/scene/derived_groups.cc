@@ -223,12 +223,29 @@ double compaction_time(const Scene& scene, double a, double m) {
   return std::sqrt(m / (scene.assembly.pressure * std::pow(a, scene.dimension - 2)));
 }
 
+/// Adds the dimensionless numbers of the gas and the walls of a box.
+void add_walls(const Scene& scene, Groups& groups) {
+  const BoxOptions& box = *scene.assembly.box;
+  if (!scene.starts_from_state()) {
+    groups.push_back(
+        {"p_k/p", box.kinetic_pressure / scene.assembly.pressure,
+         "kinetic pressure of the gas over the first pressure; above 1 the gas pushes the walls outwards"});
+    if (scene.assembly.solid_fraction > 0.0)
+      groups.push_back({"e_i", 1.0 / scene.assembly.solid_fraction - 1.0, "void ratio of the gas"});
+  }
+  if (any_wall_moves(box, scene.dimension))
+    groups.push_back({"m_w/m", box.mass, "mass of a wall over that of the largest grain"});
+  const double F0 = scene.law.pull_off_force();
+  groups.push_back({"f_w/F0", F0 > 0.0 ? box.adhesion / F0 : 0.0,
+                    "pull-off force of grains from walls over that between grains"});
+  groups.push_back({"mu_w", box.friction, "friction coefficient of the walls"});
+}
+
 /// Adds the dimensionless numbers of a dynamic compaction between walls [SVI2024]. They compare the stresses sc =
 /// F0/a^(D-1) and se = K_N/a^(D-2) with the pressure (pull-off force F0, normal stiffness K_N, dimension D).
 /// @param a  largest diameter
 /// @param m  mass of a grain of this diameter
 void add_box(const Scene& scene, double a, double m, Groups& groups) {
-  const BoxOptions& box = *scene.assembly.box;
   const double p = scene.assembly.pressure;
   const double sc = scene.law.pull_off_force() / std::pow(a, scene.dimension - 1);
   const double se = scene.law.contact_modulus(scene.dimension, a);
@@ -242,18 +259,7 @@ void add_box(const Scene& scene, double a, double m, Groups& groups) {
                     "ratio noticeably"});
   groups.push_back({"se/p", se / p,
                     "se/p with se = K_N/a^(D-2), stiffness of the contacts divided by the first pressure p"});
-  if (!scene.starts_from_state()) {
-    groups.push_back({"p_k/p", box.kinetic_pressure / p,
-                      "kinetic pressure of the gas divided by the first pressure; above 1 the gas pushes the "
-                      "walls outwards"});
-    if (scene.assembly.solid_fraction > 0.0)
-      groups.push_back({"e_i", 1.0 / scene.assembly.solid_fraction - 1.0, "void ratio of the gas"});
-  }
-  if (any_wall_moves(box, scene.dimension))
-    groups.push_back({"m_w/m", box.mass, "mass of a wall divided by the mass of the largest grain"});
-  groups.push_back({"f_w/F0", sc > 0.0 ? box.adhesion / scene.law.pull_off_force() : 0.0,
-                    "pull-off force of grains from walls divided by the pull-off force between grains"});
-  groups.push_back({"mu_w", box.friction, "friction coefficient of the walls"});
+  add_walls(scene, groups);
   groups.push_back({"T", compaction_time(scene, a, m),
                     "sqrt(m/(p a^(D-2))), unit of time of the compaction (time unit of the scene)"});
 }
@@ -378,7 +384,9 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene) {
     add_pressures(scene, K_N, "P/K_N", "P/K_N", groups);
   }
   add_law(scene, a, groups);
-  if (scene.assembly.box)
+  if (scene.assembly.box && scene.law.is_rigid())
+    add_walls(scene, groups);
+  else if (scene.assembly.box)
     add_box(scene, a, m, groups);
   else
     add_rates(scene, a, m, groups);

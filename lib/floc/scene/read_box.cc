@@ -121,7 +121,8 @@ void read_contacts(TableReader& t, const Scene& scene, BoxOptions& box) {
                 "box.adhesion: with contact.normal.law = \"{}\" grains adhere to walls with the same law as to "
                 "each other, so box.adhesion cannot be given; expected a periodic cell, or another contact law",
                 scene.law.normal_keyword()));
-  if (box.friction > 0 && !scene.law.has_friction())
+  // Walls of rigid grains need no stiffness.
+  if (box.friction > 0 && !scene.law.has_friction() && !scene.law.is_rigid())
     t.fault(
         "friction",
         fmt::format("box.friction = {}: walls use the tangential stiffness of the friction between grains, but "
@@ -233,6 +234,14 @@ void read_compaction_end(TableReader& t, Scene& scene) {
     return;
   }
   scene.relaxation.tolerance.stress = CompactionEnd::kSettledPressure;
+  if (scene.law.is_rigid()) {
+    for (const char* key : {"end", "energy_ratio", "stop_time"})
+      t.refuse(key,
+               fmt::format("{} is not allowed with rigid contacts: the compaction of rigid grains ends with "
+                           "forces that balance all grains and walls; remove the key",
+                           t.path_of(key)));
+    return;
+  }
   const auto chosen = t.choice("end", {"settled", "energy_ratio"}, Need::optional);
   if (chosen && *chosen == 1) end.criterion = CompactionEnd::Criterion::energy_ratio;
   end.energy_ratio = t.number("energy_ratio",

@@ -168,10 +168,6 @@ void check_rigid(TableReader& root, const SceneSource& source, const Scene& scen
                     scene.law.normal_keyword()));
   if (!scene.law.is_rigid()) return;
   root.refuse(
-      "box",
-      "[box] is not allowed with rigid contacts: rigid grains are packed in a periodic cell only in this "
-      "version of floc; expected a table [cell]");
-  root.refuse(
       "accuracy",
       "[accuracy] is not allowed with rigid contacts: the errors in the table shipped with floc were measured "
       "on elastic grains; remove [accuracy] and give the numerical settings ([equilibrium], [dynamics])");

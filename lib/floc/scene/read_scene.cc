@@ -115,10 +115,9 @@ CellResponse read_cell(TableReader& root, Scene& scene) {
   return unsaid;
 }
 
-/// Whether a scene has walls (table [box]) instead of a periodic cell (table [cell]). With rigid contacts, a table
-/// [box] is a fault (see check_rigid()), and the scene is read as one with a periodic cell.
-bool has_box(const TableReader& root, const Scene& scene) {
-  return root.has("box") && !scene.law.is_rigid();
+/// Whether a scene has walls: it has either a table [box] (walls) or a table [cell] (periodic cell).
+bool has_box(const TableReader& root) {
+  return root.has("box");
 }
 
 /// Reads the table assembly.vibration, which describes the vibration of a packing before its compression.
@@ -151,7 +150,7 @@ void read_assembly(TableReader& root, const std::string& directory, Scene& scene
     scene.assembly.gas = std::array{GasKind::equilibrated, GasKind::sequential_addition}[*gas];
   // In a scene with walls, the pressure on the walls (box.pressure) acts from the start, and keys about a periodic cell
   // are not allowed.
-  const bool boxed = has_box(root, scene);
+  const bool boxed = has_box(root);
   if (boxed) {
     read_boxed_gas(t, scene);
   } else {
@@ -373,8 +372,10 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
   read_assembly(root, directory, scene);
   read_grains(root, source, directory, scene);
   CellResponse unsaid;
-  if (has_box(root, scene)) {
+  if (has_box(root)) {
     read_box(root, scene);
+    // Walls on rigid grains have a drag, as the sides of a periodic cell.
+    if (scene.law.is_rigid()) scene.relaxation = default_cap(scene.law).applied_to(scene.relaxation);
     root.refuse(
         "cell",
         "[cell] is not allowed together with [box]: expected either a periodic cell ([cell]) or walls ([box])");

@@ -207,14 +207,14 @@ void check_solid_fraction(TableReader& root, const Scene& scene) {
   RandomStream random(scene.seed, kAssemblyStream);
   const double densest =
       densest_gas(shaped_grains<Dim>(scene.grains, draw_diameters(scene.grains, random), scene.seed));
-  TableReader cell = root.table("cell", "", Need::optional);
+  TableReader t = root.table(scene.assembly.box ? "assembly" : "cell", "", Need::optional);
   if (scene.assembly.solid_fraction > densest)
-    cell.fault(
-        "solid_fraction",
-        fmt::format("cell.solid_fraction = {}: the gas is made of the circumscribed {} of the grains, which "
-                    "can be placed at random without overlap only up to a solid fraction of the grains of "
-                    "{:.4g}; expected at most this number",
-                    scene.assembly.solid_fraction, Dim == 2 ? "circles" : "spheres", densest));
+    t.fault("solid_fraction",
+            fmt::format("{} = {}: the gas is made of the circumscribed {} of the grains, which "
+                        "can be placed at random without overlap only up to a solid fraction of the grains of "
+                        "{:.4g}; expected at most this number",
+                        t.path_of("solid_fraction"), scene.assembly.solid_fraction,
+                        Dim == 2 ? "circles" : "spheres", densest));
 }
 
 }  // namespace

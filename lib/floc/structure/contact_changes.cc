@@ -45,8 +45,8 @@ Vec<Dim> circular_mean(const std::vector<Vec<Dim>>& displacement) {
 }
 
 /// Identity of a contact and its index in the contact list. The identity consists of the two grains in canonical order,
-/// the periodic image in the lattice of the state before, and the key, which distinguishes the contacts of one pair of
-/// grains.
+/// the periodic image in the lattice of the state before, and the key, which distinguishes several contacts of one pair
+/// of grains. The key of grains with corners is 0, because it names features that change while the pair stays in contact.
 template <int Dim>
 struct Named {
   Contact<Dim> name;
@@ -61,11 +61,20 @@ Contact<Dim> name_of(const Contact<Dim>& c, const Vec<Dim, int>& image) {
 }
 
 template <int Dim>
-std::vector<Named<Dim>> named(const std::vector<Contact<Dim>>& contacts, const auto& image_of) {
+std::vector<Named<Dim>> named(const Packing<Dim>& packing, const auto& image_of) {
+  const std::vector<Contact<Dim>>& contacts = packing.contacts;
   std::vector<Named<Dim>> names;
-  for (int c = 0; c < static_cast<int>(contacts.size()); ++c)
+  for (int c = 0; c < static_cast<int>(contacts.size()); ++c) {
     names.push_back({name_of(contacts[c], image_of(contacts[c])), c});
-  std::sort(names.begin(), names.end(), [](const auto& p, const auto& q) { return precedes(p.name, q.name); });
+    if (!packing.grains.are_round()) names.back().name.key = 0;
+  }
+  std::stable_sort(names.begin(), names.end(),
+                   [](const auto& p, const auto& q) { return precedes(p.name, q.name); });
+  if (!packing.grains.are_round()) {
+    const auto repeated =
+        std::ranges::unique(names, [](const auto& p, const auto& q) { return same_pair(p.name, q.name); });
+    names.erase(repeated.begin(), repeated.end());
+  }
   return names;
 }
 
@@ -129,6 +138,8 @@ std::string incomparable(const Packing<Dim>& before, const Packing<Dim>& after) 
           "grain {} has radius {:.10g} in one state, but {:.10g} in the other: both must be states of the same "
           "grains",
           before.grains.name(i), before.grains.radius[i], after.grains.radius[i]);
+  if (before.grains.are_round() != after.grains.are_round())
+    return "the grains have corners in one of the states only: both must be states of the same grains";
   if (!is_lattice_choice<Dim>(lattice_choice(before.cell, after.cell)))
     return "the two cells do not correspond: no strain and choice of lattice vectors turns one into "
            "the other";
@@ -166,8 +177,8 @@ ContactChanges<Dim> contact_changes(const Packing<Dim>& before, const Packing<Di
 
   // Contacts are identified by their periodic image in the lattice of `before`. Another choice of lattice vectors, or a
   // grain that crosses the border of the cell, changes the image of a contact but not the contact.
-  const auto old_names = named<Dim>(before.contacts, [](const Contact<Dim>& c) { return c.image; });
-  const auto new_names = named<Dim>(after.contacts, [&](const Contact<Dim>& c) -> Vec<Dim, int> {
+  const auto old_names = named<Dim>(before, [](const Contact<Dim>& c) { return c.image; });
+  const auto new_names = named<Dim>(after, [&](const Contact<Dim>& c) -> Vec<Dim, int> {
     return images * c.image + out.wrapped[c.j] - out.wrapped[c.i];
   });
   match(before, after, old_names, new_names, out);

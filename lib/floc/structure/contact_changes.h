@@ -46,7 +46,7 @@ template <int Dim>
 std::string incomparable(const Packing<Dim>& before, const Packing<Dim>& after);
 
 /// Compares two states of a packing. Grains are identified by their index, contacts by their two grains, periodic image
-/// and key. Displacements are taken to the nearest periodic image in reduced coordinates, so that each grain must move
+/// and key. The contact points of two grains with corners count as one contact, with the index of the first. Displacements are taken to the nearest periodic image in reduced coordinates, so that each grain must move
 /// by less than half the cell relative to the mean displacement. A common translation or another choice of lattice
 /// vectors does not change the result.
 /// @pre incomparable(before, after) is empty

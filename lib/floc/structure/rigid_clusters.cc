@@ -43,11 +43,13 @@ bool stuck(const Packing<Dim>& before, const Packing<Dim>& after, const KeptCont
   const Contact<Dim>& c = before.contacts[kept.before];
   const Vec<Dim> r = branch(before, c);
   const double share_i = before.grains.radius[c.i] / (before.grains.radius[c.i] + before.grains.radius[c.j]);
+  const bool round = before.grains.are_round();
+  const Vec<Dim> arm_i = round ? Vec<Dim>(share_i * r) : c.arm_i,
+                 arm_j = round ? Vec<Dim>((share_i - 1.0) * r) : c.arm_j;
   const auto rotation_i = rotation_of(before.grains.orientation[c.i], after.grains.orientation[c.i]);
   const auto rotation_j = rotation_of(before.grains.orientation[c.j], after.grains.orientation[c.j]);
-  const Vec<Dim> point_of_i = rotation_i * Vec<Dim>(share_i * r);
-  const Vec<Dim> point_of_j =
-      branch_after(after, c, after.contacts[kept.after]) + rotation_j * Vec<Dim>((share_i - 1.0) * r);
+  const Vec<Dim> point_of_i = rotation_i * arm_i;
+  const Vec<Dim> point_of_j = branch_after(after, c, after.contacts[kept.after]) + rotation_j * arm_j;
   return (point_of_j - point_of_i).norm() <= length && angle_between(rotation_i, rotation_j) <= angle;
 }
 

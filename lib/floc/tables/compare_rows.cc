@@ -7,7 +7,6 @@
 #include "floc/base/error.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
-#include "floc/packing/require_elastic.h"
 #include "floc/structure/contact_changes.h"
 #include "floc/structure/rigid_clusters.h"
 
@@ -52,10 +51,6 @@ template <int Dim>
 CompareRow compare_row(const std::string& old_file, const State<Dim>& before, const std::string& new_file,
                        const State<Dim>& after, const CompareTableOptions& options, CompareTables& side) {
   const Packing<Dim>&p = before.packing, &q = after.packing;
-  // Contacts of shapes are identified by the features that touch (such as corners or sides). These features change
-  // while the pair stays in contact, so contacts of shapes cannot be compared.
-  require_round(p, "states are compared", old_file);
-  require_round(q, "states are compared", new_file);
   if (const std::string fault = incomparable(p, q); !fault.empty())
     throw InputError(new_file, fmt::format("this state cannot be compared with {}: {}", old_file, fault));
   const ContactChanges<Dim> changes = contact_changes(p, q);

@@ -320,6 +320,24 @@ void refuse_periodic_tables(const Packing<Dim>& packing, const StructureTableOpt
   if (options.average) require_periodic(packing, "an average over states is computed", file);
 }
 
+/// Checks that no selected table needs the volume or the surface of disks or spheres, which grains with corners do not
+/// have.
+/// @throws InputError with the name of the first selected table that needs them
+template <int Dim>
+void refuse_round_tables(const Packing<Dim>& packing, const StructureTableOptions& options,
+                         const std::string& file) {
+  for (const auto& [table, asked] :
+       {std::pair{"the scattering intensity I(k) is computed", options.intensity},
+        {"the numbers z(h) of neighbours within a gap h are computed", options.gaps},
+        {"pores are computed", options.pores},
+        {"a map of the solid fraction is computed", options.map},
+        {"the affine prediction is computed", options.prediction},
+        {"the porosity about the centre is computed", options.porosity},
+        {"profiles are computed", options.profile},
+        {"an average over states is computed", options.average}})
+    if (asked) require_round(packing, table, file);
+}
+
 }  // namespace
 
 std::vector<std::string> StructureTableOptions::validate() const {
@@ -334,7 +352,6 @@ StructureRow structure_row(const std::string& file, const State<Dim>& state,
                            const StructureTableOptions& options, Series& series, const Remarks& remarks) {
   const double start = processor_seconds();
   const Packing<Dim>& packing = state.packing;
-  require_round(packing, "the structure is described", file);
   if (series.dimension == 0) series.dimension = Dim;
   if (options.average && series.dimension != Dim)
     throw InputError(file,
@@ -348,10 +365,10 @@ StructureRow structure_row(const std::string& file, const State<Dim>& state,
   row.reduced_driven_stress =
       reduced_pressure(packing, stress_on_driven_axis<Dim>(state, static_stress(packing).diagonal()));
   row.solid_fraction = solid_fraction(packing);
-  if (packing.walls.empty())
+  if (!packing.walls.empty()) refuse_periodic_tables(packing, options, file);
+  refuse_round_tables(packing, options, file);
+  if (packing.walls.empty() && packing.grains.are_round())
     add_periodic_structure(packing, options, series, row, remarks);
-  else
-    refuse_periodic_tables(packing, options, file);
   if (!series.reference_phi) series.reference = file, series.reference_phi = row.solid_fraction;
   if (options.pairs) add_pairs(file, packing, options, series);
   if (options.gaps) add_gaps(file, state, series);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "floc/contact/law_parameters.h"
@@ -78,11 +79,9 @@ ContactDynamicsSettings exact(double step, double restitution = 0.0) {
 template <int Dim>
 ContactDynamics<Dim> dynamics(const Packing<Dim>& packing, const ContactDynamicsSettings& settings,
                               const Vec<Dim>& gravity = Vec<Dim>::Zero()) {
-  ContactDynamics<Dim> out(packing, {}, settings, settings.longest_step);
-  std::vector<Vec<Dim>> weight;
-  for (const double mass : packing.grains.mass) weight.push_back(mass * gravity);
-  out.set_external_force(weight);
-  return out;
+  Packing<Dim> heavy = packing;
+  heavy.gravity = gravity;
+  return {std::move(heavy), {}, settings, settings.longest_step};
 }
 
 /// Returns gravity of magnitude 1 relative to an inclined plane. @param tangent  tangent of its inclination

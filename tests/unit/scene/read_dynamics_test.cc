@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "floc/assembly/box_options.h"
 #include "floc/base/error.h"
 #include "floc/scene/cell_defaults.h"
 #include "floc/scene/derived_groups.h"
@@ -182,7 +183,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadKey{"assembly.protocol=aggregation", "assembly.protocol = \"aggregation\": rigid grains are not"},
         BadKey{"assembly.pressure=0", "assembly.pressure = 0: expected a positive number"},
         BadKey{"load.0.to=0", "load.0.to = 0: rigid grains need a positive pressure"},
-        BadKey{"box.sides=[10, 10]", "[box] is not allowed with rigid contacts"},
+        BadKey{"equilibrium.end=settled", "it defines when the compaction between walls ends, but"},
         BadKey{"contact.damping={restitution=0.5}", "rigid contacts have no dashpots"},
         BadKey{"contact.rolling={coefficient=0.1, stiffness=1}", "do not resist rolling or twisting"},
         BadKey{"contact.adhesion={law=\"tail\", force=1, range=0.1}", "adhere only by a constant force"}));
@@ -190,6 +191,45 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(ReadDynamics, ZeroPressureIsRefusedWithAdhesionToo) {
   EXPECT_THAT(dynamics_faults(kRigidScene, {"contact.adhesion={law=\"constant\", force=1.0}", "load.0.to=0"}),
               AllOf(HasSubstr("load.0.to = 0: rigid grains need a positive pressure"), Not(HasSubstr("\n"))));
+}
+
+const std::string kRigidBox = R"([scene]
+dimension = 2
+units = "reduced"
+[grains]
+count = 40
+diameter = {distribution = "uniform", min = 0.5, max = 1.0}
+[contact]
+normal = {law = "rigid"}
+[box]
+sides = [10, 20]
+boundary = {x = "fixed", y = "lid"}
+gravity = [0, -1]
+pressure = 2
+mass = 5
+friction = 0.3
+adhesion = 0
+[assembly]
+protocol = "direct"
+)";
+
+TEST(ReadDynamics, RigidGrainsAreLoadedByWalls) {
+  EXPECT_EQ(dynamics_faults(kRigidBox), "");
+  const Scene scene = parse_scene(kRigidBox, "s.toml", "");
+  EXPECT_EQ(scene.relaxation.inertial_number_cap, kInertialNumberOfRigidGrains);
+  EXPECT_EQ(wall_law(scene.law, *scene.assembly.box).friction_coefficient(), 0.3);
+  for (const DerivedGroup& group : derived_groups(scene)) EXPECT_TRUE(std::isfinite(group.value)) << group.name;
+  for (const char* key : {"end=settled", "stop_time=3", "energy_ratio=1e-3"})
+    EXPECT_THAT(dynamics_faults(kRigidBox, {std::string("equilibrium.") + key}),
+                HasSubstr("the compaction of rigid grains ends with forces that balance all grains and walls"));
+}
+
+TEST(ReadDynamics, GasInABoxIsNoDenserThanCircumscribedCircles) {
+  const std::vector<std::string> shaped = {"grains.shape={kind=\"polygon\", sides=3}",
+                                           "assembly.solid_fraction=0.3"};
+  EXPECT_THAT(dynamics_faults(kRigidBox, shaped),
+              HasSubstr("assembly.solid_fraction = 0.3: the gas is made of the "
+                        "circumscribed circles"));
 }
 
 /// Returns the faults of the scene of rigid grains with another loading stage.

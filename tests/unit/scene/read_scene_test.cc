@@ -513,8 +513,8 @@ TEST(ShippedScenes, AllAreValidAndNamedAfterTheirFiles) {
     EXPECT_EQ(s.load.back().to, s.assembly.pressure);
     ++n_cycles;
   }
-  EXPECT_EQ(n, 34);
-  EXPECT_EQ(n_cycles, 18);
+  EXPECT_EQ(n, 38);
+  EXPECT_EQ(n_cycles, 19);
 }
 
 }  // namespace

@@ -37,11 +37,14 @@ const std::map<std::string, std::string>& kinds_of_shipped_scenes() {
       {"disks_shear_demo", "rigid-disks-simple-shear"},
       {"oedometer", "disks-cohesive-oedometer"},
       {"pentagons", "rigid-polygons-simple-shear"},
+      {"pentagons_box_demo", "rigid-polygons-walls-gravity"},
       {"pentagons_demo", "rigid-polygons"},
       {"pentagons_shear_demo", "rigid-polygons-simple-shear"},
+      {"polyhedra", "rigid-polyhedra"},
       {"polyhedra_demo", "rigid-polyhedra"},
       {"powder3d", "spheres-cohesive"},
       {"rigid_disks_demo", "rigid-disks"},
+      {"rigid_spheres", "rigid-spheres-triaxial"},
       {"spheres_a", "beads-hertz"},
       {"spheres_a0", "beads-hertz"},
       {"spheres_b", "beads-hertz"},
@@ -57,6 +60,7 @@ const std::map<std::string, std::string>& kinds_of_shipped_scenes() {
       {"wet_demo", "spheres-wet"},
       {"wet_spheres", "spheres-wet"},
       {"wet_tension", "spheres-wet-axes"},
+      {"wide_span", "rigid-disks-simple-shear"},
   };
   return kinds;
 }

@@ -190,12 +190,14 @@ py::object strength(const std::vector<std::string>& inputs, const ColumnNames& c
       throw InputError("modulus", "expected two axial stresses, the lower one first");
     options.modulus_range = std::pair(range[0], range[1]);
   }
-  const TestKind of_tables = kind_of_test(word_of("kind", kind, {"drained", "undrained", "oedometer", "simple-shear"}));
+  const TestKind of_tables =
+      kind_of_test(word_of("kind", kind, {"drained", "undrained", "oedometer", "simple-shear"}));
   return to_python(without_gil([&] {
     std::vector<StrengthTest> tests;
     for (const std::string& input : inputs)
       for (const std::string& table : tables_of_tests(input))
-        for (StrengthTest& test : read_strength_tests(table, columns, of_tables)) tests.push_back(std::move(test));
+        for (StrengthTest& test : read_strength_tests(table, columns, of_tables))
+          tests.push_back(std::move(test));
     Json array = Json::array();
     if (tests.empty()) return array;
     for (const StrengthFit& fit : strength_fits(std::move(tests), options)) array.push_back(as_json(fit));
@@ -205,8 +207,9 @@ py::object strength(const std::vector<std::string>& inputs, const ColumnNames& c
 
 py::dict read_table(const std::string& file, const ColumnNames& columns, const py::object& phi_limit) {
   const double limit = phi_limit_of(phi_limit);
-  const PathTable path = without_gil(
-      [&] { return read_path(file, columns, {"P_star", "P"}, OedometerPressure::driven, limit); });
+  const PathTable path = without_gil([&] {
+    return read_path(file, columns, {"P_star", "P"}, OedometerPressure::driven, limit);
+  });
   std::vector<double> pressure, phi;
   std::vector<std::string> branch;
   for (const PathRow& row : path.rows) {
@@ -291,7 +294,8 @@ void bind_fits(py::module_& module) {
              py::arg("branch"), py::arg("phi_limit"));
   module.def("fit_strength", &strength, py::arg("inputs"), py::kw_only(), py::arg("columns"), py::arg("kind"),
              py::arg("critical_from"), py::arg("modulus"));
-  module.def("read_table", &read_table, py::arg("file"), py::kw_only(), py::arg("columns"), py::arg("phi_limit"));
+  module.def("read_table", &read_table, py::arg("file"), py::kw_only(), py::arg("columns"),
+             py::arg("phi_limit"));
   module.def("fit_dynamic_compaction", &dynamic_compaction, py::arg("e"), py::arg("p"), py::arg("sc"),
              py::arg("se"), py::kw_only(), py::arg("p_D"), py::arg("eta_m"), py::arg("plateau"),
              py::arg("p_0"));

@@ -50,8 +50,10 @@ TEST(FitCompression, InADieRowsAboveTheSolidAreReadWhereTheBoundIsLifted) {
   for (const char* lifted : {"--density in-die", "--phi-limit none", "--phi-limit 1.1"}) {
     const Outcome o = run_floc(compression + lifted, ".", table);
     ASSERT_EQ(o.code, 0) << lifted << o.err;
-    const json fits = json::parse(o.out);
-    EXPECT_EQ(fits[0]["rows_used"].back(), 8) << o.out;
+    for (const json& fit : json::parse(o.out))
+      if (fit["law"] == "walker") {  // the law of Heckel is fitted to a part of the rows
+        EXPECT_EQ(fit["rows_used"].back(), 8) << o.out;
+      }
   }
   for (const char* command : {"fit consolidation - --columns P_star=p,phi=D", "fit cycle - --columns P=p,phi=D",
                               "fit elastic - --columns P=p,phi=D",

@@ -17,18 +17,18 @@
 namespace floc {
 namespace {
 
-Eigen::VectorXd logarithms(const std::vector<double>& values) {
+Eigen::VectorXd logarithms_of(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::ArrayXd>(values.data(), static_cast<Eigen::Index>(values.size())).log();
 }
 
-Eigen::MatrixXd columns_of(const Eigen::VectorXd& x) {
+Eigen::MatrixXd line_columns(const Eigen::VectorXd& x) {
   Eigen::MatrixXd columns(x.size(), 2);
   columns << Eigen::VectorXd::Ones(x.size()), x;
   return columns;
 }
 
 /// Returns the reason why points do not give a power law; empty if they may.
-std::string why_not(const char* quantity, const std::vector<double>& x, std::size_t least) {
+std::string why_no_power(const char* quantity, const std::vector<double>& x, std::size_t least) {
   if (x.size() < least)
     return fmt::format("there are {} states, but this law needs at least {}", x.size(), least);
   if (!(x.back() > x.front())) return fmt::format("all states have one {}, {:.4g}", quantity, x.front());
@@ -49,13 +49,13 @@ class FractionProblem {
  public:
   FractionProblem(const std::vector<double>& phi, const std::vector<double>& modulus)
       : phi_(Eigen::Map<const Eigen::VectorXd>(phi.data(), static_cast<Eigen::Index>(phi.size()))),
-        y_(logarithms(modulus)),
+        y_(logarithms_of(modulus)),
         // phi_0 is at least 0, and the first state has to count: its logarithm would outweigh all others.
         low_(std::log(kNearest * (phi.back() - phi.front()))),
         high_(std::log(phi.front())) {}
 
   Eigen::VectorXd x_at(double u) const { return (phi_.array() - phi_[0] + std::exp(u)).log(); }
-  LinearFit line_at(double u) const { return fit_linear(columns_of(x_at(u)), y_); }
+  LinearFit line_at(double u) const { return fit_linear(line_columns(x_at(u)), y_); }
   double squares(double u) const { return line_at(u).sum_of_squares; }
   /// Sum of squares of the best line with the given slope.
   double squares_with_slope(double u, double slope) const {
@@ -141,8 +141,8 @@ struct Profile {
 };
 
 /// Returns the parameters of the law of the solid fraction, whose best line is `line` at the coordinate u.
-std::vector<FittedParameter> parameters_of(const FractionProblem& problem, double u, const LinearFit& line,
-                                           const Profile& profile) {
+std::vector<FittedParameter> parameters_of_fractions(const FractionProblem& problem, double u,
+                                                     const LinearFit& line, const Profile& profile) {
   const auto exponential = [](double c) { return std::exp(c); };
   const double of_exponent = std::log(line.coefficients[1]), intercept = line.coefficients[0];
   // Exponents are searched for from a hundredth to a hundred times the best one, coefficients over forty decades.
@@ -172,10 +172,10 @@ ModulusLaw fit_modulus_of_pressure(const std::vector<double>& P, const std::vect
   assert(P.size() == modulus.size());
   constexpr std::size_t kLeast = 4;
   ModulusLaw law;
-  law.failure_reason = why_not("pressure", P, kLeast);
+  law.failure_reason = why_no_power("pressure", P, kLeast);
   if (!law.found()) return law;
-  const Eigen::VectorXd y = logarithms(modulus);
-  const Eigen::MatrixXd columns = columns_of(logarithms(P));
+  const Eigen::VectorXd y = logarithms_of(modulus);
+  const Eigen::MatrixXd columns = line_columns(logarithms_of(P));
   const LinearFit line = fit_linear(columns, y);
   law.pattern = residual_pattern(columns * line.coefficients - y, projection_on(columns));
   law.rms = std::sqrt(line.sum_of_squares / static_cast<double>(y.size()));
@@ -191,7 +191,7 @@ ModulusLaw fit_modulus_of_fraction(const std::vector<double>& phi, const std::ve
   assert(phi.size() == modulus.size());
   constexpr std::size_t kLeast = 6;
   ModulusLaw law;
-  law.failure_reason = why_not("solid fraction", phi, kLeast);
+  law.failure_reason = why_no_power("solid fraction", phi, kLeast);
   if (!law.found()) return law;
   const FractionProblem problem(phi, modulus);
   const double u = problem.minimum_of([&](double at) { return problem.squares(at); }).first;
@@ -200,7 +200,7 @@ ModulusLaw fit_modulus_of_fraction(const std::vector<double>& phi, const std::ve
     law.failure_reason = "the modulus does not grow with the solid fraction";
     return law;
   }
-  const Eigen::VectorXd residuals = columns_of(problem.x_at(u)) * line.coefficients - problem.y();
+  const Eigen::VectorXd residuals = line_columns(problem.x_at(u)) * line.coefficients - problem.y();
   law.pattern = residual_pattern(residuals, tangent_of(problem, u));
   law.rms = std::sqrt(line.sum_of_squares / static_cast<double>(phi.size()));
   const int dof = line.dof - 1;  // phi_0 is fitted too
@@ -209,7 +209,7 @@ ModulusLaw fit_modulus_of_fraction(const std::vector<double>& phi, const std::ve
   constexpr double kRounding = 1e-20;
   const double growth = t95 * t95 * law.pattern.variance_factor() * line.sum_of_squares / dof;
   const Profile profile{line.sum_of_squares, line.sum_of_squares + std::max(growth, kRounding), t95};
-  law.parameters = parameters_of(problem, u, line, profile);
+  law.parameters = parameters_of_fractions(problem, u, line, profile);
   for (FittedParameter& p : law.parameters) {
     if (p.identified) continue;
     law.warnings.push_back(fmt::format("{} is not identified by these states: its interval is open", p.name));

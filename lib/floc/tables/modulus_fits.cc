@@ -44,7 +44,7 @@ std::vector<std::pair<std::string, UnitColumn>> columns_of_moduli(const NamedCol
   return found;
 }
 
-ModulusColumns columns_of(const NamedColumns& named, const ModulusFitOptions& options) {
+ModulusColumns modulus_columns(const NamedColumns& named, const ModulusFitOptions& options) {
   const std::vector<std::string> densities = density_names();
   const bool has_phi =
       std::any_of(densities.begin(), densities.end(), [&](const auto& name) { return named.has(name); });
@@ -105,7 +105,7 @@ ModulusFit fit_rows(const ModulusColumns& columns, const std::pair<std::string, 
   return fit;
 }
 
-const char* name_of(ModulusAgainst against) {
+const char* word_of(ModulusAgainst against) {
   return against == ModulusAgainst::pressure ? "P" : "phi";
 }
 
@@ -124,7 +124,7 @@ ModulusFits modulus_fits(const std::string& file, const ColumnNames& columns,
     wanted.insert(wanted.end(), names.begin(), names.end());
   const CsvTable table = CsvTable::read(file, wanted_names(wanted, columns));
   const NamedColumns named(table, columns);
-  const ModulusColumns all = columns_of(named, options);
+  const ModulusColumns all = modulus_columns(named, options);
   ModulusFits result;
   for (const auto& [sample, rows] : samples_of(table, file == "-" ? "stdin" : file)) {
     const std::vector<int> chosen = options.branch == "first" ? of_first_loading(all, rows) : rows;
@@ -188,7 +188,7 @@ Table modulus_table(const std::vector<ModulusFit>& fits) {
               {}};
   for (const ModulusFit& fit : fits)
     for (const FittedParameter& p : fit.law.parameters) {
-      std::vector<TableValue> row = {fit.sample, fit.modulus, std::string(name_of(fit.against)), p.name};
+      std::vector<TableValue> row = {fit.sample, fit.modulus, std::string(word_of(fit.against)), p.name};
       for (TableValue& cell : parameter_cells(p)) row.push_back(std::move(cell));
       const bool is_mean = fit.rows.empty();
       for (const TableValue& cell :
@@ -205,7 +205,7 @@ Json as_json(const ModulusFit& fit) {
   Json object;
   object["sample"] = fit.sample;
   object["modulus"] = fit.modulus;
-  object["against"] = name_of(fit.against);
+  object["against"] = word_of(fit.against);
   object["refusal"] = fit.law.found() ? Json(nullptr) : Json(fit.law.failure_reason);
   object["unit"] = fit.unit.empty() ? Json(nullptr) : Json(fit.unit);
   object["rows_used"] = fit.rows;

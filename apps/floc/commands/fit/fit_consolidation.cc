@@ -258,7 +258,9 @@ Command add_fit_consolidation(CommandLine fit) {
   app.add_option("--weights", arguments->fit.weights,
                  "assumed errors of the inverse solid fraction 1/Phi, which determine the weights: uniform "
                  "(equal), relative (proportional to 1/Phi) or scatter (from the scatter between samples) "
-                 "[scatter for a mean of three samples or more, otherwise relative]")
+                 "[scatter for a mean of three samples or more, otherwise relative; with --law auto weights "
+                 "between uniform "
+                 "and relative for a single curve and for the line of regime II]")
       .one_of({"uniform", "relative", "scatter"});
   app.add_option("--loss", arguments->fit.loss,
                  "loss function, which sets the weight of outliers: squared, huber or cauchy [squared]")

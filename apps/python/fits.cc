@@ -163,8 +163,8 @@ py::object elastic(const py::list& samples, const ColumnNames& columns, const st
   }));
 }
 
-py::object moduli(const std::vector<std::string>& files, const ColumnNames& columns, const py::object& moduli,
-                  const py::object& branch, const py::object& phi_limit) {
+py::object fit_moduli(const std::vector<std::string>& files, const ColumnNames& columns,
+                      const py::object& moduli, const py::object& branch, const py::object& phi_limit) {
   ModulusFitOptions options;
   if (!moduli.is_none()) options.moduli = moduli.cast<std::vector<std::string>>();
   options.branch = word_of("branch", branch, {"first", "all"});
@@ -290,7 +290,7 @@ void bind_fits(py::module_& module) {
   module.def("fit_elastic", &elastic, py::arg("samples"), py::kw_only(), py::arg("columns"), py::arg("state"),
              py::arg("phi_limit"));
   module.def("fit_cycle", &cycle, py::arg("samples"), py::kw_only(), py::arg("columns"), py::arg("phi_limit"));
-  module.def("fit_moduli", &moduli, py::arg("files"), py::kw_only(), py::arg("columns"), py::arg("moduli"),
+  module.def("fit_moduli", &fit_moduli, py::arg("files"), py::kw_only(), py::arg("columns"), py::arg("moduli"),
              py::arg("branch"), py::arg("phi_limit"));
   module.def("fit_strength", &strength, py::arg("inputs"), py::kw_only(), py::arg("columns"), py::arg("kind"),
              py::arg("critical_from"), py::arg("modulus"));

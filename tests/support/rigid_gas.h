@@ -42,7 +42,9 @@ Packing<Dim> make_rigid_gas(const RigidGas& gas) {
   // fraction filled by the circumscribed circles or spheres
   constexpr double kSolidFraction = Dim == 2 ? 0.4 : 0.3;
   if (!gas.shape) return make_gas<Dim>(grains, law, kSolidFraction, random);
-  const std::vector<double> diameters = equally_spaced_diameters(grains.diameter, gas.count);
+  // The gas draws its diameters from this stream: the share is that of its own grains.
+  RandomStream copy = random;
+  const std::vector<double> diameters = draw_diameters(grains, copy);
   const double share = share_of_bounding_balls(shaped_grains<Dim>(grains, diameters, gas.seed));
   return make_shaped_gas<Dim>(grains, law, 0.95 * kSolidFraction * share, gas.seed, random,
                               GasKind::equilibrated);

@@ -162,7 +162,7 @@ TEST_F(Imports, HaveTheContactsWithWallsOfColumnsOrOfTheGeometry) {
       HasSubstr("the dump has no column f_v[1]"));
   EXPECT_THAT(
       convert("s.dump", {"--contacts", scratch_.file("c.csv"), "--walls", "y", "--columns", "x-=f_w"}, law).err,
-      HasSubstr("the packing has no wall there: give --walls"));
+      HasSubstr("the packing has no such wall: give --walls"));
 }
 
 TEST_F(Imports, TakeWallsAndGravityFromAScript) {

@@ -178,10 +178,12 @@ TEST(MeasuredTables, ThatLackANumberAreRefusedWithTheOptionThatGivesIt) {
     EXPECT_THAT(o.err, HasSubstr(words)) << table;
   };
   refused("p,density\n1,2\n2,2.1\n",
-          "with --columns particle_density=NUMBER, the column \"density\" (bulk density) would do");
-  refused("p,strain\n1,.01\n2,.02\n", "with --columns initial_void_ratio=NUMBER, the column \"strain\"");
+          "the column \"density\" (bulk density) could be used with --columns particle_density=NUMBER");
+  refused("p,strain\n1,.01\n2,.02\n",
+          "the column \"strain\" (axial strain) could be used with --columns initial_void_ratio=NUMBER");
   refused("p,h\n1,20\n2,19\n",
-          "with --columns initial_void_ratio=NUMBER or solid_height=NUMBER, the column \"h\"");
+          "the column \"h\" (height) could be used with --columns initial_void_ratio=NUMBER or "
+          "solid_height=NUMBER");
   refused("p,density\n1,2\n2,2.8\n",
           "stdin:3: bulk_density = 2.8: expected a density up to the density of the particles",
           {"--columns", "particle_density=2.7"});

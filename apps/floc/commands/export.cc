@@ -95,6 +95,16 @@ std::vector<std::pair<std::string, std::size_t>> given_strengths(const std::vect
   return given;
 }
 
+/// Appends the point, normal, gap and kind of a contact of grains with corners to its row.
+template <int Dim>
+void add_point(const Packing<Dim>& packing, const Contact<Dim>& c, std::vector<TableValue>& row) {
+  const Vec<Dim> point = packing.grains.position[c.i] + c.arm_i;
+  for (int a = 0; a < Dim; ++a) row.emplace_back(point[a]);
+  for (int a = 0; a < Dim; ++a) row.emplace_back(c.normal[a]);
+  row.emplace_back(c.gap);
+  row.emplace_back(contact_type_name(c.type));
+}
+
 /// Returns the table of the contacts. It contains rolling and twisting moments only if the contact law resists rolling
 /// or twisting, or bonds may, because `floc convert` rejects these moments for other contact laws.
 template <int Dim>
@@ -146,12 +156,9 @@ Table contact_table(const State<Dim>& state) {
     if (stiff) row.emplace_back(c.kn), row.emplace_back(c.kt);
     if (rolls) row.emplace_back(c.kr);
     if (holds_liquid(packing)) row.emplace_back(bridge_volume(packing, c));
-    if (!has_points) continue;
-    const Vec<Dim> point = packing.grains.position[c.i] + c.arm_i;
-    for (int a = 0; a < Dim; ++a) row.emplace_back(point[a]);
-    for (int a = 0; a < Dim; ++a) row.emplace_back(c.normal[a]);
-    row.emplace_back(c.gap);
-    row.emplace_back(contact_type_name(c.type));
+    if (has_points) add_point(packing, c, row);
+    if (bonds && Dim == 3) row.emplace_back(c.ktw);
+    for (const auto& [name, k] : given) row.emplace_back(strengths[at][k]);
   }
   return table;
 }

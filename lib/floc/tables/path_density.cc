@@ -146,8 +146,8 @@ class DensityReader {
     const char* needed = name == "axial_strain" ? "initial_void_ratio=NUMBER"
                          : name == "height"     ? "initial_void_ratio=NUMBER or solid_height=NUMBER"
                                                 : "particle_density=NUMBER";
-    return fmt::format("; the column \"{}\" ({}) could be used with --columns {}", needed, header(column),
-                       density.words);
+    return fmt::format("; the column \"{}\" ({}) could be used with --columns {}", header(column),
+                       density.words, needed);
   }
 
   /// Returns the column of void ratios beside a column of solid fractions; the two columns must agree. Nothing if the

@@ -46,10 +46,9 @@ TEST_F(ReportOfSpheres, RefusesDisksAmongThem) {
   write_state(file_of(1), state_at<2>(1));
   const Outcome o = report();
   EXPECT_EQ(o.code, 4);
-  EXPECT_THAT(
-      o.err,
-      HasSubstr("state-0001.h5: this state is not in 3D like run/state-0000.h5: expected the states of one "
-                "run"));
+  EXPECT_THAT(o.err,
+              HasSubstr("state-0001.h5: this state has another dimension than the 3D state run/state-0000.h5: "
+                        "expected the states of one run"));
 }
 
 }  // namespace

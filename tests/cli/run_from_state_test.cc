@@ -102,7 +102,6 @@ TEST_F(RunFromAState, SaysWhichKeyNamesAFileThatIsNoState) {
   const Outcome check = floc("scene check tiled.toml");
   EXPECT_EQ(check.code, 0);
   EXPECT_THAT(check.out, HasSubstr("N,160,number of grains"));
-  EXPECT_EQ(floc("tradeoff tiled.toml").code, 4);
 }
 
 TEST_F(RunFromAState, IsNotContinuedFromAnotherState) {

@@ -316,8 +316,9 @@ TEST(UnitOfReducedPressure, IsThatOfTheFirstRows) {
 )");
   const Outcome o = run_floc("fit consolidation path.csv --law log --format json", scratch.path());
   EXPECT_EQ(o.code, 0) << o.err;
-  EXPECT_THAT(o.err,
-              HasSubstr("row 3: the unit of the reduced pressure P* changes from a stress of 1 to one of 3"));
+  EXPECT_THAT(
+      o.err,
+      HasSubstr("row 3: the unit of the reduced pressure P* changes from a stress of 1 to a stress of 3"));
   const Outcome cycle = run_floc("fit cycle path.csv", scratch.path());
   EXPECT_EQ(cycle.code, 3);
 }

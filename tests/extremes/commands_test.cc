@@ -80,7 +80,7 @@ TEST_P(Command, AnswersInNumbersOrWords) {
       scratch.path());
   if (std::string(GetParam().name) == "grain_on_hundreds_of_its_images") {  // its solid fraction exceeds 1
     EXPECT_EQ(convert.code, 4);
-    EXPECT_THAT(convert.err, HasSubstr("floc: grains.csv: the solid fraction is 81.71, expected at most 1"));
+    EXPECT_THAT(convert.err, HasSubstr("floc: grains.csv: the solid fraction is 81.71: expected at most 1"));
     return;
   }
   ASSERT_EQ(convert.code, 0) << convert.err;

@@ -192,7 +192,7 @@ TEST(StrainOfRigidGrains, NeedsAStressAndAnOpenCell) {
   const RigidEnd<2> end = relaxed_under<2>(load, gas);
   EXPECT_EQ(end.status, RelaxationStatus::gave_up);
   EXPECT_EQ(end.report.ending, "closed");
-  EXPECT_THAT(end.reason, HasSubstr("axis 1 is to be 0.1 long"));
+  EXPECT_THAT(end.reason, HasSubstr("the imposed length of axis 1 is 0.1"));
 }
 
 }  // namespace

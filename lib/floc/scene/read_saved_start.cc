@@ -52,7 +52,7 @@ Vec<3, int> read_copies(TableReader& t, int dimension) {
 template <int Dim>
 std::string refusal_of(const State<Dim>& state, const Scene& scene) {
   if (Dim != scene.dimension)
-    return fmt::format("the state has dimension {}: expected dimension {}, as in the scene", Dim,
+    return fmt::format("the state has dimension {}: expected a state of {}, like the scene", Dim,
                        scene.dimension == 2 ? "disks" : "spheres");
   if (state.units != scene.units)
     return fmt::format("the units of the state are \"{}\": expected the units of the scene, \"{}\"",

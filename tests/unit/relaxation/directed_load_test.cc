@@ -365,7 +365,7 @@ TEST(DirectedLoad, ACellThatWouldCloseIsRefusedAtOnce) {
   EXPECT_THAT(full.blocking, testing::HasSubstr("times that of the cell; impose a smaller strain"));
   EXPECT_EQ(full.n_steps, 0);
   load = driven<2>(start, 0, std::log(start.cell.matrix(0, 0) / 0.3), false);
-  EXPECT_THAT(refused(start, load).blocking, testing::HasSubstr("axis 1 is to be 0.3 long"));
+  EXPECT_THAT(refused(start, load).blocking, testing::HasSubstr("the imposed length of axis 1 is 0.3"));
 }
 
 }  // namespace

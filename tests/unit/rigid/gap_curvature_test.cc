@@ -50,12 +50,17 @@ int compare_with_differences(const Packing<Dim>& packing, RandomStream& random) 
     for (int trial = 0; trial < 3; ++trial) {
       PairMotion<Dim> motion;
       for (double& m : motion) m = kMotion * random.uniform(-1.0, 1.0);
-      const auto ahead = gap_of(moved(packing, c, motion), c),
-                 back = gap_of(moved(packing, c, PairMotion<Dim>(-motion)), c);
-      if (!ahead || !back) continue;
-      const double expected = (*ahead + *back - 2.0 * c.gap) / (kMotion * kMotion);
+      const auto second_difference = [&](double part) -> std::optional<double> {
+        const auto ahead = gap_of(moved(packing, c, PairMotion<Dim>(part * motion)), c),
+                   back = gap_of(moved(packing, c, PairMotion<Dim>(-part * motion)), c);
+        if (!ahead || !back) return std::nullopt;
+        return (*ahead + *back - 2.0 * c.gap) / (part * part * kMotion * kMotion);
+      };
+      const auto expected = second_difference(1.0), half = second_difference(0.5);
+      // Where the closest features change within the motion, the gap has no second derivative.
+      if (!expected || !half || std::abs(*expected - *half) > 5e-3 * curvature.norm()) continue;
       const double found = motion.dot(curvature * motion) / (kMotion * kMotion);
-      EXPECT_NEAR(found, expected, 5e-3 * curvature.norm());
+      EXPECT_NEAR(found, *expected, 5e-3 * curvature.norm());
       ++n;
     }
   }

@@ -229,7 +229,7 @@ TEST(ShapeFiles, AreRefusedWithFileAndLine) {
       HasSubstr("t.csv:1: the first line is not a header: expected the names of the columns x, y and z"));
   EXPECT_THAT(message_of("2.csv", "x,y\n0,0\n1,0,2\n"),
               HasSubstr("2.csv:3: the line has 3 words: expected 2 numbers"));
-  EXPECT_THAT(message_of("2.csv", "x,y\n0,0\n1,0\n0,1\n0,0\n"), HasSubstr("points 1 and 4 are the same"));
+  EXPECT_THAT(message_of("2.csv", "x,y\n0,0\n1,0\n0,1\n0,0\n"), HasSubstr("points 1 and 4 are equal"));
   EXPECT_THAT(message_of("t.shp", "name x\n"),
               HasSubstr("t.shp:1: the line begins with \"name\": expected \"<\""));
   EXPECT_THAT(message_of("t.shp", "<\nnv 2\n0 0 0\n1 0 0\n"),

@@ -290,11 +290,11 @@ TEST(Shape, RefusesBadPointsInWords) {
   EXPECT_THAT(message({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}), HasSubstr("in one plane"));
   EXPECT_THAT(message({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1e-5}}), HasSubstr("as long as it is thick"));
   EXPECT_THAT(message({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1 + 5e-10}, {1, 1, 1}}),
-              HasSubstr("points 4 and 5 are the same"));
+              HasSubstr("points 4 and 5 are equal"));
   EXPECT_THAT(message({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1e-7}}), HasSubstr("nearly in one plane"));
   EXPECT_THAT(message({{0, 0, 0}, {1, 1, 0}, {1, 1, 1e-5}, {1.000003, 1, 0}}), HasSubstr("flat"));
   EXPECT_THAT(message({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}}),
-              HasSubstr("points 2 and 5 are the same"));
+              HasSubstr("points 2 and 5 are equal"));
   EXPECT_THAT(message({{0, 0, 0}, {1, 0, 0}, {0, NAN, 0}, {0, 0, 1}}),
               HasSubstr("point 3: expected coordinates"));
   EXPECT_THAT(message({{0, 0, 4}, {2e8, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}, {0.5, 0.4, 1}}),

@@ -110,7 +110,7 @@ TEST(VerifyRigid, RefusesForcesOutsideTheCone) {
   EXPECT_THAT(where(sliding, "cone"), HasSubstr("tangential force"));
   State<2> pulling = triangular_crystal(-0.7, 0.0);
   EXPECT_THAT(failed(pulling), testing::Contains("cone"));
-  EXPECT_THAT(where(pulling, "cone"), HasSubstr("pull"));
+  EXPECT_THAT(where(pulling, "cone"), HasSubstr("a tensile force that exceeds their adhesion"));
 }
 
 TEST(VerifyRigid, AcceptsPullsUpToTheAdhesion) {

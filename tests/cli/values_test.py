@@ -68,6 +68,7 @@ CYCLE = PATH + "50,50,0.67\n20,20,0.665\n10,10,0.66\n5,5,0.658\n"
 COMPACTED = "e,p,sc,se\n" + "".join(f"{2.0 - 0.1 * k},{0.01 * 2 ** k},{0.002 * (1 + k % 3)},50\n" for k in range(12))
 SHEARED = "sigma1,sigma3,strain,volumetric_strain\n" + "".join(
     f"{100 + min(20 * k, 160)},100,{0.001 * k},{-2e-4 * k}\n" for k in range(30))
+MODULI = "P,phi,B\n" + "".join(f"{10.0 ** k:.6g},{0.7 + 0.03 * k:.6g},{1e3 * 10.0 ** (0.5 * k) + k % 2:.6g}\n" for k in range(6))
 FORCES = "normal_force\n" + "".join(f"{0.1 * k + 0.05}\n" for k in range(30))
 
 # For each command, a call that takes milliseconds: its arguments, by their names in the help, and its options. Each
@@ -91,6 +92,7 @@ CALLS = {
     "fit preconsolidation": ({"TABLE": "path.csv"}, ""),
     "fit elastic": ({"TABLE": "cycle.csv"}, ""),
     "fit cycle": ({"TABLE": "cycle.csv"}, ""),
+    "fit moduli": ({"TABLE": "moduli.csv"}, ""),
     "fit strength": ({"TABLE": "sheared.csv"}, "--critical-from=0.01 --modulus=1,2"),
     "fit dynamic-compaction": ({"TABLE": "compacted.csv"}, ""),
     "fit force-distribution": ({"INPUT": "forces.csv"}, "--form=tails --draws=2"),
@@ -145,7 +147,7 @@ TEXTS = {
     "--load": "stress:{},0,0,0,0,0", "--compare": "in", "--stress": "out", "--forces": "out", "--plot": "out",
     "--map": "out", "--phases": "out", "--cut": "y,{}", "--strength": "grain={}", "--curve": "out", "--cracks": "out",
     "--intensity": "out", "--pair-correlation": "out", "--gaps": "out", "--prediction": "out", "--pores": "out",
-    "--porosity": "out", "--sizes": "out", "--phi-limit": "{}", "--profile": "out", "--displacements": "out", "--contacts": "out", "--state": "in",
+    "--porosity": "out", "--shapes": "out", "--sizes": "out", "--knobs": "words", "--phi-limit": "{}", "--profile": "out", "--displacements": "out", "--contacts": "out", "--state": "in",
     "--to": "words", "--from": "words", "--law": "normal.stiffness={}", "--cell": "{},0;0,3", "--contact-columns": "words",
     "--walls": "x={}:5", "--wall-law": "normal.stiffness={}", "--wall-ids": "{}=x-", "--gravity": "0,{}", ("convert", "--bonds"): "in",
     "--view": "{},20", "--slab": "z,{},0.6", "--grains": "out", "--scene": "in", "--table": "words",
@@ -185,7 +187,7 @@ class Sweep:
         (self.directory / "taken" / "inside").mkdir(parents=True)
         for name, text in {"scene.toml": SCENE, "campaign.toml": CAMPAIGN, "disks.csv": GRAINS, "balls.csv": BALLS,
                            "path.csv": PATH, "cycle.csv": CYCLE, "compacted.csv": COMPACTED, "sheared.csv": SHEARED,
-                           "forces.csv": FORCES, "file": "a file\n"}.items():
+                           "forces.csv": FORCES, "moduli.csv": MODULI, "file": "a file\n"}.items():
             (self.directory / name).write_text(text)
         balls_law = f"--law={LAW}"
         for arguments in (["convert", "disks.csv", "disks.h5", "--columns=radius=r", f"--cell={CELL}", f"--law={LAW}"],

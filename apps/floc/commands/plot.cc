@@ -46,10 +46,9 @@ struct Made {
   std::optional<Plot> plot;
 };
 
-Made consolidation(const PlotArguments& arguments) {
+Made consolidation(const PlotArguments& arguments, double phi_limit) {
   std::vector<PathTable> samples;
   Made made;
-  const double phi_limit = phi_limit_of(arguments.phi_limit);
   made.code = for_each_table(arguments.inputs, [&](const std::string& file) {
     PathTable path = read_path(file, arguments.names, {"P_star"}, OedometerPressure::driven, phi_limit);
     log_notes(path);
@@ -297,6 +296,7 @@ Made fabric(const PlotArguments& arguments) {
 }
 
 Made make(const PlotArguments& arguments) {
+  const double phi_limit = phi_limit_of(arguments.phi_limit);  // a wrong value is refused whatever is shown
   if (arguments.show == "test") return test_of_path(arguments);
   if (arguments.show == "fabric") return fabric(arguments);
   if (arguments.show == "forces") return forces(arguments);
@@ -304,7 +304,7 @@ Made make(const PlotArguments& arguments) {
   if (arguments.show == "scattering") return scattering_of_states(arguments);
   if (arguments.show == "moduli") return moduli(arguments);
   if (arguments.show == "coordination") return coordination_of_path(arguments);
-  return consolidation(arguments);
+  return consolidation(arguments, phi_limit);
 }
 
 int plot(const PlotArguments& arguments) {

@@ -147,7 +147,7 @@ TEXTS = {
     "--load": "stress:{},0,0,0,0,0", "--compare": "in", "--stress": "out", "--forces": "out", "--plot": "out",
     "--map": "out", "--phases": "out", "--cut": "y,{}", "--strength": "grain={}", "--curve": "out", "--cracks": "out",
     "--intensity": "out", "--pair-correlation": "out", "--gaps": "out", "--prediction": "out", "--pores": "out",
-    "--porosity": "out", "--shapes": "out", "--sizes": "out", "--knobs": "words", "--phi-limit": "{}", "--profile": "out", "--displacements": "out", "--contacts": "out", "--state": "in",
+    "--porosity": "out", "--sizes": "out", "--knobs": "words", "--phi-limit": "{}", "--profile": "out", "--displacements": "out", "--contacts": "out", "--state": "in",
     "--to": "words", "--from": "words", "--law": "normal.stiffness={}", "--cell": "{},0;0,3", "--contact-columns": "words",
     "--walls": "x={}:5", "--wall-law": "normal.stiffness={}", "--wall-ids": "{}=x-", "--gravity": "0,{}", ("convert", "--bonds"): "in",
     "--view": "{},20", "--slab": "z,{},0.6", "--grains": "out", "--scene": "in", "--table": "words",
@@ -157,6 +157,8 @@ TEXTS = {
     ("campaign new", "--scene"): "words", ("campaign collect", "--table"): "words",
     ("campaign run", "--set"): "equilibrium.force={}",
     "--prices": "in", "--budget": "{}s", "--want": "phi={}", "--observables": "words", "--check": "dir",
+    ("fit moduli", "--moduli"): "words",
+    ("export", "--shapes"): "words",  # refused first: disks have no vertices
     ("tradeoff", "--plot"): "words",  # it is written after a study of minutes
 }
 # Paths inside input files, with a command that reads the file.

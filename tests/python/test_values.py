@@ -47,6 +47,7 @@ class Values(unittest.TestCase):
                      "sc": [0.002 * (1 + k % 3) for k in range(12)], "se": [50.0] * 12}
         curve = {"pressure": PRESSURES, "solid_fraction": PHI}
         unloaded = {"pressure": PRESSURES + [50.0, 20.0, 10.0, 5.0], "solid_fraction": PHI + [0.67, 0.665, 0.66, 0.658]}
+        tables = self.tables()
         return {
             "moduli": (floc.moduli, {"state": disks, "force": True}),
             "network": (floc.network, {"state": disks, "groups": ["bonds", "phases"], "tables": everything}),
@@ -54,6 +55,8 @@ class Values(unittest.TestCase):
             "forces": (floc.forces, {"state": disks, "tables": ["contacts"]}),
             "compare": (floc.compare, {"before": disks, "after": disks}),
             "chain": (floc.chain, {"n": 3, "R": 0.5, "kn": 1.0, "kt": 1.0, "kr": 1.0}),
+            "plan": (floc.plan, {"scene": samples.SOURCE / "data/scenes/demo.toml", "budget": "2h"}),
+            "check_plan": (floc.check_plan, {"directory": samples.run("powder").directory}),
             "run": (self.run_scene, {"scene": samples.scene_file("powder")}),
             "read": (floc.read, {"path": samples.last_state("powder")}),
             "columns": (floc.columns, {"table": "moduli"}),
@@ -66,11 +69,26 @@ class Values(unittest.TestCase):
             "fit.preconsolidation": (floc.fit.preconsolidation, curve),
             "fit.elastic": (floc.fit.elastic, unloaded),
             "fit.cycle": (floc.fit.cycle, unloaded),
+            "fit.read_table": (floc.fit.read_table, {"table": tables["path"]}),
+            "fit.moduli": (floc.fit.moduli, {"tables": tables["moduli"]}),
+            "fit.strength": (floc.fit.strength, {"tables": tables["test"]}),
             "fit.dynamic_compaction": (floc.fit.dynamic_compaction, compacted),
             "fit.force_distribution": (floc.fit.force_distribution,
                                        {"forces": [0.1 * k + 0.05 for k in range(30)], "form": "tails", "draws": 2}),
             "plot.forces": (self.plot_forces, {"state": disks}),
         }
+
+    @staticmethod
+    def tables():
+        """Writes a load path, moduli and a test of strength, and returns the files."""
+        texts = {"path": "P_star,phi\n" + "".join(f"{p},{phi}\n" for p, phi in zip(PRESSURES, PHI)),
+                 "moduli": "P,phi,B\n" + "".join(f"{10.0**k},{0.7 + 0.03 * k},{10.0**(3 + 0.5 * k) + k % 2}\n" for k in range(6)),
+                 "test": "sigma1,sigma3,strain,volumetric_strain\n" + "".join(
+                     f"{100 + min(20 * k, 160)},100,{0.001 * k},{-2e-4 * k}\n" for k in range(30))}
+        files = {name: samples.directory() / f"{name}.csv" for name in texts}
+        for name, text in texts.items():
+            files[name].write_text(text)
+        return files
 
     @staticmethod
     def run_scene(**arguments):

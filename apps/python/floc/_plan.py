@@ -1,7 +1,9 @@
 """Plans for a budget or for wanted errors."""
+import collections.abc
 import os
 
 from . import _core
+from ._errors import InputError
 from ._records import Record, Records, records, with_columns
 from ._run import changes_of
 from ._state import number
@@ -66,8 +68,9 @@ def plan(scene, *, budget=None, want=None, cores=1, observables=(), changes=None
     -----
     docs/accuracy.md, "A plan for a budget".
     """
+    if want is not None and not isinstance(want, collections.abc.Mapping):
+        raise InputError(f"want = {want!r}: expected a dictionary of relative errors, such as {{'phi': 0.003}}")
     if observables and want:
-        from ._errors import InputError
         raise InputError("observables: this argument cannot be combined with want: expected only one of them")
     table, remarks = _core.plan(
         os.fspath(scene), changes=changes_of(changes), prices="" if prices is None else os.fspath(prices),

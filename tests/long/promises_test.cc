@@ -109,7 +109,7 @@ TEST_P(OfPlans, AreKeptInErrorAndInCost) {
   const Scene scene = scene_of(GetParam().held);
   const ScenePrices prices = prices_of(scene, "");
   ASSERT_TRUE(prices.table) << prices.problem;
-  PriceModel model(scene, prices.table, run_pilot(scene, 600.0));
+  PriceModel model(scene, prices.table, run_pilot(scene, GetParam().budget));
   for (const test::PlanOutcome& outcome :
        test::outcome_of_plan(scene, model, GetParam().budget, studied_settings(scene)[0])) {
     std::printf("%s, budget %g s, %s: promised %.2g, achieved %.2g; cost promised %.3g s, actual %.3g s\n",

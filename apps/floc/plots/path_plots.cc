@@ -100,7 +100,7 @@ void add_elastic_line(const PathTable& path, const Loading& branch, std::vector<
 /// regime that is too narrow for its own label is named in the label of its neighbour, so that labels do not overlap.
 std::vector<std::pair<double, std::string>> regime_labels(
     double low, const std::vector<std::pair<double, const char*>>& regimes) {
-  constexpr double kNarrowest = 0.08;  // width of the label "III", as a fraction of the axis
+  constexpr double kNarrowest = 0.1;  // width of the label "III", as a fraction of the axis
   const double axis = std::log(regimes.back().first / low);
   std::vector<std::pair<double, std::string>> labels;
   double start = low, label_start = low;
@@ -218,10 +218,10 @@ Plot consolidation_plot(const std::vector<PathTable>& samples, const FittedConso
   const std::string curves = plot_command(
       plot,
       {{0, fmt::format("using 1:2 with lines linecolor rgb '#bdbdbd' {}", one ? "notitle" : "title 'samples'")},
-       {2, "using 1:2 with points pointtype 6 pointsize 0.7 linecolor rgb '#0072b2' title 'unloading'"},
+       {2, "using 1:2 with points pointtype 6 pointsize 0.9 linecolor rgb '#0072b2' title 'unloading'"},
        {3, "using 1:2 with lines dashtype 2 linecolor rgb '#009e73' title 'elastic, dΦ/Φ = dP/B'"},
        {4, "using 1:2 with lines linewidth 2 linecolor rgb '#d55e00' title 'law'"},
-       {1, fmt::format("using 1:2:3 with yerrorbars pointtype 7 pointsize 0.6 linecolor rgb '#202020' title {}",
+       {1, fmt::format("using 1:2:3 with yerrorbars pointtype 7 pointsize 0.9 linecolor rgb '#202020' title {}",
                        one ? "'loading'" : fmt::format("'mean of {} samples'", samples.size()))}});
   plot.script = fmt::format(
       R"(set logscale x
@@ -277,16 +277,18 @@ set ylabel 'coordination number'
 set yrange [0:*]
 set key outside top center horizontal maxrows 2
 array color[4] = ['#202020', '#0072b2', '#d55e00', '#8a8a8a']
+array marker[4] = [7, 9, 11, 5]
 array name[4] = ['z', 'z_+  compression', 'z_−  tension', 'z_0  zero']
 )" +
-                plot_command(plot, {{0,
-                                     "using 1:k+1 with linespoints pointtype 7 pointsize 0.6 linecolor rgb "
-                                     "color[k] title name[k]",
-                                     "for [k=1:4]"},
-                                    {1,
-                                     "using 1:k+1 with linespoints pointtype 6 pointsize 0.6 dashtype 2 "
-                                     "linecolor rgb color[k] title k == 1 ? 'unloading: open' : ''",
-                                     "for [k=1:4]"}});
+                plot_command(plot,
+                             {{0,
+                               "using 1:k+1 with linespoints pointtype marker[k] pointsize 0.9 linecolor "
+                               "rgb color[k] title name[k]",
+                               "for [k=1:4]"},
+                              {1,
+                               "using 1:k+1 with linespoints pointtype marker[k]-1 pointsize 0.9 dashtype 2 "
+                               "linecolor rgb color[k] title k == 1 ? 'unloading: open' : ''",
+                               "for [k=1:4]"}});
   return plot;
 }
 
@@ -329,13 +331,13 @@ Plot moduli_plot(const std::vector<ModuliPoint>& points, const std::string& unit
        {0, "using 1:5 with lines linecolor rgb '#9cc3de' notitle"},
        {0, "using 1:6 with lines linecolor rgb '#9cc3de' notitle"},
        {0, "using 1:7 with lines dashtype 3 linecolor rgb '#d55e00' title 'Voigt bound of G'"},
-       {0, "using 1:2 with linespoints pointtype 7 pointsize 0.6 linecolor rgb '#0072b2' title 'B'"},
-       {0, "using 1:4 with linespoints pointtype 5 pointsize 0.6 linecolor rgb '#d55e00' title 'G'"},
+       {0, "using 1:2 with linespoints pointtype 7 pointsize 0.9 linecolor rgb '#0072b2' title 'B'"},
+       {0, "using 1:4 with linespoints pointtype 5 pointsize 0.9 linecolor rgb '#d55e00' title 'G'"},
        {1,
-        "using 1:2 with linespoints pointtype 6 pointsize 0.6 dashtype 2 linecolor rgb '#0072b2' title 'B, "
+        "using 1:2 with linespoints pointtype 6 pointsize 0.9 dashtype 2 linecolor rgb '#0072b2' title 'B, "
         "unloading'"},
        {1,
-        "using 1:4 with linespoints pointtype 4 pointsize 0.6 dashtype 2 linecolor rgb '#d55e00' title 'G, "
+        "using 1:4 with linespoints pointtype 4 pointsize 0.9 dashtype 2 linecolor rgb '#d55e00' title 'G, "
         "unloading'"}});
   plot.script =
       fmt::format(R"(set logscale xy

@@ -24,9 +24,11 @@
 namespace floc {
 namespace {
 
-/// Colours of the samples, which are easy to distinguish. The seventh sample has the first colour again.
+/// Colours and markers of the samples, which are easy to distinguish, the markers in grey print too. The seventh sample
+/// has the first colour and marker again.
 constexpr const char* kColors =
-    "array color[6] = ['#0072b2', '#d55e00', '#00b377', '#202020', '#cc79a7', '#e69f00']\n";
+    "array color[6] = ['#0072b2', '#d55e00', '#00b377', '#202020', '#cc79a7', '#e69f00']\n"
+    "array marker[6] = [7, 8, 4, 12, 10, 2]\n";
 constexpr int kDrawsForNoPValue = 1;
 
 /// Returns a width of the bins of a histogram, chosen so that about twenty bins hold nine tenths of the forces.
@@ -193,8 +195,8 @@ Plot density_plot(std::vector<DensityCurve> densities, const DensityWords& words
         plot.add(fmt::format("{}: {} density low high count", d.name, words.value), std::move(d.rows)));
     curves.push_back(
         {all.back(),
-         fmt::format("using 1:2:3:4 with yerrorbars pointtype 7 pointsize 0.5 linecolor rgb "
-                     "color[{}] title {}",
+         fmt::format("using 1:2:3:4 with yerrorbars pointtype marker[{0}] pointsize 0.8 linecolor rgb "
+                     "color[{0}] title {1}",
                      color, gnuplot_quoted(name_in_legend(d.name, d.values, words.values, shown)))});
     const int lines =
         plot.add(fmt::format("{}: {}: {} density", d.name, words.fits, words.value), std::move(d.fits));
@@ -326,8 +328,8 @@ Plot scattering_plot(const std::vector<ScatteringSample>& samples) {
     all.push_back(points);
     const std::size_t color = s % 6 + 1;
     curves.push_back(
-        {points, fmt::format("using 1:2:3 with yerrorbars pointtype 7 pointsize 0.5 linecolor rgb color[{}] "
-                             "title {}",
+        {points, fmt::format("using 1:2:3 with yerrorbars pointtype marker[{0}] pointsize 0.8 linecolor rgb "
+                             "color[{0}] title {1}",
                              color,
                              gnuplot_quoted(sample.name +
                                             (sample.parameters.empty() ? "" : ":  " + sample.parameters)))});

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 
 #include "floc/base/error.h"
+#include "floc/picture/drawn_scale.h"
 #include "floc/structure/axial_test.h"
 
 namespace floc {
@@ -54,16 +56,22 @@ AxialTest test_at(const CsvTable& path, const TestColumns& columns, int row, int
   return measure_axial_test<Dim>(axis, stress, strain, nullptr);
 }
 
-constexpr const char* kTestPanel =
-    R"(set xlabel 'axial strain (in simple shear: shear strain) since the start of the test'
-set ylabel 'q/p (in simple shear: tau/sigma)'
+/// Returns the gnuplot commands for the panel with the stress ratio and the volumetric strain against the strain.
+/// @param any_axial, any_sheared  whether a test with a driven axis and a simple shear test are drawn
+std::string test_panel(bool any_axial, bool any_sheared) {
+  const char* strain = !any_sheared ? "axial strain" : !any_axial ? "shear strain" : "axial or shear strain";
+  const char* ratio = !any_sheared ? "q/p" : !any_axial ? "τ/σ" : "q/p or τ/σ";
+  return fmt::format(R"(set xlabel '{0} since the start of the test'
+set ylabel '{1}'
 set ytics nomirror
-set y2label 'volumetric strain (compression positive)'
+set y2label 'volumetric strain'
 set y2tics
 set key outside top center horizontal
-plot data index 0 using 1:2 with linespoints pointtype 7 pointsize 0.4 linecolor rgb '#d55e00' title 'q/p', \
-     data index 0 using 1:3 axes x1y2 with lines linewidth 2 linecolor rgb '#0072b2' title 'volumetric strain'
-)";
+plot data index 0 using 1:2 with linespoints pointtype 7 pointsize 0.7 linecolor rgb '#d55e00' title '{1}', \
+     data index 0 using 1:3 axes x1y2 with lines linewidth 2 dashtype 2 linecolor rgb '#0072b2' title 'volumetric strain (compression positive)'
+)",
+                     strain, ratio);
+}
 
 /// gnuplot commands for the panel that shows the lateral stress ratio K0 against the driven stress. For simple shear
 /// there is no such panel, because no axis is driven by a stress.
@@ -74,8 +82,16 @@ set xlabel 'driven stress'
 set ylabel 'K_0 = lateral/driven stress'
 unset key
 set format x '%g'
-plot data index 1 using 1:2 with linespoints pointtype 7 pointsize 0.5 linecolor rgb '#202020'
+plot data index 1 using 1:2 with linespoints pointtype 7 pointsize 0.7 linecolor rgb '#202020'
 )";
+
+/// Returns the gnuplot command that marks about four round values on the axis of the driven stress.
+std::string driven_stress_tics(const Plot& plot) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const std::vector<double>& row : plot.blocks[1].rows)
+    if (std::isfinite(row[0])) low = std::min(low, row[0]), high = std::max(high, row[0]);
+  return low < high ? fmt::format("set xtics {}\n", 2.0 * round_number_below((high - low) / 8.0)) : "";
+}
 
 }  // namespace
 
@@ -101,6 +117,7 @@ Plot axial_test_plot(const CsvTable& path) {
     test.push_back({strain, measured.deviator / measured.mean_stress, measured.volumetric_strain});
     lateral.push_back({path.number(row, columns.stress[axis]), measured.lateral_ratio});
   };
+  bool any_sheared = false;
   int first = 0;  // row in which the present test starts
   for (int i = 1; i < path.n_rows(); ++i) {
     const int axis = axis_of(i);
@@ -114,7 +131,7 @@ Plot axial_test_plot(const CsvTable& path) {
       if (!is_sheared(i)) add(first, axis, first);
     }
     if (is_sheared(i))
-      test.push_back(sheared_row(path, columns, i, first, axis));
+      any_sheared = true, test.push_back(sheared_row(path, columns, i, first, axis));
     else
       add(i, axis, first);
   }
@@ -122,13 +139,13 @@ Plot axial_test_plot(const CsvTable& path) {
   const bool any_lateral = std::any_of(lateral.begin(), lateral.end(),
                                        [](const std::vector<double>& row) { return std::isfinite(row[0]); });
   Plot plot;
-  plot.width = any_lateral ? 1000 : 560;
-  plot.height = 420;
+  if (any_lateral) plot.height *= 2;
   plot.add("test: axial_strain q/p volumetric_strain", std::move(test));
   plot.add("lateral: driven_stress K0", std::move(lateral));
-  plot.script = any_lateral
-                    ? fmt::format("set multiplot layout 1,2\n{}{}unset multiplot\n", kTestPanel, kLateralPanel)
-                    : std::string(kTestPanel);
+  const std::string panel = test_panel(any_lateral, any_sheared);
+  plot.script = any_lateral ? fmt::format("set multiplot layout 2,1\n{}{}{}unset multiplot\n", panel,
+                                          driven_stress_tics(plot), kLateralPanel)
+                            : panel;
   return plot;
 }
 
@@ -147,11 +164,11 @@ Plot fabric_plot(const std::vector<std::pair<std::string, ContactDirections>>& s
     if (!rows.empty()) rows.push_back(rows.front());
     plot.add("direction all strong, " + states[k].first, std::move(rows));
     drawn += fmt::format(
-        "{}data index {} using 1:2 with lines linewidth 2 linetype {} title {}, data index {} using 1:3 with "
+        "{}data index {} using 1:2 with lines linewidth 2.5 linetype {} title {}, data index {} using 1:3 with "
         "lines dashtype 2 linetype {} notitle",
         k == 0 ? "" : ", ", k, k + 1, gnuplot_quoted(states[k].first), k, k + 1);
   }
-  plot.width = plot.height = 560;
+  plot.height = plot.width;
   plot.script = fmt::format(R"(set polar
 set angles degrees
 set size square
@@ -161,7 +178,7 @@ unset xtics
 unset ytics
 set rtics format '%.2f'
 set key outside bottom center horizontal
-set title 'directions of contacts (density; dashed: strong contacts; isotropic: {:.3f})'
+set title 'directions of contacts (density; dashed: strong contacts; isotropic: {:.3f})' font ',15'
 plot {}
 )",
                             1.0 / std::numbers::pi, drawn);

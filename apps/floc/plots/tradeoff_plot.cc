@@ -98,8 +98,8 @@ void plot_tradeoff(const std::string& file, const Tradeoff& tradeoff) {
   const Panels panels = panels_of(tradeoff);
   const std::vector<ParameterCurve> curves = curves_of(tradeoff, panels.second);
   Plot plot = blocks_of(curves, panels);
-  plot.width = 960;
-  plot.script = fmt::format(R"(set multiplot layout 1,2
+  plot.height *= 2;
+  plot.script = fmt::format(R"(set multiplot layout 2,1
 set logscale xy
 set format y '%.0e'
 set yrange [{0}/2:*]
@@ -109,8 +109,7 @@ set title '{4}' noenhanced
 set key off
 {1}
 set title '{3}' noenhanced
-unset ylabel
-set key bottom right samplen 1.5 font ',10' noenhanced
+set key bottom right samplen 1.5 font ',14' noenhanced
 {2}
 unset multiplot
 )",

@@ -44,13 +44,44 @@ BUDGET = {"disks-cohesive": 3.0}
 # Matrix content of the kinds of cemented grains, whose lattices are studied.
 MATRIX = {"disks-cemented": 0.1, "spheres-cemented": 0.2}
 
+# Values of columns that tables of earlier versions do not have.
+UNSTUDIED = {"softening": "1", "assembly_softening": "1"}
 
-def make(kind, floc, budget, samples, folder):
-    """Runs the study of one kind and writes its table. Returns a line about it, and whether it succeeded."""
+
+def append(table, text):
+    """Appends the rows of a later study of some parameters, its CSV text, to a table of the same samples.
+
+    Processor times become those of the machine that made the table: the strict settings take as long as in the table. Rows of the same
+    parameters that the table has already are replaced.
+    """
+    with open(table, newline="") as file:
+        old = list(csv.DictReader(file))
+    new = list(csv.DictReader(text.splitlines()))
+    strict_of = [next(row for row in rows if row["knob"] == "strict") for rows in (old, new)]
+    if strict_of[0]["sample_scatter"] != strict_of[1]["sample_scatter"]:
+        sys.exit(f"{table}: the samples of the strict settings are not those of the new study")
+    added = [row for row in new if row["knob"] not in {"strict", "scene", "samples"}]
+    for row in added:
+        for column in ("core_seconds", "moduli_seconds"):
+            if row[column]:
+                row[column] = repr(float(row[column]) * float(strict_of[0][column]) / float(strict_of[1][column]))
+    studied = {row["knob"] for row in added}
+    columns = list(new[0]) if new else list(old[0])
+    kept = [{column: row.get(column) or UNSTUDIED.get(column, "") for column in columns} for row in old if row["knob"] not in studied]
+    with open(table, "w", newline="") as out:
+        writer = csv.DictWriter(out, columns, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(kept + added)
+
+
+def make(kind, floc, budget, samples, folder, knobs=None):
+    """Runs the study of one kind and writes its table, or appends some parameters to it. Returns a line about it, and whether it succeeded."""
     scene, changes = STUDIES[kind]
     command = [floc, "tradeoff", os.path.join(SCENES, scene + ".toml")]
     for change in changes:
         command += ["--set", change]
+    if knobs:
+        command += ["--knobs", knobs]
     if kind in MATRIX:
         command += ["--lattice", str(MATRIX[kind])]
     command += ["--budget", str(BUDGET.get(kind, 1.0) * budget), "--samples", str(samples), "--format", "csv"]
@@ -63,8 +94,11 @@ def make(kind, floc, budget, samples, folder):
     code = os.waitstatus_to_exitcode(status)
     if code != 0:
         return f"{kind}: exit code {code} after {seconds:.0f} s of processor time; its messages are in {log}", False
-    with open(table, "wb") as out:
-        out.write(text)
+    if knobs:
+        append(table, text.decode())
+    else:
+        with open(table, "wb") as out:
+            out.write(text)
     rows = list(csv.DictReader(text.decode().splitlines()))
     strict = next(row for row in rows if row["knob"] == "strict")
     return (f"{kind}: {seconds:.0f} s of processor time, {strict['n_samples']} samples of {strict['n_grains']} grains "
@@ -75,6 +109,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--floc", default="floc", help="program [floc]")
     parser.add_argument("--only", action="append", choices=sorted(STUDIES), metavar="KIND", help="kind to make [all]")
+    parser.add_argument("--knobs", help="parameters to append to the tables that there are: softening,... [new tables of all parameters]")
     parser.add_argument("--jobs", type=int, default=1, help="studies at a time, each on one core [1]")
     parser.add_argument("--budget", type=float, default=400.0, help="processor time of a study (s) [400]")
     parser.add_argument("--samples", type=int, default=8, help="largest number of samples of a study [8]")
@@ -84,15 +119,16 @@ def main():
     succeeded = True
     lines = []
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        studies = [pool.submit(make, kind, options.floc, options.budget, options.samples, options.output)
+        studies = [pool.submit(make, kind, options.floc, options.budget, options.samples, options.output, options.knobs)
                    for kind in options.only or STUDIES]
         for study in concurrent.futures.as_completed(studies):
             line, whole = study.result()
             print(line, flush=True)
             lines.append(line + "\n")
             succeeded = succeeded and whole
-    with open(os.path.join(options.output, "times.txt"), "w", encoding="utf-8") as times:
-        times.writelines(sorted(lines))
+    if not options.knobs:
+        with open(os.path.join(options.output, "times.txt"), "w", encoding="utf-8") as times:
+            times.writelines(sorted(lines))
     sys.exit(0 if succeeded else 1)
 
 

@@ -22,6 +22,12 @@ constexpr int kSamples = 6, kSmallSamples = 3;
 constexpr int kDisks = 200, kSpheres = 150;
 /// Limits of the exponent of the processor time. A few small samples determine it only roughly.
 constexpr double kLeastExponent = 1.1, kLargestExponent = 1.5;
+/// Limits of the exponent that one sample with many more grains determines.
+constexpr double kLeastFarExponent = 0.8, kLargestFarExponent = 2.0;
+/// The processor time of this sample is expected to be this share of the time that the pilot has left.
+constexpr double kShareOfManyGrains = 0.5;
+/// Limits of its number of grains, divided by the number of grains of the other samples.
+constexpr double kLeastGrowth = 2.0, kLargestGrowth = 20.0;
 
 std::vector<SamplePath> samples(const Scene& scene, int n_grains, int n_samples, const Deadline& deadline,
                                 double limit) {
@@ -43,6 +49,30 @@ std::vector<SamplePath> samples(const Scene& scene, int n_grains, int n_samples,
     paths.push_back(std::move(path));
   }
   return paths;
+}
+
+/// Returns the exponent of the processor time between two numbers of grains.
+double exponent_between(double seconds, double more_seconds, double ratio_of_grains) {
+  return std::log(more_seconds / seconds) / std::log(ratio_of_grains);
+}
+
+/// Runs one sample with as many grains as the rest of the time allows, and replaces the exponent of the processor time:
+/// many equilibria are found more slowly in large packings, which small samples do not show. Nothing changes if the
+/// time suffices for a few grains only, or if the sample does not end.
+void measure_many_grains(const Scene& scene, const Deadline& deadline, PilotResult& result) {
+  const double seconds = kShareOfManyGrains * deadline.left();
+  if (!(seconds > result.core_seconds)) return;
+  const double growth =
+      std::min(std::pow(seconds / result.core_seconds, 1.0 / result.cost_exponent), kLargestGrowth);
+  if (growth < kLeastGrowth) return;
+  StudiedSetting setting = studied_settings(scene)[1];
+  setting.n_grains = static_cast<int>(result.n_grains * growth);
+  const SamplePath path = make_sample(run_options(scene, setting, scene.seed), {}, nullptr, deadline);
+  if (!path.whole()) return;
+  result.largest_grains = setting.n_grains;
+  result.cost_exponent = std::clamp(exponent_between(result.core_seconds, path.core_seconds,
+                                                     static_cast<double>(setting.n_grains) / result.n_grains),
+                                    kLeastFarExponent, kLargestFarExponent);
 }
 
 double mean_seconds(const std::vector<SamplePath>& paths) {
@@ -78,13 +108,18 @@ PilotResult run_pilot(const Scene& scene, double limit) {
       is_listed ? scene.grains.count : std::min(scene.grains.count, scene.dimension == 2 ? kDisks : kSpheres);
   const Deadline deadline(limit);
   const std::vector<SamplePath> large = samples(scene, n_large, kSamples, deadline, limit);
-  PilotResult result{n_large, kSamples, mean_seconds(large), 0.5 * (kLeastExponent + kLargestExponent),
-                     scatter_between(scene, large)};
+  PilotResult result{n_large,
+                     kSamples,
+                     mean_seconds(large),
+                     0.5 * (kLeastExponent + kLargestExponent),
+                     scatter_between(scene, large),
+                     n_large};
   if (!is_listed && n_large >= 4) {
     const std::vector<SamplePath> small = samples(scene, n_large / 2, kSmallSamples, deadline, limit);
     const double ratio = static_cast<double>(n_large) / (n_large / 2);
-    result.cost_exponent = std::clamp(std::log(result.core_seconds / mean_seconds(small)) / std::log(ratio),
+    result.cost_exponent = std::clamp(exponent_between(mean_seconds(small), result.core_seconds, ratio),
                                       kLeastExponent, kLargestExponent);
+    measure_many_grains(scene, deadline, result);
   }
   return result;
 }

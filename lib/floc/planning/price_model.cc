@@ -188,6 +188,7 @@ void PriceModel::take_pilot(const PilotResult& pilot) {
     most_grains_ = n_grains_ * kExtrapolationOfPilot;
     cost_exponent_ = pilot.cost_exponent;
   } else {
+    if (pilot.largest_grains > n_grains_) cost_exponent_ = pilot.cost_exponent;
     cost_factor_ *= pilot.core_seconds / core_seconds(settings_of_scene(), pilot.n_grains);
   }
   for (const ObservablePrice& measured : pilot.observables) {

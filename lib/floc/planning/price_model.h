@@ -39,12 +39,13 @@ struct PilotResult {
   double core_seconds;   ///< processor time of a sample (s)
   double cost_exponent;  ///< exponent p of the processor time, which is proportional to N^p
   std::vector<ObservablePrice> observables;
+  int largest_grains = 0;  ///< number of grains of the largest sample that determines the exponent
 };
 
 /// Model of the cost and the errors of runs of a scene, as functions of the number of grains, the number of samples and
 /// the settings. It extrapolates from a table of prices, from a pilot, or from both. If both are given, the processor
-/// time is that of the pilot, the table determines how it depends on size and settings, and the scatters of the two are
-/// pooled.
+/// time is that of the pilot, the table determines how it depends on the settings, the one with the larger samples
+/// determines how it depends on the number of grains, and the scatters of the two are pooled.
 ///
 /// 1. The processor time of a sample of N grains is proportional to N^p (1 - b + b n/n0) for a run with n equilibria,
 /// where n0 is the number of equilibria in the table and b the fraction of the time that is proportional to this

@@ -9,6 +9,7 @@
 
 #include "floc/base/error.h"
 #include "floc/fitting/student_t.h"
+#include "floc/planning/pilot.h"
 #include "floc/planning/plan_file.h"
 #include "floc/scene/read_scene.h"
 #include "floc/scene/scene_softening.h"
@@ -289,6 +290,28 @@ TEST(PriceModelOfAScene, TakesCostAndScatterFromAPilotAndSettingsFromTheTable) {
               student_t_95(27) * std::sqrt((19 * 0.04 * 0.04 / 2.0 + 8 * 0.02 * 0.02) / 27.0), 1e-12);
   EXPECT_GT(both.error(both.observable("phi", ""), both.settings_of_scene(), 50, 1).settings, 0.0);
   EXPECT_EQ(alone.error(alone.observable("phi", ""), alone.settings_of_scene(), 50, 1).settings, 0.0);
+}
+
+TEST(PriceModelOfAScene, TakesTheExponentFromWhicheverHasTheLargerSamples) {
+  const Scene here = scene_of_ten_states();
+  PilotResult pilot{50, 20, 3.0, 1.5, {}};
+  for (const auto& [largest_grains, seconds] : {std::pair{99, 12.0}, {100, 12.0}, {101, 24.0}}) {
+    pilot.largest_grains = largest_grains;
+    const PriceModel model(here, prices(), pilot);
+    EXPECT_NEAR(model.core_seconds(model.settings_of_scene(), 50), 3.0, 1e-9);
+    EXPECT_NEAR(model.core_seconds(model.settings_of_scene(), 200), seconds, 1e-9)
+        << largest_grains << " grains in the pilot, 100 in the table";
+  }
+}
+
+TEST(Pilot, MeasuresTheExponentOnAsManyGrainsAsItsTimeAllows) {
+  const Scene here = scene({"grains.count=20", "load=[]"});
+  const PilotResult pilot = run_pilot(here, 60.0);
+  EXPECT_EQ(pilot.n_grains, 20);
+  EXPECT_GE(pilot.largest_grains, 40);
+  EXPECT_LE(pilot.largest_grains, 400);
+  EXPECT_GE(pilot.cost_exponent, 0.8);
+  EXPECT_LE(pilot.cost_exponent, 2.0);
 }
 
 }  // namespace

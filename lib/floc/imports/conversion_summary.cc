@@ -13,8 +13,9 @@
 namespace floc {
 namespace {
 
-/// Differences between a listed normal force and the normal force of the law are reported if they are larger than this
-/// fraction of the mean normal force. Programs print six digits or more, so smaller differences can be rounding errors.
+/// A difference between a listed normal force and the normal force of the law is reported if it is larger than this
+/// fraction of the mean normal force. Smaller differences can be rounding errors, because programs print forces with as
+/// few as six digits.
 constexpr double kForceTolerance = 1e-6;
 
 void add_list(const ListedContactCounts& listed, int n_kept, ConversionSummary& summary) {
@@ -43,8 +44,8 @@ void add_list(const ListedContactCounts& listed, int n_kept, ConversionSummary& 
         listed.n_other_image, listed.n_read));
 }
 
-/// Reports listed stiffnesses that differ from the stiffnesses of the law. The difference is not an inconsistency if
-/// the stiffnesses of the law were computed as the means of the listed stiffnesses.
+/// Reports listed stiffnesses that differ from the stiffnesses of the law. If the stiffnesses of the law were computed
+/// as the means of the listed ones, the difference is reported as information, else as an inconsistency.
 void add_stiffnesses(const Imported& imported, ConversionSummary& summary) {
   std::vector<std::string>& said = imported.law_of_contacts ? summary.lines : summary.inconsistencies;
   for (const std::string& difference : imported.listed_contacts.stiffness_differences)
@@ -80,13 +81,13 @@ void add_contacts(const ContactCheck& check, bool cohesive, ConversionSummary& s
         fmt::format("{} pairs of grains touch but are not listed (grains {})", check.n_missing, check.missing));
 }
 
-/// Reports that a packing has no contacts. The usual cause is a wrong length (radius or cell), so the message names a
-/// likely wrong length.
+/// Reports that a packing has no contacts. The usual cause is a wrong radius or a wrong edge of the cell, so the
+/// message names the length that is likely to be wrong.
 template <int Dim>
 void add_absence_of_contacts(const Packing<Dim>& packing, ConversionSummary& summary) {
   if (!packing.contacts.empty()) return;
   const std::optional<NearestPair> nearest = nearest_pair(packing);
-  if (nearest && nearest->gap < 0.0) return;  // the file lacks this contact, which another message reports
+  if (nearest && nearest->gap < 0.0) return;  // another message reports that the file lacks this contact
   constexpr double kHard = 1e-3, kDoubled = 0.1;
   std::string cause = "are the radii and the cell in the same unit of length?";
   std::string where;
@@ -122,7 +123,7 @@ ConversionSummary summarize(const Imported& imported, const State<Dim>& state) {
     add_stiffnesses(imported, summary);
   }
   add_contacts(check, state.packing.law.adheres(), summary);
-  const Mat<Dim> by_rows = state.stress.transpose();  // transposed: Eigen stores columns
+  const Mat<Dim> by_rows = state.stress.transpose();  // transposed: Eigen stores a matrix column by column
   summary.lines.back() +=
       fmt::format("; stress {:.6g}", fmt::join(by_rows.data(), by_rows.data() + Dim * Dim, " "));
   add_absence_of_contacts(state.packing, summary);

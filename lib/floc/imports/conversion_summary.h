@@ -9,7 +9,8 @@ namespace floc {
 
 /// Summary, in lines of text, of a packing that was read from a file of another program.
 struct ConversionSummary {
-  /// Numbers of contacts read and kept, and comparison of the contact forces with the law.
+  /// Lines about the numbers of contacts that were read and kept, and about the differences of contact forces from the
+  /// law.
   std::vector<std::string> lines;
   std::vector<std::string> inconsistencies;  ///< sentences about contradictions in the data of the packing
 };

@@ -21,8 +21,8 @@ void write_own_state(const std::string& path, const AnyState& any) {
   std::visit([&](const auto& state) { write_state(path, state); }, any);
 }
 
-/// Writes a state to the file `path` as text. The template parameter `text` is the function that converts the state to
-/// this text.
+/// Writes a state to the file `path` as text.
+/// @tparam text  function that converts a state to the text of the file
 /// @tparam has_shapes  whether the format can store the shapes of grains with corners
 template <std::string (*text)(const AnyState&), bool has_shapes = false>
 void write_text(const std::string& path, const AnyState& state) {

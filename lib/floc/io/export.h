@@ -23,8 +23,8 @@ struct ExportFormat {
 /// entry in this list, and a test that writes a file and reads it back.
 const std::vector<ExportFormat>& export_formats();
 
-/// Returns the format with the keyword `keyword` or, if `keyword` is empty, the format with the file name extension of
-/// `path`.
+/// Returns the format with the keyword `keyword`. If `keyword` is empty, returns the format whose extension is the
+/// extension of `path`.
 /// @throws InputError listing all formats if no format matches
 const ExportFormat& find_export_format(const std::string& keyword, const std::string& path);
 

@@ -39,7 +39,7 @@ bool is_csv(const std::string& path) {
   return path == "-" || extension == ".csv" || extension == ".tsv";
 }
 
-/// Whether a file is a table with the columns of grains, whatever its name.
+/// Whether a file is a table with the columns of grains. The name of the file does not matter.
 bool is_table_of_grains(const std::string& path) {
   try {
     const CsvTable table = CsvTable::read(path, grain_names());

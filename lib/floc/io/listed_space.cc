@@ -14,7 +14,7 @@ namespace {
 
 const char* const kOption = "--walls";
 
-/// Reads the position of a wall. Returns nothing if `text` is empty, which means that this end is open.
+/// Reads the position of a wall. Returns nothing if `text` is empty: the end of the axis is then open.
 std::optional<double> position_of(const std::string& entry, std::string_view text) {
   text = trimmed(text);
   if (text.empty()) return std::nullopt;
@@ -65,7 +65,7 @@ ListedEnds ends_of(const std::string& entry, const ListedSpace& space, int n_axe
   return ends;
 }
 
-/// Whether an entry of the option is of the form of an axis: "x", "x-", "x+" or "x=...".
+/// Whether an entry of the option `--walls` describes an axis, such as "x", "x-", "x+" or "x=...".
 bool has_form_of_axis(std::string_view entry) {
   return entry.size() <= 1 || (std::string_view("xyz").find(entry[0]) != std::string_view::npos &&
                                std::string_view("-+=").find(entry[1]) != std::string_view::npos);

@@ -12,11 +12,11 @@
 namespace floc {
 namespace {
 
-/// Largest extent of a triangle along the normal of its plane, relative to its largest extent. Binary STL files have
-/// seven digits.
+/// Largest accepted extent of a triangle along the axis that is normal to it, divided by its largest extent along any
+/// axis. It is not zero because binary STL files have seven digits.
 constexpr double kFlatTriangle = 1e-5;
 
-/// Whether some grain's centre lies above or below a plane, in the direction of the axis of the plane.
+/// Whether a line along the axis of a plane, from the centre of any grain, hits the plane, which may have corners.
 bool faces_grains(const WallPlane& plane, const std::vector<ListedGrain>& grains, int n_axes) {
   if (!plane.corners) return true;
   const auto& [low, high] = *plane.corners;

@@ -15,7 +15,7 @@
 namespace floc {
 namespace {
 
-/// One command of a script, with the lines that "&" joins.
+/// One command of a script. It may extend over several lines, each of which ends with "&" except the last.
 struct ScriptCommand {
   std::string place;
   std::vector<std::string> words;
@@ -24,7 +24,7 @@ struct ScriptCommand {
     static const std::string kNone;
     return k < words.size() ? words[k] : kNone;
   }
-  /// Place of a word among the words, or the number of words.
+  /// Returns the index of a word; the number of words if the command does not contain the word.
   std::size_t find(const std::string& word) const {
     return static_cast<std::size_t>(std::find(words.begin(), words.end(), word) - words.begin());
   }
@@ -36,7 +36,7 @@ struct ScriptCommand {
                    fault + "; --walls gives the positions of walls in place of the script, for example z=0:");
 }
 
-/// Commands of a script that concern walls, with the numbers of its variables in place of their names.
+/// Commands of a script that concern walls. The names of variables are replaced by their values.
 class WallScript {
  public:
   explicit WallScript(std::string path) : path_(std::move(path)) {
@@ -79,7 +79,7 @@ class WallScript {
     if (name == "unfix") fixes_.erase(command.word(1));
   }
 
-  /// Puts the values of variables in place of ${name} and v_name.
+  /// If a word is ${name} or v_name, returns the value of the variable, else the word.
   std::string substituted(const std::string& word) const {
     std::string name;
     if (word.starts_with("${") && word.ends_with("}")) name = word.substr(2, word.size() - 3);
@@ -93,7 +93,7 @@ class WallScript {
     refuse_command(command, fmt::format("{} is \"{}\", expected a number", what, command.word(k)));
   }
 
-  /// Adds a wall at the position that a word gives; none if the word says that there is no wall.
+  /// Adds a wall at the position that word `k` of a command gives. NULL and INF mean that there is no wall.
   void add_plane(const ScriptCommand& command, std::size_t k, int axis, std::optional<int> side,
                  std::vector<WallPlane>& planes) const {
     const std::string& word = command.word(k);
@@ -137,7 +137,7 @@ class WallScript {
       if (found == fixes_.end() || !found->second.word(3).starts_with("mesh/surface")) {
         if (k == fix.find("meshes") + 1)
           refuse_command(fix, fmt::format("the script has no fix mesh/surface with the name {}", fix.word(k)));
-        return;  // words behind the names of the meshes
+        return;  // the words after the names of the meshes
       }
       add_mesh(found->second, planes);
     }
@@ -161,7 +161,8 @@ class WallScript {
     if (mesh.has("move"))
       for (std::size_t a = 0; a < 3; ++a)
         shift[static_cast<Eigen::Index>(a)] = number(mesh, move + a, "a component of move");
-    // The names of files are relative to the folder in which the program ran, which is mostly that of the script.
+    // The names of files are relative to the folder in which the other program ran. floc assumes that this is the
+    // folder of the script.
     const std::filesystem::path beside = std::filesystem::path(path_).parent_path() / mesh.word(file);
     const std::vector<WallPlane> of_mesh =
         planes_of_mesh(beside.string(), mesh.has("scale") ? number(mesh, scale, "scale") : 1.0, shift);

@@ -7,10 +7,11 @@
 
 namespace floc {
 
-/// Whether the first line of a file is a comment that names the columns x, y, z and r, or that gives a cell or a wall.
+/// Whether the first line of a file is a comment that contains the names of the columns x, y, z and r, or that gives a
+/// cell or a wall.
 bool is_yade_text(const std::string& path);
 
-/// Whether the first line of a file is a comment that names the columns id1 and id2.
+/// Whether the first line of a file is a comment that contains the names of the columns id1 and id2.
 bool is_yade_interactions(const std::string& path);
 
 /// Reads spheres that a script of YADE wrote as text, one per line. These comment lines are read:
@@ -31,12 +32,12 @@ bool is_yade_interactions(const std::string& path);
 ///   kn ks                i.phys.kn, i.phys.ks
 ///   tan_phi              i.phys.tangensOfFrictionAngle
 /// All numbers in the two files are in the unit system `options.units`. Each contact keeps its listed stiffnesses.
-/// Without `options.law`, the normal and tangential stiffness of the contact law are the means of kn and ks over the
-/// contacts, and the friction coefficient of the law is tan_phi, which then has to be the same for all contacts.
+/// Without `options.law`, the contact law follows from the contacts: its normal and tangential stiffness are the means
+/// of kn and ks, and its friction coefficient is tan_phi, which must be the same for all contacts.
 /// @throws InputError naming file and line
 Imported read_yade_text(const std::string& path, const ImportOptions& options);
 
-/// Reads contacts from the file `options.contacts`, a file of interactions of YADE.
+/// Reads contacts from the file `options.contacts`, which is a file of interactions of YADE.
 /// @throws InputError naming file and line
 std::vector<ListedContact> read_yade_contacts(const ImportOptions& options, int dimension);
 

@@ -10,7 +10,7 @@ namespace floc {
 
 template <int Dim>
 std::optional<NearestPair> nearest_pair(const Packing<Dim>& packing) {
-  // Smallest and largest gap up to which neighbours are searched, in largest diameters.
+  // First and last largest gap of the searches for neighbours, divided by the largest diameter.
   constexpr double kFirst = 1e-3, kLast = 1e3;
   const double a = largest_diameter(packing.grains);
   const double farthest = std::min(kLast * a, packing.cell.matrix.cwiseAbs().sum());

@@ -143,19 +143,21 @@ TEST_F(Imports, HaveTheContactsWithWallsOfColumnsOrOfTheGeometry) {
                                             "x,y=:",      "--tolerance",          "1e9"};
   const Outcome found = convert("s.dump", options, law);
   ASSERT_EQ(found.code, 0) << found.err;
-  EXPECT_THAT(found.err,
-              AllOf(HasSubstr("the file of contacts has none with walls"), Not(HasSubstr("not listed"))));
+  EXPECT_THAT(found.err, AllOf(HasSubstr("the file of contacts lists no contacts with walls"),
+                               Not(HasSubstr("not listed"))));
   EXPECT_NEAR(row("info").at("p_wall").get<double>(), 1.0, 1e-12);  // the mean of 2 across x and 0 across y
   std::vector<std::string> with_columns = options;
   with_columns.insert(with_columns.end(), {"--columns", "x-=f_w,x+=f_w"});
   const Outcome listed = convert("s.dump", with_columns, law);
   ASSERT_EQ(listed.code, 0) << listed.err;
-  EXPECT_THAT(listed.err, AllOf(HasSubstr("contacts: 3 read, 3 kept"), Not(HasSubstr("none with walls"))));
+  EXPECT_THAT(listed.err,
+              AllOf(HasSubstr("contacts: 3 read, 3 kept"), Not(HasSubstr("no contacts with walls"))));
   ASSERT_EQ(floc_arguments({"export", scratch_.file("s.h5"), "--contacts", scratch_.file("e.csv")}).code, 0);
   EXPECT_THAT(content_of(scratch_.file("e.csv")),
               AllOf(HasSubstr("7,x-,0,0,2,0,0.25,"), HasSubstr("9,x+,0,0,2,0,0.125,")));
   EXPECT_THAT(convert("s.dump", {"--walls", "x,y=:", "--columns", "x-=f_w"}, law).err,
-              HasSubstr("forces of walls are given, but those between grains are not: give --contacts"));
+              HasSubstr("the forces between grains and walls are given, but the forces between grains are not: "
+                        "give --contacts"));
   EXPECT_THAT(
       convert("s.dump", {"--contacts", scratch_.file("c.csv"), "--walls", "x,y=:", "--columns", "x-=f_v"}, law)
           .err,

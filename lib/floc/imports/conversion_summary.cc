@@ -25,23 +25,23 @@ void add_list(const ListedContactCounts& listed, int n_kept, ConversionSummary& 
                   listed.n_read, n_kept, listed.n_neighbors, listed.n_tensile, listed.n_other_image));
   if (listed.n_neighbors > 0)
     summary.inconsistencies.push_back(
-        fmt::format("{} of the {} contacts listed have a gap and no force, and the law has no attraction "
-                    "across the gap: they are left out, because the grains do not touch",
+        fmt::format("{} of the {} listed contacts are left out, because the grains do not touch: they have a "
+                    "gap and no force, and the law has no attraction across the gap",
                     listed.n_neighbors, listed.n_read));
   if (listed.n_across_no_lattice > 0)
-    summary.inconsistencies.push_back(fmt::format(
-        "{} of the {} contacts listed cross a boundary that turns the grains: they keep the forces of the file "
-        "and have no stiffness, and their normals and the force balance of their second grains are wrong",
-        listed.n_across_no_lattice, listed.n_read));
-  if (listed.n_tensile > 0)
     summary.inconsistencies.push_back(
-        fmt::format("{} of the {} contacts listed carry a tensile force, and are left out", listed.n_tensile,
-                    listed.n_read));
-  if (listed.n_other_image > 0)
+        fmt::format("{} of the {} listed contacts cross a boundary that rotates the grains: these contacts "
+                    "keep the forces of the file and have no stiffness; their normals, and the force balance "
+                    "of their second grains, are wrong",
+                    listed.n_across_no_lattice, listed.n_read));
+  if (listed.n_tensile > 0)
     summary.inconsistencies.push_back(fmt::format(
-        "{} of the {} images listed contradict the positions, perhaps because the positions were moved into "
-        "the cell and the images were not updated: the nearest images are taken",
-        listed.n_other_image, listed.n_read));
+        "{} of the {} listed contacts have a tensile force and are left out", listed.n_tensile, listed.n_read));
+  if (listed.n_other_image > 0)
+    summary.inconsistencies.push_back(
+        fmt::format("{} of the {} listed images contradict the positions, perhaps because the positions were "
+                    "moved into the cell without an update of the images: the nearest images are used instead",
+                    listed.n_other_image, listed.n_read));
 }
 
 /// Reports listed stiffnesses that differ from the stiffnesses of the law. If the stiffnesses of the law were computed
@@ -63,8 +63,8 @@ void add_contacts(const ContactCheck& check, bool cohesive, ConversionSummary& s
       "differ from the law by at most {:.1e} of their mean",
       check.n_with_gap + check.n_distant, check.n_pulling, check.n_mobilised, check.largest_difference));
   if (check.n_with_gap > 0)
-    summary.inconsistencies.push_back(
-        fmt::format("{} contacts carry a force across a gap at which the law does not act", check.n_with_gap));
+    summary.inconsistencies.push_back(fmt::format(
+        "{} contacts have a force although the law does not act across their gap", check.n_with_gap));
   if (check.n_pulling > 0 && !cohesive)
     summary.inconsistencies.push_back(
         fmt::format("{} contacts are tensile, but the law has no adhesion", check.n_pulling));

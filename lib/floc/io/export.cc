@@ -41,8 +41,9 @@ const std::vector<ExportFormat>& export_formats() {
       {"vtkhdf", "VTK's HDF format: grains and contacts, for ParaView", ".vtkhdf", write_vtkhdf},
       {"extended-xyz", "extended XYZ, for OVITO and ASE", ".xyz", write_text<extended_xyz_text>},
       {"lammps-data", "data file of LAMMPS, atom_style sphere", ".data", write_text<lammps_data_text>},
-      {"rockable", "configuration of Rockable, with its shapes in a file .shp beside it", ".conf",
-       write_rockable, ".shp"},
+      {"rockable",
+       "configuration of Rockable, with the shapes in a second file of the same name and the extension .shp",
+       ".conf", write_rockable, ".shp"},
       {"obj", "Wavefront OBJ: surfaces of the grains", ".obj", write_obj},
       {"stl", "stereolithography, as text: surfaces of the grains", ".stl", write_stl},
   };

@@ -107,7 +107,8 @@ const ImportFormat& find_import_format(const std::string& keyword, const std::st
     if (is_table_of_grains(path)) return find_import_format("csv", path);
     require_text(path, read_file(path));
     throw InputError(
-        path, fmt::format("the format of the file is not recognised; give it with --from, one of {}", known));
+        path,
+        fmt::format("the format of the file is not recognised; give the format with --from: one of {}", known));
   }
   throw InputError("--from", fmt::format("\"{}\" is not a format; the formats are {}", keyword, known));
 }

@@ -105,7 +105,8 @@ void find_packing(const std::string& path, Lines& lines, int index) {
   while (lines.next())
     if (is_header(lines.line()) && n_packings++ == index) return;
   if (n_packings == 0)
-    throw InputError(path, "the file holds no packing of jamBashbulk: it has no line \"N = ... ,L1= { ...\"");
+    throw InputError(path,
+                     "the file contains no packing of jamBashbulk: it has no line \"N = ... ,L1= { ...\"");
   throw InputError(path, fmt::format("index = {}, but the file holds packings 0 to {}", index, n_packings - 1));
 }
 

@@ -84,7 +84,7 @@ class FrameSearch {
     if (!begun.empty()) pass(trimmed(begun));
     if (begins_) pass_timestep("");
     if (timesteps_.empty())
-      throw InputError(path, "the file holds no frame of a LAMMPS dump: it has no line \"ITEM: TIMESTEP\"");
+      throw InputError(path, "the file contains no frame of a LAMMPS dump: it has no line \"ITEM: TIMESTEP\"");
   }
 
   int n_frames() const { return static_cast<int>(timesteps_.size()); }

@@ -181,9 +181,8 @@ void add_wall_contacts(ListedPacking& listed) {
     return;
   listed.lacks_wall_contacts = true;
   listed.remarks.emplace_back(
-      "the file of contacts has none with walls: they are found from the positions and radii, and have the "
-      "normal "
-      "forces of the contact law and no tangential forces");
+      "the file of contacts lists no contacts with walls: these contacts are found from the positions and "
+      "radii; they have the normal forces of the contact law and no tangential forces");
 }
 
 }  // namespace
@@ -223,7 +222,8 @@ Imported assemble(ListedPacking listed, const ImportOptions& options) {
     add_wall_contacts(listed);
   } else if (!listed.wall_contacts.empty()) {
     throw InputError("--columns",
-                     "forces of walls are given, but those between grains are not: give --contacts");
+                     "the forces between grains and walls are given, but the forces between grains are not: "
+                     "give --contacts");
   }
   if (options.pairs_twice && !listed.shapes.empty())
     throw InputError(listed.place,

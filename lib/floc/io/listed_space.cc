@@ -20,7 +20,8 @@ std::optional<double> position_of(const std::string& entry, std::string_view tex
   if (text.empty()) return std::nullopt;
   if (const auto value = parse_number<double>(text)) return *value;
   throw InputError(
-      kOption, fmt::format("\"{}\" has \"{}\", expected a finite number, the position of a wall", entry, text));
+      kOption,
+      fmt::format("\"{}\" contains \"{}\", expected a finite number: the position of a wall", entry, text));
 }
 
 /// Returns the lower (side -1) or upper (side 1) face of the box across an axis.

@@ -107,7 +107,8 @@ std::int64_t count_of(const DatFile& file, std::string_view key, std::int64_t mo
   const double value = file.number(key);
   if (value >= 0.0 && value <= static_cast<double>(most) && value == std::floor(value))
     return static_cast<std::int64_t>(value);
-  throw InputError(file.place(), fmt::format("{} {}, expected a whole number from 0 to {}", key, value, most));
+  throw InputError(file.place(),
+                   fmt::format("the line says {} {}, expected a whole number from 0 to {}", key, value, most));
 }
 
 /// Reads a line that contains a vertex of a polygon or polyhedron, or a triangle of a polyhedron.
@@ -116,7 +117,9 @@ void read_corner(const DatFile& file, Body& body) {
     std::vector<int> face;
     for (const char* key : {"ver1=", "ver2=", "ver3="}) {
       const std::int64_t vertex = count_of(file, key, body.n_vertices);
-      if (vertex == 0) throw InputError(file.place(), fmt::format("{} 0, expected a vertex from 1", key));
+      if (vertex == 0)
+        throw InputError(file.place(),
+                         fmt::format("the line says {} 0, expected the number of a vertex, from 1", key));
       face.push_back(static_cast<int>(vertex) - 1);
     }
     body.faces.push_back(std::move(face));

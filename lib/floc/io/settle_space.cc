@@ -147,9 +147,10 @@ void add_stated_ends(int dimension, ListedPacking& listed) {
         "the packing is not periodic along {} ({}), and no walls are given: it ends in free space there", open,
         space.boundary));
   if (n_beyond > 0)
-    listed.inconsistencies.push_back(fmt::format(
-        "{} grains reach beyond faces of the box that are taken as open: give --walls {} to put walls there",
-        n_beyond, open));
+    listed.inconsistencies.push_back(
+        fmt::format("{} grains extend beyond faces of the box, which are taken as open: give --walls {} to put "
+                    "walls at these faces",
+                    n_beyond, open));
   if (space.periodic.empty() && listed.ends.empty() && !space.cell.empty())
     listed.remarks.emplace_back(
         "the packing is taken as periodic in every direction, because the file does not say whether it is; "

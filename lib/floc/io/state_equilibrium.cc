@@ -88,8 +88,8 @@ void read_directed_load(const Hdf5Reader& file, ReadingArchive& archive, State<D
   if (!file.has(kOffset.path)) return;
   if (turn.axis == 0)
     throw InputError(file.place("path"),
-                     "axis = 1, but a simple shear moves the lattice vector of another axis along the first "
-                     "axis: expected this other axis");
+                     "axis = 1, expected the axis, other than the first, whose lattice vector the simple shear "
+                     "displaces along the first axis");
   s.target_offset = ImposedOffset{turn.axis, archive.take<double>(kOffset, {1})[0]};
   turn.shear = archive.take<double>(kTurnShear, {1})[0];
 }

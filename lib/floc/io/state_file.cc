@@ -347,7 +347,7 @@ template <int Dim>
 void require_one_kind_of_law(const Hdf5Reader& file, const Packing<Dim>& packing) {
   if (packing.walls.empty() || packing.wall_law.is_rigid() == packing.law.is_rigid()) return;
   throw InputError(file.place("wall_law"),
-                   fmt::format("normal = \"{}\", expected a law that is {}rigid, as that between grains is",
+                   fmt::format("normal = \"{}\", expected a law that is {}rigid, like the law between grains",
                                packing.wall_law.normal_keyword(), packing.law.is_rigid() ? "" : "not "));
 }
 
@@ -356,7 +356,8 @@ template <int Dim>
 void check_motion(const Hdf5Reader& file, const State<Dim>& s) {
   if (!s.motion) return;
   if (!s.packing.law.is_rigid() || !s.packing.walls.empty())
-    throw InputError(file.place(kMotion), "only rigid grains in a periodic cell are recorded in motion");
+    throw InputError(file.place(kMotion),
+                     "the state is in motion, which is possible only for rigid grains in a periodic cell");
   const MotionRecord& m = *s.motion;
   const auto require = [&](const char* name, double value, double least, double most) {
     if (!(value >= least && value <= most))

@@ -211,7 +211,7 @@ class VtkHdf {
       throw InputError(file_.place(kRoot),
                        fmt::format("the type is \"{}\", expected UnstructuredGrid or PolyData", type));
     if (file_.has(kRoot + "/Steps"))
-      throw InputError(file_.place(kRoot + "/Steps"), "the file holds several time steps, expected one");
+      throw InputError(file_.place(kRoot + "/Steps"), "the file contains several time steps, expected one");
   }
 
   std::string place(const std::string& path) const { return file_.place(kRoot + "/" + path); }

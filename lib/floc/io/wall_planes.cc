@@ -43,9 +43,10 @@ std::vector<WallPlane> planes_of_mesh(const std::string& path, double scale, con
     }
     const double thickness = (high - low).minCoeff(&plane.axis);
     if (thickness > kFlatTriangle * (high - low).maxCoeff())
-      throw InputError(plane.place,
-                       "the triangle lies across no axis, expected planes across x, y or z; --walls gives the "
-                       "positions of walls in place of the file, for example z=0:");
+      throw InputError(
+          plane.place,
+          "the triangle is not perpendicular to an axis, expected planes perpendicular to x, y or z; to give "
+          "the positions of walls without the file, write them after --walls, for example --walls z=0:");
     plane.position = 0.5 * (low[plane.axis] + high[plane.axis]);
     plane.corners = {low, high};
     planes.push_back(plane);

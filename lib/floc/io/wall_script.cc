@@ -32,8 +32,9 @@ struct ScriptCommand {
 };
 
 [[noreturn]] void refuse_command(const ScriptCommand& command, const std::string& fault) {
-  throw InputError(command.place,
-                   fault + "; --walls gives the positions of walls in place of the script, for example z=0:");
+  throw InputError(command.place, fault +
+                                      "; to give the positions of walls without the script, write them after "
+                                      "--walls, for example --walls z=0:");
 }
 
 /// Commands of a script that concern walls. The names of variables are replaced by their values.
@@ -115,17 +116,17 @@ class WallScript {
       if (!one) add_plane(fix, k + 2, axis, 1, planes);
       return;
     }
-    refuse_command(fix, "the wall is no plane: expected xplane, yplane or zplane");
+    refuse_command(fix, "the wall is not a plane: expected xplane, yplane or zplane");
   }
 
   void add_region(const ScriptCommand& fix, std::vector<WallPlane>& planes) const {
     const auto found = std::find_if(fix.words.begin() + 4, fix.words.end(),
                                     [&](const std::string& word) { return regions_.contains(word); });
     if (found == fix.words.end())
-      refuse_command(fix, "the script does not define the region of this wall before it");
+      refuse_command(fix, "the script does not define the region of this wall before this command");
     const ScriptCommand& region = regions_.at(*found);
     if (region.word(2) != "block" || region.has("out"))
-      refuse_command(region, fmt::format("the region {} is no block with grains inside", *found));
+      refuse_command(region, fmt::format("the region {} is not a block with the grains inside", *found));
     for (int axis = 0; axis < 3; ++axis)
       for (const int side : {-1, 1})
         add_plane(region, 3 + static_cast<std::size_t>(2 * axis + (side > 0)), axis, side, planes);
@@ -147,13 +148,17 @@ class WallScript {
     for (const auto& [id, fix] : fixes_)
       if (fix.word(3).starts_with("move/mesh") && fix.word(fix.find("mesh") + 1) == mesh.word(1))
         refuse_command(
-            fix, fmt::format("the mesh {} moves: give --walls the STL file of a dump of it (dump mesh/stl)",
-                             mesh.word(1)));
+            fix,
+            fmt::format(
+                "the mesh {} moves: write it to an STL file (dump mesh/stl), and give this file after --walls",
+                mesh.word(1)));
     if (mesh.word(3).ends_with("servo"))
-      refuse_command(mesh,
-                     fmt::format("the mesh {} moves: give --walls the STL file of a dump of it (dump mesh/stl)",
-                                 mesh.word(1)));
-    if (mesh.has("rotate")) refuse_command(mesh, "the mesh is turned (rotate)");
+      refuse_command(
+          mesh,
+          fmt::format(
+              "the mesh {} moves: write it to an STL file (dump mesh/stl), and give this file after --walls",
+              mesh.word(1)));
+    if (mesh.has("rotate")) refuse_command(mesh, "the script rotates the mesh (rotate)");
     const std::size_t file = mesh.find("file") + 1;
     if (file >= mesh.words.size()) refuse_command(mesh, "the mesh has no file");
     const std::size_t scale = mesh.find("scale") + 1, move = mesh.find("move") + 1;
@@ -171,16 +176,15 @@ class WallScript {
 
   Eigen::Vector3d gravity_of(const ScriptCommand& fix) const {
     if (fix.word(5) != "vector")
-      throw InputError(fix.place,
-                       fmt::format("the style of gravity is \"{}\", expected vector; --gravity gives "
-                                   "its components in place of the script",
-                                   fix.word(5)));
+      throw InputError(fix.place, fmt::format("the style of gravity is \"{}\", expected vector; to give the "
+                                              "components of gravity without the script, use --gravity",
+                                              fix.word(5)));
     Eigen::Vector3d along;
     for (std::size_t a = 0; a < 3; ++a)
       along[static_cast<Eigen::Index>(a)] = number(fix, 6 + a, "a component of gravity");
     if (along.isZero(0.0))
       throw InputError(fix.place,
-                       "the direction of gravity is (0, 0, 0), expected one along which grains fall");
+                       "the direction of gravity is (0, 0, 0), expected the direction in which grains fall");
     return number(fix, 4, "the magnitude of gravity") * along.normalized();
   }
 

@@ -121,7 +121,9 @@ YadeTable read_table(const std::string& path, const std::string& mark, std::vect
     if (columns.empty())
       throw InputError(
           fmt::format("{}:{}", path, number),
-          fmt::format("no comment line before this line names the columns, \"# ... {} ...\"", mark));
+          fmt::format(
+              "no comment line before this line gives the names of the columns: expected \"# ... {} ...\"",
+              mark));
     if (!begun) result.table = CsvTable(path, columns);
     begun = true;
     result.table.add_row(number, tokenize(text));

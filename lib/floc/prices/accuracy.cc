@@ -143,7 +143,7 @@ class AccuracyChooser {
         return {"", "", c.name(), c.settings, reason_of(c)};
     choice.refused_key = wanted_.front().key;
     choice.failure_reason = fmt::format(
-        "no settings in the {} keep all requested errors at once; request larger errors", errors_table());
+        "no settings in the {} achieve all requested errors at once; request larger errors", errors_table());
     return choice;
   }
 

@@ -37,8 +37,8 @@ double beyond(Vec<Dim> t, int axis = 0) {
   for (; axis < Dim; ++axis) {
     if (t[axis] >= 0.0) continue;
     // Let x be the coordinate along `axis`, and t < 0 its bound. The part with x > t is the part with any x minus the
-    // part with x < t, which is the mirror image of the part with x > -t. The part with any x is twice the part with x
-    // > 0.
+    // part with x < t. The latter is the mirror image of the part with x > -t. The part with any x is twice the part
+    // with x > 0.
     Vec<Dim> mirrored = t;
     mirrored[axis] = -t[axis];
     t[axis] = 0.0;

@@ -21,8 +21,8 @@ inline Vec<2, T> tangent(const Vec<2, T>& n) {
   return {-n[1], n[0]};
 }
 
-/// Returns spin x arm: the velocity, relative to the centre of a grain with the angular velocity `spin`, of the point
-/// at `arm` from this centre.
+/// Returns spin x arm. This is the velocity of a point at the position `arm` relative to the centre of a grain that
+/// rotates with the angular velocity `spin`.
 template <class T>
 inline Vec<2, T> cross(const RotationVector<2, T>& spin, const Vec<2, T>& arm) {
   return spin[0] * tangent(arm);
@@ -33,8 +33,8 @@ inline Vec<3, T> cross(const RotationVector<3, T>& spin, const Vec<3, T>& arm) {
           spin[0] * arm[1] - spin[1] * arm[0]};
 }
 
-/// Returns arm x force: the moment, about the centre of a grain, of a force that acts at the point `arm` from this
-/// centre.
+/// Returns arm x force. This is the moment about the centre of a grain of a force that acts at the position `arm`
+/// relative to this centre.
 template <class T>
 inline RotationVector<2, T> moment(const Vec<2, T>& arm, const Vec<2, T>& force) {
   return RotationVector<2, T>(arm[0] * force[1] - arm[1] * force[0]);
@@ -80,7 +80,7 @@ inline RotationVector<3, T> rolling_part(const Vec<3, T>& n, const RotationVecto
 /// Rotates the elongation of the tangential or rolling spring of a contact whose unit normal has changed from n0 to n1.
 /// In 2D the elongation is a component along the tangent and does not change. In 3D it is a vector: it is rotated first
 /// by the smallest rotation that takes n0 to n1, then about n1 by the mean rotation of the two grains. With both
-/// rotations, the spring turns with two grains that rotate together as a rigid body.
+/// rotations, the spring of two grains that rotate together as a rigid body rotates with them.
 ///
 /// The last argument is the mean rotation of the two grains about the normal (radians; ignored in 2D).
 template <class T>

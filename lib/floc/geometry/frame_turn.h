@@ -22,8 +22,8 @@ class FrameTurn {
   FrameTurn(const Vec<3, T>& normal, const T& along, const Vec<3, T>& across, const RotationVector<3, T>& spins,
             const T& time_step)
       : n_(normal), across_(across) {
-    // Let n1 be the new normal and w = across/(1 - along) = tilt * across. Then the old normal is n0 with n0 = (n1 -
-    // w)/sqrt(1 + s) and s = w^2.
+    // Let n1 be the new normal, w = across/(1 - along) = tilt * across, and s = w^2. Then the old normal is
+    // n0 = (n1 - w)/sqrt(1 + s).
     const T tilt = T(1) + along * (T(1) + along * (T(1) + along));
     const T across_squared = across.squaredNorm();
     const T s = tilt * tilt * across_squared;
@@ -39,8 +39,8 @@ class FrameTurn {
     cos_ = (T(1) - squared) * scale;
   }
 
-  /// Returns the mean of the old and the new normal. Its length differs from 1 by the square of the angle between the
-  /// two normals.
+  /// Returns the mean of the old and the new normal. The length of the mean differs from 1 by a number of the order of
+  /// the square of the angle between the two normals.
   const Vec<3, T>& mean_normal() const { return mean_normal_; }
 
   /// Returns the slip of the two surfaces in the step (length): P1 Pm (d - s x m). Here d is the change of the vector
@@ -49,8 +49,8 @@ class FrameTurn {
   /// @param length    distance of the centres of the grains after the step
   /// @param surfaces  lever arm of grain i times its rotation in the step, plus lever arm of grain j times its rotation
   Vec<3, T> slip(const T& length, const RotationVector<3, T>& surfaces) const {
-    // The mean normal is m = n1 - lean across. With lengths in units of `length`, the two terms of the slip are P1 Pm
-    // d, equal to (1 + lean m.d) across, and P1 (s x m), equal to (s + lean (s.n1) across) x n1.
+    // The mean normal is m = n1 - lean across. With lengths in units of `length`, the two terms of the slip are P1 Pm d
+    // = (1 + lean m.d) across and P1 (s x m) = (s + lean (s.n1) across) x n1.
     const RotationVector<3, T> about = surfaces + (lean_ * surfaces.dot(n_)) * across_;
     return (length * (T(1) + lean_ * along_middle_)) * across_ - cross<T>(about, n_);
   }

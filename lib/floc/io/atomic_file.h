@@ -11,10 +11,10 @@
 
 namespace floc {
 
-/// Replaces the content of the file `path` atomically: at any moment, even after a power cut, `path` holds either its
-/// whole old content or its whole new content. The new content is written to the file `path` + ".part"; commit() syncs
-/// this file, renames it to `path` and syncs the directory. If `path` is a stream (a device, a pipe or "-", standard
-/// output), the new content is collected in a temporary file, and commit() copies it to the stream.
+/// Replaces the content of the file `path` atomically: at any moment, even after a power cut, `path` contains either
+/// its whole old content or its whole new content. The new content is written to the file `path` + ".part"; commit()
+/// syncs this file, renames it to `path` and syncs the directory. If `path` is a stream (a device, a pipe or "-",
+/// standard output), the new content is collected in a temporary file, and commit() copies it to the stream.
 class AtomicFile {
  public:
   /// Opens the ".part" file or, if `path` is a stream, the temporary file.

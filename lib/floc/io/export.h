@@ -12,10 +12,10 @@ struct ExportFormat {
   std::string keyword;
   std::string description;
   std::string extension;  ///< extension of file names in this format, such as ".vtu"
-  /// Writes a state to the file `path`. If this fails, an existing file keeps its content.
+  /// Writes a state to the file `path`. If writing fails, an existing file at `path` keeps its content.
   /// @throws IoError if the file cannot be written
   void (*write)(const std::string& path, const AnyState& state);
-  /// extension of a second file that is written beside `path`; empty if there is none
+  /// extension of a second file that is written into the same directory; empty if there is none
   std::string second_extension = "";
 };
 

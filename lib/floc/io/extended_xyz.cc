@@ -53,7 +53,7 @@ std::vector<XyzFrame> read_frames(const std::string& path) {
   return frames;
 }
 
-/// Returns the keys and values in the comment line of a frame. They are written as key=value or key="value with
+/// Returns the keys and values in the comment line of a frame, which contains them as key=value or key="value with
 /// spaces".
 std::map<std::string, std::string> keys_of(const std::string& place, std::string_view text) {
   std::map<std::string, std::string> keys;

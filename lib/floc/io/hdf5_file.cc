@@ -70,8 +70,8 @@ Handle scalar() {
   return {checked(H5Screate(H5S_SCALAR)), H5Sclose};
 }
 
-/// Returns the HDF5 properties for the creation of an object (file, group or dataset) without recording its time of
-/// creation, so that files do not depend on the clock.
+/// Returns HDF5 properties of objects (files, groups or datasets) for which HDF5 does not store the time of creation,
+/// so that files do not depend on the clock.
 Handle untimed(hid_t property_class) {
   const hid_t properties = checked(H5Pcreate(property_class));
   H5Pset_obj_track_times(properties, false);
@@ -137,7 +137,7 @@ void write_array(hid_t file, const std::string& path, const ArrayShape& shape, c
     checked(H5Dwrite(dataset, NativeType<T>::memory(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
 }
 
-/// Number of rows of an array that are written or read at a time. It limits the size of the buffers.
+/// Number of rows of an array that are written or read at a time. This number limits the size of the buffers.
 constexpr hsize_t kRowsAtATime = 1 << 16;
 
 /// Calls visit(first, n, memory, file) for each block of rows of an array of the given shape. `first` is the number of
@@ -182,7 +182,7 @@ std::vector<hsize_t> extent_of(hid_t dataset) {
 
 /// Checks that an array is not larger than the file that contains it. Without this check, a damaged file could make
 /// floc allocate far too much memory.
-/// @param bytes  size of the array
+/// @param bytes  size of the array (bytes)
 /// @throws InputError naming `place` if the array is larger than the file
 void check_length(hid_t file, const std::string& place, double bytes) {
   hsize_t size = 0;

@@ -21,7 +21,8 @@ class Hdf5Failure : public std::runtime_error {
   int error_;
 };
 
-/// Shape of an array: the number of its entries along each of its dimensions, slowest index first.
+/// Shape of an array: the number of entries along each dimension. The first dimension is that of the index that varies
+/// slowest.
 using ArrayShape = std::vector<std::uint64_t>;
 
 /// Writes an HDF5 file. The file contains no times, so equal calls give equal bytes. All member functions throw
@@ -87,7 +88,7 @@ class Hdf5Reader {
   std::vector<std::string> names(const std::string& group) const;
   /// Returns the shape of an array; the shape of a single value is empty.
   ArrayShape shape(const std::string& path) const;
-  /// Returns the values of an array of real or whole numbers of any size.
+  /// Returns the values of an array of any size, which contains real or whole numbers.
   /// @throws InputError also if a value is not finite
   std::vector<double> numbers(const std::string& path) const;
 

@@ -25,7 +25,7 @@
 namespace floc {
 namespace {
 
-/// Returns the extension of a file name without the extension .gz of a compressed file.
+/// Returns the extension of a file name; for a compressed file, the extension before .gz.
 std::string named_extension(const std::filesystem::path& path) {
   return (path.extension() == ".gz" ? path.stem() : path).extension().string();
 }

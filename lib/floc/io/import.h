@@ -21,10 +21,10 @@ struct ImportOptions {
   /// Axes that are not periodic (see parse_walls()) and names of files that describe walls (see read_wall_file()),
   /// separated by commas. If empty, the file of the packing decides.
   std::string walls;
-  std::vector<double>
-      gravity;  ///< acceleration due to gravity, one component per axis; if empty, the file gives it
-  std::map<std::int64_t, WallSide>
-      wall_ids;  ///< identifiers, in the file of contacts, of the bodies that are walls
+  /// acceleration due to gravity, one component per axis; if empty, the file gives it
+  std::vector<double> gravity;
+  /// identifiers, in the file of contacts, of the bodies that are walls
+  std::map<std::int64_t, WallSide> wall_ids;
   /// Maps the names that floc uses for columns of grains to the names of these columns in the file, such as "x" to "X".
   /// A column that is not in this map has the name that floc uses. For a LAMMPS dump, the name of a wall such as "x-"
   /// is mapped to the columns with the forces of this wall: see read_lammps_dump().
@@ -51,8 +51,8 @@ struct ImportOptions {
   bool pairs_twice = false;
 };
 
-/// Numbers of the contacts that a file lists: of all contacts, of those that are left out, and of those that are kept
-/// but need a remark.
+/// Counts of the contacts that a file lists: all contacts, contacts that are left out for a reason, and contacts that
+/// are kept but need a remark.
 struct ListedContactCounts {
   int n_read = 0;
   /// Number of contacts that were left out because they have no force and the gap between the grains exceeds the range

@@ -4,8 +4,7 @@
 
 namespace floc {
 
-/// Whether the first line of a file that is not a comment is the header of a packing of jamBashbulk ("N = ... ,L1= {
-/// ...").
+/// Whether a file begins, after comments, with the header of a packing of jamBashbulk ("N = ... ,L1= { ...").
 bool is_jambashbulk(const std::string& path);
 
 /// Reads packing number `options.index` (from 0; default: 0) from a file of the program jamBashbulk (Van Hecke group,

@@ -336,8 +336,8 @@ std::string space_in_words(const std::vector<Wall<Dim>>& walls) {
                      boundary, open);
 }
 
-/// Returns identifiers for the atoms, which LAMMPS requires to be 1 or more. If all identifiers of the grains are 1 or
-/// more, they are kept. If not, the atoms are numbered 1, 2, ...
+/// Returns identifiers for the atoms. LAMMPS requires identifiers of 1 or more. If all identifiers of the grains are 1
+/// or more, they are kept. If not, the atoms are numbered 1, 2, ...
 template <int Dim>
 std::vector<std::int64_t> atom_numbers(const Grains<Dim>& grains) {
   std::vector<std::int64_t> numbers = grains.id;

@@ -246,7 +246,8 @@ DumpFrame read_frame(const FrameText& dump, const std::string& items) {
   return frame;
 }
 
-/// Reads the grains of a dump: the frame number `options.index` (from 0) or, without this option, the last frame.
+/// Reads the grains of one frame of a dump. The number of the frame is `options.index` (from 0); without this option,
+/// the last frame is read.
 /// @param remarks  output: a sentence is added that names the frame that was read
 DumpFrame read_grain_frame(const std::string& path, const ImportOptions& options,
                            std::vector<std::string>& remarks) {

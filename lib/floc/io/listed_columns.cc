@@ -68,8 +68,8 @@ int image_of(const CsvTable& table, int row, int column) {
                                                  table.columns()[column], image));
 }
 
-/// Indices of the columns of a table of contacts. The index of a missing column is -1, and the list of missing columns
-/// is empty.
+/// Indices of the columns of a table of contacts. The index of a missing column is -1. A list is empty if its columns
+/// are missing.
 struct ContactColumns {
   int id1, id2, normal_force, kn, kt, kr, ktw, bridge_volume, rolling_moment_2d, twisting_moment, gap;
   std::vector<int> image, force, shear_force, rolling_moment, point, normal;

@@ -11,8 +11,8 @@
 
 namespace floc {
 
-/// Returns the element of `names` that equals `name` apart from capital and small letters. Returns `name` itself if no
-/// element does, or if `name` is a single letter.
+/// Returns the element of `names` that equals `name` if capital letters count as small letters. Returns `name` itself
+/// if there is no such element, or if `name` is a single letter.
 std::string any_case(const std::string& name, const std::vector<std::string>& names);
 
 /// A column that gives the size of grains: a radius or a diameter.

@@ -244,8 +244,8 @@ class ListedContacts {
             row.id1, row.wall->name()));
   }
 
-  /// Returns whether a contact must be left out because its force is tensile and its law has no adhesion, and counts
-  /// the contacts that must.
+  /// Returns whether the force of a contact is tensile although its law has no adhesion, so that the contact is left
+  /// out. Counts the contacts for which this is true.
   bool pulls_without_adhesion(const ListedContact& row, double normal_force, const Contact<Dim>& c) {
     if (normal_force >= -kNoForce * largest_force_ || packing_.law_of(c).adheres()) return false;
     if (counts_.n_tensile++ == 0) first_tensile_ = {&row, normal_force};
@@ -429,8 +429,8 @@ class ListedContacts {
                                    distance, half_width_, counting_hint(listed_)));
   }
 
-  /// Throws if the bodies of a contact are too far apart to touch.
-  /// @throws InputError if they are not
+  /// Checks that the bodies of a contact are near enough to touch.
+  /// @throws InputError naming the two bodies and their gap if they are too far apart
   void require_possible(const ListedContact& row, const Contact<Dim>& c) const {
     if (row.wall && !can_touch(c))
       throw InputError(

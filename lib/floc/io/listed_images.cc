@@ -41,8 +41,8 @@ double smallest_width(const Packing<Dim>& packing) {
   return steepest > 0.0 ? 1.0 / steepest : std::numeric_limits<double>::infinity();
 }
 
-// First finds the image with the smallest reduced coordinates relative to grain i. In a skewed cell a neighbour of this
-// image can be nearer, so the function compares the distances of all neighbouring images.
+// The function first finds the image with the smallest reduced coordinates relative to grain i. In a skewed cell, a
+// neighbour of this image can be nearer, so the distances of all neighbouring images are compared.
 template <int Dim>
 Vec<Dim, int> nearest_image(const Packing<Dim>& packing, const FileLine& place, int i, int j) {
   const Vec<Dim> apart = packing.grains.position[j] - packing.grains.position[i];

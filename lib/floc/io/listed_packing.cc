@@ -22,7 +22,7 @@ namespace floc {
 namespace {
 
 /// Lattice vectors count as linearly dependent if the volume of the cell, divided by the product of the lengths of the
-/// vectors, is below this value, which is a rounding error.
+/// vectors, is below this rounding error.
 constexpr double kFlat = 1e-12;
 
 template <int Dim>
@@ -168,9 +168,8 @@ Imported assemble_in(const ListedPacking& listed) {
   return imported;
 }
 
-/// Adds the contacts with walls that the file of the grains lists to the contacts of a file of contacts. If none of all
-/// these contacts is with a wall, but the packing has walls, notes that the contacts with walls must be found from the
-/// geometry.
+/// Adds the contacts with walls that the file of the grains lists to the contacts of a file of contacts. If the packing
+/// has walls but still no contact with a wall, marks that the contacts with walls must be found from the geometry.
 void add_wall_contacts(ListedPacking& listed) {
   std::vector<ListedContact>& contacts = *listed.contacts;
   contacts.insert(contacts.end(), listed.wall_contacts.begin(), listed.wall_contacts.end());

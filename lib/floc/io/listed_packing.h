@@ -114,10 +114,10 @@ const Law& required_law(const std::string& path, const ImportOptions& options);
 /// of the law. If the grains of a contact cannot touch at the listed image, the nearest image replaces it.
 /// @throws InputError naming the place, the value and the expectation in these cases:
 /// - grains and cell: no grains; a repeated identifier; a cell without volume;
-/// - bodies of a contact: an unknown grain or wall; a contact listed twice; a contact without a listed image whose grains
-/// are half the width of the cell or more apart, so that two images may be equally near;
-/// - distances: a contact without a listed force whose gap is beyond the range of the law; a contact with a listed force
-/// whose grains cannot touch at any near image;
+/// - bodies of a contact: an unknown grain or wall; a contact listed twice; a contact without a listed image whose
+/// grains are half the width of the cell or more apart, so that two images may be equally near;
+/// - distances: a contact without a listed force whose gap is beyond the range of the law; a contact with a listed
+/// force whose grains cannot touch at any near image;
 /// - forces and stiffnesses: a contact of grains with corners without a point or a force; a tensile contact under a law
 /// without adhesion (unless `drop_tensile`); an invalid stiffness; forces that contradict each other
 Imported assemble(const ListedPacking& listed);

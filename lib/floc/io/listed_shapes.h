@@ -40,7 +40,7 @@ struct ListedPose {
 /// @param shape  index of the shape in the table of the dimension of the packing
 /// @param scale  factor by which the shape is magnified, > 0
 /// @param origin  position in space of the origin of the coordinates from which the shape was made (length)
-/// @param turn  rotation from these coordinates to the coordinates of space
+/// @param turn  rotation from the coordinates from which the shape was made to the coordinates of space
 void set_shape(const ListedShapes& shapes, int shape, double scale, const Eigen::Vector3d& origin,
                const Eigen::Matrix3d& turn, ListedGrain& grain);
 

@@ -34,7 +34,7 @@ struct ListedSpace {
   /// Three lattice vectors with three components each (length). Empty if the file gives no cell.
   std::vector<std::vector<double>> cell;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< corner from which the lattice vectors start (length)
-  bool positive_sides = false;  ///< whether the diagonal of the cell must be positive, as in LAMMPS
+  bool positive_sides = false;  ///< whether the diagonal elements of `cell` must be positive, as in LAMMPS
   /// Whether the packing is periodic along each lattice vector. Empty if the file does not contain this information.
   std::vector<bool> periodic;
   /// Text in the file that says which axes are not periodic, such as pbc="F F F"; for messages.

@@ -156,7 +156,7 @@ void read_contactor(const DatFile& file, Body& body) {
   }
 }
 
-/// Checks that the vertices and faces of a polygon or polyhedron are as many as its first line announces.
+/// Checks that a polygon or polyhedron has the numbers of vertices and faces that its first line gives.
 void require_whole(const Body& body) {
   if (body.has_corners() &&
       (std::ssize(body.vertices) != body.n_vertices || std::ssize(body.faces) != body.n_faces))
@@ -282,7 +282,8 @@ std::vector<ListedContact> read_contacts(const std::string& path,
   if (!fs::exists(path)) return contacts;
   DatFile file(path);
   ListedContact c;
-  Eigen::Vector3d local = Eigen::Vector3d::Zero();  // components of the force along t, n and s
+  Eigen::Vector3d local =
+      Eigen::Vector3d::Zero();  // components of the force along the tangent t, the normal n and the tangent s
   Eigen::Vector3d t = Eigen::Vector3d::Zero(), n = t, s = t;
   double gap = 0.0;
   bool open = false, spatial = false, framed = false, forced = false;

@@ -156,8 +156,8 @@ Configuration read_configuration(const std::string& path) {
   return out;
 }
 
-/// Makes a wall of a driven body whose shape is a flat face perpendicular to an axis. The wall is at the surface on the
-/// side of `middle`.
+/// Makes a wall of a driven body whose shape is a flat face perpendicular to an axis. The wall is at the surface of the
+/// body that faces the point `middle`.
 WallSide add_face(const RockableBody& body, const Mesh<3>& shape, const Eigen::Vector3d& middle,
                   ListedSpace& space) {
   constexpr double kThin = 1e-9;
@@ -177,8 +177,8 @@ WallSide add_face(const RockableBody& body, const Mesh<3>& shape, const Eigen::V
   return wall;
 }
 
-/// Shapes of the bodies of a configuration, and, for each shape that was added to the shapes of the packing, the index
-/// there.
+/// Shapes of the bodies of a configuration. Each shape that is needed is added to the table of shapes of the packing,
+/// once; its index there is kept.
 class Bodies {
  public:
   explicit Bodies(const std::string& path) : path_(path), meshes_(read_rockable_shapes(path)) {}

@@ -211,7 +211,7 @@ class ConfigurationText {
 
   const Packing<3>& packing_;
   std::string path_;
-  std::vector<int> plates_;  ///< indices of the walls that are not open, as contacts refer to them
+  std::vector<int> plates_;  ///< walls that are not open, by the indices with which contacts refer to them
   double plate_radius_ = 0.0;
 };
 

@@ -25,8 +25,8 @@ static_assert(kSealBegin.size() + 64 + kSealEnd.size() == kSealSize);
 constexpr std::string_view kHdf5Signature = "\x89HDF\r\n\x1a\n";
 
 /// Whether the HDF5 library can open the file at this path. Standard input, pipes, and files that exist only in memory
-/// (entries of /proc without a file name) must be copied first. The library cannot open the latter because it resolves
-/// symbolic links.
+/// (entries of /proc without a file name) must be copied first. The library cannot open files that exist only in
+/// memory, because it resolves symbolic links.
 bool is_plain_file(const std::string& path) {
   std::error_code error;
   return path != "-" && std::filesystem::is_regular_file(path, error) &&

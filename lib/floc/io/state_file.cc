@@ -351,7 +351,7 @@ void require_one_kind_of_law(const Hdf5Reader& file, const Packing<Dim>& packing
                                packing.wall_law.normal_keyword(), packing.law.is_rigid() ? "" : "not "));
 }
 
-/// Checks the data of the time step that begins at a state in motion.
+/// Checks the data that a state in motion contains for its next time step.
 template <int Dim>
 void check_motion(const Hdf5Reader& file, const State<Dim>& s) {
   if (!s.motion) return;

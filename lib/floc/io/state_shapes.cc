@@ -94,9 +94,9 @@ constexpr std::int32_t kLastType = static_cast<std::int32_t>(ContactType::kFaceF
   throw InputError(file.place(path), what);
 }
 
-/// Reads an array of numbers of rows. Entry k is the first row, in another array, of the parts of item k.
-/// @return the numbers of rows, which ascend from 0 to the number of rows of the other array; one more than the number
-/// of items
+/// Reads an array of row numbers. Another array contains the parts of all items, item after item; entry k is the number
+/// of the row at which item k begins there.
+/// @return the row numbers, one more than there are items; they ascend from 0 to the number of rows of the other array
 std::vector<std::int32_t> take_starts(const Hdf5Reader& file, ReadingArchive& archive, const Field& field,
                                       std::uint64_t n_items, std::uint64_t n_parts) {
   auto starts = archive.take<std::int32_t>(field, {n_items + 1});

@@ -14,7 +14,7 @@ namespace floc {
 namespace {
 
 /// Returns the index of the one header in a list that satisfies a condition; nothing if no header does.
-/// @throws InputError by the function `refuse`, if two headers satisfy the condition
+/// @throws InputError if two headers satisfy the condition; the function `refuse` throws this error
 std::optional<int> only_column(const std::vector<std::string>& headers,
                                const std::function<bool(const std::string&)>& is_wanted,
                                const std::function<void(int, int)>& refuse) {

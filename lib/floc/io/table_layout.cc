@@ -45,8 +45,8 @@ Cells names_between_blanks(std::string_view line, std::size_t n) {
   return spaced.size() == n ? spaced : Cells{};
 }
 
-/// Returns the two numbers of cells by which lines are ranked in the search for the line of names: the cells that are
-/// wanted names, and the cells that are words.
+/// Returns two counts by which lines are ranked in the search for the line of names: the number of cells that are
+/// wanted names, and the number of cells that are words.
 std::pair<std::ptrdiff_t, std::ptrdiff_t> rank_as_names(const Cells& cells,
                                                         const std::vector<std::string>& wanted) {
   const auto is_wanted = [&](const std::string& cell) {
@@ -95,7 +95,7 @@ class SplitLines {
   bool has_names() const { return first_ > 0 ? fits(rows_[first_ - 1]) : !names_in_comment().first.empty(); }
 
   /// Returns the names of the columns from a comment above the table that has one word for each column, and the number
-  /// of the line of this comment. If no comment has, the list of names is empty.
+  /// of the line of this comment. If there is no such comment, the list of names is empty.
   std::pair<Cells, int> names_in_comment() const {
     for (auto comment = comments_.rbegin(); comment != comments_.rend(); ++comment)
       for (const char separator : {separator_, ' '}) {

@@ -43,9 +43,9 @@ struct TableLayout {
 /// Separator: with the chosen separator, most cells of the rows are numbers, and the rows have as many cells as the
 /// line of the names.
 ///
-/// Rows of data: the first row is the first line that has the usual number of cells and in which more than half as many
-/// cells are numbers as in the line with the most numbers. If a line contains two of the wanted names, the first row is
-/// below this line.
+/// Rows of data: the first row is the first line that has the usual number of cells and enough numbers. Let m be the
+/// largest count of numbers in a line; a count above m/2 is enough. If a line contains two of the wanted names, the
+/// first row is below this line.
 ///
 /// Names: candidates are the lines directly above the data with as many cells as the data. The line with the most
 /// wanted names is chosen. If several lines have equally many, the number of words decides, and if this is equal, too,

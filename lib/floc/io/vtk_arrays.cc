@@ -100,9 +100,9 @@ std::string_view payload(const std::string& place, std::string_view block, std::
   return block.substr(header_size, length);
 }
 
-/// Returns the data of an array that is compressed in blocks. The blocks follow a header of whole numbers. It contains
-/// the number of blocks, the size of each block before compression, the size of the last block before compression, and
-/// the compressed size of each block.
+/// Returns the data of an array that is compressed in blocks. The blocks follow a header of whole numbers. The header
+/// contains the number of blocks, the size of each block before compression, the size of the last block before
+/// compression, and the compressed size of each block.
 /// @param encoded  whether `text` is base64, with header and blocks encoded separately
 std::string inflate_blocks(const std::string& place, std::string_view text, std::size_t header_size,
                            bool encoded) {

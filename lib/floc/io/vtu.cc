@@ -183,8 +183,8 @@ class Drawing {
     ++n_cells_;
   }
 
-  /// Adds the points of a polygon or polyhedron. @param points  coordinates of the points in the system of the shape of
-  /// grain i
+  /// Adds the points of a polygon or polyhedron.
+  /// @param points  coordinates of the points in the system of the shape of grain i
   /// @return indices of the added points
   template <int Dim>
   std::vector<int> add_placed(const Grains<Dim>& grains, int i, const std::vector<Vec<Dim>>& points) {

@@ -29,8 +29,8 @@ Imported read_vtu(const std::string& path, const ImportOptions& options);
 /// digits that are needed to read them back exactly. Each grain is a point and a vertex, with radius, mass and id. Each
 /// contact is a line, with normal_force, shear_force (on the grain with the lower index), gap, kn, kt, kr, distant and,
 /// if the law resists twisting, ktw. A contact across a side of the periodic cell is drawn as two lines, one from each
-/// grain. Each of these lines has half the distance of the centres as its length, and ends at an auxiliary point with
-/// radius 0 and id -1. In 2D z = 0.
+/// grain. The length of each line is half the distance of the centres. Each line ends at an auxiliary point with radius
+/// 0 and id -1. In 2D z = 0.
 std::string vtu_text(const AnyState& state);
 
 }  // namespace floc

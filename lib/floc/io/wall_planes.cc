@@ -16,7 +16,8 @@ namespace {
 /// axis. It is not zero because binary STL files have seven digits.
 constexpr double kFlatTriangle = 1e-5;
 
-/// Whether a line along the axis of a plane, from the centre of any grain, hits the plane, which may have corners.
+/// Whether the centre of any grain is directly above or below a plane, along the axis of the plane. True for an
+/// infinite plane.
 bool faces_grains(const WallPlane& plane, const std::vector<ListedGrain>& grains, int n_axes) {
   if (!plane.corners) return true;
   const auto& [low, high] = *plane.corners;

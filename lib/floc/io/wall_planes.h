@@ -15,8 +15,8 @@ struct WallPlane {
   std::string place;  ///< place of the plane in its file, for messages
   int axis = 0;
   double position = 0.0;  ///< place of the plane on its axis (length)
-  std::optional<int>
-      side;  ///< -1: the grains lie above the plane, 1: below; absent: the positions of the grains decide
+  /// -1: the grains lie above the plane, 1: below; absent: the positions of the grains decide
+  std::optional<int> side;
   /// Lowest and highest corner (length) of a plane of finite size; absent: the plane is infinite.
   std::optional<std::array<Eigen::Vector3d, 2>> corners;
 };

@@ -15,7 +15,7 @@
 namespace floc {
 namespace {
 
-/// One command of a script. It may extend over several lines, each of which ends with "&" except the last.
+/// One command of a script. It may extend over several lines; each of these lines except the last ends with "&".
 struct ScriptCommand {
   std::string place;
   std::vector<std::string> words;

@@ -17,8 +17,8 @@ namespace floc {
 ///
 /// A fix that the script removes by the command unfix is left out. `${name}` is replaced by the number that the command
 /// `variable name equal` gives. Other commands are ignored; loops and jumps are not followed.
-/// @throws InputError naming the line if a wall is not a plane perpendicular to an axis or moves, if a word is not a
-/// number where a number is expected, or if a mesh or region is unknown; also if the script has no wall
+/// @throws InputError if the script has no wall; naming the line if a wall moves or is not a plane perpendicular to an
+/// axis, if a number is expected but the word is not a number, or if a mesh or region is unknown
 ListedWalls walls_of_script(const std::string& path);
 
 }  // namespace floc

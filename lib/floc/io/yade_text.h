@@ -16,8 +16,8 @@ bool is_yade_interactions(const std::string& path);
 
 /// Reads spheres that a script of YADE wrote as text, one per line. These comment lines are read:
 ///   # cell ax ay az bx by bz cx cy cz     lattice vectors (columns of O.cell.hSize), unless `options.cell` is given
-///   # wall x- 0                           a wall, as data/packings/yade/export.py writes it; without a cell the packing ends
-///                                         in free space where no wall is
+///   # wall x- 0                           a wall, as data/packings/yade/export.py writes it. A packing without a cell
+///                                         ends in free space where there is no wall
 ///   # gravity gx gy gz                    acceleration due to gravity
 ///   # id x y z r [mass]                   names of the columns; the comment of export.textExt(),
 ///                                         "\#format x_y_z_r", is accepted as well

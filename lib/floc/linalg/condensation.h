@@ -5,8 +5,8 @@
 
 namespace floc {
 
-/// System of springs that connect free unknowns u and boundary unknowns e. The elongations of the springs are A u + B
-/// e. The energy of a spring is 1/2 stiffness times elongation^2.
+/// System of springs that connect free unknowns u and boundary unknowns e. The elongations of the springs are
+/// A u + B e. The energy of a spring is half its stiffness times the square of its elongation.
 struct SpringSystem {
   /// matrix A: one row per spring, one column per free unknown
   Eigen::SparseMatrix<double, Eigen::RowMajor> on_free;
@@ -39,7 +39,7 @@ struct CondensationOptions {
   /// Largest number of refinement steps per boundary unknown. With a good approximate inverse one step is enough. One
   /// more step is needed for each motion of almost zero stiffness that the approximate inverse does not resolve.
   int max_steps = 100;
-  /// whether residual forces are computed in extended precision (long double) and not in double precision, which is
+  /// whether residual forces are computed in extended precision (long double); if false, in double precision, which is
   /// several times faster
   bool extended = true;
   /// the refinement stops after this number of consecutive steps without progress, because only rounding errors remain
@@ -68,10 +68,10 @@ struct Condensation {
   bool converged = true;  ///< whether the error of every diagonal entry of `stiffness` is within the tolerance
 };
 
-/// Computes the static condensation of a SpringSystem with the matrices A, B and k and the stiffness matrix K = A^T k
-/// A. The method is refinement with an approximate inverse M^-1 of K. Residual forces are summed spring by spring in
-/// extended precision. Rounding errors of K or of a factor of K therefore slow the refinement, but do not affect the
-/// result.
+/// Computes the static condensation of a SpringSystem with the matrices A, B and k and the stiffness matrix
+/// K = A^T k A. The method is refinement with an approximate inverse M^-1 of K. Residual forces are summed spring by
+/// spring in extended precision. Rounding errors of K or of a factor of K therefore slow the refinement, but do not
+/// affect the result.
 ///
 /// The error bound is the sum of two terms:
 /// 1. r^T K^-1 r for the residual force r. This is twice the energy that further relaxation would release. An upper

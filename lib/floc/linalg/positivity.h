@@ -19,8 +19,8 @@ struct PositivityOptions {
 
 /// Result of a test whether the lowest eigenvalue of a symmetric matrix A is negative.
 struct Positivity {
-  bool negative =
-      false;  ///< whether the test found a vector x with x^T A x < 0, so that A has a negative eigenvalue
+  /// whether the test found a vector x with x^T A x < 0, so that A has a negative eigenvalue
+  bool negative = false;
   /// If not `negative`: no eigenvalue of A is below -bound. This is wrong with the probability
   /// PositivityOptions::oversight.
   double bound = 0.0;

@@ -15,8 +15,8 @@ void dtrsm_(const char*, const char*, const char*, const char*, const int*, cons
 namespace floc {
 namespace {
 
-/// Up to this number, columns are eliminated one by one. More columns are divided into halves, which are eliminated
-/// with products of dense blocks; this is faster.
+/// Blocks of at most this number of columns are eliminated column by column. Larger blocks are divided into halves,
+/// which are eliminated by products of dense matrices; this is faster.
 constexpr int kPanel = 32;
 
 /// View of a part of a supernode of the factor L in A + shift * 1 = L S L^T: consecutive columns, from one row of the

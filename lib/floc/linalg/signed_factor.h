@@ -12,20 +12,20 @@ namespace floc {
 struct Supernodes {
   /// number of the first column of each supernode; last entry: number of columns of the matrix
   std::span<const std::int64_t> first_column;
-  std::span<const std::int64_t>
-      first_row;  ///< index in `row` at which each supernode begins; last entry: size of `row`
-  std::span<const std::int64_t>
-      first_value;  ///< index in `value` at which each supernode begins; last entry: size of `value`
-  std::span<const std::int64_t>
-      row;  ///< numbers of the rows of all supernodes, ascending within each supernode
+  /// index in `row` at which each supernode begins; last entry: size of `row`
+  std::span<const std::int64_t> first_row;
+  /// index in `value` at which each supernode begins; last entry: size of `value`
+  std::span<const std::int64_t> first_value;
+  /// numbers of the rows of all supernodes, ascending within each supernode
+  std::span<const std::int64_t> row;
   double* value = nullptr;
 };
 
 /// Lower triangle of a symmetric matrix by columns. The supernodes of the factor must have a place for each entry of
 /// this triangle.
 struct LowerColumns {
-  std::span<const std::int64_t>
-      first;  ///< index of the first entry of each column; last entry: number of all entries
+  /// index of the first entry of each column; last entry: number of all entries
+  std::span<const std::int64_t> first;
   const std::int64_t* row = nullptr;
   const double* value = nullptr;
 };

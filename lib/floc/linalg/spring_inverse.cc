@@ -21,8 +21,8 @@ constexpr double kDependent[] = {1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8};
 /// Bound on the relative rounding error of the triangular factor R of sqrt(k) A = Q R: each entry of R is a sum of some
 /// tens of products.
 constexpr double kFactorRounding = 100.0 * std::numeric_limits<double>::epsilon();
-/// Hager's estimate of a norm is a lower bound. Times this factor, it is used as an upper bound: the estimate is seldom
-/// too low by more than this factor.
+/// Hager's estimate of a norm is a lower bound. Multiplied by this factor, it serves as an upper bound, because the
+/// estimate is seldom too low by more than this factor.
 constexpr double kEstimateMargin = 3.0;
 
 std::function<Eigen::VectorXd(const Eigen::VectorXd&)> by(const SymmetricFactor& factor) {

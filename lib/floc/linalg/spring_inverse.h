@@ -7,8 +7,7 @@
 
 namespace floc {
 
-/// Inverse of the stiffness matrix K = A^T k A, which a SpringSystem has for its free unknowns; with the condition
-/// number and the inertia of K.
+/// Inverse of the stiffness matrix K = A^T k A of a SpringSystem, and the condition number and the inertia of K.
 struct SpringInverse {
   /// approximate inverse of K; it may refer to the factor of K, which must therefore exist as long as the inverse
   ApproximateInverse inverse;

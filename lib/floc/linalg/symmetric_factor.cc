@@ -248,7 +248,8 @@ struct SymmetricFactor::Factor {
     return solve_with(CHOLMOD_Lt, sign.asDiagonal() * solve_with(CHOLMOD_L, B));
   }
 
-  /// Improves the solution X of A X = B by iterative refinement, which ends when the residual decreases no more.
+  /// Improves the solution X of A X = B by iterative refinement, which ends when the residual decreases by less than
+  /// half.
   void refine(Eigen::MatrixXd& X, const Eigen::MatrixXd& B, int max_steps) {
     Eigen::MatrixXd R = B - multiply(X);
     for (int k = 0; k < max_steps && R.norm() > 0.0; ++k) {

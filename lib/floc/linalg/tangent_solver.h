@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Method that solves the linear systems of a Newton iteration. The matrix of such a system is the tangent matrix.
+/// Method that solves the linear systems of a Newton iteration. The matrix of each system is a tangent matrix.
 enum class TangentMethod {
   lu,  ///< LU factor of each tangent matrix (UMFPACK)
   /// BiCGSTAB, preconditioned by a Cholesky factor of the symmetric part of a matrix; one factor serves several

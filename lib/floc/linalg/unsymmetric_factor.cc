@@ -14,8 +14,8 @@
 namespace floc {
 
 struct UnsymmetricFactor::Factors {
-  Eigen::SparseMatrix<double>
-      matrix;  // factorized matrix: the given matrix times `unit`; kept for iterative refinement
+  // factorized matrix: the given matrix times `unit`; kept for iterative refinement
+  Eigen::SparseMatrix<double> matrix;
   /// Power of two that scales the largest entry of the matrix to about 1. Without it, a solution would depend on the
   /// units, because UMFPACK rounds differently if the entries of a row are below 1e-12.
   double unit = 1.0;

@@ -204,7 +204,7 @@ template <int Dim>
 std::vector<SizeLevel<Dim>> size_levels(const Cell<Dim>& cell, const Grains<Dim>& grains,
                                         const WrappedGrains<Dim>& wrapped, double gap) {
   const auto [least, most] = std::minmax_element(grains.radius.begin(), grains.radius.end());
-  // Half widths are compared. The width itself could overflow, if a radius is close to the largest double.
+  // Half widths are compared. The width itself could overflow if a radius is close to the largest double.
   const double widest = *most + 0.5 * gap;
   const bool one = widest <= kSimilarSizes * (*least + 0.5 * gap);
   std::vector<std::vector<int>> members(kMaxLevels);

@@ -37,8 +37,8 @@ std::unique_ptr<ParallelSolver> load_parallel_solver() {
     throw std::runtime_error(
         "this floc was built without PETSc: build it with -DFLOC_PETSC=ON, which needs PETSc (Debian package "
         "libpetsc-real-dev)");
-  // The module is loaded only when needed, because PETSc depends on about eighty libraries. To load them takes longer
-  // than to run most commands.
+  // The module is loaded only when needed, because PETSc depends on about eighty libraries. Loading these libraries
+  // takes longer than running most commands.
   void* module = dlopen(module_path().c_str(), RTLD_NOW | RTLD_LOCAL);
   if (module == nullptr)
     throw std::runtime_error(std::string("the PETSc module cannot be loaded: ") + dlerror());

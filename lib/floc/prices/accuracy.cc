@@ -171,7 +171,7 @@ class AccuracyChooser {
     return least;
   }
 
-  /// Returns the reason why no settings achieve a requested error; empty if any settings achieve it.
+  /// Returns the reason why no settings achieve a requested error; empty if some settings achieve it.
   std::string reason_against(const Wish& wish) const {
     double floor = std::numeric_limits<double>::infinity();
     for (const PricedSettings& c : candidates_)
@@ -253,7 +253,8 @@ double settings_error(const PricedSettings& settings, const std::string& observa
   const auto found = settings.of.find(observable);
   if (found == settings.of.end()) return std::numeric_limits<double>::quiet_NaN();
   const PriceRow& row = *found->second;
-  // Soft springs change the mean. The samples may show only a part of this change, so the difference is not reduced.
+  // Soft springs change the mean. The measured difference may be only a part of this change, so the width of its
+  // confidence interval is not subtracted from it.
   if (settings.settings.softening.any()) return std::hypot(row.mean_difference, row.mean_error);
   const double detected = std::isfinite(row.mean_error)
                               ? std::max(0.0, std::abs(row.mean_difference) - row.mean_error)

@@ -17,8 +17,8 @@ struct CellFactors {
 };
 
 /// Requested accuracy: a list of keys of the table [accuracy] of a scene ("phi", "z", "moduli", "reuss", "forces",
-/// "lambda", "alpha", "Phi_max"). A key stands for one or several observables; the number with it is the largest
-/// accepted relative error of each of them.
+/// "lambda", "alpha", "Phi_max"). Each key stands for one or several observables. Its number is the largest accepted
+/// relative error of these observables.
 using WantedAccuracy = std::vector<std::pair<std::string, double>>;
 
 /// Returns all keys with which a scene can request an accuracy.

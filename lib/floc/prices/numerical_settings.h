@@ -14,8 +14,8 @@ constexpr const char* finish_name(Finish finish) {
 /// Factors >= 1 by which springs are softer than the contact law while grains rearrange (RelaxationOptions::softening).
 struct Softening {
   double assembly = 1.0;  ///< factor while the grains are put together
-  double load =
-      1.0;  ///< largest factor of all stages of the load path; if there are no stages, the factor of the assembly
+  /// largest factor of all stages of the load path; if there are no stages, the factor of the assembly
+  double load = 1.0;
 
   bool any() const { return assembly > 1.0 || load > 1.0; }
   bool operator==(const Softening&) const = default;

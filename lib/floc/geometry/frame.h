@@ -62,7 +62,7 @@ inline Vec<2, T> from_shear(const Vec<2, T>& n, const Shear<2, T>& shear) {
 }
 template <class T>
 inline Vec<3, T> from_shear(const Vec<3, T>&, const Shear<3, T>& shear) {
-  // Component by component, because GCC would otherwise copy the whole vector through memory.
+  // The components are listed one by one: GCC would copy a whole vector through memory.
   return {shear[0], shear[1], shear[2]};
 }
 

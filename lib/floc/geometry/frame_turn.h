@@ -67,7 +67,7 @@ class FrameTurn {
   T cos_, sin_;
   Vec<3, T> across_;
   T lean_;  // coefficient `lean` in the mean normal m = n1 - lean across
-  // component along m of the change of the vector between the centres, divided by their distance
+  // component along m of the change of the vector between the centres, divided by the distance of the centres
   T along_middle_;
 };
 

@@ -8,8 +8,8 @@
 
 namespace floc {
 
-/// Lattice of a periodic cell, spanned by shorter vectors than those of the original cell. Row a of `cell.matrix` is
-/// the sum over b of combination(a, b) times lattice vector b of the original cell.
+/// Lattice of a periodic cell after a reduction: shorter vectors span the same lattice as the vectors of the original
+/// cell. Row a of `cell.matrix` is the sum over b of combination(a, b) times lattice vector b of the original cell.
 template <int Dim>
 struct ReducedLattice {
   Cell<Dim> cell;

@@ -49,8 +49,8 @@ DoubleDoubleVec<Dim> difference(const DoubleDoubleVec<Dim>& to, const DoubleDoub
 
 /// Returns the gap (length) between the surfaces of two balls: |r| - (Ri + Rj) = (r^2 - (Ri + Rj)^2)/(|r| + Ri + Rj),
 /// where r is the vector between their centres. The function computes the right-hand side with squares in double-double
-/// arithmetic. Its rounding error is a few units in the last place of the gap; the error of |r| - (Ri + Rj) would be a
-/// unit in the last place of the much larger |r|.
+/// arithmetic. The rounding error of the result is a few units in the last place of the gap. The error of |r| - (Ri +
+/// Rj) would be larger: a unit in the last place of |r|.
 template <int Dim>
 double surface_gap(const DoubleDoubleVec<Dim>& r, double radius_i, double radius_j) {
   const DoubleDouble radii = exact_sum(radius_i, radius_j);

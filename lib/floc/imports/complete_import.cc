@@ -29,8 +29,8 @@ constexpr double kForeignTolerance = 1e-3;
 
 /// Returns the tolerances of the equilibrium of an imported packing. The tolerances of force, moment and stress are
 ///   1. the tolerance that the user gives
-///   2. without it, the default of floc if the file gives the imposed stress
-///   3. otherwise kForeignTolerance.
+///   2. if the user gives none and the file gives the imposed stress: the default of floc
+///   3. in all other cases: kForeignTolerance.
 /// The tolerance of the energy is proportional to the tolerance of the force.
 EquilibriumTolerance tolerance_for(const Imported& imported, const std::optional<double>& tolerance) {
   const EquilibriumTolerance own;

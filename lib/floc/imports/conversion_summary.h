@@ -15,7 +15,7 @@ struct ConversionSummary {
   std::vector<std::string> inconsistencies;  ///< sentences about contradictions in the data of the packing
 };
 
-/// Summarises an imported packing: compares the contacts that its file lists with the positions and radii of the
+/// Summarises an imported packing. Compares the contacts that the file lists with the positions and radii of the
 /// grains, and the listed forces with the contact law. Returns an empty summary for a state file of floc, for which
 /// `floc verify` makes this comparison.
 /// @param state  state of `imported`, completed by complete_import()

@@ -195,8 +195,8 @@ void check_length(hid_t file, const std::string& place, double bytes) {
 }
 
 /// Opens a dataset that is an array of numbers of type T.
-/// @throws InputError naming `place` unless the dataset exists, has the given shape, and contains real numbers (if T is
-/// double) or integers (otherwise)
+/// @throws InputError naming `place` unless the dataset exists, has the given shape, and contains numbers of the kind
+/// of T (real numbers if T is double, else integers)
 template <class T>
 Handle open_array(hid_t file, const std::string& place, const std::string& path, const ArrayShape& shape) {
   Handle dataset = open_dataset(file, place, path);

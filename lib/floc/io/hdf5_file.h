@@ -21,8 +21,7 @@ class Hdf5Failure : public std::runtime_error {
   int error_;
 };
 
-/// Shape of an array: the number of entries along each dimension. The first dimension is that of the index that varies
-/// slowest.
+/// Shape of an array: the number of entries along each dimension. The index along the first dimension varies slowest.
 using ArrayShape = std::vector<std::uint64_t>;
 
 /// Writes an HDF5 file. The file contains no times, so equal calls give equal bytes. All member functions throw

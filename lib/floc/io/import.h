@@ -47,7 +47,7 @@ struct ImportOptions {
   /// Largest gap (length) of grains that count as touching, if contacts are found from the geometry. The force across a
   /// gap is zero.
   double touch_gap = 0.0;
-  /// whether the file lists each pair twice, once for each of its grains, see merge_pairs()
+  /// whether the file of contacts lists each pair of grains twice, once for each of the two grains: see merge_pairs()
   bool pairs_twice = false;
 };
 
@@ -63,8 +63,8 @@ struct ListedContactCounts {
   /// Number of contacts whose listed image contradicts the positions. They were kept, with the nearest periodic image
   /// of grain id2.
   int n_other_image = 0;
-  /// Number of contacts across a boundary that is not a lattice translation. They keep their forces and have no
-  /// stiffness.
+  /// Number of contacts across a boundary that is not a lattice translation. Such contacts keep the listed forces and
+  /// have no stiffness.
   int n_across_no_lattice = 0;
   int n_bonds = 0;  ///< number of contacts that act across a gap, each with its own stiffnesses
   /// Sentences about contacts whose listed stiffnesses differ from the stiffnesses of the contact law at the listed

@@ -10,7 +10,7 @@ namespace floc {
 /// LAMMPS do.
 bool is_lammps_data(const std::string& path);
 
-/// Reads a data file of LAMMPS with atom_style sphere. Each line of its section Atoms contains "id type diameter
+/// Reads a data file of LAMMPS with atom_style sphere. Each line of the section Atoms contains "id type diameter
 /// density x y z [ix iy iz]". As in LAMMPS, the mass of a grain is the mass of a sphere of the given density, in 2D as
 /// well as in 3D. The dimension and the boundary are read from the title (the first line of the file) if
 /// lammps_data_text() has written them there. The box is periodic unless the title contains "boundary" with letters

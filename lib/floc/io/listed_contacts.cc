@@ -30,8 +30,8 @@ constexpr double kNoShear = 1e-9;
 constexpr double kRounding = 1e-15;
 /// A force below this fraction of the largest listed force counts as a rounding error.
 constexpr double kNoForce = 1e-9;
-/// Two grains cannot be in contact if their gap exceeds the range of the law by more than this fraction of their mean
-/// radius. The fraction is large because a file may have few digits.
+/// Two grains cannot be in contact if the gap between them exceeds the range of the law by more than this fraction of
+/// the mean of their radii. The fraction is large because a file may have few digits.
 constexpr double kFarthestGap = 0.1;
 /// If a file lists both a normal force and a total force for a contact, the normal component of the total force may
 /// differ from the normal force by this fraction of the total force. If positions are rounded to six digits, the

@@ -19,13 +19,14 @@ namespace {
 /// divided by the radius of this circle or sphere. The distance may be large because a file may have few digits, and
 /// because the point may lie on the surface of the other grain.
 constexpr double kFarthestPoint = 0.1;
-/// If a listed contact point corresponds to no contact point of the two shapes, its key is this number or a larger one.
+/// A listed contact point that corresponds to no contact point of the two shapes has this number, or a larger one, as
+/// its key.
 constexpr int kFirstFreeKey = kMostFaces << 21;
 /// If the distance between a contact point of floc and one of another program is at most this fraction of the smaller
 /// radius, the two count as the same point.
 constexpr double kOnePointShare = 0.25;
 
-/// Subtracts lattice vectors along the periodic axes from a vector so that its reduced coordinates are at most 1/2 in
+/// Subtracts lattice vectors from a vector, so that its reduced coordinates along the periodic axes are at most 1/2 in
 /// magnitude.
 template <int Dim>
 Vec<Dim> nearest_of_images(const Packing<Dim>& packing, const Vec<Dim>& vector) {
@@ -53,8 +54,8 @@ ContactType type_of(std::size_t n_points, ContactType listed) {
   return ContactType::kDouble;
 }
 
-/// Sets the keys of the contact points of one pair. If a listed point is near a contact point of the two shapes, its
-/// key is the key of that point, else a free number. Sorts the points by key.
+/// Sets the keys of the contact points of one pair. A listed point that is near a contact point of the two shapes gets
+/// the key of this contact point. Any other listed point gets a free number as its key. Sorts the points by key.
 template <int Dim>
 void number_pair(const Packing<Dim>& packing, std::span<Contact<Dim>> points) {
   const double radius = smaller_radius(packing, points.front());

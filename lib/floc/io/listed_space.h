@@ -58,7 +58,7 @@ ListedEnds& ends_along(int axis, ListedSpace& space);
 /// Adds a wall at a position on its axis. The other end of the axis is open unless it gets a wall, too.
 void add_wall(const WallSide& wall, double position, ListedSpace& space);
 
-/// Adds a wall at a face of the cell of `space`. The other end of its axis is open unless it gets a wall, too.
+/// Adds a wall at a face of the cell of `space`. The other end of the axis is open unless it gets a wall, too.
 /// @pre the cell is given
 void add_wall_at_face(const WallSide& wall, ListedSpace& space);
 

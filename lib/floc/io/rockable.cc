@@ -177,8 +177,8 @@ WallSide add_face(const RockableBody& body, const Mesh<3>& shape, const Eigen::V
   return wall;
 }
 
-/// Shapes of the bodies of a configuration. Each shape that is needed is added to the table of shapes of the packing,
-/// once; its index there is kept.
+/// Shapes of the bodies of a configuration. A shape is added to the table of shapes of the packing when a grain first
+/// needs it.
 class Bodies {
  public:
   explicit Bodies(const std::string& path) : path_(path), meshes_(read_rockable_shapes(path)) {}

@@ -118,7 +118,7 @@ bool remembers(const Packing<Dim>& packing, const std::string& name) {
 }
 
 /// Gives the contact history a second name, from version 1 of the file format, for scripts that use the names of
-/// version 1. If the law does not have a history quantity of version 1, its array is written with zeros.
+/// version 1. If the law does not have a history quantity of version 1, an array of zeros is written for it.
 template <int Dim>
 void write_version_1_names(Hdf5Writer& file, WritingArchive& archive, const Packing<Dim>& packing) {
   for (const Version1Name& known : kVersion1Names) {

@@ -53,7 +53,7 @@ class NamedColumns {
   /// Whether the user named a column for `name`, or find() finds one.
   bool has(const std::string& name) const { return is_named(name) || find(name).has_value(); }
 
-  /// Returns the result of find().
+  /// Returns the column that find() returns.
   /// @throws InputError listing the columns of the table if there is no such column
   UnitColumn unit_column(const std::string& name) const;
   int column(const std::string& name) const { return unit_column(name).index; }

@@ -121,8 +121,9 @@ class SplitLines {
   bool is_plausible() const { return has_numbers() && has_names() && share_of_numbers() >= 0.5; }
 
  private:
-  /// Finds the usual number of cells of a line. It is the number of cells of those lines that contain, together, the
-  /// most numbers; in a text without numbers, the most frequent number of cells.
+  /// Finds the usual number of cells of a line. For each number of cells, the numbers in all lines with this number of
+  /// cells are counted; the largest count decides. In a text without numbers, the most frequent number of cells is the
+  /// usual one.
   void find_width() {
     // key: number of cells of a line; value: count of numbers in all lines with this number of cells, and count of
     // these lines
@@ -189,7 +190,7 @@ bool is_blank(const Cells& cells) {
   return without_trailing_empties(cells) == 0;
 }
 
-/// Whether a row below the names contains units. Empty cells, and cells with a sign for numbers without unit, do not
+/// Whether a row below the names contains units. Empty cells, and cells such as "-" for a column without unit, do not
 /// count. The row contains units if all other cells are units, or if half of them are and one of these units is longer
 /// than a single letter.
 bool is_units_row(const Cells& cells) {

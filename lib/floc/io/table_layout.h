@@ -19,8 +19,8 @@ struct TableLines {
   std::vector<TableLine> comments;  ///< comments above the first row, without the character #
 };
 
-/// Returns the lines of a text. Lines that begin with # are comments. Some spreadsheets write a first line such as
-/// "sep=;". It is left out, because the separator is found from the other lines.
+/// Returns the lines of a text. Lines that begin with # are comments. A first line such as "sep=;", which some
+/// spreadsheets write, is left out; the separator is found from the other lines.
 TableLines table_lines(std::string_view text);
 
 /// Layout of a table: the separator of its cells, the lines that name the columns, and the beginning of its rows.

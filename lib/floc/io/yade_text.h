@@ -21,7 +21,7 @@ bool is_yade_interactions(const std::string& path);
 ///   # gravity gx gy gz                    acceleration due to gravity
 ///   # id x y z r [mass]                   names of the columns; the comment of export.textExt(),
 ///                                         "\#format x_y_z_r", is accepted as well
-/// If no comment names the columns, they are x y z r. Without a column id, spheres are numbered from 0.
+/// If no comment names the columns, they are x y z r. If there is no column id, spheres are numbered from 0.
 ///
 /// `options.contacts` may name a file of contacts: see read_contact_file(). In a file of interactions of YADE, with one
 /// interaction per line, a comment names the columns:

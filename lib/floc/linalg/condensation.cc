@@ -86,7 +86,7 @@ class Relaxation {
   }
 
   /// Returns whether the energy that further relaxation would release is at most `tolerance` times the present energy.
-  /// The result is false before the first step. If `smallest_ratio` is estimated from the steps, it is false before
+  /// The result is false before the first step or, if `smallest_ratio` is estimated from the steps, before
   /// kStepsOfEstimate steps.
   bool converged(double tolerance) const {
     if (work_ == 0.0) return true;

@@ -22,7 +22,8 @@ struct GroupOrder {
   double operations;
 };
 
-/// Graph whose nodes are the groups of unknowns of a sparse matrix. CHOLMOD uses it to find orders of elimination.
+/// Graph whose nodes are the groups of unknowns of a sparse matrix. CHOLMOD finds orders of elimination from this
+/// graph.
 class GroupGraph {
  public:
   GroupGraph(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& group)

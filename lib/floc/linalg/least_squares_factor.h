@@ -5,8 +5,8 @@
 
 namespace floc {
 
-/// Sparse triangular factor R of a matrix A = Q R (SuiteSparseQR). It solves A^T A x = b without forming A^T A.
-/// Rounding costs fewer digits, because the condition number of R is only the square root of the condition number of
+/// Sparse triangular factor R of a matrix A = Q R (SuiteSparseQR). The factor solves A^T A x = b without the matrix A^T
+/// A. Rounding costs fewer digits, because the condition number of R is only the square root of the condition number of
 /// A^T A.
 class LeastSquaresFactor {
  public:

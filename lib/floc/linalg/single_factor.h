@@ -12,7 +12,7 @@ namespace floc {
 ///
 /// Rounding to single precision may make A indefinite. Increasing shifts are therefore added to the diagonal, until A +
 /// shift * 1 has a Cholesky factor. The factor is inaccurate for motions whose stiffness is below the shift; the
-/// refinement corrects them.
+/// refinement corrects the solution for these motions.
 class SingleFactor {
  public:
   /// @param lower  lower triangle of A, with a diagonal of order one

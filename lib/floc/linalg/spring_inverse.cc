@@ -30,7 +30,7 @@ std::function<Eigen::VectorXd(const Eigen::VectorXd&)> by(const SymmetricFactor&
 }
 
 /// Returns whether all columns of `root` are, within rounding, linear combinations of the columns that `qr` has kept.
-/// If they are, the columns that `qr` has left out are mechanisms and not soft springs.
+/// If this is true, the columns that `qr` has left out are mechanisms and not soft springs.
 /// @param root  sqrt(k) A, the square root of the stiffness matrix
 bool spans(const Eigen::SparseMatrix<double>& root, const LeastSquaresFactor& qr) {
   constexpr double kRounding = 1e-14, kLargest = 1e6;

@@ -38,7 +38,7 @@ TangentPlan plan_tangent(const Eigen::SparseMatrix<double>& tangent, const Tange
 
 /// Solver for the linear systems of successive Newton steps. All matrices have the same pattern. The block of the
 /// grains should be nearly symmetric and positive definite; it is, unless many contacts slide. If BiCGSTAB does not
-/// converge, an LU factor replaces it, if TangentPlan::lu_at_need is true.
+/// converge and TangentPlan::lu_at_need is true, an LU factor replaces BiCGSTAB.
 class TangentSolver {
  public:
   TangentSolver(const TangentPlan& plan, const TangentLayout& layout);

@@ -96,8 +96,7 @@ class Bins {
   }
 
   /// Calls visit(j, image) like around(), but leaves out the bins before the bin of i, and the grains in the bin of i
-  /// with an index below i. If called for all grains in these bins, it visits each pair once. Grain i must be in these
-  /// bins.
+  /// with an index below i. Calls for all grains in these bins visit each pair once. Grain i must be in these bins.
   template <class Visit>
   void around_and_after(int i, double reach, const Visit& visit) const {
     const Window window = window_around(i, reach);
@@ -130,8 +129,8 @@ class Bins {
     return window;
   }
 
-  /// Calls visit(bin) for each bin of a window (a box of bins around a grain). It starts at the bin `begin`, and the
-  /// index along the first axis changes fastest.
+  /// Calls visit(bin) for each bin of a window (a box of bins around a grain). The first bin is `begin`, and the index
+  /// along the first axis changes fastest.
   template <class Visit>
   static void for_each_bin(const Vec<Dim, int>& begin, const Window& window, const Visit& visit) {
     Vec<Dim, int> bin = begin;

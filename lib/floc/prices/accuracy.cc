@@ -16,8 +16,8 @@ namespace {
 /// stiffness numbers of the two scenes differ by at most this factor.
 constexpr double kStiffnessRange = 10.0;
 
-/// Keys of the table [accuracy] of a scene. Each key stands for several observables; they are listed by their names in
-/// the column "observable" of a table of prices.
+/// Keys of the table [accuracy] of a scene. Each key stands for one or several observables, which are given by their
+/// names in the column "observable" of a table of prices.
 const std::vector<std::pair<std::string, std::vector<std::string>>> kKeys = {
     {"phi", {"phi"}},
     {"z", {"z_plus", "z_minus"}},

@@ -54,8 +54,8 @@ std::vector<PricedSettings> cell_prices(const PriceTable& table, const std::vect
 /// Returns a bound of the relative error that settings cause in the mean of an observable over states. Let d be the
 /// difference of the means from those of the strictest settings, and h the half width of the 95 % confidence interval
 /// of d. The bound is the larger of two numbers: the error that 95 % of the single states do not exceed, and |d| - h
-/// (at least 0). Soft springs lead to other packings; with them the bound is sqrt(d^2 + h^2). NaN if nothing was
-/// measured.
+/// (at least 0). Soft springs result in other packings; for settings with soft springs, the bound is sqrt(d^2 + h^2).
+/// NaN if nothing was measured.
 double settings_error(const PricedSettings& settings, const std::string& observable);
 
 /// Result of choose_accuracy(): the cheapest numerical settings whose errors do not exceed the requested errors or, if
@@ -79,8 +79,8 @@ struct AccuracyChoice {
 /// 2. If only means were compared, because the quantity is fitted to a whole path: the difference of the means plus its
 /// sampling error is at most the requested error.
 ///
-/// Settings with soft springs are never chosen, because they lead to other packings, and a key of [accuracy] limits the
-/// errors of single states.
+/// Settings with soft springs are never chosen: soft springs result in other packings, but a key of [accuracy] limits
+/// the errors of single states.
 ///
 /// If a requested error is below all measured errors, no settings are chosen: the reference run would be the only
 /// candidate, and its own error is unknown. If the mass or the strain rate of the cell differs from its default, the
@@ -92,7 +92,7 @@ struct AccuracyChoice {
                                              const std::vector<CellFactors>& cells = {});
 
 /// Whether the table of errors was measured on grains whose stiffness number differs from `kappa` by at most a factor
-/// of ten. If the difference is larger, the errors do not apply, because they depend on the stiffness.
+/// of ten. If the stiffness numbers differ by more, the errors do not apply, because errors depend on the stiffness.
 /// @param kappa  stiffness number a K_N/F0 of the scene (largest diameter a, normal stiffness K_N, pull-off force F0)
 bool covers_stiffness(const PriceTable& table, double kappa);
 

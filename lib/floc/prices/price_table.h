@@ -9,8 +9,8 @@
 namespace floc {
 
 /// Price of one numerical setting: its cost, and the error that it causes in one observable (such as the solid
-/// fraction). A PriceRow is one row of the table that `floc tradeoff` writes. Errors are relative. If the table does
-/// not contain a number, it is NaN.
+/// fraction). A PriceRow is one row of the table that `floc tradeoff` writes. Errors are relative. A number that the
+/// table lacks is NaN.
 struct PriceRow {
   /// name and value of the parameter that was varied, e.g. "time_step" and "0.2"
   std::string parameter, value;

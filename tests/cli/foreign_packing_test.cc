@@ -83,7 +83,7 @@ TEST_F(ForeignPacking, WithNotANumberIsRefused) {
 TEST_F(ForeignPacking, WithAContactOfHalfTheCellAndNoImageIsRefused) {
   expect_refusal(
       kGrains, "id1,id2,normal_force\n1,2,1\n",
-      "c.csv:2: the centres of the grains are 0.9 apart, not less than half the width of the cell (0.9)",
+      "c.csv:2: the centres of the grains are 0.9 apart, which is half the width of the cell (0.9) or more",
       "1.8,0;0,4");
 }
 

@@ -423,8 +423,8 @@ class ListedContacts {
     const bool chosen = !row.image || c.image != row.image->template head<Dim>();
     if (chosen && distance >= half_width_)
       throw InputError(row.place.text(),
-                       fmt::format("the centres of the grains are {:.6g} apart, not less than half the width "
-                                   "of the cell ({:.6g}): the list of contacts must give, in the columns "
+                       fmt::format("the centres of the grains are {:.6g} apart, which is half the width of the "
+                                   "cell ({:.6g}) or more: the list of contacts must give, in the columns "
                                    "image1.., the image of the second grain that touches the first{}",
                                    distance, half_width_, counting_hint(listed_)));
   }

@@ -52,8 +52,8 @@ class ParallelSolver {
   /// columns.size() columns
   virtual void set_row(int row, std::span<const int> columns, std::span<const double> values) = 0;
   /// Completes the matrix A and sets up its preconditioner.
-  /// @param near_null  vectors v for which A v is close to zero, one after another, each with its entries in the rows of
-  ///                   this process. The coarse grids of the preconditioner have to represent these vectors
+  /// @param near_null  vectors v for which A v is close to zero, one after another, each with its entries in the rows
+  ///                   of this process. The coarse grids of the preconditioner have to represent these vectors
   /// @param n_vectors  number of vectors in `near_null`
   virtual void finish_matrix(std::span<const double> near_null, int n_vectors) = 0;
 

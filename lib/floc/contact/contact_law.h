@@ -20,7 +20,7 @@ namespace floc {
 /// Relative motion of the surfaces of the grains i and j of a contact.
 template <int Dim, class T = double>
 struct ContactMotion {
-  PairGeometry<T> pair;  ///< geometry of the pair at the end of the motion
+  PairGeometry<T> pair;  ///< geometry of the pair after the motion
   T gap_rate;            ///< rate of change dh/dt of the gap (length/time)
   T damping;             ///< damping coefficient of the pair, from ContactLaw::damping_coefficient()
   /// Tangential displacement of grain j relative to grain i since the history of the contact was last updated (length).
@@ -74,7 +74,7 @@ requires(requires { typename Adhesion::template PairParameters<T>; }) struct Pai
 
 /// Contact law composed of one model per slot: normal repulsion, adhesion, damping, friction, rolling and twisting
 /// resistance. An empty slot (contact/absent.h) adds no data, no branch and no history. Every function that the
-/// dynamics calls is a template on its number type and does not branch on values, so that it can also evaluate a SIMD
+/// dynamics calls is a template on its number type and does not branch on values, so that one call can evaluate a SIMD
 /// vector of contacts.
 template <class Normal, class Adhesion, class Damping, class Tangential, class Rolling, class Twisting>
 struct ContactLaw {
@@ -138,8 +138,8 @@ struct ContactLaw {
     return 0.0;
   }
 
-  /// Returns whether a pair with this history belongs to the list of contacts: its surfaces touch, overlap,
-  /// attract each other across the gap or hold liquid.
+  /// Returns whether a pair with this history belongs to the list of contacts: its surfaces touch, overlap or attract
+  /// each other across the gap, or the pair has a liquid bridge, possibly a broken one.
   template <int Dim>
   bool interacts(const PairGeometry<>& pair, const PackedHistory<kHistorySize<Dim>>& history) const {
     if constexpr (kHoldsLiquid)
@@ -157,8 +157,9 @@ struct ContactLaw {
     else
       return {};
   }
-  /// Returns the parameters of a pair of grains that are in effect at its present history: `parameters`, but with zero
-  /// strength if the liquid bridge of the pair has broken. The pair must not have moved since its history was updated.
+  /// Returns the parameters of a pair of grains that are in effect now: `parameters`, but with zero strength if the
+  /// liquid bridge has broken according to the history of the pair. The grains must not have moved since the history
+  /// was updated.
   template <int Dim>
   PairParameters<> acting(const PairParameters<>& parameters,
                           [[maybe_unused]] const PackedHistory<kHistorySize<Dim>>& history) const {
@@ -277,8 +278,9 @@ struct ContactLaw {
     return 0.0;
   }
 
-  /// Updates the history of a contact by one motion and returns the forces of the contact. Springs are shortened so
-  /// that their forces do not exceed their caps. When the surfaces part, the elongations of the springs become zero.
+  /// Updates the history of a contact after the relative motion `motion`, and returns the forces of the contact.
+  /// Springs are shortened so that their forces do not exceed their caps. When the surfaces part, the elongations of
+  /// the springs become zero.
   template <int Dim, class T>
   ContactForces<Dim, T> respond(const ContactMotion<Dim, T>& motion,
                                 PackedHistory<kHistorySize<Dim>, T>& history,
@@ -314,13 +316,14 @@ struct ContactLaw {
     return response.touches ? touching(response) : ContactStiffness{response.stiffness, 0.0, 0.0};
   }
 
-  /// Returns the stiffnesses of a touching contact whose elastic normal force is known, but not its gap.
+  /// Returns the stiffnesses of a touching contact with the elastic normal force `elastic`. The gap of `pair` is not
+  /// used.
   ContactStiffness stiffness_at_force(const PairGeometry<>& pair, double elastic) const {
     return touching(of_stiffness(elastic, repulsion.stiffness_at_force(pair, elastic)));
   }
 
-  /// Returns upper bounds on the stiffnesses that a contact of this pair can have in a packing with the largest
-  /// overlap, force and impact speed `load`.
+  /// Returns upper bounds on the stiffnesses that a contact of this pair can have in a packing. The largest overlap,
+  /// force and impact speed in the packing are given by `load`.
   ContactStiffness stiffness_bound(const PairGeometry<>& pair, const ContactLoad& load) const {
     return touching(of_stiffness(0.0, repulsion.stiffness_bound(pair, load)));
   }

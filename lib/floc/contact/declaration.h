@@ -78,9 +78,9 @@ struct Choice {
   void (*set)(Model&, int);
 };
 
-/// Get and set the index of the keyword that a model has chosen, for models that store it as an enumeration in the
-/// member `kMember`. Choice::get and Choice::set point to these two functions. They are not lambdas, because a model
-/// declares its choices before its own definition is complete.
+/// Functions that get and set the index of the keyword that a model has chosen, for models that store the choice as an
+/// enumeration in the member `kMember`. Choice::get and Choice::set point to these two functions. They are not lambdas,
+/// because a model declares its choices before its own definition is complete.
 template <class Model, auto kMember>
 int chosen(const Model& model) {
   return static_cast<int>(model.*kMember);

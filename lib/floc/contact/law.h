@@ -11,8 +11,8 @@ struct CapillaryAdhesion;
 struct LawParameters;
 
 /// Contact law of a packing or a run: a handle to the models of the law and their numbers (law_parameters.h), which are
-/// immutable and shared between copies. The member functions return properties that every law has. Only sources that
-/// evaluate, read or write the models therefore have to include them.
+/// immutable and shared between copies. The member functions return properties that every law has. A source has to
+/// include the headers of the models only if it evaluates, reads or writes the models.
 class Law {
  public:
   /// Creates a law of linear repulsion with zero stiffness, a placeholder until another law is assigned.
@@ -31,8 +31,8 @@ class Law {
   bool has_rolling() const;
   bool has_twisting() const;
 
-  /// Returns the pull-off force F0 (force) if it is equal for all pairs of grains; 0 without adhesion, and if F0
-  /// depends on the pair.
+  /// Returns the pull-off force F0 (force) if it is equal for all pairs of grains; 0 if the law has no adhesion or if
+  /// F0 depends on the pair.
   double pull_off_force() const;
   /// Returns the pull-off force F0 (force) of two grains with radius `radius` (length); 0 without adhesion.
   double pull_off_force(double radius) const;
@@ -52,8 +52,8 @@ class Law {
   /// attract (CapillaryAdhesion::acts()).
   const CapillaryAdhesion* liquid() const;
   /// Returns the modulus by which the pressures of grains without adhesion are divided to make them dimensionless
-  /// (force/length^(dim-1)). For linear contacts of stiffness K_N between grains of diameter a it is K_N/a^(dim-2). For
-  /// Hertz contacts with Young's modulus E and Poisson's ratio nu it is E/(1 - nu^2).
+  /// (force/length^(dim-1)). For linear contacts of stiffness K_N between grains of diameter a, the modulus is
+  /// K_N/a^(dim-2). For Hertz contacts with Young's modulus E and Poisson's ratio nu, the modulus is E/(1 - nu^2).
   double contact_modulus(int dim, double diameter) const;
 
   /// Whether the contacts are rigid: their surfaces do not overlap, and their forces are not functions of the geometry.

@@ -9,7 +9,8 @@
 ///   1. write it as a header in the folder of its slot: a struct that declares its numbers and its history
 ///      (declaration.h) and has the functions of its slot as templates on the number type (see
 ///      normal/linear_repulsion.h and tangential/coulomb_friction.h);
-///   2. add it to its slot in law_parameters.h; the table below combines the models of all slots and includes it;
+///   2. add the model to its slot in law_parameters.h; the table below then combines it with the models of the other
+///   slots;
 ///   3. add a set of sample numbers for the conformance tests to tests/support/laws.h, and write a unit test
 ///      with a closed form.
 namespace floc {

@@ -10,7 +10,7 @@ namespace floc {
 /// use `touches`, because they act while the surfaces touch.
 template <class T>
 struct NormalResponse {
-  /// Type of a comparison: bool or, if T is a SIMD vector, one bool per lane.
+  /// Type of the result of a comparison: bool or, if T is a SIMD vector, one bool per lane.
   using Mask = decltype(std::declval<T>() < std::declval<T>());
 
   T elastic;   ///< elastic part FNe of the normal force, a repulsion >= 0 (force)
@@ -19,7 +19,7 @@ struct NormalResponse {
   /// or unloading (force/length).
   T stiffness;
   /// Stiffness -dF/dh of the normal force F (elastic and adhesive part) at the gap h, for small reversible motions
-  /// (force/length). Elastic moduli are computed from it.
+  /// (force/length). Elastic moduli are computed from this stiffness.
   T elastic_stiffness;
   T shear_stiffness = T(0);  ///< tangential stiffness K_T, if the normal law determines it (force/length)
   Mask touches{};            ///< whether the surfaces touch, by the criterion of the normal law

@@ -4,7 +4,7 @@
 
 #include "floc/contact/law.h"
 
-/// Soft springs, with which grains rearrange in fewer time steps (docs/numerics.md, "Soft collapse").
+/// Soft contact springs, which let grains rearrange in fewer time steps (docs/numerics.md, "Soft collapse").
 namespace floc {
 
 /// Returns a contact law whose springs are softer by a factor s >= 1: the normal, tangential, rolling and twisting
@@ -17,8 +17,8 @@ struct SofteningLimit {
   double largest;      ///< largest factor; at most 1 if no softening is possible
   std::string reason;  ///< consequence of a larger factor, for messages
 
-  /// Returns a message with the reason why springs cannot be softer by a factor s, and the largest possible factor;
-  /// empty if they can.
+  /// Returns a message with the reason why springs cannot be softened by a factor s, and with the largest possible
+  /// factor; empty if the springs can be softened by s.
   std::string fault(double s) const;
 };
 

@@ -18,7 +18,8 @@
 namespace floc {
 namespace {
 
-/// Unit in which the forces in a picture are expressed: its size as a force, and its symbol in the legend.
+/// Unit in which the forces in a picture are expressed: the magnitude of the unit (force), and the symbol of the unit
+/// in the legend.
 struct UnitForce {
   double size;
   const char* name;
@@ -73,8 +74,8 @@ LineKind line_of_kind(ContactType kind) {
                                         : LineKind::compression;
 }
 
-/// Returns the kind of the contact of a grain with a wall: what of the grain lies on the wall, by the number of its points
-/// that carry a force.
+/// Returns the kind of a contact between a grain and a wall: whether a vertex, an edge or a face of the grain lies on
+/// the wall. The kind follows from the number of contact points with a force.
 template <int Dim>
 ContactType kind_on_wall(const Packing<Dim>& packing, const Contact<Dim>& contact, double zero_force) {
   const auto of_grain = std::ranges::equal_range(packing.contacts, contact.i, {}, &Contact<Dim>::i);

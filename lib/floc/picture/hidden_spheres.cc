@@ -16,7 +16,7 @@ constexpr double kMaxTilesPerSide = 3000.0;
 class Tiles {
  public:
   /// Divides the rectangle around all spheres into tiles.
-  /// @param finest  smallest radius (length); tiles are an eighth of it wide
+  /// @param finest  smallest radius (length); the width of a tile is an eighth of this radius
   Tiles(const std::vector<SeenSphere>& spheres, double finest) {
     low_.setConstant(std::numeric_limits<double>::infinity());
     Vec<2> high = -low_;
@@ -30,8 +30,9 @@ class Tiles {
                     false);
   }
 
-  /// Returns whether all tiles that a sphere overlaps were marked in earlier calls, so that it is hidden. Then marks
-  /// the tiles that lie within the sphere. @pre calls are made from the nearest to the farthest sphere
+  /// Returns whether the sphere is hidden, that is, whether earlier calls have marked all tiles that the sphere
+  /// overlaps. Also marks the tiles that lie within the sphere. @pre calls are made from the nearest to the farthest
+  /// sphere
   bool hides_then_cover(const SeenSphere& s) {
     bool hidden = true;
     for_each_tile(s, [&hidden](auto tile, bool within) {
@@ -56,8 +57,8 @@ class Tiles {
   }
 
  private:
-  /// Calls `act(tile, within)` for each tile that a sphere overlaps, with a reference to the mark of the tile and
-  /// whether the tile lies within the sphere.
+  /// Calls `act(tile, within)` for each tile that a sphere overlaps: `tile` is a reference to the mark of the tile, and
+  /// `within` is true if the tile lies within the sphere.
   template <class Act>
   void for_each_tile(const SeenSphere& s, Act&& act) {
     const int first_row = row_of(s.centre[1] - s.radius, 1), last_row = row_of(s.centre[1] + s.radius, 1);

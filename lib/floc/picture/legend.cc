@@ -93,9 +93,10 @@ LegendItem text_item(const std::string& text) {
   return {-kAfterSample, [](cairo_t*, double, double) {}, text};
 }
 
-/// Distributes the items of a legend over lines of text, filled from the left, and calls `place(item, x, line)` for
-/// each item: x is its distance from the left end of the line (points), `line` the index of the line. An item that is
-/// wider than a line takes as many lines as its text needs. @return number of lines of the legend
+/// Distributes the items of a legend over lines of text, which are filled from the left, and calls `place(item, x,
+/// line)` for each item: x is the distance of the item from the left end of the line (points), and `line` is the index
+/// of the line. An item that is wider than a line takes as many lines as its text needs. @return number of lines of the
+/// legend
 template <class Place>
 int flow(const std::vector<LegendItem>& items, double width, Place&& place) {
   double x = 0.0;

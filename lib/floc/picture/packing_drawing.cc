@@ -149,7 +149,7 @@ class Drawing {
     cairo_new_sub_path(page_);
     for (const OutlineCorner& corner : outline.corners) {
       const Vec<2> p = on_page(corner.centre + shift);
-      // The y axis of the page points down, so that arcs have the opposite sense of rotation on the page.
+      // The y axis of the page points down, so the sense of rotation of arcs is reversed on the page.
       if (radius > 0.0)
         cairo_arc_negative(page_, p[0], p[1], radius, -corner.begin, -corner.end);
       else

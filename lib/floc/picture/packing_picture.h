@@ -22,8 +22,8 @@ enum class LineKind {
   gained,
 };
 
-/// An interaction of two grains (or of a grain and a wall), drawn as a line from the centre of grain i to that of grain
-/// j. At a contact of shapes with corners, the line bends at the contact point.
+/// An interaction of two grains (or of a grain and a wall), drawn as a line from the centre of grain i to the centre of
+/// grain j. At a contact of shapes with corners, the line bends at the contact point.
 template <int Dim>
 struct ContactLine {
   Vec<Dim> from = Vec<Dim>::Zero();
@@ -46,7 +46,7 @@ struct DisplacementArrow {
 /// A value of every grain, which is drawn as the colour of the grain.
 struct GrainShade {
   std::vector<double> value;  ///< value of each grain
-  double largest = 1.0;       ///< value > 0 at the end of the colour scale; larger values have its colour
+  double largest = 1.0;       ///< value > 0 at the end of the colour scale; larger values have the last colour
   std::string name;           ///< name of the quantity in the legend
 };
 
@@ -63,7 +63,7 @@ struct DrawnShape {
   }
 };
 
-/// A layer of a cell between two lattice planes, whose positions are fractions of a lattice vector.
+/// A layer of a cell between two lattice planes. The positions of the planes are fractions of a lattice vector.
 struct Slab {
   int axis = 2;  ///< index of the cell vector that crosses the layer, counted from 0
   double from = 0.0, to = 1.0;
@@ -73,8 +73,8 @@ struct Slab {
 };
 
 /// A picture of a packing: grains, lines, arrows and colours. Lengths have the unit of length of the state. Each
-/// element is held once; the functions that draw the picture add its periodic copies, and clip them at the border of
-/// the cell.
+/// element is stored once. The functions that draw the picture add the periodic copies of each element and clip them at
+/// the border of the cell.
 template <int Dim>
 struct PackingPicture {
   Cell<Dim> cell;
@@ -110,9 +110,9 @@ struct PackingPicture {
 template <int Dim>
 PackingPicture<Dim> grains_of(const Packing<Dim>& packing);
 
-/// Returns the line that shows a contact of a packing. Between round grains it is the branch vector. If the packing has
-/// grains with corners, the line leads from the centre of grain i through the contact point to the centre of grain j;
-/// at a wall it ends at the contact point.
+/// Returns the line that shows a contact of a packing. Between round grains, the line is the branch vector. If the
+/// packing has grains with corners, the line goes from the centre of grain i through the contact point to the centre of
+/// grain j; at a wall, the line ends at the contact point.
 /// @param force  force in the unit of the picture
 template <int Dim>
 ContactLine<Dim> contact_line(const Packing<Dim>& packing, const Contact<Dim>& contact, LineKind kind,

@@ -14,7 +14,8 @@ namespace {
 /// edge-on.
 constexpr double kFaceEndOn = 1e-9;
 
-/// Part of a line segment, as fractions of its length, that is cut by planes one after the other.
+/// Part of a line segment, as fractions of the length of the segment. Planes cut away pieces of the part one after the
+/// other.
 class CutSegment {
  public:
   CutSegment(const Vec<3>& from, const Vec<3>& to) : from_(from), along_(to - from) {}
@@ -39,9 +40,9 @@ class CutSegment {
 
 void add_hidden_by_facets(const Vec<3>& from, const Vec<3>& to, const SeenBody& body,
                           std::vector<std::pair<double, double>>& hidden) {
-  // The hidden region consists of the body and of all points behind it. It is bounded by the planes of the
-  // facets that face the eye, and by the planes along the line of sight through the edges of the outline. An
-  // edge belongs to the outline if only one of these facets has it.
+  // The hidden region consists of the body and of all points behind it. The region is bounded by the planes of the
+  // facets that face the eye, and by the planes along the line of sight through the edges of the outline. An edge
+  // belongs to the outline if it borders only one facet that faces the eye.
   CutSegment segment(from, to);
   std::set<std::pair<int, int>> sides;
   for (const Facets::Facet& facet : body.facets) {
@@ -81,7 +82,7 @@ double distance_in_capsule(double half_length, double radius, double along) {
   const double across = std::sqrt(std::max(0.0, 1.0 - along * along));
   const double to_cylinder = radius / std::max(across, 1e-12);
   if (to_cylinder * along <= half_length) return to_cylinder;
-  // Distance t from the centre to the sphere around the end of the axis: (t - h along)^2 + h^2 across^2 =
+  // The distance t from the centre to the sphere around the end of the axis solves (t - h along)^2 + h^2 across^2 =
   // radius^2, with h = half_length.
   const double beside = half_length * across;
   return half_length * along + std::sqrt(std::max(0.0, radius * radius - beside * beside));

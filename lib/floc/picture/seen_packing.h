@@ -58,8 +58,8 @@ struct SeenPacking {
   struct Mark {
     Part part;
     int index;
-    /// Coordinate towards the eye (length), of the centre of a grain or of the middle of a tube or arrow. A grain that
-    /// has to be drawn after another one has at least the depth of the other.
+    /// Coordinate towards the eye (length) of the centre of a grain, or of the middle of a tube or arrow. If a grain
+    /// has to be drawn after another grain, its depth is raised to at least the depth of the other grain.
     double depth;
   };
 
@@ -89,8 +89,8 @@ SeenPacking seen_packing(const PackingPicture<3>& picture, const View& view, con
 std::optional<std::pair<double, double>> hidden_part(const Vec<3>& from, const Vec<3>& to,
                                                      const SeenSphere& sphere);
 
-/// Returns the twelve edges of the part of a cell that lies between two opposite corners. No part of an edge is marked
-/// as visible yet.
+/// Returns the twelve edges of a part of a cell, a parallelepiped given by two opposite corners. No part of an edge is
+/// marked as visible yet.
 /// @param low,high  reduced coordinates of the two corners
 std::vector<SeenEdge> edges_of(const Cell<3>& cell, const Camera& camera, const Vec<3>& low,
                                const Vec<3>& high);

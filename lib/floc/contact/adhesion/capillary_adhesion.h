@@ -29,7 +29,7 @@ enum class BridgeFormation {
   contact,
 };
 
-/// Parameters of a liquid bridge between two grains; all zero without a bridge.
+/// Parameters of a liquid bridge between two grains; all are zero if there is no bridge.
 template <class T = double>
 struct Bridge {
   T strength = T(0);  ///< attraction of the bridge when the surfaces touch (force)
@@ -42,9 +42,8 @@ struct Bridge {
 /// Liquid bridges between spheres: an attraction Gamma R in contact, which decreases with the gap and ends at the reach
 /// of the bridge. Here Gamma = 2 pi g cos th with the surface tension g and the contact angle th, and R = sqrt(Ri Rj)
 /// with the radii Ri and Rj of the spheres. The reach of a bridge of volume V_b is (1 + th/2) V_b^(1/3), with th in
-/// radians. The history of a contact holds the volume of its bridge (length^3). The distribution of the liquid of a
-/// packing over the bridges is not part of the law (packing/liquid/liquid.h). In 2D, the disks stand for a layer of
-/// spheres.
+/// radians. The history of a contact holds the volume of its bridge (length^3). Another module distributes the liquid
+/// among the bridges of a packing (packing/liquid/liquid.h). In 2D, the disks stand for a layer of spheres.
 struct CapillaryAdhesion {
   double surface_tension;  ///< surface tension g of the liquid (force/length)
   double contact_angle;    ///< contact angle th of the liquid on the grains (degrees)
@@ -104,12 +103,12 @@ struct CapillaryAdhesion {
     return {strength(radius_i, radius_j), std::sqrt(ratio * mean / volume) / kDecayLength, reach(volume)};
   }
 
-  /// Updates the liquid bridge between two grains after one motion of the grains. If `formation` is `contact`, the
-  /// bridge breaks when the gap becomes wider than its reach, and forms again when the surfaces touch.
-  /// @param pair  geometry of the two grains at the end of the motion
+  /// Updates the liquid bridge between two grains after the grains have moved by one step. If `formation` is `contact`,
+  /// the bridge breaks when the gap exceeds the reach of the bridge, and forms again when the surfaces overlap.
+  /// @param pair  geometry of the two grains at the end of the step
   /// @param volume  volume of the bridge (length^3) in the history of the contact, updated; negative if the bridge has
   /// broken
-  /// @return parameters of the bridge that are in effect after the motion
+  /// @return parameters of the bridge that are in effect after the step
   template <class T>
   Bridge<T> hold(const PairGeometry<T>& pair, const Bridge<T>& bridge, T* volume) const {
     if (formation == BridgeFormation::contact) {
@@ -154,7 +153,7 @@ struct CapillaryAdhesion {
     return lanes::select(bridge.reach < pair.gap, T(0),
                          T(across + bridge.strength * lanes::min(pair.gap, T(0))));
   }
-  /// Returns zero, because the adhesion has no common range: the reach of a liquid bridge depends on its volume.
+  /// Returns zero, because no single range applies to all pairs: the reach of a liquid bridge depends on its volume.
   double range() const { return 0.0; }
   /// Returns whether liquid bridges can attract grains: there is liquid, its surface tension is positive and its
   /// contact angle is below 90 degrees.
@@ -166,13 +165,14 @@ struct CapillaryAdhesion {
   static constexpr double kDecayLength = 0.9;
   static constexpr double kLinear = 1.05, kSquare = 2.5;
 
-  /// Returns the force of a liquid bridge divided by its force at zero gap, where x is the gap times Bridge::decay.
+  /// Returns the force of a liquid bridge, divided by its force at zero gap, as a function of x, the gap times
+  /// Bridge::decay.
   template <class T>
   T share_at(const T& x) const {
     if (form == BridgeForm::exponential) return lanes::exp_of_negative(T(-x));
     return T(1) / (T(1) + x * (T(kLinear) + T(kSquare) * x));
   }
-  /// Returns the integral of share_at(x) over x, from 0 to `x`.
+  /// Returns the integral of share_at() from 0 to `x`.
   template <class T>
   T integral_to(const T& x) const {
     if (form == BridgeForm::exponential) return T(1) - lanes::exp_of_negative(T(-x));

@@ -82,7 +82,8 @@ struct HertzRepulsion {
     return lanes::max(T(-pair.gap), T(0));
   }
   /// Returns the normal stiffness K_N = 2 E* sqrt(R* d) if the surfaces overlap by d, otherwise 0, with the symbols E*
-  /// and R* of HertzRepulsion. No square root of zero is computed, since the square root has no derivative there.
+  /// and R* of HertzRepulsion. The square root of zero is never computed, because the square root has no derivative at
+  /// zero.
   template <class T>
   T contact_stiffness(const PairGeometry<T>& pair) const {
     using std::sqrt;

@@ -30,7 +30,7 @@ struct MindlinFriction {
       {"last_stiffness", HistoryKind::scalar, Unit::stiffness,
        "tangential stiffness K_T at which the tangential force was last updated"}};
 
-  /// Updates the tangential force in the history by the slip of one motion.
+  /// Updates the tangential force in the history after the slip of the contact during one step.
   /// @param history  tangential force and the stiffness K_T of its last update, as declared by kHistory
   /// @return tangential force on grain i (force)
   template <class T, class V>
@@ -48,8 +48,8 @@ struct MindlinFriction {
   bool is_mobilised(double elastic, const double* history, double tolerance) const {
     return Eigen::Map<const V>(history).norm() >= (1.0 - tolerance) * (coefficient * elastic);
   }
-  /// Sets the tangential force in the history, and sets the stiffness of its last update to zero. The next motion then
-  /// starts from this force without reducing it.
+  /// Sets the tangential force in the history, and sets the stiffness of its last update to zero. The next update then
+  /// adds to this force, and does not first reduce it.
   template <class V>
   void set_force(const V& force, double /*stiffness*/, double* history) const {
     Eigen::Map<V>{history} = force;

@@ -8,9 +8,10 @@
 
 namespace floc {
 
-/// Resistance of spheres to relative rotation about the normal of their contact: an incremental spring of stiffness
-/// K_tw on this rotation. The moment of the spring is capped at the coefficient mu_tw, a length, times the elastic part
-/// FNe of the normal force. The cap does not depend on the rolling spring.
+/// Resistance of spheres to relative rotation about the normal of their contact: a spring of stiffness K_tw, to which
+/// this rotation is added step by step. The moment of the spring is at most mu_tw FNe, where mu_tw is the coefficient
+/// of twisting friction (length) and FNe the elastic part of the normal force. This cap does not depend on the rolling
+/// spring.
 struct TwistingSpring {
   double coefficient;         ///< coefficient mu_tw of twisting friction (length)
   double twisting_stiffness;  ///< twisting stiffness K_tw (force * length)
@@ -28,7 +29,7 @@ struct TwistingSpring {
       {"twisting_spring", HistoryKind::twist, Unit::angle,
        "rotation of the twisting spring: rotation of grain id1 against grain id2 about the normal"}};
 
-  /// Adds the twist of one motion to the spring, and shortens the spring if its moment exceeds the cap.
+  /// Adds to the spring the twist of the grains during one step, and shortens the spring if its moment exceeds the cap.
   /// @param history  rotation of the spring, as declared by kHistory
   /// @return twisting moment on grain j about the normal (force * length)
   template <class T>

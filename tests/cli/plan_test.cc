@@ -100,7 +100,7 @@ TEST_F(PlanCommand, ExtremeBudgetsGiveWordsAndNoHang) {
     EXPECT_EQ(o.code, 0) << budget << o.err;
     EXPECT_THAT(o.err, HasSubstr("the best plan: ")) << budget;
   }
-  EXPECT_THAT(plan(kDemoScene + "--budget 1000y").err, HasSubstr("this is less than the budget"));
+  EXPECT_THAT(plan(kDemoScene + "--budget 1000y").err, HasSubstr("the plan takes less than the budget"));
 }
 
 TEST_F(PlanCommand, WritesACampaignWhoseRunsItChecks) {

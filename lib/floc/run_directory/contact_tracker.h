@@ -13,8 +13,9 @@ namespace floc {
 /// describes the equilibrium with which the step ends.
 ///
 /// Columns: step (number of the equilibrium), branch (name of the load stage), P (imposed pressure), time (since the
-/// beginning of the run), phi (solid fraction), n_contacts, gained and lost (contacts that closed or opened since the
-/// previous row or the beginning of the step), kept (contacts that have existed since the beginning of the step).
+/// beginning of the run), phi (solid fraction), n_contacts, gained and lost (contacts that have closed and contacts
+/// that have opened since the previous row or, in the first row of a step, since the beginning of the step), kept
+/// (contacts that have existed since the beginning of the step).
 template <int Dim>
 class ContactTracker final : public MotionTable<Dim> {
  public:

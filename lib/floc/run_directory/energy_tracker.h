@@ -40,8 +40,8 @@ class EnergyTracker final : public MotionTable<Dim> {
 };
 
 /// Checks that the energy balance of a run can be recorded.
-/// @throws InputError if the scene has walls; if Newton steps may find its equilibria without motion; or if it contains
-/// a vibration or a simple shear, which displaces grains without forces
+/// @throws InputError if the scene has walls; if Newton steps may find the equilibria without motion; or if the scene
+/// contains a vibration or a simple shear, both of which displace grains without forces
 void require_energy_account(const RunOptions& options);
 
 /// Starts recording the energy balance of a run in the table energy.csv of its directory while its packing moves.

@@ -10,7 +10,8 @@ namespace floc {
 /// the directory of the run.
 std::string state_file(const std::string& directory, int step);
 
-/// Returns the paths of the state files in the directory of a run; the key of a path is the number in its file name.
+/// Returns the paths of the state files in the directory of a run. The key of each path is the number in the name of
+/// the file.
 std::map<int, std::string> numbered_states(const std::string& directory);
 
 /// Checks that the state files in a directory belong to one run: they are numbered from 0 without a gap, the number in

@@ -109,7 +109,7 @@ void add_walls(const State<Dim>& state, const Coordination& c, std::vector<Table
                     [&](const auto& contact) { return packing.is_wall(contact.j) && !contact.distant; });
   row.emplace_back(std::int64_t{n_on_walls});
   row.emplace_back(c.z + static_cast<double>(n_on_walls) / packing.grains.size());
-  // Rigid contacts have neither energy nor springs.
+  // Rigid contacts have no springs and store no energy.
   const bool rigid = packing.law.is_rigid();
   row.push_back(rigid ? TableValue{} : TableValue{kinetic_over_elastic_energy(packing)});
   row.push_back(rigid ? TableValue{} : TableValue{std::int64_t{least_mechanisms(packing)}});

@@ -12,7 +12,7 @@ namespace floc {
 /// @param rigid  whether the grains are rigid; columns that describe contact dynamics then come last
 std::string path_header(int dimension, bool boxed, bool rigid);
 
-/// Sides of the cell earlier in a run. The strains in a row of path.csv are expressed with respect to these sides.
+/// Sides of the cell in earlier states of a run. The strains in a row of path.csv are computed relative to these sides.
 template <int Dim>
 struct PathReference {
   Vec<Dim> first_sides;  ///< sides of the cell (length) in the first state of the run

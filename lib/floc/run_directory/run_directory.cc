@@ -40,8 +40,8 @@ State<Dim> read_run_state(const std::string& file) {
                                      Dim == 2 ? 3 : 2, Dim));
 }
 
-/// Returns whether two stresses, lengths or strains are equal up to rounding. Rounding errors occur if a stage is
-/// lengthened, because the load of each step is then computed from other numbers.
+/// Returns whether two stresses, lengths or strains are equal up to rounding. If a stage has been lengthened, the load
+/// of each step is computed from other numbers and may differ by rounding.
 bool same_load(double a, double b) {
   constexpr double kRounding = 1e-9;
   return std::abs(a - b) <= kRounding * std::max(std::abs(a), std::abs(b));
@@ -98,7 +98,7 @@ void RunDirectory::check_scene(const std::string& file, const RunOptions& option
         throw InputError(file, fmt::format("this state was made with another scene or seed (the given seed "
                                            "is {}, and the seed of the state is {}): a run can only be "
                                            "continued with the scene, settings and seed with which it began, "
-                                           "but for a longer load path",
+                                           "except that the load path may be longer",
                                            options.seed, state.provenance.seed));
       },
       read_state(file));

@@ -4,11 +4,10 @@
 
 namespace floc {
 
-/// Decompositions of small dense matrices by the library Eigen. They are compiled in one source file, because every
-/// file that instantiates a decomposition takes seconds longer to compile.
+/// Decompositions of small dense matrices by the library Eigen. They are compiled in a single source file, because a
+/// decomposition adds seconds to the compile time of every file that instantiates it.
 
-/// Eigenvalues of a symmetric matrix in ascending order, and the matrix whose columns are its eigenvectors in this
-/// order.
+/// Eigenvalues of a symmetric matrix in ascending order, and a matrix whose columns are the eigenvectors in this order.
 struct SymmetricEigen {
   Eigen::VectorXd values;
   Eigen::MatrixXd vectors;
@@ -27,7 +26,8 @@ Eigen::VectorXd tridiagonal_eigenvalues(const Eigen::VectorXd& diagonal, const E
 /// Returns the solution of a linear system with a symmetric matrix, which need not be definite.
 Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right_side);
 
-/// Returns the vector x that minimises |columns x - y|. If several vectors minimise it, returns the shortest one.
+/// Returns the vector x that minimises |columns x - y|. If several vectors minimise this norm, returns the shortest of
+/// them.
 Eigen::VectorXd least_squares_solution(const Eigen::MatrixXd& columns, const Eigen::VectorXd& y);
 
 /// Extends the columns of a matrix to an orthonormal basis of the whole space, and returns the first `count` vectors of

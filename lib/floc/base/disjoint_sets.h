@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Disjoint sets of the whole numbers from 0 to n - 1 (union-find with path halving). At first each number is a set of
-/// its own. The name of a set is its smallest member, so that it does not depend on the order in which sets are merged.
+/// Disjoint sets of the whole numbers from 0 to n - 1 (union-find with path halving). At first, each number is a set of
+/// its own. The name of a set is its smallest member, and so does not depend on the order in which sets are merged.
 class DisjointSets {
  public:
   explicit DisjointSets(int n) : parent_(n), n_sets_(n) { std::iota(parent_.begin(), parent_.end(), 0); }

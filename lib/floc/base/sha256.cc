@@ -67,8 +67,8 @@ void Sha256::update(std::string_view bytes) {
   }
 }
 
-/// Completes the last block and returns the digest. The block is completed by a bit that is 1, bits that are 0, and the
-/// length of the hashed text in bits (FIPS 180-4, section 5.1.1).
+/// Completes the last block and returns the digest. The block is padded with a bit 1, then with bits 0, and then with
+/// the length of the hashed text in bits (FIPS 180-4, section 5.1.1).
 std::string Sha256::digits() {
   const std::uint64_t n_bits = n_bytes_ * 8;
   std::string padding(1, '\x80');

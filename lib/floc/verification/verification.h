@@ -10,16 +10,17 @@ namespace floc {
 
 /// One condition that a state in equilibrium must satisfy. It is tested on forces that are recomputed from the
 /// positions of the grains, the elongations of the springs and the contact law, not on the forces stored in the state.
-/// The forces of rigid contacts are an exception: they do not follow from these data, and the stored forces are tested.
+/// Rigid contacts are an exception: their forces do not follow from these data, so the stored forces are tested.
 struct Criterion {
   const char* name;
   std::optional<double> value;  ///< value found in the state; absent if not tested
   double limit;                 ///< largest allowed value
   bool holds;                   ///< whether the criterion is met
-  /// If the criterion is violated, the grains or contacts that violate it, worst first. If the criterion could not be
-  /// tested fully, the reason. Otherwise empty.
+  /// Text for messages. If the criterion is violated, the text lists the grains or contacts that violate it, worst
+  /// first. If the criterion could not be tested fully, the text gives the reason. Otherwise it is empty.
   std::string where;
-  /// False if the criterion is violated although `value` is within `limit`; only `where` shows the violation then.
+  /// Whether `value` shows if the criterion is violated. If false, the criterion is violated although `value` is within
+  /// `limit`, and only `where` describes the violation.
   bool by_value = true;
 };
 

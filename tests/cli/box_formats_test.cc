@@ -10,7 +10,8 @@
 #include "support/box_scene.h"
 #include "support/run_arguments.h"
 
-/// A box that floc made goes out in every format that can hold it, and comes back with its contacts, forces and moduli.
+/// A box that floc has made is exported in every format that can store it. The state that is read back has the same
+/// contacts, forces and moduli.
 namespace floc::test {
 namespace {
 
@@ -69,7 +70,7 @@ class BoxFormats : public testing::TestWithParam<int> {
   const std::string made_ = scratch_.file("out/state-0001.h5");
 };
 
-/// Positions hold all that a packing without friction is.
+/// Without friction, the positions alone determine the packing.
 TEST_P(BoxFormats, OfPositionsHoldBoxesWithoutFriction) {
   std::string scene =
       exchanged(box_scene(GetParam()), "friction = {coefficient = 0.4, stiffness = 1.5e3}\n", "");

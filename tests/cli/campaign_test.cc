@@ -163,7 +163,7 @@ TEST_F(CampaignOnSnakemake, JudgesMeansByTheirReference) {
 TEST_F(CampaignOnSnakemake, KilledAndTakenUpAgainGivesTheSameTables) {
   ASSERT_EQ(floc("campaign plan whole.toml -o broken").code, 0);
   const std::string place = file("broken");
-  // Kills snakemake while some runs are done, some are in progress and some have not begun.
+  // Kills snakemake at a time when some runs are complete, some are in progress and some have not begun.
   pid_t engine = start_snakemake(place, "--cores 2");
   const auto n_done = [&] {
     int n = 0;
@@ -179,7 +179,7 @@ TEST_F(CampaignOnSnakemake, KilledAndTakenUpAgainGivesTheSameTables) {
       << "runs outlive the snakemake that was killed";
   EXPECT_LT(n_done(), 12);
 
-  // Kills one `floc run` while snakemake goes on.
+  // Kills one `floc run` while snakemake continues.
   EXPECT_EQ(snakemake(place, "--unlock").code, 0);
   engine = start_snakemake(place, "--cores 2 --rerun-incomplete");
   std::vector<pid_t> running;

@@ -10,7 +10,8 @@
 #include "support/places.h"
 #include "support/run_arguments.h"
 
-/// Tests of contact lists that contradict the positions of the grains, or that hold more or fewer contacts.
+/// Tests of contact lists that contradict the positions of the grains, or that contain more or fewer contacts than the
+/// positions give.
 namespace floc::test {
 namespace {
 

@@ -85,7 +85,8 @@ TEST_F(Draw, KeepsEveryWordOnThePageHoweverNarrowItIs) {
 }
 
 TEST_F(Draw, ShowsOfAForceNoMoreThanALineOfTheLegend) {
-  // Six large disks fill the page. A line of 0.15 of their diameter would be wider than the caption above.
+  // Six large disks fill the page. A line with a width of 0.15 of their diameter would be thicker than the text of the
+  // caption is high.
   ASSERT_EQ(floc("run small.toml -o six --set grains.count=6 --until 2").code, 0);
   ASSERT_EQ(floc("draw six --columns 1 --bare -o bare.svg").code, 0);
   ASSERT_EQ(floc("draw six --columns 1 -o six.svg").code, 0);

@@ -30,8 +30,8 @@ TEST(Oedometer, VirginSlopeIsThatItWasMadeWith) {
                              " --loading virgin --law log --window 200,6400 --format json");
   ASSERT_EQ(o.code, 0) << o.err;
   const json fit = json::parse(o.out).at(0);
-  // The table has two rows per load, and the second one is fitted. The point at 1600 kPa is taken from the
-  // first loading.
+  // The table has two rows per load, and the second row of each load is fitted. At 1600 kPa, the row of the first
+  // loading is used.
   EXPECT_EQ(fit["rows_used"], json({12, 14, 16, 18, 35, 37}));
   EXPECT_EQ(fit["pressure_unit"], "kPa");
   expect_inside(fit["parameters"]["lambda"], kLambda);
@@ -70,7 +70,7 @@ TEST(ShippedPaths, GiveLambdaOfTheModelWithinItsErrors) {
   const json pooled = fits.back();
   EXPECT_EQ(pooled["sample"], "pooled");
   EXPECT_EQ(pooled["errors_from"], "samples");
-  // The scatter of samples that collapse in jumps does not weight their line.
+  // For samples that collapse in jumps, the scatter of the points does not give the weights of the fit.
   EXPECT_EQ(pooled["law"], "log");
   EXPECT_EQ(pooled["weights"], "between");
   EXPECT_GT(pooled["regimes"]["jump_distance"], 0.05);
@@ -79,7 +79,7 @@ TEST(ShippedPaths, GiveLambdaOfTheModelWithinItsErrors) {
   const json lambda = pooled["parameters"]["lambda"], phi_max = pooled["parameters"]["Phi_max"];
   EXPECT_LT(lambda["low95"], 0.194);
   EXPECT_GT(lambda["high95"], 0.194);
-  // Because of their finite size, samples of 400 grains are denser, by a few per cent at most.
+  // Samples of 400 grains are denser by a few per cent at most, because of their finite size.
   EXPECT_NEAR(phi_max["value"], 0.7745, 0.03);
   EXPECT_FALSE(pooled["regimes"]["plateau_end"].is_null());
   EXPECT_GT(pooled["bootstrap"]["n"], 25);
@@ -93,7 +93,7 @@ TEST(ShippedPaths, PublishedProtocolFitsTheMeanFromAPressureOfTheGridOn) {
   ASSERT_EQ(fits.size(), 1u);
   EXPECT_EQ(fits[0]["sample"], "pooled");
   EXPECT_EQ(fits[0]["protocol"], "published");
-  // P0_star is fixed at the pressure of the grid that is nearest to 0.03. The window ends with the curve.
+  // P0_star is fixed at the grid pressure that is nearest to 0.03. The window ends at the end of the curve.
   EXPECT_NEAR(fits[0]["parameters"]["P0_star"]["value"], 0.01 * std::pow(10.0, 0.5), 1e-12);
   EXPECT_TRUE(fits[0]["parameters"]["P0_star"]["stderr"].is_null());
   EXPECT_EQ(fits[0]["window"][1], 13.33);
@@ -139,7 +139,7 @@ TEST(ShippedPaths, UnloadingsThatAreCurvedHaveTheModulusOfTheirStraightPart) {
 }
 
 TEST(ShippedTables, ThePrintedPlateauDoesNotIdentifyTheDenseSideOfACompaction) {
-  // Only adhesive samples have p_crit >= p_D; if they alone are fitted, e_min has no finite best value.
+  // Only adhesive samples have p_crit >= p_D. In a fit to these samples alone, e_min has no finite best value.
   const std::string sweep = source_directory() + "/data/tables/compaction/sweep_4000.csv";
   const Outcome o = run_floc("fit dynamic-compaction " + sweep + " --plateau p_crit --format json");
   ASSERT_EQ(o.code, 0) << o.err;

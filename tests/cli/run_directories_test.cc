@@ -66,8 +66,8 @@ TEST_F(RunDirectories, OfOtherRunsSayWhereTheyPart) {
   EXPECT_THAT(o.err, HasSubstr("different from step 0 on"));
   const json rows = json::parse(o.out);
   ASSERT_EQ(rows.size(), 9u);
-  // The scene that is stored in the state files differs from the first state on; the values in the path do not
-  // differ yet.
+  // The scenes stored in the state files differ in all states, including the first state. The values in the first row
+  // of the path do not differ yet.
   EXPECT_EQ(rows[0].at("identical"), false);
   EXPECT_EQ(rows[1].at("n_values"), 0);
   EXPECT_TRUE(rows[8].at("after").is_null());

@@ -9,8 +9,8 @@
 #include "support/places.h"
 #include "support/run_arguments.h"
 
-/// Tests of grains that are much too soft for the pressure, as if the stiffness were given in other units. They
-/// try every law in 2D and 3D, and every command that can meet such grains.
+/// Tests of grains that are much too soft for the pressure, as if the stiffness were given in other units. The tests
+/// use every law in 2D and 3D, and every command that may read such grains.
 namespace floc::test {
 namespace {
 
@@ -71,8 +71,8 @@ std::string lattice_rows(int dimension) {
 
 class SoftPackings : public testing::Test {
  protected:
-  /// Expects that the message of a command says that grains overlap too far and asks to check the units. @param
-  /// words  another part of the message
+  /// Expects that the message of a command says that grains overlap too much, and asks the user to check the units.
+  /// @param words  another part of the message
   void expect_said(const std::vector<std::string>& arguments, const std::string& words,
                    const std::string& question = "consistent with the units of lengths and forces?") {
     const Outcome o = floc_arguments(arguments);
@@ -142,8 +142,8 @@ TEST_F(SoftPackings, OfEqualGrainsAreHeldAgainstTheDensestThereAre) {
                     Not(HasSubstr("a tenth of a radius"))));
 }
 
-/// A cluster under no stress that does not span the cell has no stiffness. Newton steps once moved this cluster
-/// into its own images, and its list of contacts then lacked 172 pairs.
+/// A cluster under no stress that does not span the cell has no stiffness. In an earlier version, Newton steps moved
+/// this cluster into its own images, and 172 pairs were then missing in the list of contacts.
 TEST_F(SoftPackings, OfAClusterUnderNoStressListAllOfTheirContacts) {
   const std::string out = scratch_.file("cluster");
   const Outcome made =

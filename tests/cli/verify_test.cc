@@ -169,8 +169,8 @@ TEST(Verify, HoldsTheForcesAcrossTheFacesOfTheCellAgainstTheStress) {
   }
 }
 
-/// A ring of four equal disks of diameter 1 across the cell, held only by attractions at a distance: it buckles
-/// if it is pushed sideways.
+/// A chain of four equal disks of diameter 1 across the cell, which closes to a ring through the periodic boundary.
+/// Only attractions at a distance connect the disks, so the chain buckles if it is pushed sideways.
 TEST(Verify, NamesAnUnstableState) {
   const ScratchDirectory scratch;
   State<2> s;

@@ -79,7 +79,8 @@ TEST(Softening, KeepsTheCapsOfSprings) {
   });
 }
 
-/// Softening keeps the ratio of the damping coefficient to sqrt(m K_N), and so the restitution of collisions.
+/// Softening does not change the ratio of the damping coefficient to sqrt(m K_N), and therefore does not change the
+/// restitution of collisions.
 TEST(Softening, KeepsTheDampingRatio) {
   for_each_softened_law([](const auto& law, const auto& soft, auto) {
     using Law = std::decay_t<decltype(law)>;

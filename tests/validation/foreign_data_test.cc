@@ -84,7 +84,8 @@ TEST_F(ForeignData, FstatOfAChuteListsItsPairsTwice) {
   options.drop_tensile = true;
   const State<3> state = read<3>("mercurydpm/chute_periodic.restart", options);
   EXPECT_EQ(state.packing.grains.size(), 107);
-  // 171 rows are 92 pairs, of which one pulls. The sum of f r over the others does not depend on where the free end is.
+  // The 171 rows contain 92 pairs; the force of one pair is attractive. The sum of f r over the other pairs does not
+  // depend on the position of the free end.
   EXPECT_EQ(state.packing.contacts.size(), 91u);
   EXPECT_NEAR(state.stress.trace() / 3.0 * state.packing.cell.volume(), 3.1817834280059e-06, 1e-18);
   EXPECT_FALSE(between_walls(state.packing.walls, 0));
@@ -134,7 +135,7 @@ TEST_F(ForeignData, PentagonsOfLmgc90Balance) {
   EXPECT_EQ(points.size(), 793u);
   EXPECT_EQ(std::count_if(points.begin(), points.end(), [](const auto& pair) { return pair.second == 2; }),
             129);
-  // The file does not contain contacts with the floor, so some grains are not balanced.
+  // The file does not contain contacts with the floor, so the forces on some grains do not balance.
   const Balance<2> balance = net_forces(p);
   const double mean = sum / 922.0;
   int n_balanced = 0;

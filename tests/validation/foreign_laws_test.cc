@@ -47,7 +47,8 @@ std::map<std::int64_t, HandGrain> grains_of(const std::vector<std::vector<double
   return grains;
 }
 
-/// Returns the cell of a dump, from its three lines of bounds with or without tilt factors.
+/// Returns the cell of a dump, computed from the three lines of the dump with the bounds, which may contain tilt
+/// factors.
 Mat<3> lammps_cell(const std::string& dump) {
   const auto rows = numbers_behind(dump, "ITEM: BOX BOUNDS");
   const auto tilt = [&](int a) { return rows[a].size() > 2 ? rows[a][2] : 0.0; };
@@ -60,10 +61,11 @@ Mat<3> lammps_cell(const std::string& dump) {
   return cell;
 }
 
-/// Stiffnesses of a pair as a function of gap and reduced radius; none if the pair does not interact.
+/// Function of the gap and the reduced radius that returns the stiffnesses of a pair; absent if the pair does not
+/// interact.
 using HandLaw = std::function<std::optional<HandContact>(double gap, double radius)>;
 
-/// Returns the moduli of the network of the listed pairs.
+/// Returns the moduli of the network that consists of the listed pairs.
 template <int Dim>
 Moduli by_hand(HandNetwork<Dim> hand, const std::vector<std::vector<double>>& pairs, const HandLaw& law) {
   for (const std::vector<double>& row : pairs) {
@@ -158,9 +160,9 @@ HandNetwork<3> yade_hand(const std::string& file) {
   return {cell, grains_of(numbers_behind(file, ""), 1, 4)};
 }
 
-/// Compares the normal forces listed by YADE with those of the law. YADE's tangential forces have a small
-/// component along the branch, which the conversion adds to the normal force; so the listed values are compared
-/// instead of the converted ones.
+/// Compares the normal forces listed by YADE with the normal forces of the law. The listed forces are compared, and not
+/// the converted forces, because YADE's tangential forces have a small component along the branch that the conversion
+/// adds to the normal force.
 double largest_difference_of_yade(const Imported& converted, const std::vector<std::vector<double>>& rows) {
   const Packing<3>& packing = std::get<State<3>>(converted.state).packing;
   std::map<std::pair<int, int>, double> listed;

@@ -38,7 +38,7 @@ TEST(HertzCrystal, HasItsPressureSolidFractionAndBulkModulus) {
   for (int k = 0; k < 3; ++k) {
     const CubicCrystal crystal = cubic_crystals()[k];
     const Packing<3> packing = hertz_crystal(crystal, closed[k][0]);
-    // The overlap is given with seven digits; P is proportional to h^1.5, B to h^0.5.
+    // The overlap h is given with seven digits. P is proportional to h^1.5, and B to h^0.5.
     EXPECT_NEAR(pressure(packing), P, 5e-7 * P) << crystal.name;
     EXPECT_NEAR(solid_fraction(packing), closed[k][1], 2e-8) << crystal.name;
     EXPECT_NEAR(full_moduli(packing).B, closed[k][2], 1e-8) << crystal.name;
@@ -77,7 +77,8 @@ TEST(HertzCrystal, OfFccHasItsNumbers) {
   expect_cubic(face_centred_cubic(), full_moduli(fcc, true), 0.07094395, 0.03691490, 0.03499100, 5e-9);
 }
 
-/// Returns spheres at the sites of a lattice with r = K_N = 1; each touches all spheres at a distance of one.
+/// Returns spheres at the sites of a lattice, with branch length and K_N equal to 1. Each sphere touches all spheres at
+/// a distance of one.
 Packing<3> unit_springs(const Mat<3>& cell, const std::vector<Vec<3>>& places) {
   Packing<3> packing;
   packing.law = elastic_law(1.0, kRatio, 0.0);

@@ -22,8 +22,8 @@
 namespace floc::test {
 namespace {
 
-/// All measured quantities of one packing as a list of numbers, with those that depend on the mesh in a
-/// separate list.
+/// All measured quantities of one packing, as two lists of numbers: quantities that do not depend on the mesh, and
+/// quantities that do.
 struct Measured {
   std::vector<double> exact, on_mesh;
 };
@@ -33,8 +33,8 @@ void append(std::vector<double>& list, std::vector<double> more, bool sorted = f
   list.insert(list.end(), more.begin(), more.end());
 }
 
-/// Returns disks with some contacts and room for rattlers: positions are random, and radii are reduced until
-/// disks hardly overlap.
+/// Returns disks at random positions, with some contacts and with gaps in which rattlers are possible. The radii are
+/// reduced until disks hardly overlap.
 Packing<2> loose_packing() {
   Packing<2> packing = random_packing<2>(80, 3, elastic_law(1.0, 0.5, 0.1), 0.85);
   packing.law += test::changed("friction.coefficient", 0.5);

@@ -13,7 +13,7 @@
 #include "floc/contact/law_parameters.h"
 #include "support/places.h"
 
-/// Tests that the table in docs/scenes.md of compatible models follows from their declarations.
+/// Tests that the table of compatible models in docs/scenes.md agrees with the declarations of the models.
 namespace floc {
 namespace {
 

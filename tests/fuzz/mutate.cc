@@ -17,8 +17,9 @@
 /// Feeds readers with mutations of valid files, without any fuzzing engine.
 ///
 /// floc_mutate READER RUNS [SEED] reads mutated files. An input with which the reader crashes, hangs or takes too much
-/// memory is written to a file. floc_mutate READER FILE... reads each of these files once. floc_mutate --seeds DIR
-/// writes the valid inputs, from which libFuzzer can start, to one folder per reader.
+/// memory is written to a file.
+/// floc_mutate READER FILE... reads each of these files once.
+/// floc_mutate --seeds DIR writes the valid inputs, from which libFuzzer can start, to one folder per reader.
 namespace floc::fuzz {
 namespace {
 

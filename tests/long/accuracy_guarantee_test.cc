@@ -11,7 +11,8 @@
 #include "support/places.h"
 
 // Tests of the errors that the table [accuracy] of a scene guarantees, with scenes and seeds that are not in the data
-// of the shipped table. To run only these tests: build/release/tests/long_tests --gtest_filter='AccuracyGuarantee.*'
+// of the shipped table. To run only these tests:
+//   build/release/tests/long_tests --gtest_filter='AccuracyGuarantee.*'
 
 namespace floc {
 namespace {

@@ -11,8 +11,9 @@
 #include "support/places.h"
 
 // Tests of the errors promised by tables of prices and by plans, for kinds of scenes with a table. To run only these
-// tests, for all scenes or for one scene: build/release/tests/long_tests --gtest_filter='Promises/*'
-// build/release/tests/long_tests --gtest_filter='Promises/OfPlans.*/constant_volume_5s'
+// tests, for all scenes or for one scene:
+//   build/release/tests/long_tests --gtest_filter='Promises/*'
+//   build/release/tests/long_tests --gtest_filter='Promises/OfPlans.*/constant_volume_5s'
 
 namespace floc {
 namespace {

@@ -10,7 +10,7 @@
 ///      (declaration.h) and has the functions of its slot as templates on the number type (see
 ///      normal/linear_repulsion.h and tangential/coulomb_friction.h);
 ///   2. add the model to its slot in law_parameters.h; the table below then combines it with the models of the other
-///   slots;
+///      slots;
 ///   3. add a set of sample numbers for the conformance tests to tests/support/laws.h, and write a unit test
 ///      with a closed form.
 namespace floc {

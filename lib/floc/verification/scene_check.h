@@ -10,12 +10,14 @@
 namespace floc {
 
 /// Compares a state with its scene: the text of the file that describes the simulation, which is stored in the state.
-/// The criteria are mass        largest relative difference between the masses of the grains and the masses that follow
-/// from their radii and the density of the scene tolerances  number of recorded tolerances that differ from those of
-/// the scene. Without a scene, all tolerances must be at most 10, because any packing satisfies larger tolerances.
-/// scene       number of other differences: unit system, place on the load path, load on the boundary, contact law,
-/// contact law of the walls, masses of the walls. A scene that starts from a saved state is compared only if that state
-/// is found.
+/// The criteria are
+///   mass        largest relative difference between the masses of the grains and the masses that follow from their
+///               radii and the density of the scene
+///   tolerances  number of recorded tolerances that differ from the tolerances of the scene. Without a scene, all
+///               tolerances must be at most 10, because any packing satisfies larger tolerances.
+///   scene       number of other differences: unit system, place on the load path, load on the boundary, contact law,
+///               contact law of the walls, masses of the walls. A scene that starts from a saved state is compared
+///               only if that state is found.
 /// @param file  name of the state file, for messages; if the scene starts from a saved state, this state is searched in
 /// the directory of the file
 template <int Dim>

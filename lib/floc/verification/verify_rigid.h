@@ -25,19 +25,22 @@ std::vector<Criterion> verify_motion(const State<Dim>& state);
 
 /// Tests whether a state of rigid grains is in equilibrium; for a state in motion, calls verify_motion(). The forces of
 /// rigid contacts do not follow from positions, so the recorded forces are tested. In general, more than one set of
-/// forces satisfies the criteria. The criteria, with the unit of their values, are geometry     largest difference
-/// between the stored gaps, normals and contact points and those that follow from positions and shapes (length) list
-/// number of pairs of surfaces that overlap by more than `gap_tolerance` and are missing in the contact list, plus
-/// number of contacts that are listed twice or out of order law          largest difference between elastic forces and
-/// normal forces plus adhesion, divided by the mean normal force; rigid contacts must have no stiffness and no moment,
-/// and their shear forces must be tangential cone         largest violation of F_N + F_a >= 0 and abs(F_T) <= mu (F_N +
-/// F_a), divided by the mean normal force, with the normal force F_N, the tangential force F_T, the adhesion F_a and
-/// the friction coefficient mu gap          largest gap or overlap of a contact that carries a force, and largest
-/// overlap of any two surfaces, divided by the diameter of the smaller grain force, moment, stress, energy,
-/// mean_stress, length, boundary_balance, recorded   as in verify_equilibrium() power        power of the contact
-/// forces on the recorded motion, divided by the unit of the energy criterion for all grains per time T; 0 at rest, and
-/// if the forces dissipate energy. T = sqrt(m a/F1), with the mass m and the diameter a of the largest grain and the
-/// force scale F1 The stability is not tested: rigid contacts have no stiffness.
+/// forces satisfies the criteria. The criteria, with the unit of their values, are
+///   geometry     largest difference between the stored gaps, normals and contact points and the values that follow from
+///                positions and shapes (length)
+///   list         number of pairs of surfaces that overlap by more than `gap_tolerance` and are missing in the contact
+///                list, plus number of contacts that are listed twice or out of order
+///   law          largest difference between elastic forces and normal forces plus adhesion, divided by the mean normal
+///                force; rigid contacts must have no stiffness and no moment, and their shear forces must be tangential
+///   cone         largest violation of F_N + F_a >= 0 and abs(F_T) <= mu (F_N + F_a), divided by the mean normal force,
+///                with the normal force F_N, the tangential force F_T, the adhesion F_a and the friction coefficient mu
+///   gap          largest gap or overlap of a contact that carries a force, and largest overlap of any two surfaces,
+///                divided by the diameter of the smaller grain
+///   force, moment, stress, energy, mean_stress, length, boundary_balance, recorded   as in verify_equilibrium()
+///   power        power of the contact forces on the recorded motion, divided by the unit of the energy criterion for
+///                all grains per time T. The value is 0 at rest, and if the forces dissipate energy. T = sqrt(m a/F1),
+///                with the mass m and the diameter a of the largest grain and the force scale F1
+/// The stability is not tested, because rigid contacts have no stiffness.
 /// @param gap_tolerance  limit of the criterion gap
 template <int Dim>
 std::vector<Criterion> verify_rigid(const State<Dim>& state, double gap_tolerance);

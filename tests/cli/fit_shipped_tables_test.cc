@@ -130,8 +130,8 @@ TEST(ShippedPaths, UnloadingsThatAreCurvedHaveTheModulusOfTheirStraightPart) {
         run_floc("fit elastic " + demo_tables() + "/seed-" + std::to_string(seed) + " --format json");
     ASSERT_EQ(o.code, 0) << o.err;
     const json B = json::parse(o.out).at(0)["parameters"]["B"];
-    // `floc moduli` gives B = 24 000 to 28 000. A line through the whole unloading branch would give up to 52
-    // 000, with a lower limit of 38 000.
+    // `floc moduli` gives B = 24 000 to 28 000. A line through the whole unloading branch would give B up to 52 000,
+    // with an interval that begins at 38 000.
     EXPECT_NEAR(B["value"], 24000, 4000) << seed;
     EXPECT_LT(B["low95"], 24000) << seed;
     EXPECT_GT(B["high95"], 23000) << seed;

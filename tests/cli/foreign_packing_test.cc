@@ -31,8 +31,8 @@ class ForeignPacking : public testing::Test {
     write_text(scratch_.file(name), text);
     return scratch_.file(name);
   }
-  /// Expects that `floc convert` rejects a csv of grains and a csv of contacts with a message, and leaves no
-  /// output file behind.
+  /// Expects that `floc convert` rejects a table of grains and a table of contacts: it must print `message` and write
+  /// no output file.
   void expect_refusal(const std::string& grains, const std::string& contacts, const std::string& message,
                       const std::string& cell = "4,0;0,4") {
     std::vector<std::string> arguments = {

@@ -178,7 +178,7 @@ TEST_F(Imports, TakeWallsAndGravityFromAScript) {
       std::string::npos);
 }
 
-/// Whether a contact slides depends on its forces, whatever stiffness the file gives it.
+/// Whether a contact slides depends on its forces, and not on its stiffness in the file.
 TEST_F(Imports, SlideAtTheLimitOfTheirForces) {
   write("g.csv", "x,y,radius\n0.5,0.5,0.5\n1.49,0.5,0.5\n2.48,0.5,0.5\n");
   write("c.csv",

@@ -90,7 +90,7 @@ TEST_F(RunDirectories, WarningsThatRepeatAreSaidOnceWithTheWorst) {
   for (std::size_t at = 0; (at = o.err.find("above the tolerance of", at)) != std::string::npos; ++at) ++lines;
   EXPECT_EQ(lines, 1) << o.err;
   EXPECT_THAT(o.err, HasSubstr("states have this warning; this one is for the worst state)"));
-  // The summary names the worst state: its value is the largest among those that floc prints for single states.
+  // The summary names the worst state: its value is the largest of the values that floc prints for single states.
   double largest = 0.0;
   const std::string words = "error bound of B or G is ";
   for (int k = 0; k <= 8; ++k) {

@@ -129,7 +129,7 @@ TEST_F(RunCommand, StoppedBySignalsWritesACheckpointAndContinues) {
     EXPECT_TRUE(fs::exists(file("stopped/checkpoint/checkpoint.h5")));
     ASSERT_EQ(run("small.toml -o stopped --resume --set run.checkpoint_every=1e6").code, 0);
   }
-  // State files contain the scene with its override, so they differ from those of the whole run. The moduli
+  // State files contain the scene with its override, so the files differ from the files of the whole run. The moduli
   // must agree.
   const Outcome whole = run_floc("moduli whole/state-0008.h5 --format json", scratch_->path());
   const Outcome stopped = run_floc("moduli stopped/state-0008.h5 --format json", scratch_->path());

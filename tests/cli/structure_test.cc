@@ -170,7 +170,7 @@ TEST_F(Structure, PorosityAndProfilesGoToFiles) {
   EXPECT_THAT(e.columns(),
               ElementsAre("file", "half_side", "void_ratio", "porosity", "void_ratio_cell", "porosity_cell"));
   ASSERT_EQ(e.n_rows(), 10);
-  // The largest probe is the whole cell. The smallest is a cube that lies inside the sphere at the centre.
+  // The largest probe is the whole cell. The smallest probe is a cube inside the sphere at the centre.
   const double phi = std::sqrt(3.0) * std::numbers::pi / 8.0;
   EXPECT_NEAR(e.number(4, 5), 1.0 - phi, 1e-12);
   EXPECT_NEAR(e.number(4, 2), 1.0 / phi - 1.0, 1e-12);

@@ -34,7 +34,7 @@ Eigen::Matrix3d isotropic(double B, double G) {
 }
 
 /// @param relative  largest allowed error bound, divided by the largest modulus
-/// @param given     error of the input, whose numbers are rounded and therefore differ from those of the closed form
+/// @param given     error of the input, whose rounded numbers differ from the numbers in the closed form
 void expect_right(const Moduli& m, const Eigen::MatrixXd& closed, double relative, const std::string& what,
                   double given = 0.0) {
   ASSERT_TRUE(m.C.allFinite()) << what;

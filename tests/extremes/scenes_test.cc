@@ -16,7 +16,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Scene of 40 grains like those of the shipped scenes, assembled under pressure in one step.
+/// Scene of 40 grains that are similar to the grains of the shipped scenes. They are assembled under pressure in one
+/// step.
 const std::string kPowder = R"([scene]
 dimension = 2
 units = "reduced"

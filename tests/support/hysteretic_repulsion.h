@@ -49,8 +49,8 @@ struct HystereticRepulsion {
   auto touches(const PairGeometry<T>& pair, const T* history) const {
     return T(0) < force(pair, history);
   }
-  /// Sets the history so that the contact carries the force `elastic` at its present gap, on the unloading
-  /// line.
+  /// Sets the history so that the contact is on the unloading line and its elastic force is `elastic` at the present
+  /// gap.
   void set_force(const PairGeometry<>& pair, double elastic, double* history) const {
     const double left = -pair.gap - elastic / unloading;  // overlap at which the surfaces separate
     history[0] = unloading > normal_stiffness

@@ -16,9 +16,9 @@
 /// Lists all rows of the law table for the conformance tests, in every dimension, with sample parameters.
 namespace floc::test {
 
-/// Sample parameters of a model in reduced units, similar to those of [GRC2008]. No two numbers are equal, so that a
-/// test notices if two numbers are exchanged. Each kind of model needs a specialization, without which the tests do not
-/// compile.
+/// Sample parameters of a model in reduced units, similar to the parameters of [GRC2008]. No two numbers are equal, so
+/// that a test notices if two numbers are exchanged. Each kind of model needs a specialization, without which the tests
+/// do not compile.
 template <class Slot>
 struct Sample;
 

@@ -75,7 +75,7 @@ inline void count_states(const PricedSettings& priced, const SamplePath& referen
 }
 
 /// Runs samples of a scene with seeds that the table does not use, and counts how many of their errors do not exceed
-/// the errors of the table. It counts errors of single states and errors of means; the latter may also deviate by their
+/// the errors of the table. It counts errors of single states and errors of means; means may also deviate by their
 /// confidence interval.
 inline PromisesOfTable count_promises(const Scene& scene, const PriceTable& table,
                                       const std::vector<std::string>& names, std::uint64_t seed,

@@ -49,8 +49,8 @@ Vec<2> strain_found(const Packing<2>& start, double pressure, const Vec<2>& step
   return -0.5 * (more.cell.matrix.diagonal().array().log() - less.cell.matrix.diagonal().array().log());
 }
 
-/// Returns the largest relative difference between the imposed stress steps and those that the moduli predict
-/// from the strains.
+/// Returns the largest relative difference between the imposed stress steps and the stress steps that the moduli
+/// predict from the strains.
 double worst_difference(const Packing<2>& start, double pressure, double relative_step, bool prestress) {
   ModuliOptions options;
   options.prestress = prestress;

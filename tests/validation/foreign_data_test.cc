@@ -141,7 +141,8 @@ TEST_F(ForeignData, PentagonsOfLmgc90Balance) {
   int n_balanced = 0;
   for (int i = 0; i < 500; ++i) n_balanced += balance.force[i].norm() < 1e-5 * mean;
   EXPECT_GE(n_balanced, 448);
-  // The contact points computed from the shapes agree with those of the file to its seven digits.
+  // The contact points computed from the shapes agree with the contact points in the file to the seven digits of the
+  // file.
   double furthest = 0.0;
   for (const Contact<2>& c : p.contacts) furthest = std::max(furthest, std::abs(locate(p, c).gap - c.gap));
   EXPECT_LT(furthest, 5e-5);

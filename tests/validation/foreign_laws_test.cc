@@ -84,8 +84,8 @@ void expect_same_moduli(const Imported& converted, const Moduli& hand) {
   EXPECT_NEAR(moduli.G, hand.G, kRelative * hand.G);
 }
 
-/// Returns the largest difference between the stored normal forces and those of the law, divided by the largest
-/// force.
+/// Returns the largest difference between the stored normal forces and the forces that the law gives, divided by the
+/// largest force.
 template <int Dim>
 double largest_difference(const Imported& converted) {
   const Packing<Dim>& packing = std::get<State<Dim>>(converted.state).packing;

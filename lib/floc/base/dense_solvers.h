@@ -20,7 +20,7 @@ SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& matrix);
 /// @param matrix  the matrix, of which only the lower triangle is read
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix);
 /// Returns the eigenvalues of a symmetric tridiagonal matrix, in ascending order.
-/// @param beside  the off-diagonal entries, one fewer than there are diagonal entries
+/// @param beside  the off-diagonal entries; their number is one less than the number of diagonal entries
 Eigen::VectorXd tridiagonal_eigenvalues(const Eigen::VectorXd& diagonal, const Eigen::VectorXd& beside);
 
 /// Returns the solution of a linear system with a symmetric matrix, which need not be definite.

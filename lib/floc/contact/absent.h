@@ -2,7 +2,7 @@
 
 namespace floc {
 
-/// Type that stands for the missing model in an empty slot of a contact law, for example in the friction slot of a law
+/// Type of the placeholder for a model in an empty slot of a contact law, for example in the friction slot of a law
 /// without friction. Each slot uses a different tag: two empty members of the same type cannot share an address, so the
 /// second would take memory.
 template <int Tag>

@@ -105,7 +105,7 @@ struct ContactLaw {
   template <class T = double>
   using PairParameters = typename detail::PairParametersOf<Adhesion, T>::Type;
 
-  /// Number of values in the history of a contact: those of the normal, tangential, rolling, twisting and adhesion
+  /// Number of values in the history of a contact: the values of the normal, tangential, rolling, twisting and adhesion
   /// models, in this order.
   template <int Dim>
   static constexpr int kHistorySize =
@@ -130,8 +130,8 @@ struct ContactLaw {
     if constexpr (kHasAdhesion) return adhesion.range();
     return 0.0;
   }
-  /// Returns the largest gap (length) at which surfaces that have touched before may still stick together. It is 0
-  /// unless the normal law holds surfaces together across a gap.
+  /// Returns the largest gap (length) at which surfaces that have touched before may still stick together. The result
+  /// is 0 unless surfaces can stick together across a gap under the normal law.
   double holding_range([[maybe_unused]] double reduced_radius) const {
     if constexpr (requires { repulsion.holding_range(reduced_radius); })
       return repulsion.holding_range(reduced_radius);
@@ -147,8 +147,8 @@ struct ContactLaw {
     return pair.gap < 0.0 || pair.gap < range() || touches<Dim>(pair, history);
   }
 
-  /// Returns the parameters of a pair of grains with these radii (length) and this history: those of its liquid bridge,
-  /// or no parameters if the law has no liquid.
+  /// Returns the parameters of a pair of grains with these radii (length) and this history: the parameters of the
+  /// liquid bridge, or no parameters if the law has no liquid.
   template <int Dim>
   PairParameters<> pair_parameters([[maybe_unused]] double radius_i, [[maybe_unused]] double radius_j,
                                    [[maybe_unused]] const PackedHistory<kHistorySize<Dim>>& history) const {
@@ -270,7 +270,7 @@ struct ContactLaw {
     return elastic_energy(pair, response.elastic, k_n, history) + attraction_energy(pair, history, parameters);
   }
 
-  /// Returns the damping coefficient of a pair of grains (force * time/length); 0 without damping. If the damping
+  /// Returns the damping coefficient (force * time/length) of a pair of grains; 0 without damping. If the damping
   /// follows the present normal stiffness (kDampingFollowsStiffness), the coefficient is divided by the square root of
   /// this stiffness.
   double damping_coefficient([[maybe_unused]] const CollisionMass& mass) const {
@@ -352,7 +352,7 @@ struct ContactLaw {
     if constexpr (kKeepsOverlap) repulsion.set_force(pair, elastic, history.value);
   }
   /// Sets the elongations of the springs of a contact so that they exert the given force and moments at the stiffnesses
-  /// `k`. The signs are those of ContactForces.
+  /// `k`. The signs are defined as in ContactForces.
   template <int Dim>
   void set_force(const Shear<Dim>& shear, const RotationVector<Dim>& rolling_moment,
                  [[maybe_unused]] double twisting_moment, const ContactStiffness& k,
@@ -366,7 +366,7 @@ struct ContactLaw {
         twisting.set_force(twisting_moment, k.twisting, history.value + kTwistingBegin<Dim>);
   }
 
-  /// Whether the normal law keeps a history, so that its force and energy depend on the loading path.
+  /// Whether the normal law has a history, so that its force and energy depend on the loading path.
   static constexpr bool kKeepsOverlap = history_size<Normal>(2) > 0;
 
  private:

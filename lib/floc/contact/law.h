@@ -67,13 +67,13 @@ class Law {
   /// Returns the exponent of the overlap in the formula for the elastic normal force; 1 for contacts of constant
   /// stiffness.
   double force_exponent() const;
-  /// Whether the normal law holds only for overlaps that are small compared with the grains.
+  /// Whether the normal law is valid only for overlaps that are small compared with the grains.
   bool is_for_small_overlaps() const;
 
   /// Returns the reason why the law cannot be used in this dimension (2 or 3); empty if it can be used.
   std::string fault_in_dimension(int dimension) const;
 
-  /// Whether friction can carry any force.
+  /// Whether the friction force can differ from zero.
   bool resists_sliding() const;
   /// Friction coefficient mu; 0 without friction.
   double friction_coefficient() const;

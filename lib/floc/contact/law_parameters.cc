@@ -43,7 +43,7 @@ std::string table_of(const std::string& key) {
   return fmt::format("contact.{} = {}", key, table_text(*slot, *model));
 }
 
-/// Returns table_of() for those models of a slot of the contact law (normal, adhesion, ...) for which `takes` returns
+/// Returns table_of() for each model of a slot of the contact law (normal, adhesion, ...) for which `takes` returns
 /// true.
 template <class... Models, class Takes>
 std::vector<std::string> tables_of(const std::string& key, const LawSlot<Models...>&, const Takes& takes) {

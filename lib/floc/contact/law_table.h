@@ -72,14 +72,14 @@ struct ComposedLaw {
 };
 
 /// Composes the contact law of a scene file or a saved state. Models without effect are left out: adhesion of zero
-/// force, and friction, rolling or twisting resistance with a coefficient of zero. Such models carry no force and must
-/// not stiffen the elastic network of contacts.
+/// force, and friction, rolling or twisting resistance with a coefficient of zero. The forces of such models are always
+/// zero, and their stiffnesses must not be part of the elastic network of contacts.
 /// @pre parameters.validate() is empty.
 /// @throws InputError if the contacts are rigid
 AnyContactLaw compose_law(const LawParameters& parameters);
 
-/// Composes a contact law as compose_law() does, but always with a friction spring. For a law without friction the
-/// friction coefficient of this spring is zero, so that it carries no force.
+/// Composes a contact law as compose_law() does, but always with a friction spring. For a law without friction, the
+/// friction coefficient of this spring is zero, and so is its force.
 AnyContactLaw compose_with_friction(const LawParameters& parameters);
 
 }  // namespace floc

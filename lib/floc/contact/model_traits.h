@@ -95,7 +95,7 @@ constexpr double force_exponent() {
   return 1.0;
 }
 
-/// Whether a normal law holds only for overlaps that are small compared with the grains.
+/// Whether a normal law is valid only for overlaps that are small compared with the grains.
 template <class Normal>
 inline constexpr bool kIsForSmallOverlaps = requires {
   requires Normal::kIsForSmallOverlaps;

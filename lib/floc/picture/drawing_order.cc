@@ -29,7 +29,7 @@ Shape<2> image_of(const PlacedShape<3>& body, const Camera& camera) {
   return image;
 }
 
-/// Finds the pairs of bodies of which one may cover the other, and sorts the bodies accordingly.
+/// Finds the pairs of bodies in which one body may cover the other, and sorts the bodies accordingly.
 class Sorter {
  public:
   Sorter(const std::vector<PlacedShape<3>>& bodies, const Camera& camera)

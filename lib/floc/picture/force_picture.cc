@@ -169,7 +169,7 @@ PackingPicture<Dim> increment_forces(const Packing<Dim>& given, const ContactNet
   picture.force_symbol = "δF";
   picture.compression_name = "force grows";
   picture.tension_name = "force falls";
-  picture.note = fmt::format("in colour: {:.0f} % of the contacts, which hold 95 % of the elastic energy",
+  picture.note = fmt::format("in colour: {:.0f} % of the contacts, with 95 % of the elastic energy",
                              100.0 * step.energy_share_95);
   for (std::size_t k = 0; k < network.contacts.size(); ++k) {
     const ForceIncrement<Dim>& f = step.increments[k];

@@ -112,8 +112,8 @@ int flow(const std::vector<LegendItem>& items, double width, Place&& place) {
   return n_lines;
 }
 
-/// Returns the number of bytes of the longest beginning of a text that fits into `width` (points). The beginning has at
-/// least one letter, even if this letter does not fit, and never ends within a letter of several bytes (UTF-8).
+/// Returns the number of bytes in the longest initial part of a text that fits into `width` (points). This part has at
+/// least one letter, even if the letter does not fit. It never ends within a letter of several bytes (UTF-8).
 std::size_t end_of_fitting(const std::string& text, double width) {
   std::size_t end = 0;
   do {

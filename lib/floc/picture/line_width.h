@@ -7,7 +7,7 @@
 
 namespace floc {
 
-/// Returns the width of the line that draws a contact (points).
+/// Returns the width (points) of the line that shows a contact.
 /// @param diameter  mean diameter of the grains (points)
 template <int Dim>
 double drawn_width(const ContactLine<Dim>& line, const DrawnScale& scale, double diameter) {

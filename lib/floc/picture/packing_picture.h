@@ -31,7 +31,7 @@ struct ContactLine {
   LineKind kind = LineKind::compression;
   double force = 0.0;  ///< force that the width of the line shows, in units of `PackingPicture::force_unit`
   int i = 0, j = 0;    ///< indices of the grains (or walls) at both ends
-  /// Contact point at which the line bends; absent if the line is straight, as it is between round grains.
+  /// Contact point at which the line bends; absent if the line is straight, as between round grains.
   std::optional<Vec<Dim>> through = std::nullopt;
 };
 
@@ -84,7 +84,7 @@ struct PackingPicture {
   std::vector<DrawnShape<Dim>> shape;
   /// Table of shapes to which `shape` points, shared with the packing.
   std::shared_ptr<const std::vector<Shape<Dim>>> shapes;
-  std::vector<bool> rattler;  ///< whether each grain is a rattler; empty: no rattlers are marked
+  std::vector<bool> rattler;  ///< whether each grain is a rattler; empty if no rattlers are marked
   std::vector<ContactLine<Dim>> lines;
   std::string force_unit;  ///< symbol of the unit of the forces of lines, such as "F₀", for the legend
   std::string force_symbol = "F";

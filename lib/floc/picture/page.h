@@ -42,7 +42,7 @@ class ImageLayer {
   ImageLayer(const ImageLayer&) = delete;
   ImageLayer& operator=(const ImageLayer&) = delete;
 
-  /// Returns the cairo context of the image. Its coordinates are those of the page.
+  /// Returns the cairo context of the image. Its coordinates are the coordinates of the page.
   cairo_t* context() const { return context_; }
 
  private:

@@ -27,10 +27,11 @@ template <int Dim>
 PackingPicture<Dim> grain_pressures(const Packing<Dim>& packing, double pressure) {
   PackingPicture<Dim> picture = grains_of(packing);
   picture.shade.value = particle_pressure(packing);
-  picture.shade.name = "pressure of a grain over P,";
+  picture.shade.name = "pressure of a grain divided by P,";
   double unit = pressure;
   if (unit <= 0.0) {
-    picture.shade.name = Dim == 2 ? "pressure of a grain over F₀/a," : "pressure of a grain over F₀/a²,";
+    picture.shade.name =
+        Dim == 2 ? "pressure of a grain divided by F₀/a," : "pressure of a grain divided by F₀/a²,";
     unit = pull_off_force(packing) / std::pow(largest_diameter(picture.radius), Dim - 1);
   }
   if (unit > 0.0)

@@ -23,7 +23,7 @@ struct View {
   std::vector<std::string> validate() const;
 };
 
-/// Rotates vectors from the coordinates of the packing to those of the viewer.
+/// Rotates vectors from the coordinates of the packing to the coordinates of the viewer.
 class Camera {
  public:
   explicit Camera(const View& view);

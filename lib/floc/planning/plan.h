@@ -63,8 +63,8 @@ std::vector<int> numbers_of_grains(const PriceModel& model);
 /// nearest values that are possible
 PlanChoice choose_plans(const PriceModel& model, const PlanRequest& request, int n_plans);
 
-/// Returns the requested errors in texts such as "phi=0.003,B=0.03". A name in a text is an observable or a key of
-/// [accuracy], which stands for several observables.
+/// Returns the requested errors in texts such as "phi=0.003,B=0.03". A name in a text is an observable, or a key of
+/// [accuracy], which means several observables.
 /// @param names  names of all observables of the scene
 /// @throws InputError if a text does not have this form, a name is unknown, or an error is not positive
 std::vector<std::pair<std::string, double>> wants_of(const std::vector<std::string>& texts,

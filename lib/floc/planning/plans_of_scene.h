@@ -36,7 +36,8 @@ class PlansOfScene {
   /// faults, contains numerical settings or starts from a saved packing, or if no table of prices applies and no pilot
   /// is requested
   PlansOfScene(PlanWishes wishes, const Remark& tell);
-  // Not copied, because the model refers to the scene, and the plans refer to rows of the table of the model.
+  // A PlansOfScene cannot be copied, because the model refers to the scene, and the plans refer to rows of the table in
+  // the model.
   PlansOfScene(const PlansOfScene&) = delete;
   PlansOfScene& operator=(const PlansOfScene&) = delete;
 

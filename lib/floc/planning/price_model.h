@@ -107,7 +107,8 @@ class PriceModel {
   std::vector<ObservablePrice> observables_;
   int n_grains_ = 0, least_grains_ = 0, most_grains_ = 0;
   double cost_exponent_ = 0.0;
-  double cost_factor_ = 1.0;  ///< ratio of the processor time of this scene to that of the scene of the table
+  /// Processor time of this scene divided by the processor time of the scene of the table.
+  double cost_factor_ = 1.0;
   double size_exponent_ = 1.0;
 };
 

@@ -29,7 +29,7 @@ struct SceneRunOptions {
   bool no_timing = false;
 };
 
-/// Returns the options of a run: those of its scene, changed by `asked`, with at most as many threads as
+/// Returns the options of a run: the options of its scene, changed by `asked`, with at most as many threads as
 /// useful_threads() returns.
 /// @throws InputError if the scene cannot be run with these options; this function writes no files
 RunOptions checked_options(const Scene& scene, const SceneRunOptions& asked);

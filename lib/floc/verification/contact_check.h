@@ -7,7 +7,7 @@
 
 namespace floc {
 
-/// Returns a bound on the rounding error of the distance between two grains (length). The positions of the grains, the
+/// Returns a bound (length) on the rounding error of the distance between two grains. The positions of the grains, the
 /// difference of these positions, and the radii are rounded.
 template <int Dim>
 double distance_error(const Packing<Dim>& packing);
@@ -41,8 +41,8 @@ struct ContactCheck {
 };
 
 /// Checks the contact forces of a packing against its contact law, and its contacts against the positions of the
-/// grains. If the law is linear and contacts have stiffnesses of their own, the normal force of each contact is
-/// compared with its own stiffness times its overlap.
+/// grains. If the law is linear and each contact has its own stiffness, the normal force of a contact is compared with
+/// the product of the stiffness and the overlap of the contact.
 /// @param tolerance  smallest difference between a normal force and the law that counts as a difference, divided by the
 /// mean absolute value of the normal forces; differences that rounding of the positions can explain never count
 template <int Dim>

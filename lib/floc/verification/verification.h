@@ -30,8 +30,8 @@ struct Criterion {
 ///                follow from the positions (length)
 ///   list         number of pairs that interact but are missing in the contact list, plus number of listed contacts
 ///                that do not interact
-///   law          largest difference between stored forces and moments and those that the law gives for the springs
-///                (force); stored stiffnesses and the distinction of touching and distant contacts are tested too
+///   law          largest difference (force) between the stored forces and moments and the values that the law gives for
+///                the springs; stored stiffnesses and the marks of contacts as touching or distant are tested too
 ///   force, moment, stress, energy   the four residuals, which must be below the tolerances recorded in the state;
 ///                with walls, the stress is the pressure on each wall
 ///   mean_stress  difference between the recorded stress and the stress of the recomputed forces, divided by the mean
@@ -45,8 +45,8 @@ struct Criterion {
 ///                the number recorded in the state
 ///   recorded     number of recorded residuals, worst grains, eigenvalue counts, flags and forces on walls that differ
 ///                from the values found
-/// The criteria geometry, law and mean_stress accept differences that rounding of the positions causes,
-/// boundary_balance those that net forces within their tolerance cause.
+/// The criteria geometry, law and mean_stress accept differences that rounding of the positions causes. The criterion
+/// boundary_balance accepts differences that net forces within their tolerance cause.
 template <int Dim>
 std::vector<Criterion> verify_equilibrium(const State<Dim>& state);
 

@@ -21,16 +21,15 @@
 namespace floc {
 namespace {
 
-/// Largest accepted violation of the contact law of rigid grains, divided by the mean normal force. A run computes the
-/// forces a few digits more accurately than this.
+/// Largest accepted violation of the contact law of rigid grains, divided by the mean normal force. The forces that a
+/// run computes are more accurate than this limit by a few digits.
 constexpr double kForceError = 1e-9;
 /// Largest repulsive force that counts as a rounding error of zero, divided by the mean repulsive force.
 constexpr double kCarries = 1e-9;
 /// Deepest overlap of grains in motion, divided by the diameter of the smaller grain.
 constexpr double kDeepestInMotion = 5e-2;
 
-/// Returns the mean of the repulsive forces, which is the unit of errors of forces (force); 1 if no contact carries a
-/// force.
+/// Returns the mean repulsive force, by which errors of forces are divided; 1 if no force is repulsive.
 template <int Dim>
 double mean_force(const Packing<Dim>& packing) {
   const double mean = mean_repulsive_force(packing);
@@ -45,7 +44,8 @@ Criterion concluded(Criterion criterion, Violations& violations) {
   return criterion;
 }
 
-/// Compares the geometry and the type of a stored contact with those of the contact found from positions and shapes.
+/// Compares a stored contact with the contact that is found from positions and shapes: the geometry and the type must
+/// agree.
 template <int Dim>
 void compare_contact(const Packing<Dim>& stored, const Contact<Dim>& c, const Contact<Dim>& found,
                      Criterion& result, Violations& violations) {

@@ -12,8 +12,8 @@ namespace floc {
 template <int Dim>
 double default_gap_tolerance(const Packing<Dim>& packing);
 
-/// Tests a state of rigid grains in motion (State::motion): whether the recorded forces are those of the time step that
-/// begins at this state. The criteria that differ from those of verify_rigid() are
+/// Tests a state of rigid grains in motion (State::motion): whether the recorded forces are the forces of the time
+/// step that begins at this state. The criteria that differ from the criteria of verify_rigid() are
 ///   geometry     as in verify_rigid(), but for the contact points within reach of the step
 ///   step         error of the recorded forces in Signorini's and Coulomb's conditions for the velocities at the end of
 ///                the step, divided by the mean normal force; these velocities are computed from the recorded velocities

@@ -42,8 +42,8 @@ struct Bridge {
 /// Liquid bridges between spheres: an attraction Gamma R in contact, which decreases with the gap and ends at the reach
 /// of the bridge. Here Gamma = 2 pi g cos th with the surface tension g and the contact angle th, and R = sqrt(Ri Rj)
 /// with the radii Ri and Rj of the spheres. The reach of a bridge of volume V_b is (1 + th/2) V_b^(1/3), with th in
-/// radians. The history of a contact holds the volume of its bridge (length^3). Another module distributes the liquid
-/// among the bridges of a packing (packing/liquid/liquid.h). In 2D, the disks stand for a layer of spheres.
+/// radians. The history of a contact contains the volume of the bridge (length^3). Another module distributes the
+/// liquid among the bridges of a packing (packing/liquid/liquid.h). In 2D, the disks represent a layer of spheres.
 struct CapillaryAdhesion {
   double surface_tension;  ///< surface tension g of the liquid (force/length)
   double contact_angle;    ///< contact angle th of the liquid on the grains (degrees)
@@ -131,8 +131,8 @@ struct CapillaryAdhesion {
     const T share = share_at(lanes::max(pair.gap, T(0)) * bridge.decay);
     return lanes::select(bridge.reach < pair.gap, T(0), T(-bridge.strength * share));
   }
-  /// Returns the stiffness -dF/dh of the attraction F at the gap h (force/length). It is negative across a gap,
-  /// because the attraction weakens as the grains part.
+  /// Returns the stiffness -dF/dh (force/length) of the attraction F at the gap h. The stiffness is negative across a
+  /// gap, because the attraction weakens as the grains part.
   template <class T>
   T stiffness(const PairGeometry<T>& pair, const Bridge<T>& bridge) const {
     const T x = lanes::max(pair.gap, T(0)) * bridge.decay;

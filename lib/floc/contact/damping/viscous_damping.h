@@ -15,8 +15,8 @@ namespace floc {
 /// same restitution.
 enum class DampingMass {
   effective,  ///< effective mass m_i m_j/(m_i + m_j); collisions have the given restitution [GRC2008]
-  /// 2 m_i m_j/(m_i + m_j), the mass of one of two equal grains; the damping ratio is sqrt(2) times that of `effective`
-  /// [SVI2024].
+  /// 2 m_i m_j/(m_i + m_j), the mass of one of two equal grains; the damping ratio is sqrt(2) times the damping ratio
+  /// with `effective` [SVI2024].
   grain,
 };
 
@@ -47,7 +47,7 @@ struct ViscousDamping {
                                                          chosen<ViscousDamping, &ViscousDamping::mass_rule>,
                                                          choose<ViscousDamping, &ViscousDamping::mass_rule>}};
 
-  /// Returns the damping coefficient c of a pair of grains (force * time/length).
+  /// Returns the damping coefficient c (force * time/length) of a pair of grains.
   /// @param normal  a normal law of constant stiffness
   template <class Normal>
   double coefficient(const CollisionMass& mass, const Normal& normal) const {

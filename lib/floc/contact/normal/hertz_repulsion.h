@@ -42,15 +42,15 @@ struct HertzRepulsion {
   T stiffness(const PairGeometry<T>& pair) const {
     return contact_stiffness(pair);
   }
-  /// Returns Mindlin's tangential stiffness K_T = K_N (2 - 2 nu)/(2 - nu), with the normal stiffness K_N and
-  /// Poisson's ratio nu (force/length).
+  /// Returns Mindlin's tangential stiffness K_T = K_N (2 - 2 nu)/(2 - nu) (force/length), with the normal stiffness K_N
+  /// and Poisson's ratio nu.
   template <class T>
   T shear_stiffness(const PairGeometry<T>& pair) const {
     return T(shear_ratio()) * contact_stiffness(pair);
   }
   double shear_ratio() const { return (2.0 - 2.0 * poisson) / (2.0 - poisson); }
 
-  /// Returns the overlap at which the elastic normal force is `elastic` >= 0 (length).
+  /// Returns the overlap (length) at which the elastic normal force is `elastic` >= 0.
   double overlap_at_force(const PairGeometry<>& pair, double elastic) const {
     return std::pow(0.75 * elastic / (0.5 * plane_modulus() * std::sqrt(pair.reduced_radius)), 2.0 / 3.0);
   }
@@ -61,7 +61,7 @@ struct HertzRepulsion {
         15.0 * pair.reduced_mass * speed * speed / (8.0 * plane_modulus() * std::sqrt(pair.reduced_radius)),
         0.4);
   }
-  /// Returns the normal stiffness K_N of a contact whose elastic force is `elastic` (force/length).
+  /// Returns the normal stiffness K_N (force/length) of a contact whose elastic force is `elastic`.
   double stiffness_at_force(const PairGeometry<>& pair, double elastic) const {
     return contact_stiffness(PairGeometry<>(-overlap_at_force(pair, elastic), pair.reduced_radius));
   }

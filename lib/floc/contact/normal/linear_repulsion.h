@@ -37,7 +37,7 @@ struct LinearRepulsion {
   double modulus_of_packing(int dim, double diameter) const {
     return normal_stiffness / std::pow(diameter, dim - 2);
   }
-  /// Returns an upper bound on the normal stiffness K_N of a contact (force/length).
+  /// Returns an upper bound on the normal stiffness K_N (force/length) of a contact.
   double stiffness_bound(const PairGeometry<>&, const ContactLoad&) const { return normal_stiffness; }
 
   bool operator==(const LinearRepulsion&) const = default;

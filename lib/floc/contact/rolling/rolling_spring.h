@@ -47,7 +47,7 @@ struct RollingSpring {
   void set_force(const V& force, double stiffness, double* history) const {
     Eigen::Map<V>{history} = force / stiffness;
   }
-  /// Returns the rolling stiffness K_R of a touching contact whose rolling moment is below its cap (force * length); 0
+  /// Returns the rolling stiffness K_R (force * length) of a touching contact whose rolling moment is below its cap; 0
   /// if the coefficient of rolling friction is zero.
   double stiffness(const NormalResponse<double>&) const { return acts() ? rolling_stiffness : 0.0; }
   /// Returns whether the spring can carry a moment. A spring that cannot carry a moment is left out of the contact law,

@@ -44,7 +44,7 @@ struct TwistingSpring {
   /// Sets the history so that the spring exerts the moment `moment` on grain j about the normal.
   /// @param stiffness  twisting stiffness of the contact, > 0
   void set_force(double moment, double stiffness, double* history) const { *history = moment / stiffness; }
-  /// Returns the twisting stiffness K_tw of a touching contact whose twisting moment is below its cap (force * length).
+  /// Returns the twisting stiffness K_tw (force * length) of a touching contact whose twisting moment is below its cap.
   double stiffness(const NormalResponse<double>&) const { return twisting_stiffness; }
   /// Returns whether the spring can carry a moment. A spring that cannot carry a moment is left out of the contact law,
   /// because it must not stiffen the elastic network of contacts.

@@ -23,7 +23,7 @@ Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix);
 /// @param beside  the off-diagonal entries; their number is one less than the number of diagonal entries
 Eigen::VectorXd tridiagonal_eigenvalues(const Eigen::VectorXd& diagonal, const Eigen::VectorXd& beside);
 
-/// Returns the solution of a linear system with a symmetric matrix, which need not be definite.
+/// Returns the solution of a linear system with a symmetric matrix; the matrix may be indefinite.
 Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right_side);
 
 /// Returns the vector x that minimises |columns x - y|. If several vectors minimise this norm, returns the shortest of

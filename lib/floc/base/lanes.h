@@ -50,7 +50,8 @@ inline double times_power_of_two(double p, double shifted) {
 template <class T>
 inline T exp_of_negative(const T& x) {
   if constexpr (std::is_same_v<T, double> || requires { T::kWidth; }) {
-    // The number 1.5 * 2^52: adding it to x rounds x to a whole number, which is then in the last bits of the sum.
+    // The number 1.5 * 2^52. Adding this number to x rounds x to a whole number, which is stored in the last bits of
+    // the sum.
     constexpr double kShift = 6755399441055744.0;
     const T in_range = max(x, T(-690.0));
     const T shifted = in_range * T(1.4426950408889634) + T(kShift);

@@ -19,7 +19,7 @@ class Barrier {
   void wait() {
     if (n_threads_ > 1) wait_for_others();
   }
-  /// Makes wait() of the other threads throw Abandoned. A thread that will not wait again calls this function once.
+  /// Makes wait() throw Abandoned in the other threads. A thread that will not wait again calls this function once.
   void abandon() { abandoned_.store(true, std::memory_order_release); }
 
  private:

@@ -23,13 +23,14 @@ struct ContactMotion {
   PairGeometry<T> pair;  ///< geometry of the pair after the motion
   T gap_rate;            ///< rate of change dh/dt of the gap (length/time)
   T damping;             ///< damping coefficient of the pair, from ContactLaw::damping_coefficient()
-  /// Tangential displacement of grain j relative to grain i since the history of the contact was last updated (length).
+  /// Tangential displacement (length) of grain j relative to grain i since the last update of the history of the
+  /// contact.
   Shear<Dim, T> slip;
-  /// Rotation of grain i relative to grain j since the history of the contact was last updated (radians). For spheres,
-  /// it does not include the rotation about the normal, which is `twist`.
+  /// Rotation (radians) of grain i relative to grain j since the last update of the history of the contact. For
+  /// spheres, it does not include the rotation about the normal, which is `twist`.
   RotationVector<Dim, T> relative_rotation;
-  /// For spheres, rotation of grain i relative to grain j about the normal since the history of the contact was last
-  /// updated (radians).
+  /// For spheres, rotation (radians) of grain i relative to grain j about the normal since the last update of the
+  /// history of the contact.
   T twist = T(0);
 };
 
@@ -49,8 +50,8 @@ struct ContactForces {
 
 /// Stiffnesses of one contact in the elastic network of contacts, in which every contact is a set of springs.
 struct ContactStiffness {
-  /// Normal stiffness K_N for small reversible motions (force/length). For surfaces that attract each other across a
-  /// gap by an adhesion with pull-off force F0 and range D0, it is -F0/D0.
+  /// Normal stiffness K_N (force/length) for small reversible motions. For surfaces that attract each other across a
+  /// gap, with pull-off force F0 and range D0 of the adhesion, the stiffness is -F0/D0.
   double normal;
   double tangential;      ///< tangential stiffness K_T (force/length), 0 when the surfaces do not touch
   double rolling;         ///< rolling stiffness K_R (force * length), 0 when the surfaces do not touch
@@ -242,7 +243,8 @@ struct ContactLaw {
                               const PairParameters<>& parameters) const {
     return attraction_energy(pair, normal_history(history), parameters);
   }
-  /// Returns the energy of the attraction between two grains. It is zero at gaps beyond the range of the attraction.
+  /// Returns the energy of the attraction between two grains. The energy is zero at gaps beyond the range of the
+  /// attraction.
   /// @param parameters  parameters of the pair that are in effect now, see acting()
   template <class T>
   T attraction_energy([[maybe_unused]] const PairGeometry<T>& pair, [[maybe_unused]] const T* history = nullptr,
@@ -294,8 +296,8 @@ struct ContactLaw {
     if constexpr (kHasDamping)
       forces.viscous = lanes::select(forces.normal.touches,
                                      T(damping.force(motion.damping, forces.normal, motion.gap_rate)), T(0));
-    // The cap of the force of each spring is proportional to the elastic normal force, which is zero between surfaces
-    // that do not touch. The springs of such surfaces are therefore shortened to zero.
+    // The cap on the force of a spring is proportional to the elastic normal force. Between surfaces that do not touch,
+    // this force is zero, so their springs are shortened to zero.
     if constexpr (kHasFriction)
       forces.shear = friction.respond(pair, forces.normal, motion.slip, history.value + kTangentialBegin<Dim>);
     if constexpr (kHasRolling)
@@ -389,8 +391,8 @@ struct ContactLaw {
     response.elastic_stiffness += of_adhesion;
   }
 
-  /// Returns whether the surfaces of a contact touch. They touch if they overlap, unless the normal law defines its own
-  /// criterion, for surfaces that stick together across a gap or that part while they still overlap.
+  /// Returns whether the surfaces of a contact touch. Surfaces touch if they overlap, unless the normal law defines
+  /// another criterion, because surfaces can stick together across a gap or can part while they still overlap.
   template <class T>
   typename NormalResponse<T>::Mask in_touch(const PairGeometry<T>& pair,
                                             [[maybe_unused]] const T* history) const {

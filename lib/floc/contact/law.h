@@ -36,14 +36,14 @@ class Law {
   double pull_off_force() const;
   /// Returns the pull-off force F0 (force) of two grains with radius `radius` (length); 0 without adhesion.
   double pull_off_force(double radius) const;
-  /// Returns the pull-off force F0 (force) of a pair; 0 without adhesion. It is also 0 for liquid bridges, because not
-  /// every pair has a bridge (packing/liquid/liquid.h).
+  /// Returns the pull-off force F0 (force) of a pair; 0 without adhesion. The result is also 0 for liquid bridges,
+  /// because not every pair has a bridge (packing/liquid/liquid.h).
   double pull_off_force(const PairGeometry<>& pair) const;
   /// Whether grains attract each other.
   bool adheres() const { return pull_off_force(1.0) > 0.0; }
-  /// Returns the largest gap (length) at which surfaces that have not touched before attract each other. It is 0 if the
-  /// adhesion has zero force, and also for liquid bridges, whose reach depends on their volumes
-  /// (packing/liquid/liquid.h).
+  /// Returns the largest gap (length) at which surfaces that have not touched before attract each other. The result is
+  /// 0 if the adhesion has zero force. It is also 0 for liquid bridges, because the reach of a bridge depends on its
+  /// volume (packing/liquid/liquid.h).
   double range() const;
   /// Returns the largest gap (length) at which the law acts between grains of at most this radius (length). It includes
   /// gaps at which surfaces that have touched before still stick together.

@@ -4,8 +4,8 @@
 
 namespace floc {
 
-/// Static normal force of a contact at one gap, with its elastic and adhesive parts and its stiffnesses. It contains
-/// all that the other models of a contact law need from the normal law and the adhesion. Friction and rolling
+/// Static normal force of a contact at one gap, with its elastic and adhesive parts and its stiffnesses. These are all
+/// values that the other models of a contact law need from the normal law and the adhesion. Friction and rolling
 /// resistance use `elastic`, because their caps do not depend on the adhesion (docs/physics.md, "Friction"). Dashpots
 /// use `touches`, because they act while the surfaces touch.
 template <class T>

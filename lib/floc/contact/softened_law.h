@@ -22,9 +22,10 @@ struct SofteningLimit {
   std::string fault(double s) const;
 };
 
-/// Returns the largest factor by which the springs of a contact law may be softened. Under the pull-off force F0, the
-/// overlap of softer springs must not exceed a tenth of the range D0 of the adhesion. The pressure must not exceed a
-/// hundredth of the modulus of the softer contacts (Law::contact_modulus()).
+/// Returns the largest factor by which the springs of a contact law may be softened. Two conditions limit the factor.
+/// The overlap of two grains with softened springs under the pull-off force F0 must not exceed a tenth of the range D0
+/// of the adhesion. The pressure must not exceed a hundredth of the modulus of the softened contacts
+/// (Law::contact_modulus()).
 /// @param diameter  largest diameter of the grains (length)
 /// @param pressure  largest pressure on the packing (force/length^(dim-1))
 SofteningLimit softening_limit(const Law& law, int dim, double diameter, double pressure);

@@ -47,8 +47,8 @@ double size_of_force(const Contact<Dim>& c, const UnitForce& unit) {
   return std::hypot(c.normal_force, c.shear_force.norm()) / unit.size;
 }
 
-/// Returns the sign of the pressure of each grain: 1 or -1. It is 0 for rattlers, and for grains whose pressure is at
-/// most zero_force/a^(Dim-1) in magnitude, where a is the largest diameter.
+/// Returns the sign of the pressure of each grain: 1 or -1. The result is 0 for rattlers, and for grains whose pressure
+/// has a magnitude of at most zero_force/a^(Dim-1), where a is the largest diameter.
 template <int Dim>
 std::vector<int> signs_of(const Packing<Dim>& packing, const std::vector<bool>& rattler, double zero_force) {
   std::vector<int> sign;

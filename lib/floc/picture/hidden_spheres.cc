@@ -74,8 +74,8 @@ class Tiles {
   }
 
   int row_of(double x, int axis) const { return static_cast<int>((x - low_[axis]) / side_); }
-  /// Returns the smallest and the largest distance along an axis from the coordinate `x` to a column (axis 0) or row
-  /// (axis 1) of tiles.
+  /// Returns the smallest and the largest distance, along an axis, between the coordinate `x` and a column (axis 0) or
+  /// row (axis 1) of tiles.
   /// @param row  number of the column or row of tiles
   std::pair<double, double> distances(int row, int axis, double x) const {
     const double begin = low_[axis] + row * side_ - x, end = begin + side_;
@@ -108,7 +108,7 @@ std::vector<bool> hidden_bodies(const std::vector<BodyExtent>& bodies) {
   // the sphere. The events are therefore sorted by the depths of the centres and of the nearest points.
   struct Event {
     double depth;
-    /// whether the event tests if the body is hidden; otherwise, the body hides other bodies from now on
+    /// true if the body is tested at this event; false if the body hides other bodies from this event on
     bool tests;
     std::size_t body;
   };

@@ -14,7 +14,7 @@ std::vector<SeenSphere> without_hidden(std::vector<SeenSphere> spheres);
 /// Extent of a convex body in a picture.
 struct BodyExtent {
   Vec<3> centre = Vec<3>::Zero();  ///< centre in the coordinates of a Camera (length)
-  double inner = 0.0;              ///< radius of a sphere about the centre inside the body
+  double inner = 0.0;              ///< radius of a sphere about the centre that lies inside the body
   double outer = 0.0;              ///< radius of a sphere about the centre that contains the body
 };
 

@@ -105,7 +105,7 @@ void set_source(cairo_t* page, const Color& c) {
 }
 
 /// Draws each bond in `picture.faces`, that is, each broken bond, as a line across the bond, through the point at which
-/// its force acts. In a 3D section, only bonds are drawn whose point is within half a lattice spacing of the section.
+/// its force acts. In a 3D section, a bond is drawn only if this point is within half a lattice spacing of the section.
 template <int Dim>
 void draw_faces(cairo_t* page, const Section<Dim>& section, const LatticePicture<Dim>& picture, double scale) {
   set_source(page, palette::kArrow);

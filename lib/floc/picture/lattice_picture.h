@@ -32,7 +32,7 @@ struct LatticeSheetOptions {
   double width = 482.0;  ///< width of the page (points)
   int cut_axis = 1;      ///< 3D: axis normal to the drawn section, counted from 0
   double cut_at = 0.5;   ///< 3D: position of the section along cut_axis, as a fraction of the cell
-  /// Number of pixels per lattice spacing; it is reduced if a side of the picture would exceed 3000 pixels.
+  /// Number of pixels per lattice spacing. The number is reduced if a side of the picture would exceed 3000 pixels.
   double pixels_a_node = 4.0;
 
   static constexpr NumberRange kPixels{.least = 1.0, .most = 100.0};

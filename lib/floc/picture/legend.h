@@ -60,8 +60,8 @@ LegendItem color_bar(const GrainShade& shade, double room);
 template <int Dim>
 LegendItem force_item(const PackingPicture<Dim>& picture, const DrawnScale& scale);
 
-/// Returns the legend of a page of pictures. It has a scale bar, and one item for each kind of line, for
-/// rattlers, arrows, colours and notes, if at least one of the pictures has them.
+/// Returns the legend of a page of pictures. The legend has a scale bar. It also has items for the kinds of lines,
+/// rattlers, arrows, colours and notes that appear in at least one of the pictures.
 /// @param bar  largest length of the scale bar (points)
 /// @param width  width of the legend (points)
 template <int Dim>

@@ -13,8 +13,8 @@
 namespace floc {
 namespace {
 
-/// Largest number of shapes that are combined in one cairo path. Larger paths would take more time, because the time to
-/// draw a path grows faster than the number of shapes in it.
+/// Largest number of shapes that are combined in one cairo path. Larger paths would take more time, because the time
+/// for drawing a path increases faster than the number of its shapes.
 constexpr int kBatch = 200;
 constexpr double kSmallestOutlined = 2.5;
 /// Line widths are rounded to multiples of this width (points), so that many lines share one path. This keeps files

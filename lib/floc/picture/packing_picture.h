@@ -97,8 +97,8 @@ struct PackingPicture {
   /// layer of the cell that is shown (see part_in_slab()); if absent, the whole cell is shown
   std::optional<Slab> slab;
   GrainShade shade;  ///< values that colour the grains; if there are none, grains are grey
-  /// Parts of the caption above the picture. A line of the caption ends after a part; a part is broken only if it is
-  /// wider than the line.
+  /// Parts of the caption above the picture. Lines of the caption are broken between two parts, and within a part only
+  /// if the part is wider than a line.
   std::vector<std::string> caption;
   std::string note;  ///< note in the legend; may be empty
 

@@ -64,7 +64,7 @@ class PeriodicCopies {
   static int last(double low) { return static_cast<int>(std::floor(1.0 - low)); }
 
   Cell<Dim> cell_;
-  Mat<Dim> reciprocal_;  ///< its product with a point gives the reduced coordinates of the point
+  Mat<Dim> reciprocal_;  ///< matrix whose product with a point gives the reduced coordinates of the point
   Vec<Dim> reach_;       ///< half the extent of a ball of radius 1 along each reduced coordinate
 };
 

@@ -10,8 +10,8 @@
 namespace floc {
 namespace {
 
-/// Cosine of the angle between the normal of a facet and the line of sight below which the facet counts as seen
-/// edge-on.
+/// Limit of the cosine of the angle between the normal of a facet and the line of sight. Below this limit, the facet
+/// counts as seen edge-on.
 constexpr double kFaceEndOn = 1e-9;
 
 /// Part of a line segment, as fractions of the length of the segment. Planes cut away pieces of the part one after the
@@ -67,7 +67,7 @@ void add_hidden_by_facets(const Vec<3>& from, const Vec<3>& to, const SeenBody& 
 /// outline deviates from the outline of the capsule by less than 1 % of the radius.
 void add_hidden_by_capsule(const Vec<3>& from, const Vec<3>& to, const SeenBody& body,
                            std::vector<std::pair<double, double>>& hidden) {
-  constexpr double kStep = 0.25;  // distance of the centres in units of the radius
+  constexpr double kStep = 0.25;  // distance between the centres, divided by the radius
   const Vec<3> axis = body.points[1] - body.points[0];
   const int n = 1 + static_cast<int>(std::ceil(axis.norm() / (kStep * body.rounding)));
   for (int k = 0; k < n; ++k) {
@@ -76,8 +76,8 @@ void add_hidden_by_capsule(const Vec<3>& from, const Vec<3>& to, const SeenBody&
   }
 }
 
-/// Returns the distance from the centre of a capsule to its surface along a direction with the component `along` along
-/// the axis of the capsule.
+/// Returns the distance from the centre of a capsule to its surface in a given direction; `along` is the component of
+/// the direction along the axis of the capsule.
 double distance_in_capsule(double half_length, double radius, double along) {
   const double across = std::sqrt(std::max(0.0, 1.0 - along * along));
   const double to_cylinder = radius / std::max(across, 1e-12);

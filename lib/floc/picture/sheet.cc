@@ -23,8 +23,9 @@ template <int Dim>
 constexpr double kMinPixels = (Dim == 2 ? 200.0 : 300.0) / 72.0;
 constexpr double kMaxPixelsPerSide = 3000.0;
 constexpr double kPixelsPerDiameter = 6.0;
-/// Largest number of shapes that are drawn as vectors; more shapes are drawn as an image. In 3D each shape has its own
-/// colour gradient, which takes about 600 bytes of the file, or consists of facets, each of which counts as a shape.
+/// Largest number of shapes that are drawn as vectors; more shapes are drawn as an image. In 3D, each round shape has
+/// its own colour gradient, which takes about 600 bytes of the file. Each facet of a shape with corners counts as a
+/// shape.
 template <int Dim>
 constexpr std::size_t kMaxVectors = Dim == 2 ? 15000 : 6000;
 constexpr double kAxisRoom = 10.0;  ///< margin around a picture in 3D for the names of the axes (points)

@@ -21,8 +21,9 @@ struct SheetOptions {
   double line_width = 0.15;
   bool same_force_scale = false;  ///< whether all pictures have a common force scale
   bool bare = false;              ///< whether captions and legend are left out
-  /// Pixels per inch, of a png or of an embedded image of grains and lines. If absent, there are six pixels per mean
-  /// diameter, but at least 200 (in 3D 300) per inch, and at most 3000 along a side of the page.
+  /// Resolution (pixels per inch) of a png, or of an embedded image of grains and lines. If absent, the resolution is
+  /// six pixels per mean diameter, but at least 200 (in 3D, 300) pixels per inch, and at most 3000 pixels along a side
+  /// of the page.
   std::optional<double> resolution;
   /// Whether grains and lines in an svg or pdf file are drawn as an embedded image; all other elements are vector
   /// graphics. If absent, an image is used for more than 15 000 grains and lines (in 3D, more than 6 000 visible

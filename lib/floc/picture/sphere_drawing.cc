@@ -282,8 +282,8 @@ void draw_bar(cairo_t* page, const Bar& bar, const Color& color) {
     cairo_fill(page);
     return cairo_restore(page);
   }
-  // The brightest line along the bar is on the side of the light. Its distance from the middle of the bar grows
-  // with the angle between light and bar.
+  // The brightest line along the bar is on the side of the light. The distance of this line from the middle of the bar
+  // increases with the angle between the light and the bar.
   cairo_pattern_t* gradient = cairo_pattern_create_linear(0.0, -half, 0.0, half);
   add_stop(gradient, 0.0, darker(color, 0.45));
   add_stop(gradient, 0.18, darker(color, 0.1));

@@ -8,7 +8,8 @@
 
 namespace floc {
 
-/// Returns the rectangle around a cell and its grains, as seen from the viewpoint and with the drawn radii (length).
+/// Returns the rectangle (length) around a cell and its grains, as seen from the viewpoint. The grains have their drawn
+/// radii.
 Box box_of(const PackingPicture<3>& picture, const View& view);
 
 /// Draws a sphere that is lit from the upper left. Centre and radius are in points.

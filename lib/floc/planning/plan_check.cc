@@ -92,8 +92,9 @@ class SampleFits {
     }
   }
 
-  /// Stores the fitted value, and the half width of its 95 % interval by the jackknife: the standard error of the fit
-  /// to all n samples is n - 1 times the standard error of the mean of the n fits that leave out one sample.
+  /// Stores the fitted value and the half width of its 95 % interval, which is computed by the jackknife. The standard
+  /// error of the fit to all n samples is n - 1 times the standard error of a mean: the mean of the n fits that leave
+  /// out one sample.
   void check(PlanCheck& check) const {
     check.mean = value_of(whole_, check.quantity);
     if (!check.mean) return;

@@ -27,7 +27,8 @@ bool allows(const PlanSource& source, const Scene& scene, const PricedSettings& 
 
 /// Returns the text of the file of a plan. For several samples, this is a campaign file with one run for each sample
 /// and with the promised errors in its table [plan]. For a single sample, it is a scene.
-/// @param output  path of the file; the name of the scene file in the campaign file is relative to it
+/// @param output  path of the file; in a campaign file, the name of the scene file is relative to the folder of this
+/// file
 std::string plan_file(const Plan& plan, const std::vector<ObservablePrice>& observables, const Scene& scene,
                       const PlanSource& source, const std::string& output);
 

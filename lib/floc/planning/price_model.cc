@@ -19,7 +19,7 @@ namespace floc {
 namespace {
 
 /// Exponent p of the processor time, which is proportional to N^p for N grains. This value is used if a table of prices
-/// contains only one size. It is above 1 because larger packings take more time steps to come to rest.
+/// contains only one size. The exponent is above 1 because larger packings need more time steps to come to rest.
 constexpr double kCostExponent = 1.25;
 /// Fraction of the processor time of a run that is proportional to its number of equilibria. This value is used if a
 /// table of prices does not contain the fraction. Most of the time is spent in the assembly and in rearrangements, and
@@ -34,8 +34,8 @@ constexpr double kShareOfSoft = 0.7, kShareOfAssembly = 0.57;
 /// Largest ratio of a number of grains to the measured number of grains at which prices are extrapolated: from a table
 /// of prices, and from a pilot.
 constexpr int kExtrapolation = 50, kExtrapolationOfPilot = 10;
-/// Memory of the program itself, and memory per grain in two and in three dimensions, for a run that finishes its
-/// equilibria by Newton steps (MB).
+/// Memory (MB) of the program itself, and memory (MB) per grain in two and in three dimensions. The values apply to
+/// runs that finish equilibria by Newton steps.
 constexpr double kProgramMemory = 36.0;
 constexpr double kMemoryOfDisk = 0.006, kMemoryOfSphere = 0.03;
 
@@ -158,7 +158,8 @@ void PriceModel::take_table() {
                                 [](const PriceRow& r) { return r.parameter == "scene"; });
   if (row == table_->rows.end() || row->n_grains <= 0 || !(row->core_seconds > 0.0))
     throw InputError(table_->place,
-                     "this table has no row whose knob is scene, or that row has no n_grains or core_seconds: "
+                     "this table has no row with the value scene in the column knob, or no n_grains or "
+                     "core_seconds in this row: "
                      "expected a table that floc tradeoff --format csv of this version of floc has written");
   n_grains_ = least_grains_ = row->n_grains;
   for (const PriceRow& other : table_->rows)

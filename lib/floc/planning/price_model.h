@@ -57,14 +57,15 @@ struct PilotResult {
 class PriceModel {
  public:
   /// @param table  table of prices of the kind of the scene; absent if only a pilot is known
-  /// @param pilot  measurements on the scene; absent if only a table is known. At least one of the two must be given
+  /// @param pilot  measurements on the scene; absent if only a table is known. At least one of `table` and `pilot` must
+  /// be given.
   PriceModel(const Scene& scene, std::optional<PriceTable> table, std::optional<PilotResult> pilot = {});
 
   /// Numerical settings that can be written into the scene. They refer to rows of the table of this model.
   const std::vector<PricedSettings>& settings() const { return settings_; }
   const std::vector<ObservablePrice>& observables() const { return observables_; }
   /// Returns the observable with this name.
-  /// @throws InputError that names the most similar observable, if the model does not have this one
+  /// @throws InputError that names the most similar observable, if the model has no observable with this name
   const ObservablePrice& observable(const std::string& name, const std::string& place) const;
 
   /// Removes settings from the model, so that no plan uses them.
@@ -84,8 +85,8 @@ class PriceModel {
   double core_seconds(const PricedSettings& settings, double n_grains) const;
   /// Returns the largest memory of a run (MB) of `n_grains` grains.
   double memory_mb(double n_grains) const;
-  /// Returns the error of an observable. It is infinite if the table does not contain the error that the settings
-  /// cause.
+  /// Returns the error of an observable. The error is infinite if the table does not contain the error that the
+  /// settings cause.
   PricedError error(const ObservablePrice& observable, const PricedSettings& settings, double n_grains,
                     double n_samples) const;
   /// Returns the row of the table that has the same settings as the scene. If there is no such row, returns the row

@@ -32,7 +32,8 @@ class ContactTracker final : public MotionTable<Dim> {
   Packing<Dim> start_, previous_;
 };
 
-/// Starts recording the contacts of a run in the table contacts.csv of its directory while its packing moves.
+/// Starts recording the contacts of a run in the table contacts.csv of the run's directory. Contacts are recorded while
+/// the packing moves.
 /// @param options  options of the run
 /// @param interval  simulated time between two rows (time unit of the scene)
 /// @pre `run` is not finished, and the object stays at its address in memory until the run has been driven

@@ -5,8 +5,8 @@
 
 namespace floc {
 
-/// Lock on a directory, so that no other process of floc writes into it as long as this object exists. It is an
-/// advisory lock (flock) on a file in the directory, which the operating system releases when the process ends, even if
+/// Lock on a directory. As long as this object exists, no other process of floc writes into the directory. The lock is
+/// an advisory lock (flock) on a file in the directory. The operating system releases it when the process ends, even if
 /// the process is killed.
 class DirectoryLock {
  public:

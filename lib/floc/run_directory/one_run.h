@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Returns the name of the file for the state number `step` of a run: state-0000.h5 for the first one, and so on, in
-/// the directory of the run.
+/// Returns the path of the file for the state number `step` of a run. The first file in the directory of the run is
+/// state-0000.h5.
 std::string state_file(const std::string& directory, int step);
 
 /// Returns the paths of the state files in the directory of a run. The key of each path is the number in the name of

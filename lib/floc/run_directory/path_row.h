@@ -20,8 +20,8 @@ struct PathReference {
   std::optional<Vec<Dim>> sides_before;
 };
 
-/// Returns the row of path.csv for one equilibrium. All its values except the wall time can be recomputed from the
-/// saved states.
+/// Returns the row of path.csv for one equilibrium. All values in the row, except the wall time, can be recomputed from
+/// the saved states.
 /// @param reference  sides of the cell in the first state of the run and in the state before this one
 /// @param seconds  wall time of the step (s); absent if it was not measured
 /// @param file  name of the state file, without its directory

@@ -117,9 +117,9 @@ void RunDirectory::check_longer_path(const RunOptions& options) const {
           if (step >= plan.size() || !is_load_of(plan[step], state))
             throw InputError(file,
                              fmt::format("step {} of the load path in the scene differs from the step that "
-                                         "made this state: a run is continued with a longer load path only if "
-                                         "the steps already made are unchanged, so that the last stage keeps "
-                                         "the size of its steps",
+                                         "made this state: a run can be continued with a longer load path "
+                                         "only if the steps already made are unchanged; if the last stage is "
+                                         "made longer, its steps must keep their size",
                                          step));
         },
         read_state(file));

@@ -18,7 +18,7 @@ struct SceneRunOptions {
   std::string directory;
   std::optional<std::uint64_t> seed;  ///< replaces the seed of the scene
   std::optional<int> threads;         ///< replaces the number of threads of the scene
-  /// number (from 0) of the equilibrium after which the run stops; absent: it runs to its end
+  /// number (from 0) of the equilibrium after which the run stops; if absent, the run continues to its end
   std::optional<int> until;
   /// simulated time between two rows of the table contacts.csv (time unit of the scene); if absent, the table is not
   /// written
@@ -54,7 +54,7 @@ struct SceneRun {
 
   /// Drives the run: computes its equilibria and saves them in its directory.
   /// @param watch  functions that are called to report progress; all other options in `watch` are ignored, because the
-  /// constructor has been given them
+  /// values given to the constructor are used
   [[nodiscard]] DriveReport drive(DriveOptions<Dim> watch);
 
  private:

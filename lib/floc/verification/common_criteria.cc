@@ -182,12 +182,12 @@ Criterion check_boundary(const State<Dim>& state, const Packing<Dim>& recomputed
 
 namespace {
 
-/// Comparison of recorded quantities of a state, other than forces, with the values that follow from the recomputed
-/// forces. It counts the differences and describes the first of them.
+/// Comparison of the recorded quantities of a state, except its forces, with the values that follow from the recomputed
+/// forces. The class counts the differences and describes the first difference.
 class Record {
  public:
   /// Compares the recorded value of one quantity with the value `found`, which follows from the recomputed forces.
-  /// @param rounding  bound on the error of `found` that results from rounding of the positions
+  /// @param rounding  bound on the error of `found` due to the rounding of the positions
   void compare(const char* name, double recorded, double found, double rounding) {
     constexpr double kRelative = 1e-6;  // accepted because other compilers round sums differently
     const double size = std::max(std::abs(recorded), std::abs(found));
@@ -206,8 +206,8 @@ class Record {
 /// Largest relative difference between a force and its limit at which a contact may be flagged as mobilised (sliding or
 /// yielding). The value is sufficient for files of other programs, which contain at least six digits.
 constexpr double kFlagTolerance = 1e-5;
-/// Relative difference between a force and its limit below which a contact must be flagged as mobilised (sliding or
-/// yielding).
+/// If the relative difference between a force and its limit is smaller than this value, the contact must be flagged as
+/// mobilised (sliding or yielding).
 constexpr double kAtCap = 1e-13;
 
 template <int Dim>
@@ -285,7 +285,8 @@ Criterion check_record(const State<Dim>& state, const Packing<Dim>& recomputed, 
   Record record;
   const Residuals found = residuals(recomputed, state.target_stress, stress);
   const ForceScale scale = force_scale(recomputed, state.target_stress);
-  constexpr double kContacts = 8.0;  // assumed number of contacts of a grain, whose errors add up
+  // Assumed number of contacts of a grain; the errors of these contacts add up.
+  constexpr double kContacts = 8.0;
   const double open = scale.force > 0.0 ? kContacts * force_error(recomputed) / scale.force : 0.0;
   record.compare("residuals.force", state.residuals.force, found.force, open);
   record.compare("residuals.moment", state.residuals.moment, found.moment, open);

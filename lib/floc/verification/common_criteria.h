@@ -12,7 +12,7 @@
 /// static_stress() of this packing.
 namespace floc {
 
-/// Returns a bound on the error of a contact force (force) that results from rounding of the positions.
+/// Returns a bound (force) on the error of a contact force due to the rounding of the positions.
 template <int Dim>
 double force_error(const Packing<Dim>& packing);
 
@@ -22,9 +22,9 @@ template <int Dim>
 void add_residuals(const State<Dim>& state, const Packing<Dim>& recomputed, const Mat<Dim>& stress,
                    const std::string& motion, std::vector<Criterion>& criteria);
 
-/// Adds the criterion length if lengths are imposed. It compares the lengths of the axes of the cell, and the offset of
-/// a sheared lattice vector, with the imposed values. Only rounding errors are accepted, because the motion of the cell
-/// ends exactly at the imposed values.
+/// Adds the criterion length if lengths are imposed. The criterion compares the lengths of the axes of the cell, and
+/// the offset of a sheared lattice vector, with the imposed values. Only rounding errors are accepted, because the
+/// motion of the cell ends exactly at the imposed values.
 template <int Dim>
 void add_lengths(const State<Dim>& state, std::vector<Criterion>& criteria);
 

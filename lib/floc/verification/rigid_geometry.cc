@@ -45,7 +45,7 @@ Contact<Dim> relocated(const Packing<Dim>& packing, Contact<Dim> c, double toler
     return c;
   }
   const Vec<Dim> r = branch(packing, c);
-  // Recorded gaps may be wrong, but the gap of a contact that counts is not wider than the tolerance.
+  // The recorded gap may be wrong. The true gap of a contact that counts is at most the tolerance.
   const double diameter = 2.0 * smaller_radius(packing, c);
   const double counted = tolerance * diameter;
   const auto within = [&](double reach) {

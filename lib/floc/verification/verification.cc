@@ -24,8 +24,8 @@
 namespace floc {
 namespace {
 
-/// Identity of a pair of grains: their indices and the periodic image. The identity is independent of the order of the
-/// two grains and of the choice between opposite images.
+/// Identity of a pair of grains: their indices and the periodic image. The identity does not change if the two grains
+/// are exchanged and the periodic image is reversed accordingly.
 using PairIdentity = std::tuple<int, int, std::vector<int>>;
 
 template <class Pair>

@@ -17,8 +17,8 @@ enum class BridgeForm {
   /// Rj/(Ri + Rj) the harmonic mean of the radii Ri and Rj of the grains, and r >= 1 the ratio of these radii
   /// [RTV2010].
   exponential,
-  /// 1/(1 + 1.05 x + 2.5 x^2) with x = h sqrt(R'/V_b), the gap h, the volume V_b of the bridge and the harmonic mean
-  /// radius R' = 2 Ri Rj/(Ri + Rj) of the grains [WAJS2000].
+  /// 1/(1 + 1.05 x + 2.5 x^2) with x = h sqrt(R'/V_b). Here h is the gap, V_b the volume of the bridge, and R' = 2 Ri
+  /// Rj/(Ri + Rj) the harmonic mean of the radii Ri and Rj of the grains [WAJS2000].
   rational,
 };
 
@@ -83,14 +83,15 @@ struct CapillaryAdhesion {
 
   /// Contact angle in radians.
   double angle() const { return contact_angle * std::numbers::pi / 180.0; }
-  /// Returns the attraction of a liquid bridge between two touching grains (force): 2 pi g cos th sqrt(Ri Rj) with the
-  /// surface tension g, the contact angle th and the radii Ri and Rj. It does not depend on the volume of the bridge.
+  /// Returns the attraction (force) of a liquid bridge between two touching grains: 2 pi g cos th sqrt(Ri Rj) with the
+  /// surface tension g, the contact angle th and the radii Ri and Rj. The attraction does not depend on the volume of
+  /// the bridge.
   double strength(double radius_i, double radius_j) const {
     return 2.0 * std::numbers::pi * surface_tension * std::cos(angle()) * std::sqrt(radius_i * radius_j);
   }
   /// Returns the widest gap hm (length) that a bridge of this volume (length^3) spans.
   double reach(double volume) const { return (1.0 + 0.5 * angle()) * std::cbrt(volume); }
-  /// Returns the volume of all liquid (length^3) in a packing whose grains have the total volume `solid_volume`
+  /// Returns the total volume of liquid (length^3) in a packing; `solid_volume` is the total volume of its grains
   /// (length^3).
   double liquid_volume(double solid_volume) const { return water_content * density_ratio * solid_volume; }
   /// Returns the parameters of a liquid bridge of this volume (length^3) between two grains of these radii (length).
@@ -118,8 +119,8 @@ struct CapillaryAdhesion {
     }
     return acting(bridge, *volume);
   }
-  /// Returns the parameters of a liquid bridge that are in effect now: `bridge`, but with zero strength if the bridge
-  /// has broken (`volume` <= 0).
+  /// Returns the parameters of a liquid bridge that are in effect now. They equal `bridge`, except that the strength is
+  /// zero if the bridge has broken (`volume` <= 0).
   template <class T>
   Bridge<T> acting(Bridge<T> bridge, const T& volume) const {
     bridge.strength = lanes::select(T(0) < volume, bridge.strength, T(0));
@@ -142,7 +143,7 @@ struct CapillaryAdhesion {
     const T across = lanes::select(bridge.reach < pair.gap, T(0), T(-bridge.strength * bridge.decay * slope));
     return lanes::select(pair.gap < T(0), T(0), across);
   }
-  /// Returns the potential energy of a liquid bridge of fixed volume. The energy is zero where the gap is at least the
+  /// Returns the potential energy of a liquid bridge of fixed volume. The energy is zero if the gap is at least the
   /// reach of the bridge.
   template <class T>
   T energy(const PairGeometry<T>& pair, const Bridge<T>& bridge) const {

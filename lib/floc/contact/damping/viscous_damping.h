@@ -29,8 +29,8 @@ inline double damping_ratio(double restitution) {
 
 /// Viscous normal force -c dh/dt while the surfaces overlap, where h is the gap. The damping coefficient is c = 2 zeta
 /// sqrt(m K_N) with the damping ratio zeta (damping_ratio()), the mass m (DampingMass) and the normal stiffness K_N.
-/// The force may be tensile, because without its tension the restitution would be different. It is not part of the
-/// static force.
+/// The force may be tensile, because the restitution would be different if tensile forces were cut off. The force is
+/// not part of the static force.
 struct ViscousDamping {
   double restitution;  ///< restitution e_N of a binary collision without adhesion, in (0, 1]
   DampingMass mass_rule = DampingMass::effective;

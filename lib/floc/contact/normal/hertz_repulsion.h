@@ -30,8 +30,8 @@ struct HertzRepulsion {
       {"poisson", &HertzRepulsion::poisson, Unit::ratio, "nu", Requirement::poisson_ratio,
        "Poisson's ratio nu, in (-1, 0.5)", "Poisson's ratio"}};
 
-  /// Returns the modulus by which pressures are divided to make them dimensionless (force/length^2): E/(1 - nu^2) with
-  /// Young's modulus E and Poisson's ratio nu.
+  /// Returns the modulus (force/length^2) by which pressures are divided to make them dimensionless. The modulus is
+  /// E/(1 - nu^2), with Young's modulus E and Poisson's ratio nu.
   double plane_modulus() const { return modulus / (1.0 - poisson * poisson); }
 
   template <class T>
@@ -66,8 +66,8 @@ struct HertzRepulsion {
     return contact_stiffness(PairGeometry<>(-overlap_at_force(pair, elastic), pair.reduced_radius));
   }
   double modulus_of_packing(int, double) const { return plane_modulus(); }
-  /// Returns an upper bound on the normal stiffness K_N (force/length) of a contact of this pair in a packing with the
-  /// largest overlap, force and impact speed `load`.
+  /// Returns an upper bound on the normal stiffness K_N (force/length) of a contact of this pair in a packing. The
+  /// largest overlap, force and impact speed in the packing are given by `load`.
   double stiffness_bound(const PairGeometry<>& pair, const ContactLoad& load) const {
     const double deepest = std::max(
         {load.overlap, overlap_at_force(pair, load.force), overlap_of_impact(pair, load.impact_speed)});

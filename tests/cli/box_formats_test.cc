@@ -37,7 +37,8 @@ class BoxFormats : public testing::TestWithParam<int> {
     EXPECT_EQ(o.code, 0) << o.err;
     return o.code == 0 ? json::parse(o.out).at(0) : json();
   }
-  /// Expects the numbers of moduli and network of the state that was converted back.
+  /// Expects that `floc moduli` and `floc network` print the same numbers for the state that was converted back as for
+  /// the original state.
   void expect_the_same(const std::string& back) {
     for (const std::string command : {"moduli", "network"}) {
       const json before = row(command, made_), after = row(command, back);

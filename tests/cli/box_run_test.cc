@@ -72,8 +72,8 @@ TEST_P(BoxRun, HoldsGrainsOfAllLaws) {
   }
 }
 
-/// The values that floc network and floc structure print for a box agree with the row of path.csv; columns that
-/// need periodic images are empty.
+/// For a box, the values that floc network and floc structure print agree with the row of path.csv. Columns that need
+/// periodic images are empty.
 TEST_P(BoxRun, IsMeasuredBetweenItsGrains) {
   ASSERT_EQ(run(box_scene(GetParam()), "-o out").code, 0);
   const Outcome network = floc(
@@ -209,8 +209,7 @@ TEST_P(BoxRun, IsExportedWithItsWalls) {
 
 INSTANTIATE_TEST_SUITE_P(Dimensions, BoxRun, testing::Values(2, 3));
 
-/// If time runs out while the aggregate in a box still has mechanisms, the state is saved with the ending
-/// "stopped".
+/// If the aggregate in a box still has mechanisms at the stop_time, the state is saved with the ending "stopped".
 TEST(BoxRun, RecordsWhatHasNotSettledAsStopped) {
   const ScratchDirectory scratch;
   write_text(scratch.file("box.toml"), with(box_scene(3), "stop_time = 200", "stop_time = 2"));

@@ -63,7 +63,8 @@ class CampaignOnSnakemake : public testing::Test {
   inline static Outcome whole_;
 };
 
-/// Returns the number in a column of a table, from the row whose columns have the texts `row`.
+/// Returns the number in the column `column` of a table. `row` selects the row of the table by the texts in its
+/// columns.
 double number_at(const CsvTable& table, const std::map<std::string, std::string>& row,
                  const std::string& column) {
   for (int k = 0; k < table.n_rows(); ++k) {

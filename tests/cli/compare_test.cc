@@ -16,8 +16,8 @@ using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Fixture: two states of two blocks of four disks. In the second state one block has rotated and lost a grain
-/// to the other block, and all grains are shifted across the cell boundary.
+/// Fixture: two states with two blocks of four disks. In the second state, one block has rotated, one of its grains has
+/// moved to the other block, and all grains are shifted across the cell boundary.
 class Compare : public testing::Test {
  protected:
   void SetUp() override {

@@ -59,7 +59,7 @@ class ContinuedState : public testing::Test {
   ScratchDirectory scratch_;
 };
 
-/// Expects the same value in a row of each table, within a relative tolerance.
+/// Expects that two tables have equal values in the given rows, within a relative tolerance.
 /// @param column  column of both tables
 void expect_same(const CsvTable& a, int row_a, const CsvTable& b, int row_b, const char* column,
                  double relative) {

@@ -5,7 +5,7 @@
 #include "support/places.h"
 #include "support/run_arguments.h"
 
-/// Tests that every fit of a load path rejects tables that contradict themselves, and that `--columns` may not
+/// Tests that every fit of a load path rejects tables whose columns contradict each other, and that `--columns` may not
 /// be given twice.
 namespace floc::test {
 namespace {

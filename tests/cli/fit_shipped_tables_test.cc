@@ -75,7 +75,7 @@ TEST(ShippedPaths, GiveLambdaOfTheModelWithinItsErrors) {
   EXPECT_EQ(pooled["weights"], "between");
   EXPECT_GT(pooled["regimes"]["jump_distance"], 0.05);
   EXPECT_LT(pooled["regimes"]["jump_distance"], 1.0);
-  // The published values for the same model with 1400 grains are 0.194 and 0.7745 [GRC2008].
+  // For this model with 1400 grains, the published values are lambda = 0.194 and Phi_max = 0.7745 [GRC2008].
   const json lambda = pooled["parameters"]["lambda"], phi_max = pooled["parameters"]["Phi_max"];
   EXPECT_LT(lambda["low95"], 0.194);
   EXPECT_GT(lambda["high95"], 0.194);
@@ -167,7 +167,7 @@ TEST(FitElastic, TheModulusOfAStateStandsBesideTheFit) {
   ASSERT_EQ(o.code, 0) << o.err;
   const json fit = json::parse(o.out).at(0);
   EXPECT_NEAR(fit["state"]["B"], 500 * std::sqrt(3.0), 1e-3);
-  // Densities in the table are rounded to six decimals and change by only 2e-3 in all.
+  // Densities in the table are rounded to six decimals, and their total change is only 2e-3.
   EXPECT_NEAR(fit["parameters"]["B"]["value"], 900, 2);
   EXPECT_TRUE(fit["state"]["rms"].is_number());
 }

@@ -114,7 +114,8 @@ TEST(FitStrength, OfAnOedometerIsItsK0AndModulus) {
   EXPECT_NEAR(value_of(o.out, "stdin", "oedometer", "constrained_modulus"), 8000, 1e-3);
 }
 
-/// Table of a test of simple shear under a normal stress: a line to the peak, then a plateau.
+/// Table of a simple shear test under a normal stress. The shear stress increases linearly to the peak, and then has a
+/// plateau.
 std::string sheared_table(double normal, double peak, const std::string& unit, double scale) {
   std::string text = fmt::format("sigma_n [{}],tau [{}],gamma [%],eps_v [%]\n", unit, unit);
   for (int k = 0; k <= 40; ++k)

@@ -23,7 +23,7 @@ using testing::StartsWith;
 class ModesCommand : public testing::Test {
  protected:
   void SetUp() override {
-    // The law has adhesion, because a disk with only one contact is a rattler without it.
+    // The law has adhesion. Without adhesion, a disk with only one contact would be a rattler.
     Law law = elastic_law(1.0, 0.5, 0.0);
     law += test::constant_adhesion(1e-3);
     State<2> state;

@@ -65,7 +65,7 @@ TEST_F(ModuliCommand, OfAConvertedPackingGiveItsShearModulus) {
   const Outcome o = moduli("packing.h5 --prestress --strains full --format json");
   ASSERT_EQ(o.code, 0) << o.err;
   const json row = json::parse(o.out).at(0);
-  // This value is checked against the stresses of two strained states in validation.FormatOfJamBashbulk.
+  // The test validation.FormatOfJamBashbulk checks this value against the stresses of two strained states.
   EXPECT_NEAR(row.at("C33").get<double>(), 0.0498734432608, 1e-12);
   EXPECT_EQ(row.at("G_shear"), row.at("C33"));
   EXPECT_NEAR(row.at("P").get<double>(), 1e-3, 1e-12);

@@ -220,7 +220,7 @@ TEST_F(PlotCommand, ForcesAreThoseOfLoadingAndAllCurvesAreSeen) {
 }
 
 TEST_F(PlotCommand, TestsWithADrivenAxisBeginAtZeroStrainWithTheirOwnStresses) {
-  // Table of an isotropic state, an oedometric stage along axis 2 and a biaxial one along axis 1.
+  // Table of an isotropic state, an oedometric stage along axis 2 and a biaxial stage along axis 1.
   write_text(file("tests.csv"),
              "step,branch,stress_1,stress_2,strain_1,strain_2,control,axis\n"
              "0,load,1,1,0,0.5,,\n"

@@ -47,7 +47,7 @@ std::string contact_tables(LawParameters law) {
   return text;
 }
 
-/// Scene of a few equal grains under a pressure at which contacts overlap by some tenth of a radius on average.
+/// Scene of a few equal grains under a pressure at which the mean overlap of contacts is about a tenth of a radius.
 std::string soft_scene(const Law& law, int dimension) {
   const double pressure = law.contact_modulus(dimension, 1.0) / (law.force_exponent() != 1.0 ? 180.0 : 12.0);
   return fmt::format(
@@ -85,7 +85,7 @@ class SoftPackings : public testing::Test {
     SCOPED_TRACE(fmt::format("{} in {}D", law_text(law), dimension));
     const std::string overlap = "% of the contacts overlap by more than a tenth of a radius";
     write_text(scratch_.file("g.csv"), lattice_rows(dimension));
-    // Rigid contacts have no stiffness, so the message about them cannot ask for its units.
+    // Rigid contacts have no stiffness, so their message cannot ask for the units of a stiffness.
     const std::string question = law.is_rigid() ? "are the positions and the radii in the same unit of length?"
                                                 : "consistent with the units of lengths and forces?";
     expect_said({"convert", scratch_.file("g.csv"), scratch_.file("s.h5"), "--overwrite", "--law",

@@ -138,7 +138,7 @@ TEST_F(TrackEnergy, IsRefusedForShippedScenesOfWhichNoAccountIsKept) {
   EXPECT_GE(n_refused["assembly.vibration displaces the grains"], 2);
 }
 
-/// A shipped scene, and the number of an equilibrium up to which the run uses every kind of control of the
+/// A shipped scene, and the number of an equilibrium. The run up to this equilibrium uses every kind of control of the
 /// scene.
 struct ShippedPath {
   const char* scene;
@@ -150,7 +150,7 @@ void PrintTo(const ShippedPath& path, std::ostream* out) {
 
 class EnergyOfShippedPath : public ::testing::TestWithParam<ShippedPath> {
  protected:
-  /// Returns the error of the energy balance at the end of a path of a few grains, divided by the work of its
+  /// Runs the path with a few grains. Returns the error of the energy balance at the end, divided by the work of the
   /// boundary.
   double error_at(double time_step) const {
     const std::string directory = fmt::format("at-{}", time_step);

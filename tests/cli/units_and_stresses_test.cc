@@ -229,8 +229,8 @@ energy = 1e-7
   inline static ScratchDirectory* scratch_ = nullptr;
 };
 
-/// B and M are the slopes of the mean stress and of the stress on the driven axis against ln Phi, between
-/// neighbouring states of the unloading.
+/// B and M are slopes against ln Phi, between neighbouring states of the unloading: B of the mean stress, and M of the
+/// stress on the driven axis.
 TEST_F(OedometerOfBeads, HasBOfItsMeanAndMOfItsDrivenStress) {
   const Outcome o = floc("fit elastic run --format json");
   ASSERT_EQ(o.code, 0) << o.err;

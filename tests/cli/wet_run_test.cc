@@ -27,8 +27,8 @@ TEST(WetRun, ComesToRestWhereTheirPullAloneHoldsAGrain) {
   expect_rest("--seed 1");
 }
 
-/// One grain has two nearly opposite contacts. Its rotation about the line through both is stable only if the
-/// geometric terms of the tangential forces are included.
+/// One grain has two nearly opposite contacts. The rotation of this grain about the line through both contacts is
+/// stable only if the geometric terms of the tangential forces are included.
 TEST(WetRun, ComesToRestWhereFrictionHoldsASpin) {
   expect_rest("--seed 45 --set equilibrium.finish=dynamic");
 }

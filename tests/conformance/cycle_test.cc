@@ -45,7 +45,7 @@ class Loop {
   /// far below the limits
   Loop(RandomStream& random, double mean_gap, double gap_amplitude, double reach)
       : gap_(random, mean_gap, gap_amplitude) {
-    // In 3D, slip lies in the tangent plane of the normal e_3; in 2D it has one component.
+    // In 3D, the slip is in the plane normal to the third axis; in 2D, the slip has one component.
     for (int a = 0; a < Dim - 1; ++a) slip_.emplace_back(random, 0.0, 1e-4 * reach);
     for (int a = 0; a < kRotations<Dim>; ++a) rotation_.emplace_back(random, 0.0, 0.02 * reach);
   }
@@ -157,7 +157,8 @@ std::array<double, 2> work_of_pressing(double unloading) {
 
 TEST(NormalForce, OfALawThatCreatesEnergyIsFoundByTheSameMeasure) {
   const auto [lost, most] = work_of_pressing(2e5);
-  EXPECT_NEAR(lost, 0.5 * most, 1e-2 * most);  // the fraction 1 - K1/K2 of the energy of loading
+  // The lost energy is the fraction 1 - K1/K2 of the work of loading.
+  EXPECT_NEAR(lost, 0.5 * most, 1e-2 * most);
   const auto [created, more] = work_of_pressing(0.9e5);
   EXPECT_LT(created, -100 * kWorkError * more);
 }

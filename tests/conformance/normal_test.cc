@@ -29,7 +29,7 @@ std::vector<double> gaps(const auto& law) {
       -3e-4, -1.25e-5, -1e-6, 0.01 * range + 1e-9, 0.5 * range + 1e-9, 0.97 * range + 1e-9, 1.5 * range + 1e-6};
 }
 
-/// Returns the normal force of a contact that has been pressed before, with its history kept fixed.
+/// Returns the normal force of a contact that has been pressed before. The history of the contact is not updated.
 double static_force(const auto& law, double gap) {
   return test::pressed_response(law, gap).force();
 }

@@ -18,7 +18,7 @@ using test::slip_by;
 constexpr double kSofter = 8.0;
 constexpr double kStiffOverlap = 1e-4;
 
-/// Overlap at which the softened contact has the same elastic force as the stiff contact at the overlap
+/// Overlap of the softened contact at which its elastic force equals the force of the stiff contact at the overlap
 /// kStiffOverlap.
 template <class Law>
 double softer_overlap() {

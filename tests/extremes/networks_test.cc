@@ -166,7 +166,7 @@ TEST(Lattice, OfOneGrainThatTouchesManyOfItsOwnImagesHasTheSumOverThem) {
   }
 }
 
-/// The triangular crystal has the same moduli in a long cell, in a high one, and in cells so skewed that their
+/// The moduli of the triangular crystal are equal in a long cell, in a high cell, and in cells so skewed that their
 /// sides are nearly parallel.
 TEST(Cell, OfAnyShapeHoldsTheSameCrystal) {
   const Packing<2> unit = test::triangular(kSpacing, test::elastic_law(1.0, 0.7, 0.03));

@@ -149,7 +149,7 @@ std::vector<std::string> written_states(const std::string& extension) {
   return seeds;
 }
 
-/// Reads bytes without a valid seal, which must be refused before HDF5 reads them.
+/// Reads a state file without a valid seal. Such a file must be refused before HDF5 reads it.
 void read_unsealed_bytes(const std::string& bytes) {
   const MemoryFile file(bytes);
   try {

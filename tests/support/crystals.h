@@ -54,8 +54,9 @@ inline Packing<3> crystal_of(const CubicCrystal& crystal, double distance, doubl
   return packing;
 }
 
-/// Sets the forces and stiffnesses of all contacts between equal spheres according to Hertz and Mindlin: at an
-/// overlap h, N = (E/3) sqrt(a) h^1.5 and K_T = ratio K_N. Tangential forces stay unchanged.
+/// Sets the forces and stiffnesses of all contacts between equal spheres according to Hertz and Mindlin: at an overlap
+/// h, the normal force is N = (E/3) sqrt(a) h^1.5 with the diameter a, and K_T = `ratio` K_N. Tangential forces stay
+/// unchanged.
 /// @param E  E/(1 - nu^2) of the material (force/length^2)
 inline void make_hertzian(double E, double ratio, Packing<3>& packing) {
   for (Contact<3>& c : packing.contacts) {

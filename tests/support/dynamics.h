@@ -26,7 +26,7 @@ Packing<Dim> gas_of(int n, const Law& law, double solid_fraction, std::uint64_t 
   return make_gas<Dim>(grains, law, solid_fraction, random);
 }
 
-/// Returns an agitated gas of cohesive grains, so dense that many contacts form within a few hundred steps.
+/// Returns an agitated gas of cohesive grains. The gas is so dense that many contacts form within a few hundred steps.
 template <int Dim = 2>
 Packing<Dim> agitated_gas(int n, const Law& law) {
   Packing<Dim> gas = gas_of<Dim>(n, law, Dim == 2 ? 0.6 : 0.45);

@@ -22,8 +22,8 @@ namespace floc::test {
 
 const std::string kForeignLaw = "normal.stiffness=1000,friction.coefficient=0.5,friction.stiffness=800";
 
-/// Ends of each axis of a packing, lower end first: "p" for periodic, or two letters, "w" for a wall and "o"
-/// for an open end, as in "ww" or "wo".
+/// Ends of each axis of a packing: "p" for a periodic axis, otherwise two letters, the first for the lower end. The
+/// letter "w" is a wall, and "o" an open end.
 template <int Dim>
 using Ends = std::array<std::string, Dim>;
 

@@ -44,8 +44,8 @@ class KernelPair {
   }
   /// Makes the surfaces slip by a vector in the tangent plane: both spheres rotate while their positions stay fixed.
   void slip(const Vec<3>& by) {
-    // Surface j slips relative to surface i by -(l_i w_i + l_j w_j) x n, where w are the rotations and each arm
-    // l is half of the branch.
+    // Surface j slips relative to surface i by -(l_i w_i + l_j w_j) x n, where w_i and w_j are the rotations, n is the
+    // normal, and each of the lever arms l_i and l_j is half of the branch.
     const Vec<3> n = normal(), r = position(1) - position(0);
     const Vec<3> spin = -n.cross(by) / r.norm();
     move({position(0), position(1)}, {spin, spin}, 1.0);

@@ -40,8 +40,8 @@ LatticeNetwork<Dim> uniform_network(const Lattice<Dim>& lattice, double k, doubl
   return lattice_network(sample_of<Dim>(lattice, [](const Vec<Dim>&) { return -1; }), stiffness);
 }
 
-/// Returns disks or spheres on a square grid with gaps of `gap` between neighbours; their sizes differ
-/// slightly.
+/// Returns disks or spheres of slightly different sizes on a square or cubic grid, with gaps of `gap` between
+/// neighbours.
 template <int Dim>
 Packing<Dim> grid_of_grains(int across, double gap) {
   Packing<Dim> packing;

@@ -172,8 +172,8 @@ PairGeometry<T> pair_at(const T& gap) {
   return {gap, T(0.1875), T(1.0 / 3.0)};  // radii 0.5 and 0.3, masses 1 and 0.5
 }
 
-/// Returns the pull-off force F0 of a law. It is 0 without adhesion, and 0 for laws with liquid, since their
-/// contacts have no bridge yet.
+/// Returns the pull-off force F0 of a law. The result is 0 without adhesion. It is also 0 for laws with liquid, because
+/// the contacts have no bridge yet.
 template <class Law>
 double pull_off_force(const Law& law) {
   if constexpr (kAdheresByItself<typename Law::NormalModel>)
@@ -280,7 +280,7 @@ ContactMotion<Dim, T> at_gap(const T& gap) {
   return {pair_at(gap), T(0), T(0), Shear<Dim, T>::Zero(), RotationVector<Dim, T>::Zero()};
 }
 
-/// Returns a tangential displacement of a contact whose normal is the last axis (3D) or any axis (2D).
+/// Returns a tangential displacement of a contact. In 3D, the normal of the contact must be the last axis.
 template <int Dim>
 Shear<Dim> slip_by(double length) {
   Shear<Dim> slip = Shear<Dim>::Zero();

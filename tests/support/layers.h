@@ -142,7 +142,7 @@ inline std::vector<std::string> layer_faults(const std::filesystem::path& root) 
     for (const Include& include : includes_of(text)) {
       if (const auto fault = fault_of(file.begin()->string(), include))
         faults.push_back(file.string() + ": " + *fault);
-      // A quoted header outside floc/ is allowed only if the build generates it: such a file is not in the
+      // A quoted header outside floc/ is allowed only if the build generates it. A generated header is not in the
       // source tree.
       else if (include.quoted && std::filesystem::exists(entry.path().parent_path() / include.name))
         faults.push_back(file.string() + ": \"" + include.name + "\" is to be included as \"floc/...\"");

@@ -22,8 +22,8 @@ inline Law rigid_law(double friction, std::optional<double> adhesion = std::null
   return law;
 }
 
-/// Adds the contacts of a packing whose gaps are at most 1e-9, and computes the properties of the state under
-/// an isotropic pressure.
+/// Adds all contacts with gaps of at most 1e-9 to a packing, and computes the properties of the state under an
+/// isotropic pressure.
 /// @param force  function that returns the normal force of a contact
 template <int Dim, class Force>
 void load_contacts(State<Dim>& state, double pressure, const Force& force) {

@@ -37,7 +37,7 @@ struct StickySpring {
   T stiffness(const PairGeometry<T>& pair, const T* history) const {
     return lanes::select(touches(pair, history), T(normal_stiffness), T(0));
   }
-  /// Elastic energy K_N (d + l)^2/2. The energy of adhesion is -K_N l (d + l). Both are zero when the surfaces
+  /// Elastic energy K_N (d + l)^2/2. The energy of adhesion is -K_N l (d + l). Both energies are zero when the surfaces
   /// separate.
   template <class T>
   T energy(const PairGeometry<T>& pair, const T* history) const {

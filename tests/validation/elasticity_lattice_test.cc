@@ -61,7 +61,8 @@ TEST(Lattice, TriangularIsIsotropicWithItsClosedForm) {
 TEST(Lattice, HoneycombRelaxesToItsClosedForm) {
   const Moduli m = full_moduli(test::honeycomb(kSpacing, test::elastic_law(kN, kT, kR)));
   const double B = kN / (2.0 * std::sqrt(3.0));
-  // The shear modulus follows by minimising the energy over the relative displacement of the two sublattices.
+  // The shear modulus follows from the minimum of the energy with respect to the relative displacement of the two
+  // sublattices.
   const double G = kN * kT / (std::sqrt(3.0) * (kN + kT));
   EXPECT_NEAR(m.B, B, kRounding);
   EXPECT_NEAR(m.G, G, kRounding);
@@ -98,7 +99,7 @@ TEST(Lattice, SoftFramesAreWithinTheirErrorBound) {
     }
 }
 
-/// Returns one sphere per cell that touches its images at a distance of one spacing.
+/// Returns a packing with one sphere per cell, which touches its images at a distance of one spacing.
 Packing<3> bravais(const Mat<3>& cell) {
   Packing<3> packing;
   packing.law = test::elastic_law(kN, kT, kR);

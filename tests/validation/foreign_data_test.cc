@@ -12,9 +12,9 @@
 #include "floc/packing/wall_forces.h"
 #include "support/foreign_packing.h"
 
-/// Tests with files of other programs, which are not part of the repository. The environment variable
-/// FLOC_FOREIGN_DATA names their folder (CONTRIBUTING.md); without it these tests are skipped. The expected
-/// numbers come from other parsers.
+/// Tests with files of other programs, which are not part of the repository. The environment variable FLOC_FOREIGN_DATA
+/// names the folder of the files (CONTRIBUTING.md); the tests are skipped if it is not set. The expected numbers were
+/// read from the files by other parsers.
 namespace floc {
 namespace {
 

@@ -11,9 +11,9 @@
 #include "support/hand_network.h"
 #include "support/places.h"
 
-/// Packings simulated by LAMMPS and YADE under laws that floc has (data/packings), converted as described in
-/// docs/commands/convert.md. Their normal forces must follow from their positions, and their moduli must equal
-/// those of a network built directly from the rows of the files.
+/// Packings that LAMMPS and YADE have simulated under laws that floc also has (data/packings). They are converted as
+/// described in docs/commands/convert.md. The normal forces must follow from the positions, and the moduli must equal
+/// the moduli of a network that is built directly from the rows of the files.
 namespace floc::test {
 namespace {
 
@@ -99,8 +99,8 @@ double largest_difference(const Imported& converted) {
   return difference / largest;
 }
 
-/// Hertz-Mindlin law of spheres with E and nu. Contacts with forces below `smallest` = 1e-5 P a^2 belong to
-/// rattlers and are omitted.
+/// Hertz-Mindlin law of spheres with E and nu. Contacts with forces below `smallest` belong to rattlers and are
+/// omitted. `smallest` is 1e-5 P a^2.
 HandLaw hertz_mindlin(double E, double nu, double smallest) {
   return [=](double gap, double radius) -> std::optional<HandContact> {
     const double E_r = E / (2.0 * (1.0 - nu * nu));

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kRatio = 14.0 / 17.0;  // K_T/K_N at nu = 0.3
 
-/// Returns a crystal of Hertz contacts with a = E = 1 and the given overlap.
+/// Returns a crystal of spheres with Hertz contacts, with the diameter a = 1, E = 1 and the given overlap.
 Packing<3> hertz_crystal(const CubicCrystal& crystal, double overlap) {
   Packing<3> packing = crystal_of(crystal, 1.0 - overlap, 1.0, elastic_law(1.0, 0.5, 0.0));
   make_hertzian(1.0, kRatio, packing);
@@ -30,7 +30,8 @@ double pressure(const Packing<3>& packing) {
 }
 
 TEST(HertzCrystal, HasItsPressureSolidFractionAndBulkModulus) {
-  // Values for glass at 100 MPa, P = kappa^(-3/2): overlap, Phi, B without prestress and B with prestress.
+  // Values for glass at 100 MPa, where P = kappa^(-3/2). The columns are the overlap, Phi, B without prestress, and B
+  // with prestress.
   const double P = std::pow(83.953299, -1.5);
   const double closed[3][4] = {{0.02398742, 0.5631607545, 0.02644753, 0.02731420},
                                {0.01679556, 0.7156307881, 0.03805071, 0.03891738},

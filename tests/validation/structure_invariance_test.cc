@@ -59,7 +59,7 @@ Measured measure(const Packing<2>& packing) {
   append(m.exact, contact_forces(packing, ForceKind::normal), true);
   const std::vector<double> p = particle_pressure(packing);
   append(m.exact, p, true);
-  // Half of the grains are treated as under tension, chosen by size and not by number.
+  // Half of the grains are treated as grains under tension. They are chosen by their sizes, and not by their numbers.
   std::vector<double> signed_pressure;
   for (const double R : packing.grains.radius) signed_pressure.push_back(R - 0.5);
   const PressurePhases phases = pressure_phases(contact_network(packing), signed_pressure);

@@ -10,7 +10,8 @@
 #include "support/places.h"
 #include "support/run_arguments.h"
 
-/// Tests of contact lists that contradict the positions of the grains, or that hold more or fewer contacts.
+/// Tests of contact lists that contradict the positions of the grains, or that contain more or fewer contacts than the
+/// positions give.
 namespace floc::test {
 namespace {
 
@@ -22,7 +23,8 @@ using testing::Not;
 const std::string kPackings = source_directory() + "/data/packings/";
 const std::string kLammpsLaw = "normal.stiffness=1000,friction.coefficient=0.5,friction.stiffness=800";
 
-/// Returns the value of the option --columns for a LAMMPS `dump local` file with the output of two computes.
+/// Returns the value of the option --columns for a file of the LAMMPS command `dump local` that contains the output of
+/// two computes.
 std::string lammps_columns(const std::string& pair, const std::string& force) {
   return "id1=c_" + pair + "[1],id2=c_" + pair + "[2],force1=c_" + force + "[1],force2=c_" + force +
          "[2],shear_force1=c_" + force + "[4],shear_force2=c_" + force + "[5]";

@@ -4,9 +4,9 @@
 
 namespace floc {
 
-/// Runs a few small samples of a scene with its own settings, and measures the processor time and the scatter between
-/// samples. The samples have two sizes, from which the growth of the processor time with the number of grains follows.
-/// The error that the settings cause is not measured.
+/// Runs a few small samples of a scene with the settings of the scene, and measures the processor time and the scatter
+/// between samples. The samples have two sizes, because the comparison of the two gives the growth of the processor
+/// time with the number of grains. The error that the settings cause is not measured.
 /// @param limit  processor time that the pilot may take (s)
 /// @throws InputError if the scene starts from a saved state, so that its number of grains cannot be changed, or if a
 /// sample is not complete within the limit

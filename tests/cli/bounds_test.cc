@@ -21,7 +21,7 @@ std::string shipped(const std::string& scene) {
   return source_directory() + "/data/scenes/" + scene + ".toml --set grains.count=40 ";
 }
 
-/// Kind of states, with the arguments of `floc run` that make states of this kind.
+/// Kind of states, with the arguments of `floc run` for making them.
 struct StateKind {
   const char* name;
   std::string scene;
@@ -48,7 +48,8 @@ double number(const json& row, const char* name) {
   return row.at(name).is_null() ? std::nan("") : row.at(name).get<double>();
 }
 
-/// Numbers of states whose bounds hold, whose bounds on B_S hold too, and whose bounds are refused.
+/// Numbers of states by the result of the test: the bounds hold, the bounds on B_S hold too, and the bounds are
+/// refused.
 struct Coverage {
   int hold = 0, hold_B_S = 0, refused = 0;
 };
@@ -56,7 +57,8 @@ struct Coverage {
 /// Relative amount by which B_reuss may exceed a modulus because forces are balanced only to 1e-5.
 constexpr double kSlack = 1e-5;
 
-/// Checks that the moduli of a state agree with those that the method `bounds` gives for the same state.
+/// Checks that the moduli of a state lie within their bounds, and agree with the estimates of the method `bounds`
+/// within the errors of these estimates.
 void check_state(const std::string& what, const json& exact, const json* by_bounds, Coverage& covered) {
   const double B = number(exact, "B"), B_S = number(exact, "B_S"), G = number(exact, "G");
   const bool hold = exact.at("bounds_hold"), hold_B_S = exact.at("bounds_hold_B_S");
@@ -143,8 +145,8 @@ TEST(BoundsOfModuli, HoldWhereTheColumnSaysSoAndAreRefusedElsewhere) {
     EXPECT_GT(covered[kind.name].hold + covered[kind.name].refused, 0);
 }
 
-/// A square lattice that is a thousand times stiffer along one axis, with stresses in the same ratio. B_reuss
-/// equals B = 250.25, far above B_S = 1/(1/1 + 1/1000).
+/// A square lattice that is a thousand times stiffer along one axis than along the other. The ratio of the stresses is
+/// also a thousand. B_reuss equals B = 250.25, far above B_S = 1/(1/1 + 1/1000).
 TEST(BoundsOfModuli, DoNotTellB_SUnderADeviator) {
   const ScratchDirectory scratch;
   write_text(scratch.file("g.csv"), "id,x,y,r\n0,0,0,0.5\n1,0.999,0,0.5\n2,0,0.999,0.5\n3,0.999,0.999,0.5\n");

@@ -56,9 +56,9 @@ std::string scene_of(const BoxKind& kind) {
          "solid_fraction = 0.3\n[[load]]\nto = 0.3\nsteps = 1\n[equilibrium]\n";
 }
 
-/// A state ends as "stopped" only if the scene gives a stop_time. The run and floc verify count equally many
-/// negative eigenvalues. In 3D, the wet grains of seed 2, whose bridges form on contact, have groups that roll
-/// at no cost.
+/// A state has the ending "stopped" only if the scene gives a stop_time. The run and floc verify find the same number
+/// of negative eigenvalues. In 3D, some groups of the wet grains of seed 2, whose bridges form on contact, can roll
+/// without a change of energy.
 TEST(BoxEndings, NoStateIsStoppedUnlessTheSceneSaysWhen) {
   const ScratchDirectory scratch;
   int n_runs = 0, n_states = 0, n_given_up = 0;

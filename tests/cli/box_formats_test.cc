@@ -10,7 +10,8 @@
 #include "support/box_scene.h"
 #include "support/run_arguments.h"
 
-/// A box that floc made goes out in every format that can hold it, and comes back with its contacts, forces and moduli.
+/// A box that floc has made is exported in every format that can store it. The state that is read back has the same
+/// contacts, forces and moduli.
 namespace floc::test {
 namespace {
 
@@ -36,7 +37,8 @@ class BoxFormats : public testing::TestWithParam<int> {
     EXPECT_EQ(o.code, 0) << o.err;
     return o.code == 0 ? json::parse(o.out).at(0) : json();
   }
-  /// Expects the numbers of moduli and network of the state that was converted back.
+  /// Expects that `floc moduli` and `floc network` print the same numbers for the state that was converted back as for
+  /// the original state.
   void expect_the_same(const std::string& back) {
     for (const std::string command : {"moduli", "network"}) {
       const json before = row(command, made_), after = row(command, back);
@@ -69,7 +71,7 @@ class BoxFormats : public testing::TestWithParam<int> {
   const std::string made_ = scratch_.file("out/state-0001.h5");
 };
 
-/// Positions hold all that a packing without friction is.
+/// Without friction, the positions alone determine the packing.
 TEST_P(BoxFormats, OfPositionsHoldBoxesWithoutFriction) {
   std::string scene =
       exchanged(box_scene(GetParam()), "friction = {coefficient = 0.4, stiffness = 1.5e3}\n", "");

@@ -45,8 +45,8 @@ TEST_P(BoxRun, MakesStatesThatVerifyAndRowsThatSayWhatWallsBear) {
   EXPECT_EQ(floc("info out/state-0000.h5").code, 0);
 }
 
-/// Runs a box with the laws that no other test of boxes uses, in 2D and 3D: attraction at a distance, also from
-/// walls, rolling and twisting springs.
+/// Runs boxes in 2D and 3D with the laws that no other test of boxes uses: attraction at a distance (also by walls),
+/// and rolling and twisting springs.
 TEST_P(BoxRun, HoldsGrainsOfAllLaws) {
   const std::string friction = "friction = {coefficient = 0.4, stiffness = 1.5e3}\n";
   const std::string rolling = "rolling = {coefficient = 0.05, stiffness = 10.0}\n";
@@ -72,8 +72,8 @@ TEST_P(BoxRun, HoldsGrainsOfAllLaws) {
   }
 }
 
-/// The values that floc network and floc structure print for a box agree with the row of path.csv; columns that
-/// need periodic images are empty.
+/// For a box, the values that floc network and floc structure print agree with the row of path.csv. Columns that need
+/// periodic images are empty.
 TEST_P(BoxRun, IsMeasuredBetweenItsGrains) {
   ASSERT_EQ(run(box_scene(GetParam()), "-o out").code, 0);
   const Outcome network = floc(
@@ -88,9 +88,9 @@ TEST_P(BoxRun, IsMeasuredBetweenItsGrains) {
   EXPECT_GT(row.number(0, row.column("M1")), 0.0);
   for (const char* name : {"hyperstaticity", "energy_share_95"})
     EXPECT_TRUE(row.is_empty(0, row.column(name))) << name;
-  // The mean of the particle pressures, weighted with the volumes of the grains, is the mean stress of the
-  // contacts, those with walls included. At rest it equals the pressure on the walls minus their friction, up
-  // to net forces of 1e-5 F0.
+  // The mean of the particle pressures, weighted with the volumes of the grains, is the mean stress of all contacts,
+  // including contacts with walls. At rest, this stress equals the pressure on the walls minus the friction of the
+  // walls, up to net forces of 1e-5 F0.
   const CsvTable stress = CsvTable::read(file("s.csv"));
   double mean = 0.0, volume = 0.0, expected = 0.0;
   for (int i = 0; i < stress.n_rows(); ++i) {
@@ -148,7 +148,7 @@ TEST_P(BoxRun, StartsFromAStateWithWalls) {
   EXPECT_EQ(floc("verify again/state-*.h5").code, 0);
 }
 
-/// Walls across one axis may bear another pressure than the other walls.
+/// The pressure on the walls across one axis may differ from the pressure on the other walls.
 TEST_P(BoxRun, PutsAStressOfItsOwnOnAnAxis) {
   const Outcome made =
       run(with(box_scene(GetParam()), "to = 0.2", "control = \"triaxial\"\nto = 0.2"), "-o out");
@@ -171,7 +171,7 @@ TEST_P(BoxRun, HasModuliBetweenItsBounds) {
   const CsvTable row = CsvTable::read(file("moduli.csv"));
   const auto value = [&row](const char* name) { return row.number(0, row.column(name)); };
   EXPECT_GT(value("B_reuss"), 0.0);
-  // Forces balance, and walls bear their pressure, only within 1e-3.
+  // The forces on the grains and the pressures on the walls are balanced only within 1e-3.
   EXPECT_LE(value("B_reuss"), 1.01 * value("B_S"));
   EXPECT_LE(value("B_S"), value("B") * (1.0 + 1e-9));
   EXPECT_LE(value("B"), value("B_voigt"));
@@ -194,7 +194,7 @@ TEST_P(BoxRun, HasModuliBetweenItsBounds) {
   EXPECT_GE(last, 60);
 }
 
-/// In exported files the box begins at zero, and its walls are listed.
+/// In exported files, the lower corner of the box is at zero, and the walls of the box are listed.
 TEST_P(BoxRun, IsExportedWithItsWalls) {
   ASSERT_EQ(run(box_scene(GetParam()), "--until 0 -o out").code, 0);
   ASSERT_EQ(floc("convert out/state-0000.h5 box.data").code, 0);
@@ -209,8 +209,7 @@ TEST_P(BoxRun, IsExportedWithItsWalls) {
 
 INSTANTIATE_TEST_SUITE_P(Dimensions, BoxRun, testing::Values(2, 3));
 
-/// If time runs out while the aggregate in a box still has mechanisms, the state is saved with the ending
-/// "stopped".
+/// If the aggregate in a box still has mechanisms at the stop_time, the state is saved with the ending "stopped".
 TEST(BoxRun, RecordsWhatHasNotSettledAsStopped) {
   const ScratchDirectory scratch;
   write_text(scratch.file("box.toml"), with(box_scene(3), "stop_time = 200", "stop_time = 2"));

@@ -63,7 +63,8 @@ class CampaignOnSnakemake : public testing::Test {
   inline static Outcome whole_;
 };
 
-/// Returns the number in a column of a table, from the row whose columns have the texts `row`.
+/// Returns the number in the column `column` of a table. `row` selects the row of the table by the texts in its
+/// columns.
 double number_at(const CsvTable& table, const std::map<std::string, std::string>& row,
                  const std::string& column) {
   for (int k = 0; k < table.n_rows(); ++k) {
@@ -163,7 +164,7 @@ TEST_F(CampaignOnSnakemake, JudgesMeansByTheirReference) {
 TEST_F(CampaignOnSnakemake, KilledAndTakenUpAgainGivesTheSameTables) {
   ASSERT_EQ(floc("campaign plan whole.toml -o broken").code, 0);
   const std::string place = file("broken");
-  // Kills snakemake while some runs are done, some are in progress and some have not begun.
+  // Kills snakemake at a time when some runs are complete, some are in progress and some have not begun.
   pid_t engine = start_snakemake(place, "--cores 2");
   const auto n_done = [&] {
     int n = 0;
@@ -179,7 +180,7 @@ TEST_F(CampaignOnSnakemake, KilledAndTakenUpAgainGivesTheSameTables) {
       << "runs outlive the snakemake that was killed";
   EXPECT_LT(n_done(), 12);
 
-  // Kills one `floc run` while snakemake goes on.
+  // Kills one `floc run` while snakemake continues.
   EXPECT_EQ(snakemake(place, "--unlock").code, 0);
   engine = start_snakemake(place, "--cores 2 --rerun-incomplete");
   std::vector<pid_t> running;

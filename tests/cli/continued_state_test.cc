@@ -46,7 +46,7 @@ std::string driven_stage(const std::string& control, double strain, int steps) {
   return fmt::format("[[load]]\ncontrol = \"{}\"\naxis = 2\nstrain = {}\nsteps = {}\n", control, strain, steps);
 }
 
-/// Fixture: runs whose last state is the start of another scene, which gives no pressure of its own.
+/// Fixture: runs, and scenes that start from the last state of a run and give no pressure.
 class ContinuedState : public testing::Test {
  protected:
   void run(const std::string& name, const std::string& text) const {
@@ -59,7 +59,7 @@ class ContinuedState : public testing::Test {
   ScratchDirectory scratch_;
 };
 
-/// Expects the same value in a row of each table, within a relative tolerance.
+/// Expects that two tables have equal values in the given rows, within a relative tolerance.
 /// @param column  column of both tables
 void expect_same(const CsvTable& a, int row_a, const CsvTable& b, int row_b, const char* column,
                  double relative) {
@@ -92,7 +92,8 @@ TEST_F(ContinuedState, GoesOnInASkewedCell) {
   EXPECT_EQ(printed("b/state-0000.h5", "cell"), printed("a/state-0002.h5", "cell"));
   EXPECT_THAT(printed("b/state-0000.h5", "cell"), testing::Not(HasSubstr(",0;0,")));
   const CsvTable b = path("b"), whole = path("whole");
-  // Each stage computes its shear strain from the height at its own start, so the two steps differ slightly.
+  // Each stage computes the shear strain from the height of the cell at the start of the stage, so the two steps differ
+  // slightly.
   for (const char* column : {"P", "phi", "stress_1", "stress_2"}) expect_same(b, 1, whole, 3, column, 5e-2);
   EXPECT_EQ(run_floc("verify b", scratch_.path()).code, 0);
   // With an isotropic pressure, the grains relax while the cell stays skewed.

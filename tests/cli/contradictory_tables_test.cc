@@ -5,7 +5,7 @@
 #include "support/places.h"
 #include "support/run_arguments.h"
 
-/// Tests that every fit of a load path rejects tables that contradict themselves, and that `--columns` may not
+/// Tests that every fit of a load path rejects tables whose columns contradict each other, and that `--columns` may not
 /// be given twice.
 namespace floc::test {
 namespace {
@@ -34,8 +34,7 @@ class ContradictoryTables : public testing::Test {
   int n_refused_ = 0, n_accepted_ = 0;
 };
 
-/// Returns a path with phi and void ratios. The void ratios are those that follow from phi, multiplied by
-/// `times`.
+/// Returns a path with phi and void ratios. The void ratios are computed from phi and then multiplied by `times`.
 std::string both(double times, int decimals = 17) {
   std::string table = "branch,P_star,phi,void_ratio\n";
   for (int k = 0; k < 12; ++k) {

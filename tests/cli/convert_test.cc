@@ -72,7 +72,8 @@ TEST(Convert, SaysWhatItCannotDoAndLeavesNothingBehind) {
   expect(4, "nowhere.csv: No such file",
          {scratch.file("nowhere.csv"), out, "--law", "normal.stiffness=1", "--cell", "4,0;0,4"});
   expect(4,
-         "g.xyz: the format of the file is not recognised; give it with --from, one of state (state file of "
+         "g.xyz: the format of the file is not recognised; give the format with --from: one of state (state "
+         "file of "
          "floc, .h5), csv",
          {scratch.file("g.xyz"), out});
   expect(4, "\"lammps\" is not a format", {scratch.file("g.xyz"), out, "--from", "lammps"});

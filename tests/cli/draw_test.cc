@@ -85,7 +85,8 @@ TEST_F(Draw, KeepsEveryWordOnThePageHoweverNarrowItIs) {
 }
 
 TEST_F(Draw, ShowsOfAForceNoMoreThanALineOfTheLegend) {
-  // Six large disks fill the page. A line of 0.15 of their diameter would be wider than the caption above.
+  // Six large disks fill the page. A line with a width of 0.15 of their diameter would be thicker than the text of the
+  // caption is high.
   ASSERT_EQ(floc("run small.toml -o six --set grains.count=6 --until 2").code, 0);
   ASSERT_EQ(floc("draw six --columns 1 --bare -o bare.svg").code, 0);
   ASSERT_EQ(floc("draw six --columns 1 -o six.svg").code, 0);
@@ -191,7 +192,7 @@ TEST_F(Draw, DrawsSpheres) {
   for (const std::string rest : {"--forces none", "--forces particle-pressure", "--compare spheres.h5",
                                  "--slab y,0,0.2 --sphere-size 0", "--bare", "--image"})
     EXPECT_EQ(floc("draw spheres.h5 -o other.pdf " + rest).code, 0) << rest;
-  // A strip may not mix disks and spheres; in a directory of pictures each state has its own file.
+  // Disks and spheres may not be on one strip. In a directory of pictures, each state has its own file.
   const Outcome strip = floc("draw run/state-0004.h5 spheres.h5 -o strip.svg");
   EXPECT_EQ(strip.code, 4);
   EXPECT_THAT(strip.err, HasSubstr("spheres.h5: this is a state in 3D, but the states before it are not"));

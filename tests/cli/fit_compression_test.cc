@@ -38,7 +38,7 @@ TEST(FitCompression, TheBestLawComesFirstWithItsUnits) {
 }
 
 TEST(FitCompression, InADieRowsAboveTheSolidAreReadWhereTheBoundIsLifted) {
-  // Heckel's law, on which elastic strain takes the density beyond 1, and the way back.
+  // Loading by Heckel's law plus an elastic strain, which raises the density above 1, and then unloading.
   std::string table = "p [MPa],D\n";
   for (const double p : {10, 40, 80, 120, 160, 200, 240, 280, 320, 240, 160, 80})
     table += fmt::format("{},{:.6f}\n", p, (p == 320 ? 1.0 : 0.99) - std::exp(-0.8 - p / 60.0) + p / 12000.0);

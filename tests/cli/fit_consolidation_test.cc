@@ -16,12 +16,13 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Parameters lambda, alpha and Phi_max of a published fit [GRC2008] and the P1* that follows from them; regime
-/// I ends at P0* = 10^(-13/8).
+/// Parameters lambda, alpha and Phi_max of a published fit [GRC2008], and P1*, which follows from them. Regime I ends
+/// at P0* = 10^(-13/8).
 const ConsolidationLawParameters kLaw{0.349, 0.91, 0.7808, 0.27};
 const double kP0 = std::pow(10.0, -13.0 / 8);
 
-/// Path table that follows kLaw: a row at P* = 0, an assembly row, loading in steps of 10^(1/8), unloading.
+/// Path table that follows kLaw: a row at P* = 0, a row of the assembly, the loading with pressures in ratios of
+/// 10^(1/8), and the unloading.
 /// @param shift  added to every 1/Phi
 std::string path_table(double shift = 0.0) {
   std::string text = "step,branch,P_star,phi\n0,assembly,0,0.45\n";
@@ -67,8 +68,8 @@ TEST(FitConsolidation, AnEnsembleIsFittedSampleBySampleAndPooled) {
   EXPECT_THAT(fits[0]["sample"], HasSubstr("seed-2/"));
   EXPECT_THAT(fits[1]["sample"], HasSubstr("seed-10/"));
   EXPECT_EQ(fits[2]["sample"], "pooled");
-  // The shifts of 1/Phi have a mean of zero, so the pooled limit is exact and only the limit of each sample is
-  // shifted.
+  // The shifts of 1/Phi have a mean of zero. Phi_max is therefore exact for the pooled samples, and shifted only for
+  // each single sample.
   EXPECT_NEAR(fits[2]["parameters"]["Phi_max"]["value"], kLaw.phi_max, 1e-8);
   EXPECT_NEAR(fits[0]["parameters"]["Phi_max"]["value"], 1 / (1 / kLaw.phi_max + 0.01), 1e-8);
   for (const json& fit : fits) EXPECT_NEAR(fit["parameters"]["lambda"]["value"], kLaw.lambda, 1e-8);
@@ -86,7 +87,8 @@ TEST(FitConsolidation, PublishedProtocolHoldsP0OnTheGridAndKeepsTheIdentity) {
               (1 / value("Phi0") - 1 / value("Phi_max")) / value("lambda"), 1e-10);
 }
 
-/// Table of a natural clay: per unit of ln p, the void ratio falls by 0.035 up to 170 kPa and by 0.22 beyond.
+/// Table of a natural clay. Per unit of ln p, the void ratio decreases by 0.035 below 170 kPa, and by 0.22 above 170
+/// kPa.
 std::string natural_clay() {
   std::string text = "p,e\n";
   for (double p = 6; p < 4000; p *= 2) {
@@ -110,8 +112,8 @@ TEST(FitConsolidation, LeadsWithTheVirginLineOfASoilAndItsYield) {
   EXPECT_NEAR(value("C_c"), std::log(10.0) * 0.22, 3e-4);
   EXPECT_THAT(o.err, HasSubstr("yield pressure P0* = 170"));
   EXPECT_THAT(o.err, HasSubstr("if the window moves by a row"));
-  // The full law has a level plateau, but the recompression line of a clay has a slope. The command warns about
-  // this.
+  // The plateau of the full law is horizontal, but the recompression line of a clay has a slope. The command warns
+  // about this.
   const Outcome full = run_floc("fit consolidation - --law full --columns P_star=p,void_ratio=e --format json",
                                 ".", natural_clay());
   EXPECT_THAT(full.err, HasSubstr("the plateau of regime I is not level"));

@@ -14,7 +14,8 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// A table of moduli of two samples that are loaded and unloaded, with exact powers on loading.
+/// A table of moduli of two samples that are loaded and unloaded. On loading, the moduli are exact powers of the
+/// pressure.
 std::string powers() {
   std::string text = "file,P [kPa],phi,B [MPa],G [MPa]\n";
   for (const double exponent : {0.3, 0.5})

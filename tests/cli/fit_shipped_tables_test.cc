@@ -30,8 +30,8 @@ TEST(Oedometer, VirginSlopeIsThatItWasMadeWith) {
                              " --loading virgin --law log --window 200,6400 --format json");
   ASSERT_EQ(o.code, 0) << o.err;
   const json fit = json::parse(o.out).at(0);
-  // The table has two rows per load, and the second one is fitted. The point at 1600 kPa is taken from the
-  // first loading.
+  // The table has two rows per load, and the second row of each load is fitted. At 1600 kPa, the row of the first
+  // loading is used.
   EXPECT_EQ(fit["rows_used"], json({12, 14, 16, 18, 35, 37}));
   EXPECT_EQ(fit["pressure_unit"], "kPa");
   expect_inside(fit["parameters"]["lambda"], kLambda);
@@ -70,16 +70,16 @@ TEST(ShippedPaths, GiveLambdaOfTheModelWithinItsErrors) {
   const json pooled = fits.back();
   EXPECT_EQ(pooled["sample"], "pooled");
   EXPECT_EQ(pooled["errors_from"], "samples");
-  // The scatter of samples that collapse in jumps does not weight their line.
+  // For samples that collapse in jumps, the scatter of the points does not give the weights of the fit.
   EXPECT_EQ(pooled["law"], "log");
   EXPECT_EQ(pooled["weights"], "between");
   EXPECT_GT(pooled["regimes"]["jump_distance"], 0.05);
   EXPECT_LT(pooled["regimes"]["jump_distance"], 1.0);
-  // The published values for the same model with 1400 grains are 0.194 and 0.7745 [GRC2008].
+  // For this model with 1400 grains, the published values are lambda = 0.194 and Phi_max = 0.7745 [GRC2008].
   const json lambda = pooled["parameters"]["lambda"], phi_max = pooled["parameters"]["Phi_max"];
   EXPECT_LT(lambda["low95"], 0.194);
   EXPECT_GT(lambda["high95"], 0.194);
-  // Because of their finite size, samples of 400 grains are denser, by a few per cent at most.
+  // Samples of 400 grains are denser by a few per cent at most, because of their finite size.
   EXPECT_NEAR(phi_max["value"], 0.7745, 0.03);
   EXPECT_FALSE(pooled["regimes"]["plateau_end"].is_null());
   EXPECT_GT(pooled["bootstrap"]["n"], 25);
@@ -93,7 +93,7 @@ TEST(ShippedPaths, PublishedProtocolFitsTheMeanFromAPressureOfTheGridOn) {
   ASSERT_EQ(fits.size(), 1u);
   EXPECT_EQ(fits[0]["sample"], "pooled");
   EXPECT_EQ(fits[0]["protocol"], "published");
-  // P0_star is fixed at the pressure of the grid that is nearest to 0.03. The window ends with the curve.
+  // P0_star is fixed at the grid pressure that is nearest to 0.03. The window ends at the end of the curve.
   EXPECT_NEAR(fits[0]["parameters"]["P0_star"]["value"], 0.01 * std::pow(10.0, 0.5), 1e-12);
   EXPECT_TRUE(fits[0]["parameters"]["P0_star"]["stderr"].is_null());
   EXPECT_EQ(fits[0]["window"][1], 13.33);
@@ -130,8 +130,8 @@ TEST(ShippedPaths, UnloadingsThatAreCurvedHaveTheModulusOfTheirStraightPart) {
         run_floc("fit elastic " + demo_tables() + "/seed-" + std::to_string(seed) + " --format json");
     ASSERT_EQ(o.code, 0) << o.err;
     const json B = json::parse(o.out).at(0)["parameters"]["B"];
-    // `floc moduli` gives B = 24 000 to 28 000. A line through the whole unloading branch would give up to 52
-    // 000, with a lower limit of 38 000.
+    // `floc moduli` gives B = 24 000 to 28 000. A line through the whole unloading branch would give B up to 52 000,
+    // with an interval that begins at 38 000.
     EXPECT_NEAR(B["value"], 24000, 4000) << seed;
     EXPECT_LT(B["low95"], 24000) << seed;
     EXPECT_GT(B["high95"], 23000) << seed;
@@ -139,7 +139,7 @@ TEST(ShippedPaths, UnloadingsThatAreCurvedHaveTheModulusOfTheirStraightPart) {
 }
 
 TEST(ShippedTables, ThePrintedPlateauDoesNotIdentifyTheDenseSideOfACompaction) {
-  // Only adhesive samples have p_crit >= p_D; if they alone are fitted, e_min has no finite best value.
+  // Only adhesive samples have p_crit >= p_D. In a fit to these samples alone, e_min has no finite best value.
   const std::string sweep = source_directory() + "/data/tables/compaction/sweep_4000.csv";
   const Outcome o = run_floc("fit dynamic-compaction " + sweep + " --plateau p_crit --format json");
   ASSERT_EQ(o.code, 0) << o.err;
@@ -167,7 +167,7 @@ TEST(FitElastic, TheModulusOfAStateStandsBesideTheFit) {
   ASSERT_EQ(o.code, 0) << o.err;
   const json fit = json::parse(o.out).at(0);
   EXPECT_NEAR(fit["state"]["B"], 500 * std::sqrt(3.0), 1e-3);
-  // Densities in the table are rounded to six decimals and change by only 2e-3 in all.
+  // Densities in the table are rounded to six decimals, and their total change is only 2e-3.
   EXPECT_NEAR(fit["parameters"]["B"]["value"], 900, 2);
   EXPECT_TRUE(fit["state"]["rms"].is_number());
 }

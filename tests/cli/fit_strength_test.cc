@@ -35,8 +35,8 @@ double value_of(const std::string& printed, const std::string& sample, const std
   return std::nan("");
 }
 
-/// Table of a drained test under a lateral stress (kPa). The stress rises linearly to the peak, then falls to a
-/// plateau on which the volume grows.
+/// Table of a drained test under a lateral stress (kPa). The axial stress increases linearly to the peak, then
+/// decreases to a plateau. On the plateau, the volume grows.
 std::string drained_table(double lateral, double peak, const std::string& unit, double scale, double percent) {
   std::string text = fmt::format("eps [{}],s1 [{}],s3 [{}],eps_v\n", percent == 1 ? "-" : "%", unit, unit);
   for (int k = 0; k <= 40; ++k)
@@ -114,7 +114,8 @@ TEST(FitStrength, OfAnOedometerIsItsK0AndModulus) {
   EXPECT_NEAR(value_of(o.out, "stdin", "oedometer", "constrained_modulus"), 8000, 1e-3);
 }
 
-/// Table of a test of simple shear under a normal stress: a line to the peak, then a plateau.
+/// Table of a simple shear test under a normal stress. The shear stress increases linearly to the peak, and then has a
+/// plateau.
 std::string sheared_table(double normal, double peak, const std::string& unit, double scale) {
   std::string text = fmt::format("sigma_n [{}],tau [{}],gamma [%],eps_v [%]\n", unit, unit);
   for (int k = 0; k <= 40; ++k)

@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// The small scene without rolling resistance, because rolling moments have a limit of their own.
+/// The small scene without rolling resistance, because rolling moments would have a separate limit.
 std::string scene_without_rolling() {
   std::string text = small_scene();
   const std::size_t begin = text.find("rolling =");
@@ -61,8 +61,8 @@ class ForcesCommand : public testing::Test {
 TEST_F(ForcesCommand, LeaveAnEquilibriumWithFrictionAsItIs) {
   const json closest = row("slipping/state-0001.h5");
   EXPECT_EQ(closest.at("selection"), "closest");
-  // The saved forces balance only within the tolerance of the state, so the balanced forces differ from them by
-  // about as much.
+  // The saved forces balance only within the tolerance of the state. The exactly balanced forces therefore differ from
+  // the saved forces by about this tolerance.
   EXPECT_LT(closest.at("moved").get<double>(), 1e-4);
   EXPECT_LT(closest.at("net_force").get<double>(), 1e-10);
   EXPECT_LT(closest.at("stress_error").get<double>(), 1e-10);

@@ -31,8 +31,8 @@ class ForeignPacking : public testing::Test {
     write_text(scratch_.file(name), text);
     return scratch_.file(name);
   }
-  /// Expects that `floc convert` rejects a csv of grains and a csv of contacts with a message, and leaves no
-  /// output file behind.
+  /// Expects that `floc convert` rejects a table of grains and a table of contacts: it must print `message` and write
+  /// no output file.
   void expect_refusal(const std::string& grains, const std::string& contacts, const std::string& message,
                       const std::string& cell = "4,0;0,4") {
     std::vector<std::string> arguments = {
@@ -83,7 +83,7 @@ TEST_F(ForeignPacking, WithNotANumberIsRefused) {
 TEST_F(ForeignPacking, WithAContactOfHalfTheCellAndNoImageIsRefused) {
   expect_refusal(
       kGrains, "id1,id2,normal_force\n1,2,1\n",
-      "c.csv:2: the centres of the grains are 0.9 apart, not less than half the width of the cell (0.9)",
+      "c.csv:2: the centres of the grains are 0.9 apart, which is half the width of the cell (0.9) or more",
       "1.8,0;0,4");
 }
 
@@ -135,8 +135,8 @@ TEST_F(ForeignPacking, OfLammpsAndYadeIsReadAnalysedAndWrittenInOtherFormats) {
     for (const std::string extension : {".vtu", ".xyz", ".data"})
       EXPECT_EQ(floc_arguments({"convert", scratch_.file(name + ".h5"), scratch_.file(name + extension)}).code,
                 0);
-  // Forces are computed again from the geometry: the pressure is exact up to the rounding of positions times
-  // the stiffness of a contact.
+  // Forces are computed again from the geometry. The error of the pressure comes from the rounding of the positions,
+  // times the stiffness of a contact.
   ASSERT_EQ(floc_arguments({"convert", scratch_.file("disks.xyz"), scratch_.file("again.h5"), "--law",
                             kLammpsLaw, "--tolerance", "1"})
                 .code,
@@ -184,8 +184,8 @@ TEST_F(ForeignPacking, IsAStepOfAPipeline) {
   const Outcome head = shell("\"$0\" moduli " + all + " --format csv | head -1");
   EXPECT_THAT(head.out, StartsWith("file,dimension,"));
   EXPECT_THAT(head.err, IsEmpty());
-  // If the reader of the pipe has exited before the table is written, floc prints nothing and exits with the
-  // code of a program that SIGPIPE ended, even if the parent process ignores SIGPIPE.
+  // If the reader of the pipe exits before the table is written, floc prints nothing. Its exit code is the code of a
+  // program that SIGPIPE ended, even if the parent process ignores SIGPIPE.
   for (const std::string ignored : {"", "trap '' PIPE; "}) {
     const Outcome gone =
         shell(ignored + "{ sleep 0.2; \"$0\" moduli " + all + " --format csv; echo code $? >&2; } | true");

@@ -9,8 +9,8 @@
 #include "support/places.h"
 #include "support/run_arguments.h"
 
-/// Tests of packings of other programs, from the input file to the printed table: walls, free sides, gravity,
-/// bonds, gaps and formats.
+/// Tests of packings of other programs, from the input file to the printed table. They cover walls, free sides,
+/// gravity, bonds, gaps and formats.
 namespace floc::test {
 namespace {
 
@@ -123,14 +123,15 @@ TEST_F(Imports, HoldBondsAcrossGaps) {
     EXPECT_NEAR(moduli.at("C33").get<double>(), 250.0, 1e-9);
     EXPECT_EQ(row("verify").at("equilibrium"), true);
   }
-  // In a narrower cell, grains touch across its sides, and the single bond joins one more pair.
+  // In a narrower cell, grains touch their images across the sides of the cell, and the single bond joins another pair.
   write("one.csv", "id1,id2,kn\n0,1,7\n");
   ASSERT_EQ(convert("grains.csv", {"--bonds", scratch_.file("one.csv"), "--cell", "2.97,0;0,3.03"}).code, 0);
   EXPECT_EQ(row("network").at("n_contacts"), 4);
   EXPECT_EQ(row("network").at("n_solid_bonds"), 1);
 }
 
-/// Two disks that touch walls and each other, each in columns of LAMMPS' fix wall/gran and as found from positions.
+/// Two disks that touch walls and each other. The contacts with walls are read from columns of LAMMPS' fix wall/gran,
+/// or found from the positions.
 TEST_F(Imports, HaveTheContactsWithWallsOfColumnsOrOfTheGeometry) {
   write("s.dump",
         "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff ff\n0 1.994\n0 1.994\n-0.5 "
@@ -143,19 +144,21 @@ TEST_F(Imports, HaveTheContactsWithWallsOfColumnsOrOfTheGeometry) {
                                             "x,y=:",      "--tolerance",          "1e9"};
   const Outcome found = convert("s.dump", options, law);
   ASSERT_EQ(found.code, 0) << found.err;
-  EXPECT_THAT(found.err,
-              AllOf(HasSubstr("the file of contacts has none with walls"), Not(HasSubstr("not listed"))));
+  EXPECT_THAT(found.err, AllOf(HasSubstr("the file of contacts lists no contacts with walls"),
+                               Not(HasSubstr("not listed"))));
   EXPECT_NEAR(row("info").at("p_wall").get<double>(), 1.0, 1e-12);  // the mean of 2 across x and 0 across y
   std::vector<std::string> with_columns = options;
   with_columns.insert(with_columns.end(), {"--columns", "x-=f_w,x+=f_w"});
   const Outcome listed = convert("s.dump", with_columns, law);
   ASSERT_EQ(listed.code, 0) << listed.err;
-  EXPECT_THAT(listed.err, AllOf(HasSubstr("contacts: 3 read, 3 kept"), Not(HasSubstr("none with walls"))));
+  EXPECT_THAT(listed.err,
+              AllOf(HasSubstr("contacts: 3 read, 3 kept"), Not(HasSubstr("no contacts with walls"))));
   ASSERT_EQ(floc_arguments({"export", scratch_.file("s.h5"), "--contacts", scratch_.file("e.csv")}).code, 0);
   EXPECT_THAT(content_of(scratch_.file("e.csv")),
               AllOf(HasSubstr("7,x-,0,0,2,0,0.25,"), HasSubstr("9,x+,0,0,2,0,0.125,")));
   EXPECT_THAT(convert("s.dump", {"--walls", "x,y=:", "--columns", "x-=f_w"}, law).err,
-              HasSubstr("forces of walls are given, but those between grains are not: give --contacts"));
+              HasSubstr("the forces between grains and walls are given, but the forces between grains are not: "
+                        "give --contacts"));
   EXPECT_THAT(
       convert("s.dump", {"--contacts", scratch_.file("c.csv"), "--walls", "x,y=:", "--columns", "x-=f_v"}, law)
           .err,
@@ -177,7 +180,7 @@ TEST_F(Imports, TakeWallsAndGravityFromAScript) {
       std::string::npos);
 }
 
-/// Whether a contact slides depends on its forces, whatever stiffness the file gives it.
+/// Whether a contact slides depends on its forces, and not on its stiffness in the file.
 TEST_F(Imports, SlideAtTheLimitOfTheirForces) {
   write("g.csv", "x,y,radius\n0.5,0.5,0.5\n1.49,0.5,0.5\n2.48,0.5,0.5\n");
   write("c.csv",
@@ -190,7 +193,7 @@ TEST_F(Imports, SlideAtTheLimitOfTheirForces) {
                            Not(HasSubstr("above their limit"))));
 }
 
-/// The strengths of bonds come back from the state, from the table of its contacts and from VTKHDF.
+/// The strengths of bonds are preserved in the state, in the table of its contacts and in VTKHDF files.
 TEST_F(Imports, KeepTheStrengthsOfBonds) {
   write("g.csv", "id,x,y,z,radius\n1,9.5,1,1,0.5\n2,0.6,1,1,0.5\n3,2.6,1,1.2,0.5\n");
   write("b.csv",

@@ -210,7 +210,7 @@ TEST_F(LatticeCommand, SaysThatBareContactsHaveNoStrengthInTension) {
   EXPECT_EQ(json::parse(o.out).at(0).at("holds"), false);
 }
 
-/// For any combination of options the command prints finite numbers or an error message.
+/// For every combination of options, the command prints finite numbers or an error message.
 TEST_F(LatticeCommand, SurvivesAnyMixtureOfOptions) {
   RandomStream random(4, 0);
   const auto one_of = [&](std::vector<std::string> choices) { return choices[random.below(choices.size())]; };

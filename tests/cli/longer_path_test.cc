@@ -32,7 +32,7 @@ TEST_F(LongerPath, ResumedIsTheRunThatHadItFromTheBeginning) {
   ASSERT_EQ(longer.code, 0) << longer.err;
   ASSERT_EQ(run("whole", "--set load.0.strain=0.016").code, 0);
   EXPECT_EQ(rows("a"), rows("whole"));
-  // To other commands, the directory looks like that of a single run.
+  // Other commands treat the directory like the directory of a single run.
   EXPECT_EQ(run_floc("verify a", scratch_.path()).code, 0);
   EXPECT_EQ(run_floc("fit strength a", scratch_.path()).code, 0);
   // The stage is lengthened once more, then the same command is repeated.

@@ -27,8 +27,8 @@ std::vector<std::pair<double, double>> path() {
   for (const double P :
        {10.0, 20.0, 40.0, 80.0, 160.0, 320.0, 160.0, 80.0, 40.0, 80.0, 160.0, 320.0, 640.0, 1280.0}) {
     largest = std::max(largest, P);
-    // Points without scatter would leave rounding errors as the residuals of the fits. The first row gets no
-    // scatter, because some columns need its exact void ratio.
+    // Without scatter of the points, the residuals of the fits would be mere rounding errors. The first row gets no
+    // scatter, because some columns are computed from its exact void ratio.
     const double scatter = 4e-4 * std::sin(7.0 * static_cast<double>(rows.size()));
     rows.emplace_back(P, 0.9 - 0.1 * std::log(largest / 10.0) + 0.02 * std::log(largest / P) + scatter);
   }

@@ -18,12 +18,12 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// Fixture: square frames of disks. One more disk is attached to a node of the frame and can roll on it;
-/// another touches nothing.
+/// Fixture: square frames of disks. One more disk is attached to a node of a frame and can roll on this node; another
+/// disk touches nothing.
 class ModesCommand : public testing::Test {
  protected:
   void SetUp() override {
-    // The law has adhesion, because a disk with only one contact is a rattler without it.
+    // The law has adhesion. Without adhesion, a disk with only one contact would be a rattler.
     Law law = elastic_law(1.0, 0.5, 0.0);
     law += test::constant_adhesion(1e-3);
     State<2> state;

@@ -65,7 +65,7 @@ TEST_F(ModuliCommand, OfAConvertedPackingGiveItsShearModulus) {
   const Outcome o = moduli("packing.h5 --prestress --strains full --format json");
   ASSERT_EQ(o.code, 0) << o.err;
   const json row = json::parse(o.out).at(0);
-  // This value is checked against the stresses of two strained states in validation.FormatOfJamBashbulk.
+  // The test validation.FormatOfJamBashbulk checks this value against the stresses of two strained states.
   EXPECT_NEAR(row.at("C33").get<double>(), 0.0498734432608, 1e-12);
   EXPECT_EQ(row.at("G_shear"), row.at("C33"));
   EXPECT_NEAR(row.at("P").get<double>(), 1e-3, 1e-12);
@@ -75,7 +75,8 @@ TEST_F(ModuliCommand, OfAConvertedPackingGiveItsShearModulus) {
   const json diagonal = json::parse(moduli("packing.h5 --format json").out).at(0);
   EXPECT_FALSE(diagonal.contains("C33"));
   EXPECT_TRUE(diagonal.at("G_shear").is_null());
-  // The two calls solve for two and three strains at a time, and the BLAS library may round them differently.
+  // One call solves for two strains at a time and the other for three, and the BLAS library may round the two
+  // differently.
   EXPECT_NEAR(diagonal.at("B").get<double>() / row.at("B_without_prestress").get<double>(), 1.0, 1e-13);
 }
 
@@ -150,8 +151,7 @@ TEST_F(ModuliCommand, AreZeroAlongAMechanismThatIsCountedAndWarnedAbout) {
   const json row = json::parse(o.out).at(0);
   EXPECT_EQ(row.at("n_coupled_mechanisms"), 2);
   for (const char* key : {"C11", "C22", "C12", "B", "B_S", "G"}) EXPECT_EQ(row.at(key), 0.0) << key;
-  // In this contact adhesion and repulsion cancel exactly, so the pressure is zero and there is no scale for
-  // forces.
+  // In this contact, adhesion and repulsion cancel exactly. The pressure is therefore zero, and forces have no scale.
   EXPECT_EQ(row.at("B_reuss"), 0.0);
   EXPECT_TRUE(row.at("Z2").is_null());
 }

@@ -19,8 +19,8 @@ using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Sets the normal forces of contacts along the first axis: f below the middle of the cell along the last axis,
-/// -f above. All other contacts have no force.
+/// Sets the normal forces of the contacts along the first axis. The force is f in the lower half of the cell (along the
+/// last axis) and -f in the upper half. All other contacts have no force.
 template <int Dim>
 void load_in_two_layers(double f, Packing<Dim>& packing) {
   const double middle = 0.5 * packing.cell.matrix(Dim - 1, Dim - 1) - 1e-6;
@@ -31,8 +31,8 @@ void load_in_two_layers(double f, Packing<Dim>& packing) {
   }
 }
 
-/// Fixture: a square lattice of 6 x 4 disks and a cubic one of 4 x 4 x 4 spheres, each with one layer under
-/// pressure and one under tension.
+/// Fixture: a square lattice of 6 x 4 disks and a cubic lattice of 4 x 4 x 4 spheres. In each lattice, one half is
+/// under pressure and the other half under tension.
 class Bonds : public testing::Test {
  protected:
   void SetUp() override {
@@ -61,7 +61,7 @@ TEST_F(Bonds, ColumnsComeWhenAskedFor) {
   const Outcome o = floc("network layers.h5 spheres.h5 --with bonds,phases --format json");
   ASSERT_EQ(o.code, 0) << o.err;
   const json flat = json::parse(o.out).at(0), solid = json::parse(o.out).at(1);
-  // --with adds columns and keeps those of the plain table.
+  // --with adds columns, and does not remove columns of the plain table.
   EXPECT_EQ(std::distance(plain.begin(), plain.end()) + 10 + 5 + 14, std::distance(flat.begin(), flat.end()));
   EXPECT_EQ(flat.at("n_bonds"), 48);
   EXPECT_EQ(flat.at("z_bonds"), 4.0);
@@ -107,8 +107,8 @@ TEST_F(Bonds, ExponentsOfEitherSideAndOfBoth) {
         return r;
     return -1;
   };
-  // All forces are 0.5, so the exponent is the inverse mean of the force minus the lower limit (0 or 0.1). In
-  // the window from 0 to 1, used for tensions, the exponent is 0.
+  // The exponent is the inverse of the mean of the force minus the lower limit (0 or 0.1), and all forces are 0.5. In
+  // the window from 0 to 1, which is used for tensions, the exponent is 0.
   const int tail = find("layers.h5", "+", 0.0, true), from = find("layers.h5", "+", 0.1, true);
   ASSERT_GE(tail, 0);
   ASSERT_GE(from, 0);

@@ -145,8 +145,8 @@ TEST_F(Network, WritesParticleStressesThatAddUp) {
 }
 
 TEST_F(Network, TellsTheForceCarryingStructureOfSpheres) {
-  // A face-centred cubic crystal of spheres under Hertz's law, with a = E = 1 and overlaps of h = 0.01. In the
-  // second state one of its 192 contacts has no force.
+  // A face-centred cubic crystal of spheres under Hertz's law, with a = E = 1 and overlaps of h = 0.01. In the second
+  // state, one of the 192 contacts of the crystal has no force.
   State<3> fcc;
   fcc.packing = tiled<3>(crystal_of(face_centred_cubic(), 0.99, 1.0, elastic_law(1.0, 0.5, 0.0)), {2, 2, 2});
   make_hertzian(1.0, 14.0 / 17.0, fcc.packing);
@@ -166,8 +166,8 @@ TEST_F(Network, TellsTheForceCarryingStructureOfSpheres) {
   EXPECT_NEAR(row.at("p_max").get<double>(), 2.0 / std::acos(-1.0) * 0.1, 1e-12);
   EXPECT_NEAR(row.at("stress_spread").get<double>(), 0.0, 1e-14);
   EXPECT_NEAR(row.at("fabric33").get<double>(), 0.0, 1e-14);
-  // The contact between (0, 0, 0) and (0, 1/2, 1/2) is opened: the sum of the diagonals of n n, 192 (1, 1,
-  // 1)/3, loses (0, 1/2, 1/2).
+  // The contact between (0, 0, 0) and (0, 1/2, 1/2) is opened. The diagonal of the sum of n n over all contacts, with
+  // the normal n, is 192 (1, 1, 1)/3 before, and is reduced by (0, 1/2, 1/2).
   Contact<3>& open = fcc.packing.contacts[0];
   open.normal_force = open.elastic_force = 0.0;
   write_state(scratch_.file("open.h5"), fcc);

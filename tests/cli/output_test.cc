@@ -7,7 +7,7 @@
 #include "support/places.h"
 #include "support/run_arguments.h"
 
-/// Tests that output is written completely or that the command fails with a message.
+/// Tests that output is written completely, or else that the command fails with a message.
 namespace floc::test {
 namespace {
 
@@ -42,8 +42,8 @@ TEST_F(Output, ToAFullDiskIsAFailureWithItsReason) {
 }
 
 TEST_F(Output, OfSideTablesIsWholeOrAbsentAndItsReasonSaid) {
-  // The file size limit also holds for the file that receives stderr, so it must exceed the size of the
-  // warnings.
+  // The limit of the file size also applies to the file that receives the standard error, so the limit must exceed the
+  // size of the warnings.
   ASSERT_EQ(floc_arguments({"convert", source_directory() + "/data/packings/lammps/disks.dump",
                             file("disks.h5"), "--law", "normal.stiffness=1000"})
                 .code,

@@ -169,8 +169,8 @@ TEST_F(Petsc, OnAFullDiskIsAFailureWithItsReason) {
   EXPECT_FALSE(fs::exists(file("out.csv")));
 }
 
-/// The first process waits for a pipe that never gets any data, and the second one waits for the first. Then
-/// the second one is killed.
+/// The first process waits for data from a pipe, which never come. The second process waits for the first process, and
+/// is then killed.
 TEST_F(Petsc, EndsWithinAMinuteWhereAProcessDiesAndLeavesNoTable) {
   const auto start = std::chrono::steady_clock::now();
   const Outcome o = shell(

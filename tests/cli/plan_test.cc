@@ -100,7 +100,7 @@ TEST_F(PlanCommand, ExtremeBudgetsGiveWordsAndNoHang) {
     EXPECT_EQ(o.code, 0) << budget << o.err;
     EXPECT_THAT(o.err, HasSubstr("the best plan: ")) << budget;
   }
-  EXPECT_THAT(plan(kDemoScene + "--budget 1000y").err, HasSubstr("this is less than the budget"));
+  EXPECT_THAT(plan(kDemoScene + "--budget 1000y").err, HasSubstr("the plan takes less than the budget"));
 }
 
 TEST_F(PlanCommand, WritesACampaignWhoseRunsItChecks) {
@@ -119,7 +119,7 @@ TEST_F(PlanCommand, WritesACampaignWhoseRunsItChecks) {
     EXPECT_NEAR(row["ratio"], double(row["achieved"]) / double(row["promised"]), 1e-9);
   }
   EXPECT_LE(checked["phi"]["promised"], 0.03);
-  // A campaign file without the table [plan] holds no promised errors.
+  // A campaign file without the table [plan] contains no promised errors.
   const std::string text = content_of(scratch_.file("p.toml"));
   write_text(scratch_.file("q.toml"), text.substr(0, text.find("[plan]")));
   ASSERT_EQ(run_floc("campaign plan q.toml -o q", scratch_.path()).code, 0);
@@ -127,7 +127,7 @@ TEST_F(PlanCommand, WritesACampaignWhoseRunsItChecks) {
 }
 
 TEST_F(PlanCommand, LeavesOutSettingsThatTheSceneRefuses) {
-  // The tolerance must be below 1e-2, because the first pressure of the scene is smaller than that.
+  // The tolerance must be below the first pressure of the scene, which is smaller than 1e-2.
   for (const auto& row : rows(kDemoScene + "--want phi=0.2")) EXPECT_LT(row["tolerance"], 1e-2);
 }
 

@@ -66,8 +66,8 @@ TEST_F(PlotCommand, CoordinationGoesUpAndDownThePath) {
   ASSERT_EQ(floc("plot run -o z.svg --show coordination").code, 0);
   const std::string data = content_of(file("z.dat"));
   const auto loading = block(data, "loading"), unloading = block(data, "unloading");
-  // The loading has seven pressures without P = 0. The state at the largest pressure belongs to loading and
-  // unloading.
+  // The loading has seven pressures, not counting P = 0. The state at the largest pressure belongs to both the loading
+  // and the unloading.
   ASSERT_EQ(loading.size(), 7u);
   ASSERT_EQ(unloading.size(), 2u);
   EXPECT_EQ(loading.back(), unloading.front());
@@ -84,8 +84,8 @@ TEST_F(PlotCommand, ModuliOfStatesAndOfTheirTableAreTheSame) {
   ASSERT_EQ(states.size(), 7u);
   ASSERT_EQ(rows.size(), 7u);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    // Pressures in the table come from the contact forces, those of the states are the imposed ones. They agree
-    // within the tolerance of stress.
+    // The pressures in the table are computed from the contact forces, and the pressures of the states are the imposed
+    // pressures. The two agree within the tolerance of stress.
     EXPECT_NEAR(rows[i][0], states[i][0], 1e-5);
     for (std::size_t k = 1; k < 7; ++k) {
       if (std::isnan(rows[i][k]) && std::isnan(states[i][k])) continue;
@@ -96,7 +96,7 @@ TEST_F(PlotCommand, ModuliOfStatesAndOfTheirTableAreTheSame) {
   for (const auto& row : states) {
     EXPECT_LE(row[3], row[6]);  // G and its Voigt bound
     EXPECT_EQ(std::isnan(row[4]), std::isnan(row[5]));
-    if (std::isnan(row[4])) continue;  // with attractions at a distance there are no bounds
+    if (std::isnan(row[4])) continue;  // there are no bounds for states with attractions at a distance
     ++n_bounded;
     EXPECT_LE(row[4], row[1]);  // Reuss bound and B
     EXPECT_LE(row[1], row[5]);  // B and its Voigt bound
@@ -134,7 +134,7 @@ TEST_F(PlotCommand, ScatteringOfSpheresIsInTheirVolume) {
 }
 
 TEST_F(PlotCommand, HasNoLegendOfWhatIsNotDrawn) {
-  // Writes the path without its unloading to a file.
+  // Writes the path without the unloading to a file.
   std::istringstream lines(content_of(file("run/path.csv")));
   std::string up;
   for (std::string line; std::getline(lines, line);)
@@ -155,7 +155,7 @@ TEST_F(PlotCommand, HasNoLegendOfWhatIsNotDrawn) {
 }
 
 TEST_F(PlotCommand, WordsOfGnuplotStayWithItUnlessItFails) {
-  // With two states each curve has only one point, about which gnuplot warns.
+  // With two states, each curve has only one point, and gnuplot warns about this.
   const Outcome o = floc("plot run/state-0000.h5 run/state-0001.h5 -o few.svg --show moduli");
   EXPECT_EQ(o.code, 0) << o.err;
   EXPECT_THAT(o.err, ::testing::Not(HasSubstr("warning: Skipping"))) << o.err;
@@ -201,8 +201,8 @@ TEST_F(PlotCommand, ForcesAreThoseOfLoadingAndAllCurvesAreSeen) {
   EXPECT_THAT(data, ::testing::Not(HasSubstr("P* = 0:")));  // the state without load is left out
   EXPECT_THAT(data, HasSubstr("# P* = 0.01:"));
   EXPECT_THAT(data, HasSubstr("# P* = 1:"));
-  // The state without load has few contact forces, with widely spread values. The axis is at most three times
-  // as wide as the narrowest curve needs, and the legend counts the forces beyond it.
+  // The state without load has few contact forces, whose values are widely spread. The axis is at most three times as
+  // wide as the narrowest curve requires, and the legend gives the number of forces beyond the end of the axis.
   ASSERT_EQ(floc("plot run -o wide.svg --show forces --steps 0,7").code, 0);
   const std::string wide = content_of(file("wide.gp"));
   double low = 0.0, high = 0.0;
@@ -220,7 +220,7 @@ TEST_F(PlotCommand, ForcesAreThoseOfLoadingAndAllCurvesAreSeen) {
 }
 
 TEST_F(PlotCommand, TestsWithADrivenAxisBeginAtZeroStrainWithTheirOwnStresses) {
-  // Table of an isotropic state, an oedometric stage along axis 2 and a biaxial one along axis 1.
+  // Table of an isotropic state, an oedometric stage along axis 2 and a biaxial stage along axis 1.
   write_text(file("tests.csv"),
              "step,branch,stress_1,stress_2,strain_1,strain_2,control,axis\n"
              "0,load,1,1,0,0.5,,\n"
@@ -239,7 +239,7 @@ TEST_F(PlotCommand, TestsWithADrivenAxisBeginAtZeroStrainWithTheirOwnStresses) {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(test[k][c], expected[k][c], 1e-12) << k << c;
   EXPECT_EQ(lateral[2], (std::vector<double>{4, 0.5}));
   EXPECT_TRUE(std::isnan(test[3][0]));
-  // The second stage starts from the stress that axis 1 bears at the end of the first stage.
+  // The second stage starts from the stress on axis 1 at the end of the first stage.
   EXPECT_NEAR(test[4][1], -2.0 / 3, 1e-12);
   EXPECT_EQ(lateral[4], (std::vector<double>{2, 2}));
   EXPECT_NEAR(test[5][0], 0.1, 1e-12);

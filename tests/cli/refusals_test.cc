@@ -44,7 +44,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 struct Refusal {
   const char* name;
   std::vector<std::pair<std::string, std::string>> files;  ///< names and contents of input files
-  std::vector<std::string> commands;                       ///< commands to run, of which the last must fail
+  std::vector<std::string> commands;                       ///< commands to run; the last command must fail
   const char* message;
 };
 void PrintTo(const Refusal& refusal, std::ostream* out) {
@@ -424,8 +424,8 @@ TEST(RefusedRun, GoesOnFromNoCheckpointOfAnotherVersion) {
               HasSubstr("d/checkpoint/checkpoint.h5: this is not a checkpoint of this version of floc: "));
 }
 
-/// If a scene starts from a saved state at rest, all samples are equal, but a study needs different samples.
-/// The commands floc run --seeds and floc tradeoff therefore refuse it.
+/// All samples of a scene that starts from a saved state at rest are equal, but a study needs different samples. The
+/// commands floc run --seeds and floc tradeoff therefore refuse such a scene.
 TEST(RefusedRun, OfSamplesFromAStateAtRest) {
   const ScratchDirectory scratch;
   ASSERT_EQ(run_floc("run " + source_directory() +

@@ -24,7 +24,8 @@ TEST(RigidRun, KillsOfARunBetweenWallsLeaveNoTrace) {
   kill_and_resume(3, 23, rigid_box_scene(kPentagons), 2);
 }
 
-/// Boxes of disks, polygons, spheres and polyhedra give states that verify, and the same ones with two threads.
+/// Boxes of disks, polygons, spheres and polyhedra give states that pass verification. With two threads, the states are
+/// identical.
 TEST(RigidRun, BetweenWallsVerifies) {
   for (const auto& [dimension, shape] : {std::pair(2, ""), {2, kPentagons}, {3, ""}, {3, kCutStones}}) {
     SCOPED_TRACE(testing::Message() << dimension << " " << shape);
@@ -35,7 +36,7 @@ TEST(RigidRun, BetweenWallsVerifies) {
     const Outcome verified = run_floc("verify out/state-0000.h5 out/state-0001.h5", scratch.path());
     EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
     const CsvTable path = CsvTable::read(scratch.file("out/path.csv"));
-    // The lid bears what the load asks for.
+    // The pressure on the lid is the pressure that the load imposes.
     EXPECT_NEAR(path.number(1, path.column("P")), 4.0, 1e-9);
     EXPECT_EQ(run_floc("report out -o r.html", scratch.path()).code, 0);
     ASSERT_TRUE(run_with_threads(scratch.file("s.toml"), scratch.file("two"), 2));
@@ -44,7 +45,7 @@ TEST(RigidRun, BetweenWallsVerifies) {
   }
 }
 
-/// A run of grains with corners is reported with its contacts in place of moduli.
+/// The report of a run of grains with corners describes the contacts instead of the moduli.
 TEST(RigidRun, IsReported) {
   const ScratchDirectory scratch;
   write_text(scratch.file("s.toml"), rigid_scene(kPentagons));

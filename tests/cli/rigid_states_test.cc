@@ -35,7 +35,8 @@ class RigidStates : public ::testing::Test {
 /// Arguments of a command, in which `S` stands for the state file.
 struct Case {
   const char* arguments;
-  /// Initials of the states that the command accepts: bricks, cubes, spheres, and squares in a box, which is written x.
+  /// Letters of the states that the command accepts: b for bricks, c for cubes, s for spheres, and x for squares in a
+  /// box.
   const char* reads;
 };
 
@@ -118,7 +119,7 @@ TEST_F(RigidStates, AreExportedWithShapesAndPoints) {
   EXPECT_EQ(CsvTable::read(scratch_.file("s.csv")).n_rows(), 8);
 }
 
-/// The points of a pair count as one contact, whatever features they are on.
+/// All contact points of a pair count as one contact, no matter on which vertices, edges or faces they lie.
 TEST_F(RigidStates, AreComparedByPairs) {
   const std::string row = run("compare cubes.h5 cubes.h5 --format json").out;
   EXPECT_THAT(row, HasSubstr("\"n_kept\": 24"));

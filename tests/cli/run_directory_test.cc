@@ -30,8 +30,8 @@ TEST(TwoRuns, OnOneDirectoryNeverMix) {
 TEST(TwoRuns, TheSecondIsToldWhoHoldsTheDirectory) {
   const ScratchDirectory scratch;
   write_text(scratch.file("small.toml"), small_scene());
-  // This run has so many grains that it still goes on when the other commands have been refused. It is killed
-  // at the end.
+  // This run has so many grains that it is still in progress when the other commands have been refused. It is killed at
+  // the end of the test.
   const pid_t first = start_run(scratch.path(), "small.toml -o run --set grains.count=2000");
   while (!fs::exists(scratch.file("run/checkpoint"))) ::usleep(2000);
   char host[256] = {};
@@ -45,7 +45,7 @@ TEST(TwoRuns, TheSecondIsToldWhoHoldsTheDirectory) {
   }
   ::kill(first, SIGKILL);
   (void)wait_for(first);
-  // the process was killed and left its lock file, which no longer counts
+  // the killed process has left its lock file, which does not lock the directory any more
   EXPECT_TRUE(fs::exists(scratch.file("run/run.lock")));
   EXPECT_EQ(run_floc("run small.toml -o run --overwrite --until 0", scratch.path()).code, 0);
   EXPECT_FALSE(fs::exists(scratch.file("run/run.lock")));
@@ -100,7 +100,8 @@ TEST_F(RunDirectoryOf, AnEnsembleHasOneScene) {
 
 TEST_F(RunDirectoryOf, ACutRowIsRefusedUntilResumeHasMendedIt) {
   const std::string whole = content_of(file("run/path.csv"));
-  // Cuts the table in the middle of the last row, within its last cell, and before its final newline.
+  // Cuts off the end of the table in three ways: in the middle of the last row, within the last cell of this row, and
+  // before the final newline.
   for (const std::size_t cut : {std::size_t{90}, std::size_t{4}, std::size_t{1}}) {
     copy_run(file("run"), file("cut"));
     write_text(file("cut/path.csv"), whole.substr(0, whole.size() - cut));

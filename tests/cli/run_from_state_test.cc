@@ -10,8 +10,8 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-/// Scene that starts from four copies of an equilibrium of the small scene and raises the pressure twice; it
-/// takes a second or two.
+/// Scene that starts from four copies of an equilibrium of the small scene and increases the pressure in two steps. Its
+/// run takes one or two seconds.
 std::string tiled_scene() {
   std::string text = small_scene();
   const auto cut = [&text](const std::string& from, const std::string& to, const std::string& instead) {

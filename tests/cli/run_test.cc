@@ -60,8 +60,8 @@ TEST_F(RunCommand, MakesStatesThatVerify) {
 }
 
 TEST_F(RunCommand, GivesTheSameFilesForTwoThreads) {
-  // The scene has three blocks of grains, so that both threads have work (tests/unit/relaxation checks this).
-  // It is compressed in one step, because threads are slow if they share a core with other tests.
+  // The scene has three blocks of grains, so that both threads have work (tests/unit/relaxation checks this). The scene
+  // is compressed in a single step, because threads are slow if they share a core with other tests.
   std::string scene = small_scene();
   const auto replace = [&scene](const std::string& old, const std::string& with) {
     scene.replace(scene.find(old), old.size(), with);
@@ -74,7 +74,7 @@ TEST_F(RunCommand, GivesTheSameFilesForTwoThreads) {
   EXPECT_TRUE(content_of(file("one/state-0000.h5")) == content_of(file("two/state-0000.h5")));
 }
 
-/// For several seeds, the program prints this warning once, and not in the log of each sample.
+/// If several seeds are run, the program prints this warning once, and not in the log of each sample.
 TEST_F(RunCommand, SaysThatThreadsAreOfNoUseToFewGrains) {
   const std::string words = "40 disks: 1 of 2 threads is used, since ";
   const auto n_told = [&](const std::string& text) {
@@ -118,7 +118,7 @@ TEST_F(RunCommand, SurvivesKillsOnATriaxialTurn) {
 TEST_F(RunCommand, StoppedBySignalsWritesACheckpointAndContinues) {
   for (const int signal : {SIGINT, SIGTERM}) {
     fs::remove_all(file("stopped"));
-    // Checkpoints at intervals are switched off, so the one that is found was written because of the signal.
+    // Periodic checkpoints are switched off, so the signal must have caused the checkpoint that is found.
     const pid_t child = start_run(scratch_->path(), "small.toml -o stopped --set run.checkpoint_every=1e6");
     for (int k = 0; k < 60000 && !fs::exists(file("stopped/checkpoint")); ++k) ::usleep(1000);
     ::usleep(50000);
@@ -129,7 +129,7 @@ TEST_F(RunCommand, StoppedBySignalsWritesACheckpointAndContinues) {
     EXPECT_TRUE(fs::exists(file("stopped/checkpoint/checkpoint.h5")));
     ASSERT_EQ(run("small.toml -o stopped --resume --set run.checkpoint_every=1e6").code, 0);
   }
-  // State files contain the scene with its override, so they differ from those of the whole run. The moduli
+  // State files contain the scene with its override, so the files differ from the files of the whole run. The moduli
   // must agree.
   const Outcome whole = run_floc("moduli whole/state-0008.h5 --format json", scratch_->path());
   const Outcome stopped = run_floc("moduli stopped/state-0008.h5 --format json", scratch_->path());
@@ -199,7 +199,7 @@ TEST_F(RunCommand, ReportsADirectoryThatCannotBeWritten) {
 }
 
 TEST_F(RunCommand, ReportsAFullDiskAndLeavesNoHalfWrittenFile) {
-  // A file size limit replaces a full disk: the kernel refuses the same write.
+  // A limit of the file size has the same effect as a full disk: the kernel refuses to write.
   const Outcome failed =
       run_floc("--version >/dev/null; trap '' XFSZ; ulimit -f 4; " + floc_program() + " run small.toml -o full",
                scratch_->path());

@@ -87,7 +87,8 @@ TEST(SceneCheck, WarnsOfWhatWillNotComeOutAsMeant) {
           "cell.strain_rate_cap = 1e-09: at this strain rate the compression of the gas from solid_fraction"));
 }
 
-/// Scenes whose motion is too fast for the time step, or whose time step is too short to reach an equilibrium.
+/// Scenes in which the grains move too fast for the time step, or in which the time step is too short to reach an
+/// equilibrium.
 TEST(SceneCheck, WarnsOfTimeStepsThatLeadNowhere) {
   struct {
     const char *scene, *changes, *warning;
@@ -146,8 +147,8 @@ TEST(SceneCheck, TellsWhatIsDrawnFromASieveCurveBesideIt) {
   EXPECT_EQ(group(o.out, "passing(1)"), 1.0);
   EXPECT_THAT(content_of(dir.file("sizes.csv")),
               testing::StartsWith("d_from,d_to,n_grains,share,share_asked,passing,passing_asked\n0.05,0.3,"));
-  // With 40 grains the size distribution has too few large grains. The grains of the state have the announced
-  // sizes.
+  // With only 40 grains, the size distribution has too few large grains. The sizes of the grains in the state are the
+  // sizes that the command has announced.
   const Outcome few = run_floc("scene check s.toml --sizes few.csv --set grains.count=40", dir.path());
   EXPECT_THAT(few.err, HasSubstr("because there are too few large grains"));
   ASSERT_EQ(run_floc("run s.toml -o run --until 0 --set grains.count=40", dir.path()).code, 0);

@@ -9,8 +9,8 @@
 #include "support/places.h"
 #include "support/run_arguments.h"
 
-/// Tests of grains that are much too soft for the pressure, as if the stiffness were given in other units. They
-/// try every law in 2D and 3D, and every command that can meet such grains.
+/// Tests of grains that are much too soft for the pressure, as if the stiffness were given in other units. The tests
+/// use every law in 2D and 3D, and every command that may read such grains.
 namespace floc::test {
 namespace {
 
@@ -47,7 +47,7 @@ std::string contact_tables(LawParameters law) {
   return text;
 }
 
-/// Scene of a few equal grains under a pressure at which contacts overlap by some tenth of a radius on average.
+/// Scene of a few equal grains under a pressure at which the mean overlap of contacts is about a tenth of a radius.
 std::string soft_scene(const Law& law, int dimension) {
   const double pressure = law.contact_modulus(dimension, 1.0) / (law.force_exponent() != 1.0 ? 180.0 : 12.0);
   return fmt::format(
@@ -71,8 +71,8 @@ std::string lattice_rows(int dimension) {
 
 class SoftPackings : public testing::Test {
  protected:
-  /// Expects that the message of a command says that grains overlap too far and asks to check the units. @param
-  /// words  another part of the message
+  /// Expects that the message of a command says that grains overlap too much, and asks the user to check the units.
+  /// @param words  another part of the message
   void expect_said(const std::vector<std::string>& arguments, const std::string& words,
                    const std::string& question = "consistent with the units of lengths and forces?") {
     const Outcome o = floc_arguments(arguments);
@@ -85,7 +85,7 @@ class SoftPackings : public testing::Test {
     SCOPED_TRACE(fmt::format("{} in {}D", law_text(law), dimension));
     const std::string overlap = "% of the contacts overlap by more than a tenth of a radius";
     write_text(scratch_.file("g.csv"), lattice_rows(dimension));
-    // Rigid contacts have no stiffness, so the message about them cannot ask for its units.
+    // Rigid contacts have no stiffness, so their message cannot ask for the units of a stiffness.
     const std::string question = law.is_rigid() ? "are the positions and the radii in the same unit of length?"
                                                 : "consistent with the units of lengths and forces?";
     expect_said({"convert", scratch_.file("g.csv"), scratch_.file("s.h5"), "--overwrite", "--law",
@@ -142,8 +142,8 @@ TEST_F(SoftPackings, OfEqualGrainsAreHeldAgainstTheDensestThereAre) {
                     Not(HasSubstr("a tenth of a radius"))));
 }
 
-/// A cluster under no stress that does not span the cell has no stiffness. Newton steps once moved this cluster
-/// into its own images, and its list of contacts then lacked 172 pairs.
+/// A cluster under no stress that does not span the cell has no stiffness. In an earlier version, Newton steps moved
+/// this cluster into its own images, and 172 pairs were then missing in the list of contacts.
 TEST_F(SoftPackings, OfAClusterUnderNoStressListAllOfTheirContacts) {
   const std::string out = scratch_.file("cluster");
   const Outcome made =

@@ -49,8 +49,9 @@ std::vector<Kind> kinds() {
   };
 }
 
-/// Changes every dataset and attribute of states of every kind, except those that may have any value (listed in
-/// the script). Each time floc verify must report that the file is no valid state or no equilibrium.
+/// Changes the datasets and attributes of states of every kind one by one, except datasets and attributes that may have
+/// any value (listed in the script). Each time floc verify must report that the file is no valid state or no
+/// equilibrium.
 TEST(SpoiledState, IsNoticedWhateverIsChanged) {
   const ScratchDirectory scratch;
   std::string states;

@@ -19,7 +19,7 @@ using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Fixture: states of randomly placed disks, of a square lattice of frames with a rattler in each, and of
+/// Fixture: states of randomly placed disks, of a square lattice of frames with a rattler in each frame, and of
 /// spheres.
 class Structure : public testing::Test {
  protected:
@@ -69,8 +69,8 @@ TEST_F(Structure, WritesSeriesOfEachState) {
   EXPECT_NEAR(mean, 8.0 * std::numbers::pi * 0.51 * 0.51 / 16.0, 1e-12);
   const CsvTable z = table("z.csv");
   EXPECT_THAT(z.columns(), ElementsAre("file", "gap", "z", "z_pushed", "gap_rescaled"));
-  // A grain inside a frame, without force and adhesion, is a rattler. Pushed against the others, it touches two
-  // of them.
+  // A grain inside a frame, without force and adhesion, is a rattler. If it is pushed against the other grains, it
+  // touches two of them.
   EXPECT_EQ(z.number(0, 1), 0.0);
   EXPECT_NEAR(z.number(0, 2), 2.0, 1e-15);
   EXPECT_NEAR(z.number(1, 3) - z.number(1, 2), 2.0 * 2 / 8, 1e-12);
@@ -132,8 +132,8 @@ TEST_F(Structure, OfBothDimensionsHasNeitherOneFileNorAnAverage) {
 }
 
 TEST_F(Structure, ComparesStatesInRescaledDistance) {
-  // One crystal at two densities: relative to the diameter, neighbours are farther away in the loose one,
-  // and rescaled distances make the positions comparable.
+  // One crystal at two densities. In the loose crystal, neighbours are farther away relative to the diameter. Rescaled
+  // distances make the positions of the two crystals comparable.
   for (const double r : {1.0, 0.8}) {
     State<3> bcc;
     bcc.packing = crystal_of(body_centred_cubic(), r, 1.0001, elastic_law(3.0, 0.0, 0.0));
@@ -170,7 +170,7 @@ TEST_F(Structure, PorosityAndProfilesGoToFiles) {
   EXPECT_THAT(e.columns(),
               ElementsAre("file", "half_side", "void_ratio", "porosity", "void_ratio_cell", "porosity_cell"));
   ASSERT_EQ(e.n_rows(), 10);
-  // The largest probe is the whole cell. The smallest is a cube that lies inside the sphere at the centre.
+  // The largest probe is the whole cell. The smallest probe is a cube inside the sphere at the centre.
   const double phi = std::sqrt(3.0) * std::numbers::pi / 8.0;
   EXPECT_NEAR(e.number(4, 5), 1.0 - phi, 1e-12);
   EXPECT_NEAR(e.number(4, 2), 1.0 / phi - 1.0, 1e-12);

@@ -45,7 +45,7 @@ TEST_F(TrackEnergy, ClosesAndLosesNoEnergyTwice) {
   const int last = rows.n_rows() - 1;
   EXPECT_GT(at(last, "viscous"), 0.0);
   EXPECT_LT(at(last, "kinetic"), 1e-9);
-  // The time step is the largest stable one. With a quarter of it the error is five times smaller.
+  // The time step is the largest stable time step. With a quarter of this step, the error is five times smaller.
   EXPECT_LT(std::abs(at(last, "error")), 0.1 * (at(last, "viscous") + at(last, "sliding")));
 }
 
@@ -61,7 +61,7 @@ TEST_F(TrackEnergy, GoesOnWhereItStoppedWithTheSameTable) {
   EXPECT_EQ(content_of(file("halves/state-0001.h5")), content_of(file("whole/state-0001.h5")));
 }
 
-/// A stage that changes the law adds the change of the stored energy to the column `law`. The balance continues
+/// In a stage that changes the law, the change of the stored energy is added to the column `law`. The balance continues
 /// correctly when the run is resumed.
 TEST_F(TrackEnergy, HasAColumnForChangesOfTheLaw) {
   const std::string scene = small_scene();
@@ -82,7 +82,7 @@ TEST_F(TrackEnergy, HasAColumnForChangesOfTheLaw) {
   EXPECT_GT(std::abs(at(first, "law")), 0.0);
   const int last = rows.n_rows() - 1;
   EXPECT_EQ(at(last, "law"), at(first, "law"));
-  // The change of the law adds nothing to the error, which comes from the motion alone.
+  // The change of the law does not contribute to the error; only the motion causes the error.
   EXPECT_LT(std::abs(at(last, "error") - at(first - 1, "error")), 0.1 * std::abs(at(last, "law")));
 }
 
@@ -113,7 +113,7 @@ std::string refusal_of(const Scene& scene, bool dynamic) {
   return scene.assembly.vibration ? "assembly.vibration displaces the grains" : "";
 }
 
-/// The refusal comes before any file is written, for one run and for several.
+/// The refusal comes before any file is written, both for a single run and for several runs.
 TEST_F(TrackEnergy, IsRefusedForShippedScenesOfWhichNoAccountIsKept) {
   std::map<std::string, int> n_refused;
   for (const auto& entry : std::filesystem::directory_iterator(source_directory() + "/data/scenes")) {
@@ -138,7 +138,7 @@ TEST_F(TrackEnergy, IsRefusedForShippedScenesOfWhichNoAccountIsKept) {
   EXPECT_GE(n_refused["assembly.vibration displaces the grains"], 2);
 }
 
-/// A shipped scene, and the number of an equilibrium up to which the run uses every kind of control of the
+/// A shipped scene, and the number of an equilibrium. The run up to this equilibrium uses every kind of control of the
 /// scene.
 struct ShippedPath {
   const char* scene;
@@ -150,7 +150,7 @@ void PrintTo(const ShippedPath& path, std::ostream* out) {
 
 class EnergyOfShippedPath : public ::testing::TestWithParam<ShippedPath> {
  protected:
-  /// Returns the error of the energy balance at the end of a path of a few grains, divided by the work of its
+  /// Runs the path with a few grains. Returns the error of the energy balance at the end, divided by the work of the
   /// boundary.
   double error_at(double time_step) const {
     const std::string directory = fmt::format("at-{}", time_step);
@@ -169,8 +169,8 @@ class EnergyOfShippedPath : public ::testing::TestWithParam<ShippedPath> {
   ScratchDirectory scratch_;
 };
 
-/// With a quarter of the time step, the error falls to about a quarter. The ratio is not exactly a quarter,
-/// because the two paths differ.
+/// With a quarter of the time step, the error decreases to about a quarter. The ratio is not exactly a quarter, because
+/// the two paths differ.
 TEST_P(EnergyOfShippedPath, ClosesWithTheTimeStepOfTheRun) {
   const double coarse = error_at(0.36), fine = error_at(0.09);
   std::cout << GetParam().scene << ": error over work " << coarse << " and at a quarter of the step " << fine

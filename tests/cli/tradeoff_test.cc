@@ -134,7 +134,7 @@ TEST(TradeoffCommand, ComparesTheParametersThatAreNamed) {
     knobs.insert(row["knob"]);
     const bool soft = row["knob"] == "softening";
     EXPECT_EQ(row["softening"] > 1.0, soft) << row["knob"];
-    // Packings that were put together on other springs are compared in the mean.
+    // Packings that were assembled with other springs are compared by their means.
     if (soft) {
       EXPECT_TRUE(row["error_before_high"].is_null() && row["mean_difference"].is_number());
     }

@@ -36,8 +36,8 @@ std::string path_in(const std::string& header, double size, int sample) {
   return text;
 }
 
-/// Commands that pool several tables or columns convert their units: every pair of units gives the same result
-/// as a single unit. A missing unit is refused.
+/// Commands that pool several tables or columns convert the units of these tables or columns. Every pair of units must
+/// give the same result as a single unit, and a missing unit is refused.
 TEST(UnitsOfTables, AreConvertedOrRefusedWhereTablesArePooled) {
   const ScratchDirectory scratch;
   int n_pairs = 0, n_refused = 0;
@@ -189,7 +189,7 @@ TEST_F(UnitsOfRuns, AreConvertedOrRefusedWhereRunsAreCompared) {
   EXPECT_EQ(compared("P [kPa]", "P").code, 4);
   EXPECT_EQ(compared("P", "P [m]").code, 4);
   with_header("run", "P");
-  // Some commands find the columns of floc by their exact names; these reject names with another unit.
+  // Some commands recognise the columns of floc by their exact names; such commands reject names with another unit.
   with_header("other", "P_star [kPa]");
   write_text(file("m.csv"), "P_star [kPa],B,B_S,G,B_reuss,B_voigt,G_voigt\n1,1,1,1,1,1,1\n");
   EXPECT_EQ(floc("plot m.csv --show moduli -o m.svg").code, 4);
@@ -229,8 +229,8 @@ energy = 1e-7
   inline static ScratchDirectory* scratch_ = nullptr;
 };
 
-/// B and M are the slopes of the mean stress and of the stress on the driven axis against ln Phi, between
-/// neighbouring states of the unloading.
+/// B and M are slopes against ln Phi, between neighbouring states of the unloading: B of the mean stress, and M of the
+/// stress on the driven axis.
 TEST_F(OedometerOfBeads, HasBOfItsMeanAndMOfItsDrivenStress) {
   const Outcome o = floc("fit elastic run --format json");
   ASSERT_EQ(o.code, 0) << o.err;
@@ -302,7 +302,7 @@ TEST_F(OedometerOfBeads, NamesTheStressOnItsDrivenAxisBesideTheMean) {
   EXPECT_THAT(content_of(scratch_->file("f.gp")) + content_of(scratch_->file("f.svg")), HasSubstr("(driven)"));
 }
 
-/// A stage triples the adhesion, and so triples the stress that corresponds to P* = 1.
+/// A stage triples the adhesion. This triples the stress that corresponds to P* = 1.
 TEST(UnitOfReducedPressure, IsThatOfTheFirstRows) {
   const ScratchDirectory scratch;
   write_text(scratch.file("path.csv"), R"(step,branch,P_star,P,phi,state

@@ -138,9 +138,8 @@ TEST(Verify, HoldsMassesAgainstTheDensityOfTheScene) {
   expect_failed(with_masses(1.5), "mass", "of grain 3, whose radius is");
 }
 
-/// If a contact is removed, or refers to the wrong periodic image of its grain, the stress computed from the
-/// contacts differs from the stress transmitted through the faces of the cell. All other checks of the file may
-/// pass.
+/// If a contact is removed, or if it refers to the wrong periodic image of a grain, the stress computed from the
+/// contacts differs from the stress transmitted through the faces of the cell. All other checks of the file may pass.
 TEST(Verify, HoldsTheForcesAcrossTheFacesOfTheCellAgainstTheStress) {
   const auto expect_both = [](const Outcome& result) {
     EXPECT_EQ(result.code, 5);
@@ -169,8 +168,8 @@ TEST(Verify, HoldsTheForcesAcrossTheFacesOfTheCellAgainstTheStress) {
   }
 }
 
-/// A ring of four equal disks of diameter 1 across the cell, held only by attractions at a distance: it buckles
-/// if it is pushed sideways.
+/// A chain of four equal disks of diameter 1 across the cell, which closes to a ring through the periodic boundary.
+/// Only attractions at a distance connect the disks, so the chain buckles if it is pushed sideways.
 TEST(Verify, NamesAnUnstableState) {
   const ScratchDirectory scratch;
   State<2> s;

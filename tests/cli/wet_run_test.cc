@@ -21,14 +21,14 @@ void expect_rest(const std::string& options) {
   EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
 }
 
-/// One grain has few contacts and is held by its liquid bridges. The state is a minimum only if the geometric
-/// terms of the capillary forces are included; without them it would be a saddle point.
+/// One grain has few contacts and is held in place by its liquid bridges. The energy of the state is a minimum only if
+/// the geometric terms of the capillary forces are included; without these terms, the state would be a saddle point.
 TEST(WetRun, ComesToRestWhereTheirPullAloneHoldsAGrain) {
   expect_rest("--seed 1");
 }
 
-/// One grain has two nearly opposite contacts. Its rotation about the line through both is stable only if the
-/// geometric terms of the tangential forces are included.
+/// One grain has two nearly opposite contacts. The rotation of this grain about the line through both contacts is
+/// stable only if the geometric terms of the tangential forces are included.
 TEST(WetRun, ComesToRestWhereFrictionHoldsASpin) {
   expect_rest("--seed 45 --set equilibrium.finish=dynamic");
 }

@@ -41,11 +41,11 @@ class ClosedCurve {
 template <int Dim>
 class Loop {
  public:
-  /// @param reach  scale of slip and rotation: at 1 they exceed the friction limits, at 1e-3 they stay far
-  /// below
+  /// @param reach  scale of slip and rotation: with 1, the springs reach their friction limits; with 1e-3, they stay
+  /// far below the limits
   Loop(RandomStream& random, double mean_gap, double gap_amplitude, double reach)
       : gap_(random, mean_gap, gap_amplitude) {
-    // In 3D, slip lies in the tangent plane of the normal e_3; in 2D it has one component.
+    // In 3D, the slip is in the plane normal to the third axis; in 2D, the slip has one component.
     for (int a = 0; a < Dim - 1; ++a) slip_.emplace_back(random, 0.0, 1e-4 * reach);
     for (int a = 0; a < kRotations<Dim>; ++a) rotation_.emplace_back(random, 0.0, 0.02 * reach);
   }
@@ -119,8 +119,8 @@ constexpr int kLoops = 8;
 /// Error of the trapezoidal rule, divided by the largest work along the path.
 constexpr double kWorkError = 1e-4;
 
-/// Returns the work done by the normal force around a loop of the gap. @param gap  gap as a function of the
-/// phase from 0 to 1
+/// Returns the work done by the normal force when the gap goes through a closed loop. @param gap  gap as a function of
+/// the phase from 0 to 1
 template <int Dim, class Law, class Gap>
 test::NormalWork<Law, Dim> normal_work_around(const Law& law, const Gap& gap) {
   test::NormalWork<Law, Dim> work(law, gap(0.0));
@@ -145,8 +145,8 @@ TEST(NormalForce, TakesNoWorkFromAClosedLoop) {
   });
 }
 
-/// Presses a new contact and releases it, under a law with a separate unloading line. @return the work lost and
-/// the largest work along the path
+/// Presses a new contact and releases it, under a law with a separate unloading line. @return work that is lost in the
+/// cycle, and largest work along the path
 std::array<double, 2> work_of_pressing(double unloading) {
   ContactLaw<test::HystereticRepulsion, NoAdhesion, NoDamping, NoFriction, NoRolling, NoTwisting> law{};
   law.repulsion = {1e5, unloading};
@@ -157,12 +157,14 @@ std::array<double, 2> work_of_pressing(double unloading) {
 
 TEST(NormalForce, OfALawThatCreatesEnergyIsFoundByTheSameMeasure) {
   const auto [lost, most] = work_of_pressing(2e5);
-  EXPECT_NEAR(lost, 0.5 * most, 1e-2 * most);  // the fraction 1 - K1/K2 of the energy of loading
+  // The lost energy is the fraction 1 - K1/K2 of the work of loading.
+  EXPECT_NEAR(lost, 0.5 * most, 1e-2 * most);
   const auto [created, more] = work_of_pressing(0.9e5);
   EXPECT_LT(created, -100 * kWorkError * more);
 }
 
-/// Viscous forces act while the law says that surfaces touch, which may end before the overlap does.
+/// Viscous forces act only while the surfaces touch by the criterion of the law. Surfaces may cease to touch before
+/// they cease to overlap.
 TEST(Dissipation, EndsWhereSurfacesNoLongerPressThoughTheyOverlap) {
   ContactLaw<test::HystereticRepulsion, NoAdhesion, ViscousDamping, NoFriction, NoRolling, NoTwisting> law{};
   law.repulsion = {1e5, 2e5};
@@ -176,7 +178,7 @@ TEST(Dissipation, EndsWhereSurfacesNoLongerPressThoughTheyOverlap) {
   };
   EXPECT_LT(viscous(-2e-4), 0.0);
   EXPECT_LT(viscous(-1.01e-4), 0.0);
-  EXPECT_EQ(viscous(-0.99e-4), 0.0);  // for K2 = 2 K1, half of the largest overlap is plastic
+  EXPECT_EQ(viscous(-0.99e-4), 0.0);  // for K2 = 2 K1, half of the largest overlap remains
   EXPECT_FALSE(law.touches<2>(test::pair_at(-0.99e-4), history));
   EXPECT_EQ(law.stiffness<2>(test::pair_at(-0.99e-4), history).normal, 0.0);
 }
@@ -191,8 +193,8 @@ TEST(Dissipation, IsNeverNegativeAroundAClosedLoop) {
       SCOPED_TRACE(k);
       const Loop<Dim> loop(random, -1e-4, 1e-4, 1.0);
       const LoopWork work = work_around(law, loop, kSteps);
-      // If a spring at its friction limit reverses through zero within one step, the error of the work is of
-      // the order of the energy in this step: about (step/loop)^2 of the largest energy.
+      // A spring at its friction limit may reverse through zero within one step. The error of the work is then of the
+      // order of the energy in this step: the largest energy times about (step/loop)^2.
       const double rounding = 1e-6 * work.largest + 1e-18;
       EXPECT_GE(work.viscous, 0.0);
       EXPECT_GE(work.tangential, -rounding);
@@ -214,8 +216,8 @@ TEST(Dissipation, IsNeverNegativeAroundAClosedLoop) {
 TEST(Dissipation, IsZeroWhereNothingSlidesOrParts) {
   for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
-    // If the shear force shrinks together with the tangential stiffness, a change of the normal force alone
-    // dissipates energy.
+    // If the shear force decreases together with the tangential stiffness, energy is dissipated even if only the normal
+    // force changes.
     if (kFollowsNormalStiffness<typename std::decay_t<decltype(law)>::TangentialModel>) return;
     RandomStream random(8, Dim);
     for (int k = 0; k < kLoops; ++k) {

@@ -16,25 +16,25 @@ using test::pair_at;
 using test::pull_off_force;
 using test::stiffness_at;
 
-/// Returns the largest gap at which surfaces that have met before still touch under the law.
+/// Returns the largest gap at which surfaces that have touched before still stick together under the law.
 double holding_range(const auto& law) {
   return law.holding_range(pair_at(0.0).reduced_radius);
 }
 
-/// Returns gaps within the overlap, within the attractive range, and beyond it. They avoid the kinks at 0 and
-/// at the end of the range.
+/// Returns gaps at which surfaces overlap, attract each other, or do not interact. The gaps avoid the kinks of the
+/// force at 0 and at the end of the attractive range.
 std::vector<double> gaps(const auto& law) {
   const double range = std::max(law.range(), holding_range(law));
   return {
       -3e-4, -1.25e-5, -1e-6, 0.01 * range + 1e-9, 0.5 * range + 1e-9, 0.97 * range + 1e-9, 1.5 * range + 1e-6};
 }
 
-/// Returns the normal force of a contact that has been pressed before, with its history kept fixed.
+/// Returns the normal force of a contact that has been pressed before. The history of the contact is not updated.
 double static_force(const auto& law, double gap) {
   return test::pressed_response(law, gap).force();
 }
 
-/// Returns the normal force between surfaces that have not met before.
+/// Returns the normal force between surfaces that have not touched before.
 double new_force(const auto& law, double gap) {
   return law.normal(pair_at(gap)).force();
 }
@@ -57,8 +57,8 @@ TEST(NormalForce, IsMinusTheDifferenceQuotientOfTheEnergy) {
       const double step = 1e-10;
       const double quotient =
           (test::pressed_energy(law, h + step) - test::pressed_energy(law, h - step)) / (2 * step);
-      // The truncation error is at most 1e-7. Energies are of order 1e-2, so their rounding of about 1e-18 is
-      // divided by the step.
+      // The truncation error is at most 1e-7. Energies are of the order of 1e-2; their rounding errors of about 1e-18
+      // are divided by the step.
       EXPECT_NEAR(static_force(law, h), -quotient, 1e-18 / step * 10 + 1e-7);
     }
   });
@@ -137,7 +137,7 @@ TEST(NormalForce, EnergyHasNoJumpWhereSurfacesPartOrTheTailEnds) {
     const double step = 1e-12;
     for (const double kink : {0.0, law.range(), holding_range(law)}) {
       SCOPED_TRACE(kink);
-      // The magnitude of the force on either side is at most F0 + K_N step.
+      // On either side of the kink, the magnitude of the force is at most F0 + K_N times the step.
       EXPECT_NEAR(test::pressed_energy(law, kink + step), test::pressed_energy(law, kink - step),
                   2 * step * (pull_off_force(law) + 1e-6));
     }
@@ -162,7 +162,7 @@ TEST(PullOff, LargestTensionIsF0AndIsReachedInContact) {
 TEST(PullOff, EquilibriumIsAtOverlapF0OverKN) {
   for_each_kind_of_law([](const auto& law) {
     const double h0 = test::free_overlap(law);
-    // The error is one rounding of K_N h0, which equals F0.
+    // The error is the rounding error of K_N h0, which equals F0.
     EXPECT_NEAR(new_force(law, -h0), 0.0, 4e-16 * pull_off_force(law));
     if (h0 > 0) {
       EXPECT_GT(new_force(law, -1.01 * h0), 0.0);

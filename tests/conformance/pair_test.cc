@@ -31,8 +31,8 @@ Vec<Dim> direction() {
     return {2.0 / 7, 3.0 / 7, 6.0 / 7};
 }
 
-/// Two unequal grains away from the origin, with an overlap of 1e-2 and stretched springs. The overlap is so
-/// large that the wrong lever arm (the radius R instead of the distance l to the contact) would be noticed.
+/// Two unequal grains away from the origin, with an overlap of 1e-2 and stretched springs. The overlap is so large that
+/// the test would notice a wrong lever arm (the radius R instead of the distance l to the contact).
 template <int Dim>
 Packing<Dim> stretched_pair(const LawParameters& law) {
   Packing<Dim> packing;
@@ -51,7 +51,7 @@ Packing<Dim> stretched_pair(const LawParameters& law) {
   else
     test::shear_spring(contact) = to_shear<double>(direction<3>(), {1e-5, 2e-5, -1e-5});
   if (law.friction.holds<MindlinFriction>())
-    test::shear_spring(contact) *= 1e5;  // the history holds a force, not a displacement
+    test::shear_spring(contact) *= 1e5;  // the history of this law contains a force, not a displacement
   packing.contacts.push_back(contact);
   return packing;
 }
@@ -77,8 +77,8 @@ TEST(Pair, TorquesOfAllForcesAboutAnyPointVanish) {
     const Balance<Dim> net = net_forces(packing);
     RotationVector<Dim> total = net.moment[0] + net.moment[1];
     for (int i = 0; i < 2; ++i) total += moment<double>(packing.grains.position[i], net.force[i]);
-    // Forces of 1e3 act at a distance of 3 from the origin, so the rounding error is about 1e-12. Wrong lever
-    // arms (R instead of l) would give a torque of 1e-2 F_T = 8e-3.
+    // Forces of 1e3 act at a distance of 3 from the origin, so the rounding error of the torque is about 1e-12. Wrong
+    // lever arms (R instead of l) would give a torque of 1e-2 F_T = 8e-3.
     EXPECT_NEAR(total.norm(), 0.0, 5e-12);
     if (Law::kHasFriction) {
       EXPECT_GT(packing.contacts[0].shear_force.norm(), 0.5);
@@ -138,9 +138,9 @@ constexpr double kChordError = 7e-3;
 TEST(Objectivity, APairTurnedRigidlyIn2DKeepsItsForces) {
   for_each_law([](const auto& law) {
     using Law = std::decay_t<decltype(law)>;
-    // Each step replaces an arc by its chord, which is shorter by the fraction turn^2/(24 n^2). For n = 5000
-    // this sums to a slip of 2.1e-8, at most 6e-3 of the spring elongation (3.5e-6 or more), and falls with
-    // n^2. Wrong lever arms would give a slip of 1e-2 turn for any n.
+    // Each step replaces an arc by its chord, which is shorter by the fraction turn^2/(24 n^2). For n = 5000, the
+    // differences sum to a slip of 2.1e-8, which is at most 6e-3 of the spring elongation (3.5e-6 or more). The slip is
+    // proportional to 1/n^2. Wrong lever arms would give a slip of 1e-2 turn for any n.
     const double coarse = force_change_on_turning<Law, 2>(law, RotationVector<2>(2.5), 5000);
     const double fine = force_change_on_turning<Law, 2>(law, RotationVector<2>(2.5), 20000);
     EXPECT_LT(coarse, kChordError);
@@ -161,8 +161,8 @@ TEST(Objectivity, APairTurnedRigidlyIn3DKeepsItsForces) {
   });
 }
 
-/// Simulates a head-on collision that starts beyond the range of the law, with the classical Runge-Kutta
-/// method. @param step  time step in units of sqrt(m_eff/K_N)
+/// Simulates a head-on collision with the classical Runge-Kutta method. The collision starts beyond the range of the
+/// law. @param step  time step in units of sqrt(m_eff/K_N)
 /// @return speed of separation divided by speed of approach, 0 if the pair sticks
 template <class Law>
 double collide(const Law& law, double speed, double step) {
@@ -195,8 +195,8 @@ TEST(Collision, RestitutionWithoutAdhesionIsTheOneAskedFor) {
       for (const double e : {0.015, 0.3, 0.9, 1.0}) {
         SCOPED_TRACE(e);
         if constexpr (Law::kHasDamping) law.damping.restitution = e;
-        // The last step continues beyond the end of contact by up to 1e-4 sqrt(m/K_N), while the relative
-        // deceleration is at most 2 zeta sqrt(K_N/m) with a damping ratio zeta < 1.
+        // The last step continues for up to 1e-4 sqrt(m/K_N) after the end of the contact. During this time, the
+        // relative deceleration is at most 2 zeta sqrt(K_N/m), with a damping ratio zeta < 1.
         EXPECT_NEAR(collide(law, 1.0, 1e-4) / (Law::kHasDamping ? e : 1.0), 1.0, 3e-4);
       }
     }
@@ -207,8 +207,8 @@ TEST(Collision, AdhesionAloneTakesNoEnergy) {
   for_each_law([](const auto& law) {
     using Law = std::decay_t<decltype(law)>;
     if constexpr (!Law::kHasDamping && test::kForgetsOverlap<Law>) {
-      // The initial speed is 1, the escape speed 0.09. Where the force has a kink (or, for constant adhesion, a
-      // jump of F0), the error is of first order in the step of 1.8e-7.
+      // The initial speed is 1, the escape speed 0.09. The force has a kink or, for constant adhesion, a jump of F0.
+      // The error there is of first order in the step of 1.8e-7.
       EXPECT_NEAR(collide(law, 1.0, 1e-4), 1.0, 1e-5);
     }
   });

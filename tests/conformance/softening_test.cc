@@ -18,7 +18,7 @@ using test::slip_by;
 constexpr double kSofter = 8.0;
 constexpr double kStiffOverlap = 1e-4;
 
-/// Overlap at which the softened contact has the same elastic force as the stiff contact at the overlap
+/// Overlap of the softened contact at which its elastic force equals the force of the stiff contact at the overlap
 /// kStiffOverlap.
 template <class Law>
 double softer_overlap() {
@@ -79,7 +79,8 @@ TEST(Softening, KeepsTheCapsOfSprings) {
   });
 }
 
-/// Softening keeps the ratio of the damping coefficient to sqrt(m K_N), and so the restitution of collisions.
+/// Softening does not change the ratio of the damping coefficient to sqrt(m K_N), and therefore does not change the
+/// restitution of collisions.
 TEST(Softening, KeepsTheDampingRatio) {
   for_each_softened_law([](const auto& law, const auto& soft, auto) {
     using Law = std::decay_t<decltype(law)>;

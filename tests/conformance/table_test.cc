@@ -124,7 +124,7 @@ TEST(EmptySlots, CostNoByteOfTheContactRecord) {
         history_size<typename Law::NormalModel>(Dim) + history_size<typename Law::TangentialModel>(Dim) +
         (Law::kHasRolling ? kRotations<Dim> : 0) + (Law::kHasTwisting ? 1 : 0) + (Law::kHoldsLiquid ? 1 : 0);
     using History = test::ContactHistoryOf<Law, Dim>;
-    // In C++ an empty class has a size of one byte.
+    // In C++, an empty class has a size of one byte.
     EXPECT_EQ(sizeof(History), components > 0 ? components * sizeof(double) : 1u);
     EXPECT_EQ(std::is_empty_v<History>, components == 0);
   });

@@ -8,8 +8,8 @@
 
 #include "support/run_program.h"
 
-/// Tests of packings with extreme values, in every command that reads states: each command prints finite
-/// numbers or an error message, and none hangs.
+/// Tests of packings with extreme values, in every command that reads states: each command must print finite numbers or
+/// an error message, and no command may hang.
 namespace floc::test {
 namespace {
 
@@ -19,7 +19,7 @@ using ::testing::Not;
 
 const double kHeight = std::sqrt(0.75);
 
-/// Packing as csv, with the options of `floc convert` for it.
+/// Packing as csv, with the options with which `floc convert` reads it.
 struct Given {
   const char* name;
   std::string grains;  ///< csv
@@ -47,8 +47,8 @@ Given row(const char* name, int n, const std::string& cell, const char* header, 
   return {name, grains, cell};
 }
 
-/// Row of a thousand small disks, on which one disk a thousand times larger rests; above, it touches the image
-/// of the row.
+/// Row of a thousand small disks, on which one disk rests that is a thousand times larger. The large disk also touches
+/// the periodic image of the row above it.
 Given large_and_small() {
   std::string grains = "x,y,r\n0.5,0.5,0.4995\n";
   for (int k = 0; k < 1000; ++k) grains += fmt::format("{},1,0.000500001\n", 0.001 * k);

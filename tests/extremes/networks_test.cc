@@ -13,9 +13,9 @@
 #include "floc/packing/tile.h"
 #include "support/lattices.h"
 
-/// Tests of contact networks whose moduli have closed forms, with extreme stiffnesses and shapes. Each modulus
-/// must lie within its error bound, and the bound must leave significant digits; otherwise the modulus must be
-/// refused with a message.
+/// Tests of contact networks whose moduli have closed forms, with extreme stiffnesses and shapes. Each printed modulus
+/// must be correct within its error bound, and the bound must leave significant digits. Otherwise the program must
+/// refuse the modulus with a message.
 namespace floc {
 namespace {
 
@@ -34,7 +34,7 @@ Eigen::Matrix3d isotropic(double B, double G) {
 }
 
 /// @param relative  largest allowed error bound, divided by the largest modulus
-/// @param given     error of the input: its rounded numbers differ from those of the closed form
+/// @param given     error of the input, whose rounded numbers differ from the numbers in the closed form
 void expect_right(const Moduli& m, const Eigen::MatrixXd& closed, double relative, const std::string& what,
                   double given = 0.0) {
   ASSERT_TRUE(m.C.allFinite()) << what;
@@ -65,8 +65,8 @@ TEST(Stiffness, AcrossContactsFromAMillionthToAThousandTimesThatAlong) {
   }
 }
 
-/// Frames of chains deform by rolling alone. C33 is proportional to K_R over twelve decades, and loses no more
-/// digits than its error bound says.
+/// Frames of chains deform by rolling alone. C33 is proportional to K_R over twelve decades, with errors below the
+/// error bound of C33.
 TEST(Stiffness, AgainstRollingFromATrillionthToOne) {
   for (const double kr : {1e-12, 1e-8, 1e-4, 1.0})
     for (const int n : {3, 10, 40}) {
@@ -77,8 +77,8 @@ TEST(Stiffness, AgainstRollingFromATrillionthToOne) {
       ASSERT_TRUE(m.C.allFinite()) << what;
       EXPECT_LE(std::abs(m.C(2, 2) - 0.5 / transverse), m.C_error(2, 2)) << what;
       EXPECT_LE(std::abs(m.C(0, 0) - 1.0 / (n - 1)), m.C_error(0, 0)) << what;
-      // For the softest frames no digit is left: C33 cannot be distinguished from zero and is reported as a
-      // mechanism.
+      // For the softest frames, C33 has no significant digit: it cannot be distinguished from zero, and a mechanism is
+      // reported.
       if (m.n_coupled_mechanisms > 0) {
         EXPECT_EQ(m.C(2, 2), 0.0) << what;
         EXPECT_LT(kr / (n * n), 1e-14) << what;
@@ -98,8 +98,8 @@ TEST(Chain, OfTenThousandDisksHoldsItsOwnLine) {
   EXPECT_EQ(m.n_negative, 0);
 }
 
-/// A tree of ten thousand disks, each attached at a random angle to an earlier one. The tree is isostatic and
-/// does not percolate, so it can be strained at no cost, whatever its contacts are.
+/// A tree of ten thousand disks, each attached at a random angle to an earlier one. The tree is isostatic and does not
+/// percolate. It can therefore be strained without elastic energy, no matter what its contacts are.
 TEST(Tree, OfTenThousandDisksHoldsNothing) {
   Packing<2> packing;
   packing.law = test::elastic_law(1.0, 0.7, 0.03);
@@ -122,8 +122,8 @@ TEST(Tree, OfTenThousandDisksHoldsNothing) {
   ASSERT_EQ(packing.contacts.size(), 9999u);
   for (const double force : {0.0, 1e-5}) {
     ModuliOptions options;
-    // a tolerance of 0 keeps every contact; without it all grains of the tree are rattlers, because there is no
-    // adhesion
+    // a tolerance of 0 keeps every contact; with the default tolerance, all grains of the tree would be rattlers,
+    // because there is no adhesion
     options.force_tolerance = force;
     const Moduli m = elastic_moduli(packing, options);
     EXPECT_EQ(m.B, 0.0);
@@ -134,8 +134,8 @@ TEST(Tree, OfTenThousandDisksHoldsNothing) {
   }
 }
 
-/// One disk that touches its own images up to a distance of `reach` spacings: it has up to hundreds of
-/// contacts, all with itself.
+/// One disk that touches its own images up to a distance of `reach` spacings. The disk has up to hundreds of contacts,
+/// all with its own images.
 TEST(Lattice, OfOneGrainThatTouchesManyOfItsOwnImagesHasTheSumOverThem) {
   for (const double reach : {1.05, 2.5, 10.2}) {
     Packing<2> packing = test::triangular(kSpacing, test::elastic_law(1.0, 0.7, 0.03));
@@ -166,7 +166,7 @@ TEST(Lattice, OfOneGrainThatTouchesManyOfItsOwnImagesHasTheSumOverThem) {
   }
 }
 
-/// The triangular crystal has the same moduli in a long cell, in a high one, and in cells so skewed that their
+/// The moduli of the triangular crystal are equal in a long cell, in a high cell, and in cells so skewed that their
 /// sides are nearly parallel.
 TEST(Cell, OfAnyShapeHoldsTheSameCrystal) {
   const Packing<2> unit = test::triangular(kSpacing, test::elastic_law(1.0, 0.7, 0.03));
@@ -178,8 +178,8 @@ TEST(Cell, OfAnyShapeHoldsTheSameCrystal) {
     slanted.cell.matrix.row(1) += slant * slanted.cell.matrix.row(0);
     find_contacts(slanted);
     ASSERT_EQ(slanted.contacts.size(), 48u) << slant;
-    // The longer lattice vector is `slant` cells long. Its rounding to a double shears the crystal by up to
-    // half a unit in the last place of this length.
+    // The longer lattice vector is `slant` cells long. The rounding of this vector to doubles shears the crystal by up
+    // to half a unit in the last place of the length.
     const double sheared = std::numeric_limits<double>::epsilon() * slant;
     expect_right(full_moduli(slanted), closed, 1e-9, "slant " + std::to_string(slant), 4.0 * sheared);
   }
@@ -195,7 +195,7 @@ TEST(Packing, WithoutContactsHasNoModuliAndSaysSo) {
   EXPECT_NE(m.warnings[0].find("moduli along these strains are zero"), std::string::npos);
 }
 
-/// Without adhesion a grain with one contact is not held, so both grains of a pair are rattlers.
+/// Without adhesion, a single contact does not hold a grain in place, so both grains of a pair are rattlers.
 TEST(Packing, OfRattlersAloneHasNoModuli) {
   Packing<2> packing = test::chain_across(8, kSpacing, 2.0, test::elastic_law(1.0, 0.7, 0.03));
   packing.cell.matrix(0, 0) *= 2.0;
@@ -242,8 +242,8 @@ TEST(Packing, OfAGrainVeryMuchLargerThanItsCellIsRefused) {
   }
 }
 
-/// A row of small disks across the cell, held between a disk a thousand times larger and its image. Both form
-/// chains of springs that do not interact.
+/// A row of small disks across the cell, between a disk that is a thousand times larger and the periodic image of this
+/// disk. The small disks and the large disk form two chains of springs that do not interact.
 TEST(Sizes, OfOneToAThousandMeetInOnePacking) {
   constexpr double kLarge = 0.4995, kSmall = 0.000500001, kHeight = 2.0 * (kLarge + kSmall - 1e-9);
   Packing<2> packing;

@@ -15,15 +15,15 @@
 #include "support/lattices.h"
 #include "support/run_program.h"
 
-/// Tests that positions keep all digits on which forces depend: with stiffnesses of 1e9 F0/a, or at a billion
-/// diameters from the origin.
+/// Tests that positions keep all digits on which forces depend, even with stiffnesses of 1e9 F0/a, or at a distance of
+/// a billion diameters from the origin.
 namespace floc {
 namespace {
 
 constexpr double kStiff = 1e9;
 
-/// Fixture: a crystal of 1 400 disks with K_N = 1e9, whose sizes differ by a few overlaps, in equilibrium under
-/// P = 1.
+/// Fixture: a crystal of 1 400 disks with K_N = 1e9, in equilibrium under P = 1. The diameters of the disks differ by a
+/// few times the overlap of a contact.
 struct StiffCrystal {
   Packing<2> packing;
   StaticSolution<2> solution;
@@ -41,14 +41,14 @@ struct StiffCrystal {
     packing = solution.packing;
   }
 
-  /// Two disks of a triangular lattice of unit spacing in a rectangular cell; their overlap gives P = 1.
+  /// Two disks of a triangular lattice of unit spacing in a rectangular cell. The overlap of the disks gives P = 1.
   static Packing<2> cell_of_two(const Law& law) {
     Packing<2> two;
     two.law = law;
     two.cell.matrix << 1.0, 0.0, 0.0, std::sqrt(3.0);
     two.grains = Grains<2>::with_size(2);
     two.grains.position[1] = {0.5, std::sqrt(0.75)};
-    // In a triangular lattice of spacing d, in which every contact carries F_N, P = sqrt(3) F_N/d.
+    // In a triangular lattice of spacing d, with the force F_N on every contact, P = sqrt(3) F_N/d.
     two.grains.radius.assign(2, 0.5 + 0.5 / (std::sqrt(3.0) * kStiff));
     two.grains.mass.assign(2, 1.0);
     return two;
@@ -62,7 +62,7 @@ TEST(Positions, OfAStiffCrystalReachAnEquilibriumTheyCanHold) {
   EXPECT_LT(r.force, 1e-6);
   EXPECT_LT(r.moment, 1e-6);
   EXPECT_LT(r.stress, 1e-6);
-  // If positions are rounded to doubles, the net forces exceed the tolerance of an equilibrium by far.
+  // If positions are rounded to doubles, the net forces are far above the tolerance of an equilibrium.
   Packing<2> rounded = crystal.packing;
   ASSERT_FALSE(rounded.grains.position_low.empty());
   rounded.grains.position_low.clear();
@@ -119,7 +119,7 @@ TEST(Positions, ABillionDiametersAwayAreReadWithTheDigitsTheyAreWrittenWith) {
     Packing<2> read = std::get<State<2>>(read_csv_packing(scratch.file("far.csv"), options).state).packing;
     find_contacts(read);
     ASSERT_EQ(read.contacts.size(), smooth.contacts.size()) << far;
-    // 24 decimals of the positions give forces an error of 1e-24 K_N.
+    // Positions with 24 decimals give forces with an error of 1e-24 K_N.
     const auto sum_of_forces = [](const Packing<2>& packing) {
       double sum = 0.0;
       for (const Contact<2>& c : packing.contacts) sum += c.normal_force;

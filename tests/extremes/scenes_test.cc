@@ -16,7 +16,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Scene of 40 grains like those of the shipped scenes, assembled under pressure in one step.
+/// Scene of 40 grains that are similar to the grains of the shipped scenes. They are assembled under pressure in one
+/// step.
 const std::string kPowder = R"([scene]
 dimension = 2
 units = "reduced"
@@ -126,8 +127,8 @@ const Extreme kExtremes[] = {
     {"mu_0", {"contact.friction.coefficient=0"}},
     {"mu_10", {"contact.friction.coefficient=10"}},
     {"mu_R_0", {"contact.rolling.coefficient=0"}},
-    // Springs below their limit have no damping, and collisions without loss have none either. The grains
-    // vibrate for ever, but the equilibrium can still be found.
+    // Springs below their limit have no damping, and neither do collisions without loss. The grains then vibrate for
+    // ever, but the equilibrium can still be found.
     {"mu_R_10", {"contact.rolling.coefficient=10"}},
     {"collisions_without_loss", {"contact.damping.restitution=1", "grains.count=15"}},
     {"two_grains", {"grains.count=2"}},

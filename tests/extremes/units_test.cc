@@ -11,11 +11,12 @@
 #include "support/network_packings.h"
 #include "support/springs.h"
 
-/// Tests that results do not depend on the units of length, force and mass, at any magnitude of doubles.
+/// Tests that results do not depend on the units of length, force and mass, even if numbers are near the ends of the
+/// range of doubles.
 namespace floc {
 namespace {
 
-/// Units of a rescaled packing, measured in those of the original packing.
+/// Units of a rescaled packing, measured in the units of the original packing.
 struct Units {
   double length = 1.0, force = 1.0, mass = 1.0;
 
@@ -105,7 +106,8 @@ std::vector<Packing<2>> path(const RunOptions& options) {
   return states;
 }
 
-/// Units that are powers of two, however large, cause no rounding: the whole path is the same, bit for bit.
+/// Units that are powers of two, even very large ones, cause no rounding. The whole path is therefore identical bit for
+/// bit.
 void expect_same_path(AssemblyOptions::Protocol protocol) {
   const std::vector<Packing<2>> reference = path(run_options(protocol, {}));
   // The unit of time is a power of two as well. 2^100 is 1.3e30.

@@ -35,7 +35,7 @@ class Directory {
   std::filesystem::path path_;
 };
 
-/// Splits the input into several files, at lines "@@".
+/// Splits the input at lines "@@" into several files.
 std::vector<std::string> parts_of(const std::string& bytes) {
   std::vector<std::string> parts(1);
   std::istringstream in(bytes);
@@ -99,7 +99,7 @@ void read_gzip_bytes(const std::string& bytes) {
   } catch (const InputError&) {
   }
 }
-/// Reads contacts with walls, and the option that places the walls.
+/// Reads contacts with walls, and the option with the positions of the walls.
 void read_wall_bytes(const std::string& bytes) {
   const std::vector<std::string> parts = parts_of(bytes);
   const MemoryFile contacts(parts[0]);
@@ -111,14 +111,14 @@ void read_wall_bytes(const std::string& bytes) {
   });
 }
 
-/// The walls of two spheres in an input script of LAMMPS or LIGGGHTS.
+/// Reads an input script of LAMMPS or LIGGGHTS that defines the walls around two spheres.
 void read_script_bytes(const std::string& bytes) {
   const MemoryFile script(bytes);
   read_packing(read_csv_packing, "x,y,z,r\n0.49,0.49,0.5,0.5\n1.47,0.49,0.5,0.5\n",
                [&](ImportOptions& options) { options.walls = script.path(); });
 }
 
-/// A dump with the columns of walls; its contacts are none.
+/// Reads a dump that has columns for contacts with walls. The list of contacts between grains is empty.
 void read_wall_column_bytes(const std::string& bytes) {
   const MemoryFile contacts("id1,id2\n");
   read_packing(read_lammps_dump, bytes, [&](ImportOptions& options) {

@@ -5,7 +5,7 @@
 
 #include "readers.h"
 
-/// Entry points of libFuzzer. The environment variable FLOC_FUZZ names the reader.
+/// Entry points of libFuzzer. The environment variable FLOC_FUZZ names the reader under test.
 namespace {
 
 const floc::fuzz::Reader& chosen() {

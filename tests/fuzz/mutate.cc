@@ -16,10 +16,10 @@
 
 /// Feeds readers with mutations of valid files, without any fuzzing engine.
 ///
-/// floc_mutate READER RUNS [SEED] reads mutations; an input that crashes, hangs or takes too much memory is
-/// written to a file.
+/// floc_mutate READER RUNS [SEED] reads mutated files. An input with which the reader crashes, hangs or takes too much
+/// memory is written to a file.
 /// floc_mutate READER FILE... reads each of these files once.
-/// floc_mutate --seeds DIR writes the valid inputs to one folder per reader, as a start for libFuzzer.
+/// floc_mutate --seeds DIR writes the valid inputs, from which libFuzzer can start, to one folder per reader.
 namespace floc::fuzz {
 namespace {
 
@@ -30,7 +30,8 @@ constexpr std::size_t kLongestInput = 1 << 16;
 std::string current;  ///< input that is being read, which the signal handler saves
 const char* reader_name = "";
 
-/// Saves the input that killed the process. It uses only functions that a signal handler may call.
+/// Saves the input that has ended the process by a signal. Only functions that are allowed in a signal handler are
+/// called.
 void keep_input(int signal) {
   char name[200];
   std::snprintf(name, sizeof name, "crash-%s-%d", reader_name, signal);
@@ -120,7 +121,7 @@ class Mutator {
     }
   }
 
-  /// Replaces the first number that begins behind position `at` by another.
+  /// Replaces the first number that begins after the position `at` by another number.
   void replace_number(std::string& text, std::size_t at) {
     constexpr const char* kDigits = "0123456789.eE+-";
     const std::size_t begin = text.find_first_of("0123456789", at);
@@ -138,7 +139,7 @@ std::string bytes_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Requests SIGPROF after the given seconds of processor time; 0 cancels the request.
+/// Requests the signal SIGPROF after the given processor time (s); 0 cancels the request.
 void set_timer(time_t seconds) {
   const itimerval timer{{0, 0}, {seconds, 0}};
   ::setitimer(ITIMER_PROF, &timer, nullptr);

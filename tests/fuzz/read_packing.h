@@ -41,7 +41,7 @@ inline Law law() {
                    "friction.stiffness=1e3,rolling.coefficient=0.01,rolling.stiffness=1");
 }
 
-/// Reads the file `path` as `floc convert` does, contacts included.
+/// Reads the file `path`, including its contacts, in the same way as `floc convert`.
 template <class Read>
 void read_packing_at(const Read& read, const std::string& path,
                      const std::function<void(ImportOptions&)>& set = {}) {
@@ -55,7 +55,7 @@ void read_packing_at(const Read& read, const std::string& path,
   }
 }
 
-/// Reads bytes as a file, in the same way as read_packing_at.
+/// Reads bytes as the content of a file, in the same way as read_packing_at().
 template <class Read>
 void read_packing(const Read& read, const std::string& bytes,
                   const std::function<void(ImportOptions&)>& set = {}) {

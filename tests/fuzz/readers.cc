@@ -89,7 +89,7 @@ void read_csv_bytes(const std::string& bytes) {
   });
 }
 
-/// Reads a csv of contacts between three given grains.
+/// Reads a csv file with contacts between three fixed grains.
 void read_contacts_bytes(const std::string& bytes) {
   static const std::string kGrains = "x,y,r\n0,0,0.5\n0.999,0,0.5\n0.4995,0.8651,0.5\n";
   const MemoryFile contacts(bytes);
@@ -99,8 +99,8 @@ void read_contacts_bytes(const std::string& bytes) {
   });
 }
 
-/// Reads a table of measurements as `floc fit` does. The height of the grains is given as an example of the
-/// user's options.
+/// Reads a table of measurements as `floc fit` does. The height of the solid grains stands for all options that a user
+/// can give.
 void read_path_bytes(const std::string& bytes) {
   const MemoryFile file(bytes);
   try {
@@ -149,7 +149,7 @@ std::vector<std::string> written_states(const std::string& extension) {
   return seeds;
 }
 
-/// Reads bytes without a valid seal, which must be refused before HDF5 reads them.
+/// Reads a state file without a valid seal. Such a file must be refused before HDF5 reads it.
 void read_unsealed_bytes(const std::string& bytes) {
   const MemoryFile file(bytes);
   try {
@@ -158,7 +158,7 @@ void read_unsealed_bytes(const std::string& bytes) {
   }
 }
 
-/// An HDF5 file that edits start from, and where in it datasets lie.
+/// An HDF5 file to be edited, and the positions of its datasets.
 struct Image {
   std::string content;
   std::vector<std::size_t> places;  ///< position of each byte of each dataset
@@ -185,7 +185,8 @@ const std::vector<Image>& vtkhdf_images() {
   return images;
 }
 
-/// Edits of the numbers of a file: the first byte chooses the file, then two bytes say where and eight what.
+/// Returns a file with edited numbers. The first byte of `edits` chooses the file. For each edit, two bytes then choose
+/// the position, and eight bytes give the new content.
 std::string edited(const std::vector<Image>& images, const std::string& edits) {
   const Image& image = images[static_cast<unsigned char>(edits[0]) % images.size()];
   std::string content = image.content;

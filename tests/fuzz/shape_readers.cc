@@ -11,8 +11,8 @@
 namespace floc::fuzz {
 namespace {
 
-/// Throws if the mass properties of a shape are not finite positive numbers. Then brings the shape into contact
-/// with its own copy, so that the sanitizers check all of its indices.
+/// Throws if the mass properties of a shape are not finite positive numbers. Otherwise brings the shape into contact
+/// with a copy of itself, so that the sanitizers check all indices of the shape.
 template <int Dim>
 void use(const Shape<Dim>& shape) {
   bool is_sound = shape.centre.allFinite();
@@ -28,8 +28,8 @@ void use(const Shape<Dim>& shape) {
   }
 }
 
-/// Reads a file with the extension of `path` twice: without options, and with few vertices and a radius of
-/// rounding.
+/// Reads a file twice: without options, and with options for few vertices and a radius of rounding. The file has the
+/// extension of `path`.
 template <int Dim>
 void read_shape_bytes(const char* path, const std::string& bytes) {
   for (const ShapeFileOptions& options :

@@ -36,7 +36,7 @@ steps = 2
 seed = 3
 )";
 
-/// Runs the tiny scene until a step; an existing run in the directory is resumed.
+/// Runs the tiny scene up to a step. If the directory contains a run, this run is resumed.
 bool run_until(const std::string& scene, const std::string& directory, int step) {
   floc::SceneRunOptions options;
   options.directory = directory;
@@ -90,7 +90,7 @@ bool fits() {
 
 }  // namespace
 
-/// Runs a tiny scene below the directory named, resumes it, and verifies and analyses its states.
+/// Runs a tiny scene in the directory that the argument names, resumes the run, and verifies and analyses its states.
 int main(int, char** argv) {
   const std::string directory = argv[1], scene = directory + ".toml";
   std::ofstream(scene) << kScene;

@@ -10,8 +10,8 @@
 #include "floc/tradeoff/comparison.h"
 #include "support/places.h"
 
-// Tests of the guarantee of [accuracy], with scenes and seeds that are not in the data of the shipped table. To
-// run them alone:
+// Tests of the errors that the table [accuracy] of a scene guarantees, with scenes and seeds that are not in the data
+// of the shipped table. To run only these tests:
 //   build/release/tests/long_tests --gtest_filter='AccuracyGuarantee.*'
 
 namespace floc {
@@ -28,13 +28,13 @@ constexpr HeldOut kHeldOut[] = {{"demo", 501},
                                 {"type1_no_rolling", 505}};
 constexpr int kSamplesOfStudy = 4;
 
-/// Accuracy that a scene requests, with the error that it guarantees for each observable (by index).
+/// Accuracy that a scene requests, with the guaranteed error of each observable (by index).
 struct Guarantee {
   WantedAccuracy wanted;
   std::vector<std::pair<int, double>> of_observables;
 
-  // Sums over all scenes: numbers of values of single states and of sample means, and how many of them are
-  // within the guaranteed error.
+  // Sums over all scenes: numbers of values of single states and of sample means, and the numbers of these values whose
+  // errors do not exceed the guaranteed error.
   int n = 0, kept = 0, n_means = 0, means_kept = 0;
   double core_seconds = 0.0, strict_seconds = 0.0;
 
@@ -48,8 +48,8 @@ std::vector<const SamplePath*> pointers(const std::vector<SamplePath>& paths) {
   return all;
 }
 
-/// Counts the values of observable `k` in the states of a sample that are within the guaranteed error of the
-/// reference sample.
+/// Counts the values of observable `k` in the states of a sample, and the values among them that differ from the
+/// reference sample by at most the guaranteed error.
 void count_states(int k, double guaranteed_error, const SamplePath& reference, const SamplePath& path,
                   Guarantee& guarantee) {
   const std::vector<bool> same = before_collapse(reference, path);
@@ -82,7 +82,7 @@ Scene scene_of(const HeldOut& held, const WantedAccuracy& wanted) {
   return read_scene(test::source_directory() + "/data/scenes/" + held.scene + ".toml", changes);
 }
 
-/// Makes a complete sample, with the strict equilibrium that each of its states relaxes to.
+/// Makes a complete sample, and the strict equilibrium to which each of its states relaxes.
 SamplePath sample(const RunOptions& options, const RelaxationOptions& strict, const SamplePath* reference) {
   const Deadline never(1e6);
   SamplePath path = make_sample(options, {}, reference, never);
@@ -133,7 +133,7 @@ TEST(AccuracyGuarantee, HoldsForScenesAndSeedsThatDidNotMakeTheTable) {
     print(guarantee);
     EXPECT_GE(guarantee.kept_share(), 0.95);
   }
-  // An error of 1 % in phi and 5 % in moduli takes little processor time.
+  // The accuracy of 1 % in phi and 5 % in moduli takes little processor time.
   EXPECT_GE(guarantees.back().gain(), 5.0);
 }
 

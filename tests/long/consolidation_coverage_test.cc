@@ -10,7 +10,7 @@
 namespace floc::test {
 namespace {
 
-/// Sums of errors, and number of intervals that contain the truth, for one parameter over repeated fits.
+/// Sums over repeated fits for one parameter: errors, and number of intervals that contain the true value.
 struct Tally {
   double truth;
   int n = 0, covered = 0;
@@ -24,8 +24,8 @@ struct Tally {
   }
 };
 
-/// Fits 500 noisy copies of a curve. Expects a bias below a third of the stated error, and 95 % intervals that
-/// contain the truth in 92 to 97 % of the fits.
+/// Fits 500 noisy copies of a curve. Expects that the bias is below a third of the stated error, and that the 95 %
+/// intervals contain the true value in 92 to 97 % of the fits.
 void expect_honest_errors(const ConsolidationCurve& exact, const ConsolidationOptions& options,
                           std::map<std::string, Tally> tallies) {
   constexpr int kRepeats = 500;

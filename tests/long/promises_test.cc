@@ -10,16 +10,16 @@
 #include "floc/scene/scene_prices.h"
 #include "support/places.h"
 
-// The promises of tables of prices, and those of plans, for kinds with a table. To run them alone, all or those of one
-// scene:
+// Tests of the errors promised by tables of prices and by plans, for kinds of scenes with a table. To run only these
+// tests, for all scenes or for one scene:
 //   build/release/tests/long_tests --gtest_filter='Promises/*'
 //   build/release/tests/long_tests --gtest_filter='Promises/OfPlans.*/constant_volume_5s'
 
 namespace floc {
 namespace {
 
-/// Shipped scene of a kind, with parameters other than those used for the table of prices. The list begins with
-/// the fastest scene.
+/// Shipped scene of a kind, with parameters other than those used for the table of prices. Lists of these scenes begin
+/// with the fastest scene.
 struct HeldOutScene {
   const char* file;
   std::vector<std::string> changes;
@@ -48,7 +48,7 @@ Scene scene_of(const HeldOutScene& held) {
   return read_scene(test::source_directory() + "/data/scenes/" + held.file + ".toml", held.changes);
 }
 
-/// Returns the names of the scene's own settings and of the cheapest settings whose error in phi is below one
+/// Returns two names of settings: the settings of the scene, and the cheapest settings whose error in phi is below one
 /// percent.
 std::vector<std::string> promised_settings(const PriceTable& table) {
   for (const PricedSettings& settings : settable_prices(table))
@@ -81,7 +81,7 @@ std::string name_of(const HeldOutScene& held) {
 INSTANTIATE_TEST_SUITE_P(Promises, OfTables, testing::ValuesIn(held_out_scenes()),
                          [](const auto& held) { return name_of(held.param); });
 
-/// A scene with the processor time (s) that its plan may take.
+/// A scene, and the processor time (s) that a plan of the scene may take.
 struct BudgetOfScene {
   HeldOutScene held;
   double budget;
@@ -97,7 +97,7 @@ std::vector<BudgetOfScene> planned_scenes() {
 
 class OfPlans : public testing::TestWithParam<BudgetOfScene> {
  protected:
-  /// Eight of nine errors have to be kept; a single plan may miss one.
+  /// Of nine promised errors, eight must not be exceeded. A single plan may exceed one.
   static void TearDownTestSuite() {
     EXPECT_GE(errors_.kept * 9, errors_.n * 8) << errors_.kept << " of " << errors_.n << " errors are kept";
   }

@@ -8,8 +8,8 @@
 namespace floc::test {
 namespace {
 
-/// A loose powder of 1400 disks whose contacts become stiffer, up to kappa = 1e9. Every state reaches an
-/// equilibrium within the usual tolerance, and its file passes floc verify.
+/// A loose powder of 1400 disks whose contacts become stiffer, up to kappa = 1e9. Every state must reach an equilibrium
+/// within the usual tolerance, and the file of the state must pass floc verify.
 TEST(StiffContacts, OfALoosePowderReachAnEquilibriumThatTheirFileHolds) {
   const ScratchDirectory scratch;
   const Outcome run =

@@ -10,8 +10,8 @@ namespace {
 
 using nlohmann::json;
 
-/// Fixture: loading of three samples of the demo scene (type 2, small rolling resistance, N = 400). Tests
-/// compare means over the samples with the bounds published for N = 1400.
+/// Fixture: the loading of three samples of the demo scene (type 2, small rolling resistance, N = 400 grains). The
+/// tests compare means over the samples with the bounds published for N = 1400.
 class Type2Network : public ::testing::Test {
  protected:
   static constexpr int kFirst = 2, kLast = 4;  ///< seeds

@@ -19,14 +19,14 @@ std::string origin(void (*function)()) {
   return dladdr(reinterpret_cast<void*>(function), &where) != 0 ? where.dli_fname : "nowhere";
 }
 
-// Ceres also links ATLAS, which makes CHOLMOD 2.6 times slower. All libraries of a program use the definition
-// that was linked first, so CHOLMOD and UMFPACK call the functions that are checked here.
+// Ceres also links ATLAS, which makes CHOLMOD 2.6 times slower. All libraries of a program use the definition of a
+// function that was linked first, so CHOLMOD and UMFPACK call the functions that this test checks.
 TEST(Blas, MatrixProductsAndFactorsAreThoseOfOpenBlas) {
   EXPECT_NE(origin(&dgemm_).find("openblas"), std::string::npos) << origin(&dgemm_);
   EXPECT_NE(origin(&dpotrf_).find("openblas"), std::string::npos) << origin(&dpotrf_);
 }
 
-// An OpenBLAS that is older than the processor falls back to SSE3 kernels, which are five times slower.
+// An OpenBLAS that does not know the processor uses SSE3 kernels, which are five times slower.
 TEST(Blas, KernelsAreNotTheFallbackWhereTheProcessorHasWiderVectors) {
   if (std::getenv("OPENBLAS_CORETYPE") != nullptr) GTEST_SKIP() << "kernels chosen by the environment";
 #if defined(__x86_64__)

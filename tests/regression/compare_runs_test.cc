@@ -16,13 +16,13 @@ using testing::AllOf;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 
-/// Runs compare_runs.py with the Python for which Debian installs python3-h5py.
+/// Runs compare_runs.py with the Python interpreter for which Debian installs python3-h5py.
 Outcome compare_runs(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), source_directory() + "/tests/regression/compare_runs.py");
   return run_arguments("/usr/bin/python3", arguments);
 }
 
-/// Fixture: three states of a few dozen grains in a/, and a copy of them in b/.
+/// Fixture: three states of a few dozen grains in a/, and a copy of these states in b/.
 class TwoRuns : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -93,7 +93,7 @@ TEST_F(TwoRuns, DifferInPathsButNotInTheirSeconds) {
 }
 
 TEST_F(TwoRuns, AreTheSameWhereverTheFileKeepsItsMemory) {
-  // Files of version 1 hold the history only in datasets of contacts/.
+  // Files of version 1 store the history only in datasets of contacts/.
   const std::string move_memory =
       "import h5py, sys\n"
       "with h5py.File(sys.argv[1], 'r+') as f:\n"
@@ -104,8 +104,8 @@ TEST_F(TwoRuns, AreTheSameWhereverTheFileKeepsItsMemory) {
   EXPECT_EQ(result.code, 0) << result.out << result.err;
 }
 
-// The samples differ by 0.01, 0.02 and 0.03 (mean 0.02, standard error 0.01/sqrt(3), t = 2 sqrt(3)). B differs
-// by the factor e in all samples, so that its logarithm has no scatter.
+// The samples differ by 0.01, 0.02 and 0.03 (mean 0.02, standard error 0.01/sqrt(3), t = 2 sqrt(3)). B differs by the
+// factor e in all samples, so the differences of ln B have no scatter.
 TEST(MeansOfRuns, ComeWithTheirPairedErrorAndStudentsT) {
   const ScratchDirectory scratch;
   std::vector<std::string> samples[2];
@@ -123,7 +123,7 @@ TEST(MeansOfRuns, ComeWithTheirPairedErrorAndStudentsT) {
   std::vector<std::string> arguments = {"--means"};
   arguments.insert(arguments.end(), samples[0].begin(), samples[0].end());
   arguments.emplace_back("--against");
-  // pairs samples by name, not by order
+  // samples are paired by name, not by order
   arguments.insert(arguments.end(), samples[1].rbegin(), samples[1].rend());
   const Outcome result = compare_runs(arguments);
   EXPECT_EQ(result.code, 0) << result.err;

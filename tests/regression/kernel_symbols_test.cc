@@ -23,8 +23,8 @@ std::vector<std::string> symbols(const std::string& options) {
   return lines;
 }
 
-// If several translation units define an inline function, the linker keeps any one copy. A copy compiled for
-// AVX-512 would crash on processors without it.
+// If several translation units define an inline function, the linker keeps an arbitrary one of the copies. A copy
+// compiled for AVX-512 would crash on processors without AVX-512.
 TEST(StepKernels, ShareNoInlineFunctionWithCodeForOtherProcessors) {
   int n_own = 0;
   bool of_wide_kernels = false;

@@ -13,7 +13,7 @@
 #include "floc/contact/law_parameters.h"
 #include "support/places.h"
 
-/// Tests that the table in docs/scenes.md of compatible models follows from their declarations.
+/// Tests that the table of compatible models in docs/scenes.md agrees with the declarations of the models.
 namespace floc {
 namespace {
 
@@ -27,7 +27,7 @@ bool goes_together(const LawParameters& law) {
   return law.faults_between_slots().empty();
 }
 
-/// Returns a text that lists the models of a slot that are compatible with a law.
+/// Returns a list, as text, of those models of a slot that are compatible with a law.
 std::string models_beside(const LawParameters& law, const std::string& key) {
   std::vector<std::string> with_any, with_friction;
   for (const DeclaredModel& model : slot_of(key).models) {

@@ -53,8 +53,8 @@ TEST(Library, NeverPrints) {
   }
 }
 
-/// An exception that leaves a thread or a parallel region of OpenMP ends the program; run_in_team() passes it
-/// on to its caller. So no other code may start threads.
+/// An exception that leaves a thread or a parallel region of OpenMP ends the program, but run_in_team() passes
+/// exceptions to its caller. Therefore no other code may start threads.
 TEST(Library, StartsThreadsInATeamAlone) {
   const std::regex starting(
       R"re(#\s*pragma\s+omp\b|_Pragma|std::(jthread|async)\b|std::thread\b(?!::)|pthread_create)re");
@@ -84,7 +84,7 @@ TEST(Layers, EveryFolderHasItsPlace) {
     }
 }
 
-/// The Python package uses the library only, like the program. Code that both need belongs to the library.
+/// The Python package uses only the library, and no code of the program. Code that both need belongs to the library.
 TEST(Layers, ThePythonPackageIncludesNoHeaderOfTheProgram) {
   const std::filesystem::path apps = std::filesystem::path(test::source_directory()) / "apps";
   int n_includes = 0;

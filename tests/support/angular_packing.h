@@ -14,10 +14,11 @@
 #include "floc/shape/generators.h"
 #include "support/foreign_packing.h"
 
-/// Packings of grains with corners whose contacts carry forces. Tests write them in formats of other programs.
+/// Packings of grains with corners, with forces at their contacts. Tests write these packings in formats of other
+/// programs.
 namespace floc::test {
 
-/// Returns five different shapes, of which one is a disk or sphere and one a capsule.
+/// Returns five different shapes; one of them is a disk or sphere, and one is a capsule.
 template <int Dim>
 std::vector<Shape<Dim>> rounded_shapes() {
   std::vector<Shape<Dim>> shapes = cut_shapes<Dim>({}, 3, 0.1, 7);
@@ -94,7 +95,8 @@ std::vector<Contact<Dim>> in_order_of_place(std::vector<Contact<Dim>> contacts) 
 
 /// Expects that two packings have the same shapes in space, masses and inertia, and the same contact points,
 /// normals, gaps and forces.
-/// @param tolerance  largest difference of a coordinate, and of a force divided by the largest force
+/// @param tolerance  largest accepted difference between two coordinates, or between two forces divided by the largest
+/// force
 template <int Dim>
 void expect_same_angular_packing(const Packing<Dim>& read, const Packing<Dim>& written, double tolerance) {
   ASSERT_FALSE(read.grains.are_round());

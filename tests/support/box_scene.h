@@ -6,8 +6,8 @@
 
 namespace floc::test {
 
-/// Scene of adhesive grains that walls on all sides compress, then under twice the pressure; the run takes
-/// about a second.
+/// Scene of adhesive grains that are compressed between walls on all sides, and then brought to twice the pressure. The
+/// run takes about a second.
 inline std::string box_scene(int dimension) {
   std::string text = scene_text("box");
   if (dimension == 3)

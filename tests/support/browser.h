@@ -9,7 +9,7 @@
 
 namespace floc::test {
 
-/// Returns the browser's program; empty if it is not installed (.ci/deps installs it).
+/// Returns the name of the browser program; empty if no browser is installed (.ci/deps installs one).
 inline std::string browser() {
   for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
     if (std::system(("command -v " + std::string(name) + " >/dev/null 2>&1").c_str()) == 0) return name;
@@ -24,8 +24,8 @@ struct RenderedPage {
   int n_shown = 0;  ///< pictures that are loaded and have a size
 };
 
-/// Loads a page in a headless browser. A script, added to a copy of the page, counts the pictures when loading
-/// has finished.
+/// Loads a copy of a page in a headless browser. A script that is added to the copy counts the pictures when the page
+/// has been loaded.
 /// @param extra  text appended to the copy
 inline RenderedPage render_in_browser(const std::string& page, const std::string& directory,
                                       const std::string& extra = "") {

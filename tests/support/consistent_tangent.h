@@ -8,7 +8,7 @@
 
 namespace floc::test {
 
-/// Returns the packing with the forces that its springs carry when nothing moves.
+/// Returns the packing with the forces of its contacts when no grain moves.
 template <int Dim>
 Packing<Dim> at_rest(const Packing<Dim>& packing) {
   Packing<Dim> at = packing;
@@ -17,7 +17,7 @@ Packing<Dim> at_rest(const Packing<Dim>& packing) {
   return at;
 }
 
-/// Returns the columns of a contact for the first n strains.
+/// Returns the columns of a contact that belong to the first n strains.
 template <int Dim>
 BoundaryColumns<Dim> strain_columns(const NetworkContact<Dim>& c, int n) {
   const Vec<Dim> on_i = c.shear_force - c.normal_force * c.normal();
@@ -31,9 +31,9 @@ BoundaryColumns<Dim> strain_columns(const NetworkContact<Dim>& c, int n) {
   return columns;
 }
 
-/// Returns minus the derivative of the generalised forces with respect to the displacements, with all geometric
-/// terms. Both consist of the grains' translations, their rotations times the radius, and the first n strains.
-/// The matrix is not symmetric.
+/// Returns minus the derivative of the generalised forces with respect to the generalised displacements, with all
+/// geometric terms. The displacements are the translations of the grains, the rotations of the grains times their
+/// radii, and the first n strains; the forces are their conjugates. The matrix is not symmetric.
 template <int Dim>
 Eigen::MatrixXd consistent_tangent(const Packing<Dim>& packing, int n_strains) {
   std::vector<Mat<Dim>> frames;

@@ -29,8 +29,8 @@ void choose_keyword(LawParameters& law, const std::string& key, const std::strin
   throw std::invalid_argument("the law has no " + key + " = " + keyword);
 }
 
-/// Returns a value for a number without a given value, according to its unit. A stiffness is 1.5 times the
-/// normal stiffness, because an unloading stiffness must exceed it.
+/// Returns a value for a parameter that is not listed in `numbers`. The value depends on the unit of the parameter. A
+/// stiffness is 1.5 times the normal stiffness, because an unloading stiffness must exceed it.
 double number_like(Unit unit, const std::map<std::string, double>& numbers) {
   switch (unit) {
     case Unit::stiffness:

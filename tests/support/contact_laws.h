@@ -13,7 +13,7 @@
 ///     law += test::coulomb(0.5, 1e5);
 namespace floc::test {
 
-/// Change of a law: `law += part` replaces one of its models or numbers.
+/// Change of a contact law: `law += part` replaces one model or number of the law.
 struct Part {
   std::function<void(LawParameters&)> put;
 };
@@ -22,7 +22,7 @@ Part linear(double stiffness);
 Part hertz(double modulus, double poisson);
 Part tail_adhesion(double force, double range);
 Part constant_adhesion(double force);
-/// @param form, formation  keywords as in a scene; by default the first ones
+/// @param form, formation  keywords as in a scene; the defaults are the first keywords
 Part liquid(double surface_tension, double contact_angle, double water_content, double density_ratio,
             const std::string& form = "exponential", const std::string& formation = "gap");
 Part viscous_damping(double restitution);

@@ -11,10 +11,10 @@ namespace floc::test {
 /// Cubic crystal of equal spheres, in its conventional cell.
 struct CubicCrystal {
   std::string name;
-  std::vector<Vec<3>> places;  ///< centres, in units of the side of the cell
-  double side;                 ///< side of the cell, divided by the distance of neighbours
+  std::vector<Vec<3>> places;  ///< centres of the spheres, divided by the side of the cell
+  double side;                 ///< side of the cell, divided by the distance between neighbours
   int z;                       ///< neighbours
-  double volume;               ///< volume of the cell per sphere, divided by the cubed distance of neighbours
+  double volume;               ///< volume per sphere, divided by the cubed distance between neighbours
 };
 
 inline CubicCrystal simple_cubic() {
@@ -38,8 +38,9 @@ inline std::vector<CubicCrystal> cubic_crystals() {
   return {simple_cubic(), body_centred_cubic(), face_centred_cubic()};
 }
 
-/// Returns a crystal as spheres with a given distance of neighbours.
-/// @param distance, diameter  (length); spheres that touch are in contact under the law
+/// Returns a crystal of spheres with a given distance between neighbours.
+/// @param distance, diameter  distance between neighbours, and diameter (length); spheres that touch are in contact
+/// under the law
 inline Packing<3> crystal_of(const CubicCrystal& crystal, double distance, double diameter, const Law& law) {
   Packing<3> packing;
   packing.law = law;
@@ -53,8 +54,9 @@ inline Packing<3> crystal_of(const CubicCrystal& crystal, double distance, doubl
   return packing;
 }
 
-/// Sets the forces and stiffnesses of all contacts between equal spheres according to Hertz and Mindlin: at an
-/// overlap h, N = (E/3) sqrt(a) h^1.5 and K_T = ratio K_N. Tangential forces stay unchanged.
+/// Sets the forces and stiffnesses of all contacts between equal spheres according to Hertz and Mindlin: at an overlap
+/// h, the normal force is N = (E/3) sqrt(a) h^1.5 with the diameter a, and K_T = `ratio` K_N. Tangential forces stay
+/// unchanged.
 /// @param E  E/(1 - nu^2) of the material (force/length^2)
 inline void make_hertzian(double E, double ratio, Packing<3>& packing) {
   for (Contact<3>& c : packing.contacts) {

@@ -15,7 +15,7 @@
 
 namespace floc::test {
 
-/// Returns a gas of grains with diameters uniform in [1/2, 1].
+/// Returns a gas of grains whose diameters are uniformly distributed in [1/2, 1].
 template <int Dim = 2>
 Packing<Dim> gas_of(int n, const Law& law, double solid_fraction, std::uint64_t seed = 1) {
   GrainOptions grains;
@@ -26,7 +26,7 @@ Packing<Dim> gas_of(int n, const Law& law, double solid_fraction, std::uint64_t 
   return make_gas<Dim>(grains, law, solid_fraction, random);
 }
 
-/// Returns an agitated gas of cohesive grains, so dense that many contacts form within a few hundred steps.
+/// Returns an agitated gas of cohesive grains. The gas is so dense that many contacts form within a few hundred steps.
 template <int Dim = 2>
 Packing<Dim> agitated_gas(int n, const Law& law) {
   Packing<Dim> gas = gas_of<Dim>(n, law, Dim == 2 ? 0.6 : 0.45);
@@ -35,8 +35,8 @@ Packing<Dim> agitated_gas(int n, const Law& law) {
   return gas;
 }
 
-/// Returns an agitated gas with so many blocks of grains that the forces of the first blocks are summed before
-/// those of the last blocks are computed. Its cell is so long that threads share few blocks.
+/// Returns an agitated gas with so many blocks of grains that the forces of the first blocks are summed before those of
+/// the last blocks are computed. The cell is so long that only few blocks are shared by two threads.
 template <int Dim>
 Packing<Dim> large_agitated_gas(const Law& law) {
   Vec<Dim, int> copies = Vec<Dim, int>::Ones();
@@ -82,7 +82,8 @@ void expect_same_bits(const Packing<Dim>& p, const Packing<Dim>& q) {
   for (std::size_t c = 0; c < p.contacts.size(); ++c) EXPECT_EQ(p.contacts[c].history, q.contacts[c].history);
 }
 
-/// Expects the same bits for other skins of the neighbour lists, and for a motion advanced in several parts.
+/// Expects that results are identical bit for bit if the neighbour lists have another skin, or if the motion is
+/// computed in several parts.
 template <int Dim>
 void expect_no_trace_of_lists() {
   const Packing<Dim> gas = agitated_gas<Dim>(200, cohesive_law());
@@ -105,7 +106,8 @@ void expect_no_trace_of_threads() {
   expect_same_bits(one, two);
 }
 
-/// With one thread, later rows of forces overwrite earlier ones; several threads keep the rows that they share.
+/// Expects that results are independent of the rows of forces that are kept: one thread overwrites earlier rows with
+/// later rows, but several threads keep the rows that they share.
 template <int Dim>
 void expect_no_trace_of_kept_rows(const Packing<Dim>& gas) {
   const double dt = time_step_of(gas, RelaxationOptions{}.time_step);
@@ -114,8 +116,8 @@ void expect_no_trace_of_kept_rows(const Packing<Dim>& gas) {
   expect_same_bits(one, after(gas, {dt, 0.05, 2}, {200}));
 }
 
-/// Expects the same bits from all instruction sets, for laws with and without friction and rolling. @param
-/// n_contacts  lower limit of the number of contacts at the end
+/// Expects that all instruction sets give identical results bit for bit, for laws with and without friction and rolling
+/// resistance. @param n_contacts  lower limit of the number of contacts at the end
 template <int Dim>
 void expect_no_trace_of_instructions(std::size_t n_contacts) {
   Law frictionless = cohesive_law();

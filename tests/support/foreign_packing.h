@@ -16,19 +16,19 @@
 #include "floc/packing/state.h"
 #include "support/run_program.h"
 
-/// Packings whose contacts carry normal and tangential forces. Tests write them in the formats of other
+/// Packings with normal and tangential forces at their contacts. Tests write these packings in the formats of other
 /// programs.
 namespace floc::test {
 
 const std::string kForeignLaw = "normal.stiffness=1000,friction.coefficient=0.5,friction.stiffness=800";
 
-/// Ends of each axis of a packing, lower end first: "p" for periodic, or two letters, "w" for a wall and "o"
-/// for an open end, as in "ww" or "wo".
+/// Ends of each axis of a packing: "p" for a periodic axis, otherwise two letters, the first for the lower end. The
+/// letter "w" is a wall, and "o" an open end.
 template <int Dim>
 using Ends = std::array<std::string, Dim>;
 
-/// Returns randomly placed grains in a box of about four diameters; neighbours overlap a little, and their
-/// contacts carry random forces.
+/// Returns randomly placed grains in a box of about four diameters. Neighbours overlap a little, with random forces at
+/// their contacts.
 template <int Dim>
 State<Dim> packing_with_forces(const Ends<Dim>& ends, unsigned seed = 1) {
   std::mt19937 random(seed);
@@ -79,7 +79,8 @@ Packing<Dim> read_packing(const std::string& path, ImportOptions options = {}) {
 
 /// Expects that two packings have the same grains, ends of axes, contacts and forces, and the same net forces
 /// on the grains.
-/// @param tolerance  largest difference of a coordinate, and of a force divided by the largest force
+/// @param tolerance  largest accepted difference between two coordinates, or between two forces divided by the largest
+/// force
 template <int Dim>
 void expect_same_packing(const Packing<Dim>& read, const Packing<Dim>& written, double tolerance) {
   ASSERT_EQ(read.grains.size(), written.grains.size());

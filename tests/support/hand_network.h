@@ -34,20 +34,20 @@ inline std::vector<std::vector<double>> numbers_behind(const std::string& path, 
   return rows;
 }
 
-/// Position and radius of a grain, as in its row of the file.
+/// Position and radius of a grain, read from the row of the grain in a file.
 struct HandGrain {
   Eigen::Vector3d x;
   double radius;
 };
 
-/// Stiffnesses of a contact, and whether it acts at a distance.
+/// Stiffnesses of a contact, and whether the contact acts across a gap.
 struct HandContact {
   double kn, kt;
   bool distant = false;
 };
 
-/// Network of pairs of grains in a periodic cell, whose rows are the lattice vectors. Each pair is connected to
-/// the nearest image.
+/// Network of pairs of grains in a periodic cell. The rows of the cell matrix are the lattice vectors. The first grain
+/// of a pair is connected to the nearest periodic image of the second grain.
 template <int Dim>
 class HandNetwork {
  public:
@@ -61,7 +61,8 @@ class HandNetwork {
     }
   }
 
-  /// Returns the image of the second grain that is nearest to the first, in lattice vectors.
+  /// Returns the periodic image of the second grain that is nearest to the first grain, as a number of lattice vectors
+  /// along each axis.
   Vec<Dim, int> nearest_image(std::int64_t id1, std::int64_t id2) const {
     constexpr int kFarthest = 2, kWidth = 2 * kFarthest + 1;
     int n_images = 1;
@@ -74,7 +75,7 @@ class HandNetwork {
     }
     return nearest;
   }
-  /// Returns the vector from the centre of the first grain to that of an image of the second.
+  /// Returns the vector from the centre of the first grain to the centre of a periodic image of the second grain.
   Vec<Dim> branch(std::int64_t id1, std::int64_t id2, const Vec<Dim, int>& image) const {
     return (grains_.at(id2).x - grains_.at(id1).x).template head<Dim>() +
            cell_.transpose() * image.template cast<double>();

@@ -11,10 +11,10 @@
 
 namespace floc::test {
 
-/// Normal law with two stiffnesses: K1 while the overlap exceeds its largest value so far, K2 below this value
-/// [Walton and Braun, J. Rheol. 30, 949 (1986)]. It is used to test laws with a history. The contact dissipates
-/// energy if K2 > K1 and would gain energy if K2 < K1. Surfaces separate when the force becomes zero, at an
-/// overlap that remains if K2 > K1.
+/// Normal law with two stiffnesses: K1 while the overlap increases beyond its largest value so far, and K2 below this
+/// value [Walton and Braun, J. Rheol. 30, 949 (1986)]. This law is used to test laws with a history. A contact
+/// dissipates energy if K2 > K1, and would gain energy if K2 < K1. Surfaces separate when the force becomes zero; if K2
+/// > K1, they still overlap then.
 struct HystereticRepulsion {
   double normal_stiffness;  ///< K1, while the overlap grows (force/length)
   double unloading;         ///< K2, below the largest overlap (force/length)
@@ -49,8 +49,8 @@ struct HystereticRepulsion {
   auto touches(const PairGeometry<T>& pair, const T* history) const {
     return T(0) < force(pair, history);
   }
-  /// Sets the history so that the contact carries the force `elastic` at its present gap, on the unloading
-  /// line.
+  /// Sets the history so that the contact is on the unloading line and its elastic force is `elastic` at the present
+  /// gap.
   void set_force(const PairGeometry<>& pair, double elastic, double* history) const {
     const double left = -pair.gap - elastic / unloading;  // overlap at which the surfaces separate
     history[0] = unloading > normal_stiffness

@@ -10,15 +10,14 @@
 /// Counts the constraints in packings of rigid grains.
 namespace floc::test {
 
-/// Number of constraints from contacts that carry a force, and number of motions (degrees of freedom) of their
-/// grains.
+/// Number of constraints of the contacts that have a force, and number of motions (degrees of freedom) of the grains of
+/// these contacts.
 struct ConstraintCount {
   int constraints = 0, motions = 0;
 };
 
-/// Counts the constraints from contacts that carry more than 1e-6 of the mean force. Each contact point of a
-/// pair counts once, up to the number of independent ones: two for an edge on a side or face, three for two
-/// faces.
+/// Counts the constraints of contacts with forces above 1e-6 of the mean force. Each contact point of a pair gives one
+/// constraint, up to the number of independent constraints: two for an edge on a side or face, three for two faces.
 template <int Dim>
 ConstraintCount count_constraints(const Packing<Dim>& packing, int motions_per_grain) {
   double mean = 0.0;
@@ -37,8 +36,8 @@ ConstraintCount count_constraints(const Packing<Dim>& packing, int motions_per_g
     last = &c;
   }
   for (const bool one : carries) out.motions += one ? motions_per_grain : 0;
-  // The uniform translations of all grains, which contacts do not constrain, are as many as the side lengths of
-  // the cell, which are free to change. So the two numbers cancel.
+  // Contacts do not constrain uniform translations of all grains, but they do constrain the free side lengths of the
+  // cell. There are as many translations as side lengths, so the two numbers cancel.
   return out;
 }
 

@@ -9,8 +9,8 @@
 
 namespace floc::test {
 
-/// Two spheres of unit diameter and mass with prescribed motion. The compiled kernels of one instruction set
-/// compute their forces. At the start the second sphere is beside the first one on the x axis.
+/// Two spheres of unit diameter and mass with prescribed motion. Their forces are computed by the compiled kernels of
+/// one instruction set. At the start, the second sphere is displaced from the first sphere along the x axis.
 class KernelPair {
  public:
   KernelPair(const LawParameters& law, double overlap, InstructionSet instructions)
@@ -42,16 +42,16 @@ class KernelPair {
     const Vec<3> n = normal();
     move({position(0), position(0) + (1.0 - overlap) * n}, {Vec<3>::Zero(), Vec<3>::Zero()}, time);
   }
-  /// Slips the surfaces by a vector in the tangent plane: both spheres rotate while their positions stay fixed.
+  /// Makes the surfaces slip by a vector in the tangent plane: both spheres rotate while their positions stay fixed.
   void slip(const Vec<3>& by) {
-    // Surface j slips relative to surface i by -(l_i w_i + l_j w_j) x n, where w are the rotations and each arm
-    // l is half of the branch.
+    // Surface j slips relative to surface i by -(l_i w_i + l_j w_j) x n, where w_i and w_j are the rotations, n is the
+    // normal, and each of the lever arms l_i and l_j is half of the branch.
     const Vec<3> n = normal(), r = position(1) - position(0);
     const Vec<3> spin = -n.cross(by) / r.norm();
     move({position(0), position(1)}, {spin, spin}, 1.0);
   }
 
-  /// Changes the overlap and slips in the same step.
+  /// Changes the overlap and makes the surfaces slip in the same step.
   void approach_and_slip(double overlap, const Vec<3>& by) {
     const Vec<3> n = normal();
     const double mean_distance = 0.5 * ((position(1) - position(0)).norm() + 1.0 - overlap);

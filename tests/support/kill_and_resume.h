@@ -16,8 +16,8 @@
 
 namespace floc::test {
 
-/// Returns a type 2 scene of a few dozen grains. Its run has an assembly and nine equilibria, and takes about a
-/// second.
+/// Returns a scene of type 2 with a few dozen grains. A run of the scene has an assembly and nine equilibria, and takes
+/// about a second.
 inline std::string small_scene() {
   return scene_text("small") + R"([[load]]
 name = "load"
@@ -51,7 +51,7 @@ inline int wait_for(pid_t child) {
   return status;
 }
 
-/// Returns path.csv without the column of wall times, which alone differs from run to run.
+/// Returns path.csv without the column of wall times, the only column that differs from run to run.
 inline std::string rows_without_seconds(const std::string& file) {
   std::istringstream in(content_of(file));
   std::string line, kept;
@@ -68,8 +68,9 @@ inline std::string rows_without_seconds(const std::string& file) {
   return kept;
 }
 
-/// Expects that every state file is identical byte for byte, and every row of path.csv except its wall time.
-/// @param n_states  number of states expected; by default that of the small scene
+/// Expects that the results of two runs are identical: the state files byte for byte, and the rows of path.csv except
+/// for the wall times.
+/// @param n_states  expected number of states; the default is the number of the small scene
 inline void expect_same_results(const std::string& a, const std::string& b, int n_states = 9) {
   int n = 0;
   for (const auto& entry : std::filesystem::directory_iterator(a)) {
@@ -82,8 +83,8 @@ inline void expect_same_results(const std::string& a, const std::string& b, int 
   EXPECT_EQ(rows_without_seconds(a + "/path.csv"), rows_without_seconds(b + "/path.csv"));
 }
 
-/// Kills a run with SIGKILL at random times and resumes it each time; a run that ends is started again, until
-/// all kills are used. Expects that its results equal those of an uninterrupted run.
+/// Kills a run with SIGKILL at random times and resumes it each time; if the run ends before all kills have been made,
+/// a new run is started. Expects that the final results equal the results of an uninterrupted run.
 /// @param n_states  number of states of the scene
 inline void kill_and_resume(int n_kills, std::uint64_t seed, const std::string& scene = small_scene(),
                             int n_states = 9) {

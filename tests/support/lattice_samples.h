@@ -14,8 +14,8 @@
 /// Samples on a lattice, with prescribed or random phases instead of a packing.
 namespace floc::test {
 
-/// Returns a sample with the phase and the grain of each node given by a function of its position. @param
-/// grain_at  index of a grain, -1 for matrix, -2 for void
+/// Returns a sample in which a function of the position gives the phase and the grain of each node. @param grain_at
+/// index of a grain, -1 for matrix, -2 for void
 template <int Dim>
 CementedSample<Dim> sample_of(Lattice<Dim> lattice, const std::function<int(const Vec<Dim>&)>& grain_at) {
   CementedSample<Dim> out;
@@ -40,8 +40,8 @@ LatticeNetwork<Dim> uniform_network(const Lattice<Dim>& lattice, double k, doubl
   return lattice_network(sample_of<Dim>(lattice, [](const Vec<Dim>&) { return -1; }), stiffness);
 }
 
-/// Returns disks or spheres on a square grid with gaps of `gap` between neighbours; their sizes differ
-/// slightly.
+/// Returns disks or spheres of slightly different sizes on a square or cubic grid, with gaps of `gap` between
+/// neighbours.
 template <int Dim>
 Packing<Dim> grid_of_grains(int across, double gap) {
   Packing<Dim> packing;

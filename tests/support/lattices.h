@@ -20,8 +20,8 @@ inline Packing<2> disks(const Mat<2>& cell, const std::vector<Vec<2>>& places, d
   return packing;
 }
 
-/// Returns a square lattice of frames: nodes joined by straight chains of n disks, both nodes included. n = 2
-/// is the plain square lattice.
+/// Returns a square lattice of frames: nodes that are joined by straight chains of n disks. The nodes at both ends
+/// count among the n disks, so n = 2 gives the plain square lattice.
 inline Packing<2> square_frames(int n, double spacing, const Law& law) {
   std::vector<Vec<2>> places{Vec<2>::Zero()};
   for (int k = 1; k < n - 1; ++k) {
@@ -62,7 +62,8 @@ inline Packing<2> honeycomb(double spacing, const Law& law) {
   return disks(cell, {Vec<2>::Zero(), Vec<2>(0.0, spacing)}, spacing, law);
 }
 
-/// Straight chain of n disks along x that touches its own image. `height` is the other side of the cell.
+/// Straight chain of n disks along x. The last disk touches the periodic image of the first disk. `height` is the other
+/// side of the cell.
 inline Packing<2> chain_across(int n, double spacing, double height, const Law& law) {
   std::vector<Vec<2>> places;
   for (int k = 0; k < n; ++k) places.emplace_back(k * spacing, 0.0);

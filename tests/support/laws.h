@@ -16,8 +16,8 @@
 /// Lists all rows of the law table for the conformance tests, in every dimension, with sample parameters.
 namespace floc::test {
 
-/// Sample parameters of a model in reduced units, similar to those of [GRC2008]. No two numbers are equal, so
-/// that a test notices if they are exchanged. Each kind of model needs a specialization; without it the tests
+/// Sample parameters of a model in reduced units, similar to the parameters of [GRC2008]. No two numbers are equal, so
+/// that a test notices if two numbers are exchanged. Each kind of model needs a specialization, without which the tests
 /// do not compile.
 template <class Slot>
 struct Sample;
@@ -57,7 +57,7 @@ struct Sample<ConstantAdhesion> {
   static constexpr ConstantAdhesion value{1.25};
   static std::string name() { return " constant"; }
 };
-/// The bridges hold so little liquid that they break at a gap of a hundredth of a diameter.
+/// The bridges contain so little liquid that they break at a gap of a hundredth of a diameter.
 template <>
 struct Sample<CapillaryAdhesion> {
   static constexpr CapillaryAdhesion value{0.4, 20.0, 4e-7, 2.5};
@@ -120,14 +120,14 @@ struct ListOfLaws<std::variant<Laws...>> {
   }
 };
 
-/// Calls check(law) for every row of the law table. A failure names the row.
+/// Calls check(law) for every row of the law table. The message of a failure names the row.
 template <class Check>
 void for_each_law(Check&& check) {
   ListOfLaws<AnyContactLaw>::visit(check);
 }
 
-/// Kinds of laws that the table does not contain so far: laws that lose energy along the normal, whose surfaces
-/// separate while they overlap, or stay connected across a gap.
+/// Kinds of laws that the table does not contain yet: laws that dissipate energy in the normal direction, laws whose
+/// surfaces separate while they still overlap, and laws whose surfaces stay connected across a gap.
 using LawsOfOtherKinds = std::variant<
     ContactLaw<HystereticRepulsion, NoAdhesion, NoDamping, NoFriction, NoRolling, NoTwisting>,
     ContactLaw<HystereticRepulsion, TailAdhesion, ViscousDamping, CoulombFriction, RollingSpring,
@@ -172,8 +172,8 @@ PairGeometry<T> pair_at(const T& gap) {
   return {gap, T(0.1875), T(1.0 / 3.0)};  // radii 0.5 and 0.3, masses 1 and 0.5
 }
 
-/// Returns the pull-off force F0 of a law. It is 0 without adhesion, and 0 for laws with liquid, since their
-/// contacts have no bridge yet.
+/// Returns the pull-off force F0 of a law. The result is 0 without adhesion. It is also 0 for laws with liquid, because
+/// the contacts have no bridge yet.
 template <class Law>
 double pull_off_force(const Law& law) {
   if constexpr (kAdheresByItself<typename Law::NormalModel>)
@@ -183,11 +183,12 @@ double pull_off_force(const Law& law) {
   return 0.0;
 }
 
-/// Whether a new contact attracts. Under a law with liquid it does not, because it has no bridge yet.
+/// Whether the grains of a new contact attract each other. Under a law with liquid they do not, because a new contact
+/// has no bridge yet.
 template <class Law>
 inline constexpr bool kAdheres = Law::kHasAdhesion && !Law::kHoldsLiquid;
 
-/// Returns the parameters that a scene would give to get this law; inverse of compose_law().
+/// Returns the parameters with which a scene gives this law. This function is the inverse of compose_law().
 template <class Law>
 LawParameters parameters_of(const Law& law) {
   LawParameters p;
@@ -206,14 +207,15 @@ double elastic_force_at(const Law& law, double gap) {
   return law.normal(pair_at(gap)).elastic;
 }
 
-/// Returns the largest K_N; if the stiffness depends on the overlap, the largest one for overlaps up to 1e-2.
+/// Returns the largest normal stiffness K_N of a contact for overlaps up to 1e-2.
 template <class Law>
 double stiffness_bound(const Law& law) {
   return law.stiffness_bound(pair_at(0.0), {1e-2}).normal;
 }
 
-/// Returns the overlap of a free pair, at which adhesion and repulsion balance; zero without adhesion. Newton's
-/// method starts with the largest stiffness, so one step is enough for linear repulsion.
+/// Returns the overlap of a free pair, at which adhesion and repulsion balance; zero without adhesion. The overlap is
+/// computed by Newton's method, which starts with the largest stiffness. For linear repulsion, one step is therefore
+/// enough.
 template <class Law>
 double free_overlap(const Law& law) {
   if (pull_off_force(law) == 0.0) return 0.0;
@@ -242,8 +244,8 @@ ContactHistoryOf<Law, Dim, T> pressed_memory(const Law& law) {
   }
   return history;
 }
-/// Returns the static normal response of a contact with the history of pressed_memory(). The next function
-/// returns its energy.
+/// Returns the static normal response of a contact with the history of pressed_memory(). The next function returns the
+/// energy of this contact.
 template <class T, class Law>
 NormalResponse<T> pressed_response(const Law& law, const T& gap) {
   const auto history = pressed_memory<2, T>(law);
@@ -260,7 +262,7 @@ T pressed_energy(const Law& law, const T& gap) {
   else
     return law.energy(pair_at(gap), history.value);
 }
-/// Returns the stiffness in the contact network of a contact with the history of pressed_memory().
+/// Returns the stiffness that a contact with the history of pressed_memory() has in the contact network.
 template <class Law>
 ContactStiffness pressed_stiffness(const Law& law, double gap) {
   return law.template stiffness<2>(pair_at(gap), pressed_memory<2>(law));
@@ -278,7 +280,7 @@ ContactMotion<Dim, T> at_gap(const T& gap) {
   return {pair_at(gap), T(0), T(0), Shear<Dim, T>::Zero(), RotationVector<Dim, T>::Zero()};
 }
 
-/// Returns a tangential displacement of a contact whose normal is the last axis (3D) or any axis (2D).
+/// Returns a tangential displacement of a contact. In 3D, the normal of the contact must be the last axis.
 template <int Dim>
 Shear<Dim> slip_by(double length) {
   Shear<Dim> slip = Shear<Dim>::Zero();

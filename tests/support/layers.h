@@ -14,8 +14,8 @@
 /// Allowed includes between the folders of lib/floc, and a check of the #include lines of all sources.
 namespace floc::test {
 
-/// Maps a folder to the folders that it may include directly. It may also include those that these folders may
-/// include.
+/// Maps each folder to the folders that its sources may include directly. The sources may also include every folder
+/// that one of these may include.
 using LayerOrder = std::map<std::string, std::set<std::string>>;
 
 inline const LayerOrder& layer_order() {
@@ -53,8 +53,8 @@ inline const LayerOrder& layer_order() {
   return order;
 }
 
-/// Beginnings of the names of foreign headers, each with the folders that may include them (mostly one). No
-/// folder: the library may not include them.
+/// Beginnings of the names of foreign headers, each with the folders that may include these headers (mostly a single
+/// folder). If no folder is listed, the library may not include them.
 inline const std::vector<std::pair<std::string, std::set<std::string>>>& foreign_owners() {
   static const std::vector<std::pair<std::string, std::set<std::string>>> owners = {
       {"cholmod", {"linalg"}},
@@ -108,7 +108,8 @@ inline std::vector<Include> includes_of(const std::string& text) {
   return found;
 }
 
-/// Describes how an include in a source of `folder` breaks the order of layers; empty if it does not.
+/// Describes how an include in a source of `folder` violates the order of layers; empty if it does not violate the
+/// order.
 inline std::optional<std::string> fault_of(const std::string& folder, const Include& include) {
   const LayerOrder& order = layer_order();
   if (!order.contains(folder)) return "folder " + folder + " has no place in the layer order";
@@ -141,7 +142,7 @@ inline std::vector<std::string> layer_faults(const std::filesystem::path& root) 
     for (const Include& include : includes_of(text)) {
       if (const auto fault = fault_of(file.begin()->string(), include))
         faults.push_back(file.string() + ": " + *fault);
-      // A quoted header outside floc/ is allowed only if the build generates it: such a file is not in the
+      // A quoted header outside floc/ is allowed only if the build generates it. A generated header is not in the
       // source tree.
       else if (include.quoted && std::filesystem::exists(entry.path().parent_path() / include.name))
         faults.push_back(file.string() + ": \"" + include.name + "\" is to be included as \"floc/...\"");

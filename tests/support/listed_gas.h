@@ -10,7 +10,7 @@
 
 namespace floc::test {
 
-/// Gas of spheres in an elongated cell, with its list of close pairs in the data structures of the force loop.
+/// Gas of spheres in an elongated cell, with the list of close pairs in the form that the force loop uses.
 struct ListedGas {
   enum class Sizes { equal, unequal };
 

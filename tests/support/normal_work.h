@@ -7,9 +7,10 @@
 
 namespace floc::test {
 
-/// Computes the work on a contact along its normal while a test prescribes its gap: minus the integral of the
-/// static normal force over the gap. The trapezoidal rule is exact where the force is linear. Where surfaces
-/// begin or cease to touch, the force may jump, and the step is divided at the last bit.
+/// Computes the work on a contact along its normal while a test prescribes its gap: minus the integral of the static
+/// normal force over the gap. The work is computed by the trapezoidal rule, which is exact for a linear force. The
+/// force may jump when surfaces begin or cease to touch; the step is then divided at the jump, up to the last bit of
+/// the gap.
 template <class Law, int Dim>
 class NormalWork {
  public:

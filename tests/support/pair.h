@@ -14,9 +14,9 @@ struct GrainStep {
   RotationVector<Dim> rotation = RotationVector<Dim>::Zero();
 };
 
-/// Two grains in contact with prescribed motion. Their relative motion follows docs/physics.md, "Kinematics of
-/// a contact", with lever arms l = R r/(Ri + Rj). It is evaluated in the middle of the step, so that the error
-/// is of second order in the step.
+/// Two grains in contact with prescribed motion. Their relative motion follows docs/physics.md, "Kinematics of a
+/// contact", with lever arms l = R r/(Ri + Rj). The motion is evaluated in the middle of the step, so that the error is
+/// of second order in the step.
 template <class Law, int Dim>
 class MovingPair {
  public:

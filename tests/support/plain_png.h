@@ -4,7 +4,8 @@
 
 namespace floc::test {
 
-/// Options for a png page of 410 points with margins of five: 100 points per length, one pixel per point.
+/// Options for a png page with a width of 410 points and margins of 5 points. A unit of length is 100 points long, and
+/// each point is one pixel.
 inline SheetOptions plain_png() {
   SheetOptions options;
   options.format = PictureFormat::png;

@@ -15,16 +15,16 @@
 #include "floc/tradeoff/sample_path.h"
 #include "floc/tradeoff/studied_setting.h"
 
-/// Counts how often the errors promised by a table of prices, and by plans, are kept in samples that are not in
+/// Counts how often the errors promised by a table of prices, or by plans, are not exceeded in samples that are not in
 /// the table.
 namespace floc::test {
 
-/// Number of promises, and number of those that were kept.
+/// Number of promised errors, and number of promised errors that were not exceeded.
 struct KeptPromises {
   int n = 0, kept = 0;
 
   void add(bool is_kept) { ++n, kept += is_kept; }
-  /// Returns the probability that at most `kept` of n promises are kept if each one is kept with probability
+  /// Returns the probability that at most `kept` of n promises are kept, if each promise is kept with the probability
   /// `confidence`.
   double probability(double confidence) const {
     double sum = 0.0;
@@ -54,7 +54,7 @@ inline StudiedSetting studied(const Scene& scene, const std::string& name) {
   return studied_settings(scene)[1];
 }
 
-/// Counts the errors of single states, and how many of them are within the error of the table.
+/// Counts the errors of single states, and the errors among them that do not exceed the error of the table.
 inline void count_states(const PricedSettings& priced, const SamplePath& reference, const SamplePath& path,
                          KeptPromises& promises) {
   const std::vector<bool> same = before_collapse(reference, path);
@@ -66,7 +66,7 @@ inline void count_states(const PricedSettings& priced, const SamplePath& referen
       const Observation& here = path.states[i].observation;
       const Observation& truth = same[i] ? reference.states[i].observation : path.states[i].settled;
       const double error = std::abs(here[at] - truth[at]);
-      // Errors below this size come from rounding, not from the settings.
+      // Smaller errors come from rounding, not from the settings.
       constexpr double kRounding = 1e-9;
       if (std::isfinite(error))
         promises.add(error <= std::max(row->second->error, kRounding) * size_of(k, here, truth));
@@ -74,8 +74,8 @@ inline void count_states(const PricedSettings& priced, const SamplePath& referen
   }
 }
 
-/// Runs samples of a scene with seeds that the table does not use, and counts how many of their errors are
-/// within those of the table: errors of single states, and errors of means, which may also deviate by their
+/// Runs samples of a scene with seeds that the table does not use, and counts how many of their errors do not exceed
+/// the errors of the table. It counts errors of single states and errors of means; means may also deviate by their
 /// confidence interval.
 inline PromisesOfTable count_promises(const Scene& scene, const PriceTable& table,
                                       const std::vector<std::string>& names, std::uint64_t seed,
@@ -116,7 +116,8 @@ inline PromisesOfTable count_promises(const Scene& scene, const PriceTable& tabl
   return promises;
 }
 
-/// Error that a plan promises for an observable, and the difference of its samples from a reference ensemble.
+/// Error that a plan promises for an observable, and the difference between the samples of the plan and a reference
+/// ensemble.
 struct PlanOutcome {
   std::string observable;
   double promised, achieved;

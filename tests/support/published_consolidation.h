@@ -10,7 +10,7 @@
 
 namespace floc::test {
 
-/// Returns the pressures of the published path from `low` on, in steps of 10^(1/8) up to 13.3.
+/// Returns the pressures of the published path from `low` up to 13.3. The ratio of successive pressures is 10^(1/8).
 inline std::vector<double> published_pressures(double low) {
   std::vector<double> P;
   for (int k = 0; k <= 25; ++k)
@@ -29,8 +29,8 @@ inline ConsolidationCurve curve_of(const ConsolidationLawParameters& law,
   return curve;
 }
 
-/// Published fit [GRC2008]: lambda, Phi_max, alpha, P0* and Phi0. P1* follows because the plateau and the law
-/// meet at P0*.
+/// Published fit [GRC2008]: lambda, Phi_max, alpha, P0* and Phi0. P1* is determined by the condition that the plateau
+/// and the law meet at P0*.
 struct Published {
   double lambda, phi_max, alpha, P0_star, phi0;
 

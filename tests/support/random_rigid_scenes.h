@@ -12,7 +12,7 @@
 /// Small scenes of rigid grains with random parameters.
 namespace floc::test {
 
-/// Draws one of all kinds of shapes of a dimension, disks or spheres included.
+/// Draws a random kind of shape in a dimension; disks or spheres are among the kinds.
 template <int Dim>
 std::optional<ShapeOptions> random_shape(RandomStream& random) {
   ShapeOptions shape;
@@ -42,8 +42,8 @@ std::optional<ShapeOptions> random_shape(RandomStream& random) {
   }
 }
 
-/// Strains a packing by a shear or by a new length of one axis. Expects a verified motion at the imposed
-/// strain, or a reason for the failure.
+/// Strains a packing by a shear or by a new length of one axis. Expects that the motion ends at the imposed strain in a
+/// state that passes verification, or that a reason for the failure is given.
 template <int Dim>
 void strain_at_random(std::uint64_t seed, const Packing<Dim>& packing, RelaxationOptions options) {
   RandomStream random(seed, 2);
@@ -87,8 +87,8 @@ void relax_random_scene(RandomStream& random, std::uint64_t seed) {
   if (rest.status == RelaxationStatus::converged) strain_at_random(seed, rest.packing, options);
 }
 
-/// Relaxes random scenes, as many in 2D as in 3D. Each must end at rest in a state that meets all criteria, or
-/// with a reason for the failure.
+/// Relaxes random scenes, as many in 2D as in 3D. Each relaxation must end in a state at rest that meets all criteria,
+/// or give a reason for the failure.
 inline void relax_random_scenes(int n, std::uint64_t first_seed) {
   for (int k = 0; k < n; ++k) {
     const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(k);

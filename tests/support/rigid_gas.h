@@ -35,14 +35,15 @@ Packing<Dim> make_rigid_gas(const RigidGas& gas) {
   grains.diameter.min = gas.least;
   grains.diameter.max = 1.0;
   grains.diameter.exponent =
-      gas.least < 0.2 ? Dim : 0.0;  // exponent Dim: grains of every size fill the same volume
+      gas.least < 0.2 ? Dim : 0.0;  // with the exponent Dim, grains of every size fill equal volumes
   grains.shape = gas.shape;
   const Law law = rigid_law(gas.friction, gas.adhesion);
   RandomStream random(gas.seed, 1);
-  // fraction filled by the circumscribed circles or spheres
+  // fraction of the cell that the circumscribed circles or spheres fill
   constexpr double kSolidFraction = Dim == 2 ? 0.4 : 0.3;
   if (!gas.shape) return make_gas<Dim>(grains, law, kSolidFraction, random);
-  // The gas draws its diameters from this stream: the share is that of its own grains.
+  // The gas draws its diameters from this stream. A copy of the stream gives equal diameters, from which the share of
+  // the grains is computed.
   RandomStream copy = random;
   const std::vector<double> diameters = draw_diameters(grains, copy);
   const double share = share_of_bounding_balls(shaped_grains<Dim>(grains, diameters, gas.seed));
@@ -57,7 +58,7 @@ inline RelaxationOptions rigid_options() {
   return options;
 }
 
-/// Result of a relaxation of rigid grains.
+/// Result of the relaxation of a packing of rigid grains.
 template <int Dim>
 struct RigidEnd {
   RelaxationStatus status =
@@ -69,7 +70,8 @@ struct RigidEnd {
 };
 
 /// Relaxes a packing under a load.
-/// @param remade  whether the relaxer is created again from its packing and progress after each chunk of steps
+/// @param remade  whether a new relaxer is created after each chunk of steps, from the packing and the progress of the
+/// old one
 template <int Dim>
 RigidEnd<Dim> relaxed_under(const LoadTarget<Dim>& load, Packing<Dim> packing,
                             const RelaxationOptions& options = rigid_options(), bool remade = false,
@@ -103,7 +105,7 @@ RigidEnd<Dim> relaxed(Packing<Dim> packing, const RelaxationOptions& options = r
                        most_steps);
 }
 
-/// Expects that two relaxations ended with the same bits.
+/// Expects that the results of two relaxations are identical bit for bit.
 template <int Dim>
 void expect_same(const RigidEnd<Dim>& a, const RigidEnd<Dim>& b) {
   EXPECT_EQ(a.status, b.status);
@@ -138,7 +140,8 @@ void expect_at_rest(const RigidEnd<Dim>& end) {
   expect_verified(end.packing);
 }
 
-/// Expects a state at rest, or a packing with finite numbers and a reason for the failure.
+/// Expects that a relaxation ended in a state at rest, or in a packing with finite numbers and with a reason for the
+/// failure.
 template <int Dim>
 void expect_at_rest_or_reason(const RigidEnd<Dim>& end) {
   if (end.status == RelaxationStatus::converged) return expect_verified(end.packing);

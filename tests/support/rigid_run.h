@@ -43,7 +43,8 @@ checkpoint_every = 0.02
 )";
 }
 
-/// Scene of rigid grains that fall between walls on a floor and are pressed by a lid: two states in a second or so.
+/// Scene of rigid grains that fall onto a floor between walls and are then pressed by a lid: two states in about a
+/// second.
 /// @param shape  line of the scene with the shape of the grains; empty for disks and spheres
 inline std::string rigid_box_scene(const std::string& shape, int dimension = 2) {
   const bool plane = dimension == 2;

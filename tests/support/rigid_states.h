@@ -22,8 +22,8 @@ inline Law rigid_law(double friction, std::optional<double> adhesion = std::null
   return law;
 }
 
-/// Adds the contacts of a packing whose gaps are at most 1e-9, and computes the properties of the state under
-/// an isotropic pressure.
+/// Adds all contacts with gaps of at most 1e-9 to a packing, and computes the properties of the state under an
+/// isotropic pressure.
 /// @param force  function that returns the normal force of a contact
 template <int Dim, class Force>
 void load_contacts(State<Dim>& state, double pressure, const Force& force) {
@@ -34,7 +34,7 @@ void load_contacts(State<Dim>& state, double pressure, const Force& force) {
   measure(state);
 }
 
-/// Triangular crystal of disks of diameter 1, with four disks in each of four rows. Each contact carries
+/// Triangular crystal of disks of diameter 1, with four disks in each of four rows. The force on each contact is
 /// P/sqrt(3).
 inline State<2> triangular_crystal(double pressure, double friction) {
   State<2> state;
@@ -52,7 +52,7 @@ inline State<2> triangular_crystal(double pressure, double friction) {
   return state;
 }
 
-/// Simple cubic crystal of 27 spheres of diameter 1. Each contact carries P.
+/// Simple cubic crystal of 27 spheres of diameter 1. The force on each contact is P.
 inline State<3> cubic_crystal(double pressure, double friction) {
   State<3> state;
   state.packing.law = rigid_law(friction);
@@ -69,8 +69,7 @@ inline State<3> cubic_crystal(double pressure, double friction) {
 }
 
 /// Gives all grains of a packing one shape.
-/// @param scale  diameter of the circumscribed circle or sphere of each grain (length), for a shape of diameter
-/// 1
+/// @param scale  diameter of the circumscribed circle or sphere of each grain (length), if `shape` has the diameter 1
 template <int Dim>
 void set_shape(Grains<Dim>& grains, const Shape<Dim>& shape, double scale) {
   grains.shapes = std::make_shared<const std::vector<Shape<Dim>>>(1, shape);
@@ -80,9 +79,9 @@ void set_shape(Grains<Dim>& grains, const Shape<Dim>& shape, double scale) {
   for (int i = 0; i < grains.size(); ++i) grains.mass[i] = grains.volume(i);
 }
 
-/// Squares of side 1 arranged like bricks, three in each of four rows that are shifted by half a side. Each of
-/// the two contact points between neighbours in a row carries P/2, each of the four points on top of a square
-/// P/4.
+/// Squares of side 1 arranged like bricks: three squares in each of four rows, and each row shifted by half a side. The
+/// force is P/2 on each of the two contact points between neighbours in a row, and P/4 on each of the four points on
+/// top of a square.
 inline State<2> brick_bond(double pressure, double friction) {
   State<2> state;
   state.packing.law = rigid_law(friction);
@@ -96,7 +95,7 @@ inline State<2> brick_bond(double pressure, double friction) {
   return state;
 }
 
-/// Leaves out the contacts of blocks that meet in an edge or corner only, and measures the state again.
+/// Removes the contacts between blocks that meet only in an edge or corner, and measures the state again.
 template <int Dim>
 void keep_neighbours_across_faces(State<Dim>& state) {
   const Packing<Dim>& packing = state.packing;
@@ -106,7 +105,7 @@ void keep_neighbours_across_faces(State<Dim>& state) {
   measure(state);
 }
 
-/// Simple cubic crystal of eight cubes of side 1: each of the four points between neighbours carries P/4.
+/// Simple cubic crystal of eight cubes of side 1. The force on each of the four points between neighbours is P/4.
 inline State<3> cube_stack(double pressure, double friction) {
   State<3> state;
   state.packing.law = rigid_law(friction);
@@ -120,7 +119,7 @@ inline State<3> cube_stack(double pressure, double friction) {
   return state;
 }
 
-/// Four squares of side 1 that fill a box between walls: each of the two points of a side carries P/2.
+/// Four squares of side 1 that fill a box between walls. The force on each of the two contact points of a side is P/2.
 inline State<2> boxed_squares(double pressure, double friction) {
   State<2> state;
   Packing<2>& packing = state.packing;

@@ -10,7 +10,8 @@
 
 namespace floc::test {
 
-/// Runs floc with stdout on a terminal with `columns` columns; stderr is captured separately.
+/// Runs floc with its standard output on a terminal that is `columns` characters wide. The standard error is captured
+/// separately.
 /// @return text written to the terminal, with lines ending in \n
 inline Outcome run_on_terminal(const std::string& arguments, const std::string& directory, int columns) {
   const ScratchDirectory scratch;
@@ -27,7 +28,7 @@ inline Outcome run_on_terminal(const std::string& arguments, const std::string& 
   }
   std::string out;
   char buffer[4096];
-  // When the other side of a terminal is closed, reading returns an error instead of the end of file.
+  // After the program has closed its side of the terminal, reading returns an error instead of the end of file.
   for (ssize_t n = 0; (n = ::read(terminal, buffer, sizeof buffer)) > 0;)
     for (ssize_t k = 0; k < n; ++k)
       if (buffer[k] != '\r') out += buffer[k];

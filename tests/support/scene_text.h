@@ -8,8 +8,8 @@
 
 namespace floc::test {
 
-/// Returns the text of a small scene up to its assembly, to which a test appends loads. Tests in Python use the
-/// same files (scene_texts.py).
+/// Returns the text of a small scene up to its assembly. Tests append load stages to this text. Tests in Python read
+/// the text from the same files (scene_texts.py).
 inline std::string scene_text(const std::string& name) {
   return read_file(source_directory() + "/tests/support/scenes/" + name + ".toml");
 }

@@ -58,8 +58,8 @@ inline bool has_snakemake() {
   return std::system("command -v snakemake >/dev/null 2>&1") == 0;
 }
 
-/// Starts snakemake in a directory. Its output goes to the file DIR.snakemake beside the directory. @return its
-/// process id
+/// Starts snakemake in a directory. The output of snakemake goes to the file DIR.snakemake beside the directory.
+/// @return process id of snakemake
 inline pid_t start_snakemake(const std::string& directory, const std::string& arguments) {
   const pid_t child = ::fork();
   if (child == 0) {
@@ -70,7 +70,7 @@ inline pid_t start_snakemake(const std::string& directory, const std::string& ar
   return child;
 }
 
-/// Runs snakemake and waits for its end. @return its exit code, with its messages in `out`
+/// Runs snakemake and waits for its end. @return exit code of snakemake, with its messages in `out`
 inline Outcome snakemake(const std::string& directory, const std::string& arguments = "--cores 2") {
   const int status = wait_for(start_snakemake(directory, arguments));
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(directory + ".snakemake"), ""};

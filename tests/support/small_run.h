@@ -6,8 +6,8 @@
 
 namespace floc::test {
 
-/// Fixture: a directory with a run of the small scene in `run/`, made once for all tests of a suite: assembly,
-/// seven states of loading and one of unloading.
+/// Fixture: a directory with a run of the small scene in `run/`, which is made once for all tests of a suite. The run
+/// consists of the assembly, seven states of loading and one state of unloading.
 class SmallRun : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {

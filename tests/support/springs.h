@@ -7,7 +7,8 @@
 
 namespace floc::test {
 
-/// Accesses the tangential spring in the history of a contact with Coulomb friction (length).
+/// Returns the elongation (length) of the tangential spring in the history of a contact with Coulomb friction, for
+/// reading and writing.
 template <int Dim>
 auto shear_spring(Contact<Dim>& c) {
   return c.history.template segment<kShearComponents<Dim>>(HistoryLayout<Dim>::kFriction);
@@ -17,7 +18,8 @@ Shear<Dim> shear_spring(const Contact<Dim>& c) {
   return c.history.template segment<kShearComponents<Dim>>(HistoryLayout<Dim>::kFriction);
 }
 
-/// Accesses the relative rotation in the history of a contact with rolling resistance (radians).
+/// Returns the relative rotation (radians) in the history of a contact with rolling resistance, for reading and
+/// writing.
 template <int Dim>
 auto rolling_spring(Contact<Dim>& c) {
   return c.history.template segment<kRotations<Dim>>(HistoryLayout<Dim>::kRolling);
@@ -27,7 +29,8 @@ RotationVector<Dim> rolling_spring(const Contact<Dim>& c) {
   return c.history.template segment<kRotations<Dim>>(HistoryLayout<Dim>::kRolling);
 }
 
-/// Accesses the rotation about the normal in the history of a contact with twisting resistance (radians).
+/// Returns the rotation about the normal (radians) in the history of a contact with twisting resistance, for reading
+/// and writing.
 inline double& twisting_spring(Contact<3>& c) {
   return c.history[HistoryLayout<3>::kTwisting];
 }

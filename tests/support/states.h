@@ -13,10 +13,9 @@
 
 namespace floc::test {
 
-/// Returns a state that uses every slot of the law, every flag and every text. Its grains lie on a line in a
-/// skewed cell, with one overlap with stretched springs, one attraction at a distance and one contact of a
-/// grain with its own image. It is not in equilibrium. Its numbers have no short decimal form, so that lost
-/// digits are noticed.
+/// Returns a state that uses every slot of the law, every flag and every text. The grains lie on a line in a skewed
+/// cell. One pair overlaps and has stretched springs, one pair attracts at a distance, and one grain touches its own
+/// image. The state is not in equilibrium. Its numbers have no short decimal form, so that a test notices lost digits.
 template <int Dim>
 State<Dim> busy_state() {
   State<Dim> s;
@@ -66,8 +65,8 @@ State<Dim> busy_state() {
   return s;
 }
 
-/// Returns busy_state() with a grain between two walls across the first axis, one of them fixed, and with a
-/// fixed wall across the last axis. In 2D all sides have walls.
+/// Returns busy_state() with walls: a grain lies between two walls across the first axis, one of which is fixed, and
+/// there is a fixed wall across the last axis. In 2D, all sides have walls.
 template <int Dim>
 State<Dim> boxed_state() {
   State<Dim> s = busy_state<Dim>();

@@ -8,10 +8,10 @@
 
 namespace floc::test {
 
-/// Normal law whose surfaces, once they have met, stay connected across a gap, as in the law of Johnson,
-/// Kendall and Roberts [Proc. R. Soc. A 324, 301 (1971)]. For connected surfaces with an overlap d > -l, the
-/// elastic force is FNe = K_N (d + l) and the adhesion FNa = -K_N l. They separate at a gap l under a tension
-/// of K_N l. When they meet, the force is zero, and the energy K_N l^2/2 is lost.
+/// Normal law under which surfaces that have touched stay connected across a gap, as in the law of Johnson, Kendall and
+/// Roberts [Proc. R. Soc. A 324, 301 (1971)]. For connected surfaces with an overlap d > -l, the elastic force is FNe =
+/// K_N (d + l) and the adhesion FNa = -K_N l. The surfaces separate at a gap l under a tension of K_N l. When they
+/// meet, the force is zero, and the energy K_N l^2/2 is lost.
 struct StickySpring {
   double normal_stiffness;  ///< K_N (force/length)
   double holding_gap;       ///< l (length)
@@ -37,7 +37,7 @@ struct StickySpring {
   T stiffness(const PairGeometry<T>& pair, const T* history) const {
     return lanes::select(touches(pair, history), T(normal_stiffness), T(0));
   }
-  /// Elastic energy K_N (d + l)^2/2. The energy of adhesion is -K_N l (d + l). Both are zero when the surfaces
+  /// Elastic energy K_N (d + l)^2/2. The energy of adhesion is -K_N l (d + l). Both energies are zero when the surfaces
   /// separate.
   template <class T>
   T energy(const PairGeometry<T>& pair, const T* history) const {

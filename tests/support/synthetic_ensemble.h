@@ -10,9 +10,9 @@
 
 namespace floc::test {
 
-/// Ensemble of samples that collapse in jumps. All follow the same curve: a plateau up to P0, then a line of
-/// slope lambda. A sample follows it only at its own random pressures and keeps its density in between. The
-/// distances of these pressures in ln P are exponentially distributed with mean `gap`. Each sample also has a
+/// Ensemble of samples that collapse in jumps. All samples share one curve: a plateau up to P0, then a line of slope
+/// lambda. A sample jumps to this curve at random pressures of its own, and keeps its density between the jumps. The
+/// distances between successive jumps in ln P are exponentially distributed with the mean `gap`. Each sample also has a
 /// constant shift.
 struct Staircases {
   double lambda = 0.2, P0 = 0.05, y0 = 1.9;

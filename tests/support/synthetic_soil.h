@@ -14,7 +14,7 @@
 
 namespace floc::test {
 
-/// Clay for which 1/Phi falls by kappa per unit of ln P up to the yield pressure, and by lambda beyond.
+/// Clay whose 1/Phi decreases by kappa per unit of ln P below the yield pressure, and by lambda per unit above it.
 struct TwoLineClay {
   double kappa = 0.03, lambda = 0.2, P_yield = 95.0, y_yield = 1.9;
 
@@ -55,8 +55,9 @@ inline ConsolidationCurve noisy_curve(const std::function<double(double)>& phi_o
   return curve;
 }
 
-/// Returns a curve as a table has it in which the sample creeps: under every second load there are one or two earlier rows of
-/// the same pressure, in which it is looser than at last. Of these rows the last one counts.
+/// Returns a curve that is read from a table of a creeping sample. Under every second load, the table has one or two
+/// additional rows at the same pressure, in which the sample is looser than in the last row. Only the last row at each
+/// pressure counts.
 inline ConsolidationCurve through_creep(const ConsolidationCurve& curve, RandomStream& random) {
   std::vector<PathRow> rows;
   for (std::size_t i = 0; i < curve.phi.size(); ++i) {

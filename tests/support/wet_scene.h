@@ -6,8 +6,8 @@
 
 namespace floc::test {
 
-/// Scene of 40 beads of 1 to 2 mm that are compressed dry, wetted, unloaded to P = 0 and compressed again.
-/// f0/a^2 is 200 Pa.
+/// Scene of 40 beads of 1 to 2 mm that are compressed dry, wetted, unloaded to P = 0 and compressed again. The unit of
+/// stress, f0/a^2, is 200 Pa.
 inline std::string wet_scene() {
   return scene_text("wet") + R"([[load]]
 to = 0

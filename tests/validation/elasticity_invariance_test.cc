@@ -19,8 +19,8 @@ Moduli full_moduli(const Packing<Dim>& packing) {
   return elastic_moduli(packing, options);
 }
 
-/// Relative tolerance. The sums have another order and the branches other rounding errors, multiplied by a
-/// condition number of about 1e3; long branches need additional room.
+/// Relative tolerance. In the changed packing, sums have another order, and branches have other rounding errors, which
+/// are multiplied by a condition number of about 1e3. Long branches need a larger tolerance.
 constexpr double kSame = 1e-10;
 
 template <int Dim>

@@ -70,8 +70,9 @@ TEST_F(FormatOfJamBashbulk, ModuliWithPrestressAreDerivativesOfTheCauchyStress) 
   constexpr double kStep = 1e-6;
   const Moduli m = moduli(true);
   const Mat<2> stress = static_stress(packing_);
-  // Moduli contain the symmetric part of the convective terms (docs/physics.md, "Prestress"). The derivative of
-  // the Cauchy stress also contains the antisymmetric part, which is of the order of the shear stress.
+  // The moduli contain only the symmetric part of the convective terms (docs/physics.md, "Prestress"). The derivative
+  // of the Cauchy stress also contains the antisymmetric part of these terms, which is of the order of the shear
+  // stress.
   const auto convected = [&](int a, int b) {
     const Mat<2> e = unit_strain<2>(b), turned = stress * e;
     return ((stress * e.trace() - 0.5 * (turned + turned.transpose())) * unit_strain<2>(a)).trace();
@@ -82,8 +83,8 @@ TEST_F(FormatOfJamBashbulk, ModuliWithPrestressAreDerivativesOfTheCauchyStress) 
         (static_stress(strained(packing_, kStep * e)) - static_stress(strained(packing_, -kStep * e))) /
         (2.0 * kStep);
     for (int a = 0; a < 3; ++a) {
-      // Rounding of positions of order 10, divided by the step, gives an error of 1e-9; the truncation error is
-      // of order step^2, divided by overlaps of 1e-3.
+      // The rounding of positions of order 10, divided by the step, gives an error of 1e-9. The truncation error is of
+      // the order of step^2, divided by overlaps of 1e-3.
       const double expected = m.C(a, b) + 0.5 * (convected(a, b) - convected(b, a));
       EXPECT_NEAR((change * unit_strain<2>(a)).trace(), expected, 1e-7) << a << " " << b;
     }

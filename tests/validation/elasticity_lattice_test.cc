@@ -51,7 +51,7 @@ TEST(Lattice, TriangularIsIsotropicWithItsClosedForm) {
   EXPECT_NEAR(m.B_S, B, kRounding);
   EXPECT_NEAR(m.G, G, kRounding);
   EXPECT_LT(m.isotropy_defect, kRounding);
-  // The displacements are affine and all contacts carry equal forces, so all bounds equal the moduli.
+  // The displacements are affine and the forces on all contacts are equal, so all bounds equal the moduli.
   EXPECT_NEAR(m.bounds.B_voigt, B, kRounding);
   EXPECT_NEAR(m.bounds.G_voigt, G, kRounding);
   EXPECT_NEAR(m.bounds.B_reuss, B, kRounding);
@@ -61,7 +61,8 @@ TEST(Lattice, TriangularIsIsotropicWithItsClosedForm) {
 TEST(Lattice, HoneycombRelaxesToItsClosedForm) {
   const Moduli m = full_moduli(test::honeycomb(kSpacing, test::elastic_law(kN, kT, kR)));
   const double B = kN / (2.0 * std::sqrt(3.0));
-  // The shear modulus follows by minimising the energy over the relative displacement of the two sublattices.
+  // The shear modulus follows from the minimum of the energy with respect to the relative displacement of the two
+  // sublattices.
   const double G = kN * kT / (std::sqrt(3.0) * (kN + kT));
   EXPECT_NEAR(m.B, B, kRounding);
   EXPECT_NEAR(m.G, G, kRounding);
@@ -83,8 +84,8 @@ TEST(Lattice, FramesOfChainsBendAsTheTwoDiskEquivalentSays) {
   }
 }
 
-/// The frames are so soft in shear that the stiffness matrix alone would not determine any digit of their shear
-/// modulus. The modulus must lie within its error bound, and the bound must be small compared with the modulus.
+/// The frames are so soft in shear that no digit of the shear modulus could be computed from the stiffness matrix
+/// alone. The modulus must lie within its error bound, and the bound must be small compared with the modulus.
 TEST(Lattice, SoftFramesAreWithinTheirErrorBound) {
   for (const double rolling : {1.0, 1e-4, 1e-8})
     for (const int n : {3, 20, 100}) {
@@ -98,7 +99,7 @@ TEST(Lattice, SoftFramesAreWithinTheirErrorBound) {
     }
 }
 
-/// Returns one sphere per cell that touches its images at a distance of one spacing.
+/// Returns a packing with one sphere per cell, which touches its images at a distance of one spacing.
 Packing<3> bravais(const Mat<3>& cell) {
   Packing<3> packing;
   packing.law = test::elastic_law(kN, kT, kR);
@@ -125,9 +126,9 @@ TEST(Lattice, FaceCentredCubicSpheresHaveTheirClosedForm) {
   ModuliOptions options;
   options.strains = StrainSet::full;
   const Moduli m = elastic_moduli(packing, options);
-  // Every sphere is a centre of symmetry, so displacements are affine. With the volume d^3/sqrt(2) per sphere,
-  // the sum over its 6 branch directions n is C_abcd = (sqrt(2)/d) sum [(K_N - K_T) n_a n_b n_c n_d + K_T (n_a
-  // n_c delta_bd + ...)/4].
+  // Every sphere is a centre of symmetry, so displacements are affine. The volume per sphere is d^3/sqrt(2). The sum
+  // over the 6 branch directions n of a sphere is C_abcd = (sqrt(2)/d) sum [(K_N - K_T) n_a n_b n_c n_d + K_T (n_a n_c
+  // delta_bd + ...)/4].
   const double unit = std::sqrt(2.0) / kSpacing;
   const Eigen::MatrixXd closed = cubic(unit * (kN + kT), unit * 0.5 * (kN - kT), unit * 0.5 * (kN + kT));
   EXPECT_LT((m.C - closed).cwiseAbs().maxCoeff(), kRounding);
@@ -162,8 +163,8 @@ TEST(Chain, OfThreeDisksIsASeriesOfSpringsThatHoldsOnlyItsOwnLine) {
   EXPECT_NEAR(m.C(0, 0), 3.0 * kSpacing / (2.0 * compliance), kRounding);
   EXPECT_EQ(m.C(1, 1), 0.0);
   EXPECT_EQ(m.n_coupled_mechanisms, 1);
-  // Transverse motion has 3 displacements and 3 rotations, but only 3 springs and 1 translation. This leaves 2
-  // mechanisms, plus that of the cell.
+  // The transverse motion has 3 displacements and 3 rotations. The 3 springs and the 1 translation reduce these 6 to 2
+  // mechanisms; the cell adds a third mechanism.
   EXPECT_EQ(m.n_mechanisms, 3);
   EXPECT_EQ(m.n_negative, 0);
   EXPECT_EQ(m.B_S, 0.0);

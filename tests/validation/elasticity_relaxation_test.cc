@@ -31,12 +31,13 @@ Packing<2> solved(const Packing<2>& start, const Vec<2>& target) {
   options.target = 1e-11;
   options.max_iterations = 30;
   const StaticSolution<2> solution = solve_statics(start, target, options);
-  // The residual cannot be smaller than the rounding error of absolute positions, which is close to the target.
+  // The residual cannot be smaller than the rounding error of absolute positions, which is close to the target of the
+  // residual.
   EXPECT_LT(solution.residual, 1e-9) << solution.reason;
   return solution.packing;
 }
 
-/// Returns half the difference of logarithmic strains between equilibria at pressure + step and pressure -
+/// Returns half the difference between the logarithmic strains of two equilibria, at pressure + step and at pressure -
 /// step.
 Vec<2> strain_found(const Packing<2>& start, double pressure, const Vec<2>& step) {
   const Packing<2> more = solved(start, Vec<2>::Constant(pressure) + step);
@@ -48,8 +49,8 @@ Vec<2> strain_found(const Packing<2>& start, double pressure, const Vec<2>& step
   return -0.5 * (more.cell.matrix.diagonal().array().log() - less.cell.matrix.diagonal().array().log());
 }
 
-/// Returns the largest relative difference between the imposed stress steps and those that the moduli predict
-/// from the strains.
+/// Returns the largest relative difference between the imposed stress steps and the stress steps that the moduli
+/// predict from the strains.
 double worst_difference(const Packing<2>& start, double pressure, double relative_step, bool prestress) {
   ModuliOptions options;
   options.prestress = prestress;
@@ -65,8 +66,8 @@ double worst_difference(const Packing<2>& start, double pressure, double relativ
 TEST(ModuliAndRelaxation, AgreeOnACohesivePacking) {
   for (const std::uint64_t seed : {1, 2, 3}) {
     const Packing<2> packing = solved(equilibrium(40, test::cohesive_law(), 1.0, seed), Vec<2>::Constant(1.0));
-    // The remaining difference comes from geometric terms of the tangential forces, which K omits: at most 2e-5
-    // for any step.
+    // The remaining difference, at most 2e-5 for any step, comes from geometric terms of the tangential forces, which
+    // the stiffness matrix K omits.
     EXPECT_LT(worst_difference(packing, 1.0, 1e-3, true), 1e-4);
     EXPECT_GT(worst_difference(packing, 1.0, 1e-3, false), 2e-4);
   }
@@ -87,7 +88,8 @@ TEST(ModuliAndRelaxation, AgreeOnAFrictionlessPackingWherePrestressCounts) {
 
 TEST(Bounds, AreInOrderOnEquilibria) {
   Law law = test::cohesive_law();
-  law += test::constant_adhesion(1.0);  // acts in contact only; the theorem excludes attractions at a distance
+  // Acts only in contact, because the theorem excludes attractions at a distance.
+  law += test::constant_adhesion(1.0);
   for (const std::uint64_t seed : {1, 2})
     for (const double pressure : {0.1, 1.0, 10.0}) {
       const Packing<2> packing = solved(equilibrium(40, law, pressure, seed), Vec<2>::Constant(pressure));

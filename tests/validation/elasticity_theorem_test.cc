@@ -34,8 +34,7 @@ bool carries_any_stress(const Eigen::MatrixXd& C) {
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(C).eigenvalues()[0] > 1e-6;
 }
 
-/// Gives a network the forces with which another network of the same contacts responds to a unit isotropic
-/// stress.
+/// Sets the forces of a network to the response of another network, with the same contacts, to a unit isotropic stress.
 template <int Dim>
 void take_forces(ContactNetwork<Dim>& network, const ContactNetwork<Dim>& from) {
   const ElasticResponse response = elastic_response(from, {});
@@ -49,7 +48,7 @@ void take_forces(ContactNetwork<Dim>& network, const ContactNetwork<Dim>& from) 
   }
 }
 
-/// Returns whether the network could be tested. A network that does not span the cell carries no isotropic
+/// Returns whether the network could be tested. A network that does not span the cell cannot be under an isotropic
 /// stress.
 template <int Dim>
 bool expect_bounds_in_order(int n_grains, unsigned seed) {
@@ -58,7 +57,7 @@ bool expect_bounds_in_order(int n_grains, unsigned seed) {
   randomise_stiffness(network, engine);
   const Eigen::MatrixXd C = elastic_response(network, {}).relaxed / network.volume;
   if (!carries_any_stress(C)) return false;
-  // These forces balance, but they are not the response of this network itself.
+  // The forces of this network balance, but they are the response of another network.
   ContactNetwork<Dim> foreign = network;
   randomise_stiffness(foreign, engine);
   take_forces(network, foreign);
@@ -88,8 +87,8 @@ TEST(Bounds, ReussIsExactForTheNetworksOwnResponse) {
   const Eigen::MatrixXd C = elastic_response(network, {}).relaxed / network.volume;
   ASSERT_TRUE(carries_any_stress(C));
   take_forces(network, ContactNetwork<2>(network));
-  // The complementary energy of the response is its work. Rounding errors are multiplied by a condition number
-  // of about 1e3.
+  // The complementary energy of the response equals the work of the stress. Rounding errors are multiplied by a
+  // condition number of about 1e3.
   EXPECT_NEAR(elastic_bounds(network, 1.0, {6.0, 0.8}).B_reuss * C.inverse().sum(), 1.0, 1e-11);
 }
 

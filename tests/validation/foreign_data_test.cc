@@ -12,9 +12,9 @@
 #include "floc/packing/wall_forces.h"
 #include "support/foreign_packing.h"
 
-/// Tests with files of other programs, which are not part of the repository. The environment variable
-/// FLOC_FOREIGN_DATA names their folder (CONTRIBUTING.md); without it these tests are skipped. The expected
-/// numbers come from other parsers.
+/// Tests with files of other programs, which are not part of the repository. The environment variable FLOC_FOREIGN_DATA
+/// names the folder of the files (CONTRIBUTING.md); the tests are skipped if it is not set. The expected numbers were
+/// read from the files by other parsers.
 namespace floc {
 namespace {
 
@@ -84,7 +84,8 @@ TEST_F(ForeignData, FstatOfAChuteListsItsPairsTwice) {
   options.drop_tensile = true;
   const State<3> state = read<3>("mercurydpm/chute_periodic.restart", options);
   EXPECT_EQ(state.packing.grains.size(), 107);
-  // 171 rows are 92 pairs, of which one pulls. The sum of f r over the others does not depend on where the free end is.
+  // The 171 rows contain 92 pairs; the force of one pair is attractive. The sum of f r over the other pairs does not
+  // depend on the position of the free end.
   EXPECT_EQ(state.packing.contacts.size(), 91u);
   EXPECT_NEAR(state.stress.trace() / 3.0 * state.packing.cell.volume(), 3.1817834280059e-06, 1e-18);
   EXPECT_FALSE(between_walls(state.packing.walls, 0));
@@ -134,13 +135,14 @@ TEST_F(ForeignData, PentagonsOfLmgc90Balance) {
   EXPECT_EQ(points.size(), 793u);
   EXPECT_EQ(std::count_if(points.begin(), points.end(), [](const auto& pair) { return pair.second == 2; }),
             129);
-  // The file does not contain contacts with the floor, so some grains are not balanced.
+  // The file does not contain contacts with the floor, so the forces on some grains do not balance.
   const Balance<2> balance = net_forces(p);
   const double mean = sum / 922.0;
   int n_balanced = 0;
   for (int i = 0; i < 500; ++i) n_balanced += balance.force[i].norm() < 1e-5 * mean;
   EXPECT_GE(n_balanced, 448);
-  // The contact points computed from the shapes agree with those of the file to its seven digits.
+  // The contact points computed from the shapes agree with the contact points in the file to the seven digits of the
+  // file.
   double furthest = 0.0;
   for (const Contact<2>& c : p.contacts) furthest = std::max(furthest, std::abs(locate(p, c).gap - c.gap));
   EXPECT_LT(furthest, 5e-5);

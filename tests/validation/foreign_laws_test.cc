@@ -11,9 +11,9 @@
 #include "support/hand_network.h"
 #include "support/places.h"
 
-/// Packings simulated by LAMMPS and YADE under laws that floc has (data/packings), converted as described in
-/// docs/commands/convert.md. Their normal forces must follow from their positions, and their moduli must equal
-/// those of a network built directly from the rows of the files.
+/// Packings that LAMMPS and YADE have simulated under laws that floc also has (data/packings). They are converted as
+/// described in docs/commands/convert.md. The normal forces must follow from the positions, and the moduli must equal
+/// the moduli of a network that is built directly from the rows of the files.
 namespace floc::test {
 namespace {
 
@@ -47,7 +47,8 @@ std::map<std::int64_t, HandGrain> grains_of(const std::vector<std::vector<double
   return grains;
 }
 
-/// Returns the cell of a dump, from its three lines of bounds with or without tilt factors.
+/// Returns the cell of a dump, computed from the three lines of the dump with the bounds, which may contain tilt
+/// factors.
 Mat<3> lammps_cell(const std::string& dump) {
   const auto rows = numbers_behind(dump, "ITEM: BOX BOUNDS");
   const auto tilt = [&](int a) { return rows[a].size() > 2 ? rows[a][2] : 0.0; };
@@ -60,10 +61,11 @@ Mat<3> lammps_cell(const std::string& dump) {
   return cell;
 }
 
-/// Stiffnesses of a pair as a function of gap and reduced radius; none if the pair does not interact.
+/// Function of the gap and the reduced radius that returns the stiffnesses of a pair; absent if the pair does not
+/// interact.
 using HandLaw = std::function<std::optional<HandContact>(double gap, double radius)>;
 
-/// Returns the moduli of the network of the listed pairs.
+/// Returns the moduli of the network that consists of the listed pairs.
 template <int Dim>
 Moduli by_hand(HandNetwork<Dim> hand, const std::vector<std::vector<double>>& pairs, const HandLaw& law) {
   for (const std::vector<double>& row : pairs) {
@@ -82,8 +84,8 @@ void expect_same_moduli(const Imported& converted, const Moduli& hand) {
   EXPECT_NEAR(moduli.G, hand.G, kRelative * hand.G);
 }
 
-/// Returns the largest difference between the stored normal forces and those of the law, divided by the largest
-/// force.
+/// Returns the largest difference between the stored normal forces and the forces that the law gives, divided by the
+/// largest force.
 template <int Dim>
 double largest_difference(const Imported& converted) {
   const Packing<Dim>& packing = std::get<State<Dim>>(converted.state).packing;
@@ -97,8 +99,8 @@ double largest_difference(const Imported& converted) {
   return difference / largest;
 }
 
-/// Hertz-Mindlin law of spheres with E and nu. Contacts with forces below `smallest` = 1e-5 P a^2 belong to
-/// rattlers and are omitted.
+/// Hertz-Mindlin law of spheres with E and nu. Contacts with forces below `smallest` belong to rattlers and are
+/// omitted. `smallest` is 1e-5 P a^2.
 HandLaw hertz_mindlin(double E, double nu, double smallest) {
   return [=](double gap, double radius) -> std::optional<HandContact> {
     const double E_r = E / (2.0 * (1.0 - nu * nu));
@@ -158,9 +160,9 @@ HandNetwork<3> yade_hand(const std::string& file) {
   return {cell, grains_of(numbers_behind(file, ""), 1, 4)};
 }
 
-/// Compares the normal forces listed by YADE with those of the law. YADE's tangential forces have a small
-/// component along the branch, which the conversion adds to the normal force; so the listed values are compared
-/// instead of the converted ones.
+/// Compares the normal forces listed by YADE with the normal forces of the law. The listed forces are compared, and not
+/// the converted forces, because YADE's tangential forces have a small component along the branch that the conversion
+/// adds to the normal force.
 double largest_difference_of_yade(const Imported& converted, const std::vector<std::vector<double>>& rows) {
   const Packing<3>& packing = std::get<State<3>>(converted.state).packing;
   std::map<std::pair<int, int>, double> listed;

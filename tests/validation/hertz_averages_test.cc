@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Fixture: equal spheres with a = 1 at random positions, with Hertz contacts of modulus E and tangential
-/// forces from 0 to 0.3 N.
+/// Fixture: equal spheres of diameter a = 1 at random positions, with Hertz contacts of modulus E. The tangential
+/// forces range from 0 to 0.3 times the normal force N.
 class HertzAverages : public testing::Test {
  protected:
   void SetUp() override {
@@ -38,7 +38,8 @@ class HertzAverages : public testing::Test {
   double mean_force() const {
     return mean([](const Contact<3>& c) { return c.normal_force; });
   }
-  /// (E/P)^(2/3), with the pressure P = z Phi <N>/(pi a^2) of contacts of length a.
+  /// Stiffness number (E/P)^(2/3), with the pressure P = z Phi <N>/(pi a^2), which assumes that all branches have the
+  /// length a.
   double kappa() const { return std::cbrt(std::pow(kE * kPi / (forces_.z * phi() * mean_force()), 2)); }
   double phi() const { return solid_fraction(packing_); }
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kRatio = 14.0 / 17.0;  // K_T/K_N at nu = 0.3
 
-/// Returns a crystal of Hertz contacts with a = E = 1 and the given overlap.
+/// Returns a crystal of spheres with Hertz contacts, with the diameter a = 1, E = 1 and the given overlap.
 Packing<3> hertz_crystal(const CubicCrystal& crystal, double overlap) {
   Packing<3> packing = crystal_of(crystal, 1.0 - overlap, 1.0, elastic_law(1.0, 0.5, 0.0));
   make_hertzian(1.0, kRatio, packing);
@@ -30,7 +30,8 @@ double pressure(const Packing<3>& packing) {
 }
 
 TEST(HertzCrystal, HasItsPressureSolidFractionAndBulkModulus) {
-  // Values for glass at 100 MPa, P = kappa^(-3/2): overlap, Phi, B without prestress and B with prestress.
+  // Values for glass at 100 MPa, where P = kappa^(-3/2). The columns are the overlap, Phi, B without prestress, and B
+  // with prestress.
   const double P = std::pow(83.953299, -1.5);
   const double closed[3][4] = {{0.02398742, 0.5631607545, 0.02644753, 0.02731420},
                                {0.01679556, 0.7156307881, 0.03805071, 0.03891738},
@@ -38,7 +39,7 @@ TEST(HertzCrystal, HasItsPressureSolidFractionAndBulkModulus) {
   for (int k = 0; k < 3; ++k) {
     const CubicCrystal crystal = cubic_crystals()[k];
     const Packing<3> packing = hertz_crystal(crystal, closed[k][0]);
-    // The overlap is given with seven digits; P is proportional to h^1.5, B to h^0.5.
+    // The overlap h is given with seven digits. P is proportional to h^1.5, and B to h^0.5.
     EXPECT_NEAR(pressure(packing), P, 5e-7 * P) << crystal.name;
     EXPECT_NEAR(solid_fraction(packing), closed[k][1], 2e-8) << crystal.name;
     EXPECT_NEAR(full_moduli(packing).B, closed[k][2], 1e-8) << crystal.name;
@@ -77,7 +78,8 @@ TEST(HertzCrystal, OfFccHasItsNumbers) {
   expect_cubic(face_centred_cubic(), full_moduli(fcc, true), 0.07094395, 0.03691490, 0.03499100, 5e-9);
 }
 
-/// Returns spheres at the sites of a lattice with r = K_N = 1; each touches all spheres at a distance of one.
+/// Returns spheres at the sites of a lattice, with branch length and K_N equal to 1. Each sphere touches all spheres at
+/// a distance of one.
 Packing<3> unit_springs(const Mat<3>& cell, const std::vector<Vec<3>>& places) {
   Packing<3> packing;
   packing.law = elastic_law(1.0, kRatio, 0.0);

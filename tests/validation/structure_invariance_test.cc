@@ -22,8 +22,8 @@
 namespace floc::test {
 namespace {
 
-/// All measured quantities of one packing as a list of numbers, with those that depend on the mesh in a
-/// separate list.
+/// All measured quantities of one packing, as two lists of numbers: quantities that do not depend on the mesh, and
+/// quantities that do.
 struct Measured {
   std::vector<double> exact, on_mesh;
 };
@@ -33,8 +33,8 @@ void append(std::vector<double>& list, std::vector<double> more, bool sorted = f
   list.insert(list.end(), more.begin(), more.end());
 }
 
-/// Returns disks with some contacts and room for rattlers: positions are random, and radii are reduced until
-/// disks hardly overlap.
+/// Returns disks at random positions, with some contacts and with gaps in which rattlers are possible. The radii are
+/// reduced until disks hardly overlap.
 Packing<2> loose_packing() {
   Packing<2> packing = random_packing<2>(80, 3, elastic_law(1.0, 0.5, 0.1), 0.85);
   packing.law += test::changed("friction.coefficient", 0.5);
@@ -59,7 +59,7 @@ Measured measure(const Packing<2>& packing) {
   append(m.exact, contact_forces(packing, ForceKind::normal), true);
   const std::vector<double> p = particle_pressure(packing);
   append(m.exact, p, true);
-  // Half of the grains are treated as under tension, chosen by size and not by number.
+  // Half of the grains are treated as grains under tension. They are chosen by their sizes, and not by their numbers.
   std::vector<double> signed_pressure;
   for (const double R : packing.grains.radius) signed_pressure.push_back(R - 0.5);
   const PressurePhases phases = pressure_phases(contact_network(packing), signed_pressure);

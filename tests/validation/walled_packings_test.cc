@@ -15,9 +15,9 @@
 #include "floc/packing/wall_forces.h"
 #include "support/places.h"
 
-/// Packings of LAMMPS and YADE between walls and on floors (data/packings), converted as docs/commands/convert.md says. Their
-/// forces of walls, net forces and moduli are those computed here from the rows of the files alone, without the readers, the
-/// contact search, the network and the solver of the library.
+/// Packings of LAMMPS and YADE between walls and on floors (data/packings), converted as in docs/commands/convert.md.
+/// The forces on walls, the net forces and the moduli must equal the values that this test computes from the rows of
+/// the files, without the readers, the contact search, the network and the solver of the library.
 namespace floc::test {
 namespace {
 
@@ -25,8 +25,8 @@ using Vector = Eigen::Vector3d;
 const std::string kFiles = source_directory() + "/data/packings/";
 constexpr double kAgreement = 1e-9;
 
-/// Rows of numbers of a compressed text behind a line that begins with `header`, without comments. Names of walls, such as
-/// "x-", become the numbers -1 to -6.
+/// Returns the rows of numbers, without comments, that follow a line beginning with `header` in a compressed text.
+/// Names of walls, such as "x-", become the numbers -1 to -6.
 std::vector<std::vector<double>> rows_behind(const std::string& file, const std::string& header) {
   std::istringstream in(read_file(kFiles + file));
   std::vector<std::vector<double>> rows;
@@ -56,7 +56,8 @@ struct FileContact {
   int side() const { return (-1 - id2) % 2 == 0 ? -1 : 1; }
 };
 
-/// A packing as its files have it. An axis with `walls` has walls at one or both ends, the others are periodic.
+/// Content of the files of a packing. The axes marked in `walls` have walls at one or both ends; the other axes are
+/// periodic.
 struct FilePacking {
   struct Grain {
     Vector x;
@@ -68,7 +69,8 @@ struct FilePacking {
   std::array<bool, 3> walls{};
 
   double volume() const { return (high - low).prod(); }
-  /// From the centre of the first grain to the nearest image of the second, or to the nearest point of the wall.
+  /// Returns the vector from the centre of the first grain to the centre of the nearest image of the second grain, or
+  /// to the nearest point of the wall.
   Vector branch(const FileContact& c) const {
     const Vector& x = grains.at(c.id1).x;
     if (c.on_wall()) return ((c.side() < 0 ? low : high)[c.axis()] - x[c.axis()]) * Vector::Unit(c.axis());
@@ -102,15 +104,15 @@ struct FilePacking {
   }
 };
 
-/// Moduli of a packing by displacements and rotations of the grains and the walls: 6 unknowns a grain, a shift of the two
-/// walls of each axis, and the three strains. Walls move along their normals by the strain from the middle between them, and
-/// stretch with the cell along periodic axes.
+/// Computes the moduli of a packing. The unknowns are 6 displacements and rotations of each grain, a common shift of
+/// the two walls of each axis, and the three strains. Under a strain, walls move along their normals relative to the
+/// middle between them; along periodic axes, they are stretched with the cell.
 class HandModuli {
  public:
   explicit HandModuli(const FilePacking& packing) : packing_(packing) {
     for (const auto& [id, grain] : packing.grains) index_[id] = 6 * static_cast<int>(index_.size());
     n_ = 6 * static_cast<int>(index_.size()) + 3;
-    // Contacts of rattlers carry no force, and no stiffness.
+    // Contacts of rattlers have no force, and therefore get no stiffness.
     double largest = 0.0;
     for (const FileContact& c : packing.contacts) largest = std::max(largest, c.force.norm());
     for (const FileContact& c : packing.contacts)
@@ -120,7 +122,8 @@ class HandModuli {
   Eigen::Matrix3d stiffness() const {
     Eigen::SparseMatrix<double> all(n_ + 3, n_ + 3);
     all.setFromTriplets(entries_.begin(), entries_.end());
-    // Free motions of rattlers, and shifts of walls that nothing touches, get a stiffness that changes no digit.
+    // Free motions of rattlers, and shifts of walls without contacts, get a stiffness so small that it changes no digit
+    // of the result.
     Eigen::SparseMatrix<double> inner = all.topLeftCorner(n_, n_);
     for (int k = 0; k < n_; ++k) inner.coeffRef(k, k) += 1e-12 * largest_;
     const Eigen::MatrixXd loads = Eigen::MatrixXd(all.topRightCorner(n_, 3));
@@ -132,7 +135,7 @@ class HandModuli {
   }
 
  private:
-  /// Columns of the relative displacement at a contact per unit of each unknown.
+  /// Relative displacement at a contact per unit of each unknown: the key is the index of the unknown.
   using Row = std::map<int, Vector>;
 
   static void rotate(int first, const Vector& arm, double sign, Row& row) {
@@ -182,7 +185,7 @@ class HandModuli {
   std::vector<Eigen::Triplet<double>> entries_;
 };
 
-/// Converts as the program does.
+/// Converts a file in the same way as `floc convert`.
 State<3> converted(const std::string& file, ImportOptions options) {
   const std::string path = kFiles + file;
   const Imported imported = find_import_format("", path).read(path, options);
@@ -217,7 +220,7 @@ void expect_as_by_hand(const State<3>& state, const FilePacking& hand) {
     for (int b = 0; b < 3; ++b) EXPECT_NEAR(moduli.C(a, b), C(a, b), kAgreement * C.maxCoeff()) << a << b;
 }
 
-/// Rows of a dump and its columns.
+/// Rows of a dump, and the names of its columns.
 struct DumpRows {
   explicit DumpRows(const std::string& file) : rows(rows_behind(file, "ITEM: ATOMS")) {
     std::istringstream in(read_file(kFiles + file));
@@ -232,7 +235,8 @@ struct DumpRows {
   std::map<std::string, std::size_t> column;
 };
 
-/// The packing of LAMMPS whose walls have the fixes `fixes`: for each wall, its name as a negative number and its fix.
+/// Reads a packing of LAMMPS. `fixes` contains the fix of each wall; the key is the name of the wall as a negative
+/// number.
 FilePacking lammps_by_hand(const std::string& name, const std::map<std::int64_t, std::string>& fixes) {
   FilePacking packing;
   const DumpRows dump(name + ".dump.gz");
@@ -280,7 +284,7 @@ TEST(LammpsWalls, OfABoxGiveForcesBalanceAndModuliByHand) {
   expect_as_by_hand(converted("lammps/box.dump.gz", options), hand);
 }
 
-/// Height of the highest grain, where a packing with a free surface ends.
+/// Height of the top of the highest grain, which is the upper end of a packing with a free surface.
 double top_of(const FilePacking& packing) {
   double top = 0.0;
   for (const auto& [id, grain] : packing.grains) top = std::max(top, grain.x[2] + grain.radius);
@@ -301,7 +305,7 @@ TEST(LammpsWalls, OfAFloorUnderGravityGiveForcesBalanceAndModuliByHand) {
   EXPECT_NEAR(hand.wall_force(2, -1), weight, 1e-9 * weight);
 }
 
-/// The packing of YADE: walls and gravity are in the comments of its file.
+/// Reads a packing of YADE. The comments in the file contain the walls and the gravity.
 FilePacking yade_by_hand(const std::string& name) {
   FilePacking packing;
   packing.walls = {true, true, true};

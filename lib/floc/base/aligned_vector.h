@@ -29,8 +29,8 @@ struct CacheLineAllocator {
 };
 
 /// A vector whose first element lies at the beginning of a cache line. Loading a full vector register from such a
-/// vector never touches two cache lines. With std::vector, the speed of loops differed by a tenth, depending on where
-/// their arrays happened to begin.
+/// vector never touches two cache lines. With std::vector, the speed of loops varied by a tenth, because arrays can
+/// begin anywhere within a cache line.
 template <class T>
 using AlignedVector = std::vector<T, CacheLineAllocator<T>>;
 

@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kDigitsOfDouble = 17;  ///< number of significant digits that distinguish any two doubles
 constexpr int kDigitsKept =
-    34;  ///< number of significant digits beyond which further digits do not change a double-double
-constexpr int kExactPower = 22;  ///< exponent of the largest power of ten, 10^22, that is exactly a double
+    34;  ///< number of significant digits that determine a double-double; further digits do not change it
+constexpr int kExactPower = 22;  ///< largest n for which 10^n is exactly a double
 
 DoubleDouble times_power_of_ten(DoubleDouble x, int exponent) {
   for (; exponent != 0; exponent -= std::clamp(exponent, -kExactPower, kExactPower)) {

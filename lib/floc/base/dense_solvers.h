@@ -4,11 +4,10 @@
 
 namespace floc {
 
-/// Decompositions of small dense matrices by the library Eigen. They are compiled in one source file, because every
-/// file that instantiates a decomposition takes seconds longer to compile.
+/// Decompositions of small dense matrices by the library Eigen. They are compiled in a single source file, because a
+/// decomposition adds seconds to the compile time of every file that instantiates it.
 
-/// Eigenvalues of a symmetric matrix in ascending order, and the matrix whose columns are its eigenvectors in this
-/// order.
+/// Eigenvalues of a symmetric matrix in ascending order, and a matrix whose columns are the eigenvectors in this order.
 struct SymmetricEigen {
   Eigen::VectorXd values;
   Eigen::MatrixXd vectors;
@@ -21,13 +20,14 @@ SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& matrix);
 /// @param matrix  the matrix, of which only the lower triangle is read
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix);
 /// Returns the eigenvalues of a symmetric tridiagonal matrix, in ascending order.
-/// @param beside  the off-diagonal entries, one fewer than there are diagonal entries
+/// @param beside  the off-diagonal entries; their number is one less than the number of diagonal entries
 Eigen::VectorXd tridiagonal_eigenvalues(const Eigen::VectorXd& diagonal, const Eigen::VectorXd& beside);
 
-/// Returns the solution of a linear system with a symmetric matrix, which need not be definite.
+/// Returns the solution of a linear system with a symmetric matrix; the matrix may be indefinite.
 Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right_side);
 
-/// Returns the vector x that minimises |columns x - y|. If several vectors minimise it, returns the shortest one.
+/// Returns the vector x that minimises |columns x - y|. If several vectors minimise this norm, returns the shortest of
+/// them.
 Eigen::VectorXd least_squares_solution(const Eigen::MatrixXd& columns, const Eigen::VectorXd& y);
 
 /// Extends the columns of a matrix to an orthonormal basis of the whole space, and returns the first `count` vectors of

@@ -6,19 +6,19 @@
 
 namespace floc {
 
-/// Disjoint sets of the whole numbers from 0 to n - 1 (union-find with path halving). At first each number is a set of
-/// its own. The name of a set is its smallest member, so that it does not depend on the order in which sets are merged.
+/// Disjoint sets of the whole numbers from 0 to n - 1 (union-find with path halving). At first, each number is a set of
+/// its own. The name of a set is its smallest member, and so does not depend on the order in which sets are merged.
 class DisjointSets {
  public:
   explicit DisjointSets(int n) : parent_(n), n_sets_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
 
-  /// Returns the name of the set that holds i.
+  /// Returns the name of the set that contains i.
   int root(int i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
 
-  /// Merges the set that holds i and the set that holds j. @return whether these were two different sets
+  /// Merges the set that contains i and the set that contains j. @return whether these were two different sets
   bool join(int i, int j) {
     i = root(i), j = root(j);
     if (i == j) return false;

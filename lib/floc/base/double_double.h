@@ -5,9 +5,9 @@
 namespace floc {
 
 /// A double-double number: the unevaluated sum high + low of two doubles, where |low| is at most half a unit in the
-/// last place of `high`. Its precision is about 106 bits. It is used for differences of nearly equal numbers, where a
-/// double is not precise enough. The operators are the algorithms of Dekker (1971) and the fast "sloppy" algorithms of
-/// Hida, Li and Bailey (2001).
+/// last place of `high`. The precision is about 106 bits. Double-double numbers are used for differences of nearly
+/// equal numbers, for which doubles are not precise enough. The operators are the algorithms of Dekker (1971) and the
+/// fast "sloppy" algorithms of Hida, Li and Bailey (2001).
 struct DoubleDouble {
   double high = 0.0;
   double low = 0.0;

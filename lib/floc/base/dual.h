@@ -17,8 +17,8 @@ struct Dual {
   constexpr Dual() = default;
   /// Constructs a constant, whose derivatives are zero.
   constexpr Dual(double constant) : value(constant) {}  // NOLINT: implicit conversion is intended
-  /// Constructs the variable with index `variable`, counted from 0, at the value `at`. Its derivative with respect to
-  /// itself is 1, all others are 0.
+  /// Constructs the variable with index `variable`, counted from 0, at the value `at`. The derivative with respect to
+  /// this variable is 1; all other derivatives are 0.
   constexpr Dual(double at, int variable) : value(at) { derivative[variable] = 1.0; }
 
   constexpr Dual& operator+=(const Dual& q) { return *this = *this + q; }
@@ -65,8 +65,8 @@ struct Dual {
   }
 
  private:
-  /// Returns the value of a function of p and q with its derivatives. They follow by the chain rule from the
-  /// derivatives of p and q and the partial derivatives of the function with respect to p (`by_p`) and q (`by_q`).
+  /// Return the value of a function of p, or of p and q, with its derivatives. By the chain rule, these follow from the
+  /// derivatives of p and q and from the partial derivatives of the function with respect to p (`by_p`) and q (`by_q`).
   static constexpr Dual chain(double value, const Dual& p, double by_p) {
     Dual out(value);
     for (int k = 0; k < N; ++k) out.derivative[k] = by_p * p.derivative[k];

@@ -5,8 +5,8 @@
 
 namespace floc {
 
-/// Error in the input of the user. The message gives the place (file, with line or dataset), the key or option at
-/// fault, its value, and the expected value. The program prints this message and ends with exit code 4.
+/// Error in the input of the user. The message gives the place (a file, with a line or dataset), the key or option at
+/// fault, the given value, and the expected value. The program prints this message and ends with exit code 4.
 class InputError : public std::runtime_error {
  public:
   /// @param place  file, "file:line" or "file:/dataset", printed before `problem`; may be empty

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
-/// Returns the memory that the operating system can allocate without swapping (bytes).
+/// Returns the memory (bytes) that the operating system can allocate without swapping.
 double available_on_machine() {
   std::ifstream in("/proc/meminfo");
   double kilobytes = 0.0;
@@ -31,8 +31,8 @@ double left_of_address_space() {
   return static_cast<double>(limit.rlim_cur) - pages * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-/// Returns the memory that is left below the limit of the control group of this process, for example of its container
-/// or batch job (bytes). Only version 2 of control groups is supported.
+/// Returns the memory (bytes) that is left below the limit of the control group of this process. A container or a batch
+/// job, for example, is a control group. Only version 2 of control groups is supported.
 double left_of_control_group() {
   std::ifstream most("/sys/fs/cgroup/memory.max"), used("/sys/fs/cgroup/memory.current");
   double limit = 0.0, now = 0.0;

@@ -45,21 +45,23 @@ inline double times_power_of_two(double p, double shifted) {
 }
 
 /// Returns exp(x) for x <= 0 with an error of at most two units in the last place, and with identical results on every
-/// processor. It is computed as a power of two times a power series for exp(r) with |r| <= ln(2)/2. For x below -690 it
-/// returns exp(-690).
+/// processor. The result is a power of two times exp(r), where exp(r) with |r| <= ln(2)/2 is computed by a power
+/// series. For x below -690, the result is exp(-690).
 template <class T>
 inline T exp_of_negative(const T& x) {
   if constexpr (std::is_same_v<T, double> || requires { T::kWidth; }) {
-    // The number 1.5 * 2^52: adding it to x rounds x to a whole number, which is then in the last bits of the sum.
+    // The number 1.5 * 2^52. Adding this number to x rounds x to a whole number, which is stored in the last bits of
+    // the sum.
     constexpr double kShift = 6755399441055744.0;
     const T in_range = max(x, T(-690.0));
     const T shifted = in_range * T(1.4426950408889634) + T(kShift);
     const T n = shifted - T(kShift);
-    // r = x - n ln 2, with ln 2 as the sum of two constants. The first has so few digits that its product with n is
-    // exact.
+    // r = x - n ln 2, where ln 2 is the sum of two constants. The first constant has so few digits that its product
+    // with n is exact.
     const T r = (in_range - n * T(6.93147180369123816490e-01)) - n * T(1.90821492927058770002e-10);
     const T q = r * r;
-    // The power series of exp(r), up to the term r^13/13!, is even + r * odd, where both sums are series in q = r^2.
+    // The power series of exp(r), up to the term r^13/13!, equals even + r * odd, where `even` and `odd` are power
+    // series in q = r^2.
     const T even =
         T(1) +
         q * (T(1.0 / 2) +

@@ -40,7 +40,7 @@ std::string range_fault(const std::string& name, double value, const NumberRange
 std::string range_fault(const std::string& name, std::int64_t value, const WholeRange& range);
 
 /// Checks that a value is in its range.
-/// @throws InputError with the message of range_fault() if it is not
+/// @throws InputError with the message of range_fault() if the value is outside of the range
 void require_in_range(const std::string& name, double value, const NumberRange& range);
 void require_in_range(const std::string& name, std::int64_t value, const WholeRange& range);
 /// Checks that no faults were found in the options of a computation.

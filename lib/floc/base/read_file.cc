@@ -29,7 +29,7 @@ File open_file(const std::string& path) {
 
 /// @throws InputError if the last attempt to read the file has failed
 void require_read(const std::string& place, std::FILE* file) {
-  // Opening a directory succeeds; only reading it fails.
+  // A directory can be opened like a file; an error occurs only when it is read.
   if (std::ferror(file))
     throw InputError(place,
                      errno == EISDIR ? "this is a directory, but a file is expected" : std::strerror(errno));

@@ -18,8 +18,8 @@ std::string read_text(const std::string& path);
 void require_text(const std::string& place, std::string_view beginning);
 
 /// Returns the name of the encoding of a text if it is UTF-16 or UTF-32, otherwise an empty text. The encoding is
-/// recognised by its byte order mark. UTF-16 without this mark is recognised by exactly one zero among the first two
-/// bytes.
+/// recognised by its byte order mark. UTF-16 without this mark is recognised if exactly one of the first two bytes is
+/// zero.
 std::string_view foreign_encoding(std::string_view text);
 
 /// Whether the first line of a text ends in one or more "\r" that are followed by text, and not by "\n".
@@ -28,8 +28,8 @@ bool ends_in_carriage_return(std::string_view text);
 /// Returns `text` without the byte order mark of UTF-8 at its beginning, if it has one.
 std::string_view without_byte_order_mark(std::string_view text);
 
-/// Returns an addition to the message that `text` is not a number. If the only fault of `text` is a comma in place of
-/// the decimal point, the addition says that a point is expected. Otherwise it is empty.
+/// Returns a text to be added to the message that `text` is not a number. If the only fault of `text` is a comma
+/// instead of a decimal point, the added text says that a point is expected. Otherwise the added text is empty.
 std::string decimal_comma_hint(std::string_view text);
 
 }  // namespace floc

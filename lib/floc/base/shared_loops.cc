@@ -43,7 +43,7 @@ void SharedLoops::for_each(int n, const std::function<void(int)>& work) {
     for (int k = 0; k < n; ++k) work(k);
     return;
   }
-  // No thread can take an iteration until its part is stored below, because all iterations of the previous loop have
+  // No thread can take an iteration before the parts are stored below, because all iterations of the previous loop have
   // ended.
   work_ = &work;
   remaining_.store(n, std::memory_order_relaxed);
@@ -73,7 +73,7 @@ void SharedLoops::help(int thread) {
 void SharedLoops::take_turns(int thread) {
   for (int n = 0; n < n_threads_; ++n) {
     Part& part = parts_[(thread + n) % n_threads_];
-    // The loop cannot end, and its data cannot change, while an iteration that a thread has taken has not ended.
+    // While a thread is working on an iteration, the loop cannot end and its data cannot change.
     for (int k = take(part, n == 0); k >= 0; k = take(part, n == 0)) {
       (*work_)(k);
       remaining_.fetch_sub(1, std::memory_order_acq_rel);

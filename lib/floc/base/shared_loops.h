@@ -8,10 +8,10 @@
 namespace floc {
 
 /// Short loops whose iterations (here "turns") are shared by a team of threads. One thread of the team, the leader,
-/// runs a program, and the other threads, its helpers, take part in the loops of this program. In each loop, a thread
-/// first takes the turns of its own part, which is the same in every loop so that data stay in its cache, and then
-/// turns from the parts of other threads. Therefore the leader never waits for a helper that has not begun a turn, for
-/// example because other programs occupy its core: the leader then makes all turns alone.
+/// runs a program. The other threads, the helpers, take part in the loops of this program. In each loop, a thread first
+/// takes the turns of its own part, and then turns from the parts of other threads. The part of a thread is the same in
+/// every loop, so that data stay in the cache of the thread. The leader never waits for a helper that has not begun a
+/// turn: if other programs occupy the cores of all helpers, the leader makes all turns alone.
 class SharedLoops {
  public:
   /// Runs `program` in this thread, with n_threads - 1 helpers.
@@ -20,8 +20,8 @@ class SharedLoops {
   static void run(int n_threads, const std::function<void(SharedLoops& loops)>& program);
 
   /// Calls work(k) once for each k from 0 to n - 1, in any order, in the threads of the team. Only the leader calls
-  /// this function. Every call of `work` sees all data that the leader wrote before, and the leader sees all data that
-  /// these calls wrote.
+  /// this function. Every call of `work` sees all data that the leader wrote before the loop. After the loop, the
+  /// leader sees all data that the calls wrote.
   /// @param n  at most kMostTurns
   /// @pre `work` does not throw
   void for_each(int n, const std::function<void(int)>& work);
@@ -30,18 +30,18 @@ class SharedLoops {
   static constexpr int kMostTurns = (1 << 20) - 1;
 
  private:
-  /// Turns of one part that no thread has begun yet: the number of the loop (24 bits), the first of these turns and the
-  /// one after the last (20 bits each). Each part has a cache line of its own.
+  /// Turns of one part that no thread has begun yet: the number of the loop (24 bits), the index of the first turn, and
+  /// the index after the last turn (20 bits each). Each part has a cache line of its own.
   struct alignas(64) Part {
     std::atomic<std::uint64_t> turns{0};
   };
 
   explicit SharedLoops(int n_threads);
   void help(int thread);
-  /// Makes turns until no part has any left, beginning with the part of this thread.
+  /// Makes turns until no turns are left in any part, beginning with the part of this thread.
   void take_turns(int thread);
-  /// Takes one turn of a part: the first turn if the part is this thread's own, otherwise the last.
-  /// @return -1 if there is none
+  /// Takes one turn of a part: the first turn if the part belongs to this thread, otherwise the last turn.
+  /// @return number of the turn; -1 if the part has no turns left
   static int take(Part& part, bool own);
 
   int n_threads_;

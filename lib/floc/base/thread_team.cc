@@ -53,7 +53,8 @@ void run_in_team(int n_threads, const std::function<void(int thread, Barrier& ba
       require_team(n_threads);
       work(thread, barrier);
     } catch (const Barrier::Abandoned&) {
-      // An exception Abandoned is not recorded: the exception to report is that of the thread that called abandon().
+      // An exception Abandoned is not recorded, because run_in_team() has to throw the exception of the thread that
+      // called abandon().
     } catch (...) {
       thrown[static_cast<std::size_t>(thread)] = std::current_exception();
       barrier.abandon();

@@ -2,9 +2,9 @@
 
 namespace floc {
 
-/// Type that stands for the missing model in an empty slot of a contact law, for example in the friction slot of a law
-/// without friction. Each slot uses a different tag, because two empty members of one type cannot share an address and
-/// the second would take memory.
+/// Type of the placeholder for a model in an empty slot of a contact law, for example in the friction slot of a law
+/// without friction. Each slot uses a different tag: two empty members of the same type cannot share an address, so the
+/// second would take memory.
 template <int Tag>
 struct Absent {
   bool operator==(const Absent&) const = default;

@@ -38,8 +38,9 @@ inline V respond_capped(double coefficient, double stiffness, const T& elastic, 
   return T(stiffness) * spring;
 }
 
-/// Returns whether the force of a contact spring has reached its cap, `coefficient` times the elastic normal force,
-/// within a relative tolerance. Such a spring slides as soon as the displacement of the contact grows.
+/// Returns whether the force of a contact spring has reached its cap, within a relative tolerance. The cap is
+/// `coefficient` times the elastic normal force. A spring at its cap slides as soon as the displacement of the contact
+/// grows.
 template <class V>
 inline bool capped_is_mobilised(double coefficient, double stiffness, double elastic, const double* history,
                                 double tolerance) {

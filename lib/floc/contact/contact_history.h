@@ -13,8 +13,8 @@ constexpr int history_size(int dim) {
   return n;
 }
 
-/// History of a contact: the numbers that the models of its contact law store for it, such as the elongations of its
-/// springs, packed without gaps.
+/// History of a contact: the numbers that the models of the contact law store for this contact, such as the elongations
+/// of its springs. They are packed without gaps.
 template <int Size, class T = double>
 struct PackedHistory {
   T value[Size];

@@ -20,16 +20,17 @@ namespace floc {
 /// Relative motion of the surfaces of the grains i and j of a contact.
 template <int Dim, class T = double>
 struct ContactMotion {
-  PairGeometry<T> pair;  ///< geometry of the pair at the end of the motion
+  PairGeometry<T> pair;  ///< geometry of the pair after the motion
   T gap_rate;            ///< rate of change dh/dt of the gap (length/time)
   T damping;             ///< damping coefficient of the pair, from ContactLaw::damping_coefficient()
-  /// Tangential displacement of grain j relative to grain i since the history of the contact was last updated (length).
+  /// Tangential displacement (length) of grain j relative to grain i since the last update of the history of the
+  /// contact.
   Shear<Dim, T> slip;
-  /// Rotation of grain i relative to grain j since the history of the contact was last updated (radians). For spheres,
-  /// it does not include the rotation about the normal, which is `twist`.
+  /// Rotation (radians) of grain i relative to grain j since the last update of the history of the contact. For
+  /// spheres, it does not include the rotation about the normal, which is `twist`.
   RotationVector<Dim, T> relative_rotation;
-  /// For spheres, rotation of grain i relative to grain j about the normal since the history of the contact was last
-  /// updated (radians).
+  /// For spheres, rotation (radians) of grain i relative to grain j about the normal since the last update of the
+  /// history of the contact.
   T twist = T(0);
 };
 
@@ -49,8 +50,8 @@ struct ContactForces {
 
 /// Stiffnesses of one contact in the elastic network of contacts, in which every contact is a set of springs.
 struct ContactStiffness {
-  /// Normal stiffness K_N for small reversible motions (force/length). For surfaces that attract each other across a
-  /// gap by an adhesion with pull-off force F0 and range D0, it is -F0/D0.
+  /// Normal stiffness K_N (force/length) for small reversible motions. For surfaces that attract each other across a
+  /// gap, with pull-off force F0 and range D0 of the adhesion, the stiffness is -F0/D0.
   double normal;
   double tangential;      ///< tangential stiffness K_T (force/length), 0 when the surfaces do not touch
   double rolling;         ///< rolling stiffness K_R (force * length), 0 when the surfaces do not touch
@@ -74,7 +75,7 @@ requires(requires { typename Adhesion::template PairParameters<T>; }) struct Pai
 
 /// Contact law composed of one model per slot: normal repulsion, adhesion, damping, friction, rolling and twisting
 /// resistance. An empty slot (contact/absent.h) adds no data, no branch and no history. Every function that the
-/// dynamics calls is a template on its number type and does not branch on values, so that it can also evaluate a SIMD
+/// dynamics calls is a template on its number type and does not branch on values, so that one call can evaluate a SIMD
 /// vector of contacts.
 template <class Normal, class Adhesion, class Damping, class Tangential, class Rolling, class Twisting>
 struct ContactLaw {
@@ -105,7 +106,7 @@ struct ContactLaw {
   template <class T = double>
   using PairParameters = typename detail::PairParametersOf<Adhesion, T>::Type;
 
-  /// Number of values in the history of a contact: those of the normal, tangential, rolling, twisting and adhesion
+  /// Number of values in the history of a contact: the values of the normal, tangential, rolling, twisting and adhesion
   /// models, in this order.
   template <int Dim>
   static constexpr int kHistorySize =
@@ -130,16 +131,16 @@ struct ContactLaw {
     if constexpr (kHasAdhesion) return adhesion.range();
     return 0.0;
   }
-  /// Returns the largest gap (length) at which surfaces that have touched before may still stick together. It is 0
-  /// unless the normal law holds surfaces together across a gap.
+  /// Returns the largest gap (length) at which surfaces that have touched before may still stick together. The result
+  /// is 0 unless surfaces can stick together across a gap under the normal law.
   double holding_range([[maybe_unused]] double reduced_radius) const {
     if constexpr (requires { repulsion.holding_range(reduced_radius); })
       return repulsion.holding_range(reduced_radius);
     return 0.0;
   }
 
-  /// Returns whether a pair with this history belongs to the list of contacts: its surfaces touch, overlap,
-  /// attract each other across the gap or hold liquid.
+  /// Returns whether a pair with this history belongs to the list of contacts: its surfaces touch, overlap or attract
+  /// each other across the gap, or the pair has a liquid bridge, possibly a broken one.
   template <int Dim>
   bool interacts(const PairGeometry<>& pair, const PackedHistory<kHistorySize<Dim>>& history) const {
     if constexpr (kHoldsLiquid)
@@ -147,8 +148,8 @@ struct ContactLaw {
     return pair.gap < 0.0 || pair.gap < range() || touches<Dim>(pair, history);
   }
 
-  /// Returns the parameters of a pair of grains with these radii (length) and this history: those of its liquid bridge,
-  /// or no parameters if the law has no liquid.
+  /// Returns the parameters of a pair of grains with these radii (length) and this history: the parameters of the
+  /// liquid bridge, or no parameters if the law has no liquid.
   template <int Dim>
   PairParameters<> pair_parameters([[maybe_unused]] double radius_i, [[maybe_unused]] double radius_j,
                                    [[maybe_unused]] const PackedHistory<kHistorySize<Dim>>& history) const {
@@ -157,8 +158,9 @@ struct ContactLaw {
     else
       return {};
   }
-  /// Returns the parameters of a pair of grains that are in effect at its present history: `parameters`, but with zero
-  /// strength if the liquid bridge of the pair has broken. The pair must not have moved since its history was updated.
+  /// Returns the parameters of a pair of grains that are in effect now: `parameters`, but with zero strength if the
+  /// liquid bridge has broken according to the history of the pair. The grains must not have moved since the history
+  /// was updated.
   template <int Dim>
   PairParameters<> acting(const PairParameters<>& parameters,
                           [[maybe_unused]] const PackedHistory<kHistorySize<Dim>>& history) const {
@@ -241,7 +243,8 @@ struct ContactLaw {
                               const PairParameters<>& parameters) const {
     return attraction_energy(pair, normal_history(history), parameters);
   }
-  /// Returns the energy of the attraction between two grains. It is zero at gaps beyond the range of the attraction.
+  /// Returns the energy of the attraction between two grains. The energy is zero at gaps beyond the range of the
+  /// attraction.
   /// @param parameters  parameters of the pair that are in effect now, see acting()
   template <class T>
   T attraction_energy([[maybe_unused]] const PairGeometry<T>& pair, [[maybe_unused]] const T* history = nullptr,
@@ -269,7 +272,7 @@ struct ContactLaw {
     return elastic_energy(pair, response.elastic, k_n, history) + attraction_energy(pair, history, parameters);
   }
 
-  /// Returns the damping coefficient of a pair of grains (force * time/length); 0 without damping. If the damping
+  /// Returns the damping coefficient (force * time/length) of a pair of grains; 0 without damping. If the damping
   /// follows the present normal stiffness (kDampingFollowsStiffness), the coefficient is divided by the square root of
   /// this stiffness.
   double damping_coefficient([[maybe_unused]] const CollisionMass& mass) const {
@@ -277,8 +280,9 @@ struct ContactLaw {
     return 0.0;
   }
 
-  /// Updates the history of a contact by one motion and returns the forces of the contact. Springs are shortened so
-  /// that their forces do not exceed their caps. When the surfaces part, the elongations of the springs become zero.
+  /// Updates the history of a contact after the relative motion `motion`, and returns the forces of the contact.
+  /// Springs are shortened so that their forces do not exceed their caps. When the surfaces part, the elongations of
+  /// the springs become zero.
   template <int Dim, class T>
   ContactForces<Dim, T> respond(const ContactMotion<Dim, T>& motion,
                                 PackedHistory<kHistorySize<Dim>, T>& history,
@@ -292,8 +296,8 @@ struct ContactLaw {
     if constexpr (kHasDamping)
       forces.viscous = lanes::select(forces.normal.touches,
                                      T(damping.force(motion.damping, forces.normal, motion.gap_rate)), T(0));
-    // The cap of the force of each spring is proportional to the elastic normal force, which is zero between surfaces
-    // that do not touch. The springs of such surfaces are therefore shortened to zero.
+    // The cap on the force of a spring is proportional to the elastic normal force. Between surfaces that do not touch,
+    // this force is zero, so their springs are shortened to zero.
     if constexpr (kHasFriction)
       forces.shear = friction.respond(pair, forces.normal, motion.slip, history.value + kTangentialBegin<Dim>);
     if constexpr (kHasRolling)
@@ -314,13 +318,14 @@ struct ContactLaw {
     return response.touches ? touching(response) : ContactStiffness{response.stiffness, 0.0, 0.0};
   }
 
-  /// Returns the stiffnesses of a touching contact whose elastic normal force is known, but not its gap.
+  /// Returns the stiffnesses of a touching contact with the elastic normal force `elastic`. The gap of `pair` is not
+  /// used.
   ContactStiffness stiffness_at_force(const PairGeometry<>& pair, double elastic) const {
     return touching(of_stiffness(elastic, repulsion.stiffness_at_force(pair, elastic)));
   }
 
-  /// Returns upper bounds on the stiffnesses that a contact of this pair can have in a packing with the largest
-  /// overlap, force and impact speed `load`.
+  /// Returns upper bounds on the stiffnesses that a contact of this pair can have in a packing. The largest overlap,
+  /// force and impact speed in the packing are given by `load`.
   ContactStiffness stiffness_bound(const PairGeometry<>& pair, const ContactLoad& load) const {
     return touching(of_stiffness(0.0, repulsion.stiffness_bound(pair, load)));
   }
@@ -349,7 +354,7 @@ struct ContactLaw {
     if constexpr (kKeepsOverlap) repulsion.set_force(pair, elastic, history.value);
   }
   /// Sets the elongations of the springs of a contact so that they exert the given force and moments at the stiffnesses
-  /// `k`. The signs are those of ContactForces.
+  /// `k`. The signs are defined as in ContactForces.
   template <int Dim>
   void set_force(const Shear<Dim>& shear, const RotationVector<Dim>& rolling_moment,
                  [[maybe_unused]] double twisting_moment, const ContactStiffness& k,
@@ -363,7 +368,7 @@ struct ContactLaw {
         twisting.set_force(twisting_moment, k.twisting, history.value + kTwistingBegin<Dim>);
   }
 
-  /// Whether the normal law keeps a history, so that its force and energy depend on the loading path.
+  /// Whether the normal law has a history, so that its force and energy depend on the loading path.
   static constexpr bool kKeepsOverlap = history_size<Normal>(2) > 0;
 
  private:
@@ -386,8 +391,8 @@ struct ContactLaw {
     response.elastic_stiffness += of_adhesion;
   }
 
-  /// Returns whether the surfaces of a contact touch. They touch if they overlap, unless the normal law defines its own
-  /// criterion, for surfaces that stick together across a gap or that part while they still overlap.
+  /// Returns whether the surfaces of a contact touch. Surfaces touch if they overlap, unless the normal law defines
+  /// another criterion, because surfaces can stick together across a gap or can part while they still overlap.
   template <class T>
   typename NormalResponse<T>::Mask in_touch(const PairGeometry<T>& pair,
                                             [[maybe_unused]] const T* history) const {

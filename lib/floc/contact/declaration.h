@@ -53,11 +53,11 @@ struct Number {
   double Model::*member;
   Unit unit;
   const char* symbol;       ///< symbol of the parameter in formulas, such as "K_N" for a stiffness
-  Requirement requirement;  ///< requirement on every value, also on a value that a load path sets
+  Requirement requirement;  ///< requirement on every value, including values that a load path sets
   const char* expectation;  ///< description of the values that a scene file may give, for messages
   const char* meaning;      ///< description of the parameter in one line
-  /// Requirement on the value given in a scene file. It may be stricter than `requirement`: a change along a load path
-  /// may set the parameter to zero to switch off its model.
+  /// Requirement on the value given in a scene file. This requirement may be stricter than `requirement`, because a
+  /// change along a load path may set the parameter to zero in order to switch off its model.
   Requirement at_first = requirement;
 };
 
@@ -78,9 +78,9 @@ struct Choice {
   void (*set)(Model&, int);
 };
 
-/// Get and set the index of the keyword that a model has chosen, for models that store it as an enumeration in the
-/// member `kMember`. Choice::get and Choice::set point to these two functions. They are not lambdas, because a model
-/// declares its choices before its own definition is complete.
+/// Functions that get and set the index of the keyword that a model has chosen, for models that store the choice as an
+/// enumeration in the member `kMember`. Choice::get and Choice::set point to these two functions. They are not lambdas,
+/// because a model declares its choices before its own definition is complete.
 template <class Model, auto kMember>
 int chosen(const Model& model) {
   return static_cast<int>(model.*kMember);

@@ -10,11 +10,11 @@ namespace floc {
 
 /// Order of the numbers in the history of a contact, both in the list of contacts and in the arrays of pairs that the
 /// dynamics uses. Each slot of the contact law (normal, friction, ...) has a fixed range of indices that is large
-/// enough for any model of the slot. A change of the law therefore moves no number.
+/// enough for any model of the slot. The numbers therefore keep their indices when the law changes.
 template <int Dim>
 struct HistoryLayout {
-  // Size of the range of each slot of the contact law: the size of the largest history of any model of the slot.
-  // history_layout.h checks that no model needs more.
+  // Number of values reserved for each slot of the contact law: the size of the largest history among the models of the
+  // slot. history_layout.h checks that no model needs more.
   static constexpr int kNormalRoom = 2, kFrictionRoom = Dim == 2 ? 2 : 4, kRollingRoom = Dim == 2 ? 1 : 3,
                        kTwistingRoom = Dim == 2 ? 0 : 1, kAdhesionRoom = 1;
 

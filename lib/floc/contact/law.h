@@ -11,8 +11,8 @@ struct CapillaryAdhesion;
 struct LawParameters;
 
 /// Contact law of a packing or a run: a handle to the models of the law and their numbers (law_parameters.h), which are
-/// immutable and shared between copies. The member functions return properties that every law has. Only sources that
-/// evaluate, read or write the models therefore have to include them.
+/// immutable and shared between copies. The member functions return properties that every law has. A source has to
+/// include the headers of the models only if it evaluates, reads or writes the models.
 class Law {
  public:
   /// Creates a law of linear repulsion with zero stiffness, a placeholder until another law is assigned.
@@ -31,19 +31,19 @@ class Law {
   bool has_rolling() const;
   bool has_twisting() const;
 
-  /// Returns the pull-off force F0 (force) if it is equal for all pairs of grains; 0 without adhesion, and if F0
-  /// depends on the pair.
+  /// Returns the pull-off force F0 (force) if it is equal for all pairs of grains; 0 if the law has no adhesion or if
+  /// F0 depends on the pair.
   double pull_off_force() const;
   /// Returns the pull-off force F0 (force) of two grains with radius `radius` (length); 0 without adhesion.
   double pull_off_force(double radius) const;
-  /// Returns the pull-off force F0 (force) of a pair; 0 without adhesion. It is also 0 for liquid bridges, because not
-  /// every pair has a bridge (packing/liquid/liquid.h).
+  /// Returns the pull-off force F0 (force) of a pair; 0 without adhesion. The result is also 0 for liquid bridges,
+  /// because not every pair has a bridge (packing/liquid/liquid.h).
   double pull_off_force(const PairGeometry<>& pair) const;
   /// Whether grains attract each other.
   bool adheres() const { return pull_off_force(1.0) > 0.0; }
-  /// Returns the largest gap (length) at which surfaces that have not touched before attract each other. It is 0 if the
-  /// adhesion has zero force, and also for liquid bridges, whose reach depends on their volumes
-  /// (packing/liquid/liquid.h).
+  /// Returns the largest gap (length) at which surfaces that have not touched before attract each other. The result is
+  /// 0 if the adhesion has zero force. It is also 0 for liquid bridges, because the reach of a bridge depends on its
+  /// volume (packing/liquid/liquid.h).
   double range() const;
   /// Returns the largest gap (length) at which the law acts between grains of at most this radius (length). It includes
   /// gaps at which surfaces that have touched before still stick together.
@@ -52,8 +52,8 @@ class Law {
   /// attract (CapillaryAdhesion::acts()).
   const CapillaryAdhesion* liquid() const;
   /// Returns the modulus by which the pressures of grains without adhesion are divided to make them dimensionless
-  /// (force/length^(dim-1)). For linear contacts of stiffness K_N between grains of diameter a it is K_N/a^(dim-2). For
-  /// Hertz contacts with Young's modulus E and Poisson's ratio nu it is E/(1 - nu^2).
+  /// (force/length^(dim-1)). For linear contacts of stiffness K_N between grains of diameter a, the modulus is
+  /// K_N/a^(dim-2). For Hertz contacts with Young's modulus E and Poisson's ratio nu, the modulus is E/(1 - nu^2).
   double contact_modulus(int dim, double diameter) const;
 
   /// Whether the contacts are rigid: their surfaces do not overlap, and their forces are not functions of the geometry.
@@ -67,13 +67,13 @@ class Law {
   /// Returns the exponent of the overlap in the formula for the elastic normal force; 1 for contacts of constant
   /// stiffness.
   double force_exponent() const;
-  /// Whether the normal law holds only for overlaps that are small compared with the grains.
+  /// Whether the normal law is valid only for overlaps that are small compared with the grains.
   bool is_for_small_overlaps() const;
 
   /// Returns the reason why the law cannot be used in this dimension (2 or 3); empty if it can be used.
   std::string fault_in_dimension(int dimension) const;
 
-  /// Whether friction can carry any force.
+  /// Whether the friction force can differ from zero.
   bool resists_sliding() const;
   /// Friction coefficient mu; 0 without friction.
   double friction_coefficient() const;

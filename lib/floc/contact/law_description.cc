@@ -68,8 +68,8 @@ void for_each_model(Law& law, Visit&& visit) {
   });
 }
 
-/// Returns whether a model has a number that no other model of its slot of the contact law has, so that the
-/// number identifies the model.
+/// Returns whether a model has a number that no other model of the same slot has, so that this number identifies the
+/// model.
 bool has_own_number(const DeclaredSlot& slot, const DeclaredModel& model) {
   return std::any_of(model.numbers.begin(), model.numbers.end(), [&](const DeclaredNumber& n) {
     return std::count_if(slot.models.begin(), slot.models.end(),

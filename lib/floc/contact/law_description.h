@@ -31,8 +31,8 @@ struct DeclaredChoice {
 struct DeclaredModel {
   std::string keyword;
   bool is_default;  ///< whether this model is chosen if a scene file names no model for the slot
-  /// Whether this model is chosen in place of the default model if it can be combined with the normal law and the
-  /// default model cannot.
+  /// Whether this model replaces the default model if the default model cannot be combined with the normal law, but
+  /// this model can.
   bool is_default_of_family;
   /// Whether every state file stores the numbers of this model (kIsInEveryFile). If the contact law has another model
   /// in the slot, these numbers are zero.
@@ -45,7 +45,7 @@ struct DeclaredModel {
   const DeclaredNumber* number(const std::string& number_key) const;
 };
 
-/// Returns whether adding a model to a contact law causes no new conflict between the models of the law.
+/// Returns whether a model can be added to a contact law without a new conflict between the models of the law.
 bool fits(const DeclaredModel& model, LawParameters law);
 
 /// Declaration of a slot of a contact law (normal, adhesion, damping, ...) and of the models that it can hold.
@@ -63,8 +63,8 @@ struct DeclaredSlot {
 /// model.
 bool names_its_model(const DeclaredSlot& slot);
 
-/// Returns the table that describes a model in a scene file, with the keys that it needs but without their values, for
-/// use in messages: `{law = "tail", force, range}`.
+/// Returns the table that describes a model in a scene file, for use in messages. The text lists the keys that the
+/// table needs, without their values: `{law = "tail", force, range}`.
 std::string table_text(const DeclaredSlot& slot, const DeclaredModel& model);
 
 /// Returns the declarations of all slots of a contact law (normal, adhesion, ...), in the order of

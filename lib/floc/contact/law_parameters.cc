@@ -32,8 +32,8 @@ const char* requirement_text(Requirement requirement) {
   return "";
 }
 
-/// Returns the table that describes a model in a scene file, without values, for messages, such as "contact.friction =
-/// {law = \"mindlin\", coefficient}".
+/// Returns the table that describes a model in a scene file, without values, for use in messages, such as
+/// "contact.friction = {law = \"mindlin\", coefficient}".
 template <class Model>
 std::string table_of(const std::string& key) {
   const auto slot = std::find_if(declared_slots().begin(), declared_slots().end(),
@@ -43,7 +43,7 @@ std::string table_of(const std::string& key) {
   return fmt::format("contact.{} = {}", key, table_text(*slot, *model));
 }
 
-/// Returns table_of() for those models of a slot of the contact law (normal, adhesion, ...) for which `takes` returns
+/// Returns table_of() for each model of a slot of the contact law (normal, adhesion, ...) for which `takes` returns
 /// true.
 template <class... Models, class Takes>
 std::vector<std::string> tables_of(const std::string& key, const LawSlot<Models...>&, const Takes& takes) {
@@ -143,8 +143,8 @@ std::vector<LawFault> LawParameters::faults_between_slots() const {
       faults.push_back({key, std::move(words)});
   });
   adhesion.visit([&]<class Adhesion>(const Adhesion&) {
-    // Grains connected by liquid bridges roll freely. A rolling or twisting resistance that family_fault() has already
-    // refused is not reported again.
+    // Grains connected by liquid bridges roll freely. If family_fault() has already refused a rolling or twisting
+    // resistance, this resistance is not reported again.
     if constexpr (kRollsFreely<Adhesion>) {
       const auto refuse_resistance = [&](const char* key, const auto& slot) {
         if (!slot || !family_fault(normal, key, slot).empty()) return;

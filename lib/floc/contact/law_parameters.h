@@ -30,9 +30,9 @@ struct LawFault {
 };
 
 /// Contact law as a scene file or a saved state describes it. Each slot (normal, adhesion, ...) holds a model with its
-/// numbers, or is empty. The types of the slots are the only lists of models in the program; all code that handles
-/// models follows from them: scene files, texts that describe laws, state files, and law_table.h, which converts
-/// LawParameters into a composed type.
+/// numbers, or is empty. The types of the slots are the only lists of models in the program. All code that handles
+/// models uses these lists: for scene files, for texts that describe laws, for state files, and in law_table.h, which
+/// converts LawParameters into a composed type.
 struct LawParameters {
   LawSlot<LinearRepulsion, HertzRepulsion, RigidContact> normal;
   LawSlot<NoAdhesion, TailAdhesion, ConstantAdhesion, CapillaryAdhesion> adhesion;
@@ -55,10 +55,10 @@ struct LawParameters {
 
   bool operator==(const LawParameters&) const = default;
 
-  /// Returns every fault of the law as "key = value: requirement"; empty if the law can be used.
+  /// Returns all faults of the law, each as "key = value: requirement"; empty if the law can be used.
   std::vector<std::string> validate() const;
-  /// Returns one fault for each model that cannot be combined with the other models, whatever the values of its
-  /// numbers.
+  /// Returns one fault for each model that cannot be combined with the other models, no matter which values its numbers
+  /// have.
   std::vector<LawFault> faults_between_slots() const;
   /// Returns one fault for each number that is valid by itself but contradicts another number of its model (AtLeast).
   std::vector<LawFault> faults_between_numbers() const;

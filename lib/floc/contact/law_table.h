@@ -9,7 +9,8 @@
 ///   1. write it as a header in the folder of its slot: a struct that declares its numbers and its history
 ///      (declaration.h) and has the functions of its slot as templates on the number type (see
 ///      normal/linear_repulsion.h and tangential/coulomb_friction.h);
-///   2. add it to its slot in law_parameters.h; the table below combines the models of all slots and includes it;
+///   2. add the model to its slot in law_parameters.h; the table below then combines it with the models of the other
+///      slots;
 ///   3. add a set of sample numbers for the conformance tests to tests/support/laws.h, and write a unit test
 ///      with a closed form.
 namespace floc {
@@ -71,14 +72,14 @@ struct ComposedLaw {
 };
 
 /// Composes the contact law of a scene file or a saved state. Models without effect are left out: adhesion of zero
-/// force, and friction, rolling or twisting resistance with a coefficient of zero. Such models carry no force and must
-/// not stiffen the elastic network of contacts.
+/// force, and friction, rolling or twisting resistance with a coefficient of zero. The forces of such models are always
+/// zero, and their stiffnesses must not be part of the elastic network of contacts.
 /// @pre parameters.validate() is empty.
 /// @throws InputError if the contacts are rigid
 AnyContactLaw compose_law(const LawParameters& parameters);
 
-/// Composes a contact law as compose_law() does, but always with a friction spring. For a law without friction the
-/// friction coefficient of this spring is zero, so that it carries no force.
+/// Composes a contact law as compose_law() does, but always with a friction spring. For a law without friction, the
+/// friction coefficient of this spring is zero, and so is its force.
 AnyContactLaw compose_with_friction(const LawParameters& parameters);
 
 }  // namespace floc

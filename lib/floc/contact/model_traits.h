@@ -23,8 +23,8 @@ inline constexpr bool kIsDefault = requires {
   requires Model::kIsDefault;
 };
 
-/// Whether this model, in place of the default of its slot, is chosen if a table gives numbers but names no model and
-/// the normal law belongs to the family of this model.
+/// Whether this model replaces the default model of its slot if the normal law belongs to the family of this model. A
+/// default is chosen if a table gives numbers but names no model.
 template <class Model>
 inline constexpr bool kIsDefaultOfFamily = requires {
   requires Model::kIsDefaultOfFamily;
@@ -73,7 +73,7 @@ inline constexpr bool kIsAdhesion = requires(const Model& model) {
   model.range();
 };
 
-/// Whether a model that is not made for rigid contacts alone can also be combined with them.
+/// Whether a model can be combined with rigid contacts, although it is not made for rigid contacts alone.
 template <class Model>
 inline constexpr bool kGoesWithRigid = kIsAbsent<Model> || requires {
   requires Model::kGoesWithRigid;
@@ -95,7 +95,7 @@ constexpr double force_exponent() {
   return 1.0;
 }
 
-/// Whether a normal law holds only for overlaps that are small compared with the grains.
+/// Whether a normal law is valid only for overlaps that are small compared with the grains.
 template <class Normal>
 inline constexpr bool kIsForSmallOverlaps = requires {
   requires Normal::kIsForSmallOverlaps;

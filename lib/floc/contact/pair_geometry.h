@@ -32,7 +32,8 @@ struct PairGeometry {
   T reduced_mass;    ///< reduced mass mi mj/(mi + mj) (mass)
 
   PairGeometry() = default;
-  /// Converts a gap implicitly into the geometry of a pair, because most contact laws depend on the gap alone.
+  /// This constructor is implicit, so that a gap can be passed as the geometry of a pair: most contact laws depend on
+  /// the gap alone.
   PairGeometry(const T& h, const T& radius = T(0), const T& mass = T(0))  // NOLINT(google-explicit-constructor)
       : gap(h), reduced_radius(radius), reduced_mass(mass) {}
 };

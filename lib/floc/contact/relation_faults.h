@@ -12,7 +12,7 @@
 
 namespace floc {
 
-/// Returns one fault for each relation between two numbers of a model (Model::kRelations, AtLeast) that does not hold.
+/// Returns one fault for each violated relation between two numbers of a model (Model::kRelations, AtLeast).
 /// @param slot  key of the table that describes the model in a scene file, such as "friction"
 template <class Model>
 std::vector<LawFault> relation_faults(const std::string& slot, const Model& model) {

@@ -20,8 +20,9 @@ double beyond_corner(const Vec<3>& t) {
   for (int k = 0; k < 3; ++k) {
     const double a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
     const double rho = std::sqrt(1.0 - a * a);
-    // Gauss-Bonnet terms of the arc along which the plane x = a cuts the sphere: the geodesic curvature of the arc, and
-    // the angle at its end on the plane y = b.
+    // The plane x = a cuts the sphere along an arc. By the Gauss-Bonnet theorem, the area of the spherical face
+    // decreases by two terms: the integral of the geodesic curvature along the arc, and the angle at the end of the arc
+    // on the plane y = b.
     sphere -= a * (std::acos(std::min(1.0, b / rho)) - std::asin(std::min(1.0, c / rho)));
     sphere -= std::acos(std::max(-1.0, -a * b / (rho * std::sqrt(1.0 - b * b))));
     faces += a * rho * rho * beyond_corner(Vec<2>(std::min(1.0, b / rho), std::min(1.0, c / rho)));
@@ -29,14 +30,15 @@ double beyond_corner(const Vec<3>& t) {
   return (sphere - faces) / 3.0;
 }
 
-/// Returns the area or volume of the part of the unit disk or ball with x_a > t_a along every axis a. The coordinates
-/// of t before `axis` must be >= 0.
+/// Returns the area (2D) or volume (3D) of the part of the unit disk or ball with x_a > t_a along every axis a. The
+/// coordinates t_a with a < `axis` must be >= 0.
 template <int Dim>
 double beyond(Vec<Dim> t, int axis = 0) {
   for (; axis < Dim; ++axis) {
     if (t[axis] >= 0.0) continue;
-    // The part beyond a plane below the centre is the whole ball minus the part beyond the mirror image of the plane.
-    // The volume of the whole ball is twice the volume of the part beyond the plane through the centre.
+    // Let x be the coordinate along `axis`, and t < 0 its bound. The part with x > t is the part with any x minus the
+    // part with x < t. The latter is the mirror image of the part with x > -t. The part with any x is twice the part
+    // with x > 0.
     Vec<Dim> mirrored = t;
     mirrored[axis] = -t[axis];
     t[axis] = 0.0;

@@ -4,14 +4,14 @@
 
 namespace floc {
 
-/// Returns the volume (in 2D the area) of the intersection of a ball and a box, in closed form. The absolute rounding
-/// error is about 1e-15 radius^Dim.
+/// Returns the volume (in 2D the area) of the intersection of a ball and a box, in closed form. The rounding error is
+/// about 1e-15 radius^Dim.
 ///
-/// The volume is a signed sum over the corners of the box. In units of the radius, and with the centre of the ball as
-/// origin, the term of a corner (a, b, c) with a, b, c >= 0 is the volume of the part of the ball with x > a, y > b, z
-/// > c. By the divergence theorem it is (S - a A_a - b A_b - c A_c)/3. Here S is the area of the spherical face of this
-/// part, from the Gauss-Bonnet theorem, and A_a, A_b, A_c are the areas of its flat faces on the planes x = a, y = b, z
-/// = c.
+/// The volume is a sum of one term, with a sign, for each corner of the box. Lengths are in units of the radius, and
+/// the centre of the ball is the origin. The term of a corner (a, b, c) with a, b, c >= 0 is the volume of the part of
+/// the ball with x > a, y > b and z > c. By the divergence theorem, this volume is (S - a A_a - b A_b - c A_c)/3. S is
+/// the area of the spherical face of this part, from the Gauss-Bonnet theorem. A_a, A_b and A_c are the areas of its
+/// flat faces on the planes x = a, y = b and z = c.
 /// @param centre, radius  centre and radius of the ball (length)
 /// @param low, high       corners of the box, whose edges are along the axes (length); infinite coordinates are allowed
 template <int Dim>

@@ -15,11 +15,11 @@ struct Cell {
   /// Time derivative of the lattice vectors in `matrix` (length/time).
   Mat<Dim> velocity = Mat<Dim>::Zero();
 
-  /// Returns the area (2D) or volume (3D) of the cell; it is also positive for a left-handed lattice.
+  /// Returns the area (2D) or volume (3D) of the cell, which is positive for a left-handed lattice, too.
   double volume() const { return std::abs(matrix.determinant()); }
 
-  /// Returns the displacement from a point to its periodic image that is `image` cells away along each lattice vector:
-  /// image * matrix (length).
+  /// Returns image * matrix. This is the displacement (length) of a point to the periodic image that lies image[b]
+  /// cells away along each lattice vector b.
   Vec<Dim> shift(const Vec<Dim, int>& image) const {
     return matrix.transpose() * image.template cast<double>();
   }
@@ -37,8 +37,8 @@ struct Cell {
 
   bool rectangular() const { return matrix.isDiagonal(0.0); }
 
-  /// Returns the velocity gradient of the cell (1/time): a grain that moves with the cell has the velocity rate() * x
-  /// at the position x.
+  /// Returns the velocity gradient of the cell (1/time). A grain at the position x that moves with the cell has the
+  /// velocity rate() * x.
   Mat<Dim> rate() const { return velocity.transpose() * matrix.transpose().inverse(); }
 };
 

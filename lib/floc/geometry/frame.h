@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Number of components of a tangential displacement. In 2D it is one number, along the tangent. In 3D it is a vector
-/// in space, normal to the contact normal; a pair of tangents is not needed.
+/// Number of components of a tangential displacement. In 2D the displacement is one number, its component along the
+/// tangent. In 3D it is a vector in space, normal to the contact normal.
 template <int Dim>
 inline constexpr int kShearComponents = Dim == 2 ? 1 : 3;
 
@@ -21,8 +21,8 @@ inline Vec<2, T> tangent(const Vec<2, T>& n) {
   return {-n[1], n[0]};
 }
 
-/// Returns spin x arm: the velocity of a point that lies at `arm` from the centre of a grain with angular velocity
-/// `spin`.
+/// Returns spin x arm. This is the velocity of a point at the position `arm` relative to the centre of a grain that
+/// rotates with the angular velocity `spin`.
 template <class T>
 inline Vec<2, T> cross(const RotationVector<2, T>& spin, const Vec<2, T>& arm) {
   return spin[0] * tangent(arm);
@@ -33,7 +33,8 @@ inline Vec<3, T> cross(const RotationVector<3, T>& spin, const Vec<3, T>& arm) {
           spin[0] * arm[1] - spin[1] * arm[0]};
 }
 
-/// Returns arm x force: the moment about the centre of a grain of a force that acts at `arm` from this centre.
+/// Returns arm x force. This is the moment about the centre of a grain of a force that acts at the position `arm`
+/// relative to this centre.
 template <class T>
 inline RotationVector<2, T> moment(const Vec<2, T>& arm, const Vec<2, T>& force) {
   return RotationVector<2, T>(arm[0] * force[1] - arm[1] * force[0]);
@@ -61,7 +62,7 @@ inline Vec<2, T> from_shear(const Vec<2, T>& n, const Shear<2, T>& shear) {
 }
 template <class T>
 inline Vec<3, T> from_shear(const Vec<3, T>&, const Shear<3, T>& shear) {
-  // Component by component, because GCC would otherwise copy the whole vector through memory.
+  // The components are listed one by one: GCC would copy a whole vector through memory.
   return {shear[0], shear[1], shear[2]};
 }
 
@@ -76,11 +77,10 @@ inline RotationVector<3, T> rolling_part(const Vec<3, T>& n, const RotationVecto
   return to_shear<T>(n, rotation);
 }
 
-/// Rotates the elongation of the tangential or rolling spring of a contact with the contact, whose unit normal has
-/// changed from n0 to n1. In 2D the elongation is a number along the tangent and does not change. In 3D it is a vector:
-/// it is rotated by the smallest rotation that takes n0 to n1, and then about n1 by the mean rotation of the two
-/// grains. Without either of these rotations, the force between two grains that rotate together as a rigid body would
-/// change.
+/// Rotates the elongation of the tangential or rolling spring of a contact whose unit normal has changed from n0 to n1.
+/// In 2D the elongation is a component along the tangent and does not change. In 3D it is a vector: it is rotated first
+/// by the smallest rotation that takes n0 to n1, then about n1 by the mean rotation of the two grains. With both
+/// rotations, the spring of two grains that rotate together as a rigid body rotates with them.
 ///
 /// The last argument is the mean rotation of the two grains about the normal (radians; ignored in 2D).
 template <class T>

@@ -6,8 +6,9 @@
 namespace floc {
 
 /// Point or vector whose coordinates are double-double numbers (unevaluated sums of two doubles). The rounding error of
-/// a double is too large for stiff contacts. At a distance of 40 a from the origin, with a the grain diameter, it is
-/// 4e-15 a. This changes the force of a contact of stiffness 1e9 F0/a by 4e-6 F0, where F0 is the pull-off force.
+/// a double is too large for stiff contacts. Let a be the grain diameter and F0 the pull-off force. At a distance of
+/// 40 a from the origin, the rounding error of a coordinate is 4e-15 a. It changes the force of a contact of stiffness
+/// 1e9 F0/a by 4e-6 F0.
 template <int Dim>
 struct DoubleDoubleVec {
   DoubleDouble component[Dim];
@@ -46,9 +47,10 @@ DoubleDoubleVec<Dim> difference(const DoubleDoubleVec<Dim>& to, const DoubleDoub
   return r;
 }
 
-/// Returns the gap between the surfaces of two balls, |r| - (Ri + Rj) = (r^2 - (Ri + Rj)^2)/(|r| + Ri + Rj), with r the
-/// vector between their centres (length). The second form, with squares in double-double arithmetic, is accurate to a
-/// few units in the last place of the gap, and not only of the distance.
+/// Returns the gap (length) between the surfaces of two balls: |r| - (Ri + Rj) = (r^2 - (Ri + Rj)^2)/(|r| + Ri + Rj),
+/// where r is the vector between their centres. The function computes the right-hand side with squares in double-double
+/// arithmetic. The rounding error of the result is a few units in the last place of the gap. The error of |r| - (Ri +
+/// Rj) would be larger: a unit in the last place of |r|.
 template <int Dim>
 double surface_gap(const DoubleDoubleVec<Dim>& r, double radius_i, double radius_j) {
   const DoubleDouble radii = exact_sum(radius_i, radius_j);

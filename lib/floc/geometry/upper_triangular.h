@@ -4,8 +4,8 @@
 
 namespace floc {
 
-/// Returns p q^-1 for two upper triangular matrices, by substitution. For diagonal matrices, this is the quotient of
-/// their entries.
+/// Returns p q^-1 for two upper triangular matrices, by substitution. For diagonal matrices, each entry is the quotient
+/// of an entry of p and the same entry of q.
 template <int Dim>
 Mat<Dim> right_quotient(const Mat<Dim>& p, const Mat<Dim>& q) {
   Mat<Dim> x = Mat<Dim>::Zero();

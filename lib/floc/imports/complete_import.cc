@@ -22,15 +22,15 @@ namespace floc {
 namespace {
 
 /// Default tolerance of force, moment and stress in the equilibrium of a packing of another program, in the units of
-/// EquilibriumTolerance. Such packings are usually relaxed to unbalanced forces of 1e-3. In addition, other programs
-/// place contact points up to one overlap away from the contact points of floc, which leaves unbalanced moments of this
-/// order.
+/// EquilibriumTolerance. Packings of other programs are usually relaxed until the unbalanced forces are below 1e-3. In
+/// addition, other programs place a contact point up to one overlap away from the point that floc would choose, which
+/// causes unbalanced moments of the same order.
 constexpr double kForeignTolerance = 1e-3;
 
 /// Returns the tolerances of the equilibrium of an imported packing. The tolerances of force, moment and stress are
 ///   1. the tolerance that the user gives
-///   2. without it, the default of floc if the file gives the imposed stress
-///   3. otherwise kForeignTolerance.
+///   2. if the user gives none and the file gives the imposed stress: the default of floc
+///   3. in all other cases: kForeignTolerance.
 /// The tolerance of the energy is proportional to the tolerance of the force.
 EquilibriumTolerance tolerance_for(const Imported& imported, const std::optional<double>& tolerance) {
   const EquilibriumTolerance own;
@@ -63,7 +63,7 @@ void set_target_stress(const Imported& imported, const ImportCompletion& complet
 }
 
 /// Adds contacts between grains whose surfaces are closer than `gap`. The forces of these contacts are unknown and set
-/// to zero; their stiffnesses are the stiffnesses of the law for surfaces that just touch.
+/// to zero. Their stiffnesses are those that the law gives for surfaces that just touch.
 template <int Dim>
 void add_touching(double gap, Packing<Dim>& packing) {
   constexpr double kCapTolerance = 1e-6;
@@ -78,7 +78,7 @@ void add_touching(double gap, Packing<Dim>& packing) {
   }
 }
 
-/// Finds the contact points of grains with corners from their geometry.
+/// Replaces the contacts of a packing by those found from the geometry of its grains, which have corners.
 template <int Dim>
 void find_points(Packing<Dim>& packing) {
   packing.contacts.clear();
@@ -86,7 +86,7 @@ void find_points(Packing<Dim>& packing) {
   refresh_contacts(packing);
 }
 
-/// Finds the contacts of a packing from its geometry. The bonds that it already has are kept.
+/// Finds the contacts of a packing from its geometry. The contacts already in the packing are bonds, which are kept.
 template <int Dim>
 void find_missing_contacts(double touch_gap, Packing<Dim>& packing) {
   std::vector<Contact<Dim>> bonds = std::move(packing.contacts);
@@ -105,7 +105,7 @@ void find_missing_contacts(double touch_gap, Packing<Dim>& packing) {
   std::sort(packing.contacts.begin(), packing.contacts.end(), precedes<Contact<Dim>>);
 }
 
-/// Adds the contacts with walls to a packing whose list of contacts has none.
+/// Finds the contacts of grains with walls from the geometry and adds them to a packing that has no such contacts.
 template <int Dim>
 void find_wall_contacts(Packing<Dim>& packing) {
   Packing<Dim> found = packing;

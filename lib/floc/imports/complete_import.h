@@ -11,8 +11,8 @@ namespace floc {
 /// Data that the user gives about a packing of another program, in addition to the file of the packing.
 struct ImportCompletion {
   std::string law_place;  ///< option that gives the contact law, for messages
-  /// Imposed stress on each axis. If empty, the imposed stress in the file is used or, if there is none, the stress
-  /// computed from the contact forces.
+  /// Imposed stress on each axis. If empty, the imposed stress in the file is used. If the file has none, the stress
+  /// computed from the contact forces is used.
   std::vector<double> stress;
   std::string stress_place;  ///< option that gives the stress, for messages
   /// Tolerance of the equilibrium. If absent, the default of floc is used or, if the file gives no imposed stress, a
@@ -21,12 +21,13 @@ struct ImportCompletion {
   double touch_gap = 0.0;  ///< largest gap at which grains count as touching: see ImportOptions
 };
 
-/// Completes the state of a packing of another program with the data that its file lacks and an analysis needs:
-/// contacts, imposed stress, tolerances, residuals, and the version of floc.
+/// Completes the state of a packing of another program. It adds the data that an analysis needs and the file of the
+/// packing lacks: contacts, imposed stress, tolerances, residuals, and the version of floc.
 /// @param place  file or array that contains the packing, for messages
 /// @param imported  packing as it was read from its file
 /// @param state  state to complete, a copy of the state in `imported`
-/// @return a sentence for the user that liquid bridges were computed; empty if none were
+/// @return a sentence that tells the user that floc computed the volumes of the liquid bridges; empty if it computed
+/// none
 /// @throws InputError for a law that does not apply to the dimension of the packing, a solid fraction above 1, overlaps
 /// too large for the law, or a stress with a wrong number of components
 template <int Dim>

@@ -13,8 +13,9 @@
 namespace floc {
 namespace {
 
-/// Differences between a listed normal force and the normal force of the law are reported if they are larger than this
-/// fraction of the mean normal force. Programs print six digits or more, so smaller differences can be rounding errors.
+/// A difference between a listed normal force and the normal force of the law is reported if it is larger than this
+/// fraction of the mean normal force. Smaller differences can be rounding errors, because programs print forces with as
+/// few as six digits.
 constexpr double kForceTolerance = 1e-6;
 
 void add_list(const ListedContactCounts& listed, int n_kept, ConversionSummary& summary) {
@@ -24,27 +25,27 @@ void add_list(const ListedContactCounts& listed, int n_kept, ConversionSummary& 
                   listed.n_read, n_kept, listed.n_neighbors, listed.n_tensile, listed.n_other_image));
   if (listed.n_neighbors > 0)
     summary.inconsistencies.push_back(
-        fmt::format("{} of the {} contacts listed have a gap and no force, and the law has no attraction "
-                    "across the gap: they are left out, because the grains do not touch",
+        fmt::format("{} of the {} listed contacts are left out, because the grains do not touch: they have a "
+                    "gap and no force, and the law has no attraction across the gap",
                     listed.n_neighbors, listed.n_read));
   if (listed.n_across_no_lattice > 0)
-    summary.inconsistencies.push_back(fmt::format(
-        "{} of the {} contacts listed cross a boundary that turns the grains: they keep the forces of the file "
-        "and have no stiffness, and their normals and the force balance of their second grains are wrong",
-        listed.n_across_no_lattice, listed.n_read));
-  if (listed.n_tensile > 0)
     summary.inconsistencies.push_back(
-        fmt::format("{} of the {} contacts listed carry a tensile force, and are left out", listed.n_tensile,
-                    listed.n_read));
-  if (listed.n_other_image > 0)
+        fmt::format("{} of the {} listed contacts cross a boundary that rotates the grains: these contacts "
+                    "keep the forces of the file and have no stiffness; their normals, and the force balance "
+                    "of their second grains, are wrong",
+                    listed.n_across_no_lattice, listed.n_read));
+  if (listed.n_tensile > 0)
     summary.inconsistencies.push_back(fmt::format(
-        "{} of the {} images listed contradict the positions, perhaps because the positions were moved into "
-        "the cell and the images were not updated: the nearest images are taken",
-        listed.n_other_image, listed.n_read));
+        "{} of the {} listed contacts have a tensile force and are left out", listed.n_tensile, listed.n_read));
+  if (listed.n_other_image > 0)
+    summary.inconsistencies.push_back(
+        fmt::format("{} of the {} listed images contradict the positions, perhaps because the positions were "
+                    "moved into the cell without an update of the images: the nearest images are used instead",
+                    listed.n_other_image, listed.n_read));
 }
 
-/// Reports listed stiffnesses that differ from the stiffnesses of the law. The difference is not an inconsistency if
-/// the stiffnesses of the law were computed as the means of the listed stiffnesses.
+/// Reports listed stiffnesses that differ from the stiffnesses of the law. If the stiffnesses of the law were computed
+/// as the means of the listed ones, the difference is reported as information, else as an inconsistency.
 void add_stiffnesses(const Imported& imported, ConversionSummary& summary) {
   std::vector<std::string>& said = imported.law_of_contacts ? summary.lines : summary.inconsistencies;
   for (const std::string& difference : imported.listed_contacts.stiffness_differences)
@@ -62,8 +63,8 @@ void add_contacts(const ContactCheck& check, bool cohesive, ConversionSummary& s
       "differ from the law by at most {:.1e} of their mean",
       check.n_with_gap + check.n_distant, check.n_pulling, check.n_mobilised, check.largest_difference));
   if (check.n_with_gap > 0)
-    summary.inconsistencies.push_back(
-        fmt::format("{} contacts carry a force across a gap at which the law does not act", check.n_with_gap));
+    summary.inconsistencies.push_back(fmt::format(
+        "{} contacts have a force although the law does not act across their gap", check.n_with_gap));
   if (check.n_pulling > 0 && !cohesive)
     summary.inconsistencies.push_back(
         fmt::format("{} contacts are tensile, but the law has no adhesion", check.n_pulling));
@@ -80,13 +81,13 @@ void add_contacts(const ContactCheck& check, bool cohesive, ConversionSummary& s
         fmt::format("{} pairs of grains touch but are not listed (grains {})", check.n_missing, check.missing));
 }
 
-/// Reports that a packing has no contacts. The usual cause is a wrong length (radius or cell), so the message names a
-/// likely wrong length.
+/// Reports that a packing has no contacts. The usual cause is a wrong radius or a wrong edge of the cell, so the
+/// message names the length that is likely to be wrong.
 template <int Dim>
 void add_absence_of_contacts(const Packing<Dim>& packing, ConversionSummary& summary) {
   if (!packing.contacts.empty()) return;
   const std::optional<NearestPair> nearest = nearest_pair(packing);
-  if (nearest && nearest->gap < 0.0) return;  // the file lacks this contact, which another message reports
+  if (nearest && nearest->gap < 0.0) return;  // another message reports that the file lacks this contact
   constexpr double kHard = 1e-3, kDoubled = 0.1;
   std::string cause = "are the radii and the cell in the same unit of length?";
   std::string where;
@@ -122,7 +123,7 @@ ConversionSummary summarize(const Imported& imported, const State<Dim>& state) {
     add_stiffnesses(imported, summary);
   }
   add_contacts(check, state.packing.law.adheres(), summary);
-  const Mat<Dim> by_rows = state.stress.transpose();  // transposed: Eigen stores columns
+  const Mat<Dim> by_rows = state.stress.transpose();  // transposed: Eigen stores a matrix column by column
   summary.lines.back() +=
       fmt::format("; stress {:.6g}", fmt::join(by_rows.data(), by_rows.data() + Dim * Dim, " "));
   add_absence_of_contacts(state.packing, summary);

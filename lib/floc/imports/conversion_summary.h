@@ -9,12 +9,13 @@ namespace floc {
 
 /// Summary, in lines of text, of a packing that was read from a file of another program.
 struct ConversionSummary {
-  /// Numbers of contacts read and kept, and comparison of the contact forces with the law.
+  /// Lines about the numbers of contacts that were read and kept, and about the differences of contact forces from the
+  /// law.
   std::vector<std::string> lines;
   std::vector<std::string> inconsistencies;  ///< sentences about contradictions in the data of the packing
 };
 
-/// Summarises an imported packing: compares the contacts that its file lists with the positions and radii of the
+/// Summarises an imported packing. Compares the contacts that the file lists with the positions and radii of the
 /// grains, and the listed forces with the contact law. Returns an empty summary for a state file of floc, for which
 /// `floc verify` makes this comparison.
 /// @param state  state of `imported`, completed by complete_import()

@@ -16,8 +16,8 @@
 namespace floc {
 namespace {
 
-/// Syncs the directory of the file `path` to the disk, so that a renamed file survives a power cut. It is not an error
-/// if the directory cannot be read or does not support syncing.
+/// Syncs the directory of the file `path` to the disk, so that the renaming of a file survives a power cut. It is not
+/// an error if the directory cannot be read or does not support syncing.
 /// @return false, with errno set, if the system reports any other error
 bool sync_directory_of(const std::string& path) {
   std::filesystem::path directory = std::filesystem::path(path).parent_path();
@@ -28,7 +28,7 @@ bool sync_directory_of(const std::string& path) {
 }
 
 /// Whether a path names a stream: standard output ("-"), a device or a pipe. Content is written to a stream directly,
-/// because no file can be renamed to a stream.
+/// because a temporary file cannot be renamed to a stream.
 bool is_stream(const std::string& path) {
   std::error_code unknown;
   return path == "-" ||

@@ -11,15 +11,15 @@
 
 namespace floc {
 
-/// Replaces the content of the file `path` atomically: at any moment, even after a power cut, `path` holds either its
-/// whole old content or its whole new content. The new content is written to the file `path` + ".part"; commit() syncs
-/// this file, renames it to `path` and syncs the directory. If `path` is a stream (a device, a pipe or "-", standard
-/// output), the new content is collected in a temporary file, and commit() copies it to the stream.
+/// Replaces the content of the file `path` atomically: at any moment, even after a power cut, `path` contains either
+/// its whole old content or its whole new content. The new content is written to the file `path` + ".part"; commit()
+/// syncs this file, renames it to `path` and syncs the directory. If `path` is a stream (a device, a pipe or "-",
+/// standard output), the new content is collected in a temporary file, and commit() copies it to the stream.
 class AtomicFile {
  public:
   /// Opens the ".part" file or, if `path` is a stream, the temporary file.
   /// @param path  file to be replaced, or stream; "-" is standard output
-  /// @throws InputError if the path is empty or that of a directory
+  /// @throws InputError if the path is empty or the path of a directory
   /// @throws IoError with the error message of the system if the ".part" or temporary file cannot be opened for writing
   explicit AtomicFile(std::string path);
   /// Removes the ".part" file unless commit() has renamed it. Without commit(), `path` keeps its old content.
@@ -27,7 +27,7 @@ class AtomicFile {
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  /// Path of the ".part" or temporary file, which holds the new content before commit(). Other code, such as the HDF5
+  /// Path of the ".part" or temporary file, which contains the new content until commit(). Other code, such as the HDF5
   /// library, may write to this file directly.
   const std::string& working_path() const { return temporary_ ? temporary_->path() : part_->path(); }
   /// File descriptor of the file at working_path(), open for reading and writing.

@@ -17,7 +17,7 @@
 namespace floc {
 namespace {
 
-/// Largest magnitude of a real number, such as 3.0, that is accepted as an integer. Up to this limit a double
+/// Numbers written as real numbers, such as 3.0, are accepted as integers up to this magnitude. Up to it, a double
 /// represents every integer exactly.
 constexpr double kExactIntegers = 9007199254740992.0;  // 2^53
 
@@ -91,9 +91,10 @@ void CsvTable::add_line(const TableLine& line) {
     throw InputError(fmt::format("{}:{}", place_, line.number), "a quoted cell has no closing quotation mark");
   std::vector<std::string> cells = std::move(*split);
   const std::size_t n_filled = without_trailing_empties(cells);
-  if (n_filled == 0 && cells.size() > 1) return;  // a blank row, as spreadsheets write it
-  // Spreadsheets pad each line with separators, so that all lines have as many as the longest one. The empty cells at
-  // the end are removed.
+  if (n_filled == 0 && cells.size() > 1)
+    return;  // a row of empty cells, which spreadsheets write for a blank row
+  // Spreadsheets add separators to the shorter lines, so that all lines have the same number of separators. The
+  // resulting empty cells at the end are removed.
   if (cells.size() > columns_.size()) cells.resize(std::max(n_filled, columns_.size()));
   if (n_rows() == 0 && cells.size() < columns_.size() && columns_.back().empty())
     columns_.resize(std::max(cells.size(), without_trailing_empties(columns_)));
@@ -152,7 +153,7 @@ std::string CsvTable::number_text(int row, int column) const {
   return number.empty() ? std::string(text) : number;
 }
 
-/// Reports a number with a point in a table with decimal commas, because the point may separate thousands.
+/// Throws if a number has a point although the table has decimal commas: the point may separate thousands.
 void CsvTable::require_no_point(int row, int column) const {
   if (decimal_comma_line_ == 0) return;
   const std::string_view text = cell(row, column);

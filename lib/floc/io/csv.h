@@ -14,10 +14,10 @@
 namespace floc {
 
 /// A table of text cells with named columns, read from a text file. Blank lines, lines that begin with #, and titles
-/// above the names of the columns are skipped. find_table_layout() documents how names, units and the separator of the
-/// cells are found, and decoded_table() documents the accepted encodings. A cell that contains separators must be
+/// above the names of the columns are skipped. find_table_layout() documents how the names, the units and the separator
+/// of the cells are found; decoded_table() documents the accepted encodings. A cell that contains separators must be
 /// enclosed in double quotes. Numbers may have decimal commas if the cells are not separated by commas. Readers of
-/// other text formats fill such a table row by row with add_row().
+/// other text formats fill a table row by row with add_row().
 class CsvTable {
  public:
   CsvTable() = default;
@@ -31,8 +31,8 @@ class CsvTable {
 
   /// Reads a table from a file. @param path  path of the file; "-" reads standard input
   /// @param wanted  names of columns that the caller needs; they help to distinguish the line of names from titles
-  /// @throws InputError naming file and line if the file cannot be read or has no header, or if a line has too many or
-  /// too few cells
+  /// @throws InputError naming file and line if the file cannot be read, has no line of column names, or has a line
+  /// with too many or too few cells
   static CsvTable read(const std::string& path, const std::vector<std::string>& wanted = {});
 
   /// Reads a table from the stream `in`, and throws like read(). @param place  name of the table in messages
@@ -40,13 +40,13 @@ class CsvTable {
                         const std::vector<std::string>& wanted = {});
 
   const std::vector<std::string>& columns() const { return columns_; }
-  /// Names of the columns in lines above the line of columns(), nearest first. Each list has one name per column, which
-  /// may be empty.
+  /// Names of the columns in the lines above the line that columns() returns, the nearest line first. Each inner list
+  /// has one name per column; the name may be empty.
   const std::vector<std::vector<std::string>>& other_names() const { return layout_.other_names; }
-  /// Cell of a column in the row of units below the names; empty if the table has no such row.
+  /// Returns the cell of a column in the row of units below the names; empty if the table has no row of units.
   std::string unit_cell(int column) const;
-  /// Describes how the layout of the table differs from a plain csv table: separator, decimal commas, encoding, lines
-  /// above the names, row of units. Empty for a plain csv table.
+  /// Returns a text that lists the differences of the layout from a plain csv table: separator, decimal commas,
+  /// encoding, lines above the names, row of units. The text is empty for a plain csv table.
   std::string description() const;
   /// Returns the number of rows as text: "27 rows".
   std::string rows_in_words() const;
@@ -60,10 +60,10 @@ class CsvTable {
   std::string text(int row, int column) const { return std::string(cell(row, column)); }
   bool is_empty(int row, int column) const { return cell(row, column).empty(); }
 
-  /// Text of a cell, with a decimal point if it is a number with a decimal comma and the table has decimal commas.
+  /// Returns the text of a cell. If the table has decimal commas and the text is a number, the comma becomes a point.
   std::string number_text(int row, int column) const;
-  /// Converts the text of a cell: number() to a finite number, integer() to an integer. integer() also accepts "3.0"
-  /// and "3.000e+00", because many programs write integers like real numbers.
+  /// Convert the text of a cell: number() to a finite number, integer() to an integer. integer() also accepts "3.0" and
+  /// "3.000e+00", because many programs write integers like real numbers.
   /// @throws InputError naming file, line, column and value if the cell is not a finite number, or not an integer, or
   /// if it has a decimal point although other cells of the table have decimal commas
   double number(int row, int column) const;
@@ -94,7 +94,7 @@ class CsvTable {
   std::string place_;
   TableLayout layout_;
   std::string encoding_;  ///< encoding of the file; empty for UTF-8
-  /// First number with a decimal comma, and the number of its line; 0 if the table has none.
+  /// First number with a decimal comma, and its line in the file; line 0 if the table has no decimal commas.
   std::string decimal_comma_;
   int decimal_comma_line_ = 0;
   std::vector<std::string> columns_;

@@ -30,7 +30,8 @@ class Descriptor {
   int fd_;
 };
 
-/// A temporary file, which is created empty in the system's directory for temporary files. The destructor removes it.
+/// Owns a temporary file. The constructor creates an empty file in the system's directory for temporary files; the
+/// destructor removes the file.
 class TemporaryFile {
  public:
   /// Creates the file. @throws IoError with the error message of the system if the file cannot be created

@@ -21,8 +21,8 @@ void write_own_state(const std::string& path, const AnyState& any) {
   std::visit([&](const auto& state) { write_state(path, state); }, any);
 }
 
-/// Writes a state to the file `path` as text. The template parameter `text` is the function that converts the state to
-/// this text.
+/// Writes a state to the file `path` as text.
+/// @tparam text  function that converts a state to the text of the file
 /// @tparam has_shapes  whether the format can store the shapes of grains with corners
 template <std::string (*text)(const AnyState&), bool has_shapes = false>
 void write_text(const std::string& path, const AnyState& state) {
@@ -41,8 +41,9 @@ const std::vector<ExportFormat>& export_formats() {
       {"vtkhdf", "VTK's HDF format: grains and contacts, for ParaView", ".vtkhdf", write_vtkhdf},
       {"extended-xyz", "extended XYZ, for OVITO and ASE", ".xyz", write_text<extended_xyz_text>},
       {"lammps-data", "data file of LAMMPS, atom_style sphere", ".data", write_text<lammps_data_text>},
-      {"rockable", "configuration of Rockable, with its shapes in a file .shp beside it", ".conf",
-       write_rockable, ".shp"},
+      {"rockable",
+       "configuration of Rockable, with the shapes in a second file of the same name and the extension .shp",
+       ".conf", write_rockable, ".shp"},
       {"obj", "Wavefront OBJ: surfaces of the grains", ".obj", write_obj},
       {"stl", "stereolithography, as text: surfaces of the grains", ".stl", write_stl},
   };

@@ -53,7 +53,7 @@ std::vector<XyzFrame> read_frames(const std::string& path) {
   return frames;
 }
 
-/// Returns the keys and values in the comment line of a frame. They are written as key=value or key="value with
+/// Returns the keys and values in the comment line of a frame, which contains them as key=value or key="value with
 /// spaces".
 std::map<std::string, std::string> keys_of(const std::string& place, std::string_view text) {
   std::map<std::string, std::string> keys;
@@ -77,8 +77,8 @@ std::map<std::string, std::string> keys_of(const std::string& place, std::string
 }
 
 /// Returns the names of the columns of a frame.
-/// @param properties  value of the key Properties, "name:type:count:...". Here pos:R:3 denotes the three columns x, y
-/// and z, and name:type:n denotes the columns name1 to namen if n > 1
+/// @param properties  value of the key Properties, "name:type:count:...". In it, pos:R:3 denotes the three columns x, y
+/// and z. Any other name:type:n with n > 1 denotes n columns whose names are the name followed by 1 to n
 std::vector<std::string> columns_of(const std::string& place, const std::string& properties) {
   std::vector<std::string> fields;
   std::istringstream in(properties);
@@ -99,9 +99,10 @@ std::vector<std::string> columns_of(const std::string& place, const std::string&
   return columns;
 }
 
-/// Returns the columns of a frame of plain xyz. The frame does not name them, so their names are their numbers, from 1
-/// on. The positions are in columns 2 to 4, after the name of the element, unless the user names other columns.
-/// @param given  columns that the user named; the positions are added
+/// Returns the names of the columns of a frame of plain xyz. The frame does not name its columns, so the name of a
+/// column is its number, from 1. The positions are in columns 2 to 4, after the name of the element, unless the user
+/// names other columns.
+/// @param given  columns that the user named; this function adds the columns of the positions
 std::vector<std::string> numbered_columns(const std::string& place, const XyzFrame& frame,
                                           std::map<std::string, std::string>& given) {
   if (!given.contains("radius") && !given.contains("diameter"))
@@ -133,7 +134,7 @@ std::vector<std::vector<double>> lattice_of(const std::string& place, const std:
   return cell;
 }
 
-/// Reads the value of the key Origin: the corner of the cell. OVITO writes this key.
+/// Reads the value of the key Origin, which OVITO writes: the corner of the cell.
 Eigen::Vector3d origin_of(const std::string& place, const std::string& text) {
   const std::vector<std::string> tokens = tokenize(text);
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
@@ -160,8 +161,7 @@ std::vector<bool> periodic_of(const std::string& place, const std::string& text)
   return periodic;
 }
 
-/// Reads the value of the key walls: the names of the walls at the faces of the box, such as "x- x+". floc writes this
-/// key.
+/// Reads the value of the key walls, which floc writes: names of walls at the faces of the box, such as "x- x+".
 void add_walls(const std::string& place, const std::string& names, ListedSpace& space) {
   space.exact_walls = true;
   for (const std::string& name : tokenize(names)) {
@@ -175,7 +175,7 @@ void add_walls(const std::string& place, const std::string& names, ListedSpace& 
   }
 }
 
-/// Reads cell, boundary and dimension from the comment line of a frame.
+/// Reads the cell, the boundaries and the dimension from the comment line of a frame.
 ListedSpace space_of(const std::string& place, const std::map<std::string, std::string>& keys) {
   ListedSpace space;
   space.place = place;

@@ -15,8 +15,8 @@ struct FieldArrays {
   std::function<std::string(const std::string&)> place;  ///< returns the place of an array in messages
 };
 
-/// Reads the space that a packing fills from the field arrays that floc writes: cell (three lattice vectors),
-/// dimension, walls (axis, side and position of each wall), periodic (one flag per axis) and gravity.
+/// Reads the space that a packing fills from field arrays in a file of floc: cell (three lattice vectors), dimension,
+/// walls (axis, side and position of each wall), periodic (one flag per axis) and gravity.
 /// @throws InputError naming the array
 ListedSpace space_of_fields(const FieldArrays& arrays);
 

@@ -41,16 +41,17 @@ class Handle {
   Close close_;
 };
 
-/// Configures the HDF5 library. It must not print errors, because floc reports them by exceptions. It must not clean up
-/// at the end of the program, because its clean-up would repeat a write that failed on a full disk, and crash.
+/// Configures the HDF5 library. The library must not print errors, because floc reports them by exceptions. The library
+/// must not clean up at the end of the program either: if a write has failed on a full disk, the clean-up would repeat
+/// the write and crash.
 void begin_library() {
   H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-/// Returns the HDF5 access properties with which files are opened. Small arrays are not buffered, because an error
-/// while the buffer is written at the closing of the file would be lost. The library does not lock files; floc locks
-/// them itself where this is needed.
+/// Returns the HDF5 access properties with which files are opened. Small arrays are not buffered: a buffer would be
+/// written when the file is closed, and an error during this write would be lost. The library does not lock files; floc
+/// locks them itself where this is needed.
 Handle file_access() {
   const hid_t access = checked(H5Pcreate(H5P_FILE_ACCESS));
   checked(H5Pset_sieve_buf_size(access, 0));
@@ -69,8 +70,8 @@ Handle scalar() {
   return {checked(H5Screate(H5S_SCALAR)), H5Sclose};
 }
 
-/// Returns the HDF5 properties for the creation of an object (file, group or dataset) without recording its time of
-/// creation, so that files do not depend on the clock.
+/// Returns HDF5 properties of objects (files, groups or datasets) for which HDF5 does not store the time of creation,
+/// so that files do not depend on the clock.
 Handle untimed(hid_t property_class) {
   const hid_t properties = checked(H5Pcreate(property_class));
   H5Pset_obj_track_times(properties, false);
@@ -136,12 +137,12 @@ void write_array(hid_t file, const std::string& path, const ArrayShape& shape, c
     checked(H5Dwrite(dataset, NativeType<T>::memory(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
 }
 
-/// Number of rows of an array that are written or read at a time. It limits the size of the buffers.
+/// Number of rows of an array that are written or read at a time. This number limits the size of the buffers.
 constexpr hsize_t kRowsAtATime = 1 << 16;
 
-/// Calls visit(first, n, memory, file) for each block of rows of an array with the given shape. `first` is the number
-/// of the first row of the block, and `n` is the number of values in the block. `memory` is the HDF5 dataspace of a
-/// buffer for these values, and `file` is the HDF5 dataspace of the array with the block selected in it.
+/// Calls visit(first, n, memory, file) for each block of rows of an array of the given shape. `first` is the number of
+/// the first row of the block, and `n` is the number of values in the block. `memory` is the HDF5 dataspace of a buffer
+/// for these values, and `file` is the HDF5 dataspace of the array with the block selected in it.
 template <class Visit>
 void for_each_block(const ArrayShape& shape, const Visit& visit) {
   const std::vector<hsize_t> extent(shape.begin(), shape.end());
@@ -181,7 +182,7 @@ std::vector<hsize_t> extent_of(hid_t dataset) {
 
 /// Checks that an array is not larger than the file that contains it. Without this check, a damaged file could make
 /// floc allocate far too much memory.
-/// @param bytes  size of the array
+/// @param bytes  size of the array (bytes)
 /// @throws InputError naming `place` if the array is larger than the file
 void check_length(hid_t file, const std::string& place, double bytes) {
   hsize_t size = 0;
@@ -194,8 +195,8 @@ void check_length(hid_t file, const std::string& place, double bytes) {
 }
 
 /// Opens a dataset that is an array of numbers of type T.
-/// @throws InputError naming `place` unless the dataset exists, has the given shape, and contains real numbers (if T is
-/// double) or integers (otherwise)
+/// @throws InputError naming `place` unless the dataset exists, has the given shape, and contains numbers of the kind
+/// of T (real numbers if T is double, else integers)
 template <class T>
 Handle open_array(hid_t file, const std::string& place, const std::string& path, const ArrayShape& shape) {
   Handle dataset = open_dataset(file, place, path);
@@ -245,7 +246,7 @@ void read_attribute(hid_t file, const std::string& place, const std::string& pat
     throw InputError(place, fmt::format("attribute {} cannot be read", name));
 }
 
-/// Returns a string that is stored in a dataset or an attribute, with variable or fixed length.
+/// Returns a string of variable or fixed length that is stored in a dataset or an attribute.
 /// @param type  HDF5 type of the stored string
 /// @param read  function read(type, buffer) that reads the string from the dataset or the attribute into a buffer
 template <class Read>

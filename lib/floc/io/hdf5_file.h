@@ -9,7 +9,7 @@
 
 namespace floc {
 
-/// Failure of the HDF5 library to write a file (the disk is full) or to read a file (its content is damaged).
+/// Failure of the HDF5 library to write a file (for example, on a full disk) or to read a file (with damaged content).
 class Hdf5Failure : public std::runtime_error {
  public:
   Hdf5Failure(const std::string& what, int error) : std::runtime_error(what), error_(error) {}
@@ -21,11 +21,11 @@ class Hdf5Failure : public std::runtime_error {
   int error_;
 };
 
-/// Shape of an array: the number of its entries along each of its dimensions, slowest index first.
+/// Shape of an array: the number of entries along each dimension. The index along the first dimension varies slowest.
 using ArrayShape = std::vector<std::uint64_t>;
 
-/// Writes an HDF5 file. The bytes of the file do not depend on the clock: the same calls give the same bytes. All
-/// member functions throw Hdf5Failure if the HDF5 library fails.
+/// Writes an HDF5 file. The file contains no times, so equal calls give equal bytes. All member functions throw
+/// Hdf5Failure if the HDF5 library fails.
 class Hdf5Writer {
  public:
   /// @param path  path of the file to write; an existing file is replaced
@@ -39,7 +39,7 @@ class Hdf5Writer {
   void array(const std::string& path, const ArrayShape& shape, const std::vector<double>& values);
   void array(const std::string& path, const ArrayShape& shape, const std::vector<std::int32_t>& values);
   void array(const std::string& path, const ArrayShape& shape, const std::vector<std::uint8_t>& values);
-  /// Writes an array block by block, where a block is a range of rows, so that no copy of the whole array is needed.
+  /// Writes an array in blocks of rows, so that no copy of the whole array is needed.
   /// @param fill  function that writes the values of one block into its second argument; its first argument is the
   /// number of the first row of the block
   template <class T>
@@ -57,7 +57,7 @@ class Hdf5Writer {
   /// Writes an attribute as ASCII text of fixed length, for programs that do not read text of variable length.
   void fixed_text_attribute(const std::string& path, const std::string& name, const std::string& value);
 
-  /// Gives an existing array a second path in the file; its values are not copied.
+  /// Gives an existing array a second path in the file, without a second copy of its values.
   void link(const std::string& path, const std::string& second_path);
 
   /// Completes and closes the file. Nothing can be added to it afterwards.
@@ -67,7 +67,7 @@ class Hdf5Writer {
   std::int64_t file_;  ///< HDF5 identifier of the file; -1 after close()
 };
 
-/// Reads an HDF5 file. Every fault of its content is reported as an InputError that names the file and the dataset.
+/// Reads an HDF5 file. All faults of the content are reported as an InputError that names the file and the dataset.
 /// @pre the file is undamaged (SealedFile checks this), because the HDF5 library can crash on a damaged file
 class Hdf5Reader {
  public:
@@ -83,21 +83,21 @@ class Hdf5Reader {
 
   bool has(const std::string& path) const;
 
-  /// Names of the datasets and groups in a group, sorted.
+  /// Returns the names of the datasets and groups in a group, sorted.
   std::vector<std::string> names(const std::string& group) const;
-  /// Shape of an array; a single value has no dimensions.
+  /// Returns the shape of an array; the shape of a single value is empty.
   ArrayShape shape(const std::string& path) const;
-  /// Returns the values of an array of real or whole numbers of any size.
+  /// Returns the values of an array of any size, which contains real or whole numbers.
   /// @throws InputError also if a value is not finite
   std::vector<double> numbers(const std::string& path) const;
 
-  /// Number of rows of an array, which is the number of entries along its first dimension.
+  /// Returns the number of rows of an array: the number of entries along its first dimension.
   std::uint64_t n_rows(const std::string& path) const;
 
   void array(const std::string& path, const ArrayShape& shape, std::vector<double>& values) const;
   void array(const std::string& path, const ArrayShape& shape, std::vector<std::int32_t>& values) const;
   void array(const std::string& path, const ArrayShape& shape, std::vector<std::uint8_t>& values) const;
-  /// Reads an array block by block, where a block is a range of rows.
+  /// Reads an array in blocks of rows.
   /// @param take  function that is called for each block with the number of its first row and its values
   template <class T>
   void rows(const std::string& path, const ArrayShape& shape,

@@ -25,7 +25,7 @@
 namespace floc {
 namespace {
 
-/// Returns the extension of a file name without the extension .gz of a compressed file.
+/// Returns the extension of a file name; for a compressed file, the extension before .gz.
 std::string named_extension(const std::filesystem::path& path) {
   return (path.extension() == ".gz" ? path.stem() : path).extension().string();
 }
@@ -39,7 +39,7 @@ bool is_csv(const std::string& path) {
   return path == "-" || extension == ".csv" || extension == ".tsv";
 }
 
-/// Whether a file is a table with the columns of grains, whatever its name.
+/// Whether a file is a table with the columns of grains. The name of the file does not matter.
 bool is_table_of_grains(const std::string& path) {
   try {
     const CsvTable table = CsvTable::read(path, grain_names());
@@ -107,7 +107,8 @@ const ImportFormat& find_import_format(const std::string& keyword, const std::st
     if (is_table_of_grains(path)) return find_import_format("csv", path);
     require_text(path, read_file(path));
     throw InputError(
-        path, fmt::format("the format of the file is not recognised; give it with --from, one of {}", known));
+        path,
+        fmt::format("the format of the file is not recognised; give the format with --from: one of {}", known));
   }
   throw InputError("--from", fmt::format("\"{}\" is not a format; the formats are {}", keyword, known));
 }

@@ -15,23 +15,24 @@ namespace floc {
 struct ImportOptions {
   std::optional<Law> law;
   /// Lattice vectors of the periodic cell (length), one per row. The number of vectors is the dimension. If empty, the
-  /// cell in the file is used.
+  /// file gives the cell.
   std::vector<std::vector<double>> cell;
-  std::optional<Law> wall_law;  ///< contact law between grains and walls; absent: `law`
-  /// Axes that are not periodic (see parse_walls()) and files that have walls (see read_wall_file()), separated by commas;
-  /// empty: the file decides.
+  std::optional<Law> wall_law;  ///< contact law between grains and walls; if absent, `law` applies to them
+  /// Axes that are not periodic (see parse_walls()) and names of files that describe walls (see read_wall_file()),
+  /// separated by commas. If empty, the file of the packing decides.
   std::string walls;
-  std::vector<double>
-      gravity;  ///< acceleration due to gravity, one component per axis; if empty, as in the file
-  std::map<std::int64_t, WallSide>
-      wall_ids;  ///< bodies of the file of contacts that are walls, by their identifiers
+  /// acceleration due to gravity, one component per axis; if empty, the file gives it
+  std::vector<double> gravity;
+  /// identifiers, in the file of contacts, of the bodies that are walls
+  std::map<std::int64_t, WallSide> wall_ids;
   /// Maps the names that floc uses for columns of grains to the names of these columns in the file, such as "x" to "X".
-  /// A column that is not in this map has the name that floc uses. For a LAMMPS dump, names of walls such as "x-" stand
-  /// for columns with their forces: see read_lammps_dump().
+  /// A column that is not in this map has the name that floc uses. For a LAMMPS dump, the name of a wall such as "x-"
+  /// is mapped to the columns with the forces of this wall: see read_lammps_dump().
   std::map<std::string, std::string> columns;
   /// Path of a file that lists the contacts. If empty, contacts are found from the positions and radii.
   std::string contacts;
-  /// Path of a file that lists bonds: contacts that act across gaps, with stiffnesses of their own. If empty, no bonds.
+  /// Path of a file that lists bonds: contacts that act across gaps, each with its own stiffnesses. If empty, the
+  /// packing has no bonds.
   std::string bonds;
   /// Names of the columns of contacts in the file `contacts`: the key is the name that floc uses, the value is the name
   /// in the file. A column that is not in this map has the name that floc uses.
@@ -41,17 +42,17 @@ struct ImportOptions {
   /// determines whether the first or the last packing is read.
   std::optional<int> index;
   std::string units = "reduced";  ///< unit system of the file, "reduced" or "SI"
-  /// Whether contacts with a tensile force are left out if the law has no adhesion. Otherwise such contacts are an
-  /// error.
+  /// Whether contacts with a tensile force are left out if the law has no adhesion. If false, they are an error.
   bool drop_tensile = false;
-  /// Largest gap at which grains are taken to touch if contacts are found from the geometry (length). Contacts across a
-  /// gap have no force.
+  /// Largest gap (length) of grains that count as touching, if contacts are found from the geometry. The force across a
+  /// gap is zero.
   double touch_gap = 0.0;
-  /// whether the file lists each pair twice, once for each of its grains, see merge_pairs()
+  /// whether the file of contacts lists each pair of grains twice, once for each of the two grains: see merge_pairs()
   bool pairs_twice = false;
 };
 
-/// Numbers of the contacts that a file lists: all, those left out, and those kept with another image.
+/// Counts of the contacts that a file lists: all contacts, contacts that are left out for a reason, and contacts that
+/// are kept but need a remark.
 struct ListedContactCounts {
   int n_read = 0;
   /// Number of contacts that were left out because they have no force and the gap between the grains exceeds the range
@@ -59,13 +60,13 @@ struct ListedContactCounts {
   int n_neighbors = 0;
   /// Number of contacts that were left out because they have a tensile force and the law has no adhesion.
   int n_tensile = 0;
-  /// Number of contacts that were kept, but at the nearest periodic image of grain id2, because the listed image
-  /// contradicts the positions.
+  /// Number of contacts whose listed image contradicts the positions. They were kept, with the nearest periodic image
+  /// of grain id2.
   int n_other_image = 0;
-  /// Number of contacts across a boundary that is not a lattice translation. They keep their forces and have no
-  /// stiffness.
+  /// Number of contacts across a boundary that is not a lattice translation. Such contacts keep the listed forces and
+  /// have no stiffness.
   int n_across_no_lattice = 0;
-  int n_bonds = 0;  ///< number of contacts that act across a gap with stiffnesses of their own
+  int n_bonds = 0;  ///< number of contacts that act across a gap, each with its own stiffnesses
   /// Sentences about contacts whose listed stiffnesses differ from the stiffnesses of the contact law at the listed
   /// forces.
   std::vector<std::string> stiffness_differences;
@@ -77,13 +78,14 @@ struct Imported {
   AnyState state;
   /// Sentences for the user about how the file was interpreted.
   std::vector<std::string> remarks;
-  /// Sentences for the user about data that seem wrong or contradict each other.
+  /// Sentences for the user about data that seem wrong or that contradict other data.
   std::vector<std::string> inconsistencies;
   /// Whether the file is a state file of floc, in which no data are missing.
   bool complete = false;
-  /// Whether the file lists contacts. Otherwise they are found from the positions and radii.
+  /// Whether the file lists contacts. If not, contacts are found from the positions and radii.
   bool contacts_known = false;
-  /// Whether the list of contacts has none with the walls of the packing, so that these are found from the geometry.
+  /// Whether the file lists no contacts with the walls of the packing. If true, these contacts are found from the
+  /// geometry.
   bool lacks_wall_contacts = false;
   /// Whether the stiffnesses of the contact law were computed as means of the listed stiffnesses.
   bool law_of_contacts = false;
@@ -102,15 +104,16 @@ struct ImportFormat {
   Imported (*read)(const std::string& path, const ImportOptions& options);
 };
 
-/// Whether the content of the file `path` begins with `text`. The file may be in any encoding that decoded_table()
-/// recognises. A byte order mark at the beginning of the file is ignored.
+/// Whether the content of the file `path` begins with `text`, possibly after a byte order mark. The file may be in any
+/// encoding that decoded_table() recognises.
 bool begins_with(const std::string& path, const std::string& text);
 
 /// All file formats from which floc can read a packing. To add a format, add a reader with its own source and header
 /// file, an entry in this list, a test that reads back a written file, and a test with malformed input.
 const std::vector<ImportFormat>& import_formats();
 
-/// Returns the format with the keyword `keyword` or, if `keyword` is empty, the format that recognises the file `path`.
+/// Returns the format with the keyword `keyword`. If `keyword` is empty, returns the format that recognises the file
+/// `path`.
 /// @throws InputError listing all formats if no format matches
 const ImportFormat& find_import_format(const std::string& keyword, const std::string& path);
 

@@ -38,8 +38,8 @@ std::vector<double> numbers(const std::string& place, std::string_view text) {
   }
 }
 
-/// Returns the end of a message about a wrong number of values, if commas between digits may be the reason; otherwise
-/// an empty text.
+/// Returns the end of a message about a wrong number of values: a hint at decimal commas if the text has commas between
+/// digits, else an empty text.
 const char* comma_hint(std::string_view text) {
   const auto is_digit = [&](std::size_t at) {
     return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at]));
@@ -51,7 +51,7 @@ const char* comma_hint(std::string_view text) {
 }
 
 /// Returns the `count` numbers that follow "key =" in the header of a packing, up to the next key.
-/// @throws InputError naming `place` if the key is missing, occurs twice, or is followed by another number of values
+/// @throws InputError naming `place` if the key is missing, occurs twice, or is followed by more or fewer values
 std::vector<double> header_numbers(const std::string& place, std::string_view header, const std::string& key,
                                    std::size_t count) {
   std::vector<double> found;
@@ -105,14 +105,15 @@ void find_packing(const std::string& path, Lines& lines, int index) {
   while (lines.next())
     if (is_header(lines.line()) && n_packings++ == index) return;
   if (n_packings == 0)
-    throw InputError(path, "the file holds no packing of jamBashbulk: it has no line \"N = ... ,L1= { ...\"");
+    throw InputError(path,
+                     "the file contains no packing of jamBashbulk: it has no line \"N = ... ,L1= { ...\"");
   throw InputError(path, fmt::format("index = {}, but the file holds packings 0 to {}", index, n_packings - 1));
 }
 
 /// Reads the `n` grains that follow the header of a packing, and moves each grain into the periodic cell.
 Grains<2> read_grains(const std::string& path, Lines& lines, const Cell<2>& cell, int n) {
-  // Each row is x, y and radius of a grain. Memory for `n` grains is allocated only after `n` lines were read, because
-  // the number in the header may be wrong.
+  // Each row is x, y and radius of a grain. The memory grows with the lines that are read, because the number of grains
+  // in the header may be wrong.
   std::vector<Eigen::Vector3d> rows;
   while (static_cast<int>(rows.size()) < n && lines.next()) {
     if (lines.line().find('}') != std::string::npos || is_header(lines.line())) break;
@@ -179,7 +180,7 @@ Imported read_jambashbulk(const std::string& path, const ImportOptions& options)
   state.packing.cell.matrix << l1[0], l1[1], l2[0], l2[1];
   if (!(state.packing.cell.volume() > 0.0))
     throw InputError(place, "the lattice vectors L1 and L2 span no area");
-  // Packings of jamBashbulk have no friction, and a linear repulsion with the stiffness K_N = 1 in the units of the
+  // Packings of jamBashbulk have no friction. Their repulsion is linear, with the stiffness K_N = 1 in the units of the
   // format. The user therefore gives no law.
   LawParameters law;
   law.normal = LinearRepulsion{kNormalStiffness};
@@ -191,7 +192,8 @@ Imported read_jambashbulk(const std::string& path, const ImportOptions& options)
   Imported imported;
   imported.state = std::move(state);
   // P0 is the pressure at which jamBashbulk relaxed the packing. Because this target stress is known, complete_import()
-  // sets the same strict tolerances of equilibrium as for packings of floc.
+  // uses the default tolerances of equilibrium, which are stricter than those for packings without a known target
+  // stress.
   imported.target_stress_known = true;
   return imported;
 }

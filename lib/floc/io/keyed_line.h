@@ -11,11 +11,11 @@
 
 namespace floc {
 
-/// Splits a line into its words, which are separated by white space; the words are views of the line.
+/// Splits a line into words, which are separated by white space. The words are views of the line.
 std::vector<std::string_view> words_of(std::string_view line);
 
 /// One line of a text file, split into words. In many formats a line consists of keys, each followed by its values. The
-/// text of the line must outlive this object.
+/// text of the line must exist as long as this object.
 class KeyedLine {
  public:
   /// @param file  text before the number of the line in messages, "file:"
@@ -30,8 +30,8 @@ class KeyedLine {
 
   /// Returns the number at position `k` of the line.
   /// @param what  name of the value in messages
-  /// @throws InputError naming file, line and value if the number is missing or not finite, or, for integer(), not
-  /// whole
+  /// @throws InputError naming file, line and value if the number is missing or not finite; for integer(), also if it
+  /// is not whole
   double number(std::size_t k, std::string_view what) const;
   std::int64_t integer(std::size_t k, std::string_view what) const;
   /// Returns the three numbers at the positions `k`, `k` + 1 and `k` + 2.

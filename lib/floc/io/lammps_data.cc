@@ -47,7 +47,7 @@ void read_header_line(const std::string& place, const std::vector<std::string>& 
   std::vector<double> values;
   std::string key;
   for (const std::string& token : tokens) {
-    // A number with a decimal comma is reported as an error. If it were taken as part of the keyword, the line would be
+    // A number with a decimal comma is reported as an error. As a part of the keyword, it would cause the line to be
     // ignored.
     if (const auto value = parse_number<double>(token); value && key.empty())
       values.push_back(*value);
@@ -88,8 +88,8 @@ void read_header_line(const std::string& place, const std::vector<std::string>& 
     data.box_place = place;
   } else if (key.ends_with("xy xz yz")) {
     // Header lines that do not describe the box (numbers of types, bonds, ...) do not affect the packing and are
-    // ignored. A line that describes the box must not be ignored, so an error is reported if its keyword is misspelt or
-    // a number is not finite.
+    // ignored. A line that describes the box must not be ignored: an error is reported if its keyword is misspelt or
+    // one of its numbers is not finite.
     throw InputError(
         place,
         fmt::format("the header line has the words \"{}\", expected three finite numbers and xy xz yz", key));
@@ -104,7 +104,8 @@ void read_header_line(const std::string& place, const std::vector<std::string>& 
 
 using Columns = std::vector<std::string>;
 
-/// Names of the columns of each atom style between the type and the position (LAMMPS manual, read_data, section Atoms).
+/// For each atom style, names of the columns between the type and the position (LAMMPS manual, read_data, section
+/// Atoms).
 const std::map<std::string, Columns>& columns_of_styles() {
   static const std::map<std::string, Columns> columns = {
       {"sphere", {"diameter", "density"}},
@@ -122,7 +123,7 @@ const std::map<std::string, Columns>& columns_of_styles() {
 }
 
 /// Returns the columns of the section Atoms for the atom style in its heading, such as "Atoms # sphere". For the style
-/// "hybrid", these are the columns that all styles share, followed by those of each style.
+/// "hybrid", the columns that all styles have in common come first, and the columns of each style follow.
 /// @throws InputError if the style has no radii or is unknown
 Columns columns_of_style(const std::string& place, const std::string& style) {
   const std::vector<std::string> words = tokenize(style);
@@ -136,7 +137,7 @@ Columns columns_of_style(const std::string& place, const std::string& style) {
           place, fmt::format("atom_style {} is not known, expected sphere, bpm/sphere, or hybrid with one of "
                              "them",
                              style));
-    // In bpm/sphere the molecule is the first column, before the type.
+    // In the style bpm/sphere, the column of the molecule is before the column of the type.
     const bool molecule_first = !hybrid && !found->second.empty() && found->second[0] == "molecule";
     columns.insert(columns.end() - (molecule_first ? 1 : 0), found->second.begin(),
                    found->second.begin() + (molecule_first ? 1 : 0));
@@ -196,7 +197,7 @@ DataFile read_data(const std::string& path) {
   return data;
 }
 
-/// Returns the words that follow `word` in the title of a data file. Punctuation is left out.
+/// Returns the words after `word` in the title of a data file, without commas, colons and semicolons.
 std::vector<std::string> words_after(const std::string& title, const std::string& word) {
   std::string words = title;
   std::replace_if(
@@ -207,8 +208,8 @@ std::vector<std::string> words_after(const std::string& title, const std::string
   return tokens;
 }
 
-/// Adds the walls that are named in a title written by floc, such as "walls at the faces across x and z". The ends
-/// named after "open at", such as "open at z+", get no wall.
+/// Adds the walls that a title written by floc names, such as "walls at the faces across x and z". A face named after
+/// "open at", such as "open at z+", gets no wall.
 void add_titled_walls(const std::string& title, ListedSpace& space) {
   std::vector<std::string> across = words_after(title, "across");
   across.erase(std::find(across.begin(), across.end(), "boundary"), across.end());
@@ -221,8 +222,9 @@ void add_titled_walls(const std::string& title, ListedSpace& space) {
         add_wall_at_face(*wall, space), space.exact_walls = true;
 }
 
-/// Returns the cell, periodicity and dimension of the packing. LAMMPS reads the dimension and the boundary from its
-/// input script and not from a data file, so floc writes them into the title ("dimension 2", "boundary f f p").
+/// Returns the cell, the periodicity and the dimension of the packing. A data file has no place for the dimension and
+/// the boundary, which LAMMPS reads from an input script. floc therefore writes them into the title of a data file
+/// ("dimension 2", "boundary f f p").
 ListedSpace space_of(const DataFile& data, const std::vector<ListedGrain>& grains) {
   ListedSpace space;
   space.place = data.box_place;
@@ -278,9 +280,9 @@ Imported read_lammps_data(const std::string& path, const ImportOptions& options)
 
 namespace {
 
-/// Rotates the lattice vectors, which are the rows of `matrix`, so that the first vector is along x and the second in
+/// Rotates the lattice vectors, which are the rows of `matrix`, so that the first vector is along x, the second is in
 /// the x-y plane, and the diagonal of the result is positive.
-/// @param rotation  set to the matrix that applies the same rotation to vectors of the packing
+/// @param rotation  output: the matrix that applies the same rotation to vectors of the packing
 /// @return matrix whose rows are the rotated lattice vectors
 template <int Dim>
 Mat<Dim> lower_triangular(const Mat<Dim>& matrix, Mat<Dim>& rotation) {
@@ -304,16 +306,16 @@ Mat<Dim> lower_triangular(const Mat<Dim>& matrix, Mat<Dim>& rotation) {
 }
 
 /// Replaces the lattice vectors, which are the rows of a lower triangular matrix, by vectors of the same lattice with
-/// small tilts. A tilt is an element below the diagonal; its magnitude becomes at most half of the diagonal element
-/// (side) in its column.
+/// small tilts. A tilt is an element below the diagonal. Afterwards, the magnitude of each tilt is at most half of the
+/// diagonal element (side) in the same column.
 template <int Dim>
 void reduce_tilts(Mat<Dim>& rows) {
   for (int a = 1; a < Dim; ++a)
     for (int b = a - 1; b >= 0; --b) rows.row(a) -= sides_in_tilt(rows(a, b), rows(b, b)) * rows.row(b);
 }
 
-/// Returns a description of the dimension, boundary and walls of a packing in the notation of LAMMPS commands. It is
-/// written into the title of a data file, because the format has no other place for it.
+/// Returns a description of the dimension, boundary and walls of a packing in the notation of LAMMPS commands. The
+/// description is a part of the title of a data file, because the format has no other place for it.
 template <int Dim>
 std::string space_in_words(const std::vector<Wall<Dim>>& walls) {
   std::string axes, boundary, open;
@@ -334,8 +336,8 @@ std::string space_in_words(const std::vector<Wall<Dim>>& walls) {
                      boundary, open);
 }
 
-/// Returns identifiers for the atoms, which LAMMPS requires to be 1 or more. If all identifiers of the grains are 1 or
-/// more, they are kept; otherwise the atoms are numbered 1, 2, ...
+/// Returns identifiers for the atoms. LAMMPS requires identifiers of 1 or more. If all identifiers of the grains are 1
+/// or more, they are kept. If not, the atoms are numbered 1, 2, ...
 template <int Dim>
 std::vector<std::int64_t> atom_numbers(const Grains<Dim>& grains) {
   std::vector<std::int64_t> numbers = grains.id;

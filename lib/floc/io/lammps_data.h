@@ -10,21 +10,22 @@ namespace floc {
 /// LAMMPS do.
 bool is_lammps_data(const std::string& path);
 
-/// Reads a data file of LAMMPS with atom_style sphere. Each line of its section Atoms contains "id type diameter
-/// density x y z [ix iy iz]". As in LAMMPS, the mass of a grain is the mass of a sphere of the given density, also in
-/// 2D. The dimension and the boundary are read from the title (the first line of the file), if lammps_data_text() has
-/// written them there. The box is taken as periodic unless the title contains "boundary" with letters other than p. A
-/// packing is 2D if the title contains "dimension 2" or, for a title without dimension, if settle_space() decides so;
-/// then all z must be equal, and the third lattice vector is ignored. `options.law` is required. `options.contacts` may
-/// name a file of contacts: see read_contact_file().
+/// Reads a data file of LAMMPS with atom_style sphere. Each line of the section Atoms contains "id type diameter
+/// density x y z [ix iy iz]". As in LAMMPS, the mass of a grain is the mass of a sphere of the given density, in 2D as
+/// well as in 3D. The dimension and the boundary are read from the title (the first line of the file) if
+/// lammps_data_text() has written them there. The box is periodic unless the title contains "boundary" with letters
+/// other than p. If the title contains no dimension, settle_space() decides it. In 2D all z must be equal, and the
+/// third lattice vector is ignored. `options.law` is required. `options.contacts` may name a file of contacts: see
+/// read_contact_file().
 /// @throws InputError naming file and line
 Imported read_lammps_data(const std::string& path, const ImportOptions& options);
 
 /// Returns a state as text of a LAMMPS data file with atom_style sphere. Numbers are printed with all digits that are
-/// needed to read them back exactly. LAMMPS requires the first lattice vector along x and the second in the x-y plane,
-/// with tilts of at most half a side. Any other cell is rotated (a left-handed cell is also mirrored), and its lattice
-/// vectors are replaced by shorter vectors of the same lattice. In 2D z = 0. The title contains the dimension and the
-/// periodic directions. If the identifier of any grain is below 1, all identifiers are replaced by 1, 2, ...
+/// needed to read them back exactly. LAMMPS requires that the first lattice vector is along x, the second is in the x-y
+/// plane, and the tilts are at most half a side. Any other cell is rotated (a left-handed cell is also mirrored), and
+/// its lattice vectors are replaced by shorter vectors of the same lattice. In 2D z = 0. The title contains the
+/// dimension and the periodic directions. If any identifier of a grain is below 1, all identifiers are replaced by 1,
+/// 2, ...
 std::string lammps_data_text(const AnyState& state);
 
 }  // namespace floc

@@ -59,12 +59,12 @@ class FrameText {
   PackedStrings lines_;
 };
 
-/// Reads the frames of a dump one by one, because the file may be larger than the memory. Keeps only the last of the
-/// frames that the function `wanted` selects.
+/// Reads the frames of a dump one by one, because the file may be larger than the memory. Keeps one frame only: the
+/// last of those that the function `wanted` selects.
 class FrameSearch {
  public:
-  /// @param wanted  function that returns whether to select a frame, given the number of the frame (from 0) and the
-  /// text of its time step
+  /// @param wanted  function that returns whether a frame is selected; its arguments are the number of the frame (from
+  /// 0) and the text of its time step
   FrameSearch(const std::string& path, std::function<bool(int, std::string_view)> wanted)
       : path_(path), wanted_(std::move(wanted)) {
     std::string begun;  // beginning of a line that continues in the next piece of the file
@@ -84,7 +84,7 @@ class FrameSearch {
     if (!begun.empty()) pass(trimmed(begun));
     if (begins_) pass_timestep("");
     if (timesteps_.empty())
-      throw InputError(path, "the file holds no frame of a LAMMPS dump: it has no line \"ITEM: TIMESTEP\"");
+      throw InputError(path, "the file contains no frame of a LAMMPS dump: it has no line \"ITEM: TIMESTEP\"");
   }
 
   int n_frames() const { return static_cast<int>(timesteps_.size()); }
@@ -121,7 +121,7 @@ class FrameSearch {
   bool keeps_ = false;   ///< whether the lines of the current frame are kept
 };
 
-/// One frame of a dump: time step, box, and table of grains or contacts.
+/// One frame of a dump: the time step, the box, and the table of grains or contacts.
 struct DumpFrame {
   std::int64_t timestep = 0;
   LammpsBox box;
@@ -171,8 +171,8 @@ void read_general_box(const FrameText& dump, std::size_t at, const std::vector<s
   }
 }
 
-/// Reads the box of a frame. Line `at` of the frame is the header of the box. Each of the three lines below it contains
-/// the lower and the upper bound of the box along one axis, and a tilt if the box is triclinic.
+/// Reads the box of a frame. Line `at` of the frame is the header of the box. Each of the three lines below the header
+/// contains the lower and the upper bound of the box along one axis and, for a triclinic box, a tilt.
 void read_box(const FrameText& dump, std::size_t at, DumpFrame& frame) {
   std::vector<std::string> tokens = tokenize(dump[at].substr(std::string("ITEM: BOX BOUNDS").size()));
   if (tokens.size() >= 2 && tokens[0] == "abc" && tokens[1] == "origin")
@@ -189,8 +189,8 @@ void read_box(const FrameText& dump, std::size_t at, DumpFrame& frame) {
     rows[a] = box_numbers(dump, at + 1 + a, what, tilted ? 3 : 2);
   }
   const double xy = tilted ? rows[0][2] : 0.0, xz = tilted ? rows[1][2] : 0.0, yz = tilted ? rows[2][2] : 0.0;
-  // The bounds of a triclinic box enclose the tilted box. The bounds of its sides are obtained by subtracting the tilts
-  // (LAMMPS manual, Howto triclinic).
+  // The listed bounds enclose the whole tilted box. Subtracting the tilts gives the bounds of the sides (LAMMPS manual,
+  // Howto triclinic).
   rows[0][0] -= std::min({0.0, xy, xz, xy + xz});
   rows[0][1] -= std::max({0.0, xy, xz, xy + xz});
   rows[1][0] -= std::min(0.0, yz);
@@ -202,15 +202,15 @@ void read_box(const FrameText& dump, std::size_t at, DumpFrame& frame) {
   frame.box.xy = xy, frame.box.xz = xz, frame.box.yz = yz;
 }
 
-/// Reads one frame of a dump: time step, box, and table of grains or contacts.
+/// Reads one frame of a dump: the time step, the box, and the table of grains or contacts.
 /// @param items  word before the names of the columns: "ATOMS" for grains, "ENTRIES" for contacts
 DumpFrame read_frame(const FrameText& dump, const std::string& items) {
   DumpFrame frame;
   frame.timestep = dump.integer(1, "the time step");
   std::int64_t n = -1;
   std::size_t at = 2;
-  // The table is the last part of a frame. The number of its rows and the box precede it in any order. The items TIME
-  // and UNITS, which LAMMPS writes on request, are skipped.
+  // The table is the last part of a frame. The number of rows and the box are before the table, in any order. The items
+  // TIME and UNITS, which LAMMPS writes on request, are skipped.
   for (;;) {
     const std::string_view line = dump.line(at, "ITEM: " + items);
     const bool counts = line.starts_with("ITEM: NUMBER OF "), bounds = line.starts_with("ITEM: BOX BOUNDS");
@@ -238,7 +238,7 @@ DumpFrame read_frame(const FrameText& dump, const std::string& items) {
   for (std::size_t row = at + 1; row <= at + static_cast<std::size_t>(n); ++row) {
     const std::string what = fmt::format("row {} of {}", row - at, n);
     const std::string_view line = dump.line(row, what);
-    // If the frame has too few rows, this line is the header of the next frame.
+    // A line "ITEM:" here is the header of the next frame: the table has too few rows.
     if (line.starts_with("ITEM:"))
       throw InputError(dump.place(row), fmt::format("the line is \"{}\", expected {}", line, what));
     frame.table.add_row(dump.number(row), tokenize(line));
@@ -246,8 +246,9 @@ DumpFrame read_frame(const FrameText& dump, const std::string& items) {
   return frame;
 }
 
-/// Reads the grains of a dump: the frame number `options.index` (from 0) or, without this option, the last frame.
-/// @param remarks  list to which a sentence is added that names the frame that was read
+/// Reads the grains of one frame of a dump. The number of the frame is `options.index` (from 0); without this option,
+/// the last frame is read.
+/// @param remarks  output: a sentence is added that names the frame that was read
 DumpFrame read_grain_frame(const std::string& path, const ImportOptions& options,
                            std::vector<std::string>& remarks) {
   const FrameSearch search(
@@ -273,9 +274,9 @@ CsvTable read_contact_frame(const std::string& path, std::optional<std::int64_t>
                                      *timestep, fmt::join(search.timesteps(), ", ")));
 }
 
-/// Finds the columns of the positions and adds them to `names` under the keys x, y and z. They are the first of the
-/// columns x, xu, xs and xsu that the dump contains, and the corresponding columns of y and z. If `names` already has
-/// the key x, nothing is added.
+/// Finds the columns of the positions and adds them to `names` under the keys x, y and z. The column of x is the first
+/// of x, xu, xs and xsu that the dump contains; the columns of y and z have the same suffix. If `names` already has the
+/// key x, nothing is added.
 /// @return whether the positions are scaled, that is, expressed in units of the lattice vectors
 bool find_positions(const CsvTable& table, std::map<std::string, std::string>& names) {
   for (const char* suffix : {"", "u", "s", "su"}) {

@@ -24,9 +24,9 @@ int keyword_index(const Hdf5Reader& file, const std::string& group, const std::s
                                                   fmt::join(known, ", ")));
 }
 
-/// Returns the keys of the parameters that a state file contains for a slot (a component of the contact law, such as
-/// friction), each key once. These are the parameters of the model in the slot, and the parameters of all models that
-/// are written into every file (with the value zero if the law has another model).
+/// Returns the keys, each once, of the parameters that a state file contains for a slot (a component of the contact
+/// law, such as friction). A file contains the parameters of the model in the slot. It also contains the parameters of
+/// all models that are written into every file; the parameters of a model are zero if the law has another model.
 /// @param present  index of the model in the slot, -1 if the slot is empty
 /// @param choices  true for parameters whose value is a keyword; false for parameters whose value is a number
 std::vector<std::string> keys_of(const DeclaredSlot& slot, int present, bool choices) {
@@ -51,7 +51,7 @@ std::string attribute_name(const std::string& slot, const std::string& key) {
 }
 
 /// Whether every state file has an attribute with the keyword of the model in this slot ("none" if the slot is empty).
-/// Only some files have it if all models of the slot were added to the file format after its first version.
+/// This is false if all models of the slot were added to the file format after the first version of the format.
 bool is_named_in_every_file(const DeclaredSlot& slot) {
   return std::any_of(slot.models.begin(), slot.models.end(),
                      [](const DeclaredModel& model) { return model.is_in_every_file; });
@@ -76,10 +76,10 @@ void write_slot(Hdf5Writer& file, const std::string& group, const DeclaredSlot& 
   }
 }
 
-/// Checks that a file has the value zero or "none" for each parameter of a slot that the model in the slot does not
-/// have.
+/// Checks the parameters of a slot that do not belong to the model in the slot: each must have the value zero or "none"
+/// in the file.
 /// @param present  index of the model in the slot, -1 if the slot is empty
-/// @throws InputError naming the attribute of a parameter with another value
+/// @throws InputError naming the attribute if a parameter has another value
 void require_nothing_else(const Hdf5Reader& file, const std::string& group, const DeclaredSlot& slot,
                           int present) {
   const auto is_present = [&](const std::string& key) {

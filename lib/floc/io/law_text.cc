@@ -42,10 +42,10 @@ std::vector<std::string> all_keys() {
 }
 
 /// Returns the model of a slot (a component of the contact law, such as friction) that has all of the keys `given` for
-/// this slot. If there are several such models, a model that is compatible with the models of the previous slots
-/// (`before`) is preferred, then a model all of whose numbers are given. If there is none, the first model of the slot
-/// is returned, so that the caller can report the wrong key. Models without parameters, such as rigid contacts, must be
-/// named.
+/// this slot. If several models have them, the order of preference is: first, models compatible with the models of the
+/// previous slots (`before`); second, models all of whose numbers are given. If no model has all the keys, the first
+/// model of the slot is returned, so that the caller can report the wrong key. Models without parameters, such as rigid
+/// contacts, are never found from keys; the text must name them.
 const DeclaredModel& described_model(const DeclaredSlot& slot, const std::vector<std::string>& given,
                                      const LawParameters& before) {
   const auto has_all = [&](const DeclaredModel& m) {
@@ -79,8 +79,8 @@ class LawText {
 
   std::string keyword(const std::string& key) const { return values_.at(key); }
 
-  /// Returns the keys that the text gives for a slot, without the name of the slot ("stiffness", not
-  /// "normal.stiffness") and without the key "law".
+  /// Returns the keys that the text gives for a slot, except the key "law". The keys are without the name of the slot,
+  /// such as "stiffness" for "normal.stiffness".
   std::vector<std::string> keys_of(const std::string& slot) const {
     std::vector<std::string> keys;
     for (const auto& [key, value] : values_)

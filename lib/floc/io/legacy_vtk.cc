@@ -21,7 +21,7 @@
 namespace floc {
 namespace {
 
-/// Converts the bytes of a number, the most significant byte first, to a double.
+/// Converts a number, stored with the most significant byte first, to a double.
 template <class T>
 double big_endian(const char* bytes) {
   std::array<char, sizeof(T)> native;
@@ -52,7 +52,7 @@ const std::map<std::string_view, NumberType>& number_types() {
   return types;
 }
 
-/// Content of a file, which is read from its beginning to its end as lines and as arrays of numbers.
+/// Content of a file. The functions read it from the beginning to the end, as lines and as arrays of numbers.
 class Content {
  public:
   explicit Content(const std::string& path) : path_(path), bytes_(read_file(path)), rest_(bytes_) {}
@@ -88,7 +88,7 @@ class Content {
     if (known == number_types().end())
       throw InputError(path_,
                        fmt::format("{} has the type {}, expected a type of numbers such as float", what, type));
-    // Each number takes at least one byte. A wrong count is therefore refused here, before memory is allocated.
+    // Each number needs at least one byte, so a larger count is wrong. It is reported before memory is allocated.
     if (n > rest_.size())
       throw InputError(path_, fmt::format("the file ends within {}, which has {} numbers", what, n));
     std::vector<double> values(n);
@@ -96,7 +96,7 @@ class Content {
     return values;
   }
 
-  /// Returns the count in word `k` of a line.
+  /// Returns the count that word `k` of a line gives.
   std::size_t count(const std::vector<std::string_view>& words, std::size_t k) const {
     const auto value = k < words.size() ? parse_number<std::int64_t>(words[k]) : std::nullopt;
     if (!value || *value < 0 || *value > 3'000'000'000)
@@ -131,15 +131,15 @@ class Content {
   bool binary_ = false;
 };
 
-/// The points of a file and the arrays of data at the points.
+/// The points of a file, and the arrays with data of the points.
 struct PointFile {
   std::vector<double> x;
   std::vector<std::pair<std::string, std::vector<double>>> arrays;
 };
 
-/// Skips the arrays of a data set that describe its cells. In older files, a line such as "VERTICES 3 6" ends with the
-/// count of all numbers. In files of version 5, "VERTICES 4 3" contains the counts of two arrays, OFFSETS and
-/// CONNECTIVITY, which follow with their types.
+/// Skips the arrays that describe the cells of a data set. In older files, a line such as "VERTICES 3 6" ends with the
+/// count of all numbers. In files of version 5, a line such as "VERTICES 4 3" contains the counts of the two arrays
+/// below it, OFFSETS and CONNECTIVITY.
 void skip_cells(const std::vector<std::string_view>& words, Content& file) {
   if (words[0] == "CELL_TYPES") {
     file.numbers(file.count(words, 1), "int", "CELL_TYPES");
@@ -157,7 +157,7 @@ void skip_cells(const std::vector<std::string_view>& words, Content& file) {
   file.numbers(file.count(words, 2), "int", std::string(words[0]));
 }
 
-/// Reads the arrays of a line "FIELD name n" and adds them to `out` if they belong to points.
+/// Reads the arrays that follow a line "FIELD name n" and, if they belong to points, adds them to `out`.
 void read_fields(const std::vector<std::string_view>& words, bool of_points, Content& file, PointFile& out) {
   const std::size_t n_arrays = file.count(words, 2);
   for (std::size_t k = 0; k < n_arrays;) {

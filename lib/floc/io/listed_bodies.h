@@ -7,10 +7,11 @@
 
 namespace floc {
 
-/// Reverses the forces, the moments and the image of a listed contact. This is needed if its two bodies are exchanged.
+/// Reverses the forces, the moments and the image of a listed contact, which is necessary when its two bodies are
+/// exchanged.
 void reverse_actions(ListedContact& contact);
 
-/// If one body of a contact is a wall, changes the contact to one between a grain and this wall.
+/// If one body of a contact is a wall, makes the grain the first and the wall the second body of the contact.
 /// @param walls  walls among the bodies of the file; the key is the identifier of the body
 /// @throws InputError naming the place of the contact if both bodies are walls
 void name_wall(const std::map<std::int64_t, WallSide>& walls, ListedContact& contact);

@@ -28,7 +28,7 @@ int column_if(const NamedColumns& columns, const std::string& name) {
   return columns.has(name) ? columns.column(name) : -1;
 }
 
-/// A column of numbers, and the factor that converts them to the required unit.
+/// A column of numbers, and the factor that converts the numbers to the required unit.
 struct Quantity {
   UnitColumn column;
   double factor = 1.0;
@@ -68,7 +68,8 @@ int image_of(const CsvTable& table, int row, int column) {
                                                  table.columns()[column], image));
 }
 
-/// Indices of the columns of a table of contacts; -1 or empty if the table does not have them.
+/// Indices of the columns of a table of contacts. The index of a missing column is -1. A list is empty if its columns
+/// are missing.
 struct ContactColumns {
   int id1, id2, normal_force, kn, kt, kr, ktw, bridge_volume, rolling_moment_2d, twisting_moment, gap;
   std::vector<int> image, force, shear_force, rolling_moment, point, normal;
@@ -122,8 +123,8 @@ ListedContact read_contact(const CsvTable& table, int row, const ContactColumns&
   c.force = vector_of(table, row, columns.force);
   c.normal_force = number_of(table, row, columns.normal_force);
   c.shear_force = vector_of(table, row, columns.shear_force);
-  // If the table also has shear_force1.., the columns force1.. contain only the normal force. `force` then becomes the
-  // sum of the normal and the tangential force.
+  // If the table also has the columns shear_force1.., the columns force1.. contain the normal force. The tangential
+  // force is then added, so that `force` is the total force.
   if (c.force && c.shear_force) {
     *c.force += *c.shear_force;
     c.shear_force.reset();
@@ -219,7 +220,8 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns, const std::str
   const CsvTable& table = columns.table();
   std::vector<Quantity> axis = {columns.unit_column("x"), columns.unit_column("y")};
   if (columns.has("z")) axis.push_back(columns.unit_column("z"));
-  // If x has no unit, lengths are in the unit that the user chose, also in SI units.
+  // In SI units, lengths are converted to metres if the column x has a unit. Without a unit of x, they are not
+  // converted.
   const std::string length = units == "SI" && !axis[0].column.unit.empty() ? "m" : axis[0].column.unit;
   for (Quantity& of : axis) of.convert_to(table, length);
   std::vector<int> low;
@@ -231,7 +233,7 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns, const std::str
     sizes.emplace_back(size, columns.unit_column(size.name));
     sizes.back().second.convert_to(table, length);
   }
-  // If no column gives the size, this call throws the error that the column "radius" is missing.
+  // If no column gives the size, columns.column() throws: the column "radius" is missing.
   if (sizes.empty()) columns.column("radius");
   const int mass = column_if(columns, "mass");
   if (units == "SI" && mass >= 0 && !columns.unit_of(mass).empty())
@@ -247,8 +249,8 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns, const std::str
     for (std::size_t k = 0; k < axis.size(); ++k) {
       const DoubleDouble x = table.double_double_number(row, axis[k].column.index) * axis[k].factor;
       grain.position[k] = x.high;
-      // If the file has a column x_low, its value replaces x.low. x.low contains the digits of x beyond the precision
-      // of a double.
+      // x.low contains the digits of x beyond the precision of a double. If the file has a column x_low, its value
+      // replaces x.low.
       grain.position_low[k] = low[k] >= 0 ? table.number(row, low[k]) * axis[k].factor : x.low;
     }
     for (const auto& [size, of] : sizes) {

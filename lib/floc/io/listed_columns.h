@@ -11,8 +11,8 @@
 
 namespace floc {
 
-/// Returns the element of `names` that equals `name` if capital and small letters are not distinguished. Returns `name`
-/// itself if there is none, or if `name` is a single letter.
+/// Returns the element of `names` that equals `name` if capital letters count as small letters. Returns `name` itself
+/// if there is no such element, or if `name` is a single letter.
 std::string any_case(const std::string& name, const std::vector<std::string>& names);
 
 /// A column that gives the size of grains: a radius or a diameter.
@@ -22,45 +22,47 @@ struct SizeColumn {
   double radius_of_one;
 };
 
-/// Returns the columns of a table that give the size of grains. These are the columns radius, r and diameter that the
-/// table contains or, if the user renamed some of them, only the renamed columns. The first column sets the radius; the
-/// others must agree with it (require_same_size()).
+/// Returns the columns of a table that give the size of grains. Such columns are radius, r and diameter; if the user
+/// renamed some of them, only the renamed columns are returned. The first returned column sets the radius; the others
+/// must agree with it (require_same_size()).
 /// @param has  function that returns whether the table has a column with a given name
 /// @param given  names of columns that the user gave; the key is the name that floc uses
 std::vector<SizeColumn> size_columns(const std::function<bool(const std::string&)>& has,
                                      const std::map<std::string, std::string>& given);
 
-/// Checks that two columns, `one` and `other`, give the same radius for a grain, `radius` and `other_radius`.
+/// Checks that two columns, `one` and `other`, agree about the size of a grain: the first gives `radius`, the second
+/// `other_radius`.
 /// @param place  place of the grain in messages
 /// @throws InputError if the two radii differ by more than the rounding error of six digits
 void require_same_size(const FileLine& place, const SizeColumn& one, double radius, const SizeColumn& other,
                        double other_radius);
 
 /// Reads grains from a table, one per row. The columns are x, y[, z] and radius (or r, or diameter). Optional columns
-/// are mass and id (default: number of the row, from 0), and x_low, y_low[, z_low]. The latter are small numbers that
-/// are added to x, y, z to give the position with more digits than one double has. Lengths whose columns have units, as
-/// in "radius [um]", are converted to the unit of the column x or, in SI units, to metres. In SI units a mass with a
-/// unit must be in kg.
+/// are mass and id (default: number of the row, from 0), and x_low, y_low[, z_low]. The numbers x_low, y_low and z_low
+/// are added to x, y and z; the sums have more digits than one double. Lengths in columns with a unit, such as "radius
+/// [um]", are converted to metres in SI units, else to the unit of the column x. In SI units a mass with a unit must be
+/// in kg.
 /// @param units  unit system of the packing, "reduced" or "SI"
 /// @throws InputError naming file, line and column if a column is missing, a value is not a number, a radius or mass is
 /// not positive, a radius and a diameter contradict each other, or units contradict each other
 std::vector<ListedGrain> read_grains(const NamedColumns& columns, const std::string& units = "reduced");
 
-/// Reads contacts from a table, one per row. The columns id1 and id2 are the identifiers of the two grains, or of a
-/// grain and the name of a wall, such as "x-". The columns below are optional. A name that ends in 1.. denotes several
-/// columns, the components of a vector. For example, image1.. denotes image1, image2 and, in 3D, image3.
-///   image1..         numbers of cells by which grain id2 is displaced along the lattice vectors
-///   force1..         force on grain id1; the normal force alone if the table also has shear_force1..
-///   normal_force     normal force, instead of force1..
+/// Reads contacts from a table, one per row. The columns id1 and id2 contain the identifiers of the two grains, or the
+/// identifier of a grain and the name of a wall, such as "x-". The columns below are optional. A name that ends in 1..
+/// denotes several columns, the components of a vector. For example, image1.. denotes image1, image2 and, in 3D,
+/// image3.
+///   image1..         displacement of grain id2 along the lattice vectors, in numbers of cells
+///   force1..         total force on grain id1, or its normal force if the table also has shear_force1..
+///   normal_force     normal force; replaces force1..
 ///   shear_force1..   tangential force on grain id1, in addition to normal_force or force1..
 ///   rolling_moment   rolling moment on grain id1 in 2D; in 3D the columns rolling_moment1..3
 ///   twisting_moment  (3D) twisting moment on grain id1 about the normal from id1 to id2
 ///   kn, kt, kr, ktw  normal, tangential, rolling and twisting stiffness
 ///   bridge_volume    volume of the liquid bridge (length^3)
 ///   point1..         place of the contact point of grains with corners (length)
-///   normal1..        contact normal from id1 to id2 at this point; without it that of the shapes
-///   gap              gap at this point (length); without it that of the shapes
-/// Units in the headers are not converted: all forces have to be in one unit, in SI units in N.
+///   normal1..        contact normal from id1 to id2 at this point; default: computed from the shapes
+///   gap              gap at this point (length); default: computed from the shapes
+/// Units in the headers are not converted. All forces must have the same unit, which must be N in SI units.
 /// @param units  unit system of the packing, "reduced" or "SI"
 /// @throws InputError naming file, line and column
 std::vector<ListedContact> read_contacts(const NamedColumns& columns, int dimension,
@@ -70,8 +72,8 @@ std::vector<ListedContact> read_contacts(const NamedColumns& columns, int dimens
 std::vector<std::string> grain_names();
 std::vector<std::string> contact_names();
 
-/// Check that the user renamed only columns that floc reads: columns of grains (first function) or of contacts (second
-/// function).
+/// Check that the user renamed only columns that floc reads: the first function checks columns of grains, the second
+/// columns of contacts.
 /// @param option  name of the option with which the user renamed columns, for messages
 /// @param given  names of columns that the user gave; the key is the name that floc uses
 /// @throws InputError naming `option` if a key of `given` is not the name of a column that floc reads

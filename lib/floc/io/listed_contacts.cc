@@ -20,25 +20,26 @@
 namespace floc {
 namespace {
 
-/// Largest distance of a tangential force from the limit of friction, relative to this limit, at which the force counts
-/// as mobilised (at its limit). Files print forces with six digits or more.
+/// A tangential force counts as mobilised (at the limit of friction) if it differs from this limit by at most this
+/// fraction of the limit. The fraction is the rounding error of six digits, because files print forces with six digits
+/// or more.
 constexpr double kCapTolerance = 1e-6;
 /// A tangential force below this fraction of the normal force of the same contact counts as a rounding error.
 constexpr double kNoShear = 1e-9;
-/// Rounding error of a scalar product, relative to the product of the lengths of the two vectors.
+/// Rounding error of a scalar product, divided by the product of the lengths of the two vectors.
 constexpr double kRounding = 1e-15;
 /// A force below this fraction of the largest listed force counts as a rounding error.
 constexpr double kNoForce = 1e-9;
-/// Two grains cannot be in contact if their gap exceeds the range of the law by more than this fraction of their mean
-/// radius. The fraction is large because a file may have few digits.
+/// Two grains cannot be in contact if the gap between them exceeds the range of the law by more than this fraction of
+/// the mean of their radii. The fraction is large because a file may have few digits.
 constexpr double kFarthestGap = 0.1;
-/// Largest accepted difference between a listed normal force and the normal component of the total force listed for the
-/// same contact, relative to the total force. If positions are rounded to six digits, the contact normal rotates, but
-/// this component changes by less.
+/// If a file lists both a normal force and a total force for a contact, the normal component of the total force may
+/// differ from the normal force by this fraction of the total force. If positions are rounded to six digits, the
+/// contact normal rotates, and the component changes by less than this fraction.
 constexpr double kSameForce = 1e-3;
 
-/// Whether the two grains of a contact must be exchanged so that the grain with the lower index comes first. The
-/// contact of a grain with its own image is exchanged if find_pairs() uses the opposite image.
+/// Whether the two grains of a contact must be exchanged, so that the grain with the lower index comes first. For a
+/// contact of a grain with its own image: whether find_pairs() uses the opposite image.
 template <int Dim>
 bool is_reversed(const Contact<Dim>& c) {
   if (c.i != c.j) return c.i > c.j;
@@ -52,7 +53,7 @@ struct GivenForces {
   std::optional<double> normal;
   std::optional<Vec<Dim>> shear;
   std::optional<RotationVector<Dim>> rolling;
-  std::optional<double> twisting;  ///< twisting moment, which does not depend on the order of the two grains
+  std::optional<double> twisting;  ///< twisting moment; its sign does not depend on the order of the two grains
 };
 
 template <int Dim>
@@ -63,8 +64,8 @@ GivenForces<Dim> given_forces(const ListedContact& listed, bool reversed, const 
   if (listed.shear_force) {
     const Vec<Dim> on_first = sign * listed.shear_force->template head<Dim>();
     const double along = normal.dot(on_first);
-    // The normal component of a listed tangential force is subtracted only if it exceeds rounding errors. Otherwise the
-    // tangential force keeps all of its digits.
+    // The normal component of a listed tangential force is subtracted if it exceeds rounding errors. A smaller
+    // component is not subtracted, so that the force keeps all of its digits.
     given.shear = on_first;
     if (std::abs(along) > kRounding * on_first.norm()) *given.shear -= normal * along;
   }
@@ -84,7 +85,7 @@ GivenForces<Dim> given_forces(const ListedContact& listed, bool reversed, const 
   return given;
 }
 
-/// Replaces the forces and stiffnesses of a contact, which were computed by the law, by those that the file lists.
+/// Replaces the forces and stiffnesses of a contact, which the law gave, by the listed forces and stiffnesses.
 /// @throws InputError if a listed tangential, rolling or twisting force or stiffness does not exist in the law
 template <int Dim>
 void set_forces(const Packing<Dim>& packing, const ListedContact& listed, const GivenForces<Dim>& given,
@@ -137,8 +138,8 @@ std::string second_name(const ListedContact& row) {
   return row.wall ? row.wall->name() : std::to_string(row.id2);
 }
 
-/// Makes the contacts of a packing from the contacts that a file lists. Counts the listed contacts that are left out,
-/// and those whose image is replaced.
+/// Makes the contacts of a packing from the contacts that a file lists. Counts the listed contacts that are left out
+/// and the listed images that are replaced.
 template <int Dim>
 class ListedContacts {
  public:
@@ -152,8 +153,8 @@ class ListedContacts {
     for (const ListedContact& row : *listed.contacts) largest_force_ = std::max(largest_force_, force_of(row));
   }
 
-  /// Makes the contact that is described in one row of the table of contacts. Listed forces replace the forces of the
-  /// law. Returns nothing if the contact is left out.
+  /// Makes the contact of one row of the table of contacts. Listed forces replace the forces of the law. Returns
+  /// nothing if the contact is left out.
   std::optional<Contact<Dim>> place(const ListedContact& row) {
     Contact<Dim> c;
     c.i = identifiers_.index(row.place, "id1", row.id1);
@@ -190,7 +191,7 @@ class ListedContacts {
     if (given.normal && pulls_without_adhesion(row, *given.normal, c)) return std::nullopt;
     require_stiffnesses(row);
     set_forces(packing_, row, given, c);
-    // The sign of kn is tested only if the surfaces touch, because kn is negative for an attraction across a gap.
+    // For surfaces that touch, kn must be positive. For an attraction across a gap, kn is negative.
     if (!c.distant)
       require_stiffness(row, "kn", row.kn, row.kn > 0.0, "a positive number, because the surfaces touch");
     compare_stiffnesses(row, c);
@@ -203,8 +204,8 @@ class ListedContacts {
     return counts;
   }
 
-  /// Checks that no contact was left out because its force is tensile although the law has no adhesion.
-  /// @throws InputError naming the first contact that was left out for this reason
+  /// Throws if a contact was left out because its force is tensile and the law has no adhesion.
+  /// @throws InputError naming the first of these contacts
   void require_no_tensile() const {
     if (counts_.n_tensile == 0) return;
     const bool adhesive_law_exists = packing_.law.force_exponent() == 1.0;
@@ -243,14 +244,15 @@ class ListedContacts {
             row.id1, row.wall->name()));
   }
 
-  /// Returns whether a contact is left out because its force is tensile and its law has no adhesion. If so, counts it.
+  /// Returns whether the force of a contact is tensile although its law has no adhesion, so that the contact is left
+  /// out. Counts the contacts for which this is true.
   bool pulls_without_adhesion(const ListedContact& row, double normal_force, const Contact<Dim>& c) {
     if (normal_force >= -kNoForce * largest_force_ || packing_.law_of(c).adheres()) return false;
     if (counts_.n_tensile++ == 0) first_tensile_ = {&row, normal_force};
     return true;
   }
 
-  /// Makes the contact of grains with corners at one contact point. Returns nothing if it is left out.
+  /// Makes the contact at one contact point of grains with corners. Returns nothing if the contact is left out.
   std::optional<Contact<Dim>> point(const ListedContact& row, Contact<Dim> c) {
     if (row.bond)
       throw InputError(row.place.text(), "bonds join disks and spheres, but the grains have corners");
@@ -277,7 +279,8 @@ class ListedContacts {
     return row.bond || (row.kn > 0.0 && c.gap >= range_of(packing_, c) && !touches(packing_, c));
   }
 
-  /// Makes a bond. It acts with its own stiffnesses, independent of the law. Without a listed force it is unstressed.
+  /// Makes a bond. It acts with its own stiffnesses, independent of the law. If no force is listed, the force of the
+  /// bond is zero.
   Contact<Dim> bond(const ListedContact& row, Contact<Dim> c) {
     require_one_image(row, c);
     const bool reversed = put_in_order(c);
@@ -301,7 +304,7 @@ class ListedContacts {
     return c;
   }
 
-  /// Makes a contact across a boundary that rotates one of the two grains, so that no lattice translation brings them
+  /// Makes a contact across a boundary that rotates one of the two grains. No lattice translation brings these grains
   /// into contact. The contact keeps the listed force and has no stiffness.
   Contact<Dim> distant_force(const ListedContact& row, Contact<Dim> c) {
     const bool reversed = put_in_order(c);
@@ -334,8 +337,8 @@ class ListedContacts {
   void compare_stiffnesses(const ListedContact& row, const Contact<Dim>& c) {
     if (!row.has_stiffness()) return;
     Contact<Dim> touching = c;
-    // If the file lists no liquid bridges, every pair of touching grains is taken to have a bridge. It attracts with
-    // its full strength.
+    // If the file lists no liquid bridges, every pair of touching grains is assumed to have a bridge, which attracts
+    // with its full strength.
     if (const CapillaryAdhesion* liquid = packing_.law.liquid();
         liquid != nullptr && touches(packing_, c) && bridge_volume(packing_, c) == 0.0)
       touching.elastic_force = std::max(
@@ -355,7 +358,8 @@ class ListedContacts {
   double radii(const Contact<Dim>& c) const {
     return packing_.grains.radius[c.i] + packing_.surface_radius(c.j);
   }
-  /// Returns the distance of the surfaces of two bodies (length); of grains with corners, that of their nearest points.
+  /// Returns the gap (length) between the surfaces of two bodies. For grains with corners, it is the gap at the contact
+  /// point with the smallest gap.
   double gap_of(const Contact<Dim>& c) const {
     if (packing_.grains.are_round()) return locate(packing_, c).gap;
     const Manifold<Dim> manifold = manifold_of(packing_, c, branch(packing_, c), radii(c));
@@ -367,8 +371,8 @@ class ListedContacts {
     return gap_of(c) <= range_of(packing_, c) + 0.5 * kFarthestGap * radii(c);
   }
 
-  /// Sets the volume of the liquid bridge of a contact to the listed volume, if there is one.
-  /// @throws InputError if a volume is listed, but the law has no liquid
+  /// If a volume of the liquid bridge is listed for a contact, assigns it to the contact.
+  /// @throws InputError if the listed volume is not zero and the law has no liquid
   void set_liquid(const ListedContact& row, Contact<Dim>& c) const {
     if (!row.bridge_volume) return;
     if (!holds_liquid(packing_) && *row.bridge_volume != 0.0)
@@ -379,9 +383,9 @@ class ListedContacts {
     if (holds_liquid(packing_)) set_bridge_volume(*row.bridge_volume, c);
   }
 
-  /// Sets the periodic image of the second grain of a contact. It is the listed image if the grains can touch at this
-  /// image, otherwise the nearest image. Some programs move the positions into the cell but list images that refer to
-  /// the positions outside it.
+  /// Sets the periodic image of the second grain of a contact. The listed image is used if the grains can touch at this
+  /// image, else the nearest image. Some programs list images that refer to positions outside the cell, although the
+  /// listed positions were moved into the cell.
   void set_image(const ListedContact& row, Contact<Dim>& c) {
     if (row.image) c.image = row.image->template head<Dim>();
     if (row.image && c.i == c.j && c.image.isZero())
@@ -399,7 +403,8 @@ class ListedContacts {
   }
 
   /// Checks the distance between the grains of a contact.
-  /// @throws InputError if the grains are so far apart that the number of cells between them may not fit an int
+  /// @throws InputError if the grains are so far apart that an int may be too small for the number of cells between
+  /// them
   void require_within_reach(const Contact<Dim>& c) const {
     const Vec<Dim> apart = packing_.grains.position[c.j] - packing_.grains.position[c.i];
     if (packing_.cell.reduced(apart).cwiseAbs().maxCoeff() < kFarthestImage) return;
@@ -411,21 +416,21 @@ class ListedContacts {
   }
 
   /// Checks the periodic image of the second grain that set_image() has chosen for a contact.
-  /// @throws InputError if no image was listed and another image may be equally near
+  /// @throws InputError if the image is not the listed one and another image may be equally near
   void require_one_image(const ListedContact& row, const Contact<Dim>& c) const {
     if (row.wall) return;
     const double distance = branch(packing_, c).norm();
     const bool chosen = !row.image || c.image != row.image->template head<Dim>();
     if (chosen && distance >= half_width_)
       throw InputError(row.place.text(),
-                       fmt::format("the centres of the grains are {:.6g} apart, not less than half the width "
-                                   "of the cell ({:.6g}): the list of contacts must give, in the columns "
+                       fmt::format("the centres of the grains are {:.6g} apart, which is half the width of the "
+                                   "cell ({:.6g}) or more: the list of contacts must give, in the columns "
                                    "image1.., the image of the second grain that touches the first{}",
                                    distance, half_width_, counting_hint(listed_)));
   }
 
   /// Checks that the bodies of a contact are near enough to touch.
-  /// @throws InputError if they are not
+  /// @throws InputError naming the two bodies and their gap if they are too far apart
   void require_possible(const ListedContact& row, const Contact<Dim>& c) const {
     if (row.wall && !can_touch(c))
       throw InputError(

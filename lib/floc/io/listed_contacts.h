@@ -6,9 +6,9 @@
 
 namespace floc {
 
-/// Makes the contacts of a packing, and their strengths, from the contacts that a file lists: see assemble(). Grains need not
-/// lie in the cell.
-/// @return the numbers of the contacts that were left out, or have another image than the listed one, or are bonds
+/// Makes the contacts of a packing, with their strengths, from the contacts that a file lists: see assemble(). Grains
+/// may lie outside the cell.
+/// @return the numbers of contacts that were left out, of contacts whose image is not the listed one, and of bonds
 /// @throws InputError under the conditions of assemble() that concern contacts
 template <int Dim>
 ListedContactCounts add_contacts(const ListedPacking& listed, const Identifiers& identifiers,

@@ -9,11 +9,12 @@
 
 namespace floc {
 
-/// Returns the end of an error message about a contact whose grains are unknown or too far apart: the list of contacts
-/// seems to number the grains from 1, although they are numbered from 0. Empty if the list does not seem to do so.
+/// Returns the end of an error message about a contact whose grains are unknown or too far apart. It is a hint if the
+/// list of contacts seems to number the grains from 1 although the grains are numbered from 0, and empty if not.
 std::string counting_hint(const ListedPacking& listed);
 
-/// Maps the identifiers of grains to the indices of the grains in a listed packing, which must outlive this object.
+/// Maps the identifiers of grains to the indices of the grains in a listed packing. The packing must exist as long as
+/// this object.
 class Identifiers {
  public:
   /// Collects the identifiers of all grains.

@@ -32,8 +32,8 @@ Vec<Dim, int> whole_cells(const FileLine& place, const Vec<Dim>& cells) {
 
 template <int Dim>
 double smallest_width(const Packing<Dim>& packing) {
-  // Each column of the inverse of the cell matrix is normal to a pair of opposite faces of the cell. Its length is the
-  // inverse of the distance between these faces.
+  // Each column of the inverse of the cell matrix is normal to a pair of opposite faces of the cell. The length of the
+  // column is the inverse of the distance between these faces.
   const Mat<Dim> inverse = packing.cell.matrix.inverse();
   double steepest = 0.0;
   for (int a = 0; a < Dim; ++a)
@@ -41,8 +41,8 @@ double smallest_width(const Packing<Dim>& packing) {
   return steepest > 0.0 ? 1.0 / steepest : std::numeric_limits<double>::infinity();
 }
 
-// The image with the smallest reduced coordinates relative to grain i is found first. It is then compared with the
-// neighbouring images, because in a skewed cell one of these can be nearer.
+// The function first finds the image with the smallest reduced coordinates relative to grain i. In a skewed cell, a
+// neighbour of this image can be nearer, so the distances of all neighbouring images are compared.
 template <int Dim>
 Vec<Dim, int> nearest_image(const Packing<Dim>& packing, const FileLine& place, int i, int j) {
   const Vec<Dim> apart = packing.grains.position[j] - packing.grains.position[i];

@@ -21,8 +21,8 @@
 namespace floc {
 namespace {
 
-/// Lattice vectors count as parallel, within rounding, if the volume of the cell divided by the product of their
-/// lengths is below this value.
+/// Lattice vectors count as linearly dependent if the volume of the cell, divided by the product of the lengths of the
+/// vectors, is below this rounding error.
 constexpr double kFlat = 1e-12;
 
 template <int Dim>
@@ -72,8 +72,8 @@ std::vector<Wall<Dim>> make_walls(const ListedPacking& listed) {
   std::vector<Wall<Dim>> walls;
   for (const ListedEnds& ends : listed.ends) {
     const double side = listed.cell[ends.axis][ends.axis];
-    // If both ends are open, the lower end is placed at the lowest point of the grains. Otherwise an open end is one
-    // side of the cell away from the other end.
+    // If both ends are open, the lower end is placed at the lowest point of the grains. The distance between the ends
+    // is always the side of the cell.
     double lowest = std::numeric_limits<double>::infinity();
     for (const ListedGrain& g : listed.grains)
       lowest = std::min(lowest, g.position[ends.axis] - reach_along(listed, g, ends.axis, -1));
@@ -85,7 +85,8 @@ std::vector<Wall<Dim>> make_walls(const ListedPacking& listed) {
   return walls;
 }
 
-/// Moves every grain by lattice vectors into the cell, along its periodic axes, and updates the images of the contacts.
+/// Moves the grains by lattice vectors along the periodic axes, so that they lie in the cell, and updates the images of
+/// the contacts.
 template <int Dim>
 void wrap(const ListedPacking& listed, State<Dim>& state) {
   Packing<Dim>& packing = state.packing;
@@ -122,8 +123,8 @@ bool lists_liquid(const ListedPacking& listed) {
                      [](const ListedContact& c) { return c.bridge_volume.has_value(); });
 }
 
-/// Reports an inconsistency if the listed volumes of liquid bridges do not add up to the volume of liquid at the water
-/// content of the law. Differences due to rounding to six digits are accepted.
+/// Reports an inconsistency if the sum of the listed volumes of liquid bridges differs from the volume of liquid that
+/// the water content of the law gives. Rounding errors of six digits are accepted.
 template <int Dim>
 void add_doubt_of_liquid(const Packing<Dim>& packing, std::vector<std::string>& inconsistencies) {
   constexpr double kDigits = 1e-6;
@@ -167,7 +168,8 @@ Imported assemble_in(const ListedPacking& listed) {
   return imported;
 }
 
-/// Completes a file of contacts that has contacts of grains alone by contacts with walls.
+/// Adds the contacts with walls that the file of the grains lists to the contacts of a file of contacts. If the packing
+/// has walls but still no contact with a wall, marks that the contacts with walls must be found from the geometry.
 void add_wall_contacts(ListedPacking& listed) {
   std::vector<ListedContact>& contacts = *listed.contacts;
   contacts.insert(contacts.end(), listed.wall_contacts.begin(), listed.wall_contacts.end());
@@ -178,9 +180,8 @@ void add_wall_contacts(ListedPacking& listed) {
     return;
   listed.lacks_wall_contacts = true;
   listed.remarks.emplace_back(
-      "the file of contacts has none with walls: they are found from the positions and radii, and have the "
-      "normal "
-      "forces of the contact law and no tangential forces");
+      "the file of contacts lists no contacts with walls: these contacts are found from the positions and "
+      "radii; they have the normal forces of the contact law and no tangential forces");
 }
 
 }  // namespace
@@ -220,7 +221,8 @@ Imported assemble(ListedPacking listed, const ImportOptions& options) {
     add_wall_contacts(listed);
   } else if (!listed.wall_contacts.empty()) {
     throw InputError("--columns",
-                     "forces of walls are given, but those between grains are not: give --contacts");
+                     "the forces between grains and walls are given, but the forces between grains are not: "
+                     "give --contacts");
   }
   if (options.pairs_twice && !listed.shapes.empty())
     throw InputError(listed.place,

@@ -14,27 +14,27 @@
 
 namespace floc {
 
-/// A grain as it is listed in a file of another program. In 2D the third component of every vector is ignored.
+/// A grain, as a file of another program lists it. In 2D the third component of every vector is ignored.
 struct ListedGrain {
   FileLine place;                                          ///< "file:line", for messages
   std::int64_t id = 0;                                     ///< identifier, unique in the file
   Eigen::Vector3d position = Eigen::Vector3d::Zero();      ///< centre, which may lie outside the cell (length)
   Eigen::Vector3d position_low = Eigen::Vector3d::Zero();  ///< exact position in the file minus `position`
   double radius = 0.0;                                     ///< radius (length)
-  /// Mass. If absent, a disk has the mass diameter^2 and a sphere diameter^3; any other grain has the density of such a
-  /// disk or sphere.
+  /// Mass. If absent, the mass of a disk is diameter^2, and the mass of a sphere is diameter^3. Without masses, a grain
+  /// of another shape has the density of these disks or spheres.
   std::optional<double> mass;
   std::optional<ListedPose> pose;  ///< shape and orientation of a grain with corners, see set_shape()
 };
 
-/// A contact as it is listed in a file of another program. Forces and moments act on grain id1. In 2D a moment is the
-/// third component of its vector. Members without a value in the file are empty.
+/// A contact, as a file of another program lists it. Forces and moments act on grain id1. In 2D a moment is stored as
+/// the third component of a vector. Members without a value in the file are empty.
 struct ListedContact {
   FileLine place;
   std::int64_t id1 = 0;
   std::int64_t id2 = 0;          ///< identifier of the second grain; ignored if the second body is a wall
   std::optional<WallSide> wall;  ///< wall that grain id1 touches; if absent, grain id1 touches grain id2
-  /// whether the contact is a bond, which acts at any gap, independent of the law
+  /// whether the contact is a bond; a bond acts at any gap, independent of the law
   bool bond = false;
   /// Whether grain id2 touches grain id1 across a boundary that is not a lattice translation. The contact keeps its
   /// force and has no stiffness.
@@ -43,10 +43,10 @@ struct ListedContact {
   /// this image is x[id2] + image * cell, where x[id2] is the position listed in the file. If absent, the image nearest
   /// to grain id1 is used.
   std::optional<Eigen::Vector3i> image;
-  std::optional<Eigen::Vector3d> force;  ///< total force, listed instead of normal_force and shear_force
-  /// normal force, positive in compression; if empty, it is computed by the law
+  std::optional<Eigen::Vector3d> force;  ///< total force; replaces normal_force and shear_force
+  /// normal force, positive in compression; if empty, the law gives it
   std::optional<double> normal_force;
-  /// Position of the contact point of grains with corners (length), near an image of grain id1.
+  /// Position (length) of the contact point of grains with corners. It may be near any periodic image of grain id1.
   std::optional<Eigen::Vector3d> point;
   std::optional<Eigen::Vector3d>
       /// direction from id1 to id2 at this point; if empty, it is computed from the shapes
@@ -60,15 +60,16 @@ struct ListedContact {
   std::optional<double> kt;               ///< tangential stiffness (force/length)
   std::optional<double> kr;               ///< rolling stiffness (force * length)
   std::optional<double> ktw;              ///< twisting stiffness (force * length)
-  Strengths strengths{};                  ///< strengths, which are kept with the state; 0: not given
-  /// Volume of the liquid bridge (length^3); negative for a bridge that has broken.
+  Strengths strengths{};                  ///< strengths of the contact, stored in the state; 0: not given
+  /// Volume (length^3) of the liquid bridge; negative if the bridge has broken.
   std::optional<double> bridge_volume;
 
   bool has_stiffness() const { return kn || kt || kr || ktw; }
 };
 
-/// A packing as it is listed in a file of another program. Every reader fills such a record. settle_space() computes
-/// the members cell, cell_place, ends and gravity from `space` and from the options of the user.
+/// A packing, as a file of another program lists it. Every reader of a file format fills a ListedPacking.
+/// settle_space() computes the members cell, cell_place, ends and gravity from `space` and from the options of the
+/// user.
 struct ListedPacking {
   std::string place;  ///< name of the file, for messages
   ListedSpace space;  ///< cell, boundary, dimension and gravity in the file
@@ -76,14 +77,14 @@ struct ListedPacking {
   ListedShapes shapes;
   std::optional<std::vector<ListedContact>> contacts;
   std::vector<ListedContact> bonds;  ///< contacts that act across gaps, in addition to `contacts`
-  /// Contacts with walls that the file of the grains lists, in addition to those of a file of contacts.
+  /// Contacts with walls that are listed in the file of the grains; a file of contacts may list others.
   std::vector<ListedContact> wall_contacts;
-  /// Whether the list of contacts has none with the walls of the packing, so that these are found from the geometry.
+  /// Whether no contacts with the walls of the packing are listed. If true, they are found from the geometry.
   bool lacks_wall_contacts = false;
   Law law;
-  std::optional<Law> wall_law;  ///< law of contacts with walls; if absent, `law`
+  std::optional<Law> wall_law;  ///< law of contacts with walls; if absent, `law` applies to them
   std::string units;            ///< "reduced" or "SI"
-  /// time step of the grains; the file of contacts may contain several time steps
+  /// time step of the grains, which selects the contacts if a file of contacts contains several time steps
   std::optional<std::int64_t> timestep;
   bool drop_tensile = false;         ///< whether tensile contacts are left out, see ImportOptions
   std::vector<std::string> remarks;  ///< sentences for the user, see Imported
@@ -96,8 +97,8 @@ struct ListedPacking {
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
 };
 
-/// Returns a new record for the file `path`, with its name and, from the options, its laws, units and treatment of
-/// tension.
+/// Returns a new ListedPacking for the file `path`. Sets the name of the file and, from the options, the laws, the
+/// units and whether tensile contacts are left out.
 /// @throws InputError if the options give no contact law
 ListedPacking listed_packing(const std::string& path, const ImportOptions& options);
 
@@ -107,23 +108,24 @@ const Law& required_law(const std::string& path, const ImportOptions& options);
 
 /// Assembles a packing from listed grains and contacts. Grains are moved into the periodic cell. Contacts are sorted
 /// and refer to grains by their indices instead of their identifiers. The contact law gives the forces and stiffnesses
-/// that are not listed, and contact springs are stretched to the listed forces. Listed forces are kept to the last
-/// digit: the component of `force` along the contact normal becomes the normal force, the rest the tangential force. A
-/// listed pair of grains is left out if the grains do not touch, carry no force, and have a gap beyond the range of the
-/// law. If the grains of a contact cannot touch at the listed image, the nearest image replaces it.
+/// that are not listed, and contact springs are stretched to the listed forces. All digits of listed forces are kept:
+/// the component of `force` along the contact normal becomes the normal force, and the rest the tangential force. A
+/// listed contact is left out if the grains do not touch, the listed forces are zero, and the gap is beyond the range
+/// of the law. If the grains of a contact cannot touch at the listed image, the nearest image replaces it.
 /// @throws InputError naming the place, the value and the expectation in these cases:
 /// - grains and cell: no grains; a repeated identifier; a cell without volume;
-/// - bodies of a contact: an unknown grain or wall; a contact listed twice; a contact without an image whose grains are
-/// half the cell or more apart, so that two images may be equally near;
-/// - distances: a contact out of the range of the law in a list without any forces; a contact with a force although no
-/// near images of its grains can touch;
+/// - bodies of a contact: an unknown grain or wall; a contact listed twice; a contact without a listed image whose
+/// grains are half the width of the cell or more apart, so that two images may be equally near;
+/// - distances: a contact without a listed force whose gap is beyond the range of the law; a contact with a listed
+/// force whose grains cannot touch at any near image;
 /// - forces and stiffnesses: a contact of grains with corners without a point or a force; a tensile contact under a law
 /// without adhesion (unless `drop_tensile`); an invalid stiffness; forces that contradict each other
 Imported assemble(const ListedPacking& listed);
 
-/// Assembles a packing from the record that a reader has filled: settles the space, reads the file of contacts if the
-/// options name one, and calls the function above. Contacts of the file of contacts replace those in the record. If they
-/// are contacts of grains alone, the contacts with walls are those of the record or are found from the geometry.
+/// Assembles a packing from the ListedPacking that a reader has filled. Settles the space, reads the file of contacts
+/// if the options name one, and calls the function above. The contacts in the file of contacts replace the member
+/// `contacts`, and `wall_contacts` are added. If still no contact is with a wall, the contacts with walls are found
+/// from the geometry.
 /// @throws InputError under the conditions of settle_space(), read_contact_file() and assemble()
 Imported assemble(ListedPacking listed, const ImportOptions& options);
 

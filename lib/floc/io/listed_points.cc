@@ -15,17 +15,19 @@
 namespace floc {
 namespace {
 
-/// Largest accepted distance of a contact point from the circumscribed circle or sphere of a grain, as a fraction of
-/// its radius. The fraction is large because a file may have few digits, and the point may lie on either of the two
-/// surfaces.
+/// Largest accepted distance by which a contact point lies outside the circumscribed circle or sphere of a grain,
+/// divided by the radius of this circle or sphere. The distance may be large because a file may have few digits, and
+/// because the point may lie on the surface of the other grain.
 constexpr double kFarthestPoint = 0.1;
-/// Contact points that correspond to no contact point of the two shapes get keys from this number on.
+/// A listed contact point that corresponds to no contact point of the two shapes has this number, or a larger one, as
+/// its key.
 constexpr int kFirstFreeKey = kMostFaces << 21;
-/// Largest distance, divided by the smaller radius, at which contact points of two programs are taken as the same
-/// point.
+/// If the distance between a contact point of floc and one of another program is at most this fraction of the smaller
+/// radius, the two count as the same point.
 constexpr double kOnePointShare = 0.25;
 
-/// Returns the shortest periodic image of a vector: subtracts whole cells along the periodic axes.
+/// Subtracts lattice vectors from a vector, so that its reduced coordinates along the periodic axes are at most 1/2 in
+/// magnitude.
 template <int Dim>
 Vec<Dim> nearest_of_images(const Packing<Dim>& packing, const Vec<Dim>& vector) {
   Vec<Dim> cells = packing.cell.reduced(vector);
@@ -43,7 +45,8 @@ void require_near(const ListedContact& row, double distance, double radius, cons
                   distance, body, radius));
 }
 
-/// Returns the type of the contact points of a pair, from their number and the listed type.
+/// Returns the type of the contact points of a pair. It follows from the number of points or, for a single point, is
+/// the listed type.
 template <int Dim>
 ContactType type_of(std::size_t n_points, ContactType listed) {
   if (n_points == 1) return listed;
@@ -51,8 +54,8 @@ ContactType type_of(std::size_t n_points, ContactType listed) {
   return ContactType::kDouble;
 }
 
-/// Sets the keys of the contact points of one pair. A point near a contact point of the two shapes gets the key of that
-/// point, any other point a free key. Sorts the points by their keys.
+/// Sets the keys of the contact points of one pair. A listed point that is near a contact point of the two shapes gets
+/// the key of this contact point. Any other listed point gets a free number as its key. Sorts the points by key.
 template <int Dim>
 void number_pair(const Packing<Dim>& packing, std::span<Contact<Dim>> points) {
   const double radius = smaller_radius(packing, points.front());

@@ -11,8 +11,8 @@ namespace floc {
 struct ListedGrain;
 struct ListedPacking;
 
-/// Shapes of the grains of a listed packing. Only the table for the dimension of the packing is used. Both tables are
-/// empty if all grains are disks or spheres.
+/// Tables of the shapes of grains in a listed packing, one table for each dimension. Only the table for the dimension
+/// of the packing is used. Both tables are empty if all grains are disks or spheres.
 struct ListedShapes {
   std::vector<Shape<2>> in_2d;
   std::vector<Shape<3>> in_3d;
@@ -31,8 +31,8 @@ struct ListedShapes {
 struct ListedPose {
   int shape = 0;       ///< index in the table of shapes
   double scale = 1.0;  ///< factor by which the shape is magnified
-  /// Axes of the shape in space, one per column: the rotation from the coordinates of the shape to those of space. In
-  /// 2D the third axis is z.
+  /// Axes of the shape in space, one per column. The matrix rotates a vector from the coordinates of the shape to the
+  /// coordinates of space. In 2D the third axis is z.
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
 };
 
@@ -40,11 +40,11 @@ struct ListedPose {
 /// @param shape  index of the shape in the table of the dimension of the packing
 /// @param scale  factor by which the shape is magnified, > 0
 /// @param origin  position in space of the origin of the coordinates from which the shape was made (length)
-/// @param turn  rotation from these coordinates to those of space
+/// @param turn  rotation from the coordinates from which the shape was made to the coordinates of space
 void set_shape(const ListedShapes& shapes, int shape, double scale, const Eigen::Vector3d& origin,
                const Eigen::Matrix3d& turn, ListedGrain& grain);
 
-/// Returns the distance from the centre of a grain to its outermost point along an axis (length).
+/// Returns the largest distance (length), along an axis, from the centre of a grain to a point of the grain.
 /// @param side  1: in the direction of the axis; -1: in the opposite direction
 double reach_along(const ListedPacking& listed, const ListedGrain& grain, int axis, int side);
 

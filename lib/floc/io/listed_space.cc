@@ -14,13 +14,14 @@ namespace {
 
 const char* const kOption = "--walls";
 
-/// Reads the position of a wall. Returns nothing if `text` is empty, which means that this end is open.
+/// Reads the position of a wall. Returns nothing if `text` is empty: the end of the axis is then open.
 std::optional<double> position_of(const std::string& entry, std::string_view text) {
   text = trimmed(text);
   if (text.empty()) return std::nullopt;
   if (const auto value = parse_number<double>(text)) return *value;
   throw InputError(
-      kOption, fmt::format("\"{}\" has \"{}\", expected a finite number, the position of a wall", entry, text));
+      kOption,
+      fmt::format("\"{}\" contains \"{}\", expected a finite number: the position of a wall", entry, text));
 }
 
 /// Returns the lower (side -1) or upper (side 1) face of the box across an axis.
@@ -65,7 +66,7 @@ ListedEnds ends_of(const std::string& entry, const ListedSpace& space, int n_axe
   return ends;
 }
 
-/// Whether an entry of the option is of the form of an axis: "x", "x-", "x+" or "x=...".
+/// Whether an entry of the option `--walls` describes an axis, such as "x", "x-", "x+" or "x=...".
 bool has_form_of_axis(std::string_view entry) {
   return entry.size() <= 1 || (std::string_view("xyz").find(entry[0]) != std::string_view::npos &&
                                std::string_view("-+=").find(entry[1]) != std::string_view::npos);

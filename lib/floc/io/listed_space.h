@@ -17,13 +17,13 @@ struct WallSide {
   bool operator==(const WallSide&) const = default;
 };
 
-/// Reads the name of an end of an axis, such as "x-". @return nothing if `name` is no such name
+/// Reads the name of an end of an axis, such as "x-". @return nothing if `name` is not the name of an end
 std::optional<WallSide> wall_side(const std::string& name);
 
-/// Boundary along an axis that is not periodic: a wall at its lower end, at its upper end, at both, or at neither.
+/// Boundary along an axis that is not periodic. Each of the two ends of the axis has a wall or is open.
 struct ListedEnds {
   int axis = 0;
-  /// Position of each wall on the axis (length); if empty, this end is open.
+  /// Position (length) of the wall at each end of the axis; empty if the end is open.
   std::optional<double> low, high;
 };
 
@@ -34,19 +34,20 @@ struct ListedSpace {
   /// Three lattice vectors with three components each (length). Empty if the file gives no cell.
   std::vector<std::vector<double>> cell;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< corner from which the lattice vectors start (length)
-  bool positive_sides = false;  ///< whether the diagonal of the cell must be positive, as in LAMMPS
+  bool positive_sides = false;  ///< whether the diagonal elements of `cell` must be positive, as in LAMMPS
   /// Whether the packing is periodic along each lattice vector. Empty if the file does not contain this information.
   std::vector<bool> periodic;
-  /// Text of the file about an axis that is not periodic, for messages, such as: pbc="F F F".
+  /// Text in the file that says which axes are not periodic, such as pbc="F F F"; for messages.
   std::string boundary;
-  /// Ends of the axes that are not periodic, as far as the file gives them. An axis that is neither periodic nor in
-  /// this list has two open ends.
+  /// Ends of axes that are not periodic, if the file gives them. An axis that is neither periodic nor in this list has
+  /// two open ends.
   std::vector<ListedEnds> ends;
-  /// Whether the positions of the walls are exact, as in files of floc. Overlaps of grains with walls are then no sign
-  /// of an error.
+  /// Whether the positions of the walls are exact, as in files of floc. If true, an overlap of a grain with a wall does
+  /// not indicate an error.
   bool exact_walls = false;
   std::optional<int> dimension;  ///< 2 or 3; absent if the file does not give it
-  /// Whether the grains lie in the middle of the cell along its third side, as LAMMPS requires in two dimensions.
+  /// Whether all grains lie halfway between the lower and the upper face of the cell across z, as LAMMPS requires in
+  /// two dimensions.
   bool mid_plane = false;
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< acceleration due to gravity (length/time^2)
 };
@@ -57,26 +58,29 @@ ListedEnds& ends_along(int axis, ListedSpace& space);
 /// Adds a wall at a position on its axis. The other end of the axis is open unless it gets a wall, too.
 void add_wall(const WallSide& wall, double position, ListedSpace& space);
 
-/// Adds a wall at a face of the cell of `space`. The other end of its axis is open unless it gets a wall, too.
+/// Adds a wall at a face of the cell of `space`. The other end of the axis is open unless it gets a wall, too.
 /// @pre the cell is given
 void add_wall_at_face(const WallSide& wall, ListedSpace& space);
 
-/// The entries of the option `--walls`: axes, for parse_walls(), and files of other programs that have walls.
+/// The entries of the option `--walls`: axes, which parse_walls() reads, and names of files of other programs that
+/// describe walls.
 struct WallOption {
   std::string axes;
   std::vector<std::string> files;
 };
 
-/// Separates the entries of the option `--walls`. Names of files are those that are no axes and exist or contain a dot.
+/// Separates the entries of the option `--walls`. An entry is the name of a file if it does not describe an axis and
+/// either contains a dot or is the path of an existing file.
 WallOption split_walls(const std::string& text);
 
-/// Reads the axes in the option `--walls`, a list of axes that are not periodic, separated by commas. Each entry is one of
+/// Reads the axes in the option `--walls`. The text lists axes that are not periodic, separated by commas. Each entry
+/// is one of
 ///
 ///   x         walls at both faces of the box across x
 ///   x-, x+    a wall at the lower or upper face across x; the other end is open
-///   x=0:10    walls at x = 0 and x = 10; a missing number leaves this end open
+///   x=0:10    walls at x = 0 and x = 10; if a number is missing, this end is open
 ///
-/// @param space  box whose faces entries such as "x" denote
+/// @param space  space with the box to whose faces entries such as "x" refer
 /// @param n_axes  dimension of the packing
 /// @throws InputError for an entry of another form, an axis given twice, a face of a box that is not given, or walls in
 /// the wrong order

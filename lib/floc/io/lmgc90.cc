@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Reads a text file line by line. A line is kept as a view of the text.
+/// Reads a text file line by line. The current line is a view of the text.
 class DatFile {
  public:
   explicit DatFile(const std::string& path)
@@ -51,8 +51,8 @@ class DatFile {
 
   bool has(std::string_view key) const { return line_.find(key) != std::string_view::npos; }
 
-  /// Returns the number after `key` and an equals sign. As in Fortran, its exponent may begin with D, and the number
-  /// may follow without a blank.
+  /// Returns the number after `key` and an optional equals sign. As in output of Fortran, the exponent may begin with
+  /// D, and the blank before the number may be missing.
   double number(std::string_view key) const {
     const std::size_t at = line_.find(key);
     if (at == std::string_view::npos) throw InputError(place(), fmt::format("the line has no \"{}\"", key));
@@ -84,7 +84,7 @@ struct Body {
   double mean_radius = 0.0;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   double angle = 0.0;  ///< rotation angle of a two-dimensional body (radians)
-  /// Axes of a body in space, one per column.
+  /// Axes of a three-dimensional body, one per column.
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   bool has_inertia = false;     ///< whether the file gives moments of inertia about these axes
   std::string contactor;        ///< type of the contactor: DISKx, SPHER, POLYG, POLYR, JONCx, PLANx, ...
@@ -96,27 +96,30 @@ struct Body {
 
   bool is_round() const { return contactor == "DISKx" || contactor == "SPHER"; }
   bool has_corners() const { return contactor == "POLYG" || contactor == "POLYR"; }
-  /// Rotation from the axes of the body to those of space.
+  /// Returns the rotation from the coordinates of the body to the coordinates of space.
   Eigen::Matrix3d turn() const {
     return spatial ? axes : Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   }
 };
 
-/// Reads a count from a line. @param most  largest number allowed
+/// Reads a count from a line. @param most  largest allowed count
 std::int64_t count_of(const DatFile& file, std::string_view key, std::int64_t most) {
   const double value = file.number(key);
   if (value >= 0.0 && value <= static_cast<double>(most) && value == std::floor(value))
     return static_cast<std::int64_t>(value);
-  throw InputError(file.place(), fmt::format("{} {}, expected a whole number from 0 to {}", key, value, most));
+  throw InputError(file.place(),
+                   fmt::format("the line says {} {}, expected a whole number from 0 to {}", key, value, most));
 }
 
-/// Reads one of the lines that describe a polygon or polyhedron: a vertex or a triangle.
+/// Reads a line that contains a vertex of a polygon or polyhedron, or a triangle of a polyhedron.
 void read_corner(const DatFile& file, Body& body) {
   if (file.has("ver1=") && body.contactor == "POLYR") {
     std::vector<int> face;
     for (const char* key : {"ver1=", "ver2=", "ver3="}) {
       const std::int64_t vertex = count_of(file, key, body.n_vertices);
-      if (vertex == 0) throw InputError(file.place(), fmt::format("{} 0, expected a vertex from 1", key));
+      if (vertex == 0)
+        throw InputError(file.place(),
+                         fmt::format("the line says {} 0, expected the number of a vertex, from 1", key));
       face.push_back(static_cast<int>(vertex) - 1);
     }
     body.faces.push_back(std::move(face));
@@ -153,7 +156,7 @@ void read_contactor(const DatFile& file, Body& body) {
   }
 }
 
-/// Checks that a polygon or polyhedron has as many vertices and faces as its first line says.
+/// Checks that a polygon or polyhedron has the numbers of vertices and faces that its first line gives.
 void require_whole(const Body& body) {
   if (body.has_corners() &&
       (std::ssize(body.vertices) != body.n_vertices || std::ssize(body.faces) != body.n_faces))
@@ -195,7 +198,7 @@ std::vector<Body> read_bodies(const std::string& path) {
   return bodies;
 }
 
-/// Reads one of the three lines that give the axes of a body in space.
+/// Reads one of the three lines that give the axes of a three-dimensional body.
 void read_axis(const DatFile& file, Body& body) {
   constexpr double kDigits = 1e-5;  // files have seven digits
   int axis = 0;
@@ -255,9 +258,10 @@ Bulk read_bulk(const std::string& path) {
   return bulk;
 }
 
-/// Makes a wall of a bar or plate. The wall is at the face that is turned to the middle of the grains.
+/// Makes a wall of a bar or plate. The wall is at the face of the bar or plate that is nearer to the middle of the
+/// grains.
 WallSide add_bar(const Body& bar, const Eigen::Vector3d& middle, ListedSpace& space) {
-  constexpr double kAligned = 1e-4;  // files have seven digits, and angles such as 1.570800
+  constexpr double kAligned = 1e-4;  // the files have seven digits, with angles such as 1.570800 for pi/2
   const Eigen::Vector3d across = bar.turn().col(bar.spatial ? 2 : 1).cwiseAbs();
   int axis = 0;
   if (across.maxCoeff(&axis) < std::cos(kAligned))
@@ -270,15 +274,16 @@ WallSide add_bar(const Body& bar, const Eigen::Vector3d& middle, ListedSpace& sp
   return wall;
 }
 
-/// Reads the contacts in the file Vloc_Rloc.INI. Pairs with a gap and no force are left out, because LMGC90 lists all
-/// neighbouring pairs.
+/// Reads the contacts in the file Vloc_Rloc.INI. LMGC90 lists all neighbouring pairs; pairs with a gap and without
+/// force are left out.
 std::vector<ListedContact> read_contacts(const std::string& path,
                                          const std::map<std::int64_t, WallSide>& walls) {
   std::vector<ListedContact> contacts;
   if (!fs::exists(path)) return contacts;
   DatFile file(path);
   ListedContact c;
-  Eigen::Vector3d local = Eigen::Vector3d::Zero();  // components of the force along t, n and s
+  Eigen::Vector3d local =
+      Eigen::Vector3d::Zero();  // components of the force along the tangent t, the normal n and the tangent s
   Eigen::Vector3d t = Eigen::Vector3d::Zero(), n = t, s = t;
   double gap = 0.0;
   bool open = false, spatial = false, framed = false, forced = false;
@@ -334,7 +339,7 @@ std::vector<ListedContact> read_contacts(const std::string& path,
   return contacts;
 }
 
-/// Adds the shape of a body to the shapes of the packing. @return index of this shape
+/// Adds the shape of a body to the shapes of the packing. @return index of the shape
 int add_shape(const Body& body, ListedPacking& listed) {
   const std::string place = body.place.text();
   if (!body.spatial) {
@@ -365,7 +370,8 @@ int add_shape(const Body& body, ListedPacking& listed) {
   return static_cast<int>(listed.shapes.in_3d.size()) - 1;
 }
 
-/// Makes the grains from the disks, spheres, polygons and polyhedra. If any of them has corners, all grains get shapes.
+/// Makes the grains from the disks, spheres, polygons and polyhedra. If any body is a polygon or polyhedron, all grains
+/// get shapes, including disks and spheres.
 void add_grains(const std::vector<Body>& bodies, const Bulk& bulk, ListedPacking& listed) {
   const bool round = std::none_of(bodies.begin(), bodies.end(), [](const Body& b) { return b.has_corners(); });
   for (const Body& body : bodies) {

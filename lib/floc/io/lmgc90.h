@@ -9,16 +9,18 @@ namespace floc {
 /// Whether `path` is a file BODIES.DAT, or a directory that contains one, such as the directory DATBOX of LMGC90.
 bool is_lmgc90(const std::string& path);
 
-/// Returns the path of the file BODIES.DAT of a packing of LMGC90. @param path  its directory or the file itself
+/// Returns the path of the file BODIES.DAT of a packing of LMGC90. @param path  directory of the file, or the file
+/// itself
 std::string lmgc90_bodies(const std::string& path);
 
 /// Reads a packing of disks (DISKx), spheres (SPHER), polygons (POLYG) or polyhedra (POLYR) from the directory DATBOX
 /// of LMGC90: bodies (BODIES.DAT), their displacements (DOF.INI), densities and gravity (BULK_BEHAV.DAT), and contacts
 /// with their forces (Vloc_Rloc.INI). The last three files may be missing. Bars (JONCx) and plates (PLANx) along an
-/// axis are walls. The force on the candidate (first body) of a contact with the normal n is rln n + rlt t, with t =
-/// (n2, -n1), in 2D, and rln n + rlt t + rls s in 3D. `options.law` is required. The files do not contain the periodic
-/// directions, which are set in the script of a run; `options.cell` gives them.
-/// @throws InputError naming file and line for a malformed file, or a body of another kind
+/// axis are walls. Let n be the normal of a contact, t and s the two tangents in 3D, and t = (n2, -n1) the tangent in
+/// 2D. The force on the first body (candidate) is rln n + rlt t in 2D, and rln n + rlt t + rls s in 3D, with the
+/// numbers rln, rlt and rls in the file. `options.law` is required. The files do not say which directions are periodic,
+/// because the script of a run sets them; `options.cell` gives the periodic cell.
+/// @throws InputError naming file and line for a malformed file, or for a body of another kind
 Imported read_lmgc90(const std::string& path, const ImportOptions& options);
 
 }  // namespace floc

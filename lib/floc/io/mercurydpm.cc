@@ -24,8 +24,8 @@ namespace {
 /// Components of a unit normal or of a lattice vector below this value count as rounding errors.
 constexpr double kAligned = 1e-9;
 
-/// Content of a restart file: its header lines, and the lines of its sections. Each section begins with its name and
-/// the number of its lines.
+/// Content of a restart file: the header lines, and the lines of each section. A section begins with a line that
+/// contains its name and its number of lines.
 class RestartFile {
  public:
   explicit RestartFile(const std::string& path)
@@ -111,7 +111,7 @@ class RestartFile {
   std::map<std::string, std::vector<Line>> sections_;
 };
 
-/// Returns the axis along which a vector points, or nothing if it points along no axis.
+/// Returns the axis that is parallel to a vector; nothing if no axis is.
 std::optional<int> axis_of(const Eigen::Vector3d& v) {
   for (int a = 0; a < 3; ++a) {
     Eigen::Vector3d rest = v;
@@ -121,8 +121,8 @@ std::optional<int> axis_of(const Eigen::Vector3d& v) {
   return std::nullopt;
 }
 
-/// Returns the normal of a wall, which points away from the grains. Recent files contain the rotation that turns the
-/// first axis into the normal; older files contain the normal as a vector.
+/// Returns the normal of a wall, which points away from the grains. Recent files contain the rotation from the x axis
+/// to the normal; older files contain the vector of the normal.
 Eigen::Vector3d wall_normal(const KeyedLine& line) {
   if (line.has("normal")) return line.vector("normal");
   const Eigen::Vector3d imaginary = line.vector(line.position("orientation") + 2, "orientation");
@@ -131,8 +131,8 @@ Eigen::Vector3d wall_normal(const KeyedLine& line) {
 }
 
 /// Reads the walls of a file.
-/// @return for each wall of the file, the end of an axis at which it lies; absent for walls that are left out, such as
-/// walls across z of a packing of disks
+/// @return for each wall of the file, the end of the axis at which the wall lies; absent if the wall is left out, such
+/// as a wall across z in a packing of disks
 std::vector<std::optional<WallSide>> read_walls(const RestartFile& file, bool replaced, int dimension,
                                                 ListedSpace& space) {
   std::vector<std::optional<WallSide>> walls;
@@ -151,7 +151,8 @@ std::vector<std::optional<WallSide>> read_walls(const RestartFile& file, bool re
     const WallSide side{*axis, normal[*axis] > 0.0 ? 1 : -1};
     walls.back() = side;
     if (replaced) return;
-    // Older files contain the distance of the plane from the origin along the normal instead of a point on the plane.
+    // A recent file gives a point on the plane; an older file gives the distance of the plane from the origin, along
+    // the normal.
     const double position =
         line.has("normal") ? side.side * line.number("position") : line.vector("position")[*axis];
     ListedEnds& ends = ends_along(*axis, space);
@@ -186,7 +187,8 @@ void add_periodic_boundary(const KeyedLine& line, ListedSpace& space) {
       line.number(line.has("distanceLeft") ? "distanceLeft" : "position_left") * normal[*axis];
 }
 
-/// In a Lees-Edwards cell, the periodic image across y is displaced along x by the shift of the boundary.
+/// Sets the cell from a Lees-Edwards boundary: the next periodic image along y is displaced along x by the shift of the
+/// boundary.
 void add_lees_edwards(const KeyedLine& line, ListedSpace& space) {
   const double left = line.number("left"), down = line.number("down");
   const double length = line.number("right") - left;
@@ -248,7 +250,7 @@ ListedGrain read_particle(const KeyedLine& line, std::int64_t index, int& n_fixe
   return grain;
 }
 
-/// Reads one interaction. Its force acts on its first grain.
+/// Reads one interaction. The force acts on the first grain of the interaction.
 ListedContact read_interaction(const KeyedLine& line, const std::vector<std::optional<WallSide>>& walls,
                                bool with_liquid, int dimension) {
   ListedContact c;
@@ -275,7 +277,7 @@ ListedContact read_interaction(const KeyedLine& line, const std::vector<std::opt
   return c;
 }
 
-/// Returns the dimension of the packing: 2 if the system or its particles are two-dimensional, otherwise 3.
+/// Returns the dimension of the packing: 2 if the system or the particles are two-dimensional, else 3.
 int dimension_of(const RestartFile& file) {
   const char* key = file.header("systemDimensions") ? "systemDimensions" : "dim";
   const std::optional<KeyedLine> line = file.header(key);
@@ -284,7 +286,7 @@ int dimension_of(const RestartFile& file) {
   return line->has("particleDimensions") && line->number("particleDimensions") == 2.0 ? 2 : 3;
 }
 
-/// Sets the sides of the box along the axes that are not periodic. The header contains them.
+/// Sets the corner and the sides of the box from the header, and marks all axes as not periodic.
 void set_box(const RestartFile& file, ListedSpace& space) {
   space.cell.assign(3, std::vector<double>(3, 0.0));
   space.periodic = {false, false, false};

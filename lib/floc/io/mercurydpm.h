@@ -15,9 +15,10 @@ bool is_mercurydpm(const std::string& path);
 /// perpendicular to an axis (InfiniteWall), periodic and Lees-Edwards boundaries, and gravity. A Lees-Edwards cell
 /// becomes a skewed cell: its second lattice vector is displaced along x by the shift of the boundary, modulo the
 /// length of the cell. A boundary that rotates the grains that cross it (AngledPeriodicBoundary) is not a lattice
-/// translation: the packing is then open, with the contacts that the file lists. The forces in the file include dashpot
-/// forces. `options.law` is required; the species in the file are not read. `options.contacts` may name the .fstat file
-/// of the run, in which the grains are numbered in the order of the restart file.
+/// translation; a packing with this boundary is read as open, with the contacts that the file lists. The forces in the
+/// file include the forces of dashpots. `options.law` is required; the species in the file are not read.
+/// `options.contacts` may name the .fstat file of the run, in which the grains are numbered in the order of the restart
+/// file.
 /// @throws InputError naming file and line if the file is malformed, or if it contains walls of other kinds and the
 /// option `walls` is not given
 Imported read_mercurydpm(const std::string& path, const ImportOptions& options);
@@ -26,9 +27,10 @@ Imported read_mercurydpm(const std::string& path, const ImportOptions& options);
 bool is_mercurydpm_fstat(const std::string& path);
 
 /// Reads contacts from the file `options.contacts`, an .fstat file of MercuryDPM: the contacts at the last time in the
-/// file. Each row contains time, i, j, contact point (3), overlap, tangential overlap, normal force f_n, tangential
-/// force f_t, unit normal n (3), unit tangent t (3). A negative j is wall number -j - 1. The force on i is f_n n + f_t
-/// t. At a wall it is the opposite, because MercuryDPM writes n and t with the opposite sign there.
+/// file. Each row contains time, i, j, contact point (3 numbers), overlap, tangential overlap, normal force f_n,
+/// tangential force f_t, unit normal n (3 numbers), unit tangent t (3 numbers). A negative j is wall number -j - 1. The
+/// force on i is f_n n + f_t t; for a contact with a wall it is -(f_n n + f_t t), because MercuryDPM writes n and t of
+/// these contacts with the opposite sign.
 /// @throws InputError naming file and line
 std::vector<ListedContact> read_mercurydpm_contacts(const ImportOptions& options, int dimension);
 

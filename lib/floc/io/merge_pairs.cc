@@ -12,10 +12,12 @@
 namespace floc {
 namespace {
 
-/// Identity of a pair of grains and their image. It does not depend on the order of the two grains.
+/// Identity of a pair of grains and of the periodic image of the second grain. Both orders of the two grains have the
+/// same identity.
 using Pair = std::tuple<std::int64_t, std::int64_t, int, int, int>;
 
-/// Whether the bodies of a contact are in ascending order.
+/// Whether the bodies of a contact are in ascending order of their identifiers. For a grain and its own image, the sign
+/// of the image decides.
 bool ascending(const ListedContact& c) {
   const Eigen::Vector3i none = Eigen::Vector3i::Zero();
   if (c.id1 != c.id2 || !c.image) return c.id1 <= c.id2;
@@ -29,7 +31,7 @@ Pair pair_of(const ListedContact& c) {
   return {std::min(c.id1, c.id2), std::max(c.id1, c.id2), image[0], image[1], image[2]};
 }
 
-/// Whether two rows of a pair contain equal forces.
+/// Whether two rows of the same pair contain the same forces, within rounding to four digits.
 /// @param mirrored  whether the rows name the two grains in opposite order
 bool agree(const ListedContact& a, ListedContact b, bool mirrored) {
   constexpr double kDigits = 1e-4;

@@ -6,9 +6,9 @@
 
 namespace floc {
 
-/// Writes the surfaces of the grains of a packing in 3D as a Wavefront OBJ file, with one object per grain, or as an
-/// STL file, with one solid per grain. Rounded surfaces and spheres are triangulated by surface_of(). The files contain
-/// no contacts, forces, cell or walls.
+/// Write the surfaces of the grains of a packing in 3D: write_obj() as a Wavefront OBJ file, with one object per grain,
+/// and write_stl() as an STL file, with one solid per grain. Rounded surfaces and spheres are triangulated by
+/// surface_of(). The files contain no contacts, forces, cell or walls.
 /// @throws InputError for a packing in 2D
 void write_obj(const std::string& path, const AnyState& state);
 void write_stl(const std::string& path, const AnyState& state);

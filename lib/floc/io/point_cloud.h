@@ -10,8 +10,8 @@
 
 namespace floc {
 
-/// Points with arrays of data, as they are stored in formats of VTK. The arrays that describe grains are radius (or r,
-/// or diameter) and, optionally, mass and id; their names may have capital letters.
+/// Points with arrays of data, as the formats of VTK store them. The arrays that describe grains are radius (or r, or
+/// diameter) and, optionally, mass and id; their names may have capital letters.
 struct PointCloud {
   std::string path;
   std::vector<double> x;  ///< coordinates, three per point (length)
@@ -24,7 +24,7 @@ struct PointCloud {
   std::optional<std::vector<ListedContact>> contacts;
 };
 
-/// Makes a packing whose grains are points. `options.columns` renames the arrays; `options.law` is required.
+/// Makes a packing with one grain at each point. `options.columns` renames the arrays; `options.law` is required.
 /// @throws InputError naming file and array for a missing or malformed array
 Imported read_points(const PointCloud& cloud, const ImportOptions& options);
 

@@ -23,11 +23,11 @@
 namespace floc {
 namespace {
 
-/// Shapes of bodies in the file of shapes; the key is the name. A shape consists of all points whose distance from a
-/// vertex, edge or face of the mesh is at most mesh.rounding.
+/// The shapes in the file of shapes; the key is the name of the shape. A shape consists of all points whose distance
+/// from a vertex, edge or face of the mesh is at most the member `rounding` of the mesh.
 using RockableShapes = std::map<std::string, Mesh<3>>;
 
-/// Whether a shape is a sphere: its only vertex is its centre.
+/// Whether a shape is a sphere, that is, has one vertex only, at its centre.
 bool is_sphere(const Mesh<3>& shape) {
   return shape.vertices.size() == 1 && shape.vertices.front().isZero(0.0);
 }
@@ -106,8 +106,8 @@ RockableBody read_body(const KeyedLine& line) {
   return body;
 }
 
-/// Reads an interaction. Its words are i, j, type, two sub-elements, normal (3), distance, position (3), velocity (3),
-/// fn, ft (3).
+/// Reads an interaction. Its words are i, j, type, two sub-elements, normal (3 numbers), distance, position (3),
+/// velocity (3), normal force, tangential force (3).
 ListedContact read_interaction(const KeyedLine& line) {
   ListedContact c;
   c.place = line.file_line();
@@ -156,8 +156,8 @@ Configuration read_configuration(const std::string& path) {
   return out;
 }
 
-/// Makes a wall of a driven body whose shape is a flat face across an axis. The wall is at the surface that faces
-/// `middle`.
+/// Makes a wall of a driven body whose shape is a flat face perpendicular to an axis. The wall is at the surface of the
+/// body that faces the point `middle`.
 WallSide add_face(const RockableBody& body, const Mesh<3>& shape, const Eigen::Vector3d& middle,
                   ListedSpace& space) {
   constexpr double kThin = 1e-9;
@@ -177,7 +177,8 @@ WallSide add_face(const RockableBody& body, const Mesh<3>& shape, const Eigen::V
   return wall;
 }
 
-/// Shapes of the bodies of a configuration, and the indices of those that were added to the shapes of the packing.
+/// Shapes of the bodies of a configuration. A shape is added to the table of shapes of the packing when a grain first
+/// needs it.
 class Bodies {
  public:
   explicit Bodies(const std::string& path) : path_(path), meshes_(read_rockable_shapes(path)) {}
@@ -215,7 +216,8 @@ class Bodies {
   std::map<std::string, int> indices_;
 };
 
-/// Makes the grains from the bodies that are not driven. If any of them has corners, all grains get shapes.
+/// Makes the grains from the bodies that are not driven. If any of these bodies has corners, all grains get shapes,
+/// including spheres.
 void add_grains(const Configuration& from, Bodies& bodies, ListedPacking& listed) {
   const auto first = from.bodies.begin() + from.n_driven;
   const bool round = std::all_of(first, from.bodies.end(),

@@ -9,12 +9,13 @@ namespace floc {
 /// Whether a file is probably a configuration of Rockable: it begins with "Rockable ".
 bool is_rockable(const std::string& path);
 
-/// Reads a packing of spheres or rounded polyhedra from a configuration of Rockable and the file of shapes that it
-/// names: particles, interactions with their forces, the periodic cell (usePeriodicCell, h) or walls, densities and
-/// gravity. Walls are driven bodies whose shape is a flat face perpendicular to an axis. The normal n of an interaction
-/// points from j to i, and the force on i is fn n + ft. `options.law` is required; the parameters of the force law in
-/// the file are not read.
-/// @throws InputError naming file and line for a malformed file, or for a particle whose shape is no sphere
+/// Reads a packing of spheres or rounded polyhedra from a configuration of Rockable, and from the file of shapes that
+/// the configuration names. The data are particles, interactions with their forces, the periodic cell (usePeriodicCell,
+/// h) or walls, densities and gravity. Walls are driven bodies whose shape is a flat face perpendicular to an axis. The
+/// normal n of an interaction points from j to i, and the force on i is fn n + ft. `options.law` is required; the
+/// parameters of the force law in the file are not read.
+/// @throws InputError naming file and line for a malformed file, or for a shape with corners whose vertices are not
+/// about the centre of mass and along the principal axes
 Imported read_rockable(const std::string& path, const ImportOptions& options);
 
 }  // namespace floc

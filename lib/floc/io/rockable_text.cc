@@ -21,12 +21,12 @@ std::string words(const Vec<3>& v) {
   return fmt::format("{} {} {}", v[0], v[1], v[2]);
 }
 
-/// Returns the name of the file of shapes of a configuration, without its folder.
+/// Returns the name, without the folder, of the file of shapes that belongs to a configuration.
 std::string shape_file(const std::string& path) {
   return std::filesystem::path(path).filename().replace_extension(".shp").string();
 }
 
-/// Text of one shape: name, radius of rounding, mass properties, then vertices, edges and faces.
+/// Text of one shape: name, radius of rounding, mass properties, vertices, edges and faces.
 struct ShapeText {
   std::string name;
   double radius = 0.0, volume = 0.0;
@@ -92,7 +92,7 @@ ShapeText text_of_plate(const Packing<3>& packing, int axis, double radius) {
           1};
 }
 
-/// Groups of bodies with equal densities, except for rounding errors. Rockable gives each group one density.
+/// Groups of bodies whose densities are equal within rounding. In Rockable, each group has one density.
 class DensityGroups {
  public:
   int group(double density) {
@@ -112,7 +112,7 @@ class DensityGroups {
   std::map<double, int> groups_;
 };
 
-/// A packing as bodies and interactions of Rockable.
+/// Text of the configuration of Rockable for a packing: the bodies and the interactions.
 class ConfigurationText {
  public:
   ConfigurationText(const Packing<3>& packing, std::string path) : packing_(packing), path_(std::move(path)) {
@@ -169,8 +169,8 @@ class ConfigurationText {
             "the packing has contacts that act across gaps, which a configuration of Rockable cannot contain");
   }
 
-  /// Returns the line of a body: name, group, cluster, homothety, position, velocity, acceleration, orientation, spin,
-  /// spin rate.
+  /// Returns the line of a body: name of the shape, group, cluster, homothety (scale), position, velocity,
+  /// acceleration, orientation, angular velocity, angular acceleration.
   static std::string body(const std::string& shape, int group, double scale, const Vec<3>& position,
                           const Vec<3>& velocity, const Eigen::Quaterniond& q, const Vec<3>& spin) {
     return fmt::format("{} {} 0 {} {} {} 0 0 0 {} {} {} {} {} 0 0 0\n", shape, group, scale, words(position),
@@ -200,7 +200,8 @@ class ConfigurationText {
   }
 
   /// Returns the line of an interaction: i, j, type, two sub-elements, normal from j to i, gap, position, velocity,
-  /// normal force, tangential force on i, moment, damping. Type 0 is two vertices, 2 a vertex on a face, 3 two edges.
+  /// normal force, tangential force on i, moment, damping. In type 0 two vertices meet, in type 2 a vertex and a face,
+  /// in type 3 two edges.
   std::string interaction(const Contact<3>& c) const {
     const int type = packing_.grains.are_round() ? 0 : c.type == ContactType::kEdgeEdge ? 3 : 2;
     return fmt::format("{} {} {} 0 0 {} {} {} 0 0 0 {} {} 0 0 0 0\n", body_of(c.i), body_of(c.j), type,
@@ -210,7 +211,7 @@ class ConfigurationText {
 
   const Packing<3>& packing_;
   std::string path_;
-  std::vector<int> plates_;  ///< indices of the walls that are not open; contacts use the same indices
+  std::vector<int> plates_;  ///< walls that are not open, by the indices with which contacts refer to them
   double plate_radius_ = 0.0;
 };
 

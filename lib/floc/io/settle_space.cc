@@ -14,11 +14,11 @@
 namespace floc {
 namespace {
 
-/// Largest overlap of a sphere with its own periodic image along z, relative to its diameter. If grains would overlap
-/// by more, they are taken as disks, for which the height of the cell has no meaning.
+/// Largest overlap of a sphere with its own periodic image along z, divided by its diameter. Grains with a larger
+/// overlap are taken as disks, for which the height of the cell has no meaning.
 constexpr double kDeepestOverlap = 0.1;
 
-/// Largest accepted difference in z between disks, relative to the smallest diameter. It is not zero because files may
+/// Largest accepted difference in z between disks, divided by the smallest diameter. It is not zero because files may
 /// have few digits.
 constexpr double kOnePlane = 1e-6;
 
@@ -28,15 +28,16 @@ struct Guess {
   bool doubtful = false;
 };
 
-/// Whether one of the first two lattice vectors has a component along z, or the third lattice vector one along x or y.
+/// Whether one of the first two lattice vectors has a component along z, or the third lattice vector has a component
+/// along x or y.
 bool tilts_along_z(const std::vector<std::vector<double>>& cell) {
   return cell[0][2] != 0.0 || cell[1][2] != 0.0 || cell[2][0] != 0.0 || cell[2][1] != 0.0;
 }
 
 /// Guesses whether grains that all have the same z are disks or spheres.
-/// @param height  distance of a grain from its periodic image along z; a sphere with a larger diameter touches its
-/// image
-/// @param mid_plane  whether the grains lie in the middle of the cell along its third side
+/// @param height  distance of a grain from its periodic image along z; a sphere with a diameter above `height` overlaps
+/// its image
+/// @param mid_plane  whether the grains lie halfway between the lower and the upper face of the cell across z
 Guess guess_of_layer(const std::vector<ListedGrain>& grains, double height, bool mid_plane) {
   std::size_t n_touching = 0;
   double largest = 0.0;
@@ -91,8 +92,8 @@ int dimension_of(const ImportOptions& options, ListedPacking& listed) {
   return guess.dimension;
 }
 
-/// Sets the lattice vectors of `listed`: those of the option `--cell` or, without it, those of the file. They are empty
-/// if neither gives a cell.
+/// Sets the lattice vectors of `listed` to those of the option `--cell` or, without this option, to those of the file.
+/// If neither gives a cell, the list of vectors is empty.
 void set_cell(const ImportOptions& options, int dimension, ListedPacking& listed) {
   const ListedSpace& space = listed.space;
   listed.cell_place = options.cell.empty() ? space.place : "--cell";
@@ -117,7 +118,7 @@ const ListedEnds* find_ends(const std::vector<ListedEnds>& all, int axis) {
   return found == all.end() ? nullptr : &*found;
 }
 
-/// Number of grains whose surfaces reach beyond the faces of the box across an axis.
+/// Returns the number of grains that extend beyond a face of the box across an axis.
 std::size_t n_beyond_faces(const ListedPacking& listed, int axis) {
   const double low = listed.space.origin[axis], high = low + listed.space.cell[axis][axis];
   return std::count_if(listed.grains.begin(), listed.grains.end(), [&](const ListedGrain& g) {
@@ -126,7 +127,7 @@ std::size_t n_beyond_faces(const ListedPacking& listed, int axis) {
   });
 }
 
-/// Adds the ends that the file gives for axes whose ends are not set yet.
+/// For axes whose ends are not set yet, adds the ends that the file gives.
 void add_stated_ends(int dimension, ListedPacking& listed) {
   const ListedSpace& space = listed.space;
   std::string open;
@@ -146,16 +147,18 @@ void add_stated_ends(int dimension, ListedPacking& listed) {
         "the packing is not periodic along {} ({}), and no walls are given: it ends in free space there", open,
         space.boundary));
   if (n_beyond > 0)
-    listed.inconsistencies.push_back(fmt::format(
-        "{} grains reach beyond faces of the box that are taken as open: give --walls {} to put walls there",
-        n_beyond, open));
+    listed.inconsistencies.push_back(
+        fmt::format("{} grains extend beyond faces of the box, which are taken as open: give --walls {} to put "
+                    "walls at these faces",
+                    n_beyond, open));
   if (space.periodic.empty() && listed.ends.empty() && !space.cell.empty())
     listed.remarks.emplace_back(
         "the packing is taken as periodic in every direction, because the file does not say whether it is; "
         "give --walls for a packing with walls");
 }
 
-/// Sets the ends of axes that have no ends yet to the walls that a file of another program gives, and takes its gravity.
+/// For axes whose ends are not set yet, sets the ends to the walls in a file of another program. Also sets gravity from
+/// this file, unless the user gives gravity.
 void add_walls_of_file(const std::string& file, const ImportOptions& options, int dimension,
                        ListedPacking& listed) {
   const ListedWalls walls = read_wall_file(file);
@@ -174,7 +177,8 @@ void add_walls_of_file(const std::string& file, const ImportOptions& options, in
       fmt::format("the gravity of {} is {}; --gravity gives another", file, fmt::join(*walls.gravity, ",")));
 }
 
-/// Sets the ends of the axes that are not periodic, from the options or, without them, from the file.
+/// Sets the ends of the axes that are not periodic, from the options or, if the options do not give them, from the
+/// file.
 void set_ends(const ImportOptions& options, int dimension, ListedPacking& listed) {
   ListedSpace box = listed.space;
   if (!options.cell.empty()) {
@@ -189,7 +193,7 @@ void set_ends(const ImportOptions& options, int dimension, ListedPacking& listed
             [](const ListedEnds& a, const ListedEnds& b) { return a.axis < b.axis; });
 }
 
-/// Returns the lowest and the highest coordinate that any grain reaches along an axis.
+/// Returns the lowest and the highest coordinate of the grains' points along an axis.
 std::pair<double, double> extent(const ListedPacking& listed, int axis) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const ListedGrain& g : listed.grains) {
@@ -204,7 +208,7 @@ void fit_cell_to_ends(int dimension, ListedPacking& listed) {
   if (listed.ends.empty()) return;
   if (listed.cell.empty() && static_cast<int>(listed.ends.size()) == dimension)
     listed.cell.assign(dimension, std::vector<double>(dimension, 0.0));
-  if (listed.cell.empty()) return;  // this error is reported by assemble()
+  if (listed.cell.empty()) return;  // assemble() reports the missing cell
   for (const ListedEnds& ends : listed.ends) {
     const auto [lowest, highest] = extent(listed, ends.axis);
     const double side = ends.high.value_or(highest) - ends.low.value_or(lowest);

@@ -19,11 +19,11 @@ namespace floc {
 
 /// Returns the unit of a physical quantity as text, for the attribute `units` of an array of a state file.
 /// @param system  unit system of the state, "SI" or "reduced"
-/// @param dim  dimension of the packing, on which the unit of the stress depends
+/// @param dim  dimension of the packing; the unit of the stress depends on it
 std::string units_of(Quantity quantity, const std::string& system, int dim);
 
-/// Describes how one item of type T (a number or a vector of one grain or contact) is stored as a row of an array in a
-/// state file: type of the stored numbers, number of components, and access to component k.
+/// Describes how an array in a state file stores one item of type T (a number or a vector of a grain or contact) as a
+/// row. Gives the type of the stored numbers, the number of components, and access to component k.
 template <class T>
 struct ArchiveItem {
   using Stored = double;
@@ -67,8 +67,8 @@ struct ArchiveItem<Eigen::Quaterniond> {
   static void set(Eigen::Quaterniond& q, int k, double value) { (k == 0 ? q.w() : q.vec()[k - 1]) = value; }
 };
 
-/// Returns the shape of an array with one row for each of `n` items. The array is one-dimensional if an item has one
-/// component.
+/// Returns the shape of an array with one row for each of `n` items. If an item has only one component, the array is
+/// one-dimensional.
 inline ArrayShape shape_of(std::size_t n, int components) {
   if (components == 1) return {n};
   return {n, static_cast<std::uint64_t>(components)};
@@ -124,7 +124,8 @@ class WritingArchive {
   void value(const char* group, const char* name, const T& v) {
     file_.attribute(group, name, v);
   }
-  /// Writes a value that files of some other versions of floc do not contain. ReadingArchive accepts files without it.
+  /// Writes a value that files of some other versions of floc do not contain. ReadingArchive accepts files without this
+  /// value.
   template <class T>
   void value_if_there(const char* group, const char* name, const T& v) {
     value(group, name, v);
@@ -147,7 +148,7 @@ class ReadingArchive {
  public:
   explicit ReadingArchive(const Hdf5Reader& file) : file_(file) {}
 
-  /// Reads an array with one row per item. Row k sets get(items[k]), a member of item k.
+  /// Reads an array with one row per item. Row k is stored in get(items[k]), a member of item k.
   /// @pre `items` has one item for each row
   template <class Items, class Get>
   void rows(const Field& field, Items& items, const Get& get) {

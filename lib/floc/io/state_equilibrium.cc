@@ -88,8 +88,8 @@ void read_directed_load(const Hdf5Reader& file, ReadingArchive& archive, State<D
   if (!file.has(kOffset.path)) return;
   if (turn.axis == 0)
     throw InputError(file.place("path"),
-                     "axis = 1, but a simple shear moves the lattice vector of another axis along the first "
-                     "axis: expected this other axis");
+                     "axis = 1, expected the axis, other than the first, whose lattice vector the simple shear "
+                     "displaces along the first axis");
   s.target_offset = ImposedOffset{turn.axis, archive.take<double>(kOffset, {1})[0]};
   turn.shear = archive.take<double>(kTurnShear, {1})[0];
 }
@@ -103,8 +103,8 @@ void read_equilibrium(const Hdf5Reader& file, ReadingArchive& archive, State<Dim
     const auto gravity = archive.take<double>(kGravityField, {Dim});
     for (int a = 0; a < Dim; ++a) s.packing.gravity[a] = gravity[a];
   }
-  // Unlike other numbers, residuals may be infinite, because their unit is zero for a packing without pressure and
-  // adhesion. They are therefore read without the check that all numbers are finite.
+  // Residuals are read without the check that all numbers are finite. A residual may be infinite, because the unit of
+  // residuals is zero in a packing without pressure and without adhesion.
   std::vector<double> r;
   file.array(kResiduals.path, {4}, r);
   s.residuals.force = r[0], s.residuals.moment = r[1], s.residuals.stress = r[2], s.residuals.energy = r[3];

@@ -16,8 +16,8 @@ void write_equilibrium(WritingArchive& archive, const State<Dim>& state);
 template <int Dim>
 void read_equilibrium(const Hdf5Reader& file, ReadingArchive& archive, State<Dim>& state);
 
-/// Writes the imposed load if the current stage of the load path imposes different loads on the axes. Writes nothing if
-/// the load is an isotropic pressure.
+/// Writes the imposed load if the current stage of the load path imposes different loads on the axes. If the load is an
+/// isotropic pressure, nothing is written.
 template <int Dim>
 void write_directed_load(Hdf5Writer& file, WritingArchive& archive, const State<Dim>& state);
 

@@ -34,9 +34,9 @@ const std::string kSignConvention = "compression_positive";
 
 constexpr Field kId = {"grains/id", Quantity::count, "index of the grain in all arrays"};
 
-/// Names of the optional groups of a state file, and `rigid`, which marks a file with rigid contacts. The root
-/// attribute `features` lists those that the file contains. A reader rejects a file with a feature that it does not
-/// support, so a new physical feature does not need a new version of the file format.
+/// Names of features: the optional groups of a state file, and `rigid`, which marks a file with rigid contacts. The
+/// root attribute `features` lists the features of the file. A reader rejects a file with a feature that it does not
+/// support, so the file format needs no new version for a new physical feature.
 const std::string kContactMemory = "contacts/memory";
 const std::string kNoFeatures = "none";
 const std::string kWalls = "walls";
@@ -72,8 +72,8 @@ Quantity quantity_of(Unit unit) {
   return Quantity::ratio;
 }
 
-/// Returns the history quantities of contacts (such as the elongations of tangential springs), each once: those of the
-/// law between grains and, if there are walls, those of the law between grains and walls.
+/// Returns the history quantities of contacts (such as the elongation of the tangential spring), each once. They are
+/// the quantities of the law between grains and, if the packing has walls, of the law between grains and walls.
 template <int Dim>
 std::vector<HistoryQuantity> quantities_of(const Packing<Dim>& packing) {
   std::vector<HistoryQuantity> all = history_quantities(packing.law, Dim);
@@ -101,7 +101,7 @@ void write_memory(WritingArchive& archive, const Packing<Dim>& packing) {
   }
 }
 
-/// An array of contact history that state files of version 1 contain under every contact law.
+/// An array of contact history that state files of version 1 contain for every contact law.
 struct Version1Name {
   const char* name;
   HistoryKind kind;
@@ -117,8 +117,8 @@ bool remembers(const Packing<Dim>& packing, const std::string& name) {
                      [&](const HistoryQuantity& q) { return name == q.declared.name; });
 }
 
-/// Writes the contact history a second time, under the names of the arrays in version 1 of the file format, for scripts
-/// that use these names. The arrays are zero if the law has no such history.
+/// Gives the contact history a second name, from version 1 of the file format, for scripts that use the names of
+/// version 1. If the law does not have a history quantity of version 1, an array of zeros is written for it.
 template <int Dim>
 void write_version_1_names(Hdf5Writer& file, WritingArchive& archive, const Packing<Dim>& packing) {
   for (const Version1Name& known : kVersion1Names) {
@@ -148,8 +148,8 @@ void check_version_1_names(const Hdf5Reader& file, ReadingArchive& archive, cons
 }
 
 /// Reads the history of contacts.
-/// @param version  version of the file format; the arrays are in the group `contacts` in version 1, in
-/// `contacts/memory` later
+/// @param version  version of the file format; in version 1 the arrays are in the group `contacts`, in later versions
+/// in `contacts/memory`
 template <int Dim>
 void read_memory(ReadingArchive& archive, std::int64_t version, Packing<Dim>& packing) {
   for (const HistoryQuantity& q : quantities_of(packing)) {
@@ -200,9 +200,10 @@ const char* boundary_along(const std::vector<Wall<Dim>>& walls, int axis) {
   return "periodic";
 }
 
-/// Returns one word for the boundary along each axis, for example "walls periodic". The words are "periodic", "walls"
-/// (a wall at each end), "open" (no wall), "wall-open" (a wall at the lower end only) and "open-wall" (a wall at the
-/// upper end only). For a packing that is periodic along all axes, the text is the single word "periodic".
+/// Returns a text with one word for the boundary along each axis, for example "walls periodic". The words are
+/// "periodic", "walls" (a wall at each end), "open" (no wall), "wall-open" (a wall at the lower end only) and
+/// "open-wall" (a wall at the upper end only). For a packing that is periodic along all axes, the text is the single
+/// word "periodic".
 template <int Dim>
 std::string boundary_of(const Packing<Dim>& packing) {
   if (packing.walls.empty()) return "periodic";
@@ -231,8 +232,8 @@ void encode(const State<Dim>& s, const std::string& progress, const std::string&
 
   WritingArchive archive(file, s.units, Dim);
   describe_cell(archive, s.packing.cell);
-  // The array grains/id contains the indices of the grains. Identifiers that a file of another program gave to the
-  // grains are in grains/imported_id.
+  // The array grains/id contains the indices of the grains. The array grains/imported_id contains the identifiers from
+  // a file of another program.
   std::vector<std::int32_t> id(s.packing.grains.size());
   for (std::size_t i = 0; i < id.size(); ++i) id[i] = static_cast<std::int32_t>(i);
   archive.put(kId, {id.size()}, id);
@@ -260,7 +261,7 @@ void encode(const State<Dim>& s, const std::string& progress, const std::string&
 }
 
 /// Largest accepted number of rows of an array, and largest accepted distance of a periodic image (in numbers of
-/// cells). Larger numbers may not fit an int, the type of indices and images.
+/// cells). Indices and images are of type int, which may be too small for larger numbers.
 constexpr std::uint64_t kMaxRows = 1'000'000'000;
 constexpr int kFarthestImage = 1'000'000'000;
 
@@ -288,7 +289,8 @@ void check_grains(const Hdf5Reader& file, const Packing<Dim>& packing, const std
   }
 }
 
-/// Checks that all grains have different identifiers, if a file of another program gave them identifiers.
+/// Checks that the identifiers of the grains are different, if the grains have identifiers from a file of another
+/// program.
 template <int Dim>
 void check_names(const Hdf5Reader& file, const Grains<Dim>& grains) {
   std::vector<std::pair<std::int64_t, std::size_t>> sorted;
@@ -321,8 +323,8 @@ void check_contacts(const Hdf5Reader& file, const Packing<Dim>& packing) {
   }
 }
 
-/// Checks that the attributes `scene_sha256`, `features` and `boundary`, which describe the content of the file for
-/// other programs, agree with this content.
+/// Checks that the attributes `scene_sha256`, `features` and `boundary` agree with the content of the file, which they
+/// describe for other programs.
 template <int Dim>
 void check_descriptions(const Hdf5Reader& file, std::int64_t version, const State<Dim>& s) {
   const auto require = [&file](const char* group, const char* name, const std::string& expected) {
@@ -340,21 +342,22 @@ void check_descriptions(const Hdf5Reader& file, std::int64_t version, const Stat
   require("cell", "boundary", boundary_of(s.packing));
 }
 
-/// Checks that the contacts with walls are rigid if and only if the contacts between grains are rigid.
+/// Checks that the contacts with walls and the contacts between grains are either all rigid or all not rigid.
 template <int Dim>
 void require_one_kind_of_law(const Hdf5Reader& file, const Packing<Dim>& packing) {
   if (packing.walls.empty() || packing.wall_law.is_rigid() == packing.law.is_rigid()) return;
   throw InputError(file.place("wall_law"),
-                   fmt::format("normal = \"{}\", expected a law that is {}rigid, as that between grains is",
+                   fmt::format("normal = \"{}\", expected a law that is {}rigid, like the law between grains",
                                packing.wall_law.normal_keyword(), packing.law.is_rigid() ? "" : "not "));
 }
 
-/// Checks the data of the time step that begins at a state in motion.
+/// Checks the data that a state in motion contains for its next time step.
 template <int Dim>
 void check_motion(const Hdf5Reader& file, const State<Dim>& s) {
   if (!s.motion) return;
   if (!s.packing.law.is_rigid() || !s.packing.walls.empty())
-    throw InputError(file.place(kMotion), "only rigid grains in a periodic cell are recorded in motion");
+    throw InputError(file.place(kMotion),
+                     "the state is in motion, which is possible only for rigid grains in a periodic cell");
   const MotionRecord& m = *s.motion;
   const auto require = [&](const char* name, double value, double least, double most) {
     if (!(value >= least && value <= most))
@@ -397,7 +400,7 @@ State<Dim> decode(const Hdf5Reader& file, std::int64_t version) {
   require_one_kind_of_law(file, packing);
   read_bonds(file, archive, s);
   if (keeps_twisting(packing)) describe_twisting(archive, packing.contacts);
-  // The overlaps in a checkpoint are not checked: a packing in motion may have larger overlaps for a short time.
+  // In a checkpoint the overlaps are not checked, because a packing in motion may have large overlaps for a short time.
   if (!file.has("progress")) require_small_overlaps(file.place("contacts/gap"), packing);
   read_memory(archive, version, packing);
   check_version_1_names(file, archive, packing);
@@ -432,7 +435,7 @@ Header read_header(const Hdf5Reader& file) {
         fmt::format("version = {}: the file was written by a newer floc; this floc reads versions up to {}",
                     version, kStateVersion));
   if (version < 1) throw InputError(file.place("/"), fmt::format("version = {}, expected 1 or more", version));
-  // Files of version 1 have no attribute `features`, because its optional groups were introduced in version 2.
+  // Files of version 1 have no attribute `features`, because optional groups exist since version 2.
   if (version >= 2) check_features(file);
   std::string sign;
   file.attribute("/", "sign_convention", sign);

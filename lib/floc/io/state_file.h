@@ -16,13 +16,13 @@ inline constexpr int kStateVersion = 2;
 /// temporary name in the same directory, which is synced and then renamed to `path`, so that `path` is never an
 /// incomplete file. Identical states give identical bytes.
 /// @pre the bodies of all contacts are grains or walls of the state
-/// @param progress  only for a checkpoint, a state saved within a step of the load path: text from which a run
-/// continues the step; empty for other states
+/// @param progress  text from which a run continues a step of the load path, for a checkpoint (a state saved within a
+/// step); empty for other states
 /// @throws IoError if the directory cannot be written or the disk is full; the file `path` is then unchanged
 template <int Dim>
 void write_state(const std::string& path, const State<Dim>& state, const std::string& progress = "");
 
-/// Reads a state file. Every number is exactly the number that was written.
+/// Reads a state file. The numbers are exactly those that were written.
 /// @throws InputError naming file and dataset if the file is missing, truncated, not a state file, or written by a
 /// newer version of floc, or if it contains invalid data (wrong shape, index out of range, a value that is not finite)
 AnyState read_state(const std::string& path);

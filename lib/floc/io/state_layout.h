@@ -35,10 +35,10 @@ struct Field {
 };
 
 /// Writes or reads the cell of a state file, depending on the archive (WritingArchive or ReadingArchive). This function
-/// and the other functions describe_...() define the layout of the file only once, for both writing and reading. They
-/// call these functions of the archive: rows(field, items, get) for an array with one member of each item,
-/// column(field, values) for an array that is stored as it is, column_if_there(field, values, size) for an array that
-/// the file omits if it is empty, and matrix(field, m) for a matrix.
+/// and the other functions describe_...() define the layout of the file, for both writing and reading. They call these
+/// functions of the archive: rows(field, items, get) for an array that contains one member of each item, column(field,
+/// values) for an array whose rows are `values`, column_if_there(field, values, size) for an array that is left out of
+/// the file if it is empty, and matrix(field, m) for a matrix.
 template <class Archive, class Cell>
 void describe_cell(Archive& archive, Cell& cell) {
   archive.matrix({"cell/matrix", Quantity::length, "rows are the lattice vectors"}, cell.matrix);
@@ -84,8 +84,8 @@ void describe_walls(Archive& archive, Walls& walls) {
       [](auto& w) -> auto& { return w.velocity; });
 }
 
-/// Writes or reads the arrays for contacts that state files contain under every contact law. Arrays of flags, forces
-/// and stiffnesses that the law does not have are zero.
+/// Writes or reads the arrays of contacts that state files contain for every contact law. The array of a flag, a force
+/// or a stiffness that the law does not have is zero.
 template <int Dim, class Archive, class Contacts>
 void describe_contacts(Archive& archive, Contacts& contacts) {
   using enum Quantity;
@@ -136,7 +136,8 @@ void describe_contacts(Archive& archive, Contacts& contacts) {
       [](auto& c) -> auto& { return c.distant; });
 }
 
-/// Writes or reads the additional arrays that contacts have under a contact law with resistance to twisting.
+/// Writes or reads the arrays of twisting moments and twisting stiffnesses, which only some state files contain
+/// (keeps_twisting()).
 template <class Archive, class Contacts>
 void describe_twisting(Archive& archive, Contacts& contacts) {
   using enum Quantity;

@@ -39,9 +39,11 @@ constexpr Field kAxes = {
     "for each shape, row by row, the matrix whose columns are the axes of the vertices in the "
     "coordinates from which the shape was made"};
 
-/// Largest relative difference between the radius of a grain and the radius computed from its shape and scale.
+/// Largest accepted relative difference between the radius of a grain in the file and the radius computed from the
+/// shape and the scale of the grain.
 constexpr double kRadiusError = 1e-12;
-/// Largest number of shapes, faces and vertices in a file. Larger numbers may not fit an int, the type of indices.
+/// Largest accepted number of shapes, faces or vertices in a file. Indices are of type int, which may be too small for
+/// larger numbers.
 constexpr std::uint64_t kMostRows = 1'000'000'000;
 
 /// Writes or reads the arrays that have one entry for each shape.
@@ -92,8 +94,9 @@ constexpr std::int32_t kLastType = static_cast<std::int32_t>(ContactType::kFaceF
   throw InputError(file.place(path), what);
 }
 
-/// Reads an array that gives, for each item, the row at which the parts of this item begin in another array.
-/// @return the rows, one number more than there are items: ascending from 0 to the number of rows of the other array
+/// Reads an array of row numbers. Another array contains the parts of all items, item after item; entry k is the number
+/// of the row at which item k begins there.
+/// @return the row numbers, one more than there are items; they ascend from 0 to the number of rows of the other array
 std::vector<std::int32_t> take_starts(const Hdf5Reader& file, ReadingArchive& archive, const Field& field,
                                       std::uint64_t n_items, std::uint64_t n_parts) {
   auto starts = archive.take<std::int32_t>(field, {n_items + 1});

@@ -4,8 +4,8 @@
 #include "floc/io/state_archive.h"
 #include "floc/packing/packing.h"
 
-/// Writes and reads the shapes of grains, which are stored in the group `shapes` of a state file, with the shape and
-/// scale of each grain and the point and type of each contact (docs/states.md).
+/// Writes and reads the shapes of grains, which are stored in the group `shapes` of a state file. Also writes and reads
+/// the shape and scale of each grain, and the point and type of each contact (docs/states.md).
 namespace floc {
 
 /// Writes the table of shapes of a packing, the shape and scale of each grain, and the point and type of each contact.
@@ -13,8 +13,7 @@ namespace floc {
 template <int Dim>
 void write_shapes(WritingArchive& archive, const Packing<Dim>& packing);
 
-/// Reads the table of shapes, and the shape and scale of each grain. Every number is exactly the number that was
-/// written.
+/// Reads the table of shapes, and the shape and scale of each grain. The numbers are exactly those that were written.
 /// @pre the radii of the grains have been read
 /// @throws InputError unless every shape is a convex body whose recorded mass properties are accurate to 1e-9, and the
 /// radius of each grain is its scale times the radius of its shape

@@ -23,8 +23,8 @@ constexpr Field kWallForce = {"walls/force", Quantity::force,
                               "static normal force of the grains on the wall, positive outwards"};
 
 /// Checks the walls of a state.
-/// @throws InputError unless the axes of the walls are in ascending order, each axis with walls has two walls with the
-/// lower wall first, and the distance between these two walls is the side of the cell along the axis
+/// @throws InputError unless the axes of the walls are in ascending order, each axis with walls has a lower and an
+/// upper wall in this order, and the distance between the two is the side of the cell along the axis
 template <int Dim>
 void check_walls(const Hdf5Reader& file, const Packing<Dim>& packing) {
   const std::vector<Wall<Dim>>& walls = packing.walls;
@@ -33,7 +33,7 @@ void check_walls(const Hdf5Reader& file, const Packing<Dim>& packing) {
     const auto refuse = [&](const char* path, const std::string& what) {
       throw InputError(file.place(path), fmt::format("entry {} is {}", w, what));
     };
-    // A wall with an odd index is the upper wall of a pair; it is compared with the lower wall, which precedes it.
+    // Walls with an even index are lower walls. The next wall is the upper wall of the same axis.
     const bool lower = w % 2 == 0;
     if (walls[w].axis < next_axis || walls[w].axis >= Dim || (!lower && walls[w].axis != walls[w - 1].axis))
       refuse("walls/axis",
@@ -44,7 +44,7 @@ void check_walls(const Hdf5Reader& file, const Packing<Dim>& packing) {
     if (walls[w].mass < 0.0) refuse("walls/mass", fmt::format("{}, expected 0 or more", walls[w].mass));
     if (lower) continue;
     next_axis = walls[w].axis + 1;
-    // Along an axis with walls, the side of the cell must be the distance between the two walls, except for rounding.
+    // The distance between the two walls of an axis must be the side of the cell along this axis, within rounding.
     const double distance = walls[w].position - walls[w - 1].position;
     const double side = packing.cell.matrix(walls[w].axis, walls[w].axis);
     if (!packing.cell.rectangular() || !(distance > 0.0) || !(std::abs(distance / side - 1.0) < 1e-9))

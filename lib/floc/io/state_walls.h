@@ -14,8 +14,8 @@ void write_walls(Hdf5Writer& file, WritingArchive& archive, const State<Dim>& st
 
 /// Reads the walls, and the contact law between grains and walls, into the packing of a state.
 /// @pre the cell of the packing has been read
-/// @throws InputError unless each axis with walls has two walls whose distance is the side of the rectangular cell
-/// along the axis
+/// @throws InputError unless the cell is rectangular along each axis with walls, and this axis has two walls whose
+/// distance is the side of the cell
 template <int Dim>
 void read_walls(const Hdf5Reader& file, ReadingArchive& archive, State<Dim>& state);
 

@@ -48,7 +48,7 @@ void write_csv(std::ostream& out, const Table& table) {
   line(cells);
   for (const auto& row : table.rows) {
     cells.clear();
-    // Without a precision, fmt prints the fewest digits that are read back as the same number.
+    // Without a precision, fmt prints a number with the fewest digits from which the same number is read back.
     for (const TableValue& value : row) cells.push_back(csv_quoted(to_text(value, "{}")));
     line(cells);
   }

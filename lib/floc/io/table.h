@@ -11,7 +11,8 @@ namespace floc {
 
 enum class TableFormat { table, csv, json };
 
-/// One value of a table. monostate is an undefined value (empty in csv, null in json, "-" in a table).
+/// One value of a table. monostate is an undefined value, printed as an empty cell in csv, null in json and "-" in a
+/// table.
 using TableValue = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
 
 /// Converts an optional number or a text to a value of a table. A missing number or an empty text becomes an undefined
@@ -19,7 +20,7 @@ using TableValue = std::variant<std::monostate, bool, std::int64_t, double, std:
 TableValue or_undefined(const std::optional<double>& number);
 TableValue or_undefined(const std::string& text);
 
-/// Table with named columns, in the form in which the commands of floc print tables.
+/// Table with named columns, which the commands of floc print.
 struct Table {
   std::vector<std::string> columns;
   std::vector<std::vector<TableValue>> rows;  ///< each row has one value per column

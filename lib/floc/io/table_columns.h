@@ -9,27 +9,28 @@
 
 namespace floc {
 
-/// Headers of columns in an input table, given by `--columns NAME=COLUMN,...`. The key is the name that floc uses for a
-/// quantity. A unit in brackets after the header, as in "e [%]", is the unit of the column. For a quantity that has one
-/// value for the whole table, a number, with or without unit, may be given instead of a header.
+/// Headers of columns in an input table, which the user gives by `--columns NAME=COLUMN,...`. The key is the name that
+/// floc uses for a quantity. The header may be followed by the unit of the column in brackets, as in "e [%]". If a
+/// quantity has one value for the whole table, the user may give a number, with or without unit, instead of a header.
 using ColumnNames = std::map<std::string, std::string>;
 
 /// A column of a table: its index and its unit.
 struct UnitColumn {
   int index;
   std::string unit;  ///< unit of the column, such as kPa; empty if none is given
-  /// Whether the user gave the unit, or gave "[1]" for numbers without unit. In both cases it is known whether the
-  /// numbers are in percent.
+  /// Whether the user gave the unit or, for numbers without unit, "[1]". If true, it is known whether the numbers are
+  /// in percent.
   bool unit_is_given = false;
 };
 
-/// A number that the user gave instead of a column, with its unit, which is empty if there is none.
+/// A number that the user gave instead of a column, and its unit, which may be empty.
 struct GivenNumber {
   double value;
   std::string unit;
 };
 
-/// Finds the columns of a table by the names that floc uses, even if the headers of the table differ from these names.
+/// Finds the columns of a table by the names that floc uses for quantities. The headers of the table may differ from
+/// these names.
 class NamedColumns {
  public:
   NamedColumns(const CsvTable& table, ColumnNames names) : table_(table), names_(std::move(names)) {}
@@ -38,11 +39,11 @@ class NamedColumns {
   const ColumnNames& names() const { return names_; }
   bool is_named(const std::string& name) const { return names_.contains(name); }
 
-  /// Finds the column of the quantity `name`. The first of these columns that exists is returned: the column that the
-  /// user named; the column whose header is `name`, with or without a unit; the column whose header is a usual name of
-  /// the quantity (is_usual_name()). If the header does not contain the name, lines above the header are searched. The
-  /// unit is given by the user, by the header or by the row of units.
-  /// @return the column; nothing if there is none
+  /// Finds the column of the quantity `name`. If the user named a column, returns that column. If not, returns the
+  /// column whose header is `name`, with or without a unit; if there is none, the column whose header is a usual name
+  /// of the quantity (is_usual_name()). If the line of headers has no such column, the lines above it are searched. The
+  /// unit is taken from the user, the row of units or the header.
+  /// @return the column; nothing if no column is found
   /// @throws InputError if two columns match, or if the table has no column with the name that the user gave
   std::optional<UnitColumn> find(const std::string& name) const;
 
@@ -52,13 +53,13 @@ class NamedColumns {
   /// Whether the user named a column for `name`, or find() finds one.
   bool has(const std::string& name) const { return is_named(name) || find(name).has_value(); }
 
-  /// Returns the result of find().
+  /// Returns the column that find() returns.
   /// @throws InputError listing the columns of the table if there is no such column
   UnitColumn unit_column(const std::string& name) const;
   int column(const std::string& name) const { return unit_column(name).index; }
 
-  /// Returns the unit of the column with a given index, from the row of units or from the header; empty if there is
-  /// none.
+  /// Returns the unit of the column with a given index, from the row of units or from the header; empty if neither
+  /// gives a unit.
   std::string unit_of(int index) const;
 
   /// Returns the number that the user gave instead of a column for `name`; nothing if the user gave none.
@@ -71,7 +72,8 @@ class NamedColumns {
   ColumnNames names_;
 };
 
-/// Returns the names of columns that help to find the header of a table: `names`, and the headers that the user gave.
+/// Returns the names of columns that help to find the header of a table: `names` and, in addition, the headers that the
+/// user gave.
 std::vector<std::string> wanted_names(std::vector<std::string> names, const ColumnNames& given);
 
 }  // namespace floc

@@ -23,8 +23,9 @@ bool is_missing(std::string_view cell) {
   return std::find(kMissing.begin(), kMissing.end(), cell) != kMissing.end();
 }
 
-/// Splits a line of names at blanks into `n` cells if the names themselves contain blanks. Two ways are tried: a unit
-/// in brackets is joined to the name before it, or names are separated by two or more blanks.
+/// Splits a line of names into `n` cells, in a table whose cells are separated by blanks and whose names contain
+/// blanks, too. Two ways are tried. In the first, a unit in brackets is joined to the name before it; in the second,
+/// two or more blanks separate the names.
 /// @return the cells; empty if neither way gives `n` cells
 Cells names_between_blanks(std::string_view line, std::size_t n) {
   Cells merged;
@@ -44,8 +45,8 @@ Cells names_between_blanks(std::string_view line, std::size_t n) {
   return spaced.size() == n ? spaced : Cells{};
 }
 
-/// Returns two numbers by which lines are compared as the line of names: the number of wanted names, and the number of
-/// words.
+/// Returns two counts by which lines are ranked in the search for the line of names: the number of cells that are
+/// wanted names, and the number of cells that are words.
 std::pair<std::ptrdiff_t, std::ptrdiff_t> rank_as_names(const Cells& cells,
                                                         const std::vector<std::string>& wanted) {
   const auto is_wanted = [&](const std::string& cell) {
@@ -77,7 +78,7 @@ class SplitLines {
   char separator() const { return separator_; }
   const std::vector<Cells>& rows() const { return rows_; }
   std::size_t width() const { return width_; }  ///< usual number of cells
-  /// Largest number of cells in a row of data, without the empty cells at its end.
+  /// Largest number of cells in a row of data, not counting empty cells at the end of the row.
   std::size_t filled() const { return filled_; }
   std::size_t first() const { return first_; }  ///< index of the first row of data
   bool has_numbers() const { return first_ < rows_.size(); }
@@ -87,14 +88,14 @@ class SplitLines {
     return static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), number));
   }
 
-  /// Whether a line has as many cells as the rows of data, except for empty cells at the end.
+  /// Whether a line has as many cells as the rows of data, with or without empty cells at the end.
   bool fits(const Cells& cells) const {
     return cells.size() == width_ || without_trailing_empties(cells) == filled_;
   }
   bool has_names() const { return first_ > 0 ? fits(rows_[first_ - 1]) : !names_in_comment().first.empty(); }
 
-  /// Returns the names of the columns in a comment above the table, and the number of the line of this comment. The
-  /// names are empty if no comment has one word for each column.
+  /// Returns the names of the columns from a comment above the table that has one word for each column, and the number
+  /// of the line of this comment. If there is no such comment, the list of names is empty.
   std::pair<Cells, int> names_in_comment() const {
     for (auto comment = comments_.rbegin(); comment != comments_.rend(); ++comment)
       for (const char separator : {separator_, ' '}) {
@@ -120,10 +121,12 @@ class SplitLines {
   bool is_plausible() const { return has_numbers() && has_names() && share_of_numbers() >= 0.5; }
 
  private:
-  /// Finds the usual number of cells: the one in whose lines most numbers are found or, without numbers, that of most
-  /// lines.
+  /// Finds the usual number of cells of a line. For each number of cells, the numbers in all lines with this number of
+  /// cells are counted; the largest count decides. In a text without numbers, the most frequent number of cells is the
+  /// usual one.
   void find_width() {
-    // key: cells of a line; value: numbers in such lines, and number of such lines
+    // key: number of cells of a line; value: count of numbers in all lines with this number of cells, and count of
+    // these lines
     std::map<std::size_t, std::pair<std::size_t, std::size_t>> counts;
     for (const Cells& cells : rows_) {
       counts[cells.size()].first += count_numbers(cells);
@@ -133,7 +136,7 @@ class SplitLines {
       if (width_ == 0 || count >= counts[width_]) width_ = width;
   }
 
-  /// Finds the first row of data. It is below the line with two or more of the wanted names, if there is such a line.
+  /// Finds the first row of data. If a line contains two or more of the wanted names, the first row is below this line.
   void find_first(const std::vector<std::string>& wanted) {
     std::size_t most = 0;
     auto begin = rows_.begin();
@@ -171,8 +174,8 @@ char separator_of_words(const TableLines& lines) {
 SplitLines split_at_best_separator(const TableLines& lines, const std::vector<std::string>& wanted) {
   std::vector<SplitLines> candidates;
   for (const char separator : {',', ';', '\t', ' '}) candidates.emplace_back(lines, separator, wanted);
-  // A single column of numbers with decimal commas is the last choice, because it may also be several columns of
-  // integers.
+  // Separators with which the table has several columns are preferred, because a single column of numbers with decimal
+  // commas may in fact be several columns of integers.
   const auto rank = [](const SplitLines& split) {
     const bool several = split.width() > 1;
     return std::tuple(several && split.is_plausible(), several && split.has_numbers() && split.has_names(),
@@ -187,13 +190,14 @@ bool is_blank(const Cells& cells) {
   return without_trailing_empties(cells) == 0;
 }
 
-/// Whether a row below the names contains units. It does if all of its cells are units, or if half of them are and at
-/// least one of these is longer than a single letter. A cell may be empty, or contain a sign for numbers without unit.
+/// Whether a row below the names contains units. Empty cells, and cells such as "-" for a column without unit, do not
+/// count. The row contains units if all other cells are units, or if half of them are and one of these units is longer
+/// than a single letter.
 bool is_units_row(const Cells& cells) {
   std::size_t n_words = 0, n_units = 0, n_clear = 0;
   for (const std::string& cell : cells) {
     if (cell.empty() || states_no_unit(cell)) continue;
-    if (is_missing(cell)) return false;  // a row of data without numbers
+    if (is_missing(cell)) return false;  // a row of data whose values are missing
     const std::string unit = unit_in_cell(cell);
     ++n_words;
     n_units += !unit.empty();
@@ -202,11 +206,12 @@ bool is_units_row(const Cells& cells) {
   return !is_blank(cells) && (n_units == n_words || (n_clear > 0 && 2 * n_units >= n_words));
 }
 
-/// Takes the names of the columns from the lines `begin` to `end - 1`. The lines below the names contain data or units.
+/// Sets the names of the columns in `layout` from one of the lines `begin` to `end - 1`. The lines between the names
+/// and the data may contain units.
 void take_names(const SplitLines& split, const TableLines& lines, std::size_t begin, std::size_t end,
                 const std::vector<std::string>& wanted, TableLayout& layout) {
   const std::vector<Cells>& rows = split.rows();
-  // Words above columns without data are not counted as names. They occur if a title contains the separator.
+  // Words above columns without data do not count as names. A title that contains the separator may have such words.
   const auto rank = [&](const Cells& cells) {
     const std::size_t n = split.has_numbers() ? std::min(cells.size(), split.filled()) : cells.size();
     return rank_as_names({cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(n)}, wanted);
@@ -227,15 +232,16 @@ void take_names(const SplitLines& split, const TableLines& lines, std::size_t be
   }
 }
 
-/// Whether a line ends within a quoted cell: its number of quotation marks is odd, and the last one begins a cell.
+/// Whether a line ends within a quoted cell: the number of quotation marks is odd, and the last mark is at the
+/// beginning of a cell.
 bool ends_within_quotes(std::string_view line) {
   const std::size_t last = line.rfind('"');
   if (last == std::string_view::npos || std::count(line.begin(), line.end(), '"') % 2 == 0) return false;
   return last == 0 || std::string_view(",; \t").find(line[last - 1]) != std::string_view::npos;
 }
 
-/// Returns the end of the first row of a text. This is the end of its first line or, if this line ends within a quoted
-/// cell, the end of the line that closes the cell, if it is one of the next few lines.
+/// Returns the end of the first row of a text. If the first line ends within a quoted cell and one of the next few
+/// lines closes the cell, this is the end of that line, else the end of the first line.
 std::size_t end_of_row(std::string_view text) {
   constexpr int kMostLines = 5;  // the name of a column in a spreadsheet may extend over several lines
   const std::size_t end = std::min(text.find('\n'), text.size());
@@ -274,7 +280,7 @@ TableLayout find_table_layout(const TableLines& lines, const std::vector<std::st
   TableLayout layout;
   layout.separator = split.separator();
   if (lines.rows.empty()) return layout;
-  // In a table without numbers, titles and names cannot be distinguished. Its first line is taken as the names.
+  // In a table without numbers, titles cannot be distinguished from names. The first line is taken as the names.
   if (!split.has_numbers()) {
     take_names(split, lines, 0, 1, wanted, layout);
     return layout;

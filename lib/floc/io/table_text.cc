@@ -27,8 +27,8 @@ void append_utf8(char32_t c, std::string& text) {
   add(0x80 | (c & 0x3f));
 }
 
-/// Returns the number of bytes of a character in UTF-8 that begins with the byte `lead`; 0 if no character begins with
-/// it.
+/// Returns the number of bytes of a UTF-8 character whose first byte is `lead`; 0 if no character begins with this
+/// byte.
 std::size_t length_in_utf8(unsigned char lead) {
   if (lead < 0x80) return 1;
   if (lead >= 0xc2 && lead < 0xe0) return 2;
@@ -47,7 +47,7 @@ bool is_utf8(std::string_view text) {
   return true;
 }
 
-/// Characters of the code page 1252 from 0x80 to 0x9f, a range in which Latin-1 has no characters. 0: no character.
+/// Characters 0x80 to 0x9f of the code page 1252; 0: no character. Latin-1 has no printable characters in this range.
 constexpr std::array<char16_t, 32> kWindows = {0x20ac, 0,      0x201a, 0x0192, 0x201e, 0x2026, 0x2020, 0x2021,
                                                0x02c6, 0x2030, 0x0160, 0x2039, 0x0152, 0,      0x017d, 0,
                                                0,      0x2018, 0x2019, 0x201c, 0x201d, 0x2022, 0x2013, 0x2014,
@@ -84,13 +84,14 @@ std::string from_utf16(std::string_view bytes, bool big_endian) {
   return text;
 }
 
-/// Whether the high byte of each character in UTF-16 comes first. This is determined by the byte order mark or, without
-/// it, by the first byte: if it is zero, it is the high byte of an ASCII letter.
+/// Whether the high byte of each character in UTF-16 comes first. The byte order mark decides. Without it, the first
+/// byte decides: if this byte is zero, it is the high byte of an ASCII character.
 bool is_big_endian(std::string_view utf16) {
   return utf16.starts_with("\xfe\xff") || utf16[0] == '\0';
 }
 
-/// Replaces characters that spreadsheets and word processors use instead of a minus sign and of blanks.
+/// Replaces special characters of spreadsheets and word processors: minus signs by hyphens, and no-break blanks by
+/// blanks.
 std::string with_plain_signs(std::string text) {
   constexpr std::string_view kMinus = "\xe2\x88\x92", kNarrowBlank = "\xe2\x80\xaf", kBlank = "\xc2\xa0";
   if (text.find(kMinus) == std::string::npos && text.find(kNarrowBlank) == std::string::npos &&

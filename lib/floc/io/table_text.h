@@ -13,14 +13,14 @@ struct TableText {
 };
 
 /// Converts the bytes of a table to UTF-8. UTF-8 and UTF-16 are recognised, each with or without byte order mark. Any
-/// other text is taken as Latin-1 with the additional characters of Windows (code page 1252). Lines that end in
-/// carriage returns alone, as on old Macs, get the line ends of Unix. Minus signs are replaced by hyphens, and no-break
-/// spaces by blanks.
+/// other text is taken as Latin-1 with the additional characters of Windows (code page 1252). Carriage returns that end
+/// lines on old Macs are replaced by the line ends of Unix. Minus signs are replaced by hyphens, and no-break spaces by
+/// blanks.
 /// @param place  name of the file, for messages
 /// @throws InputError if the text is in UTF-32
 TableText decoded_table(const std::string& place, std::string bytes);
 
-/// Returns the text of the first 64 KiB of the file of a table, so that its format can be recognised.
+/// Returns the text of the first 64 KiB of a file, from which callers recognise the format of a table.
 /// @throws InputError under the conditions of read_beginning() and decoded_table()
 std::string beginning_of_table(const std::string& path);
 

@@ -13,7 +13,7 @@
 namespace floc {
 namespace {
 
-/// A unit: the physical quantity that it measures, and its size in SI units.
+/// A unit: the physical quantity that it measures, and the factor that converts it to SI units.
 struct KnownUnit {
   std::string_view measures;
   double size;
@@ -105,7 +105,7 @@ constexpr auto kPrefixes = std::to_array<std::pair<std::string_view, double>>({{
                                                                                {"n", 1e-9},
                                                                                {"p", 1e-12}});
 
-/// Returns the correct SI name of a unit of pressure for common wrong spellings, and any other text unchanged.
+/// Corrects common wrong spellings of SI units of pressure. Returns any other text unchanged.
 std::string respelled(const std::string& text) {
   if (text == "pa" || text == "PA") return "Pa";
   if (text == "kpa" || text == "KPa" || text == "Kpa" || text == "KPA") return "kPa";
@@ -135,26 +135,27 @@ std::string_view without_brackets(std::string_view text) {
   return enclosed ? trimmed(text.substr(1, text.size() - 2)) : text;
 }
 
-/// Whether a text in round brackets at the end of a header is a remark or a symbol and not a unit. Examples: "sigma
-/// (effective)" and "Void ratio (e)".
+/// Whether a text in round brackets at the end of a header is a remark or a symbol, as in "sigma (effective)" and "Void
+/// ratio (e)", and not a unit.
 bool is_remark(const std::string& text) {
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.'; };
   return !unit_of(text) && std::all_of(text.begin(), text.end(), is_letter);
 }
 
-/// Splits a header that ends with a unit in brackets into name and unit. Returns nothing if it does not end with one.
+/// Splits a header that ends with a unit in brackets into name and unit. Returns nothing for other headers.
 std::optional<std::pair<std::string, std::string>> split_brackets(const std::string& header) {
   const bool closed = !header.empty() && (header.back() == ']' || header.back() == ')');
   const std::size_t open = closed ? header.rfind(header.back() == ']' ? '[' : '(') : std::string::npos;
   if (open == std::string::npos || open == 0) return std::nullopt;
   const std::string unit(trimmed(std::string_view(header).substr(open + 1, header.size() - open - 2)));
-  // "c_force[2]", a name of LAMMPS, has an index in brackets.
+  // A number in brackets is an index, as in the name "c_force[2]" of LAMMPS.
   if ((header.back() == ')' && is_remark(unit)) || (unit != "1" && parse_number<int>(unit)))
     return std::nullopt;
   return std::pair(std::string(trimmed(header.substr(0, open))), unit == "-" || unit == "1" ? "" : unit);
 }
 
-/// Whether a text is a unit that is not also a common part of names, as "bar" is in "sigma_bar" and "N" in "F_N".
+/// Whether a text is a unit that is unlikely to be a part of a name. False for "bar" and "N", which may be parts of
+/// names such as "sigma_bar" and "F_N".
 bool is_clear_unit(const std::string& text) {
   constexpr std::array<std::string_view, 7> kClear = {"psi", "ksi", "mm", "cm", "um", "µm", "pcf"};
   const auto known = unit_of(text);

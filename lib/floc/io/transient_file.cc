@@ -10,9 +10,9 @@
 namespace floc {
 namespace {
 
-/// Paths of the existing transient files, for the signal handler, which removes them. Null marks a free entry. There
-/// are more entries than a program usually has transient files at a time. A file for which no entry is free is removed
-/// by the destructor of its TransientFile, but not by a signal.
+/// Paths of the existing transient files, which the signal handler removes. Null marks a free entry. The entries
+/// usually suffice for all transient files of a program. If no entry is free, the destructor of TransientFile removes a
+/// file, but the signal handler does not.
 std::array<std::atomic<const char*>, 64> g_names{};
 
 void register_name(const char* name) {

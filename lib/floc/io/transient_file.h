@@ -4,8 +4,8 @@
 
 namespace floc {
 
-/// A file that is removed by the destructor of this object, or when a signal ends the program, unless keep() has been
-/// called.
+/// A temporary file. Unless keep() has been called, the file is removed by the destructor of this object, or when a
+/// signal ends the program.
 class TransientFile {
  public:
   /// @param path  path of the file, which exists already or will be created by the caller
@@ -15,7 +15,7 @@ class TransientFile {
   TransientFile& operator=(const TransientFile&) = delete;
 
   const std::string& path() const { return path_; }
-  /// Keeps the file: it will not be removed.
+  /// Keeps the file: neither the destructor nor a signal removes it any more.
   void keep();
 
  private:

@@ -18,7 +18,7 @@ namespace floc {
 namespace {
 
 /// Decodes base64 text up to the first character that is not base64. Padding (=) may occur within the text, because VTK
-/// may encode the length of the data separately from the data.
+/// sometimes encodes the length of the data and the data separately.
 std::string from_base64(std::string_view text) {
   constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string bytes;
@@ -36,7 +36,7 @@ std::string from_base64(std::string_view text) {
   return bytes;
 }
 
-/// Returns the numbers of type T whose bytes are `bytes`, converted to double.
+/// Interprets `bytes` as numbers of type T and returns them as double.
 template <class T>
 std::vector<double> convert(std::string_view bytes) {
   std::vector<double> values(bytes.size() / sizeof(T));
@@ -78,8 +78,8 @@ std::vector<double> parse_ascii(const std::string& place, std::string_view text)
 }
 
 /// Returns an upper bound on the number of base64 characters that encode the block at the beginning of `text`. A block
-/// is a header with the length of the data, followed by the data of one array. Header and data are encoded separately
-/// or together.
+/// is a header, which gives the length of the data, followed by the data of one array. Header and data may be encoded
+/// separately or together.
 /// @param header_size  size of the header before encoding (bytes)
 std::size_t encoded_size(std::string_view text, std::size_t header_size) {
   const std::string header = from_base64(text.substr(0, 12)).substr(0, header_size);
@@ -100,9 +100,10 @@ std::string_view payload(const std::string& place, std::string_view block, std::
   return block.substr(header_size, length);
 }
 
-/// Returns the data of an array that is compressed in blocks. The blocks follow a header of whole numbers: the number
-/// of blocks, the size of each block and of the last block before compression, and the compressed size of each block.
-/// @param encoded  whether `text` is base64; header and blocks are then encoded separately
+/// Returns the data of an array that is compressed in blocks. The blocks follow a header of whole numbers. The header
+/// contains the number of blocks, the size of each block before compression, the size of the last block before
+/// compression, and the compressed size of each block.
+/// @param encoded  whether `text` is base64, with header and blocks encoded separately
 std::string inflate_blocks(const std::string& place, std::string_view text, std::size_t header_size,
                            bool encoded) {
   constexpr std::size_t kMostBlocks = 1'000'000;
@@ -226,7 +227,8 @@ std::vector<double> VtkArrays::read(const std::string& section, const std::strin
   const pugi::xml_node array = d.array(section, name);
   const std::string here = place(section, name);
   if (!array) throw InputError(here, "the array is missing");
-  // Two arrays with the same name are an error. The section Points is not checked: it has one array of any name.
+  // Two arrays with the same name are an error. The section Points is not checked, because it has only one array, of
+  // any name.
   for (pugi::xml_node next = array.next_sibling("DataArray"); next && section != "Points";
        next = next.next_sibling("DataArray"))
     if (name == next.attribute("Name").as_string())
@@ -244,7 +246,7 @@ std::vector<double> VtkArrays::read(const std::string& section, const std::strin
     const auto offset = static_cast<std::size_t>(array.attribute("offset").as_ullong());
     if (offset > d.appended.size())
       throw InputError(here, fmt::format("offset = {} lies beyond the end of the appended data", offset));
-    // The appended block begins with its length, so the position of its end need not be searched.
+    // The end of the appended block need not be searched, because the block begins with its length.
     block = std::string_view(d.appended).substr(offset);
     if (!d.appended_raw && d.compressed) block = block.substr(0, block.find_first_of("< \n"));
     if (!d.appended_raw && !d.compressed)

@@ -8,9 +8,9 @@
 namespace floc {
 
 /// Reads arrays of numbers from a file in VTK's XML format. The file must contain an unstructured grid or polygonal
-/// data in one piece (VTK can split a grid into several pieces). The numbers are little endian, and uncompressed or
-/// compressed by zlib. They are stored as ASCII or base64 text in the XML element of the array, or as base64 text or
-/// raw bytes in the element AppendedData at the end of the file.
+/// data. The data must be in one piece, although VTK allows several pieces. The numbers are little endian, and
+/// uncompressed or compressed by zlib. They are stored as ASCII or base64 text in the XML element of the array, or as
+/// base64 text or raw bytes in the element AppendedData at the end of the file.
 class VtkArrays {
  public:
   /// Parses the XML of a file.
@@ -30,7 +30,7 @@ class VtkArrays {
   bool has(const std::string& section, const std::string& name) const;
 
   /// Reads all numbers of an array. @param section  "Points", "PointData", "Cells" or "FieldData"
-  /// @param name  name of the array; any text for the section Points, which has one array
+  /// @param name  name of the array; in the section Points, which has one array only, the name is ignored
   /// @throws InputError naming file and array if the array is missing or damaged, or has a number that is not finite
   std::vector<double> read(const std::string& section, const std::string& name) const;
 

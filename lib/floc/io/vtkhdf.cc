@@ -27,7 +27,7 @@ namespace {
 
 const std::string kRoot = "VTKHDF";
 
-/// Returns the moment of a rolling spring as a vector. In 2D it is along z.
+/// Returns the moment of a rolling spring as a vector in space. In 2D the vector is along z.
 Eigen::Vector3d moment_in_space(const RotationVector<2>& m) {
   return {0.0, 0.0, m[0]};
 }
@@ -35,7 +35,7 @@ Eigen::Vector3d moment_in_space(const RotationVector<3>& m) {
   return m;
 }
 
-/// An array of numbers with its name and the number of its components.
+/// An array of numbers, with the name of the array and the number of components.
 struct Column {
   std::string name;
   std::uint64_t components = 1;
@@ -78,7 +78,8 @@ class Grid {
       connectivity.insert(connectivity.end(), {lines_[k], lines_[k + 1]});
       end_cell(kLineCell);
     }
-    // A file may have several parts. This one has only one, so the counts are those of the whole file.
+    // The format allows several parts. The file written here has one part, so the counts of the part are those of the
+    // whole file.
     integers(file, kRoot + "/NumberOfPoints", {static_cast<std::int64_t>(n_points)});
     integers(file, kRoot + "/NumberOfCells", {static_cast<std::int64_t>(types.size())});
     integers(file, kRoot + "/NumberOfConnectivityIds", {static_cast<std::int64_t>(connectivity.size())});
@@ -92,8 +93,8 @@ class Grid {
     for (const Column* column :
          {&normal_force_, &shear_force_, &rolling_moment_, &twisting_moment_, &gap_, &image_, &wall_, &bonded_})
       write_column(file, "CellData", *column);
-    // Stiffnesses that the contact law does not have, as those of rigid contacts, and strengths that are not given are left
-    // out.
+    // A stiffness that the contact law does not have (rigid contacts have none) is left out. A strength that is not
+    // given is left out, too.
     for (const Column* column :
          {&kn_, &kt_, &kr_, &ktw_, &strengths_[0], &strengths_[1], &strengths_[2], &strengths_[3]})
       if (std::any_of(column->values.begin(), column->values.end(), [](double k) { return k != 0.0; }))
@@ -210,7 +211,7 @@ class VtkHdf {
       throw InputError(file_.place(kRoot),
                        fmt::format("the type is \"{}\", expected UnstructuredGrid or PolyData", type));
     if (file_.has(kRoot + "/Steps"))
-      throw InputError(file_.place(kRoot + "/Steps"), "the file holds several time steps, expected one");
+      throw InputError(file_.place(kRoot + "/Steps"), "the file contains several time steps, expected one");
   }
 
   std::string place(const std::string& path) const { return file_.place(kRoot + "/" + path); }
@@ -222,7 +223,7 @@ class VtkHdf {
     return file_.has(kRoot + "/" + group) ? file_.names(kRoot + "/" + group) : std::vector<std::string>{};
   }
 
-  /// Returns the vertices and lines of the file. They refer to rows of the cell data by the numbers of their cells.
+  /// Returns the vertices and lines of the file. The number of a cell is its row in the arrays of cell data.
   VtkCells cells(std::size_t n_points) const {
     VtkCells out;
     if (is_grid_) {
@@ -308,7 +309,7 @@ std::int64_t whole_of(const std::string& place, std::size_t entry, double value)
   throw InputError(place, fmt::format("entry {} is {}, expected a whole number", entry, value));
 }
 
-/// Makes contacts of the lines.
+/// Makes a contact from each line.
 /// @param id  identifier of the grain at each point
 std::vector<ListedContact> contacts_of(const VtkHdf& file, const VtkCells& cells,
                                        const std::vector<std::int64_t>& id) {
@@ -345,7 +346,8 @@ std::vector<ListedContact> contacts_of(const VtkHdf& file, const VtkCells& cells
       }
       c.image = whole;
     }
-    if (!normal_force.empty()) c.normal_force = -normal_force.number(k);  // positive in tension in the file
+    if (!normal_force.empty())
+      c.normal_force = -normal_force.number(k);  // in the file, the force is positive in tension
     if (!shear_force.empty()) c.shear_force = shear_force.vector(k);
     if (!rolling.empty()) c.rolling_moment = rolling.vector(k);
     c.twisting_moment = twisting.number_if(k);
@@ -365,7 +367,8 @@ std::vector<ListedContact> contacts_of(const VtkHdf& file, const VtkCells& cells
   return contacts;
 }
 
-/// Returns the identifier of the grain at each point: its entry of the array id or, without it, its index.
+/// Returns the identifier of the grain at each point: the entry of the array id or, without this array, the index of
+/// the point.
 std::vector<std::int64_t> identifiers_of(const VtkHdf& file, std::size_t n_points) {
   std::vector<std::int64_t> out;
   const std::vector<double> listed =

@@ -23,8 +23,8 @@
 namespace floc {
 namespace {
 
-/// Returns the indices of the points that are grains: the points of the VTK cells of type vertex. If the file has no
-/// such cells, all points are grains, and the result is empty.
+/// Returns the indices of the points that are grains: the points that are cells of VTK's type vertex. If the file has
+/// no cells of this type, all points are grains, and the result is empty.
 std::vector<std::size_t> grain_points(const VtkArrays& arrays, std::size_t n_points) {
   std::vector<std::size_t> points;
   if (arrays.has("Cells", "types")) {
@@ -111,8 +111,8 @@ void append(pugi::xml_node section, const ArrayText& array) {
   node.text().set(array.numbers.c_str());
 }
 
-/// Returns the corners of the outline of a two-dimensional shape, counter-clockwise. Rounded corners become polygons
-/// with one side per 1/16 of a turn or less.
+/// Returns the corners of the outline of a two-dimensional shape, counter-clockwise. The arc of a rounded corner
+/// becomes straight segments, each of which turns by 1/16 of a full turn or less.
 std::vector<Vec<2>> outline(const Shape<2>& shape) {
   constexpr double kArc = 0.125 * std::numbers::pi;
   std::vector<Vec<2>> points;
@@ -131,8 +131,8 @@ std::vector<Vec<2>> outline(const Shape<2>& shape) {
 }
 
 /// Points, VTK cells and data arrays of the VTU file of a packing. Each grain is a point and a vertex, and each contact
-/// is one or two lines. A grain with corners is also drawn as a polygon or as the polyhedron of its core (the shape
-/// without its rounding), and its contacts are lines through the contact point.
+/// is one or two lines. A grain with corners is drawn, in addition, as a polygon (2D) or as the polyhedron of its core
+/// (3D), which is the shape without the rounding. Its contacts are lines through the contact point.
 class Drawing {
  public:
   template <int Dim>
@@ -183,7 +183,9 @@ class Drawing {
     ++n_cells_;
   }
 
-  /// Adds the points of a polygon or polyhedron, given in the coordinates of its shape. @return indices of the points
+  /// Adds the points of a polygon or polyhedron.
+  /// @param points  coordinates of the points in the system of the shape of grain i
+  /// @return indices of the added points
   template <int Dim>
   std::vector<int> add_placed(const Grains<Dim>& grains, int i, const std::vector<Vec<Dim>>& points) {
     const PlacedShape<Dim> placed = grains.placed(i);
@@ -305,7 +307,7 @@ std::string vtu_text(const State<Dim>& state) {
   }
   const Packing<Dim> packing = with_walls_at_cell(state.packing);
   if (!packing.walls.empty()) {
-    ArrayText walls{"Float64", "walls", 3, ""};  // axis, side and position of each wall
+    ArrayText walls{"Float64", "walls", 3, ""};  // three numbers per wall: axis, side, position
     for (const Wall<Dim>& wall : packing.walls)
       if (!wall.open)
         walls.add(

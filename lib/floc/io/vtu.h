@@ -18,7 +18,7 @@ bool is_vtp(const std::string& path);
 /// text or appended data, little endian, and uncompressed or compressed by zlib.
 ///
 /// The periodic cell of the packing is `options.cell` or, without this option, the field array "cell", which contains
-/// the lattice vectors in the form that vtu_text() writes. The field array "dimension" gives the dimension; without it,
+/// the lattice vectors as vtu_text() writes them. The field array "dimension" gives the dimension; without it,
 /// settle_space() decides. The field arrays "walls" and "periodic" give the walls and the open ends, unless
 /// `options.cell` is given. `options.law` is required. `options.contacts` may name a file of contacts: see
 /// read_contact_file().
@@ -29,8 +29,8 @@ Imported read_vtu(const std::string& path, const ImportOptions& options);
 /// digits that are needed to read them back exactly. Each grain is a point and a vertex, with radius, mass and id. Each
 /// contact is a line, with normal_force, shear_force (on the grain with the lower index), gap, kn, kt, kr, distant and,
 /// if the law resists twisting, ktw. A contact across a side of the periodic cell is drawn as two lines, one from each
-/// grain. Each of these lines is half as long as the contact and ends at an auxiliary point with radius 0 and id -1. In
-/// 2D z = 0.
+/// grain. The length of each line is half the distance of the centres. Each line ends at an auxiliary point with radius
+/// 0 and id -1. In 2D z = 0.
 std::string vtu_text(const AnyState& state);
 
 }  // namespace floc

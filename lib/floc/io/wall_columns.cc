@@ -10,7 +10,7 @@
 namespace floc {
 namespace {
 
-/// Indices of the columns f_W[1] to f_W[7] of a fix.
+/// Returns the indices of the columns f_W[1] to f_W[7] of a fix with the name W.
 std::array<int, 7> columns_of_fix(const CsvTable& table, const WallSide& wall, const std::string& fix) {
   std::array<int, 7> columns{};
   for (std::size_t k = 0; k < columns.size(); ++k) {

@@ -12,11 +12,12 @@
 namespace floc {
 namespace {
 
-/// Largest extent of a triangle along the normal of its plane, relative to its largest extent. Binary STL files have
-/// seven digits.
+/// Largest accepted extent of a triangle along the axis that is normal to it, divided by its largest extent along any
+/// axis. It is not zero because binary STL files have seven digits.
 constexpr double kFlatTriangle = 1e-5;
 
-/// Whether some grain's centre lies above or below a plane, in the direction of the axis of the plane.
+/// Whether the centre of any grain is directly above or below a plane, along the axis of the plane. True for an
+/// infinite plane.
 bool faces_grains(const WallPlane& plane, const std::vector<ListedGrain>& grains, int n_axes) {
   if (!plane.corners) return true;
   const auto& [low, high] = *plane.corners;
@@ -43,9 +44,10 @@ std::vector<WallPlane> planes_of_mesh(const std::string& path, double scale, con
     }
     const double thickness = (high - low).minCoeff(&plane.axis);
     if (thickness > kFlatTriangle * (high - low).maxCoeff())
-      throw InputError(plane.place,
-                       "the triangle lies across no axis, expected planes across x, y or z; --walls gives the "
-                       "positions of walls in place of the file, for example z=0:");
+      throw InputError(
+          plane.place,
+          "the triangle is not perpendicular to an axis, expected planes perpendicular to x, y or z; to give "
+          "the positions of walls without the file, write them after --walls, for example --walls z=0:");
     plane.position = 0.5 * (low[plane.axis] + high[plane.axis]);
     plane.corners = {low, high};
     planes.push_back(plane);

@@ -15,7 +15,7 @@
 namespace floc {
 namespace {
 
-/// One command of a script, with the lines that "&" joins.
+/// One command of a script. It may extend over several lines; each of these lines except the last ends with "&".
 struct ScriptCommand {
   std::string place;
   std::vector<std::string> words;
@@ -24,7 +24,7 @@ struct ScriptCommand {
     static const std::string kNone;
     return k < words.size() ? words[k] : kNone;
   }
-  /// Place of a word among the words, or the number of words.
+  /// Returns the index of a word; the number of words if the command does not contain the word.
   std::size_t find(const std::string& word) const {
     return static_cast<std::size_t>(std::find(words.begin(), words.end(), word) - words.begin());
   }
@@ -32,11 +32,12 @@ struct ScriptCommand {
 };
 
 [[noreturn]] void refuse_command(const ScriptCommand& command, const std::string& fault) {
-  throw InputError(command.place,
-                   fault + "; --walls gives the positions of walls in place of the script, for example z=0:");
+  throw InputError(command.place, fault +
+                                      "; to give the positions of walls without the script, write them after "
+                                      "--walls, for example --walls z=0:");
 }
 
-/// Commands of a script that concern walls, with the numbers of its variables in place of their names.
+/// Commands of a script that concern walls. The names of variables are replaced by their values.
 class WallScript {
  public:
   explicit WallScript(std::string path) : path_(std::move(path)) {
@@ -79,7 +80,7 @@ class WallScript {
     if (name == "unfix") fixes_.erase(command.word(1));
   }
 
-  /// Puts the values of variables in place of ${name} and v_name.
+  /// If a word is ${name} or v_name, returns the value of the variable, else the word.
   std::string substituted(const std::string& word) const {
     std::string name;
     if (word.starts_with("${") && word.ends_with("}")) name = word.substr(2, word.size() - 3);
@@ -93,7 +94,7 @@ class WallScript {
     refuse_command(command, fmt::format("{} is \"{}\", expected a number", what, command.word(k)));
   }
 
-  /// Adds a wall at the position that a word gives; none if the word says that there is no wall.
+  /// Adds a wall at the position that word `k` of a command gives. NULL and INF mean that there is no wall.
   void add_plane(const ScriptCommand& command, std::size_t k, int axis, std::optional<int> side,
                  std::vector<WallPlane>& planes) const {
     const std::string& word = command.word(k);
@@ -115,17 +116,17 @@ class WallScript {
       if (!one) add_plane(fix, k + 2, axis, 1, planes);
       return;
     }
-    refuse_command(fix, "the wall is no plane: expected xplane, yplane or zplane");
+    refuse_command(fix, "the wall is not a plane: expected xplane, yplane or zplane");
   }
 
   void add_region(const ScriptCommand& fix, std::vector<WallPlane>& planes) const {
     const auto found = std::find_if(fix.words.begin() + 4, fix.words.end(),
                                     [&](const std::string& word) { return regions_.contains(word); });
     if (found == fix.words.end())
-      refuse_command(fix, "the script does not define the region of this wall before it");
+      refuse_command(fix, "the script does not define the region of this wall before this command");
     const ScriptCommand& region = regions_.at(*found);
     if (region.word(2) != "block" || region.has("out"))
-      refuse_command(region, fmt::format("the region {} is no block with grains inside", *found));
+      refuse_command(region, fmt::format("the region {} is not a block with the grains inside", *found));
     for (int axis = 0; axis < 3; ++axis)
       for (const int side : {-1, 1})
         add_plane(region, 3 + static_cast<std::size_t>(2 * axis + (side > 0)), axis, side, planes);
@@ -137,7 +138,7 @@ class WallScript {
       if (found == fixes_.end() || !found->second.word(3).starts_with("mesh/surface")) {
         if (k == fix.find("meshes") + 1)
           refuse_command(fix, fmt::format("the script has no fix mesh/surface with the name {}", fix.word(k)));
-        return;  // words behind the names of the meshes
+        return;  // the words after the names of the meshes
       }
       add_mesh(found->second, planes);
     }
@@ -147,13 +148,17 @@ class WallScript {
     for (const auto& [id, fix] : fixes_)
       if (fix.word(3).starts_with("move/mesh") && fix.word(fix.find("mesh") + 1) == mesh.word(1))
         refuse_command(
-            fix, fmt::format("the mesh {} moves: give --walls the STL file of a dump of it (dump mesh/stl)",
-                             mesh.word(1)));
+            fix,
+            fmt::format(
+                "the mesh {} moves: write it to an STL file (dump mesh/stl), and give this file after --walls",
+                mesh.word(1)));
     if (mesh.word(3).ends_with("servo"))
-      refuse_command(mesh,
-                     fmt::format("the mesh {} moves: give --walls the STL file of a dump of it (dump mesh/stl)",
-                                 mesh.word(1)));
-    if (mesh.has("rotate")) refuse_command(mesh, "the mesh is turned (rotate)");
+      refuse_command(
+          mesh,
+          fmt::format(
+              "the mesh {} moves: write it to an STL file (dump mesh/stl), and give this file after --walls",
+              mesh.word(1)));
+    if (mesh.has("rotate")) refuse_command(mesh, "the script rotates the mesh (rotate)");
     const std::size_t file = mesh.find("file") + 1;
     if (file >= mesh.words.size()) refuse_command(mesh, "the mesh has no file");
     const std::size_t scale = mesh.find("scale") + 1, move = mesh.find("move") + 1;
@@ -161,7 +166,8 @@ class WallScript {
     if (mesh.has("move"))
       for (std::size_t a = 0; a < 3; ++a)
         shift[static_cast<Eigen::Index>(a)] = number(mesh, move + a, "a component of move");
-    // The names of files are relative to the folder in which the program ran, which is mostly that of the script.
+    // The names of files are relative to the folder in which the other program ran. floc assumes that this is the
+    // folder of the script.
     const std::filesystem::path beside = std::filesystem::path(path_).parent_path() / mesh.word(file);
     const std::vector<WallPlane> of_mesh =
         planes_of_mesh(beside.string(), mesh.has("scale") ? number(mesh, scale, "scale") : 1.0, shift);
@@ -170,16 +176,15 @@ class WallScript {
 
   Eigen::Vector3d gravity_of(const ScriptCommand& fix) const {
     if (fix.word(5) != "vector")
-      throw InputError(fix.place,
-                       fmt::format("the style of gravity is \"{}\", expected vector; --gravity gives "
-                                   "its components in place of the script",
-                                   fix.word(5)));
+      throw InputError(fix.place, fmt::format("the style of gravity is \"{}\", expected vector; to give the "
+                                              "components of gravity without the script, use --gravity",
+                                              fix.word(5)));
     Eigen::Vector3d along;
     for (std::size_t a = 0; a < 3; ++a)
       along[static_cast<Eigen::Index>(a)] = number(fix, 6 + a, "a component of gravity");
     if (along.isZero(0.0))
       throw InputError(fix.place,
-                       "the direction of gravity is (0, 0, 0), expected one along which grains fall");
+                       "the direction of gravity is (0, 0, 0), expected the direction in which grains fall");
     return number(fix, 4, "the magnitude of gravity") * along.normalized();
   }
 

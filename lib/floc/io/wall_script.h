@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Reads the walls and the weight that an input script of LAMMPS or LIGGGHTS gives to its grains:
+/// Reads the walls and gravity from an input script of LAMMPS or LIGGGHTS. These commands are read:
 ///
 ///   fix ID group wall/gran ... xplane LOW HIGH                                LAMMPS; NULL: no wall
 ///   fix ID group wall/gran/region ... REGION, region REGION block LOW HIGH ...  LAMMPS; INF: no wall
@@ -15,10 +15,10 @@ namespace floc {
 ///   fix MESH group mesh/surface file FILE.stl type T [scale S] [move X Y Z]
 ///   fix ID group gravity G vector X Y Z
 ///
-/// Fixes that the script takes back by unfix are left out. `${name}` stands for a number that `variable name equal` gives.
-/// Other commands, and the order in which loops and jumps run them, are not regarded.
-/// @throws InputError naming the line for a wall that is no plane across an axis or that moves, a number that is none, an
-/// unknown mesh or region; also if the script has no wall
+/// A fix that the script removes by the command unfix is left out. `${name}` is replaced by the number that the command
+/// `variable name equal` gives. Other commands are ignored; loops and jumps are not followed.
+/// @throws InputError if the script has no wall; naming the line if a wall moves or is not a plane perpendicular to an
+/// axis, if a number is expected but the word is not a number, or if a mesh or region is unknown
 ListedWalls walls_of_script(const std::string& path);
 
 }  // namespace floc

@@ -18,12 +18,12 @@
 namespace floc {
 namespace {
 
-/// Table in a text file of YADE (spheres or interactions), and the periodic cell, walls and gravity that comments in the
-/// file give.
+/// Table in a text file of YADE (spheres or interactions), and the data in the comments of the file: the periodic cell,
+/// walls and gravity.
 struct YadeTable {
   CsvTable table;
   ListedSpace space;
-  /// Reads a comment line. @return whether it gives a part of the space
+  /// Reads a comment line. @return whether the comment gives the cell, a wall or gravity
   bool take_space(const std::string& place, const std::vector<std::string>& tokens);
 };
 
@@ -41,7 +41,7 @@ bool contains(const std::vector<std::string>& tokens, const std::string& token) 
   return std::find(tokens.begin(), tokens.end(), token) != tokens.end();
 }
 
-/// Reads the numbers of a comment, which come last in it.
+/// Reads the numbers at the end of a comment.
 /// @param what  meaning of the numbers, for messages
 std::vector<double> comment_numbers(const std::string& place, const std::string& what,
                                     const std::vector<std::string>& tokens, std::size_t first,
@@ -97,7 +97,7 @@ bool YadeTable::take_space(const std::string& place, const std::vector<std::stri
 }
 
 /// Reads a text file of YADE.
-/// @param mark  name of a column; the comment line that contains this name is the line that names all columns
+/// @param mark  name of a column; the comment line that contains this name gives the names of all columns
 /// @param columns  names of the columns if no comment line names them; empty if the file must have such a comment line
 YadeTable read_table(const std::string& path, const std::string& mark, std::vector<std::string> columns) {
   YadeTable result;
@@ -112,7 +112,8 @@ YadeTable read_table(const std::string& path, const std::string& mark, std::vect
       const std::vector<std::string> tokens = comment_tokens(text);
       if (result.take_space(fmt::format("{}:{}", path, number), tokens)) continue;
       if (!begun && contains(tokens, mark)) {
-        // Comments after the first row of the table do not name columns, even if they contain the word `mark`.
+        // After the first row of the table, a comment does not give the names of columns, even if it contains the word
+        // `mark`.
         columns = tokens;
       }
       continue;
@@ -120,7 +121,9 @@ YadeTable read_table(const std::string& path, const std::string& mark, std::vect
     if (columns.empty())
       throw InputError(
           fmt::format("{}:{}", path, number),
-          fmt::format("no comment line before this line names the columns, \"# ... {} ...\"", mark));
+          fmt::format(
+              "no comment line before this line gives the names of the columns: expected \"# ... {} ...\"",
+              mark));
     if (!begun) result.table = CsvTable(path, columns);
     begun = true;
     result.table.add_row(number, tokenize(text));
@@ -146,8 +149,8 @@ std::vector<ListedContact> read_interactions(const CsvTable& table, int dimensio
   return contacts;
 }
 
-/// Returns a contact law with linear repulsion and Coulomb friction. Its normal and tangential stiffness are the means
-/// of the columns kn and ks over the interactions; its coefficient of friction is tan_phi.
+/// Returns a contact law with linear repulsion and Coulomb friction. The normal and tangential stiffness of the law are
+/// the means of the columns kn and ks; the coefficient of friction is tan_phi.
 /// @throws InputError if one of these columns is missing, or if tan_phi is not the same in all rows
 Law law_of(const CsvTable& table, const std::string& path) {
   if (!table.has("kn") || !table.has("ks") || !table.has("tan_phi") || table.n_rows() == 0)
@@ -179,14 +182,14 @@ void check_no_contact_columns(const ImportOptions& options) {
         "the file of interactions of YADE contains the names of its columns; leave this option out");
 }
 
-/// Whether a file begins with a number, and thus has no line with the names of the columns.
+/// Whether a file begins with a number, so that no line with the names of the columns precedes the data.
 bool begins_with_number(const std::string& path) {
   const std::string text = beginning_of_table(path);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   return first != std::string::npos && text[first] >= '0' && text[first] <= '9';
 }
 
-/// Returns the words of the first line of a file if this line is a comment; otherwise nothing.
+/// Returns the words of the first line of a file if this line is a comment, else an empty list.
 std::vector<std::string> first_comment(const std::string& path) {
   if (!begins_with(path, "#")) return {};
   std::istringstream in(beginning_of_table(path));
@@ -231,7 +234,8 @@ Imported read_yade_text(const std::string& path, const ImportOptions& options) {
   listed.grains = read_grains(NamedColumns(spheres.table, options.columns));
   listed.space = spheres.space;
   if (listed.space.place.empty()) listed.space.place = path;
-  // YADE has a cell only if the packing is periodic. Without one, it ends in free space where no wall is.
+  // YADE has a cell only if the packing is periodic. A packing without a cell ends at walls or, where there is no wall,
+  // in free space.
   if (!listed.space.cell.empty()) listed.space.periodic = {true, true, true};
   if (listed.space.cell.empty() && !listed.space.ends.empty()) {
     listed.space.periodic = {false, false, false};

@@ -15,8 +15,8 @@ void dgemm_(const char*, const char*, const int*, const int*, const int*, const 
 namespace floc {
 namespace {
 
-/// Returns OpenBLAS's name for the routines with the widest vector instructions that this processor can run (AVX-512 or
-/// AVX2); null if the processor has neither.
+/// Returns OpenBLAS's name for its routines with AVX-512 or, if this processor lacks AVX-512, with AVX2 instructions;
+/// null if the processor has neither.
 const char* widest_kernels() {
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
@@ -27,8 +27,8 @@ const char* widest_kernels() {
   return nullptr;
 }
 
-/// Makes OpenBLAS choose its routines anew if it has not recognised the processor and uses slow routines. Does nothing
-/// if OpenBLAS was built for a single type of processor and lacks the functions gotoblas_dynamic_...
+/// If OpenBLAS has not recognised the processor and uses slow routines, makes it choose its routines again. Does
+/// nothing if OpenBLAS was built for one type of processor only and therefore lacks the functions gotoblas_dynamic_...
 void choose_kernels() {
   constexpr const char* kVariable = "OPENBLAS_CORETYPE";
   constexpr const char* kFallback = "Prescott";

@@ -42,8 +42,8 @@ SpringForces<Real> spring_forces(const SpringSystem& s, const Vector<Real>& u, i
   return out;
 }
 
-/// Relaxes the free unknowns while one boundary unknown is displaced by 1: by preconditioned conjugate gradients, or by
-/// plain iterative refinement if the system is indefinite.
+/// Relaxes the free unknowns while one boundary unknown is displaced by 1. The method is preconditioned conjugate
+/// gradients or, if the system is indefinite, iterative refinement.
 template <class Real>
 class Relaxation {
  public:
@@ -77,8 +77,8 @@ class Relaxation {
   double load() const { return load_; }
   int steps() const { return steps_; }
 
-  /// Returns an upper bound on r^T K^-1 r for the residual force r and the stiffness matrix K: twice the energy that
-  /// further relaxation would release.
+  /// Returns an upper bound on r^T K^-1 r, with the residual force r and the stiffness matrix K. This number is twice
+  /// the energy that further relaxation would release.
   double excess() const {
     if (work_ == 0.0) return 0.0;
     if (inverse_.estimated_ratio) return work_ / estimated_ratio();
@@ -86,8 +86,8 @@ class Relaxation {
   }
 
   /// Returns whether the energy that further relaxation would release is at most `tolerance` times the present energy.
-  /// At least one step is required, which refines the solution by an approximate inverse once. If `smallest_ratio` has
-  /// to be estimated from the steps, kStepsOfEstimate steps are required.
+  /// The result is false before the first step or, if `smallest_ratio` is estimated from the steps, before
+  /// kStepsOfEstimate steps.
   bool converged(double tolerance) const {
     if (work_ == 0.0) return true;
     if (steps_ < (inverse_.estimated_ratio ? kStepsOfEstimate : 1)) return false;
@@ -97,15 +97,16 @@ class Relaxation {
   }
 
  private:
-  /// Number of steps after which the lowest Ritz value times kShareOfRitz is a safe estimate of the lowest eigenvalue
-  /// of M^-1 K. Ritz values approach this eigenvalue from above; in one case the lowest Ritz value was still 5 times
-  /// too large.
+  /// After this number of steps, the lowest Ritz value times kShareOfRitz is a safe estimate of the lowest eigenvalue
+  /// of M^-1 K. The factor kShareOfRitz is needed because Ritz values approach the eigenvalue from above; in one case
+  /// the lowest Ritz value was 5 times too large after these steps.
   static constexpr int kStepsOfEstimate = 4;
   static constexpr double kShareOfRitz = 0.1;
 
-  /// Returns an estimate of the lowest eigenvalue of the preconditioned matrix M^-1 K: its lowest Ritz value times
-  /// kShareOfRitz, but at most 1; 0 before kStepsOfEstimate steps. The lowest Ritz value is the lowest eigenvalue of a
-  /// tridiagonal matrix, whose entries follow from the coefficients alpha and beta of the conjugate gradients.
+  /// Returns an estimate of the lowest eigenvalue of the preconditioned matrix M^-1 K: the lowest Ritz value times
+  /// kShareOfRitz, but at most 1. Before kStepsOfEstimate steps, the estimate is 0. The lowest Ritz value is the lowest
+  /// eigenvalue of a tridiagonal matrix, whose entries follow from the coefficients alpha and beta of the conjugate
+  /// gradients.
   double estimated_ratio() const {
     const auto n = static_cast<Eigen::Index>(alphas_.size());
     if (n < kStepsOfEstimate) return 0.0;
@@ -155,19 +156,19 @@ class Relaxation {
   std::vector<double> alphas_, betas_;  // coefficients alpha and beta of each step of the conjugate gradients
 };
 
-/// Computes the condensed stiffness S = (A U + B)^T k (A U + B) of a SpringSystem, with the relaxed unknowns `u` as
-/// columns of U, and a bound on the error of S that results from rounding in the entries of A and B.
+/// Computes the condensed stiffness S = (A U + B)^T k (A U + B) of a SpringSystem. The columns of U are the relaxed
+/// unknowns `u`. Also computes a bound on the error of S due to rounding errors of the entries of A and B.
 void sum_energies(const SpringSystem& s, const std::vector<Extended>& u, Condensation& out) {
   const int n = static_cast<int>(u.size());
   Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> sum(n, n);
   sum.setZero();
   Extended elongation(n);
   Eigen::VectorXd rounding(n);
-  // Errors of the relaxed unknowns U change S only in second order. S is summed spring by spring in extended precision,
-  // because the rounding errors of an assembled stiffness matrix would change it.
+  // Errors of the relaxed unknowns U change S only in second order. An assembled stiffness matrix would have rounding
+  // errors that change S. S is therefore summed spring by spring, in extended precision.
   for (Eigen::Index r = 0; r < s.on_free.rows(); ++r) {
-    // The terms of the elongation (A U + B)_r nearly cancel. The bound on its rounding error is therefore proportional
-    // to the sum of their absolute values.
+    // The terms of the elongation (A U + B)_r nearly cancel. The bound on the rounding error of the elongation is
+    // therefore proportional to the sum of the absolute values of the terms.
     for (int b = 0; b < n; ++b) {
       elongation[b] = s.on_boundary(r, b);
       rounding[b] = std::abs(s.on_boundary(r, b));
@@ -189,10 +190,10 @@ void sum_energies(const SpringSystem& s, const std::vector<Extended>& u, Condens
   out.stiffness = sum.cast<double>();
 }
 
-/// Relaxes the free unknowns for each boundary unknown in turn, displaced by 1.
+/// Relaxes the free unknowns once for each boundary unknown, while this boundary unknown is displaced by 1.
 /// @param u       receives the relaxed free unknowns, one vector per boundary unknown
-/// @param excess  receives, for each boundary unknown, the square root of twice the energy that further relaxation
-///                would release
+/// @param excess  receives, for each boundary unknown, sqrt(2 E), where E is the energy that further relaxation would
+///                release
 template <class Real>
 void relax_each(const SpringSystem& springs, const ApproximateInverse& inverse,
                 const CondensationOptions& options, std::vector<Extended>& u, Eigen::VectorXd& excess,

@@ -10,8 +10,9 @@
 namespace floc {
 namespace {
 
-/// Number of floating-point operations of a factorization per group of unknowns, above which Ordering::automatic tries
-/// nested dissection. Finding an order by nested dissection takes as long as some 3e5 operations per group.
+/// Ordering::automatic tries nested dissection if a factorization takes more floating-point operations per group of
+/// unknowns than this number. The search for an order by nested dissection takes as long as about 3e5 operations per
+/// group.
 constexpr double kNestedDissectionCost = 1e6;
 
 /// Order in which groups of unknowns are eliminated.
@@ -21,8 +22,8 @@ struct GroupOrder {
   double operations;
 };
 
-/// Graph whose nodes are the groups of unknowns of a sparse matrix. CHOLMOD finds orders in which to eliminate the
-/// groups.
+/// Graph whose nodes are the groups of unknowns of a sparse matrix. CHOLMOD finds orders of elimination from this
+/// graph.
 class GroupGraph {
  public:
   GroupGraph(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& group)

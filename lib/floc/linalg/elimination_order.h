@@ -7,18 +7,18 @@ namespace floc {
 
 /// Method that finds the order in which the unknowns of a sparse matrix are eliminated.
 enum class Ordering {
-  automatic,  ///< amd or, if the factorization in this order would take long, the better of amd and metis
+  automatic,  ///< amd; if the factorization in this order would take long, the better of amd and metis
   amd,        ///< approximate minimum degree: fast to find
-  metis,      ///< nested dissection: less fill in large matrices, slower to find
+  metis,      ///< nested dissection: slower to find, but fewer nonzero entries in the factors of large matrices
 };
 
-/// Returns, for each unknown of a symmetric matrix, its place in an elimination order that keeps the Cholesky factor
+/// Returns the place of each unknown of a symmetric matrix in an elimination order that keeps the Cholesky factor
 /// sparse. The order is a postorder of the elimination tree, which places columns of the factor with the same pattern
 /// next to each other.
 /// @param lower  lower triangle of the matrix, column-major
 /// @param group  number of the group (grain) to which each unknown belongs, ascending from 0. The unknowns of a group
-///               are placed together. This makes the search for an order faster by the square of the size of a group,
-///               without a loss of sparsity
+///               are placed together. The search for an order is then faster by the square of the size of a group, and
+///               the factor is as sparse
 /// @throws std::runtime_error if memory runs out
 Eigen::VectorXi elimination_places(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& group,
                                    Ordering ordering);

@@ -5,8 +5,9 @@
 
 namespace floc {
 
-/// Sparse triangular factor R of a matrix A = Q R (SuiteSparseQR). It solves A^T A x = b without forming A^T A. The
-/// condition number of R is only the square root of that of A^T A, and rounding therefore costs fewer digits.
+/// Sparse triangular factor R of a matrix A = Q R (SuiteSparseQR). The factor solves A^T A x = b without the matrix A^T
+/// A. Rounding costs fewer digits, because the condition number of R is only the square root of the condition number of
+/// A^T A.
 class LeastSquaresFactor {
  public:
   /// Factorizes A (column-major; it is copied).
@@ -19,12 +20,12 @@ class LeastSquaresFactor {
   LeastSquaresFactor(LeastSquaresFactor&&) noexcept;
   LeastSquaresFactor& operator=(LeastSquaresFactor&&) noexcept;
 
-  /// Returns the numerical rank of A: the number of columns that were not left out as dependent.
+  /// Returns the numerical rank of A: the number of columns that count as linearly independent.
   int rank() const;
 
-  /// Returns R^-1 R^-T b: the solution of A^T A x = b with zero for the unknowns of columns that were left out. The
-  /// relative error of the solution is the rounding error times the condition number of R; iterative refinement with A
-  /// reduces it.
+  /// Returns R^-1 R^-T b, which is the solution of A^T A x = b. The unknowns of columns that were left out are zero.
+  /// The relative error of the solution is the rounding error times the condition number of R. Iterative refinement
+  /// with A reduces the error.
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
  private:

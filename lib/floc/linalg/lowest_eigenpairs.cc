@@ -14,23 +14,24 @@
 namespace floc {
 namespace {
 
-/// Smallest shift of the diagonal that is tried to make a matrix positive definite. For a matrix whose entries are of
-/// order one, it is far above the rounding error and below all eigenvalues but those of mechanisms.
+/// Smallest shift of the diagonal that is tried to make a matrix positive definite. If the entries of the matrix are of
+/// order one, this shift is far above the rounding error, and below all eigenvalues except those of mechanisms.
 constexpr double kFirstShift = 1e-10;
 /// Largest shift of the diagonal that is tried to make a matrix positive definite.
 constexpr double kLastShift = 1e6;
-/// Relative change of the eigenvalues of the inverse below which Lanczos' iteration ends. Eigenvalues then have about
-/// this relative error. The error of an eigenvector is the square root of this value, divided by the relative distance
-/// of its eigenvalue to the next eigenvalue.
+/// Lanczos' iteration ends when the relative change of the eigenvalues of the inverse is below this value. The relative
+/// error of an eigenvalue is then about this value. The error of an eigenvector is the square root of this value,
+/// divided by the relative distance between its eigenvalue and the next one.
 constexpr double kConverged = 1e-11;
 /// Limit on the number of restarts of the Lanczos iteration.
 constexpr int kMaxRestarts = 300;
-/// Distance of `bound` from every eigenvalue of A above which rounding does not change the inertia of A - bound * 1.
+/// If the distance of `bound` from every eigenvalue of A is larger than this value, rounding does not change the
+/// inertia of A - bound * 1.
 constexpr double kClear = 1e-13;
-/// Largest order of a matrix whose eigenpairs are computed by a dense solver, in negligible time.
+/// Matrices up to this order are small: a dense solver computes their eigenpairs in negligible time.
 constexpr int kDense = 120;
 
-/// Projector onto the space orthogonal to the columns of a sparse and of a dense matrix.
+/// Projector onto the space that is orthogonal to the columns of two matrices, a sparse and a dense one.
 class Projector {
  public:
   explicit Projector(const Eigen::SparseMatrix<double>& sparse) : sparse_(sparse) {
@@ -52,7 +53,7 @@ class Projector {
   Eigen::MatrixXd dense_;
 };
 
-/// Operator P (A + s * 1)^-1 P in the form that Spectra requires, with the projector P. `factor` contains the matrix A
+/// Operator P (A + s * 1)^-1 P with the projector P, in the form that Spectra requires. `factor` contains the matrix A
 /// and the shift s.
 struct ShiftInvert {
   using Scalar = double;
@@ -77,15 +78,15 @@ double make_positive(SymmetricFactor& factor) {
       "finite");
 }
 
-/// Returns up to `count` eigenpairs of the matrix in `factor`, in ascending order of the eigenvalues, that are
-/// orthogonal to the vectors that the projector removes.
+/// Returns up to `count` eigenpairs of the matrix in `factor`, in ascending order of the eigenvalues. The eigenvectors
+/// are orthogonal to the vectors that the projector removes.
 Eigenpairs search(const SymmetricFactor& factor, const Projector& project, double shift, Eigen::Index n,
                   int count) {
   ShiftInvert op{factor, project, n};
   const Eigen::Index basis = std::min<Eigen::Index>(n, std::max(2 * count + 20, 40));
   Spectra::SymEigsShiftSolver<ShiftInvert> solver(op, count, basis, -shift);
-  // A start vector with the symmetry of a lattice would be orthogonal to some modes, and the search would miss them.
-  // The entries of the start vector therefore have no symmetry.
+  // The entries of the start vector must have no symmetry. A vector with the symmetry of a lattice would be orthogonal
+  // to some modes, which the search would then miss.
   Eigen::VectorXd start(n);
   for (Eigen::Index k = 0; k < n; ++k) start[k] = std::sin(1.0 + 1.7 * static_cast<double>(k % 100003));
   start = project(start);
@@ -104,9 +105,9 @@ Eigenpairs best_in_span(const SymmetricFactor& factor, const Eigen::MatrixXd& ve
   return {eigen.values, q * eigen.vectors, true};
 }
 
-/// Returns up to `count` vectors v for which A v is zero to rounding, where A is the matrix in `factor`. They are
-/// eigenvectors of one eigenvalue, zero, of which a Lanczos search would find only one. The inverse of A + shift * 1
-/// multiplies all of them by 1/shift, so a few products with the inverse separate them from other vectors.
+/// Returns up to `count` vectors v for which A v is zero to rounding, where A is the matrix in `factor`. All these
+/// vectors are eigenvectors of the eigenvalue zero; a Lanczos search would find only one of them. The inverse of A +
+/// shift * 1 multiplies each of them by 1/shift, so a few products with the inverse separate them from other vectors.
 Eigenpairs search_null_space(const SymmetricFactor& factor, const Projector& project, Eigen::Index n,
                              int count) {
   constexpr int kPasses = 2;
@@ -164,7 +165,7 @@ Eigenpairs lowest_eigenpairs(SymmetricFactor& factor, const Eigen::SparseMatrix<
   }
   int missing = wanted - static_cast<int>(found.values.size());
   found.complete = missing == 0;
-  // Each search finds at least one more eigenvector of every multiple eigenvalue among the lowest eigenvalues.
+  // For every multiple eigenvalue among the lowest eigenvalues, each search finds at least one more eigenvector.
   for (int k = 0; k <= wanted && missing > 0; ++k) {
     const double shift = make_positive(factor);
     const Eigenpairs more = search(factor, project, shift, n, std::min(missing, wanted));

@@ -10,9 +10,9 @@ namespace floc {
 struct Eigenpairs {
   Eigen::VectorXd values;   ///< eigenvalues, ascending
   Eigen::MatrixXd vectors;  ///< eigenvectors as orthonormal columns, in the order of `values`
-  /// Whether `values` contains every eigenvalue of the matrix below its last entry, each as often as its multiplicity.
-  /// Lanczos' method alone may miss some of several equal eigenvalues; Sylvester's law of inertia gives their true
-  /// number.
+  /// Whether no eigenvalue of the matrix below the last one in `values` is missing. A multiple eigenvalue must be in
+  /// `values` as often as it occurs. Lanczos' method alone may miss some of several equal eigenvalues; Sylvester's law
+  /// of inertia gives the true number.
   bool complete = true;
 };
 
@@ -21,7 +21,7 @@ struct Eigenpairs {
 /// shows that eigenvalues have been missed, the search is repeated in the space orthogonal to the eigenvectors found so
 /// far. The error of an eigenvalue is a few rounding units of the norm of A.
 ///
-/// @param factor    contains A, whose diagonal has to be of order one; its present factorization is lost
+/// @param factor    contains A, whose diagonal must be of order one; the present factorization in `factor` is lost
 /// @param left_out  linearly independent null vectors of A, one per column, that the search leaves out
 /// @param count     number of eigenvalues to find, > 0; fewer are returned if A has fewer
 /// @throws std::runtime_error if A + s * 1 has no Cholesky factor for any s, because A is not finite

@@ -8,21 +8,21 @@
 namespace floc {
 namespace {
 
-/// Returns ln(1.648 sqrt(n)/oversight), the factor in the bound of [KW1992] for a matrix of order n. `oversight` is the
-/// accepted probability that Lanczos' method misses the lowest eigenvalue.
+/// Returns the factor ln(1.648 sqrt(n)/oversight) in the bound of [KW1992]. n is the order of the matrix, and
+/// `oversight` is the accepted probability that Lanczos' method misses the lowest eigenvalue.
 double log_of_odds(Eigen::Index n, double oversight) {
   return std::log(1.648 * std::sqrt(static_cast<double>(n)) / oversight);
 }
 
-/// Returns the bound of [KW1992] on the error of the lowest Ritz value after some steps of Lanczos' method, as a share
-/// of the difference between the largest and the lowest eigenvalue.
+/// Returns the bound of [KW1992] on the error of the lowest Ritz value after `steps` steps of Lanczos' method. The
+/// error is divided by the difference between the largest and the lowest eigenvalue.
 /// @param n          order of the matrix
 /// @param oversight  accepted probability that the bound is exceeded
 double missed_share(Eigen::Index n, int steps, double oversight) {
   return std::pow(log_of_odds(n, oversight) / (2.0 * steps - 1.0), 2);
 }
 
-/// Returns a unit vector in a random direction, with all directions equally likely.
+/// Returns a random unit vector; all directions are equally likely.
 Eigen::VectorXd random_direction(Eigen::Index n) {
   std::mt19937_64 engine(1);
   std::normal_distribution<double> normal;
@@ -54,8 +54,8 @@ Positivity test_positivity(Eigen::Index n, const std::function<Eigen::VectorXd(c
       return out;
     }
     spread = std::max(spread, alpha + last_beta + beta);
-    // Lanczos' method has ended: its vectors span all eigenvectors that contribute to the start vector, and more steps
-    // would find no other eigenvalue.
+    // Lanczos' method has ended. Its vectors span all eigenvectors that contribute to the start vector, so more steps
+    // would not find another eigenvalue.
     if (beta <= options.rounding * spread) {
       out.bound = options.rounding;
       return out;

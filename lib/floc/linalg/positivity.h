@@ -6,21 +6,23 @@
 namespace floc {
 
 struct PositivityOptions {
-  /// The test ends when any eigenvalue below -bound would have been found.
+  /// The test ends when the steps suffice to find any eigenvalue below -bound.
   double bound = 1e-4;
   int max_steps = 10000;
-  /// Largest accepted probability that the test misses an eigenvalue below -bound. The test may miss it if the random
-  /// start vector is nearly orthogonal to the eigenvector.
+  /// Accepted probability that the test misses an eigenvalue below -bound, which happens if the random start vector is
+  /// nearly orthogonal to the eigenvector.
   double oversight = 1e-6;
-  /// Rounding error of eigenvalues. An eigenvalue between -rounding and 0 counts as zero, like the eigenvalue of a
+  /// Rounding error of eigenvalues. An eigenvalue between -rounding and 0 counts as zero: it may be the eigenvalue of a
   /// mechanism.
   double rounding = 1e-10;
 };
 
 /// Result of a test whether the lowest eigenvalue of a symmetric matrix A is negative.
 struct Positivity {
-  bool negative = false;  ///< whether A has a negative eigenvalue: x^T A x < 0 for a vector x that was found
-  /// If not `negative`: no eigenvalue of A is below -bound, except with a probability of PositivityOptions::oversight.
+  /// whether the test found a vector x with x^T A x < 0, so that A has a negative eigenvalue
+  bool negative = false;
+  /// If not `negative`: no eigenvalue of A is below -bound. This is wrong with the probability
+  /// PositivityOptions::oversight.
   double bound = 0.0;
   int steps = 0;  ///< number of products with A
 };
@@ -28,19 +30,18 @@ struct Positivity {
 /// Tests whether a symmetric matrix A has a negative eigenvalue, by Lanczos' method from a random start vector. No
 /// factor of A is needed, and only three vectors are stored. The method builds a tridiagonal matrix, one row per step.
 /// If a pivot of this matrix is negative, a Rayleigh quotient of A is negative, and A has a negative eigenvalue. If no
-/// pivot is negative after k steps, the bound of [KW1992] holds for A of order n, except with a probability of
-/// `options.oversight`:
+/// pivot is negative after k steps, the bound of [KW1992] holds, where n is the order of A. The bound is wrong with the
+/// probability `options.oversight`:
 ///
 ///   lowest eigenvalue > -e * (largest minus lowest eigenvalue),  e = (ln(1.648 sqrt(n)/oversight)/(2 k - 1))^2
 ///
 /// @param n      order of A
-/// @param apply  returns the product of A with a vector; the diagonal of A should be of order one
+/// @param apply  function that returns the product of A with a vector; the diagonal of A should be of order one
 [[nodiscard]] Positivity test_positivity(Eigen::Index n,
                                          const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& apply,
                                          const PositivityOptions& options);
 
-/// Returns the predicted number of products with the matrix after which test_positivity() ends if it finds no negative
-/// eigenvalue.
+/// Predicts the number of products with the matrix that test_positivity() makes if it finds no negative eigenvalue.
 /// @param n                   order of the matrix
 /// @param largest_eigenvalue  largest eigenvalue of the matrix
 int predicted_steps(Eigen::Index n, double largest_eigenvalue, const PositivityOptions& options);

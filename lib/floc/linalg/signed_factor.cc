@@ -15,12 +15,12 @@ void dtrsm_(const char*, const char*, const char*, const char*, const int*, cons
 namespace floc {
 namespace {
 
-/// Largest number of columns that are eliminated one by one. Larger numbers of columns are halved, and the halves are
-/// eliminated with products of dense blocks, which is faster.
+/// Blocks of at most this number of columns are eliminated column by column. Larger blocks are divided into halves,
+/// which are eliminated by products of dense matrices; this is faster.
 constexpr int kPanel = 32;
 
-/// View of consecutive columns of a supernode of the factor L in A + shift * 1 = L S L^T. It begins at one row of the
-/// supernode and ends with its last row.
+/// View of a part of a supernode of the factor L in A + shift * 1 = L S L^T: consecutive columns, from one row of the
+/// supernode to the last row.
 struct Block {
   double* value;
   int stride;
@@ -85,8 +85,8 @@ class SignedFactorization {
     }
   }
 
-  /// Adds the supernode d to the list of supernodes that will be subtracted from the supernode s. The next row of d
-  /// that has not been subtracted yet belongs to the columns of s.
+  /// Adds the supernode d to the list of supernodes that will be subtracted from a later supernode s. The first row of
+  /// d that has not been subtracted yet is the number of a column of s.
   void wait(int d) {
     if (next_row_[d] == n_rows(d)) return;
     const int s = owner_[row(d, next_row_[d])];
@@ -116,7 +116,7 @@ class SignedFactorization {
   /// Computes out = alpha * X S Y^T + beta * out on and below the diagonal of `out`. X is the block `x` with `n_rows`
   /// rows, Y consists of the first `n_first` rows of X, and S is the diagonal matrix with the signs of the columns of
   /// X.
-  /// @param stride  distance between the beginnings of neighbouring columns of `out`
+  /// @param stride  distance in memory between the first entries of neighbouring columns of `out`
   void multiply(const Block& x, int n_rows, int n_first, double alpha, double beta, double* out, int stride) {
     const int k = x.n_columns;
     const bool mixed = std::any_of(x.sign, x.sign + k, [](double s) { return s < 0.0; });
@@ -137,8 +137,9 @@ class SignedFactorization {
            &stride);
   }
 
-  /// Eliminates columns first, ..., first + count - 1 of supernode s, from which all earlier supernodes have been
-  /// subtracted. The columns are halved recursively, which leaves most of the work to products of large blocks.
+  /// Eliminates columns first, ..., first + count - 1 of supernode s. All earlier supernodes have been subtracted from
+  /// them. The columns are divided into halves recursively, so that most of the work consists of products of large
+  /// blocks.
   /// @return false if a value is not finite
   bool eliminate(int s, int first, int count) {
     if (count <= kPanel) return eliminate_panel(s, first, count);
@@ -182,12 +183,12 @@ class SignedFactorization {
   double smallest_pivot_;
   int n_;  // number of supernodes
   std::vector<double> sign_;
-  std::vector<int> place_;  // for each row of the matrix, its place among the rows of the current supernode
-  std::vector<int> owner_;  // for each column of the matrix, its supernode
-  // for each supernode, the first of the supernodes that will be subtracted from it
+  std::vector<int> place_;  // for each row of the matrix: place among the rows of the current supernode
+  std::vector<int> owner_;  // for each column of the matrix: number of the supernode
+  // for each supernode: first in the list of the supernodes that will be subtracted from it
   std::vector<int> first_waiting_;
   std::vector<int> next_waiting_;
-  // for each eliminated supernode, the first of its rows that has not been subtracted from a later supernode yet
+  // for each eliminated supernode: first row that has not been subtracted from a later supernode yet
   std::vector<int> next_row_;
   std::vector<int> relative_;
   std::vector<double> product_, signed_;

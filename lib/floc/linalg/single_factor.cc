@@ -6,9 +6,9 @@
 namespace floc {
 namespace {
 
-/// Shifts that are added to the diagonal of a matrix, one after another, until it is positive definite. The smallest is
-/// the rounding error of single precision, each further shift is kNextShift times larger, and the largest is the size
-/// of the diagonal, which is of order one.
+/// Shifts that are added to the diagonal of a matrix, one after another, until it is positive definite. The smallest
+/// shift is the rounding error of single precision. Each further shift is kNextShift times larger. The largest is of
+/// order one, as the diagonal is.
 constexpr float kSmallestShift = 1e-6F;
 constexpr float kLargestShift = 1.0F;
 constexpr float kNextShift = 10.0F;
@@ -38,8 +38,8 @@ SingleFactor::SingleFactor(SingleFactor&&) noexcept = default;
 
 Eigen::VectorXd SingleFactor::solve(const Eigen::VectorXd& b) const {
   assert(positive_);
-  // The right-hand side is scaled to order one, because forces of a nearly relaxed packing may be too small for single
-  // precision.
+  // The right-hand side is scaled to order one. Without scaling, the forces of a nearly relaxed packing may be too
+  // small for single precision.
   const double size = b.size() == 0 ? 0.0 : b.lpNorm<Eigen::Infinity>();
   if (!(size > 0.0)) return Eigen::VectorXd::Zero(b.size());
   return size * factor_->llt.solve((b / size).cast<float>()).cast<double>();

@@ -11,27 +11,26 @@
 namespace floc {
 namespace {
 
-/// Condition number of the stiffness matrix above which its Cholesky factor may hide a mechanism.
+/// If the condition number of the stiffness matrix is above this number, its Cholesky factor may hide a mechanism.
 constexpr double kSuspiciousCondition = 1e12;
-/// Tolerances, tried one after another until the factor is accurate, below which a column of sqrt(k) A counts as a
-/// mechanism. The value compared with them is the length of the column's component orthogonal to the previous columns,
-/// divided by the norm of sqrt(k) A. For a mechanism, rounding leaves a length of 1e-15, or more if many columns are
-/// nearly dependent. The softest chain of springs that double precision resolves has a length above the first
-/// tolerance.
+/// Tolerances, tried one after another until the factor is accurate. A column of sqrt(k) A counts as a mechanism if its
+/// component orthogonal to the previous columns, divided by the norm of sqrt(k) A, is shorter than the tolerance. Due
+/// to rounding, this component of a mechanism has a length of 1e-15, or more if many columns are nearly dependent. For
+/// the softest chain of springs that double precision resolves, the length is above the first tolerance.
 constexpr double kDependent[] = {1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8};
 /// Bound on the relative rounding error of the triangular factor R of sqrt(k) A = Q R: each entry of R is a sum of some
 /// tens of products.
 constexpr double kFactorRounding = 100.0 * std::numeric_limits<double>::epsilon();
-/// Factor that converts Hager's estimate of a norm, a lower bound, to an upper bound. The estimate is seldom too low by
-/// more than this factor.
+/// Hager's estimate of a norm is a lower bound. Multiplied by this factor, it serves as an upper bound, because the
+/// estimate is seldom too low by more than this factor.
 constexpr double kEstimateMargin = 3.0;
 
 std::function<Eigen::VectorXd(const Eigen::VectorXd&)> by(const SymmetricFactor& factor) {
   return [&factor](const Eigen::VectorXd& b) -> Eigen::VectorXd { return factor.solve(b, 0); };
 }
 
-/// Returns whether all columns of `root` are, to rounding, linear combinations of the columns that `qr` has kept. The
-/// columns that `qr` has left out are then mechanisms and not soft springs.
+/// Returns whether all columns of `root` are, within rounding, linear combinations of the columns that `qr` has kept.
+/// If this is true, the columns that `qr` has left out are mechanisms and not soft springs.
 /// @param root  sqrt(k) A, the square root of the stiffness matrix
 bool spans(const Eigen::SparseMatrix<double>& root, const LeastSquaresFactor& qr) {
   constexpr double kRounding = 1e-14, kLargest = 1e6;
@@ -63,7 +62,7 @@ SpringInverse invert_root(const SymmetricFactor& factor, const SpringSystem& spr
 }
 
 /// Inverts the indefinite matrix K in `factor` without adding a shift to its diagonal.
-/// @return no value if K has no negative eigenvalue, or if an eigenvalue may lie within `bound` of zero
+/// @return no value if K has no negative eigenvalue, or if the absolute value of an eigenvalue may be below `bound`
 std::optional<SpringInverse> invert_indefinite(SymmetricFactor& factor, double bound) {
   // safety factor, larger than the error of any estimate of a condition number
   constexpr double kFarFromZero = 1e3;
@@ -87,8 +86,8 @@ SpringInverse invert_shifted(SymmetricFactor& factor, double bound) {
   out.inverse.definite = out.n_negative == 0 && factor.factorize_positive(shift);
   const bool factorized = out.inverse.definite || factor.factorize_indefinite(shift);
   out.condition = out.n_mechanisms > 0 || !factorized ? kInfinity : factor.condition_estimate();
-  // Eigenvalues of the stiffness matrix that are not mechanisms exceed `bound`; the factor 0.5 allows for rounding
-  // errors.
+  // The eigenvalues of the stiffness matrix exceed `bound`, except those of mechanisms. The factor 0.5 allows for
+  // rounding errors.
   if (out.inverse.definite)
     out.inverse.smallest_ratio = 0.5 * bound / (bound + shift);
   else

@@ -7,10 +7,9 @@
 
 namespace floc {
 
-/// Inverse of the stiffness matrix K = A^T k A of the free unknowns of a SpringSystem, with the condition number and
-/// inertia of K.
+/// Inverse of the stiffness matrix K = A^T k A of a SpringSystem, and the condition number and the inertia of K.
 struct SpringInverse {
-  /// approximate inverse of K; it may refer to the factor from which it was made, which must then outlive it
+  /// approximate inverse of K; it may refer to the factor of K, which must therefore exist as long as the inverse
   ApproximateInverse inverse;
   double condition = 1.0;  ///< estimated condition number of K; infinite if there are mechanisms
   int n_negative = 0;      ///< number of negative eigenvalues of K
@@ -19,15 +18,16 @@ struct SpringInverse {
 
 /// Inverts the stiffness matrix K by a Cholesky factor.
 /// @param factor  contains K; the returned inverse refers to it
-/// @return no value if K has no Cholesky factor, or if the condition number of K exceeds 1e12: such a factor may hide a
-/// mechanism, and is too inaccurate for error bounds
+/// @return no value if K has no Cholesky factor, or if the condition number of K exceeds 1e12, because the factor may
+/// then hide a mechanism and is too inaccurate for error bounds
 std::optional<SpringInverse> invert_positive(SymmetricFactor& factor);
 
 /// Inverts a stiffness matrix K = A^T k A for which invert_positive() fails.
 /// 1. If no spring has a negative stiffness, SuiteSparseQR factorizes the square root sqrt(k) A of K instead of K. The
-///    root has digits that K has lost to rounding, and its rank shows the mechanisms.
-/// 2. Otherwise K is factorized as L S L^T. Eigenvalues of K within `mechanism_bound` of zero count as mechanisms, and
-///    lower eigenvalues as negative. If there are mechanisms, a shift on the diagonal makes K invertible.
+///    root has digits that K has lost by rounding, and its rank gives the number of mechanisms.
+/// 2. If any spring has a negative stiffness, K is factorized as L S L^T. Eigenvalues of K between -mechanism_bound and
+///    mechanism_bound count as mechanisms, and lower eigenvalues as negative. If K has mechanisms, a shift is added to
+///    its diagonal.
 ///
 /// @param factor           contains K; the returned inverse may refer to it
 /// @param mechanism_bound  largest absolute eigenvalue of K that counts as zero

@@ -20,10 +20,11 @@
 namespace floc {
 namespace {
 
-/// Absolute value, far below rounding errors, that replaces smaller pivots of L S L^T to let the elimination continue.
+/// This number replaces pivots of L S L^T whose absolute value is smaller, so that the elimination can continue. It is
+/// far below rounding errors.
 constexpr double kSmallestPivot = 1e-30;
-/// Limits CHOLMOD to one thread while this object exists. With any options, CHOLMOD starts four threads for blocks of
-/// only a few columns. These threads mostly wait for each other, and one thread is faster.
+/// Limits CHOLMOD to one thread while this object exists. CHOLMOD always starts four threads, even for blocks of a few
+/// columns, and no option changes this. The threads mostly wait for each other, so one thread is faster.
 class OneThread {
  public:
   OneThread() { omp_set_max_active_levels(0); }
@@ -58,10 +59,10 @@ struct SymmetricFactor::Factor {
   // permutation from the order of the unknowns outside this class to their order in `matrix`
   Eigen::PermutationMatrix<Eigen::Dynamic> to_matrix;
   double norm = 0.0;   // largest absolute row sum of the matrix A
-  double shift = 0.0;  // shift s of the last factorization, which was that of A + s * 1
+  double shift = 0.0;  // shift s of the last factorization, in which A + s * 1 was factorized
   cholmod_common common{};
   cholmod_sparse* matrix = nullptr;
-  // factor by supernodes; its ordering is kept while the pattern stays the same
+  // factor by supernodes; its ordering is kept as long as the pattern of A does not change
   cholmod_factor* factor = nullptr;
   bool factorized = false;
   Eigen::VectorXd sign;  // diagonal of S if the last factor is L S L^T; empty if it is L L^T
@@ -75,7 +76,7 @@ struct SymmetricFactor::Factor {
     common.error_handler = nullptr;
     common.useGPU = 0;
     common.nmethods = 1;
-    // the unknowns of `matrix` already are in the elimination order
+    // the unknowns of `matrix` are already in the elimination order
     common.method[0].ordering = CHOLMOD_NATURAL;
     common.postorder = 0;
     common.quick_return_if_not_posdef = 1;
@@ -115,7 +116,7 @@ struct SymmetricFactor::Factor {
     return std::equal(p, p + other->ncol + 1, columns()) && std::equal(i, i + p[other->ncol], rows());
   }
 
-  /// Sets the matrix A, with its unknowns put into the elimination order. The symbolic factor is kept if the pattern of
+  /// Sets the matrix A and puts its unknowns into the elimination order. The symbolic factor is kept if the pattern of
   /// A has not changed.
   void take_matrix(const Eigen::SparseMatrix<double>& lower, std::vector<int> next_group) {
     factorized = false;
@@ -153,7 +154,7 @@ struct SymmetricFactor::Factor {
     using Entry = Eigen::SparseMatrix<double>::InnerIterator;
     const int* place = to_matrix.indices().data();
     const auto n = static_cast<int>(lower.cols());
-    // number of entries of each column; later the place of the next entry of each column
+    // first the number of entries of each column; after the sums below, the place of the next entry of each column
     std::vector<SuiteSparse_long> next(n + 1, 0);
     for (int c = 0; c < n; ++c) {
       ++next[place[c] + 1];
@@ -247,7 +248,8 @@ struct SymmetricFactor::Factor {
     return solve_with(CHOLMOD_Lt, sign.asDiagonal() * solve_with(CHOLMOD_L, B));
   }
 
-  /// Improves the solution X of A X = B by iterative refinement, as long as the residual decreases.
+  /// Improves the solution X of A X = B by iterative refinement, which ends when the residual decreases by less than
+  /// half.
   void refine(Eigen::MatrixXd& X, const Eigen::MatrixXd& B, int max_steps) {
     Eigen::MatrixXd R = B - multiply(X);
     for (int k = 0; k < max_steps && R.norm() > 0.0; ++k) {
@@ -265,8 +267,8 @@ struct SymmetricFactor::Factor {
     return lower().selfadjointView<Eigen::Lower>() * X;
   }
 
-  /// Calls visit(d) with the absolute value d of each pivot of the last factorization, the square of a diagonal entry
-  /// of L.
+  /// Calls visit(d) for each pivot of the last factorization, where d is the absolute value of the pivot, that is, the
+  /// square of a diagonal entry of L.
   template <class Visit>
   void for_each_pivot(Visit visit) const {
     const Supernodes l = supernodes();

@@ -11,19 +11,20 @@
 namespace floc {
 namespace {
 
-/// Largest norm of the residual of a linear system that BiCGSTAB accepts, divided by the norm of the right-hand side.
+/// BiCGSTAB ends when the norm of the residual of a linear system, divided by the norm of the right-hand side, is at
+/// most this value.
 constexpr double kTolerance = 1e-8;
 /// Shifts that are added to the diagonal of the symmetric part of the tangent matrix, one after another, until it is
-/// positive definite. They are fractions of the largest entry of the matrix; each is kTangentNextShift times the
-/// previous one. Without a shift this part may be indefinite, because the normal force of a compressed contact gives it
-/// a small negative stiffness along its tangents.
+/// positive definite. They are fractions of the largest entry of the matrix; each shift is kTangentNextShift times the
+/// previous one. Without a shift, the symmetric part may be indefinite: the normal force of a compressed contact causes
+/// a small negative stiffness along the tangents of the contact.
 constexpr double kTangentFirstShift = 1e-9;
 constexpr double kTangentLastShift = 1e-2;
 constexpr double kTangentNextShift = 100.0;
-/// Number of BiCGSTAB steps above which a Cholesky factor that was made for an earlier matrix is replaced by a new
-/// factor.
+/// If BiCGSTAB needed more than this number of steps, the Cholesky factor, which was made for an earlier matrix, is
+/// replaced by a new one.
 constexpr int kStaleSteps = 30;
-/// Largest number of BiCGSTAB steps: with a Cholesky factor as preconditioner, and with the diagonal.
+/// Largest numbers of BiCGSTAB steps with a Cholesky factor and with the diagonal as preconditioner.
 constexpr int kMostStepsWithFactor = 60;
 constexpr int kMostStepsWithDiagonal = 4000;
 
@@ -33,16 +34,16 @@ Eigen::VectorXd safe_diagonal(const Eigen::SparseMatrix<double>& matrix) {
   return (d.array().abs() > 0.0).select(d, 1.0);
 }
 
-/// Returns the index of the grain to which each of the first n unknowns belongs. None of them may be an unknown of the
-/// boundary.
+/// Returns, for each of the first n unknowns, the index of the grain to which it belongs.
+/// @pre none of these unknowns is an unknown of the boundary
 std::vector<int> grain_of_unknowns(Eigen::Index n, const TangentLayout& layout) {
   std::vector<int> grain(static_cast<std::size_t>(n));
   for (std::size_t k = 0; k < grain.size(); ++k) grain[k] = static_cast<int>(k) / layout.unknowns_a_grain;
   return grain;
 }
 
-/// Cholesky factor of the symmetric part of the tangent matrix. The unknowns of the boundary are eliminated last,
-/// because they would fill the factor.
+/// Cholesky factor of the symmetric part of the tangent matrix. The unknowns of the boundary are eliminated last; if
+/// they were eliminated earlier, the factor would not be sparse.
 class SymmetricPart {
  public:
   explicit SymmetricPart(const TangentLayout& layout) : layout_(layout) {}
@@ -107,16 +108,16 @@ class Preconditioner {
 }  // namespace
 
 TangentPlan plan_tangent(const Eigen::SparseMatrix<double>& tangent, const TangentLayout& layout) {
-  /// Constants of the predicted times, measured with 500 and 4000 spheres at 10 kPa to 100 MPa (docs/numerics.md,
-  /// "Linear systems in 3D"): the number of matrices of a Newton solution, the rates of one core (floating-point
-  /// operations per second), and the numbers of BiCGSTAB steps.
+  /// Constants for the prediction of times: the number of matrices in a Newton solution, the rates of one core
+  /// (floating-point operations per second), and the numbers of BiCGSTAB steps. They were measured with 500 and 4000
+  /// spheres at 10 kPa to 100 MPa (docs/numerics.md, "Linear systems in 3D").
   constexpr double kMatrices = 4.0;
   constexpr double kFactorRate = 15e9, kLuRate = 5e9, kSubstitutionRate = 3e9, kProductRate = 1.2e9;
   constexpr double kStepsWithFactor = 5.0, kStepsWithDiagonal = 300.0, kProductsPerStep = 2.0;
-  // LU factors, which are exact, are chosen whenever they take less than this time (seconds).
+  // LU factors are chosen whenever their predicted time (seconds) is below this value, because they are exact.
   constexpr double kNoMatter = 0.05;
-  constexpr double kLargestFactor = 4e9;  // largest size of a factor that is made (bytes)
-  // Largest predicted time at which LU factors may replace BiCGSTAB if BiCGSTAB does not converge (seconds).
+  constexpr double kLargestFactor = 4e9;  // largest accepted size of a factor (bytes)
+  // If BiCGSTAB does not converge, LU factors may replace it if their predicted time (seconds) is below this value.
   constexpr double kAtNeed = 20.0;
 
   const Eigen::Index n = tangent.rows() - layout.n_boundary;
@@ -191,7 +192,7 @@ class TangentSolver::Krylov {
   Eigen::VectorXd diagonal_;
   double unit_ = 1.0;
   bool has_factor_ = false;
-  bool fresh_ = false;  // whether the Cholesky factor belongs to the current matrix
+  bool fresh_ = false;  // whether the Cholesky factor was made for the current matrix
   int steps_ = 0;       // number of BiCGSTAB steps of the last solution
 };
 

@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Method that solves the linear systems of a Newton iteration, whose matrix is the tangent matrix.
+/// Method that solves the linear systems of a Newton iteration. The matrix of each system is a tangent matrix.
 enum class TangentMethod {
   lu,  ///< LU factor of each tangent matrix (UMFPACK)
   /// BiCGSTAB, preconditioned by a Cholesky factor of the symmetric part of a matrix; one factor serves several
@@ -22,12 +22,13 @@ struct TangentLayout {
   int n_boundary = 0;
 };
 
-/// Method that is predicted to be the fastest for the linear systems of a Newton solution, and its predicted cost.
+/// Method for the linear systems of a Newton solution that is predicted to be the fastest, and its predicted cost.
 struct TangentPlan {
   TangentMethod method = TangentMethod::lu;
   /// predicted time to solve all linear systems of one Newton solution on one core (seconds)
   double seconds = 0.0;
-  /// whether an LU factor is affordable and may replace BiCGSTAB if BiCGSTAB does not converge
+  /// whether an LU factor may replace BiCGSTAB if BiCGSTAB does not converge; false if the LU factor is predicted to be
+  /// too large or too slow
   bool lu_at_need = true;
 };
 
@@ -36,8 +37,8 @@ struct TangentPlan {
 TangentPlan plan_tangent(const Eigen::SparseMatrix<double>& tangent, const TangentLayout& layout);
 
 /// Solver for the linear systems of successive Newton steps. All matrices have the same pattern. The block of the
-/// grains should be nearly symmetric and positive definite, which is the case unless many contacts slide. If BiCGSTAB
-/// does not converge, an LU factor replaces it.
+/// grains should be nearly symmetric and positive definite; it is, unless many contacts slide. If BiCGSTAB does not
+/// converge and TangentPlan::lu_at_need is true, an LU factor replaces BiCGSTAB.
 class TangentSolver {
  public:
   TangentSolver(const TangentPlan& plan, const TangentLayout& layout);
@@ -47,8 +48,8 @@ class TangentSolver {
   /// @return false if the matrix is singular to working precision or not finite
   [[nodiscard]] bool set_matrix(const Eigen::SparseMatrix<double>& tangent);
 
-  /// Solves matrix * x = b. With an LU factor, the residual is at the level of rounding; with BiCGSTAB, its norm is
-  /// 1e-8 times that of b.
+  /// Solves matrix * x = b. With an LU factor, the residual is a rounding error. With BiCGSTAB, the norm of the
+  /// residual is at most 1e-8 times the norm of b.
   /// @return no value if no method succeeds
   [[nodiscard]] std::optional<Eigen::VectorXd> solve(const Eigen::VectorXd& b);
 

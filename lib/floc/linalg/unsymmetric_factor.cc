@@ -14,7 +14,8 @@
 namespace floc {
 
 struct UnsymmetricFactor::Factors {
-  Eigen::SparseMatrix<double> matrix;  // the factorized matrix times `unit`, kept for iterative refinement
+  // factorized matrix: the given matrix times `unit`; kept for iterative refinement
+  Eigen::SparseMatrix<double> matrix;
   /// Power of two that scales the largest entry of the matrix to about 1. Without it, a solution would depend on the
   /// units, because UMFPACK rounds differently if the entries of a row are below 1e-12.
   double unit = 1.0;
@@ -29,7 +30,8 @@ struct UnsymmetricFactor::Factors {
     control[UMFPACK_PRL] = 0;
     // Makes UMFPACK use its ordering for symmetric matrices. The tangent matrices of floc have symmetric patterns and
     // large diagonals, even if their values are not symmetric. With this ordering, the factorization is three to five
-    // times faster (1400 grains). UMFPACK sees the pattern alone and would choose another ordering.
+    // times faster (1400 grains). Without this setting, UMFPACK, which knows only the pattern here, would choose
+    // another ordering.
     control[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
   }
   ~Factors() {
@@ -48,7 +50,7 @@ struct UnsymmetricFactor::Factors {
   void analyse() {
     umfpack_di_free_symbolic(&symbolic);
     const int n = static_cast<int>(matrix.cols());
-    // The values of the matrix are not passed, which makes the ordering depend on the pattern alone.
+    // The values of the matrix are not passed, so that the ordering depends on the pattern only.
     const int status = umfpack_di_symbolic(n, n, matrix.outerIndexPtr(), matrix.innerIndexPtr(), nullptr,
                                            &symbolic, control.data(), nullptr);
     if (status != UMFPACK_OK)
@@ -68,7 +70,7 @@ bool UnsymmetricFactor::factorize(const Eigen::SparseMatrix<double>& matrix) {
   f.reciprocal_condition = 0.0;
   Eigen::SparseMatrix<double> compressed = matrix;
   compressed.makeCompressed();
-  // UMFPACK's symbolic factor depends on the pattern alone; it is kept as long as the pattern stays the same.
+  // The symbolic factor of UMFPACK depends on the pattern only. It is kept as long as the pattern does not change.
   const bool keep_ordering = f.same_pattern(compressed);
   f.matrix.swap(compressed);
   const double* values = f.matrix.valuePtr();
@@ -83,7 +85,7 @@ bool UnsymmetricFactor::factorize(const Eigen::SparseMatrix<double>& matrix) {
   std::array<double, UMFPACK_INFO> info{};
   const int status = umfpack_di_numeric(f.matrix.outerIndexPtr(), f.matrix.innerIndexPtr(), values, f.symbolic,
                                         &f.numeric, f.control.data(), info.data());
-  // A singular matrix is a result that callers handle; any other status is a failure of UMFPACK, such as lack
+  // A singular matrix is a result that callers handle; any other nonzero status is a failure of UMFPACK, such as lack
   // of memory.
   if (status == UMFPACK_WARNING_singular_matrix) {
     f.free_numeric();

@@ -5,8 +5,8 @@
 
 namespace floc {
 
-/// Sparse LU factor of a general square matrix (UMFPACK). The ordering depends on the pattern of the matrix alone and
-/// is kept as long as the pattern stays the same. It is thus computed once for all steps of a Newton iteration, and
+/// Sparse LU factor of a general square matrix (UMFPACK). The ordering depends only on the pattern of the matrix and is
+/// kept as long as the pattern does not change. One ordering therefore serves all steps of a Newton iteration, and
 /// repeated runs give the same bits.
 class UnsymmetricFactor {
  public:
@@ -16,8 +16,8 @@ class UnsymmetricFactor {
   UnsymmetricFactor& operator=(UnsymmetricFactor&&) noexcept;
 
   /// Factorizes a square matrix.
-  /// @param matrix  column-major; it is compressed and copied. To keep the ordering, its pattern should include entries
-  ///                that are zero now but may become nonzero
+  /// @param matrix  column-major; it is compressed and copied. Its pattern should include entries that are zero now but
+  ///                may become nonzero, so that the ordering can be kept
   /// @return false if the matrix is singular to working precision or contains a value that is not finite; solve() must
   ///         then not be called
   /// @throws std::runtime_error if memory runs out

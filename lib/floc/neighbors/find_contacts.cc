@@ -13,8 +13,7 @@
 namespace floc {
 namespace {
 
-/// Largest number of contacts that a packing may have: kContactsAlways plus kContactsPerGrain times the number of
-/// grains.
+/// A packing of n grains may have at most kContactsAlways + n * kContactsPerGrain contacts.
 constexpr std::size_t kContactsAlways = 10'000;
 constexpr std::size_t kContactsPerGrain = 100;
 
@@ -54,12 +53,13 @@ void find_contacts(Packing<Dim>& packing) {
     contact.image = pair.image;
     packing.contacts.push_back(contact);
   }
-  // The range of a contact law does not include the gaps across which its liquid bridges act, because these gaps depend
-  // on the volumes of the bridges. spread_liquid() adds the pairs that a bridge joins across a gap.
+  // interacting_pairs() does not find all pairs with a liquid bridge: the range of a contact law does not include the
+  // gaps across which bridges act, because these gaps depend on the volumes of the bridges. spread_liquid() adds the
+  // missing pairs.
   refresh_contacts(packing);
   spread_liquid(packing);
-  // A contact is meaningless if its normal is zero (both grains have the same centre), or if its normal points from the
-  // wall into the box (the grain has its centre beyond the wall).
+  // A contact is an error if its normal is zero, because both grains have the same centre, or if its normal points from
+  // the wall into the box, because the centre of the grain is beyond the wall.
   const auto name = [&](int i) { return std::to_string(packing.grains.name(i)); };
   for (const Contact<Dim>& c : packing.contacts) {
     if (packing.is_wall(c.j) && c.normal.dot(packing.wall(c.j).normal()) <= 0.0)

@@ -10,7 +10,8 @@ namespace floc {
 
 template <int Dim>
 std::optional<NearestPair> nearest_pair(const Packing<Dim>& packing) {
-  // Smallest and largest gap up to which neighbours are searched, in largest diameters.
+  // Neighbours are searched up to a largest gap, which increases from search to search. These are its first and its
+  // last value, divided by the largest diameter.
   constexpr double kFirst = 1e-3, kLast = 1e3;
   const double a = largest_diameter(packing.grains);
   const double farthest = std::min(kLast * a, packing.cell.matrix.cwiseAbs().sum());

@@ -16,27 +16,27 @@
 namespace floc {
 namespace {
 
-/// Largest distance between a grain and the cell, in sides of the cell. At a larger distance, the number of lattice
-/// vectors between the grain and the cell would not fit an int.
+/// Largest accepted distance between a grain and the cell, in numbers of lattice vectors. An int may be too small for
+/// larger numbers.
 constexpr double kMaxCells = 1e9;
-/// Largest number of pairs of grains whose distance a search may test: kTrialsAlways or, in a large packing,
-/// kTrialsPerGrain times the number of grains.
+/// A search among n grains may test the distances of at most kTrialsAlways pairs or n * kTrialsPerGrain pairs,
+/// whichever is larger.
 constexpr double kTrialsAlways = 1e8;
 constexpr double kTrialsPerGrain = 1e5;
-/// Largest number of close pairs of grains that a search may find: kPairsAlways plus kPairsPerGrain times the number of
-/// grains. More pairs indicate a wrong radius or a wrong cell.
+/// A search among n grains may find at most kPairsAlways + n * kPairsPerGrain close pairs. More pairs indicate a wrong
+/// radius or a wrong cell.
 constexpr std::size_t kPairsAlways = 10'000;
 constexpr std::size_t kPairsPerGrain = 1000;
-/// Largest number of size levels, into which grains are sorted. Each level covers a factor of two in size; the last
-/// level also takes all smaller grains.
+/// Largest number of size levels into which grains are sorted. Each level contains grains whose sizes differ by at most
+/// a factor of two, except that the last level contains all smaller grains, too.
 constexpr int kMaxLevels = 32;
 
-/// Positions of the grains of a packing, each moved into the cell by whole lattice vectors.
+/// Positions of the grains of a packing after each grain was moved into the cell by lattice vectors.
 template <int Dim>
 struct WrappedGrains {
   /// Reduced coordinates of each grain (in lattice vectors), inside [0, 1] up to rounding.
   std::vector<Vec<Dim>> reduced;
-  /// Number of cells along each lattice vector by which each grain is moved into the cell.
+  /// For each grain, the number of times that each lattice vector is added to move the grain into the cell.
   std::vector<Vec<Dim, int>> wrap;
   std::vector<Vec<Dim>> position;
 
@@ -58,14 +58,14 @@ struct WrappedGrains {
   }
 };
 
-/// Bins (parallelepipeds) into which the cell is divided, with the grains that lie in each bin. Each lattice vector is
-/// divided into equal parts. Each bin is at least as wide as the cutoff distance, unless the cell is narrower.
+/// Bins (parallelepipeds) into which the cell is divided, and the grains in each bin. Each lattice vector is divided
+/// into equal parts. Each bin is at least as wide as the cutoff distance, unless the cell is narrower.
 template <int Dim>
 class Bins {
  public:
   /// @param grains  positions of all grains, moved into the cell
-  /// @param members  indices of the grains to sort into bins, in ascending order; at least one grain
-  /// @param cutoff  smallest width of a bin (length), if the cell is at least as wide
+  /// @param members  indices of the grains that are sorted into bins: one or more, in ascending order
+  /// @param cutoff  smallest width (length) of a bin; if the cell is narrower, a bin is as wide as the cell
   Bins(const Cell<Dim>& cell, const WrappedGrains<Dim>& grains, const std::vector<int>& members, double cutoff)
       : grains_(grains) {
     const Mat<Dim> to_reduced = cell.matrix.transpose().inverse();
@@ -79,7 +79,7 @@ class Bins {
     sort(members);
   }
 
-  /// Returns the largest number of bins that around() visits to find the grains within `reach` (length) of one grain.
+  /// Returns the largest number of bins that around() visits for one grain and the distance `reach` (length).
   double bins_within(double reach) const {
     double bins = 1.0;
     for (int a = 0; a < Dim; ++a) bins *= 2.0 * std::ceil(reach * count_[a] / height_[a]) + 1.0;
@@ -88,15 +88,15 @@ class Bins {
   double bins() const { return count_.template cast<double>().prod(); }
 
   /// Calls visit(j, image) for every grain j of these bins whose centre may be closer than `reach` (length) to the
-  /// centre of grain i. `image` is the periodic image, in lattice vectors, in which grain j is that close.
+  /// centre of grain i. `image` is the periodic image (in numbers of lattice vectors) of grain j that is so close.
   template <class Visit>
   void around(int i, double reach, const Visit& visit) const {
     const Window window = window_around(i, reach);
     for_each_bin(window.first, window, [&](const Vec<Dim, int>& bin) { visit_bin(bin, visit); });
   }
 
-  /// Calls visit(j, image) like around(), but visits each pair from only one of its two grains. Grain i has to be in
-  /// these bins, too. Bins before the bin of i, and grains in the bin of i with an index below i, are left out.
+  /// Calls visit(j, image) like around(), but leaves out the bins before the bin of i, and the grains in the bin of i
+  /// with an index below i. Calls for all grains in these bins visit each pair once. Grain i must be in these bins.
   template <class Visit>
   void around_and_after(int i, double reach, const Visit& visit) const {
     const Window window = window_around(i, reach);
@@ -129,8 +129,8 @@ class Bins {
     return window;
   }
 
-  /// Calls visit(bin) for each bin of a window (a box of bins around a grain), from the bin `begin` on. The index of
-  /// the bin along the first axis varies fastest.
+  /// Calls visit(bin) for each bin of a window (a box of bins around a grain). The first bin is `begin`, and the index
+  /// along the first axis changes fastest.
   template <class Visit>
   static void for_each_bin(const Vec<Dim, int>& begin, const Window& window, const Visit& visit) {
     Vec<Dim, int> bin = begin;
@@ -168,8 +168,8 @@ class Bins {
   template <class Visit>
   void visit_bin(Vec<Dim, int> target, const Visit& visit) const {
     Vec<Dim, int> image = Vec<Dim, int>::Zero();
-    // These loops move the bin `target` back into the cell. The bin is at most a few cells outside. Divisions would be
-    // slower: they took a third of the computing time of the search.
+    // These loops move the bin `target` back into the cell. They are faster than divisions, because the bin is at most
+    // a few cells outside; divisions took a third of the computing time of the search.
     for (int a = 0; a < Dim; ++a) {
       for (; target[a] < 0; target[a] += count_[a]) --image[a];
       for (; target[a] >= count_[a]; target[a] -= count_[a]) ++image[a];
@@ -179,14 +179,14 @@ class Bins {
   }
 
   const WrappedGrains<Dim>& grains_;
-  Vec<Dim> height_;  ///< distance between the opposite faces of the cell along each lattice vector (length)
+  Vec<Dim> height_;  ///< for each lattice vector, distance between the opposite faces of the cell (length)
   Vec<Dim, int> count_;
-  /// Index in the list member_ of the first grain of each bin; the last entry of first_ is the size of member_.
+  /// For each bin, the index in member_ of the first grain of the bin; the last entry is the size of member_.
   std::vector<int> first_;
   std::vector<int> member_;  ///< indices of the grains in these bins, sorted by bin
 };
 
-/// Size level: grains of similar radius, sorted into bins that are wide enough for the largest of these grains.
+/// Size level: grains of similar radius. The bins are wide enough for the largest of these grains.
 template <int Dim>
 struct SizeLevel {
   std::vector<int> members;
@@ -195,15 +195,15 @@ struct SizeLevel {
 };
 
 /// Sorts the grains into levels of similar size, the level of the largest grains first. A grain of radius R needs bins
-/// of width 2 R + gap. If the largest of these widths is at most kSimilarSizes times the smallest, there is a single
-/// level; otherwise there is one level per factor of two in width. With levels, a small grain is not compared with the
-/// many small grains in bins that are as wide as the largest grain (Ogarko and Luding, Comput. Phys. Commun. 183, 931,
-/// 2012).
+/// of width 2 R + gap. If the largest width is at most kSimilarSizes times the smallest, all grains form one level. If
+/// not, there is one level per factor of two in width. Levels save time: without them, all bins would be as wide as the
+/// largest grain, and each small grain would be compared with the many small grains in such bins (Ogarko and Luding,
+/// Comput. Phys. Commun. 183, 931, 2012).
 template <int Dim>
 std::vector<SizeLevel<Dim>> size_levels(const Cell<Dim>& cell, const Grains<Dim>& grains,
                                         const WrappedGrains<Dim>& wrapped, double gap) {
   const auto [least, most] = std::minmax_element(grains.radius.begin(), grains.radius.end());
-  // Half widths are compared, because twice a radius close to the largest double would overflow.
+  // Half widths are compared. The width itself could overflow if a radius is close to the largest double.
   const double widest = *most + 0.5 * gap;
   const bool one = widest <= kSimilarSizes * (*least + 0.5 * gap);
   std::vector<std::vector<int>> members(kMaxLevels);
@@ -222,8 +222,8 @@ std::vector<SizeLevel<Dim>> size_levels(const Cell<Dim>& cell, const Grains<Dim>
   return levels;
 }
 
-/// Throws an InputError if a search would test too many pairs of grains. This happens if each grain has too many
-/// periodic images nearby, because the cell is small compared with its grains.
+/// Throws an InputError if a search would test too many pairs of grains: if the cell is so small that each grain has
+/// many periodic images nearby, or if the grains differ too much in size.
 template <int Dim>
 void check_cost(const std::vector<SizeLevel<Dim>>& levels, double n_grains, double gap) {
   double trials = 0.0;
@@ -243,8 +243,8 @@ void check_cost(const std::vector<SizeLevel<Dim>>& levels, double n_grains, doub
             " pairs of grains: check the lattice vectors and the radii");
 }
 
-/// Converts the periodic image of the second grain of a pair from vectors of the reduced lattice, in which pairs are
-/// searched, to lattice vectors of the packing.
+/// Converts the periodic image of the second grain of a pair to lattice vectors of the packing. The search gives the
+/// image in vectors of the reduced lattice.
 template <int Dim>
 Vec<Dim, int> image_in(const ReducedLattice<Dim>& lattice, const Vec<Dim, int>& image) {
   if (lattice.is_original) return image;
@@ -266,8 +266,8 @@ void check_finite(const Cell<Dim>& cell, const Grains<Dim>& grains) {
                        "the position and the radius of the grain must be finite");
 }
 
-/// Search for all pairs of close grains of a packing. Each grain is compared with the grains of its own size level and
-/// of the levels of larger grains.
+/// Search for all pairs of close grains of a packing. Each grain is compared with the grains of its own size level, and
+/// with the grains of levels with larger grains.
 template <int Dim>
 class PairSearch {
  public:
@@ -298,7 +298,7 @@ class PairSearch {
     NeighborPair<Dim> pair{i, j,
                            image_in(lattice_, Vec<Dim, int>(image + wrapped_.wrap[j] - wrapped_.wrap[i]))};
     if (!is_canonical(pair)) pair = swapped(pair);
-    // Skips the pair of a grain with itself, but not the pair of a grain with a periodic image of itself.
+    // Skips a grain paired with itself at image zero, which has no canonical form.
     if (!is_canonical(pair)) return;
     pairs_.push_back(pair);
     if (pairs_.size() > kPairsAlways + kPairsPerGrain * static_cast<std::size_t>(grains_.size()))
@@ -315,8 +315,8 @@ class PairSearch {
   std::vector<NeighborPair<Dim>> pairs_;
 };
 
-/// Sorts pairs of grains by (i, j, image): first by the first grain i with a counting sort, and then by comparison of
-/// the pairs of each first grain.
+/// Sorts pairs of grains by (i, j, image). A counting sort arranges the pairs by i; then the pairs with equal i are
+/// sorted by comparison.
 template <int Dim>
 std::vector<NeighborPair<Dim>> sorted(const std::vector<NeighborPair<Dim>>& pairs, int n_grains) {
   std::vector<std::size_t> first(n_grains + 1, 0);
@@ -337,7 +337,7 @@ template <int Dim>
 std::vector<NeighborPair<Dim>> find_pairs(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap) {
   check_finite(cell, grains);
   if (grains.size() == 0) return {};
-  // The PairSearch object is temporary, to free its memory before the pairs are sorted.
+  // The PairSearch object is temporary, so that its memory is free before the pairs are sorted.
   const std::vector<NeighborPair<Dim>> pairs = PairSearch<Dim>(cell, grains, gap).all();
   return sorted(pairs, grains.size());
 }

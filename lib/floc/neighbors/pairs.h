@@ -6,14 +6,14 @@
 
 namespace floc {
 
-/// Pair of grains, or of a grain and a periodic image of a grain, whose surfaces touch or are so close that they may
-/// come into contact.
+/// Pair of grains whose surfaces touch or are so close that they may come into contact. The second grain may be a
+/// periodic image.
 template <int Dim>
 struct NeighborPair {
   int i;
   int j;  ///< index of the second grain, >= i; equal to i for a grain and its own image
-  /// Periodic image of grain j, as its number of cells along each lattice vector. The vector from the centre of i to
-  /// the centre of this image is x[j] + image * cell.matrix - x[i], with the positions x of the grains.
+  /// Periodic image of grain j, as numbers of lattice vectors. If x are the positions of the grains, the vector from
+  /// the centre of i to the centre of this image is x[j] + image * cell.matrix - x[i].
   Vec<Dim, int> image;
   int key = 0;  ///< number that distinguishes several contacts between the same two surfaces
 
@@ -22,14 +22,14 @@ struct NeighborPair {
 
 /// Finds every pair of grains whose surfaces are closer than `gap`. Each pair appears once; the pairs are sorted by (i,
 /// j, image). The lattice vectors may have any lengths and directions. In a small cell, two grains may form several
-/// pairs with different periodic images, and a grain may form pairs with its own periodic images; a grain and two
-/// opposite images of itself form one pair.
+/// pairs with different periodic images, and a grain may form pairs with its own images. The pairs of a grain with two
+/// opposite images of itself count as one pair.
 ///
-/// @param gap  distance between the surfaces of two grains below which they form a pair (length), >= 0
-/// @throws InputError if a radius, position or the cell is not finite or the cell has no volume; if a grain lies more
-/// than 1e9 cells away from the cell; if the search would take too long, for example because a grain is many cells
-/// wide, or because very many small grains are mixed with a very large grain; or if there are more than 10 000 pairs
-/// plus 1000 per grain
+/// @param gap  two grains form a pair if the distance (length) between their surfaces is below this value, >= 0
+/// @throws InputError if a radius, a position or the cell is not finite, or the cell has no volume; if a grain lies
+/// more than 1e9 cells away from the cell; if the search would take too long, for example because a grain is many cells
+/// wide, or because many small grains are mixed with a very large one; or if the number of pairs exceeds 10 000 plus
+/// 1000 per grain
 template <int Dim>
 std::vector<NeighborPair<Dim>> find_pairs(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap);
 

@@ -10,8 +10,9 @@ namespace {
 
 constexpr int kBitsPerAxis = 16;
 
-/// Returns the position of a point along the space-filling Morton curve, as a number whose bits are the interleaved
-/// bits of the reduced coordinates of the point (in lattice vectors).
+/// Returns the position of a point along the space-filling Morton curve. The bits of the result are the bits of the
+/// coordinates of the point, interleaved.
+/// @param s  reduced coordinates (in lattice vectors)
 template <int Dim>
 std::uint64_t morton(const Vec<Dim>& s) {
   std::uint64_t code = 0;
@@ -23,16 +24,18 @@ std::uint64_t morton(const Vec<Dim>& s) {
   return code;
 }
 
-/// Smallest number of spheres that are stored by layers and rows of the cell. With fewer spheres, storing them along
-/// the Morton curve gives equally fast time steps.
+/// If a packing has at least this number of spheres, they are stored by layers and rows of the cell. With fewer
+/// spheres, the order along the Morton curve gives equally fast time steps.
 constexpr int kManySpheres = 10'000;
 /// Thickness of the rows and layers into which grains are sorted, divided by the mean spacing of the grains (cube root
-/// of the volume per grain). With 108 000 spheres, time steps are 8 % slower with 0.5 or 0.9 than with this value.
+/// of the volume per grain). For 108 000 spheres, time steps with a thickness of 0.5 or 0.9 are 8 % slower than with
+/// this value.
 constexpr double kRowThickness = 0.7;
-/// Numbers of bits that the sort key of a grain uses for the number of its row and for its position along the row.
+/// Numbers of bits, in the sort key of a grain, for the number of its row (or layer) and for its position along the
+/// row.
 constexpr int kBitsOfRows = 20, kBitsAlongRow = 24;
 
-/// Returns the number of rows (or layers) of grains into which the cell is divided across a width (length).
+/// Returns the number of rows (or layers) into which a width (length) of the cell is divided.
 /// @param spacing  mean spacing of the grains (length)
 double rows_across(double width, double spacing) {
   return std::clamp(std::round(width / (kRowThickness * spacing)), 1.0, std::exp2(kBitsOfRows));
@@ -57,7 +60,7 @@ std::vector<std::uint64_t> places_along_curve(const Cell<Dim>& cell, const Grain
 std::vector<std::uint64_t> places_in_rows(const Cell<3>& cell, const Grains<3>& grains) {
   const Mat<3> to_reduced = cell.matrix.transpose().inverse();
   const double spacing = std::cbrt(cell.volume() / grains.size());
-  // The cell may be oblique. Its width along a lattice vector is the distance between opposite faces.
+  // The cell may be oblique. The widths are distances between opposite faces.
   const double rows_of_layer = rows_across(1.0 / to_reduced.row(1).norm(), spacing),
                layers = rows_across(1.0 / to_reduced.row(2).norm(), spacing);
   std::vector<std::uint64_t> code;

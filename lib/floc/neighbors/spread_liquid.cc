@@ -17,8 +17,9 @@
 namespace floc {
 namespace {
 
-/// Returns the pairs of grains that may get liquid, as sorted contacts with their gaps: the contacts between grains of
-/// the packing, and all other pairs of grains whose gap is below `reach` (length), with unloaded springs.
+/// Returns the pairs of grains that may get liquid, as sorted contacts whose gaps are set. They are the contacts of the
+/// packing between grains, and all other pairs of grains whose gap is below `reach` (length). The springs of the other
+/// pairs are unloaded.
 template <int Dim>
 std::vector<Contact<Dim>> candidates(const Packing<Dim>& packing, double reach) {
   std::vector<Contact<Dim>> found;
@@ -59,8 +60,8 @@ LiquidChange spread_liquid(Packing<Dim>& packing) {
   double reach = on_contact ? 0.0 : search.first_reach();
   std::vector<Contact<Dim>> found = candidates(packing, reach);
   LiquidShares shares = shares_over(packing, search, found);
-  // If bridges form only on contact, every pair that gets liquid touches or is already a contact of the packing. The
-  // search for pairs then need not be widened.
+  // The search for pairs need not be widened if bridges form only on contact: every pair that gets liquid then touches
+  // or is already a contact of the packing.
   for (double wider = search.wider(reach, shares); !on_contact && wider > reach;
        wider = search.wider(reach, shares)) {
     reach = wider;

@@ -4,10 +4,10 @@
 
 namespace floc {
 
-/// Changes of the liquid bridges of a packing when its liquid is distributed anew.
+/// Changes of the liquid bridges of a packing when its liquid is distributed again.
 struct LiquidChange {
-  int n_formed = 0;  ///< number of pairs of grains that had no liquid bridge before and have one now
-  /// number of pairs of grains that had a liquid bridge before (intact or broken) and have none now
+  int n_formed = 0;  ///< number of pairs of grains that had no liquid bridge before and have one afterwards
+  /// number of pairs of grains that had a liquid bridge (intact or broken) before and have none afterwards
   int n_broken = 0;
 
   double largest = 0.0;  ///< largest relative change of the volume of a liquid bridge that existed before
@@ -17,11 +17,11 @@ struct LiquidChange {
   bool nothing() const { return n_changed() == 0 && largest < 1e-9; }
 };
 
-/// Distributes the liquid of a packing over its pairs of grains, according to their present gaps (share_liquid()).
-/// Contacts that get no liquid and do not touch are removed from the packing; pairs that get liquid are added as
-/// contacts with unloaded springs. If bridges form only on contact under the contact law, only pairs that touch or have
-/// a bridge get liquid. The contact forces are recomputed with the new volumes of the bridges. If the contact law has
-/// no liquid, nothing is changed.
+/// Distributes the liquid of a packing over its pairs of grains, according to the present gaps (share_liquid()). A
+/// contact whose grains do not touch and that gets no liquid is removed from the packing. A pair that gets liquid and
+/// is not a contact yet is added as a contact with unloaded springs. If the contact law forms bridges only on contact,
+/// only pairs that touch or have a bridge get liquid. The contact forces are recomputed with the new volumes of the
+/// bridges. If the contact law has no liquid, nothing is changed.
 ///
 /// @throws InputError if find_pairs() throws it
 template <int Dim>

@@ -13,9 +13,9 @@ NeighborPair<Dim> canonical_pair(const Contact<Dim>& c) {
   return canonical(NeighborPair<Dim>{c.i, c.j, c.image});
 }
 
-/// Returns the indices of the contacts, sorted by the canonical form (i <= j) of the pair of each contact. The contacts
-/// usually have this order already, unless they were read from a file with another order. Indices are sorted instead of
-/// contacts, because there may be millions of contacts.
+/// Returns the indices of the contacts, sorted by the canonical form (i <= j) of the pair of each contact. Contacts
+/// usually have this order already, except those of a file with another order. The function sorts indices, which is
+/// cheaper than sorting contacts, because there may be millions of contacts.
 template <int Dim>
 std::vector<int> canonical_order(const std::vector<Contact<Dim>>& contacts) {
   std::vector<int> order(contacts.size());

@@ -10,12 +10,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Directories in which floc's PETSc module may be, relative to the directory of the program: in the build tree, and
-/// after installation.
+/// Directories in which floc's PETSc module may be, relative to the directory of the program. The first is for the
+/// build tree, the second for an installation.
 constexpr const char* kPlaces[] = {".", FLOC_PETSC_MODULE_FROM_PROGRAM};
 
-/// Returns the path of floc's PETSc module. If the module is in none of the directories kPlaces, the path is its file
-/// name alone, and the dynamic loader looks for it in its own directories.
+/// Returns the path of floc's PETSc module. If the module is in none of the directories kPlaces, returns the name of
+/// the file only, so that the dynamic loader searches its own directories.
 fs::path module_path() {
   std::error_code none;
   const fs::path program = fs::read_symlink("/proc/self/exe", none).parent_path();
@@ -37,8 +37,8 @@ std::unique_ptr<ParallelSolver> load_parallel_solver() {
     throw std::runtime_error(
         "this floc was built without PETSc: build it with -DFLOC_PETSC=ON, which needs PETSc (Debian package "
         "libpetsc-real-dev)");
-  // The module is loaded only when needed: PETSc depends on some eighty libraries, which take longer to load than most
-  // commands take to run.
+  // The module is loaded only when needed, because PETSc depends on about eighty libraries. Loading these libraries
+  // takes longer than running most commands.
   void* module = dlopen(module_path().c_str(), RTLD_NOW | RTLD_LOCAL);
   if (module == nullptr)
     throw std::runtime_error(std::string("the PETSc module cannot be loaded: ") + dlerror());

@@ -1,4 +1,5 @@
-// Module that floc loads to solve with PETSc. No other source file includes PETSc's headers or uses PETSc directly.
+// Module that floc loads to solve linear systems with PETSc. This is the only source file that includes PETSc's headers
+// or calls PETSc.
 #include <petscksp.h>
 
 #include <algorithm>
@@ -12,8 +13,8 @@
 namespace floc {
 namespace {
 
-/// Conjugate gradients are stopped after kMostSteps steps, or after kPatience successive steps without a new smallest
-/// norm of the residual.
+/// Conjugate gradients stop after kMostSteps steps, or if the norm of the residual has not reached a new minimum for
+/// kPatience steps.
 constexpr PetscInt kMostSteps = 20000;
 constexpr PetscInt kPatience = 2000;
 
@@ -26,7 +27,7 @@ void check(PetscErrorCode code) {
                            (specific != nullptr && *specific != '\0' ? std::string(": ") + specific : ""));
 }
 
-/// Owner of a PETSc object; its destructor destroys the object.
+/// Owns a PETSc object; the destructor destroys the object.
 template <class T, PetscErrorCode (*Destroy)(T*)>
 class Owned {
  public:
@@ -48,7 +49,7 @@ class Owned {
   T object_ = nullptr;
 };
 
-/// Makes a PETSc vector use an existing array while this object exists, without copying entries.
+/// Makes a PETSc vector use an existing array, without a copy, while this object exists.
 class Lent {
  public:
   Lent(Vec vector, const double* values) : vector_(vector) { check(VecPlaceArray(vector, values)); }

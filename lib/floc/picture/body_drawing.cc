@@ -9,17 +9,18 @@
 namespace floc {
 namespace {
 
-/// Returns the unit vector that points to where the light comes from, in the coordinates of the viewer. It is the normal
-/// of a sphere at its brightest point.
+/// Returns the unit vector towards the light source, in the coordinates of the viewer. A sphere is brightest at the
+/// point where its normal is this vector.
 Vec<3> light() {
   constexpr double kFromAxis = 0.45;  // sine of the angle between the light and the line of sight
   return {kFromAxis * kLight[0], -kFromAxis * kLight[1], std::sqrt(1.0 - kFromAxis * kFromAxis)};
 }
 
-/// Returns the colour of a facet. It ranges from the dark of the rim of a sphere to the pale colour of its bright spot.
+/// Returns the colour of a facet. The shade ranges from the dark shade at the rim of a sphere to the pale shade at its
+/// brightest point.
 Color shaded(const Color& color, const Vec<3>& normal) {
   constexpr double kDarkest = 0.6, kPalest = 0.6;
-  // cosine of the angle between the light and the normal of a facet with the unchanged colour
+  // cosine of the angle between the light and the normal of a facet at which the colour of the facet is unchanged
   constexpr double kPlain = 0.75;
   const double lit = std::max(0.0, normal.dot(light()));
   return lit < kPlain ? darker(color, kDarkest * (1.0 - lit / kPlain))
@@ -44,10 +45,11 @@ void draw_body(cairo_t* page, const SeenBody& body, const std::function<Vec<2>(c
                double points_per_length, const Color& color) {
   // width of edges: largest width (points), and width divided by the radius of the body
   constexpr double kWidest = 0.5, kWidth = 0.03;
-  // how much darker an edge is than its facets, without and with rounding
+  // amount by which an edge is darker than its facets, for sharp and for rounded edges
   constexpr double kSharp = 0.35, kRounded = 0.18;
   if (body.facets.empty()) return draw_capsule(page, body, on_page, points_per_length, color);
-  // Edges are drawn with each facet. They also cover the seams that antialiasing leaves between facets.
+  // The edges of each facet are drawn together with the facet. They also cover the seams that antialiasing leaves
+  // between facets.
   cairo_set_line_width(page, std::min(kWidest, kWidth * points_per_length * body.radius));
   cairo_set_line_join(page, CAIRO_LINE_JOIN_ROUND);
   for (const Facets::Facet& facet : body.facets) {

@@ -14,8 +14,9 @@ PackingPicture<Dim> contacts_changed(const Packing<Dim>& before, const Packing<D
   const Mat<Dim> back = changes.deformation.inverse();
   for (const int c : changes.gained) {
     // A gained contact is drawn along its branch vector before the change, b. After the change, the branch vector is
-    // the deformed b plus the relative displacement of the two grains; this is solved for b. The line is straight also
-    // between grains with corners, because they do not touch at the contact point before the change.
+    // the deformed b plus the relative displacement of the two grains; b follows from this equation. The line is
+    // straight even between grains with corners, because these grains do not touch before the change and have no
+    // contact point then.
     const Contact<Dim>& contact = after.contacts[c];
     const Vec<Dim> apart = changes.displacement[contact.j] - changes.displacement[contact.i];
     const Vec<Dim>& from = before.grains.position[contact.i];

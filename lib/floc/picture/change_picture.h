@@ -6,8 +6,8 @@
 namespace floc {
 
 /// Returns a picture of the changes between two states of a packing, drawn at the grain positions of the first state.
-/// It shows lost contacts, gained contacts, and kept contacts as thin lines. Arrows show the displacements of the
-/// grains, relative to a uniform deformation of all grains with the cell.
+/// The picture shows lost contacts, gained contacts and, as thin lines, contacts that exist in both states. Arrows show
+/// the displacements of the grains, relative to a uniform deformation of all grains with the cell.
 /// @param changes  changes from the state `before` to the state `after`
 template <int Dim>
 PackingPicture<Dim> contacts_changed(const Packing<Dim>& before, const Packing<Dim>& after,

@@ -14,12 +14,12 @@
 namespace floc {
 namespace {
 
-/// Component of the normal of a separating plane along the line of sight. Below this value, neither of the two
-/// bodies is in front of the other.
+/// Smallest component along the line of sight of the normal of a plane that separates two bodies. If the component is
+/// smaller, neither body is in front of the other.
 constexpr double kPlaneEndOn = 1e-9;
 
-/// Returns the image of a body, relative to the image of its centre. Only those members of the shape are set
-/// that closest_points() reads: vertices, rounding and outer radius. Vertices may lie inside the image.
+/// Returns the image of a body, relative to the image of its centre. Only the members of the shape that
+/// closest_points() reads are set: vertices, rounding and outer radius. Some vertices may lie inside the image.
 Shape<2> image_of(const PlacedShape<3>& body, const Camera& camera) {
   Shape<2> image;
   image.rounding = body.rounding();
@@ -29,7 +29,7 @@ Shape<2> image_of(const PlacedShape<3>& body, const Camera& camera) {
   return image;
 }
 
-/// Finds the pairs of bodies of which one may cover the other, and sorts the bodies accordingly.
+/// Finds the pairs of bodies in which one body may cover the other, and sorts the bodies accordingly.
 class Sorter {
  public:
   Sorter(const std::vector<PlacedShape<3>>& bodies, const Camera& camera)
@@ -80,9 +80,9 @@ class Sorter {
     ++n_farther_[near];
   }
 
-  /// Returns whether the images of two bodies overlap. If they do not, the order of the two bodies is
-  /// arbitrary. An order derived from a separating plane would then be unnecessary, and several such orders
-  /// could contradict each other.
+  /// Returns whether the images of two bodies overlap. If the images do not overlap, the two bodies can be drawn in any
+  /// order. No order is then derived from a separating plane, because such orders of several pairs could contradict
+  /// each other.
   bool images_overlap(int i, int j, const Vec<2>& apart) const {
     const RelativePlace<2> place(Mat<2>::Identity(), apart, 1.0);
     const Vec<2> guess = apart.isZero(0.0) ? Vec<2>(Vec<2>::Unit(0)) : apart;
@@ -90,8 +90,8 @@ class Sorter {
     return closest.overlap || closest.distance < image_[i].rounding + image_[j].rounding;
   }
 
-  /// Returns the component towards the eye of the unit normal, from i to j, of a plane that separates two
-  /// bodies.
+  /// Takes a plane that separates the bodies i and j, and its unit normal from i to j. Returns the component of this
+  /// normal towards the eye.
   double normal_towards_eye(int i, int j, const Vec<3>& apart, double radii) const {
     // If the circumscribed spheres do not overlap, a plane normal to the line between the centres separates the bodies.
     if (apart.norm() >= radii) return apart[2];
@@ -99,8 +99,8 @@ class Sorter {
     return contact.n > 0 ? camera_.seen(contact.normal)[2] : apart[2];
   }
 
-  /// Returns the drawing order. A body can be taken if all bodies that it may cover have been taken; among
-  /// these bodies, the one with the farthest centre is taken next.
+  /// Returns the drawing order. A body is free to be drawn if all bodies that it may cover have been drawn. The free
+  /// body with the farthest centre is drawn next.
   std::vector<int> sorted() {
     using Waiting = std::pair<double, int>;
     std::vector<Waiting> by_depth;

@@ -11,7 +11,8 @@ struct DrawnScale {
   double points_per_displacement = 0.0;
 };
 
-/// Mean diameter of the grains of a picture (length); of grains with corners, that of disks or spheres of equal volume.
+/// Mean diameter of the grains of a picture (length). The diameter of a grain with corners is the diameter of the disk
+/// or sphere of equal volume.
 template <int Dim>
 double mean_diameter(const PackingPicture<Dim>& picture);
 

@@ -7,8 +7,8 @@
 namespace floc {
 namespace {
 
-/// Makes the facets of a rounded polyhedron. The points of the facets are numbered like `Shape::corners`: each corner
-/// of each face of the core, moved outwards along the normal of the face.
+/// Makes the facets of a rounded polyhedron. The points of the facets are the corners of the faces of the core, moved
+/// outwards along the normal of each face. They are numbered like `Shape::corners`.
 class BevelledFacets {
  public:
   explicit BevelledFacets(const Shape<3>& shape) : shape_(shape) {}

@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Flat facets that stand for the surface of a convex shape in 3D.
+/// Flat facets that approximate the surface of a convex shape in 3D.
 struct Facets {
   struct Facet {
     std::vector<int> corners;  ///< indices in `points`, counter-clockwise as seen from outside
@@ -17,8 +17,8 @@ struct Facets {
 };
 
 /// Returns the facets of a polyhedron. A rounded polyhedron, whose edges and corners are parts of cylinders and
-/// spheres, gets a bevel in place of each edge and each corner: its facets are those of the convex hull of the flat
-/// parts of its surface.
+/// spheres, is drawn with a bevel in place of each edge and each corner: its facets are the facets of the convex hull
+/// of the flat parts of its surface.
 /// @pre the core of the shape (the shape without its rounding) has faces
 Facets facets_of(const Shape<3>& shape);
 

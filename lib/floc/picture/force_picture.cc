@@ -18,7 +18,8 @@
 namespace floc {
 namespace {
 
-/// Unit in which the forces in a picture are expressed: its size as a force, and its symbol in the legend.
+/// Unit in which the forces in a picture are expressed: the magnitude of the unit (force), and the symbol of the unit
+/// in the legend.
 struct UnitForce {
   double size;
   const char* name;
@@ -46,8 +47,8 @@ double size_of_force(const Contact<Dim>& c, const UnitForce& unit) {
   return std::hypot(c.normal_force, c.shear_force.norm()) / unit.size;
 }
 
-/// Returns the sign of the pressure of each grain: 1 or -1. It is 0 for rattlers, and for grains whose pressure is at
-/// most zero_force/a^(Dim-1) in magnitude, where a is the largest diameter.
+/// Returns the sign of the pressure of each grain: 1 or -1. The result is 0 for rattlers, and for grains whose pressure
+/// has a magnitude of at most zero_force/a^(Dim-1), where a is the largest diameter.
 template <int Dim>
 std::vector<int> signs_of(const Packing<Dim>& packing, const std::vector<bool>& rattler, double zero_force) {
   std::vector<int> sign;
@@ -73,8 +74,8 @@ LineKind line_of_kind(ContactType kind) {
                                         : LineKind::compression;
 }
 
-/// Returns the kind of the contact of a grain with a wall: what of the grain lies on the wall, by the number of its points
-/// that carry a force.
+/// Returns the kind of a contact between a grain and a wall: whether a vertex, an edge or a face of the grain lies on
+/// the wall. The kind follows from the number of contact points with a force.
 template <int Dim>
 ContactType kind_on_wall(const Packing<Dim>& packing, const Contact<Dim>& contact, double zero_force) {
   const auto of_grain = std::ranges::equal_range(packing.contacts, contact.i, {}, &Contact<Dim>::i);
@@ -168,7 +169,7 @@ PackingPicture<Dim> increment_forces(const Packing<Dim>& given, const ContactNet
   picture.force_symbol = "δF";
   picture.compression_name = "force grows";
   picture.tension_name = "force falls";
-  picture.note = fmt::format("in colour: {:.0f} % of the contacts, which hold 95 % of the elastic energy",
+  picture.note = fmt::format("in colour: {:.0f} % of the contacts, with 95 % of the elastic energy",
                              100.0 * step.energy_share_95);
   for (std::size_t k = 0; k < network.contacts.size(); ++k) {
     const ForceIncrement<Dim>& f = step.increments[k];

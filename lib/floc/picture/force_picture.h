@@ -7,33 +7,35 @@
 namespace floc {
 
 /// Returns a picture of the contact forces of a packing. Each interaction is a line between the grain centres. The
-/// width of the line shows the magnitude of the force, its colour the sign of the normal force. The unit of force is
-/// the pull-off force or, without adhesion, the mean compressive normal force. Rattlers are marked.
+/// width of the line shows the magnitude of the force, and the colour of the line shows the sign of the normal force.
+/// The unit of force is the pull-off force or, without adhesion, the mean compressive normal force. Rattlers are
+/// marked.
 /// @param zero_force  largest normal force that counts as zero (force)
 template <int Dim>
 PackingPicture<Dim> equilibrium_forces(const Packing<Dim>& packing, double zero_force);
 
 /// Returns a picture of the two phases of a packing: the grains under pressure and the grains under tension. Grains are
-/// coloured by the sign of their pressure, in pale colours outside the largest connected cluster of their phase.
+/// coloured by the sign of their pressure. The colours are pale outside the largest connected cluster of each phase.
 /// Contacts between grains of the same phase are drawn as lines. Rattlers are in neither phase, nor are grains whose
 /// pressure is at most zero_force/a^(Dim-1) in magnitude, where a is the largest diameter.
 /// @param zero_force  largest normal force that counts as zero (force)
 template <int Dim>
 PackingPicture<Dim> pressure_phases_of(const Packing<Dim>& packing, double zero_force);
 
-/// Returns a picture of the contact forces of grains with corners, with a colour for each kind of contact: one point (a
-/// vertex and a face, or two edges), in 3D two points (an edge and a face), and two faces (in 2D sides). The kind follows
-/// from the number of points that carry a force (contact_pairs()). Rattlers are marked.
+/// Returns a picture of the contact forces of grains with corners, with a colour for each kind of contact: contacts at
+/// one point (a vertex and a face, or two edges), in 3D contacts at two points (an edge and a face), and contacts of
+/// two faces (in 2D, of two sides). The kind follows from the number of points that carry a force (contact_pairs()).
+/// Rattlers are marked.
 /// @param zero_force  largest normal force that counts as zero (force)
 /// @throws InputError if the grains are disks or spheres
 template <int Dim>
 PackingPicture<Dim> contact_kinds_of(const Packing<Dim>& packing, double zero_force);
 
-/// Returns a picture of the changes of the contact forces when the stress changes by a small step. The contacts that
-/// hold 95 % of the elastic energy of these changes are drawn as lines whose width shows the change of the force. They
-/// have the colour of compression if the normal force grows, and the colour of tension if it falls. The other contacts
-/// are thin background lines. The unit of the changes of force is the step of stress times the largest diameter, in 3D
-/// times the square of this diameter.
+/// Returns a picture of the changes of the contact forces when the stress changes by a small step. The contacts with 95
+/// % of the elastic energy of the step are drawn as lines whose width shows the change of the force. A line has the
+/// colour of compression if the normal force grows, and the colour of tension if the normal force falls. The other
+/// contacts are thin background lines. The unit of the changes of force is the step of stress times the largest
+/// diameter; in 3D, it is the step times the square of this diameter.
 /// @param network  contact network of the packing
 /// @param step  response of the network to the step of stress
 template <int Dim>

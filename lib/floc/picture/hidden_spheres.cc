@@ -16,7 +16,7 @@ constexpr double kMaxTilesPerSide = 3000.0;
 class Tiles {
  public:
   /// Divides the rectangle around all spheres into tiles.
-  /// @param finest  smallest radius (length); tiles are an eighth of it wide
+  /// @param finest  smallest radius (length); the width of a tile is an eighth of this radius
   Tiles(const std::vector<SeenSphere>& spheres, double finest) {
     low_.setConstant(std::numeric_limits<double>::infinity());
     Vec<2> high = -low_;
@@ -30,8 +30,9 @@ class Tiles {
                     false);
   }
 
-  /// Returns whether all tiles that a sphere overlaps were marked in earlier calls, so that it is hidden. Then marks
-  /// the tiles that lie within the sphere. @pre calls are made from the nearest to the farthest sphere
+  /// Returns whether the sphere is hidden, that is, whether earlier calls have marked all tiles that the sphere
+  /// overlaps. Also marks the tiles that lie within the sphere. @pre calls are made from the nearest to the farthest
+  /// sphere
   bool hides_then_cover(const SeenSphere& s) {
     bool hidden = true;
     for_each_tile(s, [&hidden](auto tile, bool within) {
@@ -56,8 +57,8 @@ class Tiles {
   }
 
  private:
-  /// Calls `act(tile, within)` for each tile that a sphere overlaps, with a reference to the mark of the tile and
-  /// whether the tile lies within the sphere.
+  /// Calls `act(tile, within)` for each tile that a sphere overlaps: `tile` is a reference to the mark of the tile, and
+  /// `within` is true if the tile lies within the sphere.
   template <class Act>
   void for_each_tile(const SeenSphere& s, Act&& act) {
     const int first_row = row_of(s.centre[1] - s.radius, 1), last_row = row_of(s.centre[1] + s.radius, 1);
@@ -73,8 +74,8 @@ class Tiles {
   }
 
   int row_of(double x, int axis) const { return static_cast<int>((x - low_[axis]) / side_); }
-  /// Returns the smallest and the largest distance along an axis from the coordinate `x` to a column (axis 0) or row
-  /// (axis 1) of tiles.
+  /// Returns the smallest and the largest distance, along an axis, between the coordinate `x` and a column (axis 0) or
+  /// row (axis 1) of tiles.
   /// @param row  number of the column or row of tiles
   std::pair<double, double> distances(int row, int axis, double x) const {
     const double begin = low_[axis] + row * side_ - x, end = begin + side_;
@@ -107,7 +108,7 @@ std::vector<bool> hidden_bodies(const std::vector<BodyExtent>& bodies) {
   // the sphere. The events are therefore sorted by the depths of the centres and of the nearest points.
   struct Event {
     double depth;
-    /// whether the event tests if the body is hidden; otherwise, the body hides other bodies from now on
+    /// true if the body is tested at this event; false if the body hides other bodies from this event on
     bool tests;
     std::size_t body;
   };

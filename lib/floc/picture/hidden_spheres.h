@@ -7,20 +7,20 @@
 namespace floc {
 
 /// Removes spheres that are completely hidden behind other spheres, and returns the others. Every visible sphere is
-/// kept. Some hidden spheres are kept too: the picture is divided into square tiles, an eighth of the smallest radius
-/// wide, and a tile counts as covered only if one sphere alone covers it.
+/// kept. Some hidden spheres are kept too. The picture is divided into square tiles, whose width is an eighth of the
+/// smallest radius, and a tile counts as covered only if a single sphere covers all of it.
 std::vector<SeenSphere> without_hidden(std::vector<SeenSphere> spheres);
 
 /// Extent of a convex body in a picture.
 struct BodyExtent {
   Vec<3> centre = Vec<3>::Zero();  ///< centre in the coordinates of a Camera (length)
-  double inner = 0.0;              ///< radius of a sphere about the centre inside the body
+  double inner = 0.0;              ///< radius of a sphere about the centre that lies inside the body
   double outer = 0.0;              ///< radius of a sphere about the centre that contains the body
 };
 
-/// Returns for each of several bodies whether it is completely hidden behind others. No visible body counts as hidden.
-/// A hidden body may count as visible, because only the sphere inside each body is known to hide others, and because of
-/// the tiles described at without_hidden().
+/// Returns for each body whether the body is completely hidden behind other bodies. No visible body counts as hidden. A
+/// hidden body may count as visible for two reasons: only the sphere inside each body is taken to hide other bodies,
+/// and tiles are used as in without_hidden().
 std::vector<bool> hidden_bodies(const std::vector<BodyExtent>& bodies);
 
 }  // namespace floc

@@ -18,7 +18,7 @@ namespace {
 constexpr double kLatticeMargin = 8.0;  // margin around the picture (points)
 constexpr double kMostPixels = 3000.0;
 
-/// The plane that is drawn: in 2D the whole cell, in 3D a section through the cell.
+/// Plane that is drawn: the whole cell in 2D, and a section through the cell in 3D.
 template <int Dim>
 struct Section {
   const Lattice<Dim>& lattice;
@@ -62,8 +62,8 @@ int nearest_node(const NodeGrid<Dim>& grid, const Vec<Dim>& point, double spacin
 /// are the diagonal elements of the cell matrix.
 template <int Dim>
 Vec<Dim> brought_into_room(const Cell<Dim>& cell, Vec<Dim> x) {
-  // Lattice vector a has no components along the axes after a, so the axes are treated from the last to the first: a
-  // shift along one axis does not change the coordinates that are already in the box.
+  // Lattice vector a has no components along the axes after a. The axes are therefore treated from the last to the
+  // first, so that a shift along one axis does not change the coordinates that are already in the box.
   for (int a = Dim; a-- > 0;) {
     const double side = cell.matrix(a, a);
     const double times = std::floor(x[a] / std::abs(side));
@@ -105,7 +105,7 @@ void set_source(cairo_t* page, const Color& c) {
 }
 
 /// Draws each bond in `picture.faces`, that is, each broken bond, as a line across the bond, through the point at which
-/// its force acts. In a 3D section, only bonds are drawn whose point is within half a lattice spacing of the section.
+/// its force acts. In a 3D section, a bond is drawn only if this point is within half a lattice spacing of the section.
 template <int Dim>
 void draw_faces(cairo_t* page, const Section<Dim>& section, const LatticePicture<Dim>& picture, double scale) {
   set_source(page, palette::kArrow);

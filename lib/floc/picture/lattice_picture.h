@@ -32,7 +32,7 @@ struct LatticeSheetOptions {
   double width = 482.0;  ///< width of the page (points)
   int cut_axis = 1;      ///< 3D: axis normal to the drawn section, counted from 0
   double cut_at = 0.5;   ///< 3D: position of the section along cut_axis, as a fraction of the cell
-  /// Number of pixels per lattice spacing; it is reduced if a side of the picture would exceed 3000 pixels.
+  /// Number of pixels per lattice spacing. The number is reduced if a side of the picture would exceed 3000 pixels.
   double pixels_a_node = 4.0;
 
   static constexpr NumberRange kPixels{.least = 1.0, .most = 100.0};
@@ -41,9 +41,9 @@ struct LatticeSheetOptions {
 };
 
 /// Returns whether draw_lattice() can draw a lattice in this cell: the first cell vector has to lie along the first
-/// axis, and the second in the plane of the first two axes. The picture then shows a rectangular box whose sides are
-/// the diagonal elements of the cell matrix. However slanted the cell is, the box holds each point of the periodic
-/// lattice once.
+/// axis, and the second cell vector in the plane of the first two axes. The picture then shows a rectangular box whose
+/// sides are the diagonal elements of the cell matrix. The box contains each point of the periodic lattice once, even
+/// if the cell is slanted.
 template <int Dim>
 bool can_be_drawn(const Cell<Dim>& cell) {
   return cell.matrix.isLowerTriangular(0.0);
@@ -58,8 +58,8 @@ template <int Dim>
 std::string draw_lattice(const Lattice<Dim>& lattice, const LatticePicture<Dim>& picture,
                          const LatticeSheetOptions& options);
 
-/// Returns the colour of each node for its stress: blue for compression, orange for tension, white for zero, and grey
-/// if the node has no stress. Stresses larger than `largest` in magnitude have the last colours of the scale.
+/// Returns the colour that shows the stress of each node: blue for compression, orange for tension, white for zero, and
+/// grey if the node has no stress. Stresses larger than `largest` in magnitude have the last colours of the scale.
 /// @param value  stress of each node
 /// @param there  whether the node has a stress
 std::vector<Color> stress_colors(const std::vector<double>& value, const std::vector<bool>& there,

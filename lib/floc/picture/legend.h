@@ -22,7 +22,7 @@ void set_font(cairo_t* page);
 /// Draws a text whose left end on the base line is at (x, y), in points.
 void draw_text(cairo_t* page, double x, double y, const std::string& text);
 
-/// Returns the width of a text in the font of legends (points). It is the same in all picture formats.
+/// Returns the width of a text in the font of legends (points). The width does not depend on the picture format.
 double text_width(const std::string& text);
 
 /// Breaks a text at its spaces into lines not wider than `width` (points). A word that is wider than a line is broken
@@ -37,14 +37,14 @@ struct LegendItem {
   std::string text;
 
   double width() const;
-  /// Returns the text, broken into lines so that sample and text together are at most `room` wide (points). The text
+  /// Returns the text, broken into lines. The sample and the text together are at most `room` wide (points). The text
   /// is to the right of the sample if each of its words fits there. Otherwise the text is below the sample, and the
   /// first line returned is empty.
   std::vector<std::string> lines(double room) const;
   void draw(cairo_t* page, double x, double baseline, double room) const;
 };
 
-/// Returns a legend item whose sample is a line, in 3D a round bar.
+/// Returns a legend item whose sample is a line or, in 3D, a round bar.
 /// @param width  width of the line (points)
 /// @param text  meaning of the line
 template <int Dim>
@@ -60,8 +60,8 @@ LegendItem color_bar(const GrainShade& shade, double room);
 template <int Dim>
 LegendItem force_item(const PackingPicture<Dim>& picture, const DrawnScale& scale);
 
-/// Returns the legend of a page of pictures. It has a scale bar, and one item for each kind of line, for
-/// rattlers, arrows, colours and notes, if at least one of the pictures has them.
+/// Returns the legend of a page of pictures. The legend has a scale bar. It also has items for the kinds of lines,
+/// rattlers, arrows, colours and notes that appear in at least one of the pictures.
 /// @param bar  largest length of the scale bar (points)
 /// @param width  width of the legend (points)
 template <int Dim>

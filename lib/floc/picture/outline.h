@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Corner of the outline of a shape in 2D: an arc of a circle, which is counter-clockwise.
+/// Corner of the outline of a shape in 2D: a counter-clockwise arc of a circle.
 struct OutlineCorner {
   Vec<2> centre =
       Vec<2>::Zero();  ///< centre of the circle: a vertex of the core, the shape without its rounding
@@ -20,7 +20,7 @@ struct Outline {
   double radius = 0.0;  ///< radius of all arcs; 0 for sharp corners
 };
 
-/// Returns the outline of a polygon or capsule, with or without rounding. @pre the shape is not a disk
+/// Returns the outline of a polygon, with or without rounding, or of a capsule. @pre the shape is not a disk
 Outline outline_of(const PlacedShape<2>& placed);
 
 }  // namespace floc

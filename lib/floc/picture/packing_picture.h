@@ -22,8 +22,8 @@ enum class LineKind {
   gained,
 };
 
-/// An interaction of two grains (or of a grain and a wall), drawn as a line from the centre of grain i to that of grain
-/// j. At a contact of shapes with corners, the line bends at the contact point.
+/// An interaction of two grains (or of a grain and a wall), drawn as a line from the centre of grain i to the centre of
+/// grain j. At a contact of shapes with corners, the line bends at the contact point.
 template <int Dim>
 struct ContactLine {
   Vec<Dim> from = Vec<Dim>::Zero();
@@ -31,7 +31,7 @@ struct ContactLine {
   LineKind kind = LineKind::compression;
   double force = 0.0;  ///< force that the width of the line shows, in units of `PackingPicture::force_unit`
   int i = 0, j = 0;    ///< indices of the grains (or walls) at both ends
-  /// Contact point at which the line bends; absent if the line is straight, as it is between round grains.
+  /// Contact point at which the line bends; absent if the line is straight, as between round grains.
   std::optional<Vec<Dim>> through = std::nullopt;
 };
 
@@ -46,7 +46,7 @@ struct DisplacementArrow {
 /// A value of every grain, which is drawn as the colour of the grain.
 struct GrainShade {
   std::vector<double> value;  ///< value of each grain
-  double largest = 1.0;       ///< value > 0 at the end of the colour scale; larger values have its colour
+  double largest = 1.0;       ///< value > 0 at the end of the colour scale; larger values have the last colour
   std::string name;           ///< name of the quantity in the legend
 };
 
@@ -63,7 +63,7 @@ struct DrawnShape {
   }
 };
 
-/// A layer of a cell between two lattice planes, whose positions are fractions of a lattice vector.
+/// A layer of a cell between two lattice planes. The positions of the planes are fractions of a lattice vector.
 struct Slab {
   int axis = 2;  ///< index of the cell vector that crosses the layer, counted from 0
   double from = 0.0, to = 1.0;
@@ -73,8 +73,8 @@ struct Slab {
 };
 
 /// A picture of a packing: grains, lines, arrows and colours. Lengths have the unit of length of the state. Each
-/// element is held once; the functions that draw the picture add its periodic copies, and clip them at the border of
-/// the cell.
+/// element is stored once. The functions that draw the picture add the periodic copies of each element and clip them at
+/// the border of the cell.
 template <int Dim>
 struct PackingPicture {
   Cell<Dim> cell;
@@ -84,7 +84,7 @@ struct PackingPicture {
   std::vector<DrawnShape<Dim>> shape;
   /// Table of shapes to which `shape` points, shared with the packing.
   std::shared_ptr<const std::vector<Shape<Dim>>> shapes;
-  std::vector<bool> rattler;  ///< whether each grain is a rattler; empty: no rattlers are marked
+  std::vector<bool> rattler;  ///< whether each grain is a rattler; empty if no rattlers are marked
   std::vector<ContactLine<Dim>> lines;
   std::string force_unit;  ///< symbol of the unit of the forces of lines, such as "F₀", for the legend
   std::string force_symbol = "F";
@@ -97,8 +97,8 @@ struct PackingPicture {
   /// layer of the cell that is shown (see part_in_slab()); if absent, the whole cell is shown
   std::optional<Slab> slab;
   GrainShade shade;  ///< values that colour the grains; if there are none, grains are grey
-  /// Parts of the caption above the picture. A line of the caption ends after a part; a part is broken only if it is
-  /// wider than the line.
+  /// Parts of the caption above the picture. Lines of the caption are broken between two parts, and within a part only
+  /// if the part is wider than a line.
   std::vector<std::string> caption;
   std::string note;  ///< note in the legend; may be empty
 
@@ -110,9 +110,9 @@ struct PackingPicture {
 template <int Dim>
 PackingPicture<Dim> grains_of(const Packing<Dim>& packing);
 
-/// Returns the line that shows a contact of a packing. Between round grains it is the branch vector. If the packing has
-/// grains with corners, the line leads from the centre of grain i through the contact point to the centre of grain j;
-/// at a wall it ends at the contact point.
+/// Returns the line that shows a contact of a packing. Between round grains, the line is the branch vector. If the
+/// packing has grains with corners, the line goes from the centre of grain i through the contact point to the centre of
+/// grain j; at a wall, the line ends at the contact point.
 /// @param force  force in the unit of the picture
 template <int Dim>
 ContactLine<Dim> contact_line(const Packing<Dim>& packing, const Contact<Dim>& contact, LineKind kind,

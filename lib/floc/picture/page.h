@@ -31,8 +31,8 @@ class Page {
   cairo_t* context_;
 };
 
-/// Pixel image that replaces a part of a page. It is used for drawings of so many shapes that vector graphics
-/// would be slow to display. The shapes are drawn on the context() of the image, and its destructor paints the
+/// Pixel image that replaces a part of a page. Such an image is used when a drawing has so many shapes that vector
+/// graphics would be slow to display. The shapes are drawn on the context() of the image, and its destructor paints the
 /// image on the page.
 class ImageLayer {
  public:
@@ -42,7 +42,7 @@ class ImageLayer {
   ImageLayer(const ImageLayer&) = delete;
   ImageLayer& operator=(const ImageLayer&) = delete;
 
-  /// Returns the cairo context of the image. Its coordinates are those of the page.
+  /// Returns the cairo context of the image. Its coordinates are the coordinates of the page.
   cairo_t* context() const { return context_; }
 
  private:

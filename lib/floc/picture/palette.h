@@ -14,9 +14,9 @@ constexpr Color hex_color(int rgb) {
   return {(rgb >> 16 & 255) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0};
 }
 
-/// Colours of the elements of a picture of a packing. Readers with any of the three kinds of colour blindness can
-/// distinguish the colours of lines, which a test checks. Blue and vermilion are from the palette of Okabe and Ito; the
-/// green is lighter than the green of that palette.
+/// Colours of the elements of a picture of a packing. A test checks that readers with any of the three kinds of colour
+/// blindness can distinguish the colours of lines. Blue and vermilion are from the palette of Okabe and Ito; the green
+/// is lighter than the green of that palette.
 namespace palette {
 
 inline constexpr Color kCompression = hex_color(0x0072B2);
@@ -37,7 +37,7 @@ inline constexpr Color kOutline = hex_color(0xA6A6A6);
 inline constexpr Color kCell = hex_color(0x707070);
 inline constexpr Color kText = hex_color(0x202020);
 
-/// Colour scale from the most negative value (orange) over zero (white) to the most positive value (blue), made of the
+/// Colour scale from orange (most negative value) through white (zero) to blue (most positive value), combined from the
 /// ColorBrewer scales PuOr and RdBu.
 inline constexpr std::array<Color, 9> kDiverging = {
     hex_color(0xB35806), hex_color(0xE08214), hex_color(0xFDB863), hex_color(0xFEE0B6), hex_color(0xFFFFFF),

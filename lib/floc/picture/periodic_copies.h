@@ -9,8 +9,8 @@
 
 namespace floc {
 
-/// Finds the periodic copies of an object that reach into the periodic cell, that is, to points whose reduced
-/// coordinates are in [0, 1). The cell may have any lattice vectors, and the object may be larger than the cell.
+/// Finds the periodic copies of an object that reach into the periodic cell. The cell consists of the points whose
+/// reduced coordinates are in [0, 1). It may have any lattice vectors, and the object may be larger than the cell.
 template <int Dim>
 class PeriodicCopies {
  public:
@@ -26,8 +26,8 @@ class PeriodicCopies {
     of_extent(a.cwiseMin(b), a.cwiseMax(b), radius, draw);
   }
 
-  /// Calls `draw(shift)` for each periodic copy of the convex hull of disks (3D: balls) of equal radius that reaches
-  /// into the cell. The disks have their centres at the given points.
+  /// Calls `draw(shift)` for each periodic copy of an object that reaches into the cell. The object is the convex hull
+  /// of disks (3D: balls) of equal radius with their centres at the given points.
   /// @pre there is at least one point
   template <class Draw>
   void of_points(const std::vector<Vec<Dim>>& points, double radius, Draw&& draw) const {
@@ -46,8 +46,8 @@ class PeriodicCopies {
   }
 
  private:
-  /// Calls `draw(shift)` for each periodic copy of an object that reaches into the cell. The object extends beyond
-  /// centres with reduced coordinates from `low_centre` to `high_centre` by the length `radius`.
+  /// Calls `draw(shift)` for each periodic copy of an object that reaches into the cell. The object is made of disks or
+  /// balls of radius `radius` (length), whose centres have reduced coordinates between `low_centre` and `high_centre`.
   template <class Draw>
   void of_extent(const Vec<Dim>& low_centre, const Vec<Dim>& high_centre, double radius, Draw& draw) const {
     const Vec<Dim> low = low_centre - radius * reach_;
@@ -64,7 +64,7 @@ class PeriodicCopies {
   static int last(double low) { return static_cast<int>(std::floor(1.0 - low)); }
 
   Cell<Dim> cell_;
-  Mat<Dim> reciprocal_;  ///< its product with a point gives the reduced coordinates of the point
+  Mat<Dim> reciprocal_;  ///< matrix whose product with a point gives the reduced coordinates of the point
   Vec<Dim> reach_;       ///< half the extent of a ball of radius 1 along each reduced coordinate
 };
 

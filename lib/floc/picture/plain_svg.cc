@@ -54,8 +54,8 @@ std::string plain_svg(std::string_view svg) {
     i += text.size();
     return true;
   };
-  // Copies the name of an element with a new number: such names are numbered in the order in which they first appear.
-  // The definition of an element and all references to it get one new name.
+  // Copies the name of an element with a new number. The new numbers follow the order in which the names first appear.
+  // The definition of an element and all references to the element get the same new name.
   const auto take_name = [&] {
     for (const std::string_view prefix : kCounted) {
       if (!take(prefix)) continue;
@@ -66,8 +66,8 @@ std::string plain_svg(std::string_view svg) {
       return;
     }
   };
-  // Only names depend on earlier drawings of the process, and only paths take much space, so all other text is copied
-  // unchanged.
+  // Only the names of elements depend on earlier drawings of the process, and only paths take much space. All other
+  // text is therefore copied unchanged.
   while (i < svg.size()) {
     bool taken = false;
     for (const std::string_view before : kBeforeName)

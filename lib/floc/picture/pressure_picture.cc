@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kShown = 0.98;
 
-/// Returns the magnitude that the fraction `share` of the values does not exceed.
+/// Returns the quantile `share` of the magnitudes of the values.
 double size_within(std::vector<double> values, double share) {
   for (double& value : values) value = std::abs(value);
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
@@ -27,10 +27,11 @@ template <int Dim>
 PackingPicture<Dim> grain_pressures(const Packing<Dim>& packing, double pressure) {
   PackingPicture<Dim> picture = grains_of(packing);
   picture.shade.value = particle_pressure(packing);
-  picture.shade.name = "pressure of a grain over P,";
+  picture.shade.name = "pressure of a grain divided by P,";
   double unit = pressure;
   if (unit <= 0.0) {
-    picture.shade.name = Dim == 2 ? "pressure of a grain over F₀/a," : "pressure of a grain over F₀/a²,";
+    picture.shade.name =
+        Dim == 2 ? "pressure of a grain divided by F₀/a," : "pressure of a grain divided by F₀/a²,";
     unit = pull_off_force(packing) / std::pow(largest_diameter(picture.radius), Dim - 1);
   }
   if (unit > 0.0)

@@ -10,11 +10,12 @@
 namespace floc {
 namespace {
 
-/// Cosine of the angle between the normal of a facet and the line of sight below which the facet counts as seen
-/// edge-on.
+/// Limit of the cosine of the angle between the normal of a facet and the line of sight. Below this limit, the facet
+/// counts as seen edge-on.
 constexpr double kFaceEndOn = 1e-9;
 
-/// Part of a line segment, as fractions of its length, that is cut by planes one after the other.
+/// Part of a line segment, as fractions of the length of the segment. Planes cut away pieces of the part one after the
+/// other.
 class CutSegment {
  public:
   CutSegment(const Vec<3>& from, const Vec<3>& to) : from_(from), along_(to - from) {}
@@ -39,9 +40,9 @@ class CutSegment {
 
 void add_hidden_by_facets(const Vec<3>& from, const Vec<3>& to, const SeenBody& body,
                           std::vector<std::pair<double, double>>& hidden) {
-  // The hidden region consists of the body and of all points behind it. It is bounded by the planes of the
-  // facets that face the eye, and by the planes along the line of sight through the edges of the outline. An
-  // edge belongs to the outline if only one of these facets has it.
+  // The hidden region consists of the body and of all points behind it. The region is bounded by the planes of the
+  // facets that face the eye, and by the planes along the line of sight through the edges of the outline. An edge
+  // belongs to the outline if it borders only one facet that faces the eye.
   CutSegment segment(from, to);
   std::set<std::pair<int, int>> sides;
   for (const Facets::Facet& facet : body.facets) {
@@ -66,7 +67,7 @@ void add_hidden_by_facets(const Vec<3>& from, const Vec<3>& to, const SeenBody& 
 /// outline deviates from the outline of the capsule by less than 1 % of the radius.
 void add_hidden_by_capsule(const Vec<3>& from, const Vec<3>& to, const SeenBody& body,
                            std::vector<std::pair<double, double>>& hidden) {
-  constexpr double kStep = 0.25;  // distance of the centres in units of the radius
+  constexpr double kStep = 0.25;  // distance between the centres, divided by the radius
   const Vec<3> axis = body.points[1] - body.points[0];
   const int n = 1 + static_cast<int>(std::ceil(axis.norm() / (kStep * body.rounding)));
   for (int k = 0; k < n; ++k) {
@@ -75,13 +76,13 @@ void add_hidden_by_capsule(const Vec<3>& from, const Vec<3>& to, const SeenBody&
   }
 }
 
-/// Returns the distance from the centre of a capsule to its surface along a direction with the component `along` along
-/// the axis of the capsule.
+/// Returns the distance from the centre of a capsule to its surface in a given direction; `along` is the component of
+/// the direction along the axis of the capsule.
 double distance_in_capsule(double half_length, double radius, double along) {
   const double across = std::sqrt(std::max(0.0, 1.0 - along * along));
   const double to_cylinder = radius / std::max(across, 1e-12);
   if (to_cylinder * along <= half_length) return to_cylinder;
-  // Distance t from the centre to the sphere around the end of the axis: (t - h along)^2 + h^2 across^2 =
+  // The distance t from the centre to the sphere around the end of the axis solves (t - h along)^2 + h^2 across^2 =
   // radius^2, with h = half_length.
   const double beside = half_length * across;
   return half_length * along + std::sqrt(std::max(0.0, radius * radius - beside * beside));

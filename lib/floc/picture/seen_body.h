@@ -11,17 +11,17 @@ namespace floc {
 
 // Points and normals are in the coordinates of a Camera: x to the right, y upwards, z towards the eye (length).
 
-/// A grain with corners, or a capsule, as it is seen.
+/// A grain with corners or a capsule, in the coordinates of the viewer.
 struct SeenBody {
   Vec<3> centre = Vec<3>::Zero();
-  double radius = 0.0;  ///< radius of the sphere about the centre that contains the body, as it is drawn
+  double radius = 0.0;  ///< radius of the sphere about the centre that contains the body, with its drawn size
   int grain = 0;
   std::vector<Vec<3>> points;         ///< corners of the facets; for a capsule, the ends of its axis
   std::vector<Facets::Facet> facets;  ///< facets that face the eye; empty for a capsule
   double rounding = 0.0;              ///< radius of rounding; for a capsule, its radius
 };
 
-/// Returns a body as it is seen.
+/// Returns a body in the coordinates of the viewer.
 /// @param facets  facets of the shape, from facets_of(); not used for a capsule
 /// @pre the shape is not a sphere
 SeenBody seen_body(const PlacedShape<3>& placed, const Facets& facets, const Camera& camera, int grain);

@@ -14,11 +14,11 @@ namespace floc {
 namespace {
 
 constexpr double kWithLines = 0.25;
-/// Smallest length of a tube that is drawn, divided by the width of the tube. Between spheres that are drawn with their
-/// true radii, shorter tubes would look like splinters at the contact point.
+/// Smallest length, divided by the width, at which a tube is drawn. Between spheres that are drawn with their true
+/// radii, shorter tubes would look like splinters at the contact point.
 constexpr double kShortest = 0.05;
-/// Cosine of the angle between the normal of a face of the cell and the line of sight, below which the face
-/// counts as seen edge-on.
+/// Limit of the cosine of the angle between the normal of a face of the cell and the line of sight. Below this limit,
+/// the face counts as seen edge-on.
 constexpr double kEndOn = 1e-9;
 
 using Interval = std::pair<double, double>;
@@ -49,8 +49,8 @@ std::optional<Interval> part_in_cell(const Vec<3>& from, const Vec<3>& to) {
   return part.first < part.second ? std::optional(part) : std::nullopt;
 }
 
-/// Radius of a sphere about the centre of a grain inside the facets that stand for the surface of the grain. The bevels
-/// of a rounded polyhedron lie closer to the centre than its surface, but outside of the core.
+/// Returns the radius of a sphere about the centre of a grain that lies inside all drawn facets of the grain. The
+/// bevels of a rounded polyhedron lie closer to the centre than its surface, but outside of the core.
 double radius_inside(const PlacedShape<3>& placed) {
   return placed.shape->n_faces() == 0 ? placed.rounding() : placed.inner_radius() - placed.rounding();
 }
@@ -92,8 +92,8 @@ class Sight {
  private:
   using Part = SeenPacking::Part;
 
-  /// Adds all spheres that are not hidden, and sets `far` and `near`, the ends of the range of the depths (coordinates
-  /// towards the eye) of the centres of all spheres, hidden ones included.
+  /// Adds all spheres that are not hidden. Sets `far` and `near` to the smallest and the largest coordinate towards the
+  /// eye among the centres of all spheres, including hidden spheres.
   void add_spheres() {
     for (int i = 0; i < static_cast<int>(home_.size()); ++i) {
       const Vec<3> centre = camera_.seen(home_[i]);
@@ -177,8 +177,8 @@ class Sight {
     std::optional<int> body;  ///< grain or wall; absent at a bend
   };
 
-  /// Adds the tube of a contact. A tube begins where its surface meets the grain, for a sphere of radius R at the
-  /// distance sqrt(R^2 - (width/2)^2) from its centre.
+  /// Adds the tube of a contact. A tube begins where its surface meets the surface of the grain. On a sphere of radius
+  /// R, this is at the distance sqrt(R^2 - (width/2)^2) from the centre.
   void add_tube(const ContactLine<3>& line, const End& from, const End& to) {
     const auto in_cell = part_in_cell(picture_.cell.reduced(from.x), picture_.cell.reduced(to.x));
     if (!in_cell) return;
@@ -263,9 +263,8 @@ std::optional<std::pair<double, double>> hidden_part(const Vec<3>& from, const V
   const Vec<3> apart = from - sphere.centre, along = to - from;
   const Vec<2> apart2 = apart.head<2>(), along2 = along.head<2>();
   const double r2 = sphere.radius * sphere.radius;
-  // A sphere hides all points inside it, and all points in the cylinder behind it that has the radius of the
-  // sphere. The union of sphere and cylinder is convex, so that one interval describes the hidden part of the
-  // segment.
+  // A sphere hides all points inside the sphere, and all points behind it in a cylinder of the same radius along the
+  // line of sight. The union of sphere and cylinder is convex, so the hidden part of the segment is a single interval.
   std::optional<Interval> cylinder =
       negative_part(apart2.squaredNorm() - r2, 2.0 * apart2.dot(along2), along2.squaredNorm());
   if (!cylinder) return std::nullopt;

@@ -41,7 +41,7 @@ struct SeenArrow {
   Vec<3> to = Vec<3>::Zero();
 };
 
-/// An edge of the cell, or of a slab of the cell; both are parallelepipeds.
+/// An edge of the cell, or of a slab of the cell. Both the cell and the slab are parallelepipeds.
 struct SeenEdge {
   Vec<3> from = Vec<3>::Zero();
   Vec<3> to = Vec<3>::Zero();
@@ -58,8 +58,8 @@ struct SeenPacking {
   struct Mark {
     Part part;
     int index;
-    /// Coordinate towards the eye (length), of the centre of a grain or of the middle of a tube or arrow. A grain that
-    /// has to be drawn after another one has at least the depth of the other.
+    /// Coordinate towards the eye (length) of the centre of a grain, or of the middle of a tube or arrow. If a grain
+    /// has to be drawn after another grain, its depth is raised to at least the depth of the other grain.
     double depth;
   };
 
@@ -69,9 +69,9 @@ struct SeenPacking {
   std::vector<SeenArrow> arrows;
   /// Parts in the order from the farthest to the nearest. For spheres that do not overlap, the order of their centres
   /// is exact: a plane separates two such spheres, and in parallel projection the sphere with the nearer centre is in
-  /// front of it. Grains with corners are in the order of drawing_order().
+  /// front of the plane. Grains with corners are in the order of drawing_order().
   std::vector<Mark> order;
-  double far = 0.0, near = 0.0;  ///< smallest and largest coordinate towards the eye of the centres of grains
+  double far = 0.0, near = 0.0;      ///< smallest and largest coordinate of grain centres towards the eye
   std::vector<SeenEdge> cell_edges;  ///< the twelve edges of the cell
   std::vector<SeenEdge> slab_edges;  ///< the twelve edges of the slab; empty without a slab
 };
@@ -79,8 +79,8 @@ struct SeenPacking {
 /// Returns the ratio of the radius with which spheres are drawn to their true radius.
 double sphere_size(const PackingPicture<3>& picture, const View& view);
 
-/// Returns the visible parts of a packing: each grain once, at the periodic copy whose centre is in the cell, and the
-/// contacts, cut at the faces of the cell. Grains that are completely hidden are left out.
+/// Returns the visible parts of a packing: each grain once, as the periodic copy with its centre in the cell, and the
+/// contacts, which are cut at the faces of the cell. Grains that are completely hidden are left out.
 /// @param scale  scale of the widths of tubes and the lengths of arrows
 SeenPacking seen_packing(const PackingPicture<3>& picture, const View& view, const DrawnScale& scale);
 
@@ -89,8 +89,8 @@ SeenPacking seen_packing(const PackingPicture<3>& picture, const View& view, con
 std::optional<std::pair<double, double>> hidden_part(const Vec<3>& from, const Vec<3>& to,
                                                      const SeenSphere& sphere);
 
-/// Returns the twelve edges of the part of a cell that lies between two opposite corners. No part of an edge is marked
-/// as visible yet.
+/// Returns the twelve edges of a part of a cell, a parallelepiped given by two opposite corners. No part of an edge is
+/// marked as visible yet.
 /// @param low,high  reduced coordinates of the two corners
 std::vector<SeenEdge> edges_of(const Cell<3>& cell, const Camera& camera, const Vec<3>& low,
                                const Vec<3>& high);

@@ -9,7 +9,7 @@ namespace floc {
 /// small.
 inline constexpr double kSmallestShaded = 0.6;
 
-/// Unit vector on the page (x to the right, y down) that points to where the light comes from.
+/// Unit vector on the page (x to the right, y down) that points towards the light source.
 inline const Vec<2> kLight = Vec<2>(-0.6, -0.8);
 
 inline Color mixed(const Color& a, const Color& b, double share) {

@@ -23,8 +23,9 @@ template <int Dim>
 constexpr double kMinPixels = (Dim == 2 ? 200.0 : 300.0) / 72.0;
 constexpr double kMaxPixelsPerSide = 3000.0;
 constexpr double kPixelsPerDiameter = 6.0;
-/// Largest number of shapes that are drawn as vectors; more shapes are drawn as an image. In 3D each shape has its own
-/// colour gradient, which takes about 600 bytes of the file, or consists of facets, each of which counts as a shape.
+/// Largest number of shapes that are drawn as vectors; more shapes are drawn as an image. In 3D, each round shape has
+/// its own colour gradient, which takes about 600 bytes of the file. Each facet of a shape with corners counts as a
+/// shape.
 template <int Dim>
 constexpr std::size_t kMaxVectors = Dim == 2 ? 15000 : 6000;
 constexpr double kAxisRoom = 10.0;  ///< margin around a picture in 3D for the names of the axes (points)
@@ -249,8 +250,8 @@ std::string draw_sheet(const std::vector<PackingPicture<Dim>>& pictures, const S
     placed.emplace_back(pictures[k], layout.placements()[k], layout.boxes()[k], options);
     n_marks += placed.back().n_marks();
   }
-  // In svg and pdf files, grains and lines are embedded as an image if as vector graphics they would take megabytes;
-  // frames, axes and text are always vector graphics. A png is an image anyway.
+  // In svg and pdf files, grains and lines are embedded as an image if they are so many that vector graphics would take
+  // megabytes. Frames, axes and text are always vector graphics. A png file needs no embedded image.
   const bool as_image =
       options.format != PictureFormat::png && options.as_image.value_or(n_marks > kMaxVectors<Dim>);
   Page page(options.format, options.width, layout.height(), pixels);

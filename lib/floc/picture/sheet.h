@@ -15,18 +15,19 @@ struct SheetOptions {
   PictureFormat format = PictureFormat::svg;
   double width = 482.0;  ///< width of the page (points); the default is 17 cm, two columns of a journal
   int columns = 4;       ///< number of columns if there are several pictures, >= 1
-  /// Width of the line for a force equal to the root mean square of all forces of the picture, in mean diameters.
+  /// Width, in mean diameters, of the line for a force equal to the root mean square of all forces of the picture.
   /// Forces in granular media have about an exponential distribution. With the default, the line of the largest of
   /// thousands of forces is therefore about as wide as a grain.
   double line_width = 0.15;
   bool same_force_scale = false;  ///< whether all pictures have a common force scale
   bool bare = false;              ///< whether captions and legend are left out
-  /// Pixels per inch, of a png or of an embedded image of grains and lines. If absent, there are six pixels per mean
-  /// diameter, but at least 200 (in 3D 300) per inch, and at most 3000 along a side of the page.
+  /// Resolution (pixels per inch) of a png, or of an embedded image of grains and lines. If absent, the resolution is
+  /// six pixels per mean diameter, but at least 200 (in 3D, 300) pixels per inch, and at most 3000 pixels along a side
+  /// of the page.
   std::optional<double> resolution;
   /// Whether grains and lines in an svg or pdf file are drawn as an embedded image; all other elements are vector
-  /// graphics. If absent, an image is used for more than 15 000 grains and lines (in 3D 6 000 visible ones), because as
-  /// vector graphics they would take megabytes.
+  /// graphics. If absent, an image is used for more than 15 000 grains and lines (in 3D, more than 6 000 visible
+  /// shapes), because a file with so many vector shapes would take megabytes.
   std::optional<bool> as_image;
   View view;  ///< viewpoint for packings of spheres
 

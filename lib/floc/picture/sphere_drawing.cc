@@ -11,8 +11,8 @@
 namespace floc {
 namespace {
 
-/// Fraction of white in the colour of the parts farthest from the eye. It is smaller in pictures of full grains, which
-/// hide each other, than in pictures of contact networks.
+/// Fractions of white in the colours of the parts farthest from the eye. The fraction is smaller in pictures of full
+/// grains, which hide each other, than in pictures of contact networks.
 constexpr double kPaleSpheres = 0.25;
 constexpr double kPaleTubes = 0.65;
 /// Width of arrows and length of their heads, in mean diameters. Arrows are thinner than in 2D, because more of them
@@ -152,11 +152,12 @@ class SeenDrawing {
     cairo_stroke(page_);
   }
 
-  /// Returns the edge of the cell that is parallel and diagonally opposite to the first edge.
+  /// Returns the edge of the cell that is parallel to the first edge and diagonally opposite to it.
   const SeenEdge& opposite() const { return seen_.cell_edges[3]; }
 
-  /// Returns the edge of the cell beside which the name of an axis is drawn: the lowest on the page of the edges along
-  /// this axis in the outline of the cell, or the leftmost if several are equally low. Null if the axis is seen end-on.
+  /// Returns the edge of the cell beside which the name of an axis is drawn; null if the axis is seen end-on. Among the
+  /// edges along this axis in the outline of the cell, it is the lowest edge on the page or, if several edges are
+  /// equally low, the leftmost of them.
   const SeenEdge* labelled_edge(int axis) const {
     constexpr double kShortestLabelled = 30.0, kLevel = 1.0;
     const SeenEdge* best = nullptr;
@@ -173,7 +174,7 @@ class SeenDrawing {
   }
 
   /// Returns the distance (points) by which a label has to be moved from a point of the outline of the cell, in the
-  /// direction `out`, so that it overlaps no grain.
+  /// direction `out`, so that the label overlaps no grain.
   /// @param length  length of the label along the outline (points)
   double clear_of_grains(const Vec<2>& point, const Vec<2>& along, const Vec<2>& out, double length) const {
     constexpr double kClearance = 4.0;
@@ -259,7 +260,7 @@ void draw_bar(cairo_t* page, const Bar& bar, const Color& color) {
   cairo_rotate(page, std::atan2(along[1], along[0]));
   cairo_new_path(page);
   // The outline of each end is half an ellipse: a round end is half a circle, and the flat end of a tilted bar is
-  // flatter. An end without bulge is drawn as a straight line, because cairo cannot scale an arc by zero.
+  // flatter. A flat end that is seen edge-on is drawn as a straight line, because cairo cannot scale an arc by zero.
   const auto end_at = [&](double x, double bulge, double begin) {
     if (bulge <= 1e-3 * half) {
       cairo_line_to(page, x, begin < 0.0 ? -half : half);
@@ -281,8 +282,8 @@ void draw_bar(cairo_t* page, const Bar& bar, const Color& color) {
     cairo_fill(page);
     return cairo_restore(page);
   }
-  // The brightest line along the bar is on the side of the light. Its distance from the middle of the bar grows
-  // with the angle between light and bar.
+  // The brightest line along the bar is on the side of the light. The distance of this line from the middle of the bar
+  // increases with the angle between the light and the bar.
   cairo_pattern_t* gradient = cairo_pattern_create_linear(0.0, -half, 0.0, half);
   add_stop(gradient, 0.0, darker(color, 0.45));
   add_stop(gradient, 0.18, darker(color, 0.1));

@@ -8,7 +8,8 @@
 
 namespace floc {
 
-/// Returns the rectangle around a cell and its grains, as seen from the viewpoint and with the drawn radii (length).
+/// Returns the rectangle (length) around a cell and its grains, as seen from the viewpoint. The grains have their drawn
+/// radii.
 Box box_of(const PackingPicture<3>& picture, const View& view);
 
 /// Draws a sphere that is lit from the upper left. Centre and radius are in points.
@@ -25,8 +26,9 @@ struct Bar {
 };
 void draw_bar(cairo_t* page, const Bar& bar, const Color& color);
 
-/// Draws the edges of the cell that lie behind the grains, and those of the slab if only a slab of the cell is shown.
-/// Then it draws grains, tubes and arrows from the farthest to the nearest. Parts farther from the eye are paler.
+/// Draws the edges of the cell that lie behind the grains, and the edges of the slab if only a slab of the cell is
+/// shown. Then it draws grains, tubes and arrows from the farthest to the nearest. Parts farther from the eye are
+/// paler.
 /// @param picture  picture from which `seen` was computed
 /// @param box  rectangle around the picture, from box_of()
 void draw_seen(cairo_t* page, const SeenPacking& seen, const PackingPicture<3>& picture, const Box& box,

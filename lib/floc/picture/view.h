@@ -8,8 +8,8 @@
 
 namespace floc {
 
-/// The direction from which a packing of spheres is seen, in parallel projection with the z axis upright. The defaults
-/// show three faces of a cubic cell.
+/// Direction from which a packing of spheres is seen. The projection is parallel, and the z axis is upright. The
+/// defaults show three faces of a cubic cell.
 struct View {
   /// Azimuth of the eye (degrees): 0 if the eye is on the x axis, 90 if it is on the y axis.
   double azimuth = -65.0;
@@ -23,7 +23,7 @@ struct View {
   std::vector<std::string> validate() const;
 };
 
-/// Rotates vectors from the coordinates of the packing to those of the viewer.
+/// Rotates vectors from the coordinates of the packing to the coordinates of the viewer.
 class Camera {
  public:
   explicit Camera(const View& view);

@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Unit of durations, with the words that denote it. The first word is the one that is printed.
+/// Unit of durations, with the words that denote the unit. Durations are printed with the first word.
 struct DurationUnit {
   double seconds;
   std::vector<std::string> words;

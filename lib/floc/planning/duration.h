@@ -10,8 +10,8 @@ namespace floc {
 /// @throws InputError if the text is not a positive number with one of these units
 double duration_of(const std::string& name, const std::string& text);
 
-/// Returns a duration as text, such as "2.5 h", in the largest of the units s, min, h, d and y in which it is at least
-/// 1.
+/// Returns a duration as text, such as "2.5 h". The unit is the largest of s, min, h, d and y that is not longer than
+/// the duration.
 std::string duration_in_words(double seconds);
 
 }  // namespace floc

@@ -15,12 +15,13 @@
 namespace floc {
 namespace {
 
-/// Numbers of samples of the larger and of the smaller size. The scatter is measured on the larger samples.
+/// Number of larger samples, and number of smaller samples. The scatter is measured on the larger samples.
 constexpr int kSamples = 6, kSmallSamples = 3;
-/// Numbers of grains of the larger samples, of disks and of spheres. A scene with fewer grains has larger samples with
-/// its own number of grains.
+/// Number of grains of a larger sample: of disks, and of spheres. If the scene has fewer grains, a larger sample has as
+/// many grains as the scene.
 constexpr int kDisks = 200, kSpheres = 150;
-/// Limits of the exponent of the processor time. A few small samples determine it only roughly.
+/// Limits of the exponent of the processor time. They are needed because a few small samples determine the exponent
+/// only roughly.
 constexpr double kLeastExponent = 1.1, kLargestExponent = 1.5;
 /// Limits of the exponent that one sample with many more grains determines.
 constexpr double kLeastFarExponent = 0.8, kLargestFarExponent = 2.0;

@@ -17,10 +17,10 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Factor by which costs may exceed a budget because of rounding errors.
+/// Largest ratio of costs to the budget that is accepted, because costs have rounding errors.
 constexpr double kRounding = 1.0 + 1e-12;
 
-/// Ratio of two successive numbers of grains among which a plan is chosen.
+/// Ratio of successive numbers of grains in the list from which a plan is chosen.
 constexpr double kStepOfGrains = 1.1;
 
 /// Returns a number rounded to two significant digits.
@@ -94,7 +94,8 @@ class PlanSearch {
         observables_.begin());
   }
 
-  /// Removes observables whose error is not known for any settings. Observables that the user has named are kept.
+  /// Removes observables whose error is not known for any settings. Nothing is removed if the user has named
+  /// observables or requested errors.
   void drop_unpriced() {
     if (!wanted_.empty() || !request_.observables.empty()) return;
     std::erase_if(observables_, [&](const ObservablePrice& o) {
@@ -114,8 +115,8 @@ class PlanSearch {
     return sum / static_cast<double>(plan.errors.size());
   }
 
-  /// Returns the largest number of samples, of `n_grains` grains each, that fits into the budget; 0 if not even one
-  /// does.
+  /// Returns the largest number of samples, of `n_grains` grains each, that fits into the budget; 0 if the budget is
+  /// too small for one sample.
   int samples_in_budget(const PricedSettings& settings, int n_grains) const {
     if (!request_.budget) return kMostSamples;
     const double rounds = std::floor(kRounding * *request_.budget / model_.core_seconds(settings, n_grains));
@@ -134,7 +135,8 @@ class PlanSearch {
     return best;
   }
 
-  /// Returns the smallest number of samples with which all requested errors are kept; 0 if there is no such number.
+  /// Returns the smallest number of samples with which no error exceeds its requested value; 0 if no number of samples
+  /// is large enough.
   int samples_for_wants(const PricedSettings& settings, int n_grains) const {
     double needed = 1.0;
     for (const auto& [k, wanted] : wanted_) {
@@ -214,7 +216,7 @@ class PlanSearch {
   }
 
   /// Reports that the requested errors cannot all be reached at once. The message names the nearest errors that can be
-  /// reached: those of the plan for which the largest ratio of an error to its requested error is smallest.
+  /// reached: the requested errors, all multiplied by the smallest factor with which a plan can reach them.
   [[noreturn]] void refuse_all_wants() const {
     double nearest = kInfinity;
     for (const PricedSettings& settings : settings_)
@@ -232,8 +234,8 @@ class PlanSearch {
     return fmt::format("{}", fmt::join(nearest, ","));
   }
 
-  /// Reports that the requested errors cost more than the budget. The message names the nearest errors that the budget
-  /// allows.
+  /// Reports that the requested errors cost more than the budget. The message also names the nearest errors that the
+  /// budget allows.
   [[noreturn]] void refuse_budget(const Plan& least) const {
     double nearest = kInfinity;
     for (const PricedSettings& settings : settings_)

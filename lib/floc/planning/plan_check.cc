@@ -18,7 +18,7 @@
 namespace floc {
 namespace {
 
-/// Returns a table of the library as the table that a reader of its CSV file gets.
+/// Writes a table of the library as CSV text, and returns the table that is read from this text.
 CsvTable as_csv(const Table& table, const std::string& place) {
   std::stringstream text;
   write_table(text, table, TableFormat::csv);
@@ -47,9 +47,9 @@ SampleMean mean_of_column(const CsvTable& runs, const std::string& column) {
   return mean_of_samples(values);
 }
 
-/// Returns the number by which the error of a mean is divided to make it relative: the absolute value of the mean. The
-/// coordination numbers of contacts in compression and in tension are divided by their sum, because one of them may be
-/// near zero.
+/// Returns the number by which the error of a mean is divided to make the error relative: the absolute value of the
+/// mean. The errors of the coordination numbers z_plus and z_minus (contacts in compression and in tension) are divided
+/// by the sum of the two numbers, because one of them may be near zero.
 double size_of(const CsvTable& runs, const std::string& column, double mean) {
   if (column != "z_plus" && column != "z_minus") return std::abs(mean);
   const SampleMean other = mean_of_column(runs, column == "z_plus" ? "z_minus" : "z_plus");
@@ -73,9 +73,9 @@ std::optional<double> value_of(const ConsolidationFit& fit, const std::string& n
   return std::nullopt;
 }
 
-/// Fits of the full consolidation law to the mean of the samples of a plan. As for the fits in tables of prices, one
-/// fit uses all samples and determines the range of pressures, and each other fit leaves out one sample and uses the
-/// same range.
+/// Fits of the full consolidation law to the mean of the samples of a plan, made in the same way as for tables of
+/// prices. One fit uses all samples and determines the range of pressures. Each of the other fits leaves out one sample
+/// and uses this range.
 class SampleFits {
  public:
   explicit SampleFits(const std::vector<std::string>& directories) {
@@ -92,8 +92,9 @@ class SampleFits {
     }
   }
 
-  /// Stores the fitted value, and the half width of its 95 % interval by the jackknife: the standard error of the fit
-  /// to all n samples is n - 1 times the standard error of the mean of the n fits that leave out one sample.
+  /// Stores the fitted value and the half width of its 95 % interval, which is computed by the jackknife. The standard
+  /// error of the fit to all n samples is n - 1 times the standard error of a mean: the mean of the n fits that leave
+  /// out one sample.
   void check(PlanCheck& check) const {
     check.mean = value_of(whole_, check.quantity);
     if (!check.mean) return;
@@ -145,8 +146,8 @@ std::vector<PlanCheck> check_plan(const Campaign& campaign, const std::vector<Ca
     }
     checks.push_back(check);
   }
-  // Samples that have not succeeded are left out of the promised cost, because their processor time is not in
-  // `seconds`.
+  // The promised cost is reduced to the samples that have succeeded, because `seconds` does not include the processor
+  // time of the other samples.
   const double share = static_cast<double>(n_done) / outcomes.n_rows();
   checks.push_back({"cost",
                     "s",

@@ -8,13 +8,13 @@
 
 namespace floc {
 
-/// Comparison of the promise of a plan about one quantity with the value that the runs achieved.
+/// Comparison of the value of one quantity that a plan promised with the value that the runs achieved.
 struct PlanCheck {
   std::string quantity;  ///< name of an observable, or "cost"
   std::string unit;      ///< "1" for relative errors, "s" for the processor time
   double promised;
-  /// Half width of the 95 % interval of the mean, divided by the mean; for the cost, the processor time of the runs
-  /// (s). Absent if it is not known.
+  /// For an observable, the half width of the 95 % interval of the mean, divided by the mean. For the cost, the
+  /// processor time of the runs (s). Absent if it is not known.
   std::optional<double> achieved;
   std::optional<double> mean;  ///< mean over states and samples, or fitted value
   int n_samples = 0;           ///< number of samples that succeeded
@@ -22,8 +22,8 @@ struct PlanCheck {
 
 /// Compares the runs of a campaign with the promises of floc plan. For each observable that the campaign collects or
 /// fits, the achieved error is the half width t s/sqrt(n) of the 95 % interval of its mean over n samples: t is
-/// Student's factor, and s is the standard deviation between samples of the mean over the states of a sample. The last
-/// comparison is that of the processor time.
+/// Student's factor, and s is the standard deviation between samples, each represented by the mean over its states. The
+/// last comparison concerns the processor time.
 /// @param directory  directory of the campaign
 /// @throws InputError if floc plan has not made the campaign, or if fewer than two samples have succeeded
 std::vector<PlanCheck> check_plan(const Campaign& campaign, const std::vector<CasePlan>& plans,

@@ -80,7 +80,7 @@ std::string promise_of(const Plan& plan, const std::vector<ObservablePrice>& obs
       plan.settings.name(), prices, plan.core_seconds, fmt::join(errors, ", "));
 }
 
-/// Adds the changes of a scene that give it softer springs, where they differ from those that it has.
+/// Adds the changes that give a scene the softening `softening`. Adds nothing if the scene already has this softening.
 void add_softening(const Softening& softening, const Scene& scene, std::vector<std::string>& changes) {
   if (softening == softening_of(scene)) return;
   changes.push_back(fmt::format("equilibrium.softening={:g}", softening.load));
@@ -136,8 +136,8 @@ bool allows(const PlanSource& source, const Scene& scene, const PricedSettings& 
 std::string plan_file(const Plan& plan, const std::vector<ObservablePrice>& observables, const Scene& scene,
                       const PlanSource& source, const std::string& output) {
   std::vector<std::string> changes = source.overrides;
-  // A change by the plan replaces a change by the user of the same key, because a TOML table contains each key only
-  // once.
+  // If the plan and the user both change a key, the change by the plan replaces the change by the user, because a TOML
+  // table contains each key only once.
   const auto set = [&](const std::string& change) {
     const std::string key = change.substr(0, change.find('=') + 1);
     std::erase_if(changes, [&](const std::string& c) { return c.starts_with(key); });
@@ -159,7 +159,8 @@ std::string plan_file(const Plan& plan, const std::vector<ObservablePrice>& obse
   std::string text = fmt::format(
       "# A plan for {0}, made by floc plan: {1} samples of {2} grains. The commands\n#\n"
       "#   floc campaign plan {3} -o {4}\n#   cd {4} && snakemake --cores 2\n#   floc plan --check {4}\n#\n"
-      "# make its runs and tables, and compare them with the plan.\n\n[campaign]\nscene = \"{5}\"\nseeds = "
+      "# make the runs and tables of the plan, and compare them with its promises.\n\n[campaign]\nscene = "
+      "\"{5}\"\nseeds = "
       "\"{6}..{7}\"\n",
       scene.name, plan.n_samples, plan.n_grains, output, fs::path(output).stem().string(),
       fs::absolute(source.scene_file).lexically_proximate(folder).generic_string(), scene.seed,

@@ -17,17 +17,18 @@ struct PlanSource {
 /// Whether an observable is a parameter of the fit of the consolidation law to paths.
 bool is_fitted(const std::string& observable);
 
-/// Returns the changes that give a scene numerical settings, as texts "key.path=value".
-/// @throws InputError if the settings come from a table row that cannot be written into a scene
+/// Returns the changes of a scene, as texts "key.path=value", that give it the numerical settings `settings`.
+/// @throws InputError if the settings cannot be written into a scene
 std::vector<std::string> changes_of(const PricedSettings& settings, const Scene& scene);
 
-/// Returns whether a valid scene is still valid with these settings. Some scenes are not: for example, the tolerance
-/// must be smaller than the pressure.
+/// Returns whether a valid scene is still valid with these settings. Settings can make a scene invalid: for example, a
+/// tolerance must be smaller than the pressure.
 bool allows(const PlanSource& source, const Scene& scene, const PricedSettings& settings);
 
 /// Returns the text of the file of a plan. For several samples, this is a campaign file with one run for each sample
 /// and with the promised errors in its table [plan]. For a single sample, it is a scene.
-/// @param output  path of the file; the name of the scene file in the campaign file is relative to it
+/// @param output  path of the file; in a campaign file, the name of the scene file is relative to the folder of this
+/// file
 std::string plan_file(const Plan& plan, const std::vector<ObservablePrice>& observables, const Scene& scene,
                       const PlanSource& source, const std::string& output);
 

@@ -14,11 +14,12 @@
 namespace floc {
 namespace {
 
-/// Number of plans that are chosen.
+/// Number of plans that floc plan lists.
 constexpr int kPlans = 3;
-/// Share of the budget that a pilot may take, and its processor time (s) without a budget.
+/// Largest processor time of a pilot: share of the budget, and time (s) if no budget is given.
 constexpr double kShareOfPilot = 0.2, kPilotSeconds = 600.0;
-/// Numbers of grains over that of the table beyond which a plan says that it extrapolates.
+/// Largest ratio of the number of grains of a plan to the number of grains in the table. If the ratio is larger, a
+/// remark says that prices are extrapolated.
 constexpr double kFarExtrapolation = 10.0;
 constexpr double kSecondsPerHour = 3600.0;
 
@@ -48,7 +49,7 @@ Scene plannable_scene(const PlanWishes& wishes) {
 }
 
 /// Returns the table of prices of a scene.
-/// @throws InputError if none applies and no pilot is asked for
+/// @throws InputError if no table applies and no pilot is requested
 std::optional<PriceTable> prices_for(const PlanWishes& wishes, const Scene& scene,
                                      const PlansOfScene::Remark& tell) {
   ScenePrices found = prices_of(scene, wishes.prices);
@@ -65,12 +66,12 @@ PilotResult measured_pilot(const Scene& scene, const std::optional<double>& budg
   const double limit = budget ? kShareOfPilot * *budget : kPilotSeconds;
   const PilotResult pilot = run_pilot(scene, limit);
   tell(fmt::format(
-      "pilot: a sample of {} grains takes {}, which grows as the power {:.2f} of the number of grains",
+      "pilot: a sample of {} grains takes {}; this time grows as the power {:.2f} of the number of grains",
       pilot.n_grains, duration_in_words(pilot.core_seconds), pilot.cost_exponent));
   return pilot;
 }
 
-/// Says in words what the best plan is, and what the promised errors leave out.
+/// Describes the best plan in words, and names the errors that the promised errors do not include.
 void tell_best(const Plan& best, const PriceModel& model, const PlanRequest& request,
                const PlansOfScene::Remark& tell) {
   tell(fmt::format(
@@ -81,15 +82,17 @@ void tell_best(const Plan& best, const PriceModel& model, const PlanRequest& req
       duration_in_words(best.core_seconds), duration_in_words(best.wall_seconds), request.cores,
       request.cores == 1 ? "" : "s"));
   if (request.wants.empty() && request.budget && best.wall_seconds < 0.5 * *request.budget)
-    tell(fmt::format("this is less than the budget: a plan has at most {} samples and {} grains here",
+    tell(fmt::format("the plan takes less than the budget: a plan has at most {} samples and {} grains here",
                      kMostSamples, model.most_grains()));
   if (!model.knows_settings())
     tell(
-        "the errors that the numerical settings cause, and those of the finite size, are not known without a "
-        "table of prices: the errors here are those of the scatter between samples");
+        "without a table of prices, the errors due to the numerical settings and to the finite number of "
+        "grains are "
+        "not known: the errors given here are due to the scatter between samples alone");
   if (best.n_grains > kFarExtrapolation * model.measured_grains())
-    tell(fmt::format("the prices were measured with {} grains: they are extrapolated far beyond that",
-                     model.measured_grains()));
+    tell(fmt::format(
+        "the prices were measured with {} grains: for this plan, they are extrapolated far beyond this number",
+        model.measured_grains()));
 }
 
 }  // namespace

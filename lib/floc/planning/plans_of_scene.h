@@ -13,7 +13,7 @@
 
 namespace floc {
 
-/// A scene file, and what a user wishes of plans for it.
+/// A scene file, and the wishes of a user for plans of this scene.
 struct PlanWishes {
   std::string scene;                   ///< path of the scene file
   std::vector<std::string> overrides;  ///< texts "key.path=value" that change the scene, see read_scene()
@@ -30,12 +30,14 @@ class PlansOfScene {
  public:
   using Remark = std::function<void(const std::string&)>;
 
-  /// Reads the scene and its prices, runs the pilot if one is asked for, and chooses the plans.
-  /// @param tell  function that takes remarks, such as what a pilot has measured
-  /// @throws InputError as choose_plans(); also if there is neither a budget nor a wanted error, if the scene has faults,
-  /// chooses its settings itself or starts from a saved packing, and if no table of prices applies without a pilot
+  /// Reads the scene and its prices, runs a pilot if the user requests it, and chooses the plans.
+  /// @param tell  function that takes remarks, such as the measurements of a pilot
+  /// @throws InputError as choose_plans(); also if neither a budget nor a wanted error is given, if the scene has
+  /// faults, contains numerical settings or starts from a saved packing, or if no table of prices applies and no pilot
+  /// is requested
   PlansOfScene(PlanWishes wishes, const Remark& tell);
-  // The model refers to the scene, and the plans to the rows of its table.
+  // A PlansOfScene cannot be copied, because the model refers to the scene, and the plans refer to rows of the table in
+  // the model.
   PlansOfScene(const PlansOfScene&) = delete;
   PlansOfScene& operator=(const PlansOfScene&) = delete;
 
@@ -53,7 +55,7 @@ class PlansOfScene {
   PlanWishes wishes_;
   PlanRequest request_;
   Scene scene_;
-  std::string prices_;  ///< table of prices, or pilot, in words
+  std::string prices_;  ///< source of the prices in words: a table of prices or a pilot
   PriceModel model_;
   PlanChoice choice_;
 };

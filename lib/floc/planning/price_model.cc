@@ -19,22 +19,23 @@ namespace floc {
 namespace {
 
 /// Exponent p of the processor time, which is proportional to N^p for N grains. This value is used if a table of prices
-/// contains only one size. It is above 1 because larger packings take more time steps to come to rest.
+/// contains only one size. The exponent is above 1 because larger packings need more time steps to come to rest.
 constexpr double kCostExponent = 1.25;
 /// Fraction of the processor time of a run that is proportional to its number of equilibria. This value is used if a
-/// table of prices does not contain the fraction. Most of the time goes into the assembly and into rearrangements,
-/// whose number depends on the range of the load and not on the number of equilibria. Measured on 200 cohesive disks:
-/// 1.6 s with 16 states, 2.3 s with 40 states of the same load path.
+/// table of prices does not contain the fraction. Most of the time is spent in the assembly and in rearrangements, and
+/// the number of rearrangements depends on the range of the load, not on the number of equilibria. The value was
+/// measured on 200 cohesive disks: a load path took 1.6 s with 16 states, and 2.3 s with 40 states.
 constexpr double kShareOfSteps = 0.3;
-/// Share of the processor time of a run in which springs may be soft, where a table has no rows of softening, and share
-/// of the assembly up to the first pressure. Measured on 1400 cohesive disks: 0.57 of the time steps up to that
-/// pressure, and 0.6 of the time with springs softer by 5, 0.57 with springs softer by 10.
+/// kShareOfSoft: share of the processor time of a run in which springs may be soft, used if a table has no rows of
+/// softening. kShareOfAssembly: share of the assembly up to the first pressure. Measured on 1400 cohesive disks, 0.57
+/// of the time steps were made up to the first pressure. Springs softer by a factor of 5 reduced the time to 0.6 of the
+/// time with full stiffness, and springs softer by a factor of 10 reduced it to 0.57.
 constexpr double kShareOfSoft = 0.7, kShareOfAssembly = 0.57;
-/// Largest ratio of a number of grains to the measured number of grains, up to which prices are extrapolated: for a
-/// table of prices, and for a pilot.
+/// Largest ratio of a number of grains to the measured number of grains at which prices are extrapolated: from a table
+/// of prices, and from a pilot.
 constexpr int kExtrapolation = 50, kExtrapolationOfPilot = 10;
-/// Memory of the program itself, and memory per grain in two and in three dimensions, for a run that finishes its
-/// equilibria by Newton steps (MB).
+/// Memory (MB) of the program itself, and memory (MB) per grain in two and in three dimensions. The values apply to
+/// runs that finish equilibria by Newton steps.
 constexpr double kProgramMemory = 36.0;
 constexpr double kMemoryOfDisk = 0.006, kMemoryOfSphere = 0.03;
 
@@ -60,8 +61,9 @@ double scatter_of(const PriceTable& table, const std::string& observable, int n_
   // Older tables contain the standard error of a mean over n samples instead.
   for (const PriceRow* row : rows_of(table, "samples", observable))
     if (row->mean_stderr > 0.0) return row->mean_stderr * std::sqrt(number_or_nan(row->value));
-  // For fits, older tables contain differences between the fits to two independent sets of n samples, of N and of n0
-  // grains. If s is the scatter between samples of n0 grains, the difference has the variance s^2 (n0/N + 1)/n.
+  // For fits, older tables contain the difference between fits to two independent sets of n samples: samples of N
+  // grains, and samples of n0 grains. If s is the scatter between samples of n0 grains, the difference has the variance
+  // s^2 (n0/N + 1)/n.
   double squares = 0.0;
   int n = 0;
   for (const PriceRow* row : rows_of(table, "count", observable)) {
@@ -73,10 +75,10 @@ double scatter_of(const PriceTable& table, const std::string& observable, int n_
   return n > 0 ? std::sqrt(squares / n) : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Returns c of the error c/N^q that a finite number N of grains causes; absent if the table contains only one size. c
-/// is fitted by weighted least squares to the differences from the samples of `n_grains` grains. To include the
-/// uncertainty of the fit, the result is the root of the sum of the squares of the fitted value and of the half width
-/// of its 95 % interval.
+/// Returns the factor c in the error c/N^q that a finite number N of grains causes; absent if the table contains only
+/// one size. The factor is fitted by weighted least squares to the differences from the samples of `n_grains` grains.
+/// To include the uncertainty of the fit, the function returns the root of a sum of two squares: the fitted value, and
+/// the half width of its 95 % interval.
 std::optional<double> size_of_table(const PriceTable& table, const std::string& observable, int n_grains,
                                     double exponent) {
   double xx = 0.0, xy = 0.0;
@@ -101,7 +103,8 @@ double slope_of(const std::vector<std::pair<double, double>>& points) {
   return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-/// Returns the exponent p of the processor time N^p of samples of N grains, fitted to samples of several sizes.
+/// Returns the exponent p in the processor time of a sample of N grains, which is proportional to N^p. The exponent is
+/// fitted to samples of several sizes.
 double exponent_of(const PriceTable& table, const PriceRow& as_it_is) {
   std::vector<std::pair<double, double>> points;
   const auto add = [&](const PriceRow& row) {
@@ -123,7 +126,8 @@ double share_of_steps(const PriceTable& table, const PriceRow& as_it_is) {
   return points.size() < 2 ? kShareOfSteps : std::clamp(slope_of(points), 0.0, 1.0);
 }
 
-/// Interpolates between points (x, y) in ascending order of x; beyond the last point y stays as it is there.
+/// Interpolates linearly between points (x, y) in ascending order of x; beyond the last point, returns the y of this
+/// point.
 double interpolated(const std::vector<std::pair<double, double>>& points, double x) {
   for (std::size_t k = 1; k < points.size(); ++k)
     if (x <= points[k].first)
@@ -154,7 +158,8 @@ void PriceModel::take_table() {
                                 [](const PriceRow& r) { return r.parameter == "scene"; });
   if (row == table_->rows.end() || row->n_grains <= 0 || !(row->core_seconds > 0.0))
     throw InputError(table_->place,
-                     "this table has no row whose knob is scene, or that row has no n_grains or core_seconds: "
+                     "this table has no row with the value scene in the column knob, or no n_grains or "
+                     "core_seconds in this row: "
                      "expected a table that floc tradeoff --format csv of this version of floc has written");
   n_grains_ = least_grains_ = row->n_grains;
   for (const PriceRow& other : table_->rows)

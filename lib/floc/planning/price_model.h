@@ -13,22 +13,24 @@ namespace floc {
 /// Parts of the error of a mean over states and samples, or of a fit to a path. All parts are half widths of 95 %
 /// intervals divided by the mean.
 struct PricedError {
-  double settings = 0.0;  ///< error that the numerical settings cause, as far as it is in the table of prices
+  double settings = 0.0;  ///< error that the numerical settings cause, if the table of prices has it
   double size = 0.0;      ///< error that the finite number of grains causes
   double scatter = 0.0;   ///< error that the scatter between samples causes
 
   double total() const { return settings + size + scatter; }
 };
 
-/// Scatter between samples and effect of the finite size on one observable, from a table of prices or from a pilot.
+/// Properties of one observable, from a table of prices or from a pilot: the scatter between samples, and the effect of
+/// the finite number of grains.
 struct ObservablePrice {
   std::string name;
   std::string unit;  ///< unit of the observable; empty if it is not known
-  /// Standard deviation between samples of `n_grains` grains divided by the mean, and its number of degrees of freedom.
+  /// Standard deviation between samples of `n_grains` grains, divided by the mean, and number of degrees of freedom of
+  /// this standard deviation.
   double scatter;
   int dof;
-  /// Factor c of the error c/N^q that the finite number N of grains causes, with the exponent q of the boundary. Absent
-  /// if the table contains only one size.
+  /// Factor c in the error c/N^q that the finite number N of grains causes. The exponent q depends on the boundary
+  /// (PriceModel). Absent if the table contains only one size.
   std::optional<double> size;
 };
 
@@ -43,39 +45,40 @@ struct PilotResult {
 };
 
 /// Model of the cost and the errors of runs of a scene, as functions of the number of grains, the number of samples and
-/// the settings. It extrapolates from a table of prices, from a pilot, or from both. If both are given, the processor
-/// time is that of the pilot, the table determines how it depends on the settings, the one with the larger samples
-/// determines how it depends on the number of grains, and the scatters of the two are pooled.
+/// the settings. It extrapolates from a table of prices, from a pilot, or from both. If both are given, the pilot gives
+/// the processor time, the table gives its dependence on the settings, whichever of the two has the larger samples gives
+/// its dependence on the number of grains, and the scatters of the two are pooled.
 ///
 /// 1. The processor time of a sample of N grains is proportional to N^p (1 - b + b n/n0) for a run with n equilibria,
 /// where n0 is the number of equilibria in the table and b the fraction of the time that is proportional to this
 /// number.
 /// 2. The scatter s between samples is proportional to N^(-1/2). The error of a mean over n samples is t s/sqrt(n) with
 /// Student's factor t.
-/// 3. A finite size changes a mean in proportion to the fraction of grains that a boundary or a periodic image
-/// disturbs: 1/N in a periodic cell, N^(-1/d) between walls in d dimensions.
+/// 3. A finite number N of grains changes a mean in proportion to the fraction of grains that the boundary disturbs:
+/// 1/N in a periodic cell, and N^(-1/d) between walls in d dimensions.
 class PriceModel {
  public:
   /// @param table  table of prices of the kind of the scene; absent if only a pilot is known
-  /// @param pilot  measurements on the scene; absent if only a table is known. At least one of the two must be given
+  /// @param pilot  measurements on the scene; absent if only a table is known. At least one of `table` and `pilot` must
+  /// be given.
   PriceModel(const Scene& scene, std::optional<PriceTable> table, std::optional<PilotResult> pilot = {});
 
   /// Numerical settings that can be written into the scene. They refer to rows of the table of this model.
   const std::vector<PricedSettings>& settings() const { return settings_; }
   const std::vector<ObservablePrice>& observables() const { return observables_; }
   /// Returns the observable with this name.
-  /// @throws InputError that names the most similar observable, if the model does not have this one
+  /// @throws InputError that names the most similar observable, if the model has no observable with this name
   const ObservablePrice& observable(const std::string& name, const std::string& place) const;
 
-  /// Removes settings, so that no plan uses them.
+  /// Removes settings from the model, so that no plan uses them.
   /// @param is_wrong  function that returns whether settings are removed; the settings of the row "scene" are always
   /// kept
   void remove_settings(const std::function<bool(const PricedSettings&)>& is_wrong);
 
   int measured_grains() const { return n_grains_; }
-  /// Smallest and largest number of grains for which the model is used: the smallest is the smallest measured number,
-  /// the largest is fifty times the measured number (ten times after a pilot alone). Both are the number of grains of
-  /// the scene if its diameters are listed.
+  /// Smallest and largest number of grains for which the model is used. The smallest is the smallest measured number,
+  /// and the largest is fifty times the measured number (ten times if there is only a pilot). If the scene lists the
+  /// diameters of its grains, both are the number of grains of the scene.
   int least_grains() const { return least_grains_; }
   int most_grains() const { return most_grains_; }
   bool knows_settings() const { return table_.has_value(); }
@@ -84,15 +87,16 @@ class PriceModel {
   double core_seconds(const PricedSettings& settings, double n_grains) const;
   /// Returns the largest memory of a run (MB) of `n_grains` grains.
   double memory_mb(double n_grains) const;
-  /// Returns the error of an observable. It is infinite if the table does not contain the error that the settings
-  /// cause.
+  /// Returns the error of an observable. The error is infinite if the table does not contain the error that the
+  /// settings cause.
   PricedError error(const ObservablePrice& observable, const PricedSettings& settings, double n_grains,
                     double n_samples) const;
-  /// Returns the settings of the table that are those of the scene, or those of the row "scene" with the processor time
-  /// of the scene's time step and softening.
+  /// Returns the row of the table that has the same settings as the scene. If there is no such row, returns the row
+  /// "scene" with its processor time converted to the time step and the softening of the scene.
   PricedSettings settings_of_scene() const;
-  /// Returns the processor time of a run with softer springs over that without: interpolated among the rows of softening
-  /// in the table; the assembly takes a fixed share of it.
+  /// Returns the processor time of a run with softer springs, divided by the time without softening. The ratio is
+  /// interpolated between the rows of softening in the table, separately for the assembly, which takes a fixed share of
+  /// the time, and for the load.
   double time_with_softening(const Softening& softening) const;
 
  private:
@@ -106,7 +110,8 @@ class PriceModel {
   std::vector<ObservablePrice> observables_;
   int n_grains_ = 0, least_grains_ = 0, most_grains_ = 0;
   double cost_exponent_ = 0.0;
-  double cost_factor_ = 1.0;  ///< ratio of the processor time of this scene to that of the scene of the table
+  /// Processor time of this scene divided by the processor time of the scene of the table.
+  double cost_factor_ = 1.0;
   double size_exponent_ = 1.0;
 };
 

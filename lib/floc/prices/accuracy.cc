@@ -12,12 +12,12 @@
 namespace floc {
 namespace {
 
-/// Errors scale with the stiffness. The measured errors are therefore used only for scenes whose stiffness number
-/// differs by at most this factor from that of the scene on which they were measured.
+/// Errors depend on the stiffness. Errors measured on one scene are therefore used for another scene only if the
+/// stiffness numbers of the two scenes differ by at most this factor.
 constexpr double kStiffnessRange = 10.0;
 
-/// Keys of the table [accuracy] of a scene, and the observables that each key stands for, by their names in the column
-/// "observable" of a table of prices.
+/// Keys of the table [accuracy] of a scene. Each key stands for one or several observables, which are given by their
+/// names in the column "observable" of a table of prices.
 const std::vector<std::pair<std::string, std::vector<std::string>>> kKeys = {
     {"phi", {"phi"}},
     {"z", {"z_plus", "z_minus"}},
@@ -28,8 +28,8 @@ const std::vector<std::pair<std::string, std::vector<std::string>>> kKeys = {
     {"alpha", {"alpha"}},
     {"Phi_max", {"Phi_max"}}};
 
-/// Names of two parameters in a table of prices: the mass of the cell and the cap on its strain rate. Their values are
-/// multiples of the default values, for example "10 times".
+/// Names, in a table of prices, of two parameters: the mass of the cell and the cap on its strain rate. Their values in
+/// the table are multiples of the default values, for example "10 times".
 constexpr const char* kMassOfCell = "cell_mass";
 constexpr const char* kCapOfCell = "strain_rate_cap";
 
@@ -37,8 +37,8 @@ bool is_of_cell(const std::string& parameter) {
   return parameter == kMassOfCell || parameter == kCapOfCell;
 }
 
-/// Whether a parameter in a table of prices is one that a scene can change to gain accuracy. The list contains the
-/// settings of elastic grains, then the settings of rigid grains.
+/// Whether a scene can set a parameter of a table of prices to change the accuracy. Some parameters in the list are for
+/// elastic grains, others for rigid grains.
 bool is_settable(const std::string& parameter) {
   static const std::vector<std::string> kSettable = {
       "strict",   "scene",           "finish",        "tolerance", "time_step",         "patience",
@@ -46,8 +46,9 @@ bool is_settable(const std::string& parameter) {
   return std::find(kSettable.begin(), kSettable.end(), parameter) != kSettable.end();
 }
 
-/// Returns settings from a table of prices, the cheapest first.
-/// @param is_wanted  function that returns whether a parameter, given by its name, is to be included
+/// Returns the settings in a table of prices, the cheapest first.
+/// @param is_wanted  function that returns whether settings of a parameter are included; the argument is the name of
+/// the parameter
 std::vector<PricedSettings> candidates_of(const PriceTable& table, bool (*is_wanted)(const std::string&)) {
   std::vector<PricedSettings> candidates;
   for (const PriceRow& row : table.rows) {
@@ -66,7 +67,8 @@ std::vector<PricedSettings> candidates_of(const PriceTable& table, bool (*is_wan
   return candidates;
 }
 
-/// Returns an upper bound of the relative error of an observable with these settings; infinite if it was not measured.
+/// Returns an upper bound of the relative error of an observable under given settings; infinite if the error was not
+/// measured.
 double guaranteed_error(const PricedSettings& candidate, const std::string& observable) {
   const auto found = candidate.of.find(observable);
   if (found == candidate.of.end()) return std::numeric_limits<double>::infinity();
@@ -76,27 +78,27 @@ double guaranteed_error(const PricedSettings& candidate, const std::string& obse
   return std::isfinite(scatter) ? difference + scatter : std::numeric_limits<double>::infinity();
 }
 
-/// Returns the factor by which the default value is multiplied in a row about the cell, for example 10 for the value
-/// "10 times"; NaN if the value contains no number.
+/// Returns the value of a setting of the cell divided by the default value, for example 10 for the value "10 times";
+/// NaN if the value contains no number.
 double factor_of(const PricedSettings& of_cell) {
   return parse_number<double>(of_cell.value.substr(0, of_cell.value.find(' ')))
       .value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
-/// Relative difference below which two factors, of the mass of the cell or of the cap on its strain rate, count as
-/// equal. The factors of a scene are ratios and have rounding errors.
+/// Two factors of the mass of the cell, or of the cap on its strain rate, count as equal if their relative difference
+/// is below this value. The factors of a scene are quotients and have rounding errors.
 constexpr double kRoundingOfFactors = 1e-9;
 
 bool is_default(double factor) {
   return std::abs(factor - 1.0) <= kRoundingOfFactors;
 }
 
-/// Returns the measured setting of the cell that covers a factor of a scene. A measured factor covers it if it lies on
-/// the same side of 1 and is at least as far from 1; of these, the closest to 1 is returned. Returns null if there is
-/// none.
+/// Returns the measured setting of the cell that covers a factor of a scene. A measured factor covers the factor of the
+/// scene if both are above 1 or both below 1, and the measured one is at least as far from 1. Of several such settings,
+/// the one closest to 1 is returned; null if there is none.
 /// @param of_cell  measured settings of the mass of the cell and of the cap on its strain rate
 /// @param parameter  quantity that the factor multiplies: "cell_mass" or "strain_rate_cap"
-/// @param factor  value in the scene divided by the default value
+/// @param factor  value in the scene, divided by the default value
 const PricedSettings* nearest_beyond(const std::vector<PricedSettings>& of_cell, const std::string& parameter,
                                      double factor) {
   const auto distance = [&](double f) { return factor > 1.0 ? std::log(f) : -std::log(f); };
@@ -109,7 +111,7 @@ const PricedSettings* nearest_beyond(const std::vector<PricedSettings>& of_cell,
   return nearest;
 }
 
-/// Returns the observables that a key of [accuracy] stands for and that a table of prices contains.
+/// Returns the observables of a key of [accuracy] that a table of prices contains.
 std::vector<std::string> priced_observables(const PriceTable& table, const std::string& key) {
   std::vector<std::string> found;
   for (const std::string& observable : observables_of(key))
@@ -141,7 +143,7 @@ class AccuracyChooser {
         return {"", "", c.name(), c.settings, reason_of(c)};
     choice.refused_key = wanted_.front().key;
     choice.failure_reason = fmt::format(
-        "no settings in the {} keep all requested errors at once; request larger errors", errors_table());
+        "no settings in the {} achieve all requested errors at once; request larger errors", errors_table());
     return choice;
   }
 
@@ -156,8 +158,8 @@ class AccuracyChooser {
     return table_.is_shipped ? "table of measured errors shipped with floc" : table_.name();
   }
 
-  /// Returns the relative error that settings guarantee for all observables of a request, including the errors that the
-  /// cell causes; infinite if the table has none of the observables.
+  /// Returns the relative error that the settings guarantee for all observables of a request. The errors that the mass
+  /// and the strain rate of the cell cause are included. Infinite if the table has none of the observables.
   double guaranteed_error_of(const PricedSettings& candidate, const Wish& wish) const {
     if (wish.observables.empty()) return std::numeric_limits<double>::infinity();
     double least = 0.0;
@@ -169,7 +171,7 @@ class AccuracyChooser {
     return least;
   }
 
-  /// Returns the reason why no settings keep a requested error; empty if some settings do.
+  /// Returns the reason why no settings achieve a requested error; empty if some settings achieve it.
   std::string reason_against(const Wish& wish) const {
     double floor = std::numeric_limits<double>::infinity();
     for (const PricedSettings& c : candidates_)
@@ -251,7 +253,8 @@ double settings_error(const PricedSettings& settings, const std::string& observa
   const auto found = settings.of.find(observable);
   if (found == settings.of.end()) return std::numeric_limits<double>::quiet_NaN();
   const PriceRow& row = *found->second;
-  // Soft springs change the mean by an amount of which the samples may not have seen all.
+  // Soft springs change the mean. The measured difference may be only a part of this change, so the width of its
+  // confidence interval is not subtracted from it.
   if (settings.settings.softening.any()) return std::hypot(row.mean_difference, row.mean_error);
   const double detected = std::isfinite(row.mean_error)
                               ? std::max(0.0, std::abs(row.mean_difference) - row.mean_error)

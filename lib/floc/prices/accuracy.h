@@ -10,57 +10,58 @@
 namespace floc {
 
 /// Mass of the periodic cell, and cap on its strain rate, during the assembly or one stage of the load path. Both are
-/// divided by the default values for the scene (cell_defaults.h). Tables of prices are measured with these default
-/// values.
+/// divided by their default values for the scene (cell_defaults.h), with which the prices of all other settings were
+/// measured.
 struct CellFactors {
   double mass = 1.0, rate_cap = 1.0;
 };
 
 /// Requested accuracy: a list of keys of the table [accuracy] of a scene ("phi", "z", "moduli", "reuss", "forces",
-/// "lambda", "alpha", "Phi_max"), each with the largest accepted relative error of the observables that the key stands
-/// for.
+/// "lambda", "alpha", "Phi_max"). Each key stands for one or several observables. Its number is the largest accepted
+/// relative error of these observables.
 using WantedAccuracy = std::vector<std::pair<std::string, double>>;
 
 /// Returns all keys with which a scene can request an accuracy.
 std::vector<std::string> accuracy_keys();
 
-/// Returns the names of the observables that a key of [accuracy] stands for, as they are written in tables of prices.
+/// Returns the observables for which a key of [accuracy] stands, by their names in tables of prices.
 /// @param key  one of accuracy_keys()
 const std::vector<std::string>& observables_of(const std::string& key);
 
-/// Numerical settings from a table of prices, with the rows of the table that describe them, one row for each
+/// Numerical settings from a table of prices, with the rows of the table for these settings, one row for each
 /// observable.
 struct PricedSettings {
   std::string parameter, value;
   NumericalSettings settings;
-  double cost_ratio;                          ///< ratio of the processor time to that of the strictest settings
-  double core_seconds;                        ///< processor time of a sample (s)
+  double cost_ratio;    ///< processor time divided by the processor time of the strictest settings
+  double core_seconds;  ///< processor time of a sample (s)
   std::map<std::string, const PriceRow*> of;  ///< rows of the table; the key is the name of the observable
 
   bool is_reference() const { return parameter == "strict"; }
   std::string name() const { return parameter + " " + value; }
 };
 
-/// Returns the numerical settings in a table of prices that can be written into a scene, the cheapest first. Rows about
-/// other parameters are left out, because these parameters change the physics, the number of grains, the cell, or the
-/// analysis of the states.
+/// Returns the numerical settings in a table of prices that a scene can contain, the cheapest first. Rows of other
+/// parameters are left out. These parameters change the physics, the number of grains, the cell, or the analysis of the
+/// states.
 std::vector<PricedSettings> settable_prices(const PriceTable& table);
 
-/// Returns the rows of a table of prices that cover the cells of a scene. For each factor of the mass and of the cap on
-/// the strain rate that differs from 1, this is the row with the nearest factor that is at least as far from 1. The
-/// errors in these rows are added to the errors of the numerical settings.
+/// Returns the measured settings of the cell that cover the cells of a scene: for each factor in `cells` that differs
+/// from 1, the setting with the nearest factor that is at least as far from 1. The errors of these settings are added
+/// to the errors of the numerical settings.
 std::vector<PricedSettings> cell_prices(const PriceTable& table, const std::vector<CellFactors>& cells);
 
-/// Returns the bound of the relative error of a mean over states that the choice of settings causes: the error of 95 %
-/// of single states, or the difference of the means from the strictest settings as far as it exceeds the half width of
-/// its 95 % interval, whichever is larger. With soft springs, which lead to other packings, it is the root of the sum of
-/// the squares of the difference and of the half width of its interval. NaN if neither was measured.
+/// Returns a bound of the relative error that settings cause in the mean of an observable over states. Let d be the
+/// difference of the means from those of the strictest settings, and h the half width of the 95 % confidence interval
+/// of d. The bound is the larger of two numbers: the error that 95 % of the single states do not exceed, and |d| - h
+/// (at least 0). Soft springs result in other packings; for settings with soft springs, the bound is sqrt(d^2 + h^2).
+/// NaN if nothing was measured.
 double settings_error(const PricedSettings& settings, const std::string& observable);
 
-/// Result of choose_accuracy(): the cheapest numerical settings whose errors do not exceed the requested errors, or the
-/// reason why there are no such settings.
+/// Result of choose_accuracy(): the cheapest numerical settings whose errors do not exceed the requested errors or, if
+/// there are no such settings, the reason.
 struct AccuracyChoice {
-  /// key of [accuracy] whose requested error no settings achieve; empty if settings were chosen
+  /// key of [accuracy] for which no settings achieve the requested error; empty if settings were chosen
   std::string refused_key;
   std::string failure_reason;  ///< reason why no settings were chosen; empty if settings were chosen
   std::string name;            ///< name and value of the parameter that was varied, e.g. "time_step 0.2"
@@ -70,18 +71,20 @@ struct AccuracyChoice {
   bool found() const { return failure_reason.empty(); }
 };
 
-/// Chooses the cheapest numerical settings in a table of measured errors that keep the requested errors. Every
+/// Chooses, in a table of measured errors, the cheapest numerical settings that achieve the requested errors. Every
 /// observable of a requested key must satisfy one of these conditions:
-/// 1. If single states were compared: their error is at most the requested error, and the difference of the means over
-/// samples exceeds the requested error by at most the sampling error (half width of the 95 % confidence interval).
+/// 1. If single states were compared: the error of the states is at most the requested error, and the difference of the
+/// means over samples is at most the requested error plus the sampling error (half width of the 95 % confidence
+/// interval).
 /// 2. If only means were compared, because the quantity is fitted to a whole path: the difference of the means plus its
 /// sampling error is at most the requested error.
 ///
-/// Settings with soft springs are never chosen: they lead to other packings, and [accuracy] speaks of single states.
+/// Settings with soft springs are never chosen: soft springs result in other packings, but a key of [accuracy] limits
+/// the errors of single states.
 ///
-/// A requested error below all measured errors is refused, because the error of the reference run itself is unknown. If
-/// the mass or the strain rate of the cell differs from its default, the errors that were measured for such a cell are
-/// added to the errors of all settings.
+/// If a requested error is below all measured errors, no settings are chosen: the reference run would be the only
+/// candidate, and its own error is unknown. If the mass or the strain rate of the cell differs from its default, the
+/// errors that were measured for such a cell are added to the errors of all settings.
 /// @param wanted  requested errors, at least one; each key is from accuracy_keys(), each error is positive
 /// @param cells  mass of the cell and cap on its strain rate in the assembly and in each stage of the load path
 /// @pre covers_cell(table, cell) is true for each of `cells`
@@ -89,12 +92,13 @@ struct AccuracyChoice {
                                              const std::vector<CellFactors>& cells = {});
 
 /// Whether the table of errors was measured on grains whose stiffness number differs from `kappa` by at most a factor
-/// of ten. Beyond this factor the errors do not apply, because they scale with the stiffness.
+/// of ten. If the stiffness numbers differ by more, the errors do not apply, because errors depend on the stiffness.
 /// @param kappa  stiffness number a K_N/F0 of the scene (largest diameter a, normal stiffness K_N, pull-off force F0)
 bool covers_stiffness(const PriceTable& table, double kappa);
 
-/// Whether the table contains errors measured with a mass of the cell, and with a cap on its strain rate, that differ
-/// from the defaults in the same direction as the values of `cell`, and by at least the same factor.
+/// Whether the table covers the mass and the cap of `cell`. It covers a value if it contains errors measured with a
+/// value that differs from the default in the same direction and by at least the same factor, or if the value is the
+/// default.
 bool covers_cell(const PriceTable& table, const CellFactors& cell);
 
 }  // namespace floc

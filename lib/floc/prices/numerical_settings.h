@@ -11,30 +11,32 @@ constexpr const char* finish_name(Finish finish) {
   return finish == Finish::automatic ? "auto" : finish == Finish::dynamic ? "dynamic" : "static";
 }
 
-/// Factors by which springs are softer while grains rearrange (RelaxationOptions::softening), >= 1.
+/// Factors >= 1 by which springs are softer than the contact law while grains rearrange (RelaxationOptions::softening).
 struct Softening {
   double assembly = 1.0;  ///< factor while the grains are put together
-  double load = 1.0;  ///< largest factor of all stages of the load path; that of the assembly without stages
+  /// largest factor of all stages of the load path; if there are no stages, the factor of the assembly
+  double load = 1.0;
 
   bool any() const { return assembly > 1.0 || load > 1.0; }
   bool operator==(const Softening&) const = default;
 };
 
-/// Numerical settings of a run, which determine its speed and accuracy but not the physics.
+/// Numerical settings of a run. They determine the speed and the accuracy of the run, but do not change the physics.
 struct NumericalSettings {
   /// tolerance of net forces and moments on grains, and of stresses; it also determines energy()
   double tolerance = 1e-5;
-  /// time step in units of sqrt(m_min/K_N), with the mass m_min of the smallest grain and the normal stiffness K_N of a
-  /// contact
+  /// time step in units of sqrt(m_min/K_N), where m_min is the mass of the smallest grain and K_N the normal stiffness
+  /// of a contact
   double time_step = RelaxationOptions{}.time_step;
   Finish finish = Finish::automatic;
   double patience = 1.0;
-  /// Parts of a run may have different factors, so apply() and of() leave this member out (scene/scene_softening.h).
+  /// apply() and of() leave this member out, because parts of a run may have different factors
+  /// (scene/scene_softening.h).
   Softening softening = {};
 
-  /// Returns the tolerance of the kinetic energy: below it, the packing counts as at rest. It is proportional to
-  /// `tolerance`, but at least 5e-8, its value for tolerance = 1e-5. A stricter value is not needed, because the
-  /// remaining motion is removed afterwards.
+  /// Returns the tolerance of the kinetic energy. A packing with a lower energy counts as at rest. The tolerance of the
+  /// energy is proportional to `tolerance`, but at least 5e-8 (the value for tolerance = 1e-5). A stricter value is not
+  /// needed, because the remaining motion is removed afterwards.
   double energy() const { return 5e-3 * std::max(tolerance, 1e-5); }
 
   /// Writes these settings into the options of a relaxation.
@@ -45,8 +47,7 @@ struct NumericalSettings {
     options.patience = patience;
   }
 
-  /// Returns the settings that the options of a relaxation contain. `tolerance` is set to the force tolerance of the
-  /// options.
+  /// Returns the settings in the options of a relaxation. `tolerance` is the tolerance of forces in the options.
   static NumericalSettings of(const RelaxationOptions& options) {
     return {options.tolerance.force, options.time_step, options.finish, options.patience};
   }

@@ -14,16 +14,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Possible paths of the folder of tables, relative to a folder above the program: in an installation, and in the build
-/// tree.
+/// Possible paths of the folder of tables, relative to a folder above the program. The first is for an installation,
+/// the second for the build tree.
 constexpr const char* kPlaces[] = {"share/floc/tables/tradeoff", "apps/share/floc/tables/tradeoff"};
 
-/// Number of parent folders of the program or library that are searched. A Python package lies four folders below the
-/// installation prefix: lib/python3/dist-packages/floc.
+/// Number of parent folders of the program or library in which the folder of tables is searched. A Python package is in
+/// lib/python3/dist-packages/floc, four folders below the prefix of the installation.
 constexpr int kFoldersAbove = 5;
 
-/// Returns the path of the running program, and that of the file that contains this code: the program or, in Python, a
-/// module.
+/// Returns two paths: the path of the file that contains this code (the program or, in Python, a module), and the path
+/// of the running program.
 std::vector<fs::path> binaries() {
   std::vector<fs::path> found;
   std::error_code failed;

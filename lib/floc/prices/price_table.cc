@@ -39,7 +39,7 @@ class Cells {
                        fmt::format("the value of column {} is {}: expected a number", column, cell));
     return *value;
   }
-  /// Returns the whole number in a column; 0 if there is none.
+  /// Returns the whole number in a column; 0 if the cell is empty, or if the table does not have the column.
   int count(const std::string& column) const {
     const double value = number(column);
     if (std::isnan(value)) return 0;
@@ -55,7 +55,7 @@ class Cells {
   int row_;
 };
 
-/// Returns a factor of softer springs; 1 if the table does not say it.
+/// Returns a factor by which springs are softer; 1 if the table does not contain it.
 double softening_in(const Cells& cells, const std::string& column) {
   const double factor = cells.number(column);
   return std::isnan(factor) ? 1.0 : factor;
@@ -90,7 +90,7 @@ PriceRow row_of(const Cells& cells) {
   row.n_grains = cells.count("n_grains");
   row.n_samples = cells.count("n_samples");
   row.n_states = cells.count("n_states");
-  // Older tables give the total number of compared states of all samples instead.
+  // Older tables give the total number of compared states of all samples instead of the number of states of a sample.
   if (row.n_states == 0 && row.n_samples > 0)
     row.n_states = (cells.count("n_before") + cells.count("n_after")) / row.n_samples;
   row.kappa = cells.number("kappa");

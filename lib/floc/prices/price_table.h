@@ -9,31 +9,31 @@
 namespace floc {
 
 /// Price of one numerical setting: its cost, and the error that it causes in one observable (such as the solid
-/// fraction). This is one row of the table that `floc tradeoff` writes. Errors are relative. A number that the table
-/// does not contain is NaN.
+/// fraction). A PriceRow is one row of the table that `floc tradeoff` writes. Errors are relative. A number that the
+/// table lacks is NaN.
 struct PriceRow {
   /// name and value of the parameter that was varied, e.g. "time_step" and "0.2"
   std::string parameter, value;
   NumericalSettings settings;
   std::string observable;
   std::string unit;     ///< unit of the observable; empty if the table has no units
-  double cost_ratio;    ///< ratio of the processor time to that of the run with the strictest settings
+  double cost_ratio;    ///< processor time divided by that of the run with the strictest settings
   double core_seconds;  ///< processor time of a sample (s)
-  double memory_mb;     ///< largest memory of a run, without the memory of the program itself (MB)
-  double error;         ///< upper limit of the errors of 95 % of the states; NaN if no states were compared
-  /// Relative difference of the observable from its value in the run with the strictest settings, as a mean over
-  /// samples and over the states after a collapse (a sudden rearrangement of grains); NaN if no means were compared.
+  double memory_mb;     ///< largest memory of a run (MB), not including the memory of the program itself
+  double error;         ///< error that 95 % of the states do not exceed; NaN if no states were compared
+  /// Mean relative difference of the observable from its value in the run with the strictest settings. The mean is over
+  /// samples and over the states after a collapse (a sudden rearrangement of grains). NaN if no means were compared.
   double mean_difference;
   double mean_stderr;  ///< standard error of mean_difference
   double mean_error;   ///< half width of the 95 % confidence interval of mean_difference
-  /// Standard deviation between samples divided by the mean; of the mean over states, or of a parameter fitted to a
-  /// path.
+  /// Standard deviation between samples, divided by the mean. The quantity is the mean of the observable over states,
+  /// or a parameter fitted to a path.
   double sample_scatter;
   int n_grains;   ///< number of grains of a sample; 0 if the table does not contain it
   int n_samples;  ///< number of samples; 0 if the table does not contain it
   int n_states;   ///< number of states (equilibria) of a sample; 0 if the table does not contain it
-  /// stiffness number a K_N/F0 of the scene on which the price was measured, for cohesive grains (largest diameter a,
-  /// normal stiffness K_N, pull-off force F0)
+  /// stiffness number a K_N/F0 of the scene on which the price was measured (a largest diameter, K_N normal stiffness,
+  /// F0 pull-off force); for cohesive grains only
   double kappa;
 };
 
@@ -46,25 +46,25 @@ struct PriceTable {
 
   /// Returns the name of the table for messages: "table shipped with floc" or "table FILE".
   std::string name() const { return is_shipped ? "table shipped with floc" : "table " + place; }
-  /// Returns the row for an observable with a parameter at a value; null if there is none.
+  /// Returns the row for an observable and a value of a parameter; null if there is none.
   const PriceRow* find(const std::string& parameter, const std::string& value,
                        const std::string& observable) const;
-  /// Returns the names of the observables of the table, each once, in the order of the table.
+  /// Returns the names of the observables in the table, each once, in the order of their first rows.
   std::vector<std::string> observables() const;
 };
 
-/// Kind of scenes that a table without the column "kind" describes.
+/// Kind of the scenes of a table that has no column "kind".
 inline constexpr const char* kOldestKind = "disks-cohesive";
 
 /// Reads a table that `floc tradeoff` has written in CSV format. Its columns are found by their names.
 /// @param csv  text of the table
 /// @param place  name of the table, for messages
-/// @throws InputError if a column is missing that every version of `floc tradeoff` writes, if a value is not a number,
-/// or if the rows describe scenes of several kinds
+/// @throws InputError if the table lacks a column that every version of `floc tradeoff` writes, if a value is not a
+/// number, or if the rows describe scenes of different kinds
 PriceTable read_price_table(const std::string& csv, const std::string& place);
 
-/// Returns the folder of the tables KIND.csv that are shipped with the program: share/floc/tables/tradeoff in one of
-/// the folders above the program, or above the library that contains this code.
+/// Returns the path of the folder with the tables KIND.csv that are shipped with the program. It is
+/// share/floc/tables/tradeoff in a folder above the program, or above the library that contains this code.
 /// @throws InputError if there is no such folder
 std::string price_folder();
 
@@ -72,7 +72,7 @@ std::string price_folder();
 /// @throws InputError if there is no folder of tables
 std::vector<std::string> priced_kinds();
 
-/// Returns the table for one kind of scenes; absent if none is shipped.
+/// Returns the table for one kind of scenes; no value if no table is shipped for this kind.
 /// @throws InputError if there is no folder of tables, or if the table is not valid
 std::optional<PriceTable> shipped_prices(const std::string& kind);
 

@@ -13,8 +13,9 @@ namespace floc {
 /// describes the equilibrium with which the step ends.
 ///
 /// Columns: step (number of the equilibrium), branch (name of the load stage), P (imposed pressure), time (since the
-/// beginning of the run), phi (solid fraction), n_contacts, gained and lost (contacts that closed or opened since the
-/// previous row or the beginning of the step), kept (contacts that have existed since the beginning of the step).
+/// beginning of the run), phi (solid fraction), n_contacts, gained and lost (contacts that have closed and contacts
+/// that have opened since the previous row or, in the first row of a step, since the beginning of the step), kept
+/// (contacts that have existed since the beginning of the step).
 template <int Dim>
 class ContactTracker final : public MotionTable<Dim> {
  public:
@@ -31,7 +32,8 @@ class ContactTracker final : public MotionTable<Dim> {
   Packing<Dim> start_, previous_;
 };
 
-/// Starts recording the contacts of a run in the table contacts.csv of its directory while its packing moves.
+/// Starts recording the contacts of a run in the table contacts.csv of the run's directory. Contacts are recorded while
+/// the packing moves.
 /// @param options  options of the run
 /// @param interval  simulated time between two rows (time unit of the scene)
 /// @pre `run` is not finished, and the object stays at its address in memory until the run has been driven

@@ -27,16 +27,16 @@ std::string host_name() {
   return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "an unknown host";
 }
 
-/// Returns the words by which a message names the process that holds the lock: the text that this process has written
-/// into the lock file, or "another process" if it has not written one yet.
+/// Returns the words with which a message names the owner of the lock: the text that the owner has written into the
+/// lock file, or "another process" if the file is still empty.
 std::string holder(int file) {
   std::array<char, 512> text{};
   const ssize_t n = ::pread(file, text.data(), text.size() - 1, 0);
   return n > 0 ? std::string(text.data(), static_cast<std::size_t>(n)) : "another process";
 }
 
-/// Whether the path of the lock file still leads to the file that was opened. It does not if the previous holder of the
-/// lock has removed the file, as every holder does before it releases the lock.
+/// Whether the path of the lock file still leads to the opened file. The answer is false if the previous owner of the
+/// lock has removed the file; every owner does this before it releases the lock.
 bool is_current(int file, const std::string& path) {
   struct stat opened {
   }, named{};
@@ -44,15 +44,15 @@ bool is_current(int file, const std::string& path) {
          opened.st_dev == named.st_dev;
 }
 
-/// Whether `error`, the errno of a failed flock(), means that the file system does not support locks. A directory is
-/// then used without a lock.
+/// Whether `error`, the errno of a failed flock(), means that the file system does not support locks. A directory on
+/// such a file system is used without a lock.
 bool has_no_locks(int error) {
   return error == ENOTSUP || error == EOPNOTSUPP || error == ENOSYS || error == ENOLCK;
 }
 
 /// Checks that a directory for a new run is empty, unless the run in it may be continued or replaced.
 /// @param runs  word for the content of the directory in messages, "run" or "runs"
-/// @throws InputError if it contains other files than the lock file
+/// @throws InputError if the directory contains other files than the lock file
 void require_empty(const std::string& path, Existing existing, const std::string& runs) {
   if (existing != Existing::refuse || !fs::is_directory(path)) return;
   for (const auto& entry : fs::directory_iterator(path))
@@ -70,8 +70,8 @@ const std::string& prepared(const std::string& path, Existing existing, const st
   if (path == "-") throw InputError(path, "this name means standard output: expected the name of a directory");
   if (fs::exists(path) && !fs::is_directory(path))
     throw InputError(path, "this is a file: expected a directory");
-  // If a lock file exists, another process may use the directory. Then it is not checked here whether the directory is
-  // empty: locking it fails later, with a message that names the other process.
+  // If a lock file exists, another process may use the directory. The directory is then not checked here, because an
+  // attempt to lock it fails later with a message that names the other process.
   if (!fs::exists(fs::path(path) / DirectoryLock::kName)) require_empty(path, existing, runs);
   std::error_code failed;
   fs::create_directories(path, failed);
@@ -116,8 +116,8 @@ DirectoryLock::~DirectoryLock() {
 bool DirectoryLock::is_held() const {
   struct stat named {};
   const bool found = ::stat(directory_.c_str(), &named) == 0;
-  // If there is no lock file, the directory still belongs to this process. If there is another lock file in its place,
-  // the directory belongs to another process.
+  // If the lock file has been removed, the directory still belongs to this process. If another lock file has replaced
+  // it, the directory belongs to another process.
   return found && named.st_dev == device_ && named.st_ino == inode_ &&
          (is_current(file_, path_) || ::access(path_.c_str(), F_OK) != 0);
 }

@@ -5,8 +5,8 @@
 
 namespace floc {
 
-/// Lock on a directory, so that no other process of floc writes into it as long as this object exists. It is an
-/// advisory lock (flock) on a file in the directory, which the operating system releases when the process ends, even if
+/// Lock on a directory. As long as this object exists, no other process of floc writes into the directory. The lock is
+/// an advisory lock (flock) on a file in the directory. The operating system releases it when the process ends, even if
 /// the process is killed.
 class DirectoryLock {
  public:
@@ -21,8 +21,8 @@ class DirectoryLock {
   DirectoryLock(const DirectoryLock&) = delete;
   DirectoryLock& operator=(const DirectoryLock&) = delete;
 
-  /// Whether the path of the directory still leads to the locked directory. It does not if the directory has been
-  /// renamed or removed, even if a new directory has been created under the old name.
+  /// Whether the path of the directory still leads to the locked directory. The answer is false if the directory has
+  /// been renamed or removed, even if a new directory now has the old name.
   bool is_held() const;
   /// Checks that the path of the directory still leads to the locked directory. Callers do this before they write files
   /// into the directory.
@@ -40,8 +40,8 @@ class DirectoryLock {
 /// or replace its files (overwrite).
 enum class Existing { refuse, resume, overwrite };
 
-/// Directory of one run, or of the runs of an ensemble, into which only this process writes. The constructor creates
-/// the directory, unless it exists, and locks it.
+/// Locked directory of one run, or of the runs of an ensemble. Only this process writes into the directory. The
+/// constructor creates the directory if it does not exist, and locks it.
 class ClaimedDirectory {
  public:
   /// @param runs  word that messages use for the content of the directory, "run" or "runs"

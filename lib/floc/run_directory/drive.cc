@@ -37,7 +37,7 @@ class Driver {
 
  private:
   /// Advances the run by one chunk of time steps. If the motion cannot continue, the error message names the step and
-  /// its pressure, because no single key of the scene is to blame.
+  /// its pressure, because the cause is no single key of the scene.
   RunEvent advance() {
     try {
       return run_.advance();
@@ -69,8 +69,9 @@ class Driver {
                            state.packing);
     directory_.require_held();
     if (table_ != nullptr) table_->finish_step(run_);
-    // The table of the motion (contacts.csv or energy.csv) is written before the state file. If the run is killed in
-    // between, the resumed run removes the rows beyond the last saved state; it could not restore missing rows.
+    // The table of the motion (contacts.csv or energy.csv) is written before the state file. If the run is killed
+    // between the two, the resumed run removes the rows beyond the last saved state. In the opposite order, it could
+    // not restore the missing rows.
     if (table_ != nullptr) table_->write();
     const std::string sha256 = directory_.save(state, options_.timing ? std::optional(seconds) : std::nullopt);
     if (options_.equilibrium) options_.equilibrium(state, run_.report(), seconds);
@@ -89,7 +90,7 @@ class Driver {
     last_checkpoint_ = Clock::now();
   }
 
-  /// Stops the run because the packing does not come to equilibrium. The report of the relaxation is made before the
+  /// Stops the run because the packing does not come to equilibrium. The report of the relaxation is taken before the
   /// checkpoint is written, because writing the checkpoint restarts the relaxation.
   DriveReport give_up() { return stop_with({DriveReport::gave_up, run_.report()}); }
 

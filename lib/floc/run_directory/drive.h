@@ -21,7 +21,7 @@ struct DriveOptions {
   /// Function that is called after each chunk of time steps, for example to test for a signal. If it returns true, a
   /// checkpoint is written and the run stops. If no function is given, the run does not stop early.
   std::function<bool()> stop;
-  /// Function that is called after each chunk of time steps that has not led to an equilibrium. May be empty.
+  /// Function that is called after each chunk of time steps that has not reached an equilibrium. May be empty.
   std::function<void(const Run<Dim>&)> chunk;
   /// Function that is called after an equilibrium has been saved, with the saved state, the report of its relaxation,
   /// and the wall time since the previous equilibrium (s). May be empty.

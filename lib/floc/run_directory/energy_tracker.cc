@@ -18,7 +18,8 @@ constexpr const char* kEnergyHeader =
 /// Number of columns of energy.csv before the terms of the energy balance: step, branch, P, time and phi.
 constexpr int kLeading = 5;
 
-/// Reads the terms of the energy balance from a row of energy.csv. The balance of a resumed run continues from them.
+/// Reads the terms of the energy balance from a row of energy.csv. The balance of a resumed run continues from these
+/// terms.
 EnergyTerms terms_of(const std::string& row) {
   std::istringstream fields(row);
   std::string field;
@@ -55,8 +56,8 @@ void EnergyTracker<Dim>::add_row_of(const Run<Dim>& run, const Packing<Dim>& pac
 template <int Dim>
 void EnergyTracker<Dim>::record(const Run<Dim>& run, const Packing<Dim>& packing, double time) {
   const double time_step = time - std::exchange(time_, time);
-  // No balance is recorded while grains aggregate, because clusters of grains then move over long times without time
-  // steps.
+  // No balance is recorded while grains aggregate, because clusters of grains then move freely for long times, which
+  // are not divided into time steps.
   if (run.point().aggregating) {
     account_ = EnergyAccount<Dim>(packing);
     return;
@@ -110,8 +111,8 @@ template <int Dim>
 std::unique_ptr<EnergyTracker<Dim>> track_energy(Run<Dim>& run, const RunOptions& options,
                                                  const RunDirectory& directory) {
   require_energy_account(options);
-  // The contact law, and with it the energy, may change at the beginning of a step. To account for this, the balance
-  // starts from the equilibrium saved before the step, which still has the old law.
+  // The contact law, and with it the energy, may change at the beginning of a step. To include this change of energy,
+  // the balance starts from the equilibrium saved before the step, which still has the old law.
   const RunPoint& point = run.point();
   const bool at_a_state = point.step > 0 && point.equilibration.empty();
   auto tracker = std::make_unique<EnergyTracker<Dim>>(

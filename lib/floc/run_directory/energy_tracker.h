@@ -35,16 +35,17 @@ class EnergyTracker final : public MotionTable<Dim> {
   void add_row_of(const Run<Dim>& run, const Packing<Dim>& packing, double time);
 
   EnergyAccount<Dim> account_;
-  double time_;  ///< time at the end of the last recorded time step, since the beginning of the run
+  double time_;  ///< time since the beginning of the run, at the end of the last recorded time step
   int n_steps_ = 0;
 };
 
 /// Checks that the energy balance of a run can be recorded.
-/// @throws InputError if the scene has walls; if Newton steps may find its equilibria without motion; or if it contains
-/// a vibration or a simple shear, which displaces grains without forces
+/// @throws InputError if the scene has walls; if Newton steps may find the equilibria without motion; or if the scene
+/// contains a vibration or a simple shear, both of which displace grains without forces
 void require_energy_account(const RunOptions& options);
 
-/// Starts recording the energy balance of a run in the table energy.csv of its directory while its packing moves.
+/// Starts recording the energy balance of a run in the table energy.csv of the run's directory. The balance is recorded
+/// while the packing moves.
 /// @param options  options of the run
 /// @pre `run` is not finished, and the object stays at its address in memory until the run has been driven
 /// @throws InputError if require_energy_account() refuses `options`

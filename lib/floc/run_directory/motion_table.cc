@@ -18,8 +18,8 @@ MotionTable<Dim>::MotionTable(std::string file, std::string header, const RunPoi
   read_rows(point);
 }
 
-/// Reads the rows of an existing file up to the time of `point`. Later rows are dropped: a run that was killed may have
-/// written rows after its last checkpoint, and writes them again when it is resumed.
+/// Reads the rows of an existing file up to the time of `point`. Later rows are dropped. A killed run may have written
+/// rows after its last checkpoint, and the resumed run writes these rows again.
 template <int Dim>
 void MotionTable<Dim>::read_rows(const RunPoint& point) {
   if (!std::filesystem::exists(file_)) return;

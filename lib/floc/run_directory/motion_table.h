@@ -14,7 +14,7 @@ class MotionTable {
  public:
   virtual ~MotionTable() = default;
 
-  /// Records the equilibrium that ends a step. The next step begins from it.
+  /// Records the equilibrium at the end of a step. The next step begins from this equilibrium.
   virtual void finish_step(const Run<Dim>& run) = 0;
 
   /// Writes the table into its file, replacing the whole file. @throws IoError if the file cannot be written

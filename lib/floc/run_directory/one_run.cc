@@ -16,7 +16,7 @@ namespace floc {
 namespace fs = std::filesystem;
 namespace {
 
-/// Largest state file that is opened in order to check that it belongs to a run (bytes).
+/// Largest size (bytes) of a state file that is opened to check whether it belongs to a run.
 constexpr std::uintmax_t kLargestOpened = 16 << 20;
 
 /// Origin of a state: the dimension, seed and scene of its run, and the number of the state in the run.
@@ -48,7 +48,7 @@ void require_same_scene(const Origin& found, const Origin& expected, const std::
                           reference));
 }
 
-/// Checks that the table path.csv of a run is complete. If it was cut short, its last line has no newline character.
+/// Checks that the table path.csv of a run is complete. The last line of an incomplete table has no newline character.
 void require_whole_table(const std::string& directory) {
   const std::string table = (fs::path(directory) / "path.csv").string();
   if (!fs::exists(table)) return;

@@ -6,11 +6,12 @@
 
 namespace floc {
 
-/// Returns the name of the file for the state number `step` of a run: state-0000.h5 for the first one, and so on, in
-/// the directory of the run.
+/// Returns the path of the file for the state number `step` of a run. The first file in the directory of the run is
+/// state-0000.h5.
 std::string state_file(const std::string& directory, int step);
 
-/// Returns the paths of the state files in the directory of a run; the key of a path is the number in its file name.
+/// Returns the paths of the state files in the directory of a run. The key of each path is the number in the name of
+/// the file.
 std::map<int, std::string> numbered_states(const std::string& directory);
 
 /// Checks that the state files in a directory belong to one run: they are numbered from 0 without a gap, the number in

@@ -99,7 +99,7 @@ void add_axes(const State<Dim>& state, const PathReference<Dim>& reference, std:
 }
 
 /// Adds to a row of path.csv the values that describe the walls. For each axis with walls, these include the pressure
-/// on its two walls, and the part of this pressure that is carried by friction on the walls parallel to the axis.
+/// on its two walls, and the part of this pressure that friction on the walls parallel to the axis balances.
 template <int Dim>
 void add_walls(const State<Dim>& state, const Coordination& c, std::vector<TableValue>& row) {
   const Packing<Dim>& packing = state.packing;
@@ -109,7 +109,7 @@ void add_walls(const State<Dim>& state, const Coordination& c, std::vector<Table
                     [&](const auto& contact) { return packing.is_wall(contact.j) && !contact.distant; });
   row.emplace_back(std::int64_t{n_on_walls});
   row.emplace_back(c.z + static_cast<double>(n_on_walls) / packing.grains.size());
-  // Rigid contacts have neither energy nor springs.
+  // Rigid contacts have no springs and store no energy.
   const bool rigid = packing.law.is_rigid();
   row.push_back(rigid ? TableValue{} : TableValue{kinetic_over_elastic_energy(packing)});
   row.push_back(rigid ? TableValue{} : TableValue{std::int64_t{least_mechanisms(packing)}});

@@ -12,7 +12,7 @@ namespace floc {
 /// @param rigid  whether the grains are rigid; columns that describe contact dynamics then come last
 std::string path_header(int dimension, bool boxed, bool rigid);
 
-/// Sides of the cell earlier in a run. The strains in a row of path.csv are expressed with respect to these sides.
+/// Sides of the cell in earlier states of a run. The strains in a row of path.csv are computed relative to these sides.
 template <int Dim>
 struct PathReference {
   Vec<Dim> first_sides;  ///< sides of the cell (length) in the first state of the run
@@ -20,8 +20,8 @@ struct PathReference {
   std::optional<Vec<Dim>> sides_before;
 };
 
-/// Returns the row of path.csv for one equilibrium. All its values except the wall time can be recomputed from the
-/// saved states.
+/// Returns the row of path.csv for one equilibrium. All values in the row, except the wall time, can be recomputed from
+/// the saved states.
 /// @param reference  sides of the cell in the first state of the run and in the state before this one
 /// @param seconds  wall time of the step (s); absent if it was not measured
 /// @param file  name of the state file, without its directory

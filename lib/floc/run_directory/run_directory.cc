@@ -40,8 +40,8 @@ State<Dim> read_run_state(const std::string& file) {
                                      Dim == 2 ? 3 : 2, Dim));
 }
 
-/// Returns whether two stresses, lengths or strains are equal up to rounding. Rounding errors occur if a stage is
-/// lengthened, because the load of each step is then computed from other numbers.
+/// Returns whether two stresses, lengths or strains are equal up to rounding. If a stage has been lengthened, the load
+/// of each step is computed from other numbers and may differ by rounding.
 bool same_load(double a, double b) {
   constexpr double kRounding = 1e-9;
   return std::abs(a - b) <= kRounding * std::max(std::abs(a), std::abs(b));
@@ -98,7 +98,7 @@ void RunDirectory::check_scene(const std::string& file, const RunOptions& option
         throw InputError(file, fmt::format("this state was made with another scene or seed (the given seed "
                                            "is {}, and the seed of the state is {}): a run can only be "
                                            "continued with the scene, settings and seed with which it began, "
-                                           "but for a longer load path",
+                                           "except that the load path may be longer",
                                            options.seed, state.provenance.seed));
       },
       read_state(file));
@@ -117,9 +117,9 @@ void RunDirectory::check_longer_path(const RunOptions& options) const {
           if (step >= plan.size() || !is_load_of(plan[step], state))
             throw InputError(file,
                              fmt::format("step {} of the load path in the scene differs from the step that "
-                                         "made this state: a run is continued with a longer load path only if "
-                                         "the steps already made are unchanged, so that the last stage keeps "
-                                         "the size of its steps",
+                                         "made this state: a run can be continued with a longer load path "
+                                         "only if the steps already made are unchanged; if the last stage is "
+                                         "made longer, its steps must keep their size",
                                          step));
         },
         read_state(file));

@@ -12,7 +12,7 @@
 
 namespace floc {
 
-/// Point from which a run continues, with the packing of the run at this point.
+/// Point at which a run continues, and the packing at this point.
 template <int Dim>
 struct ReachedPoint {
   RunPoint point;
@@ -20,27 +20,28 @@ struct ReachedPoint {
 };
 
 /// Directory DIR of one run, with the files DIR/state-NNNN.h5 (one for each equilibrium), DIR/path.csv (a table of the
-/// equilibria) and DIR/checkpoint/checkpoint.h5. Files are always replaced as a whole, in an order that allows a run to
-/// be resumed even if it was killed at any moment. While this object exists, no other process of floc writes into the
-/// directory.
+/// equilibria) and DIR/checkpoint/checkpoint.h5. Files are always replaced as a whole. The order of the replacements
+/// allows a run to be resumed, no matter when it was killed. While this object exists, no other process of floc writes
+/// into the directory.
 class RunDirectory {
  public:
   /// Opens the directory of a run, or creates it. If `existing` is Existing::overwrite, the files of an earlier run in
   /// it are removed.
-  /// @throws InputError if another process writes into the directory; if it contains a run and `existing` is
-  /// Existing::refuse; or if it contains the run of another scene, or states that do not belong together
+  /// @throws InputError if another process writes into the directory; if the directory contains a run and `existing` is
+  /// Existing::refuse; or if it contains the run of another scene, or states of different runs
   /// @throws IoError if the directory cannot be written
   RunDirectory(const std::string& path, Existing existing, const RunOptions& options);
 
   /// Returns the point from which an earlier run in this directory continues: its checkpoint or, if it is later, its
-  /// last saved state. Returns std::nullopt if the directory contains no run. If the run was killed after it saved a
-  /// state and before it wrote the row of this state into path.csv, the row is added now.
+  /// last saved state. Returns std::nullopt if the directory contains no run. If the run was killed between saving a
+  /// state and writing the row of this state into path.csv, this function adds the row.
   /// @pre Dim is the dimension of the run
   template <int Dim>
   std::optional<ReachedPoint<Dim>> resume_point();
 
   /// Saves an equilibrium: writes its state file and its row of path.csv.
-  /// @param seconds  wall time since the previous equilibrium (s); if absent, path.csv gives none
+  /// @param seconds  wall time since the previous equilibrium (s); if absent, the cell of the wall time in path.csv is
+  /// empty
   /// @return SHA-256 checksum of the state file
   template <int Dim>
   std::string save(const State<Dim>& state, std::optional<double> seconds);
@@ -56,8 +57,8 @@ class RunDirectory {
   std::string path_table() const;
   std::string contact_table() const;
   std::string energy_table() const;
-  /// Returns the packing at the beginning of a step: the saved equilibrium of the step before it. @pre step > 0, and
-  /// this equilibrium is saved
+  /// Returns the packing at the beginning of a step, which is the saved equilibrium of the previous step. @pre step >
+  /// 0, and this equilibrium is saved
   template <int Dim>
   Packing<Dim> start_of(int step) const;
 

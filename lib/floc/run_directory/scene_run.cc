@@ -29,8 +29,8 @@ RunOptions run_options(const Scene& scene, const SceneRunOptions& asked) {
   return options;
 }
 
-/// Returns the text of the scene of the run in a directory, as stored in the first state of the run or, before there is
-/// a state, in the checkpoint. The result is empty if neither exists.
+/// Returns the text of the scene of the run in a directory. The text is stored in the first state of the run and, as
+/// long as there is no state, in the checkpoint. The result is empty if neither exists.
 std::string scene_of_run(const std::string& directory) {
   for (const std::string& file : {state_file(directory, 0), directory + "/checkpoint/checkpoint.h5"})
     if (std::filesystem::exists(file))
@@ -38,8 +38,8 @@ std::string scene_of_run(const std::string& directory) {
   return "";
 }
 
-/// Opens the directory of a run. If the run in it cannot be continued because it was begun with another scene, the
-/// message of the error also names the keys in which the two scenes differ.
+/// Opens the directory of a run. If the directory contains the run of another scene, the error message also names the
+/// keys in which the two scenes differ.
 RunDirectory open_directory(const SceneRunOptions& asked, Existing existing, const RunOptions& options) {
   try {
     return RunDirectory(asked.directory, existing, options);
@@ -54,8 +54,8 @@ RunDirectory open_directory(const SceneRunOptions& asked, Existing existing, con
   }
 }
 
-/// Returns text about the rate at which the force residual of a packing that has not come to equilibrium falls or
-/// grows; an empty text if the rate is not known.
+/// Returns a text about a packing that has not come to equilibrium: the rate at which its force residual falls or
+/// grows. The text is empty if the rate is not known.
 std::string trend_of(const RelaxationReport& report) {
   if (report.decay_rate == 0.0) return "";
   return fmt::format(", {} at the rate {:.2g} per unit of time", report.decay_rate > 0.0 ? "falls" : "grows",

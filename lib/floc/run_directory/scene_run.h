@@ -18,7 +18,7 @@ struct SceneRunOptions {
   std::string directory;
   std::optional<std::uint64_t> seed;  ///< replaces the seed of the scene
   std::optional<int> threads;         ///< replaces the number of threads of the scene
-  /// number (from 0) of the equilibrium after which the run stops; absent: it runs to its end
+  /// number (from 0) of the equilibrium after which the run stops; if absent, the run continues to its end
   std::optional<int> until;
   /// simulated time between two rows of the table contacts.csv (time unit of the scene); if absent, the table is not
   /// written
@@ -29,16 +29,16 @@ struct SceneRunOptions {
   bool no_timing = false;
 };
 
-/// Returns the options of a run: those of its scene, changed by `asked`, with at most as many threads as
+/// Returns the options of a run: the options of its scene, changed by `asked`, with at most as many threads as
 /// useful_threads() returns.
-/// @throws InputError if the scene cannot be run with these options; no file has been written then
+/// @throws InputError if the scene cannot be run with these options; this function writes no files
 RunOptions checked_options(const Scene& scene, const SceneRunOptions& asked);
 
-/// Returns a message about requested threads that the run leaves unused: their number and the reason. Empty if the run
-/// uses all of them.
+/// Returns a message with the number of requested threads that the run does not use, and with the reason. Empty if the
+/// run uses all requested threads.
 std::string unused_threads(const Scene& scene, const SceneRunOptions& asked);
 
-/// A run of a scene in its directory, ready to be driven, and the table in which its motion is recorded.
+/// A run of a scene in its directory, ready to be driven, with the table that records the motion of the packing.
 template <int Dim>
 struct SceneRun {
   RunOptions options;
@@ -54,7 +54,7 @@ struct SceneRun {
 
   /// Drives the run: computes its equilibria and saves them in its directory.
   /// @param watch  functions that are called to report progress; all other options in `watch` are ignored, because the
-  /// constructor has been given them
+  /// values given to the constructor are used
   [[nodiscard]] DriveReport drive(DriveOptions<Dim> watch);
 
  private:
@@ -63,8 +63,8 @@ struct SceneRun {
   bool timing_;
 };
 
-/// Runs a scene in one call, like the command `floc run`: to its end, or until `stop` returns true. A run that is
-/// stopped writes a checkpoint, from which a later call with `asked.resume` continues it.
+/// Runs a scene in one call, like the command `floc run`. The run ends after the last equilibrium, or when `stop`
+/// returns true. A run that is stopped writes a checkpoint, from which a later call with `asked.resume` continues it.
 /// @param scene_file  name of the scene file (TOML)
 /// @param changes  texts "key=value", each of which replaces a value of the scene
 /// @param stop  function that is called between chunks of time steps and stops the run by returning true; if empty, the
@@ -79,7 +79,7 @@ struct SceneRun {
 /// Returns the treatment of a directory that already contains a run, according to the options `resume` and `overwrite`.
 Existing existing_of(const SceneRunOptions& asked);
 
-/// Returns a message that says why a run ended before all its equilibria were made; empty if it made them all.
+/// Returns the reason, as a message, why a run ended before its last equilibrium; empty if the run is complete.
 template <int Dim>
 std::string ending_of(const DriveReport& report, const Run<Dim>& run);
 

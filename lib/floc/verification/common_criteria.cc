@@ -16,7 +16,7 @@
 namespace floc {
 namespace {
 
-/// Lists the grains whose net force or moment is not below `limit`, as text.
+/// Returns a text that lists the grains whose net force or moment is not below `limit`.
 /// @param net  net force or moment of each grain
 /// @param unit  function that returns the unit in which the force or moment of a grain is expressed
 /// @param limit  largest accepted force or moment, in this unit
@@ -77,7 +77,7 @@ void add_residuals(const State<Dim>& state, const Packing<Dim>& recomputed, cons
 namespace {
 
 /// Compares the offset (component along the first axis) of a sheared lattice vector with the offset imposed by a simple
-/// shear, and adds the difference to `result`. The difference is relative to the length of the axis.
+/// shear, and adds the difference to `result`. The difference is divided by the length of the axis.
 template <int Dim>
 void check_offset(const State<Dim>& state, double limit, Criterion& result) {
   if (!state.target_offset) return;
@@ -138,10 +138,10 @@ Criterion check_recorded_stress(const State<Dim>& state, const Packing<Dim>& rec
   }
   const double volume = recomputed.cell.volume();
   // At zero pressure, tensile and compressive contributions to the stress cancel. The error is then compared with the
-  // magnitude of the contributions, and not with their sum.
+  // sum of the magnitudes of the contributions.
   const double scale = std::max(std::abs(stress.trace() / Dim), 1e-5 * magnitude / (Dim * volume));
   const double error = (state.stress - stress).cwiseAbs().maxCoeff();
-  // The normal and the tangential force may each have the error that the criterion "law" accepts.
+  // Both the normal and the tangential force may have the error that the criterion "law" accepts.
   const double limit = kRelative * scale + 2.0 * force_error(recomputed) * lengths / volume;
   const bool holds = error <= limit;
   const double unit = scale > 0.0 ? scale : 1.0;
@@ -159,7 +159,7 @@ Criterion check_boundary(const State<Dim>& state, const Packing<Dim>& recomputed
   Vec<Dim> centre = Vec<Dim>::Zero();
   if (recomputed.walls.empty())
     for (const Vec<Dim>& x : g.position) centre += x / g.size();
-  double open = 0.0;  // difference that net forces up to their tolerance can cause (force * length)
+  double open = 0.0;  // difference that net forces within their tolerance can cause (force * length)
   for (int i = 0; i < g.size(); ++i)
     open += std::min(net.force[i].norm(), largest) * (g.position[i] - centre).norm();
   double rounded = 0.0;
@@ -182,14 +182,14 @@ Criterion check_boundary(const State<Dim>& state, const Packing<Dim>& recomputed
 
 namespace {
 
-/// Comparison of recorded quantities of a state, other than forces, with the values that follow from the recomputed
-/// forces. It counts the differences and describes the first of them.
+/// Comparison of the recorded quantities of a state, except its forces, with the values that follow from the recomputed
+/// forces. The class counts the differences and describes the first difference.
 class Record {
  public:
   /// Compares the recorded value of one quantity with the value `found`, which follows from the recomputed forces.
-  /// @param rounding  bound on the error of `found` that results from rounding of the positions
+  /// @param rounding  bound on the error of `found` due to the rounding of the positions
   void compare(const char* name, double recorded, double found, double rounding) {
-    constexpr double kRelative = 1e-6;  // sums computed by another compiler are rounded differently
+    constexpr double kRelative = 1e-6;  // accepted because other compilers round sums differently
     const double size = std::max(std::abs(recorded), std::abs(found));
     if (recorded == found || std::abs(recorded - found) <= kRelative * size + rounding) return;
     wrong(fmt::format("{} is recorded as {:.3g}, but its value is {:.3g}", name, recorded, found));
@@ -204,10 +204,10 @@ class Record {
 };
 
 /// Largest relative difference between a force and its limit at which a contact may be flagged as mobilised (sliding or
-/// yielding). Files of other programs contain at least six digits.
+/// yielding). The value is sufficient for files of other programs, which contain at least six digits.
 constexpr double kFlagTolerance = 1e-5;
-/// Relative difference between a force and its limit below which a contact must be flagged as mobilised (sliding or
-/// yielding).
+/// If the relative difference between a force and its limit is smaller than this value, the contact must be flagged as
+/// mobilised (sliding or yielding).
 constexpr double kAtCap = 1e-13;
 
 template <int Dim>
@@ -226,8 +226,7 @@ void compare_flags(const Packing<Dim>& stored, Record& record) {
   }
 }
 
-/// Compares the recorded residuals of the grains that are recorded as the worst grains with the largest residuals of
-/// all grains.
+/// Compares the residuals of the grains that the state records as the worst with the largest residuals of all grains.
 /// @param found  largest residuals of the recomputed packing
 /// @param rounding  bound on the rounding error of a residual
 template <int Dim>
@@ -286,7 +285,8 @@ Criterion check_record(const State<Dim>& state, const Packing<Dim>& recomputed, 
   Record record;
   const Residuals found = residuals(recomputed, state.target_stress, stress);
   const ForceScale scale = force_scale(recomputed, state.target_stress);
-  constexpr double kContacts = 8.0;  // assumed number of contacts of a grain, whose errors add up
+  // Assumed number of contacts of a grain; the errors of these contacts add up.
+  constexpr double kContacts = 8.0;
   const double open = scale.force > 0.0 ? kContacts * force_error(recomputed) / scale.force : 0.0;
   record.compare("residuals.force", state.residuals.force, found.force, open);
   record.compare("residuals.moment", state.residuals.moment, found.moment, open);

@@ -7,23 +7,24 @@
 #include "floc/packing/state.h"
 #include "floc/verification/verification.h"
 
-/// Criteria that states of elastic grains and states of rigid grains share (verify_equilibrium(), verify_rigid()).
-/// Their argument `recomputed` is the packing of the state with recomputed contacts, and `stress` its static_stress().
+/// Criteria that verify_equilibrium(), for states of elastic grains, and verify_rigid(), for states of rigid grains,
+/// have in common. The argument `recomputed` is the packing of the state with recomputed contacts, and `stress` is the
+/// static_stress() of this packing.
 namespace floc {
 
-/// Returns a bound on the error of a contact force (force) that results from rounding of the positions.
+/// Returns a bound (force) on the error of a contact force due to the rounding of the positions.
 template <int Dim>
 double force_error(const Packing<Dim>& packing);
 
 /// Adds the criteria force, moment, stress and energy: the residuals must be below the tolerances of the state.
-/// @param motion  text about the grains that move, for the case that the kinetic energy is too large
+/// @param motion  text about the moving grains, which is used if the kinetic energy is too large
 template <int Dim>
 void add_residuals(const State<Dim>& state, const Packing<Dim>& recomputed, const Mat<Dim>& stress,
                    const std::string& motion, std::vector<Criterion>& criteria);
 
-/// Adds the criterion length if lengths are imposed. It compares the lengths of the axes of the cell, and the offset of
-/// a sheared lattice vector, with the imposed values. Only rounding errors are accepted, because the motion of the cell
-/// ends exactly at the imposed values.
+/// Adds the criterion length if lengths are imposed. The criterion compares the lengths of the axes of the cell, and
+/// the offset of a sheared lattice vector, with the imposed values. Only rounding errors are accepted, because the
+/// motion of the cell ends exactly at the imposed values.
 template <int Dim>
 void add_lengths(const State<Dim>& state, std::vector<Criterion>& criteria);
 
@@ -32,9 +33,9 @@ template <int Dim>
 Criterion check_recorded_stress(const State<Dim>& state, const Packing<Dim>& recomputed,
                                 const Mat<Dim>& stress);
 
-/// Compares the stress that the forces across the faces of the cell give with the stress of all contacts. Net forces on
-/// grains cause a part of the difference (see boundary_stress()). The net force of each grain is accepted as a cause
-/// only up to the tolerance of forces, because a packing with a larger net force is not in equilibrium.
+/// Compares the stress computed from the forces across the faces of the cell with the stress of all contacts. Net
+/// forces on grains cause a part of the difference (see boundary_stress()). This part is accepted only for net forces
+/// up to the tolerance of forces, because a packing with larger net forces is not in equilibrium.
 template <int Dim>
 Criterion check_boundary(const State<Dim>& state, const Packing<Dim>& recomputed, const Mat<Dim>& stress);
 

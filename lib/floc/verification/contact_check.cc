@@ -15,7 +15,7 @@
 namespace floc {
 namespace {
 
-/// Largest relative excess of a tangential force (or moment) over its limit that is accepted. It allows for files with
+/// Largest accepted relative excess of a tangential force (or moment) above its limit. It is sufficient for files with
 /// only six digits, in which forces and contact normals are rounded.
 constexpr double kCapTolerance = 1e-4;
 /// Largest tensile normal force that counts as a rounding error, divided by the largest normal force of the packing.
@@ -27,8 +27,8 @@ std::string names_of(const Packing<Dim>& packing, const Contact<Dim>& c) {
 }
 
 /// Returns the normal force that the contact law gives at the present gap of a contact, with the stiffness of this
-/// contact. If a contact with a linear spring is marked as touching although its surfaces have a gap, its force is
-/// tensile.
+/// contact. A contact with a linear spring may be marked as touching although its surfaces have a gap; the returned
+/// force is then tensile.
 template <int Dim>
 double expected_normal_force(const Packing<Dim>& packing, const Contact<Dim>& c) {
   const Law& law = packing.law_of(c);

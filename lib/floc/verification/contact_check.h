@@ -7,18 +7,19 @@
 
 namespace floc {
 
-/// Returns a bound on the rounding error of the distance between two grains (length). The positions of the grains, the
+/// Returns a bound (length) on the rounding error of the distance between two grains. The positions of the grains, the
 /// difference of these positions, and the radii are rounded.
 template <int Dim>
 double distance_error(const Packing<Dim>& packing);
 
 /// Returns the pairs of grains, and pairs of a grain and a wall, that interact but are missing in the contact list. A
-/// missing pair is returned only if its gap (negative for an overlap) is smaller than the range of its law by more than
-/// `open` (length). The gap and the normal of the returned contacts are set.
+/// missing pair is returned only if its gap (negative for an overlap) is below the range of the contact law by more
+/// than `open` (length). The gap and the normal of each returned contact are set.
 template <int Dim>
 std::vector<Contact<Dim>> missing_contacts(const Packing<Dim>& packing, double open);
 
-/// Numbers of contacts with certain properties, and differences between the forces of contacts and the contact law.
+/// Result of check_contacts(): numbers of contacts with certain properties, and differences between contact forces and
+/// the contact law.
 struct ContactCheck {
   int n_contacts = 0;
   /// Number of contacts that are marked as touching although their surfaces have a gap.
@@ -40,15 +41,15 @@ struct ContactCheck {
 };
 
 /// Checks the contact forces of a packing against its contact law, and its contacts against the positions of the
-/// grains. If the law is linear and contacts have stiffnesses of their own, the normal force of each contact is
-/// compared with its own stiffness times its overlap.
-/// @param tolerance  smallest difference of a normal force from the law that counts, divided by the mean absolute value
-/// of the normal forces; differences that rounding of the positions can explain never count
+/// grains. If the law is linear and each contact has its own stiffness, the normal force of a contact is compared with
+/// the product of the stiffness and the overlap of the contact.
+/// @param tolerance  smallest difference between a normal force and the law that counts as a difference, divided by the
+/// mean absolute value of the normal forces; differences that rounding of the positions can explain never count
 template <int Dim>
 ContactCheck check_contacts(const Packing<Dim>& packing, double tolerance);
 
-/// Adds the pairs of grains that touch but are missing in the contact list to `check`. This is useful for contact lists
-/// that were read from a file and not found from the positions.
+/// Adds to `check` the pairs of grains that touch but are missing in the contact list. This check is useful if the list
+/// was read from a file and not computed from the positions.
 template <int Dim>
 void add_missing_contacts(const Packing<Dim>& packing, ContactCheck& check);
 

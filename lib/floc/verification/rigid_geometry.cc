@@ -17,7 +17,7 @@ constexpr int kIncidentBit = 11, kReferenceBit = 21;
 constexpr std::uint32_t kTenBits = 1023, kOfSecond = std::uint32_t{1} << 31;
 
 /// Returns the features that meet at a contact point with this key. A search that begins with these features finds the
-/// recorded contact even if another contact is equally good within the margins of contact_manifold().
+/// recorded contact, even if contact_manifold() could choose another contact that is equally good within its margins.
 template <int Dim>
 AxisFeatures features_of(std::uint32_t key, const Shape<Dim>& first, const Shape<Dim>& second) {
   const auto reference = static_cast<int>(key >> kReferenceBit & kTenBits),
@@ -36,8 +36,8 @@ AxisFeatures features_of(std::uint32_t key, const Shape<Dim>& first, const Shape
   return features;
 }
 
-/// Replaces the geometry of a recorded contact by the geometry that follows from positions and shapes.
-/// @param tolerance  largest gap of the contact points that count, divided by the diameter of the smaller grain
+/// Returns a recorded contact with the geometry that follows from positions and shapes.
+/// @param tolerance  largest gap at which a contact point counts, divided by the diameter of the smaller grain
 template <int Dim>
 Contact<Dim> relocated(const Packing<Dim>& packing, Contact<Dim> c, double tolerance) {
   if (packing.grains.are_round()) {
@@ -45,7 +45,7 @@ Contact<Dim> relocated(const Packing<Dim>& packing, Contact<Dim> c, double toler
     return c;
   }
   const Vec<Dim> r = branch(packing, c);
-  // Recorded gaps may be wrong, but the gap of a contact that counts is not wider than the tolerance.
+  // The recorded gap may be wrong. The true gap of a contact that counts is at most the tolerance.
   const double diameter = 2.0 * smaller_radius(packing, c);
   const double counted = tolerance * diameter;
   const auto within = [&](double reach) {
@@ -58,8 +58,8 @@ Contact<Dim> relocated(const Packing<Dim>& packing, Contact<Dim> c, double toler
   Manifold<Dim> manifold = within(std::max(std::abs(c.gap), counted) * 1.01);
   const ContactType type = within(counted).type;
   const ManifoldPoint<Dim>* found = manifold.with_key(static_cast<std::uint32_t>(c.key));
-  // A manifold keeps at most four of the points with a gap below its reach. With a larger reach, other points may be
-  // kept.
+  // A manifold contains at most four of the points with gaps below its reach. With a larger reach, the manifold may
+  // contain other points.
   if (!found) {
     manifold = within(diameter);
     found = manifold.with_key(static_cast<std::uint32_t>(c.key));

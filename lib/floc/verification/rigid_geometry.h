@@ -7,22 +7,23 @@
 
 namespace floc {
 
-/// Contacts of a packing of rigid grains as they follow from positions and shapes, without the recorded geometry.
+/// Contacts of a packing of rigid grains, computed from positions and shapes and not from the recorded geometry.
 template <int Dim>
 struct RigidGeometry {
   /// For each recorded contact: the contact with the gap, normal and lever arms found from positions and shapes, and
-  /// with the recorded forces. If the pair has no contact point with the recorded key, its contact point nearest to the
-  /// recorded point is taken. If the pair has no contact point at all, the gap is infinite.
+  /// with the recorded forces. If the pair has no contact point with the recorded key, the contact point nearest to the
+  /// recorded point is used. If the pair has no contact point at all, the gap is infinite.
   std::vector<Contact<Dim>> recorded;
-  /// Contacts of any two surfaces whose overlap is deeper than a tolerance, the deepest first. They have no forces.
+  /// Contacts of any two surfaces whose overlap is deeper than a tolerance, the deepest first. These contacts have no
+  /// forces.
   std::vector<Contact<Dim>> overlapping;
   /// Deepest overlap of any two surfaces, divided by the diameter of the smaller grain.
   double deepest = 0.0;
 };
 
 /// Finds the contact points of a packing from positions and shapes.
-/// @param tolerance  overlap from which on a contact is listed in RigidGeometry::overlapping, divided by the diameter
-/// of the smaller grain
+/// @param tolerance  smallest overlap of the contacts listed in RigidGeometry::overlapping, divided by the diameter of
+/// the smaller grain
 template <int Dim>
 RigidGeometry<Dim> rigid_geometry(const Packing<Dim>& packing, double tolerance);
 

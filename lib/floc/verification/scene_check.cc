@@ -58,8 +58,8 @@ std::optional<Scene> scene_of(const std::string& file, const std::string& text, 
   }
 }
 
-/// Largest accepted tolerance of a state without a scene. Like all tolerances, it is relative to the typical force F1
-/// of the packing and to the largest diameter. A packing with such large net forces is far from equilibrium.
+/// Largest accepted tolerance of a state without a scene, in the units of all tolerances (typical force F1 of the
+/// packing, largest diameter). A packing whose net forces reach this tolerance is far from equilibrium.
 constexpr double kLargestTolerance = 10.0;
 
 /// Checks the tolerances of the equilibrium that are recorded in a state.

@@ -13,8 +13,8 @@ namespace floc {
 /// The criteria are
 ///   mass        largest relative difference between the masses of the grains and the masses that follow from their
 ///               radii and the density of the scene
-///   tolerances  number of recorded tolerances that differ from those of the scene. Without a scene they must be at
-///               most 10, because any packing satisfies larger tolerances.
+///   tolerances  number of recorded tolerances that differ from the tolerances of the scene. Without a scene, all
+///               tolerances must be at most 10, because any packing satisfies larger tolerances.
 ///   scene       number of other differences: unit system, place on the load path, load on the boundary, contact law,
 ///               contact law of the walls, masses of the walls. A scene that starts from a saved state is compared
 ///               only if that state is found.
@@ -24,8 +24,8 @@ template <int Dim>
 std::vector<Criterion> check_against_scene(const std::string& file, const State<Dim>& state);
 
 /// Reads the scene of a state of rigid grains and returns the largest gap at which a contact may carry a force, divided
-/// by the diameter of the smaller grain. Absent if the state has no scene, if its scene cannot be read, or if the scene
-/// does not set this gap.
+/// by the diameter of the smaller grain. The result is absent if the state has no scene, if the scene cannot be read,
+/// or if it does not set this gap.
 /// @param file  name of the state file, see check_against_scene()
 template <int Dim>
 std::optional<double> scene_gap_tolerance(const std::string& file, const State<Dim>& state);

@@ -24,8 +24,8 @@
 namespace floc {
 namespace {
 
-/// Identity of a pair of grains: their indices and the periodic image. The identity is independent of the order of the
-/// two grains and of the choice between opposite images.
+/// Identity of a pair of grains: their indices and the periodic image. The identity does not change if the two grains
+/// are exchanged and the periodic image is reversed accordingly.
 using PairIdentity = std::tuple<int, int, std::vector<int>>;
 
 template <class Pair>
@@ -77,8 +77,9 @@ Criterion check_list(const Packing<Dim>& recomputed) {
   return {"list", static_cast<double>(n_wrong), 0.0, n_wrong == 0, violations.worst_first()};
 }
 
-/// Checks the liquid bridges of a state. Their total volume must be the volume that the contact law gives. If the
-/// liquid were distributed once more, the number of bridges that change must be the number that the state records.
+/// Checks the liquid bridges of a state. Their total volume must be the volume that the contact law gives. The liquid
+/// is distributed once more as a test: the number of bridges that would change must equal the number recorded in the
+/// state.
 template <int Dim>
 Criterion check_liquid(const State<Dim>& state, const Packing<Dim>& recomputed) {
   if (!holds_liquid(recomputed)) return {"liquid", 0.0, 0.0, true, ""};
@@ -105,8 +106,8 @@ Criterion check_liquid(const State<Dim>& state, const Packing<Dim>& recomputed) 
 ///   - Surfaces that touch have a constant stiffness, or a stiffness that is computed from the elastic force by a root.
 ///     The rounding error is about 1e-15, even after a change of units.
 ///   - The stiffness of an attraction across a gap depends on the gap, and an error of the gap causes an error of the
-///     stiffness. The ratio of kn to the force is the relative rate at which the force decreases with the gap; kn
-///     decreases at up to three times this rate.
+///     stiffness. The ratio of the stiffness kn to the force is the relative rate at which the force decreases with the
+///     gap; the relative rate of decrease of kn is at most three times this ratio.
 template <int Dim>
 double stiffness_tolerance(const Packing<Dim>& packing, const Contact<Dim>& c) {
   constexpr double kRelative = 1e-12;

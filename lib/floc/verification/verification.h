@@ -10,16 +10,17 @@ namespace floc {
 
 /// One condition that a state in equilibrium must satisfy. It is tested on forces that are recomputed from the
 /// positions of the grains, the elongations of the springs and the contact law, not on the forces stored in the state.
-/// The forces of rigid contacts are an exception: they do not follow from these data, and the stored forces are tested.
+/// Rigid contacts are an exception: their forces do not follow from these data, so the stored forces are tested.
 struct Criterion {
   const char* name;
   std::optional<double> value;  ///< value found in the state; absent if not tested
   double limit;                 ///< largest allowed value
   bool holds;                   ///< whether the criterion is met
-  /// If the criterion is violated, the grains or contacts that violate it, worst first. If the criterion could not be
-  /// tested fully, the reason. Otherwise empty.
+  /// Text for messages. If the criterion is violated, the text lists the grains or contacts that violate it, worst
+  /// first. If the criterion could not be tested fully, the text gives the reason. Otherwise it is empty.
   std::string where;
-  /// False if the criterion is violated although `value` is within `limit`; only `where` shows the violation then.
+  /// Whether `value` shows if the criterion is violated. If false, the criterion is violated although `value` is within
+  /// `limit`, and only `where` describes the violation.
   bool by_value = true;
 };
 
@@ -29,8 +30,8 @@ struct Criterion {
 ///                follow from the positions (length)
 ///   list         number of pairs that interact but are missing in the contact list, plus number of listed contacts
 ///                that do not interact
-///   law          largest difference between stored forces and moments and those that the law gives for the springs
-///                (force); stored stiffnesses and the distinction of touching and distant contacts are tested too
+///   law          largest difference (force) between the stored forces and moments and the values that the law gives for
+///                the springs; stored stiffnesses and the marks of contacts as touching or distant are tested too
 ///   force, moment, stress, energy   the four residuals, which must be below the tolerances recorded in the state;
 ///                with walls, the stress is the pressure on each wall
 ///   mean_stress  difference between the recorded stress and the stress of the recomputed forces, divided by the mean
@@ -44,8 +45,8 @@ struct Criterion {
 ///                the number recorded in the state
 ///   recorded     number of recorded residuals, worst grains, eigenvalue counts, flags and forces on walls that differ
 ///                from the values found
-/// The criteria geometry, law and mean_stress accept differences that rounding of the positions causes,
-/// boundary_balance those that net forces within their tolerance cause.
+/// The criteria geometry, law and mean_stress accept differences that rounding of the positions causes. The criterion
+/// boundary_balance accepts differences that net forces within their tolerance cause.
 template <int Dim>
 std::vector<Criterion> verify_equilibrium(const State<Dim>& state);
 

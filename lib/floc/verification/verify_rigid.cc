@@ -21,17 +21,15 @@
 namespace floc {
 namespace {
 
-/// Largest accepted violation of the contact law of rigid grains, divided by the mean normal force. A run computes the
-/// forces a few digits more accurately than this.
+/// Largest accepted violation of the contact law of rigid grains, divided by the mean normal force. The forces that a
+/// run computes are more accurate than this limit by a few digits.
 constexpr double kForceError = 1e-9;
-/// Largest repulsive force that counts as the rounding error of a contact without force, divided by the mean repulsive
-/// force.
+/// Largest repulsive force that counts as a rounding error of zero, divided by the mean repulsive force.
 constexpr double kCarries = 1e-9;
 /// Deepest overlap of grains in motion, divided by the diameter of the smaller grain.
 constexpr double kDeepestInMotion = 5e-2;
 
-/// Returns the mean of the repulsive forces, which is the unit of errors of forces (force); 1 if no contact carries a
-/// force.
+/// Returns the mean repulsive force, by which errors of forces are divided; 1 if no force is repulsive.
 template <int Dim>
 double mean_force(const Packing<Dim>& packing) {
   const double mean = mean_repulsive_force(packing);
@@ -46,7 +44,8 @@ Criterion concluded(Criterion criterion, Violations& violations) {
   return criterion;
 }
 
-/// Compares the geometry and the type of a stored contact with those of the contact found from positions and shapes.
+/// Compares a stored contact with the contact that is found from positions and shapes: the geometry and the type must
+/// agree.
 template <int Dim>
 void compare_contact(const Packing<Dim>& stored, const Contact<Dim>& c, const Contact<Dim>& found,
                      Criterion& result, Violations& violations) {
@@ -82,7 +81,8 @@ Criterion check_rigid_geometry(const Packing<Dim>& stored, const Packing<Dim>& r
   return concluded(result, violations);
 }
 
-/// Returns whether a list, sorted like the contacts of a packing, has a contact of this pair of bodies.
+/// Returns whether a sorted list of contacts contains a contact between the same two bodies as `c`. The list is sorted
+/// like the contacts of a packing.
 template <int Dim>
 bool has_pair(const std::vector<Contact<Dim>>& sorted, Contact<Dim> c) {
   c.key = std::numeric_limits<int>::min();
@@ -108,7 +108,7 @@ Criterion check_list(const Packing<Dim>& packing, const RigidGeometry<Dim>& geom
   return {"list", static_cast<double>(n_wrong), 0.0, n_wrong == 0, violations.worst_first()};
 }
 
-/// Returns a text about a property of a contact that a rigid contact cannot have; empty if there is none.
+/// Returns the name of a property of this contact that a rigid contact cannot have; empty if there is no such property.
 template <int Dim>
 std::string elastic_property(const Contact<Dim>& c) {
   if (c.kn != 0.0 || c.kt != 0.0 || c.kr != 0.0 || c.ktw != 0.0)
@@ -183,11 +183,12 @@ Criterion check_gaps(const Packing<Dim>& recomputed, const RigidGeometry<Dim>& g
   return result;
 }
 
-/// Returns the power of the contact forces on the motion of grains, cell and walls (energy/time).
+/// Returns the power (energy/time) that the contact forces exert on the moving grains, the cell and the walls.
 template <int Dim>
 double contact_power(const Packing<Dim>& packing) {
   const Grains<Dim>& g = packing.grains;
-  // Along axes with walls, the velocities of the grains are relative to space.
+  // Along axes with walls, the velocities of the grains are absolute, so the rate of the cell along these axes is not
+  // added.
   Mat<Dim> rate = packing.cell.rate();
   for (int a = 0; a < Dim; ++a)
     if (between_walls(packing.walls, a)) rate(a, a) = 0.0;
@@ -220,8 +221,8 @@ Criterion check_power(const State<Dim>& state, const Packing<Dim>& recomputed) {
   return result;
 }
 
-/// Compares the contacts of a list with the contact points that a time step from this packing finds. The geometry must
-/// agree to rounding.
+/// Compares the stored contacts with the contact points that a time step from this packing finds. Their geometry must
+/// agree up to rounding errors.
 template <int Dim>
 Criterion check_step_geometry(const Packing<Dim>& stored, const std::vector<Contact<Dim>>& found) {
   Criterion result{"geometry", 0.0, distance_error(stored), true, ""};
@@ -236,8 +237,8 @@ Criterion check_step_geometry(const Packing<Dim>& stored, const std::vector<Cont
   return concluded(result, violations);
 }
 
-/// Returns the packing of a state in motion, prepared for the next time step: with all contact points within the reach
-/// of the step.
+/// Returns the packing of a state in motion, prepared for the next time step. It contains all contact points within the
+/// reach of this step.
 template <int Dim>
 ContactDynamics<Dim> step_from(const State<Dim>& state) {
   const MotionRecord& motion = *state.motion;
@@ -253,7 +254,7 @@ ContactDynamics<Dim> step_from(const State<Dim>& state) {
   return {state.packing, load, settings, motion.time_step, motion.time_step};
 }
 
-/// Checks that the recorded forces are those of the time step that begins at the state.
+/// Checks that the recorded forces are the forces of the time step that begins at the state.
 template <int Dim>
 Criterion check_step(const State<Dim>& state, double error) {
   // rounding error of the forces in the file, divided by the mean normal force

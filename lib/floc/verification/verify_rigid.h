@@ -7,13 +7,13 @@
 
 namespace floc {
 
-/// Returns the largest gap or overlap of a contact that carries a force, divided by the diameter of its smaller grain,
-/// for scenes that do not set it: 1e-4 for disks and spheres, 1e-3 for grains with corners.
+/// Returns the default limit of the gap or overlap of a contact with a force, divided by the diameter of the smaller
+/// grain. It applies if the scene sets no limit: 1e-4 for disks and spheres, 1e-3 for grains with corners.
 template <int Dim>
 double default_gap_tolerance(const Packing<Dim>& packing);
 
-/// Tests a state of rigid grains in motion (State::motion): whether the recorded forces are those of the time step that
-/// begins at this state. The criteria that differ from those of verify_rigid() are
+/// Tests a state of rigid grains in motion (State::motion): whether the recorded forces are the forces of the time
+/// step that begins at this state. The criteria that differ from the criteria of verify_rigid() are
 ///   geometry     as in verify_rigid(), but for the contact points within reach of the step
 ///   step         error of the recorded forces in Signorini's and Coulomb's conditions for the velocities at the end of
 ///                the step, divided by the mean normal force; these velocities are computed from the recorded velocities
@@ -24,9 +24,9 @@ template <int Dim>
 std::vector<Criterion> verify_motion(const State<Dim>& state);
 
 /// Tests whether a state of rigid grains is in equilibrium; for a state in motion, calls verify_motion(). The forces of
-/// rigid contacts do not follow from positions, so the recorded forces are tested. In general many sets of forces meet
-/// the criteria. The criteria, with the unit of their values, are
-///   geometry     largest difference between the stored gaps, normals and contact points and those that follow from
+/// rigid contacts do not follow from positions, so the recorded forces are tested. In general, more than one set of
+/// forces satisfies the criteria. The criteria, with the unit of their values, are
+///   geometry     largest difference between the stored gaps, normals and contact points and the values that follow from
 ///                positions and shapes (length)
 ///   list         number of pairs of surfaces that overlap by more than `gap_tolerance` and are missing in the contact
 ///                list, plus number of contacts that are listed twice or out of order
@@ -38,9 +38,9 @@ std::vector<Criterion> verify_motion(const State<Dim>& state);
 ///                divided by the diameter of the smaller grain
 ///   force, moment, stress, energy, mean_stress, length, boundary_balance, recorded   as in verify_equilibrium()
 ///   power        power of the contact forces on the recorded motion, divided by the unit of the energy criterion for
-///                all grains per time T; 0 at rest, and if the forces dissipate energy. T = sqrt(m a/F1), with the mass
-///                m and the diameter a of the largest grain and the force scale F1
-/// The stability is not tested: rigid contacts have no stiffness.
+///                all grains per time T. The value is 0 at rest, and if the forces dissipate energy. T = sqrt(m a/F1),
+///                with the mass m and the diameter a of the largest grain and the force scale F1
+/// The stability is not tested, because rigid contacts have no stiffness.
 /// @param gap_tolerance  limit of the criterion gap
 template <int Dim>
 std::vector<Criterion> verify_rigid(const State<Dim>& state, double gap_tolerance);

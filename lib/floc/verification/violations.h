@@ -13,7 +13,7 @@ namespace floc {
 
 inline constexpr std::size_t kMaxListed = 5;  ///< largest number of violations that a message lists
 
-/// Grains or contacts that violate a criterion, each with the size of its violation.
+/// Grains or contacts that violate a criterion, each with the magnitude of its violation.
 class Violations {
  public:
   void add(double how_bad, std::string name) { found_.emplace_back(how_bad, std::move(name)); }

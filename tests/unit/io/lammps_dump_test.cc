@@ -175,7 +175,7 @@ TEST_F(LammpsDump, DoesNotGuessTheImageOfAContactOfHalfTheCell) {
   options_.cell = {{6, 0}, {0, 4}};
   EXPECT_THAT(refusal(),
               ThrowsMessage<InputError>(HasSubstr("c.dump:10: the centres of the grains are 2.9 apart")));
-  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("not less than half the width of the cell (2)")));
+  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("half the width of the cell (2) or more")));
 }
 
 }  // namespace

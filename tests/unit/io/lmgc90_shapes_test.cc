@@ -161,7 +161,7 @@ TEST(Lmgc90Shapes, NameWhatIsWrong) {
   refusal("BODIES.DAT", "nb_vertex= ", "nb_vertex= 9", "BODIES.DAT:2: body 1 has ");
   refusal("BODIES.DAT", "nb_vertex= ", "nb_vertex= -", "expected a whole number from 0");
   refusal("BODIES.DAT", "nb_faces= ", "nb_faces= 1", "faces, expected");
-  refusal("BODIES.DAT", "ver1= 1", "ver1= 0", "expected a vertex from 1");
+  refusal("BODIES.DAT", "ver1= 1", "ver1= 0", "expected the number of a vertex, from 1");
   refusal("BODIES.DAT", "ver2= 2", "ver2= 999", "expected a whole number from 0");
   refusal("BODIES.DAT", "I1  =1", "I1  =0", "has no moments of inertia");
   refusal("BODIES.DAT", "POLYR", "CYLND", "body 1 has the contactor CYLND, expected a disk");

@@ -93,13 +93,13 @@ TEST_F(WallFile, GivesGravity) {
 
 TEST_F(WallFile, ThatFlocCannotTakeIsRefusedWithItsLine) {
   refused("units lj\n", "in.walls: the script has no wall");
-  refused("\nfix w all wall/gran hooke 1 zcylinder 3\n", "in.walls:2: the wall is no plane");
+  refused("\nfix w all wall/gran hooke 1 zcylinder 3\n", "in.walls:2: the wall is not a plane");
   refused("fix w all wall/gran hooke 1 zplane ${h} 3\n",
           "the position of the wall across z is \"${h}\", expected a number");
   refused("fix w all wall/gran hooke 1 zplane 0 NULL wiggle z 1 2\n", "the wall moves (wiggle)");
   refused("fix w all wall/gran/region hooke 1 region cone\n", "does not define the region");
   refused("region cone cone z 0 0 1 2 0 3\nfix w all wall/gran/region hooke 1 region cone\n",
-          "the region cone is no block");
+          "the region cone is not a block");
   refused("fix w all wall/gran model hertz mesh n_meshes 1 meshes m\n", "no fix mesh/surface with the name m");
   refused(
       "fix m all mesh/surface file s.stl type 1\nfix v all move/mesh mesh m linear 0 0 1\nfix w all wall/gran "
@@ -111,7 +111,7 @@ TEST_F(WallFile, ThatFlocCannotTakeIsRefusedWithItsLine) {
   write_triangle("0 0 -1;4 0 -1;4 4 1");
   refused(
       "fix m all mesh/surface file s.stl type 1\nfix w all wall/gran model hertz mesh n_meshes 1 meshes m\n",
-      "s.stl, triangle 1: the triangle lies across no axis");
+      "s.stl, triangle 1: the triangle is not perpendicular to an axis");
 }
 
 TEST(WallOption, HasAxesAndFiles) {

@@ -68,8 +68,8 @@ TEST_F(YadeText, NamesWhatIsWrong) {
   write(kSpheres);
   EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("give --law")));
   write(kSpheres, "4 9 -1 0 0\n");
-  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(
-                             HasSubstr("i.txt:1: no comment line before this line names the columns")));
+  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr(
+                             "i.txt:1: no comment line before this line gives the names of the columns")));
   write(kSpheres, kNames + "4 9 -1 0 0 -1.8 0 inf 0 0.5 0 1000 400 0.6\n");
   EXPECT_THAT(refusal(),
               ThrowsMessage<InputError>(HasSubstr("i.txt:2: fnz = \"inf\", expected a finite number")));

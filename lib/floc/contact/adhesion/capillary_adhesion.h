@@ -17,8 +17,8 @@ enum class BridgeForm {
   /// Rj/(Ri + Rj) the harmonic mean of the radii Ri and Rj of the grains, and r >= 1 the ratio of these radii
   /// [RTV2010].
   exponential,
-  /// 1/(1 + 1.05 x + 2.5 x^2) with x = h sqrt(R'/V_b), the gap h, the volume V_b of the bridge and the harmonic mean
-  /// radius R' = 2 Ri Rj/(Ri + Rj) of the grains [WAJS2000].
+  /// 1/(1 + 1.05 x + 2.5 x^2) with x = h sqrt(R'/V_b). Here h is the gap, V_b the volume of the bridge, and R' = 2 Ri
+  /// Rj/(Ri + Rj) the harmonic mean of the radii Ri and Rj of the grains [WAJS2000].
   rational,
 };
 
@@ -29,7 +29,7 @@ enum class BridgeFormation {
   contact,
 };
 
-/// Parameters of a liquid bridge between two grains; all zero without a bridge.
+/// Parameters of a liquid bridge between two grains; all are zero if there is no bridge.
 template <class T = double>
 struct Bridge {
   T strength = T(0);  ///< attraction of the bridge when the surfaces touch (force)
@@ -42,9 +42,8 @@ struct Bridge {
 /// Liquid bridges between spheres: an attraction Gamma R in contact, which decreases with the gap and ends at the reach
 /// of the bridge. Here Gamma = 2 pi g cos th with the surface tension g and the contact angle th, and R = sqrt(Ri Rj)
 /// with the radii Ri and Rj of the spheres. The reach of a bridge of volume V_b is (1 + th/2) V_b^(1/3), with th in
-/// radians. The history of a contact holds the volume of its bridge (length^3). The distribution of the liquid of a
-/// packing over the bridges is not part of the law (packing/liquid/liquid.h). In 2D, the disks stand for a layer of
-/// spheres.
+/// radians. The history of a contact contains the volume of the bridge (length^3). Another module distributes the
+/// liquid among the bridges of a packing (packing/liquid/liquid.h). In 2D, the disks represent a layer of spheres.
 struct CapillaryAdhesion {
   double surface_tension;  ///< surface tension g of the liquid (force/length)
   double contact_angle;    ///< contact angle th of the liquid on the grains (degrees)
@@ -84,14 +83,15 @@ struct CapillaryAdhesion {
 
   /// Contact angle in radians.
   double angle() const { return contact_angle * std::numbers::pi / 180.0; }
-  /// Returns the attraction of a liquid bridge between two touching grains (force): 2 pi g cos th sqrt(Ri Rj) with the
-  /// surface tension g, the contact angle th and the radii Ri and Rj. It does not depend on the volume of the bridge.
+  /// Returns the attraction (force) of a liquid bridge between two touching grains: 2 pi g cos th sqrt(Ri Rj) with the
+  /// surface tension g, the contact angle th and the radii Ri and Rj. The attraction does not depend on the volume of
+  /// the bridge.
   double strength(double radius_i, double radius_j) const {
     return 2.0 * std::numbers::pi * surface_tension * std::cos(angle()) * std::sqrt(radius_i * radius_j);
   }
   /// Returns the widest gap hm (length) that a bridge of this volume (length^3) spans.
   double reach(double volume) const { return (1.0 + 0.5 * angle()) * std::cbrt(volume); }
-  /// Returns the volume of all liquid (length^3) in a packing whose grains have the total volume `solid_volume`
+  /// Returns the total volume of liquid (length^3) in a packing; `solid_volume` is the total volume of its grains
   /// (length^3).
   double liquid_volume(double solid_volume) const { return water_content * density_ratio * solid_volume; }
   /// Returns the parameters of a liquid bridge of this volume (length^3) between two grains of these radii (length).
@@ -104,12 +104,12 @@ struct CapillaryAdhesion {
     return {strength(radius_i, radius_j), std::sqrt(ratio * mean / volume) / kDecayLength, reach(volume)};
   }
 
-  /// Updates the liquid bridge between two grains after one motion of the grains. If `formation` is `contact`, the
-  /// bridge breaks when the gap becomes wider than its reach, and forms again when the surfaces touch.
-  /// @param pair  geometry of the two grains at the end of the motion
+  /// Updates the liquid bridge between two grains after the grains have moved by one step. If `formation` is `contact`,
+  /// the bridge breaks when the gap exceeds the reach of the bridge, and forms again when the surfaces overlap.
+  /// @param pair  geometry of the two grains at the end of the step
   /// @param volume  volume of the bridge (length^3) in the history of the contact, updated; negative if the bridge has
   /// broken
-  /// @return parameters of the bridge that are in effect after the motion
+  /// @return parameters of the bridge that are in effect after the step
   template <class T>
   Bridge<T> hold(const PairGeometry<T>& pair, const Bridge<T>& bridge, T* volume) const {
     if (formation == BridgeFormation::contact) {
@@ -119,8 +119,8 @@ struct CapillaryAdhesion {
     }
     return acting(bridge, *volume);
   }
-  /// Returns the parameters of a liquid bridge that are in effect now: `bridge`, but with zero strength if the bridge
-  /// has broken (`volume` <= 0).
+  /// Returns the parameters of a liquid bridge that are in effect now. They equal `bridge`, except that the strength is
+  /// zero if the bridge has broken (`volume` <= 0).
   template <class T>
   Bridge<T> acting(Bridge<T> bridge, const T& volume) const {
     bridge.strength = lanes::select(T(0) < volume, bridge.strength, T(0));
@@ -132,8 +132,8 @@ struct CapillaryAdhesion {
     const T share = share_at(lanes::max(pair.gap, T(0)) * bridge.decay);
     return lanes::select(bridge.reach < pair.gap, T(0), T(-bridge.strength * share));
   }
-  /// Returns the stiffness -dF/dh of the attraction F at the gap h (force/length). It is negative across a gap,
-  /// because the attraction weakens as the grains part.
+  /// Returns the stiffness -dF/dh (force/length) of the attraction F at the gap h. The stiffness is negative across a
+  /// gap, because the attraction weakens as the grains part.
   template <class T>
   T stiffness(const PairGeometry<T>& pair, const Bridge<T>& bridge) const {
     const T x = lanes::max(pair.gap, T(0)) * bridge.decay;
@@ -143,7 +143,7 @@ struct CapillaryAdhesion {
     const T across = lanes::select(bridge.reach < pair.gap, T(0), T(-bridge.strength * bridge.decay * slope));
     return lanes::select(pair.gap < T(0), T(0), across);
   }
-  /// Returns the potential energy of a liquid bridge of fixed volume. The energy is zero where the gap is at least the
+  /// Returns the potential energy of a liquid bridge of fixed volume. The energy is zero if the gap is at least the
   /// reach of the bridge.
   template <class T>
   T energy(const PairGeometry<T>& pair, const Bridge<T>& bridge) const {
@@ -154,7 +154,7 @@ struct CapillaryAdhesion {
     return lanes::select(bridge.reach < pair.gap, T(0),
                          T(across + bridge.strength * lanes::min(pair.gap, T(0))));
   }
-  /// Returns zero, because the adhesion has no common range: the reach of a liquid bridge depends on its volume.
+  /// Returns zero, because no single range applies to all pairs: the reach of a liquid bridge depends on its volume.
   double range() const { return 0.0; }
   /// Returns whether liquid bridges can attract grains: there is liquid, its surface tension is positive and its
   /// contact angle is below 90 degrees.
@@ -166,13 +166,14 @@ struct CapillaryAdhesion {
   static constexpr double kDecayLength = 0.9;
   static constexpr double kLinear = 1.05, kSquare = 2.5;
 
-  /// Returns the force of a liquid bridge divided by its force at zero gap, where x is the gap times Bridge::decay.
+  /// Returns the force of a liquid bridge, divided by its force at zero gap, as a function of x, the gap times
+  /// Bridge::decay.
   template <class T>
   T share_at(const T& x) const {
     if (form == BridgeForm::exponential) return lanes::exp_of_negative(T(-x));
     return T(1) / (T(1) + x * (T(kLinear) + T(kSquare) * x));
   }
-  /// Returns the integral of share_at(x) over x, from 0 to `x`.
+  /// Returns the integral of share_at() from 0 to `x`.
   template <class T>
   T integral_to(const T& x) const {
     if (form == BridgeForm::exponential) return T(1) - lanes::exp_of_negative(T(-x));

@@ -7,9 +7,10 @@
 
 namespace floc {
 
-/// Attraction between grains that acts across a gap. Its force is -F0 in contact, where F0 is the pull-off force, and
-/// its magnitude decreases linearly to zero as the gap grows from 0 to the range D0. The attraction is reversible: the
-/// force depends on the gap alone and is equal on approach and on separation. [GRC2008], Eq. 2.
+/// Attraction between grains that acts across a gap. In contact, the force is -F0, where F0 is the pull-off force.
+/// Across a gap, the magnitude of the force decreases linearly from F0 to zero as the gap grows from 0 to the range D0.
+/// The attraction is reversible: the force depends on the gap alone and is equal on approach and on separation.
+/// [GRC2008], Eq. 2.
 struct TailAdhesion {
   double pull_off_force;  ///< pull-off force F0 (force), > 0
   double tail_range;      ///< range D0 of the attraction (length), > 0
@@ -30,15 +31,15 @@ struct TailAdhesion {
     const T tail = lanes::min(T(0), T((pull_off_force / tail_range) * pair.gap - pull_off_force));
     return lanes::select(pair.gap < T(0), T(-pull_off_force), tail);
   }
-  /// Returns the stiffness -dF/dh of the attraction F at the gap h (force/length). It is negative across a gap,
-  /// because the attraction weakens as the grains part.
+  /// Returns the stiffness -dF/dh (force/length) of the attraction F at the gap h. The stiffness is negative across a
+  /// gap, because the attraction weakens as the grains part.
   template <class T>
   T stiffness(const PairGeometry<T>& pair) const {
     const T tail = lanes::select(pair.gap < T(tail_range), T(-pull_off_force / tail_range), T(0));
     return lanes::select(pair.gap < T(0), T(0), tail);
   }
-  /// Returns the potential energy of the attraction: zero if the gap is at least the range D0, and -F0 D0/2 at zero
-  /// gap, where F0 is the pull-off force.
+  /// Returns the potential energy of the attraction. With the pull-off force F0 and the range D0, the energy is -F0
+  /// D0/2 at zero gap, and zero if the gap is at least D0.
   template <class T>
   T energy(const PairGeometry<T>& pair) const {
     const T missing = lanes::max(T(0), T(tail_range - pair.gap));

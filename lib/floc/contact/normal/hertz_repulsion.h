@@ -30,8 +30,8 @@ struct HertzRepulsion {
       {"poisson", &HertzRepulsion::poisson, Unit::ratio, "nu", Requirement::poisson_ratio,
        "Poisson's ratio nu, in (-1, 0.5)", "Poisson's ratio"}};
 
-  /// Returns the modulus by which pressures are divided to make them dimensionless (force/length^2): E/(1 - nu^2) with
-  /// Young's modulus E and Poisson's ratio nu.
+  /// Returns the modulus (force/length^2) by which pressures are divided to make them dimensionless. The modulus is
+  /// E/(1 - nu^2), with Young's modulus E and Poisson's ratio nu.
   double plane_modulus() const { return modulus / (1.0 - poisson * poisson); }
 
   template <class T>
@@ -42,15 +42,15 @@ struct HertzRepulsion {
   T stiffness(const PairGeometry<T>& pair) const {
     return contact_stiffness(pair);
   }
-  /// Returns Mindlin's tangential stiffness K_T = K_N (2 - 2 nu)/(2 - nu), with the normal stiffness K_N and
-  /// Poisson's ratio nu (force/length).
+  /// Returns Mindlin's tangential stiffness K_T = K_N (2 - 2 nu)/(2 - nu) (force/length), with the normal stiffness K_N
+  /// and Poisson's ratio nu.
   template <class T>
   T shear_stiffness(const PairGeometry<T>& pair) const {
     return T(shear_ratio()) * contact_stiffness(pair);
   }
   double shear_ratio() const { return (2.0 - 2.0 * poisson) / (2.0 - poisson); }
 
-  /// Returns the overlap at which the elastic normal force is `elastic` >= 0 (length).
+  /// Returns the overlap (length) at which the elastic normal force is `elastic` >= 0.
   double overlap_at_force(const PairGeometry<>& pair, double elastic) const {
     return std::pow(0.75 * elastic / (0.5 * plane_modulus() * std::sqrt(pair.reduced_radius)), 2.0 / 3.0);
   }
@@ -61,13 +61,13 @@ struct HertzRepulsion {
         15.0 * pair.reduced_mass * speed * speed / (8.0 * plane_modulus() * std::sqrt(pair.reduced_radius)),
         0.4);
   }
-  /// Returns the normal stiffness K_N of a contact whose elastic force is `elastic` (force/length).
+  /// Returns the normal stiffness K_N (force/length) of a contact whose elastic force is `elastic`.
   double stiffness_at_force(const PairGeometry<>& pair, double elastic) const {
     return contact_stiffness(PairGeometry<>(-overlap_at_force(pair, elastic), pair.reduced_radius));
   }
   double modulus_of_packing(int, double) const { return plane_modulus(); }
-  /// Returns an upper bound on the normal stiffness K_N (force/length) of a contact of this pair in a packing with the
-  /// largest overlap, force and impact speed `load`.
+  /// Returns an upper bound on the normal stiffness K_N (force/length) of a contact of this pair in a packing. The
+  /// largest overlap, force and impact speed in the packing are given by `load`.
   double stiffness_bound(const PairGeometry<>& pair, const ContactLoad& load) const {
     const double deepest = std::max(
         {load.overlap, overlap_at_force(pair, load.force), overlap_of_impact(pair, load.impact_speed)});
@@ -82,7 +82,8 @@ struct HertzRepulsion {
     return lanes::max(T(-pair.gap), T(0));
   }
   /// Returns the normal stiffness K_N = 2 E* sqrt(R* d) if the surfaces overlap by d, otherwise 0, with the symbols E*
-  /// and R* of HertzRepulsion. No square root of zero is computed, since the square root has no derivative there.
+  /// and R* of HertzRepulsion. The square root of zero is never computed, because the square root has no derivative at
+  /// zero.
   template <class T>
   T contact_stiffness(const PairGeometry<T>& pair) const {
     using std::sqrt;

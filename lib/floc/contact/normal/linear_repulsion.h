@@ -30,14 +30,14 @@ struct LinearRepulsion {
   T stiffness(const PairGeometry<T>& pair) const {
     return lanes::select(pair.gap < T(0), T(normal_stiffness), T(0));
   }
-  /// Returns the normal stiffness K_N of a contact whose elastic normal force is known, but not its gap (force/length).
+  /// Returns the normal stiffness K_N of a contact (force/length), which does not depend on the force.
   double stiffness_at_force(const PairGeometry<>&, double) const { return normal_stiffness; }
-  /// Returns the modulus by which the pressures of a packing are divided to make them dimensionless
-  /// (force/length^(Dim-1)): K_N/a^(Dim-2) with the normal stiffness K_N and the diameter a of the grains.
+  /// Returns the modulus (force/length^(Dim-1)) by which the pressures of a packing are divided to make them
+  /// dimensionless. The modulus is K_N/a^(Dim-2), with the normal stiffness K_N and the diameter a of the grains.
   double modulus_of_packing(int dim, double diameter) const {
     return normal_stiffness / std::pow(diameter, dim - 2);
   }
-  /// Returns an upper bound on the normal stiffness K_N of a contact (force/length).
+  /// Returns an upper bound on the normal stiffness K_N (force/length) of a contact.
   double stiffness_bound(const PairGeometry<>&, const ContactLoad&) const { return normal_stiffness; }
 
   bool operator==(const LinearRepulsion&) const = default;

@@ -13,8 +13,8 @@ struct RigidContact {
   static constexpr const char* kKeyword = "rigid";
   static constexpr Family kFamily = Family::rigid;
 
-  /// Returns the modulus by which the pressures of a packing are divided to make them dimensionless
-  /// (force/length^(Dim-1)): infinity, since a rigid contact is the limit of infinite stiffness.
+  /// Returns the modulus (force/length^(Dim-1)) by which the pressures of a packing are divided to make them
+  /// dimensionless. The modulus is infinite, because a rigid contact is the limit of infinite stiffness.
   double modulus_of_packing(int, double) const { return std::numeric_limits<double>::infinity(); }
 
   bool operator==(const RigidContact&) const = default;

@@ -8,9 +8,9 @@
 
 namespace floc {
 
-/// Rolling resistance: an incremental spring of stiffness K_R on the relative rotation of two grains. Its
-/// moment is capped at the coefficient mu_R, a length, times the elastic part FNe of the normal force.
-/// [GRC2007], section II.
+/// Rolling resistance: a spring of stiffness K_R, to which the relative rotation of two grains is added step by step.
+/// The moment of the spring is at most mu_R FNe, where mu_R is the coefficient of rolling friction (length) and FNe the
+/// elastic part of the normal force. [GRC2007], section II.
 struct RollingSpring {
   double coefficient;        ///< coefficient mu_R of rolling friction (length)
   double rolling_stiffness;  ///< rolling stiffness K_R (force * length)
@@ -28,7 +28,7 @@ struct RollingSpring {
       {"rolling_spring", HistoryKind::rotation, Unit::angle,
        "rotation of the rolling spring: relative rotation of grain id1 against grain id2"}};
 
-  /// Adds the relative rotation of the grains in one motion to the spring, and shortens the spring if its moment
+  /// Adds to the spring the relative rotation of the grains during one step, and shortens the spring if its moment
   /// exceeds the cap.
   /// @param history  rotation of the spring, as declared by kHistory
   /// @return rolling moment on grain j (force * length)
@@ -47,7 +47,7 @@ struct RollingSpring {
   void set_force(const V& force, double stiffness, double* history) const {
     Eigen::Map<V>{history} = force / stiffness;
   }
-  /// Returns the rolling stiffness K_R of a touching contact whose rolling moment is below its cap (force * length); 0
+  /// Returns the rolling stiffness K_R (force * length) of a touching contact whose rolling moment is below its cap; 0
   /// if the coefficient of rolling friction is zero.
   double stiffness(const NormalResponse<double>&) const { return acts() ? rolling_stiffness : 0.0; }
   /// Returns whether the spring can carry a moment. A spring that cannot carry a moment is left out of the contact law,

@@ -8,10 +8,11 @@
 
 namespace floc {
 
-/// Coulomb friction: an incremental tangential spring of stiffness K_T. The force of the spring is capped at the
-/// friction coefficient mu times the elastic part FNe of the normal force. The cap does not depend on the adhesive part
-/// of the normal force, so a contact with zero normal force still carries up to mu F0, where F0 is the pull-off force.
-/// [GRC2008], Eq. 4; the printed equation lacks the factor mu for a sliding contact.
+/// Coulomb friction: a tangential spring of stiffness K_T, to which the slip of the contact is added step by step. The
+/// force of the spring is capped at the friction coefficient mu times the elastic part FNe of the normal force. The cap
+/// does not depend on the adhesive part of the normal force, so the tangential force of a contact with zero normal
+/// force can still be as large as mu F0, where F0 is the pull-off force. [GRC2008], Eq. 4; the printed equation lacks
+/// the factor mu for a sliding contact.
 struct CoulombFriction {
   double coefficient;           ///< friction coefficient mu
   double tangential_stiffness;  ///< tangential stiffness K_T (force/length)
@@ -30,7 +31,7 @@ struct CoulombFriction {
                                           "by +90 degrees, in 3D a vector in the "
                                           "tangent plane"}};
 
-  /// Adds the slip of one motion to the spring, and shortens the spring if its force exceeds the cap.
+  /// Adds to the spring the slip of the contact during one step, and shortens the spring if its force exceeds the cap.
   /// @param history  elongation of the spring, as declared by kHistory
   /// @return tangential force on grain i (force)
   template <class T, class V>
@@ -47,7 +48,7 @@ struct CoulombFriction {
   void set_force(const V& force, double stiffness, double* history) const {
     Eigen::Map<V>{history} = force / stiffness;
   }
-  /// Returns the tangential stiffness K_T of a contact that touches and does not slide (force/length).
+  /// Returns the tangential stiffness K_T (force/length) of a contact that touches and does not slide.
   double stiffness(const NormalResponse<double>&) const { return tangential_stiffness; }
   /// Returns whether the spring can carry a force. A spring that cannot carry a force is left out of the contact law,
   /// because it must not stiffen the elastic network of contacts.

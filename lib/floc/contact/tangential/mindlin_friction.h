@@ -11,9 +11,9 @@ namespace floc {
 
 /// Friction of elastic spheres. The increment of the tangential force T is the slip times the tangential stiffness K_T
 /// at the present normal force. T is capped at the friction coefficient mu times the elastic part FNe of the normal
-/// force. If the normal force falls, T falls in proportion to K_T; if the normal force grows, T does not change. The
-/// contact then cannot gain energy on a closed path of motion (docs/physics.md, "Spheres of Hertz and Mindlin").
-/// [AR2007], section II.
+/// force. If the normal force decreases, T decreases in proportion to K_T; if the normal force increases, T does not
+/// change. With this rule, a contact cannot gain energy on a closed path of motion (docs/physics.md, "Spheres of Hertz
+/// and Mindlin"). [AR2007], section II.
 struct MindlinFriction {
   double coefficient;  ///< friction coefficient mu
 
@@ -30,7 +30,7 @@ struct MindlinFriction {
       {"last_stiffness", HistoryKind::scalar, Unit::stiffness,
        "tangential stiffness K_T at which the tangential force was last updated"}};
 
-  /// Updates the tangential force in the history by the slip of one motion.
+  /// Updates the tangential force in the history after the slip of the contact during one step.
   /// @param history  tangential force and the stiffness K_T of its last update, as declared by kHistory
   /// @return tangential force on grain i (force)
   template <class T, class V>
@@ -48,14 +48,14 @@ struct MindlinFriction {
   bool is_mobilised(double elastic, const double* history, double tolerance) const {
     return Eigen::Map<const V>(history).norm() >= (1.0 - tolerance) * (coefficient * elastic);
   }
-  /// Sets the tangential force in the history, and sets the stiffness of its last update to zero. The next motion then
-  /// starts from this force without reducing it.
+  /// Sets the tangential force in the history, and sets the stiffness of its last update to zero. The next update then
+  /// adds to this force, and does not first reduce it.
   template <class V>
   void set_force(const V& force, double /*stiffness*/, double* history) const {
     Eigen::Map<V>{history} = force;
     history[V::RowsAtCompileTime] = 0.0;
   }
-  /// Returns the tangential stiffness K_T of a contact that touches and does not slide (force/length).
+  /// Returns the tangential stiffness K_T (force/length) of a contact that touches and does not slide.
   double stiffness(const NormalResponse<double>& normal) const { return normal.shear_stiffness; }
   /// Returns whether friction can carry a force. Friction that cannot carry a force is left out of the contact law,
   /// because it must not stiffen the elastic network of contacts.

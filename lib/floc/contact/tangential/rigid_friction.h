@@ -6,7 +6,7 @@
 namespace floc {
 
 /// Coulomb friction of rigid contacts: the tangential force is at most the friction coefficient mu times the normal
-/// force. Below this limit the surfaces do not slip at all, and the model has no stiffness.
+/// force. Below this limit, the surfaces do not slip at all; the model has no stiffness.
 struct RigidFriction {
   double coefficient;  ///< friction coefficient mu
 

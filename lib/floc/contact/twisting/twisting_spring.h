@@ -8,9 +8,10 @@
 
 namespace floc {
 
-/// Resistance of spheres to relative rotation about the normal of their contact: an incremental spring of stiffness
-/// K_tw on this rotation. The moment of the spring is capped at the coefficient mu_tw, a length, times the elastic part
-/// FNe of the normal force. The cap does not depend on the rolling spring.
+/// Resistance of spheres to relative rotation about the normal of their contact: a spring of stiffness K_tw, to which
+/// this rotation is added step by step. The moment of the spring is at most mu_tw FNe, where mu_tw is the coefficient
+/// of twisting friction (length) and FNe the elastic part of the normal force. This cap does not depend on the rolling
+/// spring.
 struct TwistingSpring {
   double coefficient;         ///< coefficient mu_tw of twisting friction (length)
   double twisting_stiffness;  ///< twisting stiffness K_tw (force * length)
@@ -28,7 +29,7 @@ struct TwistingSpring {
       {"twisting_spring", HistoryKind::twist, Unit::angle,
        "rotation of the twisting spring: rotation of grain id1 against grain id2 about the normal"}};
 
-  /// Adds the twist of one motion to the spring, and shortens the spring if its moment exceeds the cap.
+  /// Adds to the spring the twist of the grains during one step, and shortens the spring if its moment exceeds the cap.
   /// @param history  rotation of the spring, as declared by kHistory
   /// @return twisting moment on grain j about the normal (force * length)
   template <class T>
@@ -43,7 +44,7 @@ struct TwistingSpring {
   /// Sets the history so that the spring exerts the moment `moment` on grain j about the normal.
   /// @param stiffness  twisting stiffness of the contact, > 0
   void set_force(double moment, double stiffness, double* history) const { *history = moment / stiffness; }
-  /// Returns the twisting stiffness K_tw of a touching contact whose twisting moment is below its cap (force * length).
+  /// Returns the twisting stiffness K_tw (force * length) of a touching contact whose twisting moment is below its cap.
   double stiffness(const NormalResponse<double>&) const { return twisting_stiffness; }
   /// Returns whether the spring can carry a moment. A spring that cannot carry a moment is left out of the contact law,
   /// because it must not stiffen the elastic network of contacts.

@@ -9,7 +9,7 @@ namespace floc {
 // - density(theta, P), the solid fraction at the pressure P,
 // - kQuantities parameters with their names, and quantities(theta, q), the coordinates in which their intervals are
 //   symmetric: the logarithm of a positive parameter, or the parameter itself where `kLogarithm` is false.
-// A model with D0 has it as its first coordinate, ln D0, which may be given. T is any scalar type.
+// In a model with D0, the first coordinate is ln D0; it is fixed if the user gives D0. T is any scalar type.
 
 struct HeckelModel {
   static constexpr int kParameters = 2, kQuantities = 2;

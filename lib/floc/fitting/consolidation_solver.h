@@ -54,7 +54,8 @@ inline constexpr int kLimitParameter = 2;
 double law_value(ConsolidationLaw law, const Eigen::VectorXd& theta, double log_P, double log_P_first);
 
 /// Fits a consolidation law:
-/// 1. For each point of a grid of the nonlinear parameters, linear least squares give the other ones: a starting point.
+/// 1. For each point of a grid of the nonlinear parameters, linear least squares give the linear parameters. Together
+/// they are a starting point.
 /// 2. From the best few starting points, the solver descends to a minimum.
 /// 3. The best minimum is refined to rounding by Levenberg-Marquardt (Ceres).
 ///
@@ -79,9 +80,9 @@ double law_value(ConsolidationLaw law, const Eigen::VectorXd& theta, double log_
 /// @return the sum of squares at the minimum
 double minimize_law(ConsolidationLaw law, const LawPoints& points, Eigen::VectorXd& theta);
 
-/// Return the sum of squared residuals of a straight line in ln P* (regime II), and of a power law of P* with its best
-/// exponent (regime III), fitted by least squares. The result is absent if the solid fraction does not grow with
-/// pressure.
+/// Both functions return the sum of squared residuals of a least-squares fit to 1/Phi: residual_of_line() for a
+/// straight line in ln P* (regime II), residual_of_power_law() for a power law of P* with its best exponent (regime
+/// III). The result is absent if the solid fraction does not grow with pressure.
 [[nodiscard]] std::optional<double> residual_of_line(const LawPoints& points);
 [[nodiscard]] std::optional<double> residual_of_power_law(const LawPoints& points);
 

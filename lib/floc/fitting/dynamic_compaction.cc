@@ -25,8 +25,9 @@ constexpr int kParameters = 7;
 constexpr std::array<const char*, kParameters> kNames = {"e_min", "De", "C", "A", "s_m", "a", "b"};
 using Parameters = Eigen::Matrix<double, kParameters, 1>;
 
-/// Residual of the void ratio e of one sample. In the fit, the plateau refers to the geometric mean of the pressures of
-/// the samples, because the law may have a pole between them and the reference pressure p_D.
+/// Residual of the void ratio e of one sample. During the fit, the reference pressure of the plateau is the geometric
+/// mean of the pressures of the samples. It is not p_D, because the law may have a pole between p_D and the pressures
+/// of the samples.
 struct CompactionResidual {
   static constexpr int kParameters = floc::kParameters;
   /// logarithm of the pressure at which the plateau is evaluated, in units of its geometric mean over the samples
@@ -282,12 +283,11 @@ FittedParameter parameter_of(const CompactionEstimate& e, int k) {
   return from_logarithm(name, e.value[k], e.error(k), t95);
 }
 
-/// Replaces the 95 % interval of the parameter A or a by the interval from the profile likelihood of ln A or ln
-/// a.
+/// Replaces the 95 % interval of the parameter A (or a) by the interval from the profile likelihood of ln A (or ln a).
 void profile(const CompactionEstimate& e, int k, FittedParameter& p, CompactionFit& fit) {
   const double error = e.error(k);
-  // With a standard error this small, changes of the sum of squares are only rounding, and the interval from the
-  // covariance is kept.
+  // If the standard error is very small, changes of the sum of squares are only rounding. The interval from the
+  // covariance is then kept.
   if (!std::isfinite(error) || error < 1e-9) return;
   const double t95 = student_t_95(e.dof());
   const double inflated = std::pow(t95 * error / e.scatter[k], 2) * e.variance;
@@ -323,8 +323,8 @@ void profile(const CompactionEstimate& e, int k, FittedParameter& p, CompactionF
                  *p.high95 < kIdentifiedFactor * *p.value;
 }
 
-/// Returns the parts of the standard error of a parameter. They are the parts of the error of its coordinate in
-/// coordinates(), multiplied by one factor so that they refer to the parameter.
+/// Returns the parts of the standard error of a parameter. The parts of the error of the corresponding entry of
+/// coordinates() are all multiplied by one factor, so that their squares add up to the squared error of the parameter.
 CompactionErrorParts parts_of(const CompactionEstimate& e, int k, const FittedParameter& p) {
   const double all = e.error(k);
   const double unit = all > 0.0 ? *p.standard_error / all : 0.0;
@@ -389,7 +389,7 @@ CompactionData data_of(const std::vector<CompactedSample>& samples, const Compac
   for (int i = 0; i < static_cast<int>(samples.size()); ++i) {
     const CompactedSample& s = samples[static_cast<std::size_t>(i)];
     const double p = plateau_pressure(s, reference.plateau);
-    // The tolerance keeps samples whose pressure is p_0 but was rounded.
+    // The tolerance keeps samples whose pressure is equal to p_0 apart from rounding.
     if (p < p_0 * (1 - 1e-6)) {
       fit.below_p_0.push_back(i);
       continue;

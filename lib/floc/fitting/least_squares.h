@@ -28,8 +28,8 @@ struct ParameterLimits {
 /// has infinite variance.
 [[nodiscard]] Eigen::MatrixXd unit_covariance(const Eigen::MatrixXd& jacobian);
 
-/// Interface of the residuals of a least-squares problem. It lets the solvers be compiled once for all
-/// problems.
+/// Interface of the residuals of a least-squares problem. With this interface, the solvers are compiled only once for
+/// all problems.
 class ResidualFunction {
  public:
   virtual ~ResidualFunction() = default;
@@ -49,8 +49,8 @@ class ResidualFunction {
                                                            const std::vector<ParameterLimits>& limits = {},
                                                            int held = -1);
 
-/// Minimises a sum of squares by normal equations (Ceres' TinySolver), ten times faster than minimize() and
-/// accurate to half the digits. It serves to compare many starting points.
+/// Minimises a sum of squares by normal equations (Ceres' TinySolver), ten times faster than minimize() and accurate to
+/// half the digits. It is meant for comparing many starting points.
 /// @param theta  the starting point; replaced by the minimum
 /// @return the sum of squares reached, which may be NaN
 double descend(const ResidualFunction& function, Eigen::VectorXd& theta);

@@ -18,8 +18,9 @@
 namespace floc {
 namespace {
 
-/// Returns the correlation of neighbouring residuals. Returns 0 if independent residuals could have it by chance, or if
-/// the residuals are only rounding. A round bend leaves correlated residuals.
+/// Returns the correlation of neighbouring residuals. Returns 0 if independent residuals could have this correlation by
+/// chance, or if the residuals are only rounding. If the bend of the curve is round, the residuals of a fit with a
+/// sharp bend are correlated.
 double correlation_of_neighbours(const Eigen::VectorXd& residuals) {
   constexpr double kRounding = 1e-9;
   const Eigen::Index n = residuals.size();
@@ -29,8 +30,8 @@ double correlation_of_neighbours(const Eigen::VectorXd& residuals) {
   return correlation < 2.0 / std::sqrt(static_cast<double>(n)) ? 0.0 : correlation;
 }
 
-/// Returns the range of positions of the bend at which the profile of the sum of squares is at most `within`,
-/// with linear interpolation between grid points.
+/// Returns the range of positions of the bend for which the profile of the sum of squares is at most `within`. The
+/// profile is interpolated linearly between grid points.
 std::pair<double, double> places_within(const RoundBendFit& fit, double within) {
   const Eigen::VectorXd& left = fit.profile;
   double low = fit.best.bend, high = fit.best.bend;
@@ -59,7 +60,8 @@ PreconsolidationFit fit_preconsolidation(const std::vector<double>& P, const std
   assert(P.size() == phi.size());
   constexpr int kMinPressures =
       5;  // one more than the number of parameters of a sharp bend: P_c, y_c, kappa and lambda
-  constexpr int kEnoughForWidth = 10;  // fewer pressures cannot distinguish a round bend from a sharp one
+  constexpr int kEnoughForWidth =
+      10;  // with fewer pressures a round bend cannot be distinguished from a sharp bend
   constexpr int kEnoughForConstructions = 8;
   const auto n = static_cast<Eigen::Index>(P.size());
   if (n < kMinPressures)

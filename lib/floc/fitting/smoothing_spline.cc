@@ -47,7 +47,8 @@ SmoothingSpline::SmoothingSpline(const Eigen::VectorXd& x, const Eigen::VectorXd
   const double smallest = *std::min_element(s.begin() + 2, s.end());
   double best = kInfinity, mu = 0.0;
   constexpr int kTried = 80;
-  // Generalised cross-validation without this factor sometimes follows the noise, especially correlated noise.
+  // Without this factor, the spline chosen by generalised cross-validation sometimes follows the noise, especially
+  // correlated noise.
   constexpr double kCaution = 1.4;
   const double low = std::log(1e-3 / largest), high = std::log(1e3 / smallest);
   for (int k = 0; k <= kTried; ++k) {

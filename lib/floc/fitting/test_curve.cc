@@ -25,7 +25,7 @@ LinearFit volume_at_peak(const TestCurve& curve, std::size_t peak) {
   const double enough = kNear * curve.mobilised[peak];
   while (first > 0 && curve.mobilised[first - 1] >= enough) --first;
   while (last + 1 < curve.size() && curve.mobilised[last + 1] >= enough) ++last;
-  // A slope with an error of its own needs a few points.
+  // Several points are needed to determine the error of the slope.
   constexpr std::size_t kLeast = 5;
   while (last - first + 1 < std::min(kLeast, curve.size())) {
     if (first > 0) --first;

@@ -12,7 +12,7 @@ namespace {
 
 using Law = ConsolidationLaw;
 
-/// Returns the weighted residuals of the points before regime II from their line, followed by the weighted
+/// Returns the weighted residuals of the recompression line at the points before regime II, followed by the weighted
 /// residuals of the law.
 Eigen::VectorXd all_residuals(const LawEstimate& e) {
   const LawPoints& p = e.plateau;

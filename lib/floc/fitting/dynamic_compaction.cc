@@ -408,11 +408,11 @@ CompactionData data_of(const std::vector<CompactedSample>& samples, const Compac
 /// between repeated runs.
 void describe(const std::vector<CompactedSample>& samples, CompactionEstimate& estimate, CompactionFit& fit) {
   if (!fit.beside_plateau.empty())
-    fit.warnings.push_back(
-        fmt::format("{} of the {} samples lie above the plateau of the law or at eta* > 1, and miss the law by "
-                    "more than four "
-                    "standard deviations: they are flagged as beside the plateau and not fitted",
-                    fit.beside_plateau.size(), samples.size()));
+    fit.warnings.push_back(fmt::format(
+        "{} of the {} samples lie above the plateau of the law or at eta* > 1, and miss the law by "
+        "more than four "
+        "standard deviations: they are flagged as samples that do not lie on the plateau, and are not fitted",
+        fit.beside_plateau.size(), samples.size()));
   fit.rms = std::sqrt(estimate.solution.sum_of_squares / static_cast<double>(fit.used.size()));
   const auto between_runs = variance_between_runs(samples, fit.used);
   fit.errors_from_runs = between_runs.has_value();
@@ -421,7 +421,7 @@ void describe(const std::vector<CompactedSample>& samples, CompactionEstimate& e
   if (estimate.scatter_share < 0.25)
     fit.warnings.push_back(
         fmt::format("the law misses the void ratio e by {:.3g} (root mean square), but repeated runs scatter "
-                    "only by {:.3g}: the standard errors come mostly from the misfit of the law",
+                    "only by {:.3g}: the main part of the standard errors is the misfit of the law",
                     std::sqrt(estimate.variance), std::sqrt(*between_runs)));
 }
 
@@ -465,7 +465,8 @@ CompactionFit fit_dynamic_compaction(const std::vector<CompactedSample>& samples
   }
   const auto solution = solve(kept.residuals);
   if (!view || !solution) {
-    fit.failure_reason = "no starting point leads to a solution: the void ratio does not follow the law";
+    fit.failure_reason =
+        "the fit finds no solution from any starting point: the void ratio does not follow the law";
     return fit;
   }
   CompactionEstimate estimate = estimate_of(kept, *solution);

@@ -31,16 +31,17 @@ Eigen::MatrixXd line_columns(const Eigen::VectorXd& x) {
 std::string why_no_power(const char* quantity, const std::vector<double>& x, std::size_t least) {
   if (x.size() < least)
     return fmt::format("there are {} states, but this law needs at least {}", x.size(), least);
-  if (!(x.back() > x.front())) return fmt::format("all states have one {}, {:.4g}", quantity, x.front());
+  if (!(x.back() > x.front())) return fmt::format("all states have the same {}, {:.4g}", quantity, x.front());
   return "";
 }
 
 void warn_of_pattern(ModulusLaw& law) {
   if (law.pattern.is_systematic())
-    law.warnings.push_back(fmt::format(
-        "neighbouring residuals are correlated (coefficient {:.2f}), which independent errors would do with a "
-        "probability of {:.1g}: the modulus does not follow this power law, and the intervals are widened",
-        law.pattern.correlation, std::min(law.pattern.smoothness_p, law.pattern.runs_p)));
+    law.warnings.push_back(
+        fmt::format("neighbouring residuals are correlated (coefficient {:.2f}; for independent errors, the "
+                    "probability of such residuals would be {:.1g}): the modulus does not follow this power "
+                    "law, and the intervals are widened",
+                    law.pattern.correlation, std::min(law.pattern.smoothness_p, law.pattern.runs_p)));
 }
 
 /// Fit of the power law M = coefficient (Phi - phi_0)^exponent to moduli M at solid fractions Phi. If phi_0 is given,

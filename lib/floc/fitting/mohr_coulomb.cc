@@ -77,10 +77,10 @@ std::string why_no_line(const Failures& f) {
 
 void warn_of_negative_cohesion(MohrCoulombFit& fit) {
   if (*fit.cohesion.high95 >= 0.0) return;
-  fit.warnings.push_back(fmt::format(
-      "the cohesion of the line is negative, {:.5g} (95 % interval {:.5g} to {:.5g}): the envelope of the "
-      "tests is curved, and its angle belongs to their range of stresses alone",
-      *fit.cohesion.value, *fit.cohesion.low95, *fit.cohesion.high95));
+  fit.warnings.push_back(
+      fmt::format("the cohesion of the line is negative, {:.5g} (95 % interval {:.5g} to {:.5g}): the envelope "
+                  "of the tests is curved, and the fitted angle is valid only in their range of stresses",
+                  *fit.cohesion.value, *fit.cohesion.low95, *fit.cohesion.high95));
 }
 
 MohrCoulombFit refused_line(std::string why) {

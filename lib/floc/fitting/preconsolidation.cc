@@ -92,10 +92,10 @@ PreconsolidationFit fit_preconsolidation(const std::vector<double>& P, const std
   const double fewer = (1.0 + r) / (1.0 - std::min(r, kMostCorrelated));
   const double within = best.sum_of_squares + fewer * t95 * t95 * variance;
   if (r > 0.0)
-    fit.warnings.push_back(fmt::format(
-        "neighbouring residuals are correlated (coefficient {:.2f}), because the bend is round or the curve "
-        "moves in steps: the interval of P_c is widened to allow for this",
-        r));
+    fit.warnings.push_back(
+        fmt::format("neighbouring residuals are correlated (coefficient {:.2f}), because the bend is round or "
+                    "the curve advances in jumps: the interval of P_c is widened to allow for this correlation",
+                    r));
   const Eigen::Index last = lines.places.size() - 1;
   const auto [low, high] = places_within(lines, within);
   FittedParameter P_c{"P_c", std::exp(best.bend), std::nullopt, std::exp(low), std::exp(high), true};
@@ -106,7 +106,7 @@ PreconsolidationFit fit_preconsolidation(const std::vector<double>& P, const std
     if (is_open_below) P_c.low95 = std::nullopt;
     if (is_open_above) P_c.high95 = std::nullopt;
     fit.warnings.push_back(
-        "the preconsolidation pressure may lie at an end of the branch: its interval is open there");
+        "the preconsolidation pressure may lie at an end of the branch: its interval has no bound there");
   }
   const Eigen::MatrixXd c = fewer * variance * unit_covariance(lines.jacobian);
   fit.parameters = {P_c, from_value("kappa", kappa, std::sqrt(c(1, 1)), t95),

@@ -94,7 +94,8 @@ ScatteringFit fit_scattering(const std::vector<ScatteredPoint>& points, double l
   fit.high = data.back().k;
   const auto solution = solve(data);
   if (!solution) {
-    fit.failure_reason = "no starting point leads to a solution: the intensity does not follow the law";
+    fit.failure_reason =
+        "the fit finds no solution from any starting point: the intensity does not follow the law";
     return fit;
   }
   const int dof = fit.n_points - ScatteringResidual::kParameters;

@@ -58,9 +58,8 @@ CriticalPart critical_part(const TestCurve& curve, const std::optional<double>& 
         curve.strain[part.first], n, kLeast);
   else if (!(strain > 0.0) || std::abs(volume) > kSteady * strain)
     part.why_not = fmt::format(
-        "the test has not come to a critical state: from a strain of {:.4g} on the volumetric strain still "
-        "changes by "
-        "{:.3g}, {:.2g} of the strain; expected at most {}",
+        "the test has not come to a critical state: from a strain of {:.4g} on, the volumetric strain still "
+        "changes by {:.3g}, which is {:.2g} times the change of the strain; expected at most {}",
         curve.strain[part.first], volume, std::abs(volume) / strain, kSteady);
   return part;
 }

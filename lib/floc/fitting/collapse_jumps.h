@@ -19,7 +19,8 @@ namespace floc {
 
 /// Returns the number of points to leave out at the beginning of regime II because the samples still lag there: points
 /// less than 2 `distance` beyond the first point in ln P. At least five points and two fifths of the range of ln P
-/// remain. @param distance  mean distance between the jumps
+/// remain.
+/// @param distance  mean distance between the jumps
 [[nodiscard]] int points_in_lag(const Eigen::VectorXd& log_P, double distance);
 
 /// Returns whether the mean of samples becomes less steep at the point `end`: the slope of the points from `end` on is

@@ -95,7 +95,8 @@ std::optional<Regimes> regimes_of_samples(const ConsolidationCurve& curve, const
 }
 
 /// Finds the mean distance between the jumps of samples, and the points at which the samples lag behind the line of
-/// regime II. @param lambda  slope of the line of regime II that was fitted to the mean of the samples
+/// regime II.
+/// @param lambda  slope of the line of regime II that was fitted to the mean of the samples
 void find_jumps(const ConsolidationCurve& curve, const LawPoints& points, double lambda, Regimes& regimes) {
   const int first = regimes.n_plateau, n = regimes.end_of_two - first;
   const Eigen::VectorXd log_P = points.log_P.segment(first, n);

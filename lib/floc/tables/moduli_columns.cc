@@ -52,8 +52,8 @@ TableValue shear_strain_modulus(const ModuliRow& r) {
 }
 
 /// Returns the compliance matrix, the inverse of the stiffness matrix C. Returns nothing if C cannot be inverted. If C
-/// was computed without shear strains, the compliance describes a cell whose shear strains are zero; otherwise, one
-/// whose shear stresses are zero.
+/// was computed without shear strains, the compliance describes a cell whose shear strains are zero; otherwise it
+/// describes a cell whose shear stresses are zero.
 std::optional<Eigen::MatrixXd> compliance(const ModuliRow& r) {
   const Eigen::FullPivLU<Eigen::MatrixXd> factor(r.moduli.C);
   if (!r.moduli.C.allFinite() || !factor.isInvertible()) return std::nullopt;
@@ -64,8 +64,8 @@ std::optional<Eigen::MatrixXd> compliance(const ModuliRow& r) {
 using ModuliColumn = Column<ModuliRow>;
 
 std::vector<ModuliColumn> contract_columns() {
-  // Only the method "factor" counts negative eigenvalues and mechanisms. With other methods the cells are empty,
-  // because a zero would mean that there are none.
+  // Only the method "factor" counts negative eigenvalues and mechanisms. With other methods the cells are empty; a zero
+  // would wrongly mean that there are no negative eigenvalues or mechanisms.
   const auto counted = [](const ModuliRow& r, int n) {
     return r.moduli.method == ModuliMethod::factor ? TableValue{std::int64_t{n}} : TableValue{};
   };
@@ -159,7 +159,7 @@ std::vector<ModuliColumn> budget_columns() {
 }
 
 /// Returns the columns of Young's modulus E_a along each axis a, and of Poisson's ratio nu_ab for each pair of axes a
-/// and b. They are needed for anisotropic states, for which B and G give only means over the axes.
+/// and b. These columns are needed for anisotropic states, because B and G are only means over the axes.
 std::vector<ModuliColumn> axis_columns(int dimension) {
   std::vector<ModuliColumn> columns;
   for (int a = 0; a < dimension; ++a)

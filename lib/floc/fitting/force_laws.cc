@@ -34,8 +34,9 @@ struct PowerExponential {
   }
 };
 
-/// Force distribution quadratic_exponential() with its constants a and b. They follow from two conditions, norm
-/// (integral) 1 and mean 1. In these conditions, I_m is the integral of f^m exp(-f^2 - beta f) over f > 0:
+/// Force distribution quadratic_exponential() with its constants a and b. They follow from two conditions: the norm
+/// (the integral of the distribution) and the mean are 1. Let I_m be the integral of f^m exp(-f^2 - beta f) over f > 0.
+/// The conditions are
 ///   norm  a (1/beta - b I_0) = 1,  mean  a (1/beta^2 - b I_1) = 1
 struct QuadraticExponential {
   double beta, b, a;

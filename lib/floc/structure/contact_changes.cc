@@ -142,7 +142,7 @@ std::string incomparable(const Packing<Dim>& before, const Packing<Dim>& after) 
   if (before.grains.are_round() != after.grains.are_round())
     return "the grains have corners in one of the states only: both must be states of the same grains";
   if (!is_lattice_choice<Dim>(lattice_choice(before.cell, after.cell)))
-    return "the two cells do not correspond: no strain and choice of lattice vectors turns one into "
+    return "the two cells do not correspond: no strain, with any choice of lattice vectors, turns one into "
            "the other";
   return {};
 }

@@ -62,7 +62,7 @@ std::vector<std::string> ScatteringOptions::validate() const {
 std::vector<double> scattering_bins(double largest, double unit, double growth) {
   std::vector<double> edges = {0.5 * unit};
   while (edges.back() < largest) edges.push_back(std::max(edges.back() + unit, edges.back() * growth));
-  // If the smallest wave number of the cell is above the largest k, there is a single bin.
+  // If the first edge, half the smallest wave number of the cell, is not below the largest k, there is a single bin.
   if (edges.size() == 1) edges.push_back(edges[0] * growth);
   edges.back() = std::max(largest, edges[0] * growth);
   return edges;

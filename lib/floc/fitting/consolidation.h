@@ -53,8 +53,8 @@ struct ConsolidationOptions {
   std::vector<std::string> validate() const;
 };
 
-/// Solid fraction against pressure of one sample, or its mean over several samples: points in the order of growing
-/// pressure.
+/// Consolidation curve (solid fraction against pressure) of one sample, or the mean curve of several samples. The
+/// points are in the order of growing pressure.
 struct ConsolidationCurve {
   /// Reduced pressure P* > 0. In 2D with adhesion it is a P/F0, with the grain diameter a, the pressure P and the
   /// pull-off force F0.
@@ -69,7 +69,7 @@ struct ConsolidationCurve {
 struct WindowShift {
   /// End that moves: "first row earlier", "first row later", "last row earlier" or "last row later".
   std::string change;
-  /// Value of lambda from this fit; absent if it leaves fewer than three points to regime II.
+  /// Value of lambda from this fit; absent if the fit leaves fewer than three points to regime II.
   std::optional<double> lambda;
 };
 

@@ -171,8 +171,8 @@ std::optional<RobustView> robust_view(const CompactionData& data) {
   return view;
 }
 
-/// Returns the indices of the samples that do not lie on the plateau: samples that view.may_flag allows to
-/// flag, and that miss the law by more than `n_deviations` standard deviations.
+/// Returns the indices of the samples that do not lie on the plateau: samples that may be flagged according to
+/// view.may_flag, and whose distance from the law is more than `n_deviations` standard deviations.
 std::vector<int> beside_plateau(const CompactionData& data, const RobustView& view, double n_deviations) {
   std::vector<int> rows;
   for (std::size_t k = 0; k < data.rows.size(); ++k)
@@ -249,8 +249,8 @@ struct CompactionEstimate {
   double error(int k) const { return std::hypot(scatter[k], spread[k]); }
 };
 
-/// Returns the root mean square change of each of coordinates() if samples are flagged as beside the plateau at a
-/// smaller or a larger distance from the law.
+/// Varies the distance from the law beyond which a sample is flagged as not lying on the plateau, to a smaller and to a
+/// larger value. Returns the root mean square change of each of coordinates().
 Parameters spread_over_flags(const CompactionEstimate& estimate, const CompactionData& all,
                              const RobustView& view, const std::vector<int>& flagged) {
   Parameters sum = Parameters::Zero();

@@ -33,9 +33,9 @@ struct CompactionReference {
   /// Reference value by which eta* = sc/sqrt(p se) is divided in the law; 0.045 in [SVI2024]. At this eta*, the
   /// relative void ratio e_r is such that (1 - e_r)/e_r is the parameter s_m.
   double eta_m = 0.045;
-  /// Lower limit of the pressure at which the plateau is evaluated; samples below it are not fitted. If p_0 is 0, there
-  /// is no limit for PlateauPressure::own, and p_D is the limit for PlateauPressure::critical, because the published
-  /// plateau has a pole not far below p_D.
+  /// Lower limit of the pressure at which the plateau is evaluated; samples with a lower pressure are not fitted. If
+  /// p_0 is 0, there is no limit for PlateauPressure::own. For PlateauPressure::critical, the limit is then p_D,
+  /// because the published plateau has a pole not far below p_D.
   double p_0 = 0.0;
   PlateauPressure plateau = PlateauPressure::own;
 

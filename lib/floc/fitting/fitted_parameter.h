@@ -5,8 +5,8 @@
 
 namespace floc {
 
-/// One parameter of a fit. Its interval is computed in a coordinate that keeps the parameter in its range, such
-/// as its logarithm, and may therefore be asymmetric.
+/// One parameter of a fit. The interval is computed in a coordinate that keeps the parameter in its range, such as the
+/// logarithm of a positive parameter. The interval may therefore be asymmetric.
 struct FittedParameter {
   std::string name;
   std::optional<double> value;           ///< fitted value; absent if the data give only bounds of the parameter

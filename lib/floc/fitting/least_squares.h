@@ -40,7 +40,8 @@ class ResidualFunction {
   virtual void evaluate(const double* theta, double* values, double* jacobian) const = 0;
 };
 
-/// Minimises a sum of squares by Levenberg-Marquardt (Ceres), to rounding, from one starting point.
+/// Minimises a sum of squares by Levenberg-Marquardt (Ceres) from one starting point, with an accuracy that is limited
+/// only by rounding.
 /// @param limits  limits of parameters; a parameter not listed has none
 /// @param held    index of a parameter that is held fixed; -1 to fit all
 /// @return the minimum; absent if the solver fails

@@ -60,8 +60,8 @@ PreconsolidationFit fit_preconsolidation(const std::vector<double>& P, const std
   assert(P.size() == phi.size());
   constexpr int kMinPressures =
       5;  // one more than the number of parameters of a sharp bend: P_c, y_c, kappa and lambda
-  constexpr int kEnoughForWidth =
-      10;  // with fewer pressures a round bend cannot be distinguished from a sharp bend
+  // with fewer pressures a round bend cannot be distinguished from a sharp bend
+  constexpr int kEnoughForWidth = 10;
   constexpr int kEnoughForConstructions = 8;
   const auto n = static_cast<Eigen::Index>(P.size());
   if (n < kMinPressures)

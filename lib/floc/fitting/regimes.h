@@ -44,8 +44,8 @@ struct Regimes {
   /// True if a constant, or a linear function of P* (elastic), explains 1/Phi better than any law of consolidation.
   bool all_in_one = false;
   int n_plateau = 0;  ///< number of points in the plateau of regime I
-  std::optional<ChangePoint>
-      plateau_end;  ///< end of regime I; absent if the points show that there is no plateau
+  /// end of regime I; absent if the points show that there is no plateau
+  std::optional<ChangePoint> plateau_end;
   /// Beginning of regime III; absent if the points do not distinguish regime III from the line of regime II.
   std::optional<ChangePoint> onset_three;
   int end_of_two = 0;  ///< index after the last point of regime II

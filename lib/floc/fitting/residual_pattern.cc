@@ -46,8 +46,8 @@ double runs_probability(const Eigen::VectorXd& r) {
 /// Returns the probability that a fit to independent data has residuals with a von Neumann ratio below `ratio`.
 double smoothness_probability(double ratio, const Eigen::MatrixXd& hat) {
   const Eigen::Index n = hat.rows();
-  Eigen::MatrixXd differences =
-      Eigen::MatrixXd::Zero(n, n);  // matrix D for which r^T D r is the sum of (r_(k+1) - r_k)^2 over k
+  // matrix D for which r^T D r is the sum of (r_(k+1) - r_k)^2 over k
+  Eigen::MatrixXd differences = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index k = 0; k + 1 < n; ++k) {
     differences(k, k) += 1.0;
     differences(k + 1, k + 1) += 1.0;

@@ -7,10 +7,9 @@ namespace floc {
 /// Fits the consolidation law that a curve supports. The law is fitted to the points in the window of the options or,
 /// without a window, to points of the regimes found by find_segments(). The function chooses
 ///
-/// 1. the full law, if the curve bends towards Phi_max within the data, if lambda, alpha and Phi_max are
-/// identified and Phi_max is below its bound, if the upper end of the interval of lambda is at most three times
-/// the lower end, and that of alpha at most five times, and if the residuals of a single curve are not
-/// systematic;
+/// 1. the full law, if all of the following is true: the curve bends towards Phi_max within the data; lambda, alpha and
+/// Phi_max are identified; Phi_max is below its bound; the upper end of an interval is at most three times the lower
+/// end for lambda, and at most five times for alpha; the residuals of a single curve are not systematic;
 /// 2. otherwise the line of regime II, fitted to the points of regime II; if possible, a power law fitted to
 /// the points beyond gives alpha, Phi_max and the pressure P1* at which regime III begins;
 /// 3. the power law of regime III, if the curve has no regime II.

@@ -43,8 +43,8 @@ std::optional<double> meeting(const WeightedLine& a, const WeightedLine& b) {
   return (b.intercept - a.intercept) / steeper;
 }
 
-/// Constructions of the preconsolidation pressure P_c, for curves with equal pressures and `sides`. Each
-/// function returns ln P_c.
+/// Constructions of the preconsolidation pressure P_c. All curves must have the same pressures and the same division
+/// into `sides`. Each function returns ln P_c.
 class Constructions {
  public:
   Constructions(const Eigen::VectorXd& P, const SmoothingSpline& spline, const Sides& sides)

@@ -12,8 +12,8 @@ namespace floc {
 template <int Dim>
 using CellCount = Vec<Dim, std::int64_t>;
 
-/// Connected part of a contact network. Its grains are unwrapped from the periodic cell: each grain is placed at the
-/// periodic image that touches the grain from which the search has reached it.
+/// Connected part of a contact network. Its grains are unwrapped from the periodic cell: each grain is placed at a
+/// periodic image that touches a grain that was placed before.
 template <int Dim>
 struct Component {
   std::vector<int> grains;  ///< grains of the part, in the order in which the search reaches them

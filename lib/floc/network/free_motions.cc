@@ -103,8 +103,8 @@ class FreeMotionFinder {
     while (!tips.empty()) {
       const int tip = tips.back();
       tips.pop_back();
-      if (degree[tip] != 1)
-        continue;  // last grain of a tree; its contact has been removed together with its neighbour
+      // A tip without a contact is the last grain of a tree; its contact was removed together with its neighbour.
+      if (degree[tip] != 1) continue;
       const int c = *std::find_if(of_[tip].begin(), of_[tip].end(), [&](int k) { return active_[k]; });
       const int holder = other_end(c, tip);
       active_[c] = false;

@@ -11,8 +11,8 @@ namespace floc {
 
 /// A pair of grains in contact. All its force-carrying contact points together count as one contact.
 struct ContactPair {
-  ContactType
-      kind;  ///< kind of contact (vertex, edge or face), which follows from the number of carrying points
+  /// kind of contact (vertex, edge or face), which follows from the number of carrying points
+  ContactType kind;
   double normal_force;  ///< sum of the normal forces of the points of this pair (force)
   int n_points;         ///< number of carrying points of this pair
 };

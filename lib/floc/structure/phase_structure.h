@@ -17,8 +17,8 @@ struct PhaseOptions {
   /// 0.1. Each shuffle requires a search for connected parts in each phase.
   int n_shuffles = 20;
   std::uint64_t seed = 1;
-  int n_bins =
-      10;  ///< number of bins for the share of neighbours whose pressure has the same sign as the pressure of the grain
+  /// number of bins for the share of neighbours whose pressure has the same sign as the pressure of the grain
+  int n_bins = 10;
 
   static constexpr WholeRange kShuffles{.least = 1, .most = 100000};
   /// Returns the faults of the options, each as "name = value: requirement".

@@ -26,8 +26,8 @@ std::vector<Edge> edges_of(const Packing<2>& packing, DisjointSets& sets) {
   for (const Contact<2>& c : packing.contacts) {
     const bool again = previous != nullptr && same_pair(*previous, c);
     previous = &c;
-    if (again)
-      continue;  // an edge between these two grains exists already; c is another contact of the same two grains
+    // If an edge between these two grains exists already, c is another contact of the same grains.
+    if (again) continue;
     edges.push_back({c.i, c.j, c.image, branch(packing, c)});
     sets.join(c.i, c.j);
   }

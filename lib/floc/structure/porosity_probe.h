@@ -16,8 +16,8 @@ struct PorosityProbe {
   /// of the cell is obtained by scaling the cell about its centre by the factor 2 half_side.
   double half_side = 0.0;
   double in_cube = 0.0;  ///< solid fraction in the cube
-  std::optional<double>
-      in_cell;  ///< solid fraction in the smaller copy of the cell; absent if the cell is not rectangular
+  /// solid fraction in the smaller copy of the cell; absent if the cell is not rectangular
+  std::optional<double> in_cell;
 };
 
 inline constexpr WholeRange kPorosityProbes{.least = 1, .most = 10000};

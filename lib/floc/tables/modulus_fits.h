@@ -25,8 +25,8 @@ enum class ModulusAgainst { pressure, fraction };
 
 /// Power law of one modulus of one sample.
 struct ModulusFit {
-  std::string
-      sample;  ///< directory of the states or, if unknown, name of the table; "pooled" for the mean over samples
+  /// directory of the states or, if unknown, name of the table; "pooled" for the mean over samples
+  std::string sample;
   std::string modulus;  ///< header of the column of the modulus
   ModulusAgainst against = ModulusAgainst::pressure;
   std::string unit;              ///< unit of the modulus; empty if the table has none

@@ -18,8 +18,8 @@ namespace floc {
 /// Options of `floc network` for columns and tables about bonds and phases. Bonds are the interactions of grains in a
 /// cohesive network. The two phases are the grains with positive and the grains with negative particle pressure.
 struct BondTableOptions {
-  bool bonds = false,
-       phases = false;  ///< whether the columns about bonds and the columns about phases are added
+  /// whether the columns about bonds and the columns about phases are added
+  bool bonds = false, phases = false;
   /// A bond counts as near zero if the magnitude of its normal force is below this value, in units of the pull-off
   /// force F0.
   double near = 0.02;

@@ -33,8 +33,8 @@ struct StrengthTest {
   std::string unit;       ///< unit of the stresses; empty if the header has none
   /// States of the test. The first one is the row before the test, if there is one; strains are measured from it.
   std::vector<ShearPoint> points;
-  std::vector<PlaneShearPoint>
-      planes;  ///< states of a test of simple shear, or of another test in which the failure planes are given
+  /// states of a test of simple shear, or of another test in which the failure planes are given
+  std::vector<PlaneShearPoint> planes;
 
   std::size_t n_states() const { return points.size() + planes.size(); }
 };

@@ -269,8 +269,8 @@ void add_profile(const std::string& file, const Packing<Dim>& packing, const Str
   for (const ProfileSlice& s : axis_profile(packing, axis, options.n_slices, values)) {
     std::vector<TableValue> row = {
         file, s.low, s.high, s.solid_fraction, void_ratio(s.solid_fraction), count(s.n_grains), s.mean[0]};
-    row.resize(
-        table.columns.size());  // cells remain empty for quantities that are not defined for this packing
+    // cells remain empty for quantities that are not defined for this packing
+    row.resize(table.columns.size());
     if (s.mean.size() > 1) row[7] = s.mean[1];
     for (std::size_t a = 0; a < s.stress.size(); ++a) row[8 + a] = s.stress[a];
     table.rows.push_back(std::move(row));

@@ -58,12 +58,12 @@ struct CompressionFit {
 
 /// Fits compression laws to the same points by least squares in D, and ranks them by their Akaike information
 /// criterion. Errors of D are taken as proportional to sqrt(D), which is between equal and relative errors. Intervals
-/// follow from Student's t, in the logarithm of a positive parameter. Their standard errors follow from the single
-/// residuals [MW1985], so that they are valid for equal and for relative errors.
+/// follow from Student's t; for a positive parameter, they are computed in its logarithm. Standard errors are computed
+/// from the residual of each single point [MW1985], so that they are valid for equal and for relative errors of D.
 ///
-/// Heckel's law is fitted to the longest part of the curve in which ln[1/(1 - D)] is straight: its quadratic
-/// term is not significant, or changes the slope by less than a tenth from end to end. Its rank is that of a
-/// fit to all points, like the ranks of the other laws.
+/// Heckel's law is fitted to the longest part of the curve in which ln[1/(1 - D)] is straight, that is, in which its
+/// quadratic term is not significant or changes the slope by less than a tenth from end to end. For the rank, however,
+/// Heckel's law is fitted to all points, like the other laws.
 /// @param P  pressures, > 0, growing   @param D  solid fractions, > 0, one per pressure
 [[nodiscard]] std::vector<CompressionFit> fit_compression(const std::vector<double>& P,
                                                           const std::vector<double>& D,

@@ -17,7 +17,8 @@ namespace {
 
 using Law = ConsolidationLaw;
 
-/// Smallest number of samples whose scatter gives the weights and the standard errors of the fit to their mean curve.
+/// Smallest number of samples for which the scatter between samples is used to compute weights and standard errors of
+/// the fit to their mean curve.
 constexpr Eigen::Index kMinSamples = 3;
 
 const char* name_of(Law law) {

@@ -56,8 +56,8 @@ struct ConsolidationOptions {
 /// Consolidation curve (solid fraction against pressure) of one sample, or the mean curve of several samples. The
 /// points are in the order of growing pressure.
 struct ConsolidationCurve {
-  /// Reduced pressure P* > 0. In 2D with adhesion it is a P/F0, with the grain diameter a, the pressure P and the
-  /// pull-off force F0.
+  /// Reduced pressure P* > 0. In 2D with adhesion, P* = a P/F0, where a is the grain diameter, P the pressure and F0
+  /// the pull-off force.
   std::vector<double> P_star;
   std::vector<double> phi;  ///< solid fraction, > 0
   /// For a mean curve, 1/Phi of each sample (one row per pressure, one column per sample); otherwise empty.
@@ -145,13 +145,13 @@ struct ConsolidationFit {
 /// II at its beginning (Regimes::n_lagging), the points concerned are not fitted by this line, and the beginning of
 /// regime II is not varied.
 ///
-/// The 95 % intervals follow from Student's t in the logarithm of a parameter, or in 1/Phi0 for Phi0. Those of
-/// alpha and Phi_max follow from the profile likelihood. The bootstrap draws samples if the curve is a mean
-/// over samples, and otherwise residuals.
+/// The 95 % intervals follow from Student's t in the logarithm of a parameter, or in 1/Phi0 for Phi0. The intervals of
+/// alpha and Phi_max follow from the profile likelihood. The bootstrap draws samples if the curve is a mean over
+/// samples; otherwise it draws residuals.
 ///
-/// If the data end before P1*, the pressure at which regime III begins, the fit gives bounds of P1* and Phi_max
-/// and no value of the exponent alpha. There is no fit, but a `failure_reason`, if the points are too few, if
-/// all of them lie in regime I, or if the solid fraction does not grow with pressure.
+/// If the data end before P1*, the pressure at which regime III begins, the fit gives bounds of P1* and Phi_max and no
+/// value of the exponent alpha. There is no fit, but a `failure_reason`, if there are too few points, if all points lie
+/// in regime I, or if the solid fraction does not grow with pressure.
 /// @pre All pressures and solid fractions are positive and finite, and the pressures grow.
 /// @throws InputError with the faults of the options if they are not valid
 [[nodiscard]] ConsolidationFit fit_consolidation(const ConsolidationCurve& curve,

@@ -17,7 +17,7 @@ template <class T>
 T consolidation_bracket(const T& x, const T& alpha) {
   using std::exp, std::expm1, std::log, std::log1p;
   const T log_u = -alpha * x;
-  // For such a large u, exp(-u) is below the smallest double, so that g = x.
+  // If u is this large, exp(-u) is below the smallest double, so that g = x.
   if (log_u > T(6.7)) return x;
   const T u = exp(log_u);
   if (u > T(1.0)) return x + log1p(-exp(-u)) / alpha;

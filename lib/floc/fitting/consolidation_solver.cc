@@ -91,7 +91,7 @@ std::vector<Start> full_starts(const LawPoints& points) {
   const double first = log_P[0];
   const double end = log_P[log_P.size() - 1] + 1.0;
   // The starting values of ln P1* are 0.5 apart, close enough to find the minimum. A wide range of pressures needs more
-  // of them.
+  // starting values.
   const int n_P1 = std::clamp(static_cast<int>(std::ceil((end - first) / 0.5)) + 1, 16, 128);
   for (const double alpha_log : grid(std::log(0.2), std::log(6.0), 10))
     for (const double log_P1 : grid(first, end, n_P1)) {

@@ -30,7 +30,8 @@ using Parameters = Eigen::Matrix<double, kParameters, 1>;
 /// of the samples.
 struct CompactionResidual {
   static constexpr int kParameters = floc::kParameters;
-  /// logarithm of the pressure at which the plateau is evaluated, in units of its geometric mean over the samples
+  /// logarithm of the pressure at which the plateau is evaluated; the pressure is in units of its geometric mean over
+  /// the samples
   double log_p;
   double log_x, e, weight;
   template <class T>
@@ -373,14 +374,15 @@ void add_parameters(const CompactionEstimate& e, CompactionFit& fit) {
   }
   const Eigen::MatrixXd G = gradients(e.solution.theta, e.data.log_p_D);
   Eigen::MatrixXd c = G * e.covariance * G.transpose();
-  // Row and column 1 are correlations of 1/De; those of De have the opposite sign, because 1/De falls as De grows.
+  // Row and column 1 are correlations of 1/De. The correlations of De have the opposite sign, because 1/De falls as De
+  // grows.
   c.row(1) *= -1.0, c.col(1) *= -1.0;
   const Eigen::VectorXd scale = c.diagonal().cwiseSqrt().cwiseInverse();
   fit.correlation = scale.asDiagonal() * c * scale.asDiagonal();
 }
 
-/// Returns the samples to fit: those whose plateau is evaluated at a pressure of at least p_0. Adds the indices of all
-/// other samples to fit.below_p_0.
+/// Returns the samples to fit: samples whose plateau is evaluated at a pressure of at least p_0. Adds the indices of
+/// all other samples to fit.below_p_0.
 CompactionData data_of(const std::vector<CompactedSample>& samples, const CompactionReference& reference,
                        double p_0, CompactionFit& fit) {
   CompactionData data;

@@ -104,10 +104,11 @@ struct CompactionFit {
 ///
 /// Standard errors have two parts: one follows from the residuals, the other is the change of the parameters if samples
 /// are flagged at a distance of 2.5 or 6 standard deviations instead of four. The 95 % intervals follow from Student's
-/// t in e_min, 1/De, C and the logarithms of the other parameters; those of A and a follow from the profile likelihood.
+/// t in e_min, 1/De, C and the logarithms of the other parameters, but the intervals of A and a follow from the profile
+/// likelihood.
 ///
-/// There is no fit, but a `failure_reason`, with fewer than eight samples. Parameters that the samples do not
-/// identify have no value, and a warning names them.
+/// With fewer than eight samples, there is no fit, but a `failure_reason`. A parameter that the samples do not identify
+/// has no value, and is named in a warning.
 /// @throws InputError with the faults of the reference values if they are not valid
 [[nodiscard]] CompactionFit fit_dynamic_compaction(const std::vector<CompactedSample>& samples,
                                                    const CompactionReference& reference);

@@ -87,8 +87,8 @@ bool falls_throughout(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const 
 /// modulus, the solid fraction must fall from every point of the part to the point at the next lower pressure.
 std::optional<FittedPart> straight_part(const Eigen::VectorXd& P, const Eigen::VectorXd& y) {
   constexpr Eigen::Index kFewest = 4;
-  // Number of standard errors beyond which a part of the branch counts as curved. A 95 % interval is not used,
-  // because with few points it is so wide that no curvature would be significant.
+  // A part of the branch counts as curved if its quadratic term exceeds this number of standard errors. The 95 %
+  // interval of the term is not used: with few points, it is so wide that no curvature would be significant.
   constexpr double kErrors = 2.0;
   const bool falls = P[0] > P[P.size() - 1], whole = falls_as_a_whole(P, y);
   for (Eigen::Index n = P.size(); n >= kFewest; --n)

@@ -12,11 +12,11 @@ struct ElasticFit {
   std::string failure_reason;  ///< reason why there is no fit; empty if there is one
   /// Parameters B (bulk modulus, in the unit of the pressures) and phi_unloaded (solid fraction at zero pressure).
   std::vector<FittedParameter> parameters;
-  /// Bulk modulus between the two lowest pressures; infinite or negative if the solid fraction does not grow between
-  /// them.
+  /// Bulk modulus between the two lowest pressures; infinite or negative if the solid fraction does not grow from the
+  /// lower to the higher of these pressures.
   double secant_low = 0.0;
   double secant_high = 0.0;  ///< bulk modulus between the two highest pressures
-  /// Root mean square residual of ln Phi over the points fitted, with Phi the solid fraction.
+  /// Root mean square residual of ln Phi over the points fitted (Phi: solid fraction).
   double rms = 0.0;
   int first = 0;     ///< index of the first point fitted, among the points given
   int n_points = 0;  ///< number of points fitted: all points, unless the branch is curved

@@ -8,7 +8,8 @@
 namespace floc {
 namespace {
 
-/// A parameter is not identified if its 95 % interval extends beyond its value times this factor or divided by it.
+/// A parameter is identified if its 95 % interval lies between the value divided by this factor and the value times
+/// this factor.
 constexpr double kIdentifiedFactor = 10.0;
 
 }  // namespace

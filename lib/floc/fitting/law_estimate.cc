@@ -141,7 +141,8 @@ std::vector<Quantity> quantities_of(const LawEstimate& e) {
       add_start_of_regime_two(e, first, none, theta[1], unit(n, 1), found);
       break;
     case Law::power: {
-      // theta holds A at the first pressure, A1 = A P_first^-alpha, so ln A = ln A1 + alpha ln P_first.
+      // theta contains A1 = A P_first^-alpha, which refers to the first pressure; hence ln A = ln A1 + alpha ln
+      // P_first.
       const double alpha = std::exp(theta[1]);
       found.push_back({"A", false, theta[0] + alpha * first, unit(n, 0) + alpha * first * unit(n, 1)});
       found.push_back({"alpha", false, theta[1], unit(n, 1)});

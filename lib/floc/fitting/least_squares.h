@@ -42,7 +42,7 @@ class ResidualFunction {
 
 /// Minimises a sum of squares by Levenberg-Marquardt (Ceres) from one starting point, with an accuracy that is limited
 /// only by rounding.
-/// @param limits  limits of parameters; a parameter not listed has none
+/// @param limits  limits of some parameters; a parameter that is not listed has no limits
 /// @param held    index of a parameter that is held fixed; -1 to fit all
 /// @return the minimum; absent if the solver fails
 [[nodiscard]] std::optional<LeastSquaresSolution> minimize(const ResidualFunction& function,

@@ -40,9 +40,9 @@ enum class PathStep {
   test,          ///< the axes are loaded differently, but not as in an oedometer
 };
 
-/// Returns the kind of the step to each row. It follows from the kinds of load and the pressures alone, not from the
-/// names of the branches. If successive rows of one branch have the same pressure, as in an oedometer test while the
-/// sample creeps, only the last of them is used; the other rows have the kind PathStep::hold.
+/// Returns, for each row, the kind of the step that leads to this row. The kinds follow only from the loads and the
+/// pressures; the names of the branches are not used. If successive rows of one branch have the same pressure, as in an
+/// oedometer test while the sample creeps, only the last of them is used; the other rows have the kind PathStep::hold.
 std::vector<PathStep> path_steps(const std::vector<PathRow>& rows);
 
 /// Returns the indices of the rows that are not used because the next row of the same branch has the same pressure.
@@ -51,17 +51,17 @@ std::vector<int> superseded_rows(const std::vector<PathRow>& rows);
 /// Returns how often the pressure of a load path changes from growing to falling or back.
 int count_reversals(const std::vector<PathRow>& rows);
 
-/// Index of a row of a load path whose pressure does not fit to its branch, and a text that describes the
-/// pressure expected in this row.
+/// A row of a load path whose pressure does not fit its branch: the index of the row, and a text that describes the
+/// expected pressure.
 struct PathFault {
   int row;
   std::string expected;
 };
 
 /// Returns the first row whose pressure does not fit its branch, or nothing. A branch consists of consecutive rows with
-/// one branch name. Along a branch, the pressures must not grow in some rows and fall in others. They must not fall in
-/// the branch "load", and must not grow in the branch "unload". Rows without branch names always fit. Rows whose load
-/// differs between the axes always fit too, because the stress on an axis with an imposed strain may fall.
+/// the same branch name. Along a branch, the pressures must not grow in some rows and fall in others. They must not
+/// fall in the branch "load", and must not grow in the branch "unload". Rows without branch names always fit. Rows
+/// whose load differs between the axes always fit too, because the stress on an axis with an imposed strain may fall.
 std::optional<PathFault> path_fault(const std::vector<PathRow>& rows);
 
 /// Rows of a load path as a consolidation curve.

@@ -104,7 +104,8 @@ class FractionProblem {
   }
 
  private:
-  static constexpr double kNearest = 1e-3;  // smallest distance of phi_0 from Phi, divided by the range of Phi
+  // smallest distance of phi_0 from the smallest Phi, divided by the range of Phi
+  static constexpr double kNearest = 1e-3;
   Eigen::VectorXd phi_, y_;
   double low_, high_;
 };

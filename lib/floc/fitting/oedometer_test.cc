@@ -20,7 +20,7 @@ TestPoints first_loading_of(const TestPoints& points) {
   return loading;
 }
 
-/// Returns the axial strain at an axial stress between those of the first and the last point.
+/// Returns the axial strain at an axial stress that lies between the stresses of the first and the last point.
 double strain_at(const TestPoints& loading, double stress) {
   std::size_t k = 1;
   while (k + 1 < loading.size() && loading[k].axial_stress < stress) ++k;

@@ -25,10 +25,10 @@ struct ProfileSearch {
 /// the previous call.
 using ProfileFunction = std::function<double(double value)>;
 
-/// Finds the ends of a ProfileInterval, at which the profile of the sum of squares reaches `search.allowed`, to 1e-3 of
-/// the width of the interval.
-/// @param profile_from_solution  function that returns a profile whose first call starts from the solution of the fit;
-/// it is called once for each end of the interval
+/// Finds the ends of a ProfileInterval, at which the profile of the sum of squares reaches `search.allowed`. Their
+/// accuracy is 1e-3 of the width of the interval.
+/// @param profile_from_solution  function that returns a profile; the first call of this profile starts from the
+/// solution of the fit. A new profile is requested for each end of the interval
 [[nodiscard]] ProfileInterval profile_interval(const ProfileSearch& search,
                                                const std::function<ProfileFunction()>& profile_from_solution);
 

@@ -71,7 +71,7 @@ struct Regimes {
 /// explains them better than the line of regime II.
 [[nodiscard]] bool detects_bend(const LawPoints& points, const LawSolution& full);
 
-/// Returns true if the points show the bend of the full consolidation law and also reach beyond P1*, where
+/// Returns true if the points show the bend of the full consolidation law and extend to pressures above P1*, where
 /// regime III begins.
 [[nodiscard]] bool detects_regime_three(const LawPoints& points, const LawSolution& full);
 

@@ -37,10 +37,10 @@ double criterion(const Misfit& misfit, int n) {
   return n * std::log(std::max(misfit.squares, floor) / n) + misfit.n_free * std::log(n) * n / left;
 }
 
-/// Fits a recompression line to the first `k` points. The curve `upper(ln P)` describes the points after them;
-/// its initial slope is -`steeper`. Line and curve have to meet between the points k - 1 and k. If the best
-/// line does not meet the curve there, the function fits a line that meets the curve at the nearer of these two
-/// points. A line that would rise is replaced by a horizontal line.
+/// Fits a recompression line to the first `k` points. The curve `upper(ln P)` describes the points after them; its
+/// initial slope is -`steeper`. Line and curve have to meet between the points k - 1 and k. If the best line meets the
+/// curve elsewhere, the function fits a line that meets the curve at one of these two points, the one nearer to the
+/// intersection. A line that would rise is replaced by a horizontal line.
 template <class Upper>
 std::optional<Misfit> misfit_below(const LawPoints& points, int k, double steeper, const Upper& upper) {
   if (k == 0) return Misfit{};

@@ -43,7 +43,7 @@ SmoothingSpline::SmoothingSpline(const Eigen::VectorXd& x, const Eigen::VectorXd
   const Eigen::ArrayXd s = penalty.values.array().max(0.0);
   const Eigen::ArrayXd parts = penalty.vectors.transpose() * y;
   const double largest = s.maxCoeff();
-  // the first two eigenvalues are 0: those of straight lines
+  // the first two eigenvalues, which belong to straight lines, are 0
   const double smallest = *std::min_element(s.begin() + 2, s.end());
   double best = kInfinity, mu = 0.0;
   constexpr int kTried = 80;

@@ -124,7 +124,7 @@ ConsolidationFit fit_supported_law(const ConsolidationCurve& curve, Consolidatio
   options.regimes = std::nullopt;
   constexpr Eigen::Index kMinSamples = 3;
   const bool has_samples = curve.samples.cols() >= kMinSamples;
-  // The user's table does not tell whether its errors are errors of 1/Phi or of Phi.
+  // It is not known whether the errors in the user's table are errors of 1/Phi or of Phi.
   if (options.weighting == Weighting::automatic && !has_samples) options.weighting = Weighting::between;
   if (!options.window) {
     const auto n = static_cast<int>(curve.phi.size());

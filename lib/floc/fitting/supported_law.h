@@ -15,8 +15,9 @@ namespace floc {
 /// 3. the power law of regime III, if the curve has no regime II.
 ///
 /// The points before regime II lie on a recompression line, whose slope is kappa. The yield pressure P0* is the
-/// pressure at which this line meets the line of regime II. The parameters C_c = ln(10) lambda and C_s = ln(10) kappa
-/// follow lambda and kappa. Systematic residuals of a single curve widen its intervals.
+/// pressure at which this line meets the line of regime II. In the list of parameters, C_c = ln(10) lambda and C_s =
+/// ln(10) kappa come after lambda and kappa. If the residuals of a single curve are systematic, the intervals are
+/// widened.
 ///
 /// If the curve is a mean over three samples or more, these samples may collapse in jumps (collapse_jumps.h). A bend of
 /// the mean is then accepted only if the samples show it, and points at which the samples lag behind the line of regime

@@ -35,7 +35,8 @@ struct BootstrapDraws {
 ///
 /// The virgin line, and both lines of Butterfield and of Becker, are fitted to the points beyond the round bend on
 /// either side, but at least to the last or the first three points. Intervals contain 95 % of the results for resampled
-/// curves, which are the smoothing spline plus drawn residuals. The points that belong to each line stay fixed.
+/// curves, which are the smoothing spline plus drawn residuals. The choice of the points for each line is the same for
+/// all curves.
 /// @param P     pressures, > 0, increasing; eight or more
 /// @param y     1/Phi, one per pressure
 /// @param bend  round bend fitted to y against ln P

@@ -11,7 +11,7 @@ namespace floc {
 template <int Dim>
 struct NetworkContact {
   int i;  ///< number of the first grain
-  int j;  ///< number of the second grain; equal to i if grain i touches its own image or a wall
+  int j;  ///< number of the second grain; equal to i if the contact is with an image of grain i itself, or with a wall
   /// periodic image of j that i touches, given by the number of cells along each lattice vector
   Vec<Dim, int> image;
   /// Vector from the centre of i to the centre of the image of j (length). A strain of the cell changes this vector.

@@ -52,7 +52,7 @@ struct FreeMotions {
 };
 
 /// Finds the free motions of a network, in three steps:
-/// 1. Dead ends are removed, grain by grain from the tips.
+/// 1. Dead ends are removed, grain by grain, beginning at the tips.
 /// 2. Free rotations of grains, which no force or moment resists, are fixed and not solved for.
 /// 3. For each rigid motion of each connected part, one unknown is fixed. The rigid motions are the Dim translations
 ///    and the rotations. A part that winds around the cell has only those rotations in which it remains connected to

@@ -10,10 +10,10 @@ namespace floc {
 /// by the list of grains in contact, without any stiffnesses.
 struct Percolation {
   /// For each contact, whether it is in the scalar backbone: whether it carries current if every contact is a resistor
-  /// and a voltage is applied across the periodic cell or between opposite walls. All contacts of a block are either in
-  /// the backbone or not; a block is a set of contacts in which any two contacts lie on a common loop. If a block
-  /// contains a loop around the cell or from wall to wall, every contact of the block lies on a loop of this kind
-  /// (Zaslavsky's lemma on theta graphs), and carries current for almost all values of the resistances.
+  /// and a voltage is applied across the periodic cell or between opposite walls. Either all contacts of a block are in
+  /// the backbone, or none of them is; a block is a set of contacts in which any two contacts lie on a common loop. If
+  /// a block contains a loop around the cell or from wall to wall, every contact of the block lies on a loop of this
+  /// kind (Zaslavsky's lemma on theta graphs), and carries current for almost all values of the resistances.
   std::vector<bool> scalar_backbone;
   /// For each contact, whether it is in a dead end. A dead end is a part of the network that contains no loop around
   /// the cell, and is connected to the rest by a single grain or by a single contact with a wall. No strain of the cell

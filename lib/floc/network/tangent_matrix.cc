@@ -67,8 +67,8 @@ TangentMatrix<Dim>::TangentMatrix(std::vector<double> grain_size, const ContactG
 template <int Dim>
 void TangentMatrix<Dim>::lay_out(const ContactGraph& graph) {
   const int n = static_cast<int>(grain_size_.size());
-  // Each grain is listed among its own neighbours, which gives its diagonal block. The tangent matrix is not symmetric,
-  // so both triangles are stored.
+  // Each grain is listed as a neighbour of itself, so that its diagonal block is included. Both triangles are stored,
+  // because the tangent matrix is not symmetric.
   std::vector<std::vector<int>> neighbours(n);
   for (int g = 0; g < n; ++g) neighbours[g].push_back(g);
   for (int g = 0; g < n; ++g)

@@ -71,7 +71,7 @@ std::vector<ProfileSlice> axis_profile(const Packing<Dim>& packing, int axis, in
     double s = to_reduced.dot(packing.grains.position[i]) - origin;
     if (!walled) s -= std::floor(s);
     const double radius = packing.grains.radius[i];
-    if (s >= 0.0 && s <= 1.0) {  // a grain whose centre is beyond a wall belongs to no slice
+    if (s >= 0.0 && s <= 1.0) {  // a grain whose centre lies outside the walls belongs to no slice
       const int own = std::min(static_cast<int>(s * n), n - 1);
       ++slices[own].n_grains;
       for (std::size_t v = 0; v < values.size(); ++v) slices[own].mean[v] += values[v][i];

@@ -10,8 +10,8 @@ namespace floc {
 struct BondSigns {
   int n_bonds = 0;
   double z = 0.0;
-  double z_plus = 0.0;   ///< coordination number of bonds in compression, without those near zero
-  double z_minus = 0.0;  ///< coordination number of bonds in tension, without those near zero
+  double z_plus = 0.0;   ///< coordination number of bonds in compression, without bonds near zero
+  double z_minus = 0.0;  ///< coordination number of bonds in tension, without bonds near zero
   double z_near = 0.0;   ///< coordination number of bonds with |F_N| < `near`
   /// Share of bonds in tension among the bonds that are not near zero; 0 if there are no such bonds.
   double minus_share = 0.0;

@@ -91,7 +91,8 @@ std::vector<LikeNeighbourBin> by_share(const ContactNetwork<Dim>& network, const
       like += sign[other] == phase;
     }
     if (n == 0) continue;
-    // Integer arithmetic puts a share of neighbours on the border between two bins exactly into the upper bin.
+    // If a share of neighbours is exactly on the border between two bins, it belongs to the upper bin; integer
+    // arithmetic makes this exact.
     const int b = std::min(n_bins - 1, n_bins * like / n);
     ++bins[b].n_grains;
     bins[b].mean_size += std::abs(pressure[i]);

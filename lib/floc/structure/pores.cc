@@ -112,8 +112,8 @@ class FaceWalk {
     }
     for (std::vector<int>& around : out) {
       std::sort(around.begin(), around.end(), [&](int p, int q) { return angle_[p] < angle_[q]; });
-      // A walk that arrives along the half edge opposite to `around[k]` leaves along the next half edge clockwise. The
-      // face thus stays on its left.
+      // A walk that arrives along the half edge opposite to `around[k]` continues along the half edge that comes next
+      // in clockwise order. The face is therefore always on the left of the walk.
       const std::size_t n = around.size();
       for (std::size_t k = 0; k < n; ++k) next_[twin(around[k])] = around[(k + n - 1) % n];
     }

@@ -11,7 +11,7 @@ namespace floc {
 /// towards its nearest grain, and half as much towards its second-nearest grain. It slides along the grains that it
 /// meets until Dim grains stop it. Only grains that are not rattlers are obstacles, so the result depends neither on
 /// the numbering of the grains nor on the borders of the periodic cell. A rattler that meets no grain within two
-/// largest diameters stays at its place. The list of contacts is copied from the given packing; it is not valid for the
+/// largest diameters is not moved. The list of contacts is copied from the given packing; it is not valid for the
 /// rattlers that have moved.
 ///
 /// @param rattler  whether each grain is a rattler (a grain that carries no force)

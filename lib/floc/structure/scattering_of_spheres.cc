@@ -61,7 +61,7 @@ std::complex<double> amplitude(const Scatterers& grains, const Wave& n, double k
   double radius = 0.0, transform = 0.0;
   for (std::size_t i = 0; i < grains.place.size(); ++i) {
     if (grains.radius[i] != radius) radius = grains.radius[i], transform = ball_transform(k, radius);
-    // `transform` is not given to std::polar as the magnitude, because it may be negative.
+    // `transform` is not passed to std::polar as the magnitude, because `transform` may be negative.
     sum += transform * std::polar(1.0, -kTwoPi * n.cast<double>().dot(grains.place[i]));
   }
   return sum;

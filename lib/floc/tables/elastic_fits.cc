@@ -39,7 +39,8 @@ Loading against_driven_stress(const PathTable& path, Loading branch) {
   return branch;
 }
 
-/// Returns the points of a branch that were fitted: all points or, if the branch is curved, those of its straight part.
+/// Returns the points of a branch that were fitted: all points or, if the branch is curved, the points of its straight
+/// part.
 Loading part_fitted(const Loading& branch, const ElasticFit& fit) {
   if (fit.n_points == 0) return branch;
   const auto part = [&](const auto& all) {
@@ -115,7 +116,8 @@ Json as_json(const PathTable& path, const ElasticBranch& branch) {
   object["rms"] = branch.fit.found() ? Json(branch.fit.rms) : Json(nullptr);
   object["secant_low"] = number_or_null(branch.fit.secant_low);
   object["secant_high"] = number_or_null(branch.fit.secant_high);
-  // Every object contains every key, so that scripts can rely on them. A value that a branch does not have is null.
+  // Every object contains every key, so that scripts can rely on the keys. If a branch has no value for a key, the
+  // value is null.
   object["state"] = nullptr;
   if (branch.state)
     object["state"] = {{"file", branch.state->file},

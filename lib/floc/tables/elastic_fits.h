@@ -14,7 +14,7 @@ namespace floc {
 /// An unloading branch of a load path and the elastic line fitted to it.
 struct ElasticBranch {
   Loading branch;
-  /// Points that were fitted: the whole branch or, if it is curved, its straight part.
+  /// Points that were fitted: all points of the branch or, if the branch is curved, the points of its straight part.
   Loading fitted;
   ElasticFit fit;
   std::optional<StateModuli> state;  ///< moduli of a saved state, with which the fit is compared

@@ -51,7 +51,7 @@ double mean_magnitude(const std::vector<double>& forces) {
   return forces.empty() ? 0.0 : sum / static_cast<double>(forces.size());
 }
 
-/// Counts the contacts that carry a force and those whose friction is at its limit.
+/// Counts the contacts that carry a force, and the contacts whose friction is at its limit.
 template <int Dim>
 void count_contacts(const BalancedForces<Dim>& forces, ForcesRow& row) {
   const double nothing = kNothing * mean_magnitude(forces.normal_force);
@@ -118,7 +118,7 @@ void add_contacts(const std::string& file, const Packing<Dim>& packing, const Ba
     row.emplace_back(file);
     row.push_back(count(static_cast<std::int64_t>(k)));
     row.push_back(count(packing.grains.name(c.i)));
-    // Walls have no identifiers; their indices follow those of the grains.
+    // Walls have no identifiers. Their indices come after the indices of the grains.
     row.push_back(count(body_number(packing, c.j)));
     for (int a = 0; a < Dim; ++a) row.push_back(count(c.image[a]));
     row.emplace_back(c.gap);

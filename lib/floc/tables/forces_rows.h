@@ -31,9 +31,9 @@ inline constexpr NumberRange kNearGap{.least = 0.0, .most = 1.0};
 struct ForcesTableOptions {
   /// criterion of selection; if absent, kClosest, or kCanonical if the state has no forces
   std::optional<ForceSelection> selection;
-  std::optional<double> friction;  ///< friction coefficient; if absent, that of the contact law
-  /// Normal and tangential stiffness of all contacts (force/length). If absent, each contact has the stiffness that it
-  /// has in the state.
+  std::optional<double> friction;  ///< friction coefficient; if absent, the coefficient of the contact law
+  /// Normal and tangential stiffness of all contacts (force/length). If absent, the stiffnesses of the contacts in the
+  /// state are used.
   std::optional<double> kn, kt;
   /// Stress that the contact forces must balance (stress): the pressure, the components along the axes, or all
   /// components in Voigt order. If empty, the stress of the contact forces in the state.
@@ -59,7 +59,7 @@ struct ForcesRow {
   /// state. Absent if the state contains no forces
   std::optional<double> net_force_before;
   double net_force = 0.0, net_moment = 0.0, stress_error = 0.0;
-  double mean_normal_force = 0.0;  ///< mean over the contacts that carry a force (force)
+  double mean_normal_force = 0.0;  ///< mean normal force over the contacts that carry a force (force)
   double mobilised = 0.0;          ///< fraction of the force-carrying contacts whose friction is at its limit
   /// relative distance of the computed forces from the forces in the state; absent if the state contains no forces
   std::optional<double> moved;

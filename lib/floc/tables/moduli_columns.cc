@@ -28,7 +28,8 @@ std::string entry_name(int a, int b) {
 }
 
 /// Returns the indices of the entries of the stiffness matrix C that follow C11, C22 and C12 in the table. These are
-/// the other entries of the upper triangle of C: first those on its diagonal, then the others row by row.
+/// the remaining entries of the upper triangle of C: first the entries on the diagonal, then the off-diagonal entries
+/// row by row.
 /// @param size  number of rows of C
 std::vector<std::pair<int, int>> further_entries(int size) {
   std::vector<std::pair<int, int>> entries;

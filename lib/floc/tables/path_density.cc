@@ -219,7 +219,7 @@ class DensityReader {
   }
 
   /// Returns `phi` if it is a possible solid fraction.
-  /// @throws InputError that names the cell from which it was computed if it is not
+  /// @throws InputError if `phi` is not possible; the message names the cell from which it was computed
   double in_range(int row, double phi, const char* expected) const {
     if (phi > 0.0 && phi <= largest_solid_fraction(phi_limit_)) return phi;
     throw InputError(table_.place(row), fmt::format("{} = {}: expected {}; {}{}", main_.density.name,

@@ -21,17 +21,17 @@ std::vector<std::string> density_names();
 /// quantity that the user named or, otherwise, the first quantity of the list that the table contains.
 ///
 ///   phi              solid fraction
-///   void_ratio       void ratio e: Phi = 1/(1 + e)
-///   porosity         porosity n: Phi = 1 - n
-///   specific_volume  ratio v of the volume of the sample to the volume of its grains: Phi = 1/v
-///   dry_density      mass of the grains per volume of the sample rho: Phi = rho/particle_density
-///   bulk_density     mass of a dry powder per volume of the sample rho: Phi = rho/particle_density
-///   axial_strain     eps, positive in compression: Phi = 1/[(1 + initial_void_ratio) (1 - eps)]
-///   height           H: Phi = H_s/H, where the height of the grains H_s is solid_height, or
-///                    initial_height/(1 + initial_void_ratio), initial_height being by default the first height
+///   void_ratio       e, void ratio: Phi = 1/(1 + e)
+///   porosity         n, porosity: Phi = 1 - n
+///   specific_volume  v, volume of the sample divided by the volume of its grains: Phi = 1/v
+///   dry_density      rho, mass of the grains per volume of the sample: Phi = rho/particle_density
+///   bulk_density     rho, mass of a dry powder per volume of the sample: Phi = rho/particle_density
+///   axial_strain     eps, strain along the axis, positive in compression: Phi = 1/[(1 + initial_void_ratio) (1 - eps)]
+///   height           H, height of the sample: Phi = H_s/H. The height of the grains H_s is solid_height, or
+///                    initial_height/(1 + initial_void_ratio); default of initial_height: the first height in the table
 ///
-/// Numbers whose unit is % are divided by 100. If the table has the columns phi and void_ratio and the user named
-/// neither, they have to agree.
+/// Numbers whose unit is % are divided by 100. If the table has the columns phi and void_ratio, and the user named
+/// neither of them, the two columns have to agree.
 /// @param phi_limit  see largest_solid_fraction()
 /// @throws InputError naming file, line and value if there is no such column, if a value is not possible, if the
 /// numbers contradict the unit (they seem to be in percent although the table does not say so, or they seem not to be

@@ -182,7 +182,7 @@ std::vector<StrengthTest> tests_of_laboratory(const std::string& name, const Nam
   std::optional<StrainColumn> strain, volume;
   if (columns.has("strain")) {
     strain = strain_column(columns, "strain");
-    // An oedometer keeps the lateral lengths constant, so its volumetric strain equals its axial strain.
+    // In an oedometer, the lateral lengths are constant, so that the volumetric strain equals the axial strain.
     volume = kind == TestKind::oedometer ? strain : strain_column(columns, "volumetric_strain");
   }
   StrengthTest test{name, strain ? kind : TestKind::failure, {}, axial.unit, {}, {}};

@@ -11,7 +11,8 @@
 #include "floc/tables/fit_parameters.h"
 #include "floc/tables/fit_tables.h"
 
-/// Fits of `floc fit` other than those of the consolidation law and of elastic moduli, as tables and as json objects.
+/// Results of the fits of `floc fit`, as tables and as json objects, except fits of the consolidation law and of
+/// elastic moduli.
 namespace floc {
 
 /// A reloading branch of a load path, or its first loading, and the preconsolidation pressure fitted to it.

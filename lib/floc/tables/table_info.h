@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// Contents of a table file as floc reads them, without a fit.
+/// Summary of a table file, as floc reads it, without a fit.
 struct TableInfo {
   std::string reading;             ///< summary in one line
   std::vector<std::string> notes;  ///< messages about rows that are left out and pressures that were converted

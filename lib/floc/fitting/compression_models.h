@@ -34,7 +34,7 @@ struct KawakitaModel {
   static constexpr const char* kNames[] = {"a", "b", "D0", "Phi_max"};
   static constexpr bool kLogarithm[] = {true, true, true, true};
   static constexpr bool kHasD0 = true;
-  static constexpr int kLimit = 2;  ///< coordinate of the limit of the law
+  static constexpr int kLimit = 2;  ///< index of the coordinate that is the limit of the solid fraction
   template <class T>
   static T density(const T* theta, double P) {
     using std::exp;

@@ -76,8 +76,8 @@ bool add_plateau(const Residuals& data, Eigen::VectorXd& theta) {
   for (Eigen::Index i = 0; i < n; ++i) {
     const CompactionResidual& r = data[static_cast<std::size_t>(i)];
     const double S = std::exp(theta[3] + a * r.log_x) + std::exp(theta[4] + b * r.log_x);
-    // Both sides of e_r/(e - e_min) = 1/De + C ln p are multiplied by (e - e_min)^2/e_r, so that the residuals
-    // are in proportion to those of the void ratio e.
+    // Both sides of e_r/(e - e_min) = 1/De + C ln p are multiplied by (e - e_min)^2/e_r, so that the residuals are in
+    // proportion to the residuals of the void ratio e.
     const double over = r.e - theta[0];
     const double e_r = S / (1.0 + S);
     columns.row(i) << over * over / e_r, over * over / e_r * r.log_p;

@@ -30,8 +30,8 @@ enum class PlateauPressure {
 struct CompactionReference {
   /// Pressure at which the plateau of the void ratio is e_min + De, in the unit of p; 0.01 MPa in [SVI2024].
   double p_D = 0.01;
-  /// Reference value by which eta* = sc/sqrt(p se) is divided in the law; 0.045 in [SVI2024]. At this eta*, the
-  /// relative void ratio e_r is such that (1 - e_r)/e_r is the parameter s_m.
+  /// Reference value by which eta* = sc/sqrt(p se) is divided in the law; 0.045 in [SVI2024]. The parameter s_m is the
+  /// value of (1 - e_r)/e_r at this eta*, with the relative void ratio e_r.
   double eta_m = 0.045;
   /// Lower limit of the pressure at which the plateau is evaluated; samples with a lower pressure are not fitted. If
   /// p_0 is 0, there is no limit for PlateauPressure::own. For PlateauPressure::critical, the limit is then p_D,

@@ -18,7 +18,7 @@ struct LawEstimate {
   ConsolidationLaw law;
   LawPoints points;
   LawSolution solution;
-  LawPoints plateau;  ///< points before regime II: its plateau or recompression line; empty if there are none
+  LawPoints plateau;  ///< points of the plateau or recompression line before regime II; empty if there are none
   RecompressionLine line;  ///< line through the points of the plateau
 
   bool has_plateau() const { return plateau.size() > 0; }

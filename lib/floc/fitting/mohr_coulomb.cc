@@ -58,7 +58,7 @@ Failures failures_of(const std::vector<Stress>& stresses, double Stress::*impose
   return failures;
 }
 
-/// Returns the reason why no line can be fitted to the samples; empty if there is none.
+/// Returns the reason why no line can be fitted to the samples; empty if a line can be fitted.
 std::string why_no_line(const Failures& f) {
   constexpr Eigen::Index kLeast = 3;
   if (f.imposed.size() < kLeast)

@@ -10,8 +10,9 @@
 namespace floc {
 namespace {
 
-/// Matrices Q and R of Reinsch's algorithm. A spline with the values f at x has the second derivatives g at the
-/// inner points, with R g = Q^T f; its roughness, the integral of the squared second derivative, is g^T R g.
+/// Matrices Q and R of Reinsch's algorithm. Let f be the values of a spline at x, and g its second derivatives at the
+/// inner points. Then R g = Q^T f, and the roughness of the spline (the integral of the squared second derivative) is
+/// g^T R g.
 struct Bands {
   Eigen::MatrixXd Q, R;
 };

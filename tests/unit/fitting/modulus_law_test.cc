@@ -70,7 +70,7 @@ TEST(ModulusLaw, ThatTheStatesDoNotTellIsSaid) {
   RandomStream random(4, 0);
   EXPECT_THAT(fit_modulus_of_pressure({1, 2, 3}, {1, 2, 3}).failure_reason, HasSubstr("there are 3 states"));
   EXPECT_THAT(fit_modulus_of_pressure({2, 2, 2, 2}, {1, 2, 3, 4}).failure_reason,
-              HasSubstr("all states have one pressure"));
+              HasSubstr("all states have the same pressure"));
   EXPECT_THAT(fit_modulus_of_fraction({0.6, 0.61, 0.62, 0.63, 0.64, 0.65}, {9, 8, 7, 6, 5, 4}).failure_reason,
               HasSubstr("does not grow"));
   // Far from where the modulus vanishes, exponent and phi_0 cannot be told apart.

@@ -35,7 +35,7 @@ constexpr const char* kStates =
     "\"all\", \"last\", {step = [0, 5]}, {branch = \"load\", P_star = [0.1, 1.0]} or {branch = \"load\", "
     "P_driven_star = [0.1, 1.0]}";
 
-/// A table of the campaign file, with the reader of its keys.
+/// A table of the campaign file, together with the reader of the keys of this table.
 struct Part {
   TableReader reader;
   const toml::table& table;
@@ -275,7 +275,7 @@ std::optional<PlanPromise> read_promise(TableReader& root) {
   return promise;
 }
 
-/// Reads an array of tables in the campaign file, such as [[case]], each table by the function `read`.
+/// Reads an array of tables in the campaign file, such as [[case]]. The function `read` reads one table of the array.
 template <class Read>
 auto read_all(TableReader& root, SceneSource& source, const std::string& key, const char* expectation,
               Read read) {
@@ -289,8 +289,7 @@ auto read_all(TableReader& root, SceneSource& source, const std::string& key, co
   return all;
 }
 
-/// Records an error for each fit, column or key of the scene that a reference names, but that the campaign does not
-/// have.
+/// Records an error if a reference names a fit, a column or a key of the scene that the campaign does not have.
 void check_references(const Campaign& campaign, SceneSource& source) {
   for (const Reference& r : campaign.references) {
     const bool is_fitted = std::any_of(campaign.fits.begin(), campaign.fits.end(),

@@ -61,7 +61,8 @@ bool read_accuracy(TableReader& root, SceneSource& source, const std::string& pr
     return false;
   }
   refuse_settings(root);
-  // If `wanted` is empty although the table has keys, their values are invalid, and faults have been recorded for them.
+  // If `wanted` is empty although the table has keys, the values of these keys are invalid, and faults have been
+  // recorded for them.
   const bool asks = std::ranges::any_of(accuracy_keys(), [&t](const std::string& key) { return t.has(key); });
   if (wanted.empty() && asks) return false;
   if (wanted.empty()) {

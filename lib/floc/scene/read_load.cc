@@ -161,8 +161,9 @@ void read_axes_of(TableReader& t, int dimension, LoadStage& stage) {
   stage.axes = read_test(t, stage.control, stage.axis, dimension);
 }
 
-/// Whether the key steps_per_decade determines the number of steps of a stage. It does if every imposed stress is
-/// positive at the end of the stage, and is known before the run and positive at the start of the stage.
+/// Whether the key steps_per_decade determines the number of steps of a stage. It does if the stage imposes a stress,
+/// if all imposed stresses are positive at the start and at the end of the stage, and if their values at the start are
+/// known before the run.
 /// @param from  stress on each axis at the start of the stage, as far as it is known before the run
 bool counts_in_decades(const KnownStress& from, const LoadStage& stage) {
   bool any = false;
@@ -191,8 +192,8 @@ void read_step_size(TableReader& t, const KnownStress& from, LoadStage& stage) {
         fmt::format("{} is not allowed here: the stage imposes no strain; expected steps or steps_per_decade",
                     t.path_of("strain_step")));
   if (strain_step && strain > 0.0) {
-    // The tolerance kRoundingPerStep prevents an additional step by rounding if the strain is a multiple of
-    // strain_step.
+    // If the strain is a multiple of strain_step, rounding could add a step. The tolerance kRoundingPerStep prevents
+    // this.
     const double n = std::ceil(strain / *strain_step - kRoundingPerStep);
     if (n > static_cast<double>(kMaxSteps))
       t.fault("strain_step",
@@ -233,9 +234,9 @@ void check_isotropic_steps(TableReader& t, const KnownStress& from, bool has_end
                                             t.path_of("steps_per_decade")));
 }
 
-/// Returns the name of a stage whose name the scene does not give. For an isotropic or oedometric stage it is "load",
-/// "unload" or "hold", if it is known before the run whether the load increases. Otherwise it is the control of the
-/// stage, for example "triaxial".
+/// Returns the name of a stage whose name the scene does not give. For an isotropic or oedometric stage, the name is
+/// "load", "unload" or "hold", provided it is known before the run whether the load increases. In all other cases it is
+/// the control of the stage, for example "triaxial".
 /// @param from  stress on each axis at the start of the stage, as far as it is known before the run
 std::string default_name(const KnownStress& from, const LoadStage& stage) {
   const std::size_t axis = static_cast<std::size_t>(stage.axis);
@@ -262,8 +263,8 @@ void check_volume(TableReader& t, const LoadStage& stage) {
                                 t.path_of("axes"), sum, kLargestStrain));
 }
 
-/// Checks that no axis keeps a stress of zero during a stage if the grains do not adhere, because nothing would hold
-/// them together. Stresses that are not known before the run are not checked.
+/// Checks that no axis keeps a stress of zero during a stage, unless the grains adhere. Without adhesion, nothing would
+/// hold the grains together. Stresses that are not known before the run are not checked.
 /// @param from  stress on each axis at the start of the stage, as far as it is known before the run
 void check_kept_stress(TableReader& t, const KnownStress& from, const LoadStage& stage, const Law& law) {
   if (law.adheres()) return;
@@ -367,8 +368,8 @@ LoadStage read_stage(TableReader t, const Scene& scene, const KnownStress& from,
                                 t.path_of(key)));
   } else {
     read_axes_of(t, dimension, stage);
-    // If all stresses in the key "axes" are equal, the stage is treated as isotropic, so that both notations give
-    // identical results.
+    // If the key "axes" gives equal stresses for all axes, the stage is treated as isotropic, so that both notations
+    // give identical results.
     if (stage.control == "axes" && !stage.axes.empty() && stage.axes[0].kind == AxisLoad::stress &&
         std::count(stage.axes.begin(), stage.axes.end(), stage.axes[0]) == dimension) {
       stage.to = stage.axes[0].end;

@@ -17,8 +17,8 @@ namespace {
 
 using Need = TableReader::Need;
 
-/// Reads the packing from which a run starts, at the beginning of the run. The state file was first read with the
-/// scene.
+/// Reads the packing from which a run starts. This function is called at the beginning of the run; the state file has
+/// been read before, together with the scene.
 /// @param sha256  SHA-256 checksum that the file had when the scene was read
 /// @throws InputError if the file has changed since then
 std::variant<Packing<2>, Packing<3>> read_again(const std::string& file, const std::string& sha256) {
@@ -83,7 +83,7 @@ std::string refusal_of(const State<Dim>& state, const Scene& scene) {
 
 /// Returns the grains of a saved packing as a scene would describe them: their number, their sizes, and their density,
 /// which is computed from the heaviest grain.
-/// @param n_tiles  number of copies of the packing that the run starts from
+/// @param n_tiles  number of copies of the saved packing in the first packing of the run
 template <int Dim>
 GrainOptions grains_of(const Grains<Dim>& grains, int n_tiles) {
   GrainOptions out;
@@ -164,8 +164,8 @@ void read_saved_start(TableReader& t, const std::string& directory, Scene& scene
       t.text("state_sha256", "the SHA-256 of the state file, which floc writes", Need::optional);
   SavedStart& start = scene.assembly.saved;
   start.copies = read_copies(t, scene.dimension);
-  // A placeholder for the pressure. If the state cannot be read, later checks would otherwise report a missing stress
-  // too.
+  // The pressure gets a placeholder. Without it, if the state cannot be read, later checks would also report a missing
+  // stress.
   const bool has_pressure = t.has("pressure");
   if (!has_pressure && !scene.assembly.box) scene.assembly.pressure = 1.0;
   if (!name) return;

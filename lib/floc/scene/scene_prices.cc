@@ -44,9 +44,9 @@ std::string errors_in(const PriceTable& table) {
   return table.is_shipped ? "table of errors shipped with floc" : table.name();
 }
 
-/// Whether the cell of a scene can be compared with the cell in tables of prices for its kind of scenes. It can for
-/// cohesive grains, whose tables are measured with the default cap on the strain rate. For grains without adhesion the
-/// default cap is on the inertial number, and its value differs between materials.
+/// Whether the cell of a scene can be compared with the cell in tables of prices for its kind of scenes. This is
+/// possible for cohesive grains, because their tables are measured with the default cap on the strain rate. For grains
+/// without adhesion the default cap is on the inertial number, and its value differs between materials.
 bool has_default_cells(const Scene& scene) {
   return default_cap(scene.law).strain_rate_cap.has_value();
 }

@@ -9,8 +9,8 @@
 
 namespace floc {
 
-/// Parsed text of a scene. It also holds the values that the user replaced (overrides, from the option "--set
-/// key=value"), and the faults that are found while the scene is read.
+/// Parsed text of a scene. It also contains the values by which the user replaces those of the scene (overrides, from
+/// the option "--set key=value"), and the faults that are found while the scene is read.
 class SceneSource {
  public:
   /// @param text  text of the scene (TOML)

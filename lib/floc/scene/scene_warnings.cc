@@ -59,9 +59,10 @@ double largest_stress(const LoadStage& stage) {
   return largest;
 }
 
-/// Returns the ratio of the overlap of two grains of the largest diameter to their radius, under their adhesion and a
-/// multiple of the mean contact force. The mean force F is computed from the pressure P = z Phi F/(pi a^(d-1)) with the
-/// assumption z Phi = 4 (coordination number z, solid fraction Phi, largest diameter a, dimension d).
+/// Returns the overlap of two grains of the largest diameter, divided by their radius. The grains are pressed together
+/// by their adhesion and by a multiple of the mean contact force. The mean force F is computed from the pressure P = z
+/// Phi F/(pi a^(d-1)) with the assumption z Phi = 4 (coordination number z, solid fraction Phi, largest diameter a,
+/// dimension d).
 /// @param law  contact law
 /// @param pressure  pressure P
 /// @param times_mean  number by which the mean force is multiplied
@@ -110,8 +111,8 @@ void warn_of_range(const Scene& scene, Warnings& warnings) {
                     scene.law.range(), radius));
 }
 
-/// Returns the largest water content during a run: that at the beginning, or a larger one that a stage of the load path
-/// sets.
+/// Returns the largest water content during a run. A stage of the load path may set a larger water content than that at
+/// the beginning.
 /// @param at_first  water content at the beginning
 double most_water(const Scene& scene, double at_first) {
   double most = at_first;
@@ -121,8 +122,8 @@ double most_water(const Scene& scene, double at_first) {
   return most;
 }
 
-/// Warns if the liquid between grains has effects that may surprise: if the grains are in fact dry, if liquid bridges
-/// merge, and if walls stay dry.
+/// Warns if the liquid between grains has effects that users may not expect: if the grains are in fact dry, if liquid
+/// bridges merge, and if walls stay dry.
 void warn_of_liquid(const Scene& scene, Warnings& warnings) {
   const auto& adhesion = scene.law.parameters().adhesion;
   if (!adhesion.holds<CapillaryAdhesion>()) return;
@@ -162,8 +163,8 @@ double time_unit(const Scene& scene, double pressure) {
   return F1 > 0.0 ? std::sqrt(a * m / F1) : 0.0;
 }
 
-/// Warns if the compression of a gas takes so long that the first step ends unfinished, at the time
-/// equilibrium.max_time, before the grains touch.
+/// Warns if the compression of a gas takes so long that the first step is given up, at the time equilibrium.max_time,
+/// before the grains touch.
 void warn_of_slow_compression(const Scene& scene, Warnings& warnings) {
   // Smallest solid fraction at which a gas compressed under pressure (protocol "direct") may come to rest, even if its
   // grains adhere.
@@ -209,7 +210,7 @@ double lightest(const Scene& scene) {
 void warn_of_light_cell(const Scene& scene, Warnings& warnings) {
   // The implicit time steps of rigid grains are stable with cells of any mass.
   if (scene.assembly.box || scene.law.is_rigid()) return;
-  // smallest ratio of the time step to that which the grains alone allow, down to which there is no warning
+  // there is a warning if the time step, divided by the time step that the grains alone allow, is below this number
   constexpr double kSlow = 0.1;
   const double along = scene.dimension == 2 ? 1.5 : 2.0;
   const auto check = [&](const std::string& key, const CellResponse& cell) {
@@ -251,7 +252,7 @@ void warn_of_light_walls(const Scene& scene, Warnings& warnings) {
 /// equilibria.
 void warn_of_stiff_contacts(const Scene& scene, Warnings& warnings) {
   // Largest number of time steps per unit of time sqrt(a m/F1) for which there is no warning: twice the largest number
-  // in scenes shipped with floc.
+  // in the scenes shipped with floc.
   constexpr double kMany = 3000.0;
   if (scene.law.force_exponent() == 1.0) return;
   const double pressure = scene.assembly.pressure;
@@ -296,9 +297,9 @@ void warn_of_largest_grain(const Scene& scene, Warnings& warnings) {
                     scene.grains.count, 100.0 / sum, scene.dimension == 2 ? "area" : "volume"));
 }
 
-/// Warns if the volumes of the drawn grains differ from those of the size distribution. Quantiles in the middle of
-/// equal fractions of the number of grains may include no rare large grain, or one whose volume is too large a
-/// fraction.
+/// Warns if the volumes of the drawn grains differ from those of the size distribution. Large grains may be rare.
+/// Quantiles in the middle of equal fractions of the number of grains may include no large grain, or one large grain
+/// whose fraction of the volume is too large.
 void warn_of_sizes(const Scene& scene, Warnings& warnings) {
   constexpr double kMuch = 0.02;
   if (scene.grains.diameter.quantiles != DiameterDistribution::Quantiles::middle || scene.grains.count < 1)

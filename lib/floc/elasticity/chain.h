@@ -68,12 +68,12 @@ struct BoundedValue {
 /// The chord is the line through the centres of the end disks.
 struct SolvedChain {
   BoundedValue axial;  ///< displacement of the last disk along the chord, per force along the chord
-  /// displacement of the last disk across the chord, per force that acts across the chord at its middle
+  /// displacement of the last disk across the chord, per force that acts across the chord at the middle of the chord
   BoundedValue transverse;
   BoundedValue rolling;  ///< rotation of the last disk per moment on this disk
   /// displacement of the last disk's centre across the chord, per force that acts across the chord at the last contact
   BoundedValue end_disk;
-  /// estimated condition number of the stiffness matrix; infinite if it is singular to rounding
+  /// estimated condition number of the stiffness matrix; infinite if rounding makes the matrix singular
   double condition;
 };
 

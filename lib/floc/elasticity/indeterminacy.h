@@ -23,13 +23,14 @@ template <int Dim>
 Indeterminacy force_indeterminacy(const ContactNetwork<Dim>& network, const ElasticResponse& response,
                                   StrainSet strains = StrainSet::diagonal);
 
-/// Computes the indeterminacy of the forces of rigid contacts that carry more than `smallest_force`. The force of a
-/// contact that sticks by friction has one component for each direction of space. The force of a frictionless or a
-/// sliding contact has one component, since its normal force determines the whole force. The forces are balanced on
-/// every grain, and they transmit the stresses along the axes of the cell. Indeterminacy::degree is therefore the
-/// number of these components minus the number of independent equations of balance: the dimension of the set of forces
-/// that the geometry allows as long as no force reaches another limit.
-/// @param smallest_force  force without adhesion up to which a contact does not count (force), >= 0
+/// Computes the indeterminacy of the forces of those rigid contacts whose elastic force is above `smallest_force`. The
+/// force of a contact that sticks by friction has one component for each direction of space. The force of a
+/// frictionless or a sliding contact has one component, since its normal force determines the whole force. The forces
+/// are balanced on every grain, and they transmit the stresses along the axes of the cell. Indeterminacy::degree is
+/// therefore the number of these components minus the number of independent equations of balance: the dimension of the
+/// set of forces that the geometry allows as long as no force reaches another limit.
+/// @param smallest_force  a contact does not count if its elastic force (the normal force without the adhesion) is at
+/// most this value (force), >= 0
 /// @pre the packing has no walls
 template <int Dim>
 Indeterminacy rigid_indeterminacy(const Packing<Dim>& packing, double smallest_force);

@@ -10,8 +10,9 @@
 namespace floc {
 namespace {
 
-/// Largest absolute eigenvalue that counts as zero in the stiffness against strain of the cell after relaxation of the
-/// grains, because it may be due to rounding. It is given as a share of the trace of the stiffness without relaxation.
+/// An eigenvalue of the stiffness against strain of the cell (after relaxation of the grains) counts as zero if its
+/// absolute value is at most this share of the trace of the stiffness without relaxation. Such an eigenvalue may be due
+/// to rounding.
 constexpr double kVanishingStiffness = 1e-11;
 /// Standard deviation of the random displacements that bring grains to general positions, divided by the size of the
 /// grain. It is of order one, but small enough that the two grains of a contact do not change places.

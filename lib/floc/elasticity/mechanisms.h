@@ -10,7 +10,8 @@ namespace floc {
 
 /// Strains of the cell that no stiffness resists when the grains relax.
 struct StrainMechanisms {
-  Eigen::MatrixXd strains;  ///< one of these strains per column, orthonormal; rows in the order of StrainSet
+  Eigen::MatrixXd
+      strains;  ///< one strain without resistance per column, orthonormal; rows in the order of StrainSet
   /// fluctuation of the grains under each of these strains; one row per unknown of the stiffness matrix
   Eigen::MatrixXd motions;
   /// Names of the moduli that are zero because of these strains: "C11" etc. for diagonal entries of the moduli C; "B"
@@ -26,12 +27,13 @@ struct StrainMechanisms {
 Eigen::MatrixXd vanishing_strains(const Eigen::MatrixXd& relaxed, const Eigen::MatrixXd& affine);
 
 /// Finds the strains of the cell that no stiffness resists, and the moduli that are zero because of them.
-/// @param affine  volume times stress per unit strain of the same network without relaxation of the grains, see
-///                affine_stiffness(); for the strains that `response` contains
+/// @param affine  volume times stress per unit strain without relaxation of the grains, see affine_stiffness(); for
+///                the same network and the same strains as `response`
 template <int Dim>
 StrainMechanisms strain_mechanisms(const ElasticResponse& response, const Eigen::MatrixXd& affine);
 
-/// Numbers of mechanisms of a network that follow from the list of touching grains alone, and not from their positions.
+/// Numbers of mechanisms of a network that follow from the list of touching grains alone. The positions of the grains
+/// have no influence.
 struct StructuralMechanisms {
   int n_mechanisms = 0;  ///< number of mechanisms of the grains at zero strain; free motions do not count
   int n_coupled = 0;     ///< number of strains of the cell that no stiffness resists

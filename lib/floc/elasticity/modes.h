@@ -16,7 +16,7 @@ namespace floc {
 /// Kind of a mode, an eigenvector of the stiffness matrix, according to its eigenvalue.
 enum class ModeKind {
   unstable,   ///< eigenvalue below zero
-  mechanism,  ///< eigenvalue zero to rounding (free motions, see FreeMotions, do not count as modes)
+  mechanism,  ///< eigenvalue zero within rounding errors (free motions, see FreeMotions, do not count as modes)
   /// positive eigenvalue up to max |F_N|/r, the largest ratio of normal force to distance between centres; prestress
   /// could make such an eigenvalue negative
   near_mechanism,
@@ -81,8 +81,8 @@ struct SoftModes {
   bool complete = true;
 };
 
-/// Finds the softest modes of a network, without its free motions (see FreeMotions), by Lanczos' method with shift and
-/// invert.
+/// Finds the softest modes of a network by Lanczos' method with shift and invert. Free motions (see FreeMotions) do not
+/// count as modes.
 /// @throws InputError if options.count is given and not positive
 template <int Dim>
 [[nodiscard]] SoftModes<Dim> soft_modes(const ContactNetwork<Dim>& network, const ModeOptions& options);

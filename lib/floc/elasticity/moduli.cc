@@ -26,7 +26,7 @@ constexpr double kVanishingModulus = 1e-11;
 /// Condition number of the stiffness matrix above which a warning says that soft modes dominate the moduli.
 constexpr double kWarnCondition = 1e10;
 /// Tolerance of a solution by a factor, as a share of the tolerance on the moduli. Each refinement step squares the
-/// error, so this strict tolerance costs no more steps.
+/// error, so this strict tolerance costs no additional steps.
 constexpr double kToleranceOfSolution = 1e-3;
 /// Tolerance of a solution by any other method, as a share of the tolerance on the moduli. The steps of such a method
 /// do not square the error, so a stricter tolerance would cost more steps.
@@ -45,7 +45,8 @@ double vanishing_bound(double scale, const Moduli& m) {
   return std::isfinite(error) ? error : kVanishingModulus * scale;
 }
 
-/// Counts the zero and negative eigenvalues of the moduli C, and sets those within `bound` of zero to exactly zero.
+/// Counts the zero and negative eigenvalues of the moduli C. Eigenvalues whose absolute value is at most `bound` are
+/// set to exactly zero.
 void count_coupled_mechanisms(double bound, Moduli& m) {
   const SymmetricEigen eigen = symmetric_eigen(m.C);
   Eigen::VectorXd values = eigen.values;
@@ -81,8 +82,8 @@ void derive_stress_controlled_bulk(const Eigen::MatrixXd& c, const Eigen::Matrix
   }
   if (compliance == 0.0) return;
   m.B_S = 1.0 / compliance;
-  // To first order, an error dC of C changes 1/B_S by -strain^T dC strain. The higher orders are a small share of this
-  // as long as the compliance changes little.
+  // To first order, an error dC of C changes 1/B_S by -strain^T dC strain. The terms of higher order are small compared
+  // with this change as long as the compliance changes little.
   const double change = strain.cwiseAbs().dot(error * strain.cwiseAbs()) / std::abs(compliance);
   m.B_S_error = change < 0.5 ? 2.0 * change * std::abs(m.B_S) : kInfinity;
 }
@@ -232,8 +233,8 @@ void set_midpoint_of_bounds(int n_strains, Moduli& m) {
   }
 }
 
-/// Returns whether the normal stresses along the axes are equal. The bulk modulus under imposed stress, B_S, requires
-/// no more, because it is defined with the shear strains fixed at zero.
+/// Returns whether the normal stresses along the axes are equal. Shear stresses have no influence on the bulk modulus
+/// under imposed stress, B_S, because it is defined with the shear strains fixed at zero.
 template <int Dim>
 bool is_isotropic(const Mat<Dim>& stress, double pressure) {
   const Vec<Dim> deviator = stress.diagonal() - Vec<Dim>::Constant(pressure);
@@ -292,7 +293,8 @@ Moduli solved_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>&
   return m;
 }
 
-/// Adds B, G and the response of the moduli `without` prestress to the moduli `with` prestress.
+/// Adds the values of B and G without prestress, and the elastic response without prestress, to the moduli with
+/// prestress.
 /// @return the completed moduli, or `without` if it contains no moduli
 Moduli beside(Moduli without, Moduli with) {
   if (!without.failure.empty()) return without;

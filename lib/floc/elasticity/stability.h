@@ -45,8 +45,8 @@ struct Stability {
 template <int Dim>
 [[nodiscard]] Stability stability(const ContactNetwork<Dim>& network, const StabilityOptions& options = {});
 
-/// Tests the stability of a network with prestress, that is, with the geometric terms of all forces and moments that it
-/// carries. With tangential forces the tangent matrix is not symmetric, and its symmetric part is tested. If this part
+/// Tests the stability of a network with prestress, that is, with the geometric terms of all contact forces and
+/// moments. With tangential forces the tangent matrix is not symmetric, and its symmetric part is tested. If this part
 /// is positive, the second-order work of every motion is positive, and no motion starts without external work
 /// [Hill1958].
 /// @param stress  load_stress() of the state, compression positive (force/length^(Dim-1))
@@ -65,7 +65,7 @@ template <int Dim>
 /// - With liquid bridges, the test includes the geometric terms of the forces: the length r of a bridge is comparable
 ///   to the length over which its force F decays, and its transverse stiffness F/r may exceed its negative normal
 ///   stiffness.
-/// - Without liquid, these terms are left out, because the attraction has a short range compared with r.
+/// - Without liquid, the geometric terms are left out, because the range of the attraction is short compared with r.
 template <int Dim>
 [[nodiscard]] Stability stability_at_rest(const Packing<Dim>& packing);
 

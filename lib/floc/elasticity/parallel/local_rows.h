@@ -31,8 +31,9 @@ class LocalRows {
   /// @return largest diagonal entry of these rows
   double assemble(const std::vector<Vec<Dim>>& centres, ParallelSolver& solver) const;
 
-  /// n_own() is the number of unknowns of the grains of this process. n_at_hand() also counts the unknowns of the
-  /// grains of other processes that touch them; it is the size of u in balance() and energies().
+  /// n_own() is the number of unknowns of the grains of this process. n_at_hand() also counts the unknowns of those
+  /// grains of other processes that touch a grain of this process; n_at_hand() is the size of u in balance() and
+  /// energies().
   Eigen::Index n_own() const { return kDofs<Dim> * static_cast<Eigen::Index>(n_grains_); }
   Eigen::Index n_at_hand() const { return kDofs<Dim> * static_cast<Eigen::Index>(at_hand_.size()); }
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// Element that breaks first when the load increases, and the ratio of the load at which it breaks to the present load.
+/// Element that breaks first when the load increases, and the load at which it breaks, divided by the present load.
 struct Weakest {
   int element = -1;
   double factor = kNever;

@@ -10,8 +10,7 @@ namespace floc {
 
 /// Strains of the cell that no stiffness resists when the grains relax.
 struct StrainMechanisms {
-  Eigen::MatrixXd
-      strains;  ///< one strain without resistance per column, orthonormal; rows in the order of StrainSet
+  Eigen::MatrixXd strains;  ///< one such strain per column, orthonormal; rows in the order of StrainSet
   /// fluctuation of the grains under each of these strains; one row per unknown of the stiffness matrix
   Eigen::MatrixXd motions;
   /// Names of the moduli that are zero because of these strains: "C11" etc. for diagonal entries of the moduli C; "B"

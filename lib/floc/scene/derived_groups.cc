@@ -349,8 +349,8 @@ double expected_cost(const Scene& scene) {
     return kSecondsPerGrainStep * scene.grains.count * steps_of_compaction(scene) *
            (1 + stages.up + stages.down);
   }
-  // Processor time of the assembly of a packing from a gas, divided by that of one equilibrium during loading.
-  // kUnloading is this ratio for one equilibrium during unloading.
+  // Processor time of the assembly of a packing from a gas, divided by the processor time of one equilibrium during
+  // loading. kUnloading is this ratio for one equilibrium during unloading.
   constexpr double kAssembly = 6.0;
   constexpr double kUnloading = 0.25;
   constexpr double kSecondsPerGrainAndStep = 80.0 / (1400.0 * (26.0 + kAssembly));

@@ -19,7 +19,7 @@ struct DerivedGroup {
 /// (stiffness), P* (reduced pressure) of every stage, Ia (strain rate), ratios of stiffnesses, D0/a (range of the
 /// adhesion), h0/a (overlap caused by adhesion), the fraction of critical damping and V0/V* (speed at the start). Then
 /// follow the time T0, the time step, the number of equilibria and the expected cost. Here a is the largest diameter.
-/// Numbers about effects that do not occur in the scene are left out.
+/// The list contains only numbers about effects that occur in the scene.
 std::vector<DerivedGroup> derived_groups(const Scene& scene);
 
 /// Returns the stiffness number kappa = (E~/P)^(2/3) of elastic spheres under a pressure P, with E~ = E/(1 - nu^2)

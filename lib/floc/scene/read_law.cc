@@ -97,7 +97,7 @@ Law read_law(TableReader& root, int dimension) {
   for (const DeclaredSlot& slot : declared_slots())
     read_slot(t.table(slot.key, expected_table(slot).c_str(), slot.optional ? Need::optional : Need::required),
               slot, law);
-  // Each number has been checked above. It remains to check whether the components can be combined with each other and
+  // Each number has been checked above. Here it is checked whether the components can be combined with each other and
   // with the dimension of the scene.
   for (const auto& faults : {law.faults_between_slots(), law.faults_in_dimension(dimension)})
     for (const LawFault& fault : faults) t.fault(fault.slot, fault.words);

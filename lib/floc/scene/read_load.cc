@@ -41,7 +41,7 @@ std::vector<std::string> law_keys(LawParameters law) {
   return keys;
 }
 
-/// Applies the changes of the contact law that a stage makes (key "set" of the stage), and records faults in them.
+/// Applies the changes of the contact law in a stage (key "set" of the stage), and records faults in these changes.
 /// @param present  contact law before the stage, replaced by the law during the stage
 void apply_changes(TableReader& t, const LoadStage& stage, Law& present) {
   LawParameters law = present;
@@ -78,8 +78,8 @@ AxisLoad read_axis_load(TableReader& t, const char* stress_key, const char* of_s
   return {AxisLoad::stress, stress.value_or(0.0)};
 }
 
-/// Reads the loads that a stage imposes on the axes from its key "axes", for example `axes = [{stress = 2.0}, {strain =
-/// 0.1}, {as = 1}]`, where {as = 1} means the load of axis 1.
+/// Reads the key "axes" of a stage, which gives the load on each axis, for example `axes = [{stress = 2.0}, {strain =
+/// 0.1}, {as = 1}]`. Here {as = 1} means the load of axis 1.
 std::vector<AxisLoad> read_axes(TableReader& t, int dimension) {
   std::vector<AxisLoad> axes;
   const char* expectation =
@@ -278,7 +278,7 @@ void check_kept_stress(TableReader& t, const KnownStress& from, const LoadStage&
 }
 
 /// Checks a stage that ends at zero stress on an axis. The grains must adhere and must not be rigid, and the caps on
-/// the strain rate must allow the cell to move.
+/// the strain rate must allow a motion of the cell at zero pressure.
 /// @param has_end  whether the stage has a valid pressure "to"
 /// @param cell_cap  whether the table [cell] caps the inertial number; such a cap allows no motion at zero pressure
 void check_zero_stress(TableReader& t, const LoadStage& stage, bool has_end, const Law& law, bool cell_cap) {
@@ -311,8 +311,8 @@ void check_zero_stress(TableReader& t, const LoadStage& stage, bool has_end, con
                              t.path_of(key)));
 }
 
-/// Checks the loads that a stage imposes on the axes of a box with walls. A stress can be imposed only on an axis whose
-/// walls can move; the lengths of all other axes must stay constant.
+/// Checks the loads that a stage imposes on the axes of a box with walls. A stress can be imposed only on an axis with
+/// walls that can move; the lengths of all other axes must stay constant.
 void check_walls(TableReader& t, const BoxOptions& box, const LoadStage& stage) {
   const char* key = t.has("axes") ? "axes" : "control";
   for (std::size_t a = 0; a < stage.axes.size(); ++a) {
@@ -329,7 +329,7 @@ void check_walls(TableReader& t, const BoxOptions& box, const LoadStage& stage) 
   }
 }
 
-/// Reads the strain rate of a stage of rigid grains.
+/// Reads the key that gives the strain rate of a stage with rigid grains.
 void read_strain_rate(TableReader& t, const Law& law, LoadStage& stage) {
   constexpr const char* kKey = "inertial_number";
   if (!law.is_rigid())

@@ -81,8 +81,8 @@ std::string refusal_of(const State<Dim>& state, const Scene& scene) {
   return "";
 }
 
-/// Returns the grains of a saved packing as a scene would describe them: their number, their sizes, and their density,
-/// which is computed from the heaviest grain.
+/// Describes the grains of a saved packing in the form in which a scene describes grains: number, sizes, and density.
+/// The density is computed from the heaviest grain.
 /// @param n_tiles  number of copies of the saved packing in the first packing of the run
 template <int Dim>
 GrainOptions grains_of(const Grains<Dim>& grains, int n_tiles) {
@@ -113,7 +113,7 @@ std::string start_description(const State<Dim>& state, const std::string& file, 
                        : "of the scene, in place of the contact law in the state file: " + law_text(law));
 }
 
-/// Sets the stresses at the beginning of the run to those of the state, if the scene gives no pressure.
+/// If the scene gives no pressure, the stresses at the beginning of the run are set to the stresses of the saved state.
 /// @param has_pressure  whether the scene gives a pressure
 template <int Dim>
 void keep_stress(TableReader& t, const State<Dim>& state, bool has_pressure, Scene& scene) {

@@ -148,8 +148,8 @@ void read_assembly(TableReader& root, const std::string& directory, Scene& scene
     t.refuse("gas", "assembly.gas is not allowed here: the grains come from the file assembly.state");
   else if (const auto gas = t.choice("gas", {"equilibrated", "sequential_addition"}, Need::optional))
     scene.assembly.gas = std::array{GasKind::equilibrated, GasKind::sequential_addition}[*gas];
-  // In a scene with walls, the pressure on the walls (box.pressure) acts from the start, and keys about a periodic cell
-  // are not allowed.
+  // In a scene with walls, the pressure on the walls (box.pressure) acts from the start. Keys about a periodic cell are
+  // not allowed.
   const bool boxed = has_box(root);
   if (boxed) {
     read_boxed_gas(t, scene);
@@ -309,8 +309,8 @@ void check_consistency(TableReader& root, SceneSource& source, const Scene& scen
     assembly.fault("inertial_number_cap", fmt::format(kNothingMoves, "assembly.inertial_number_cap"));
 }
 
-/// Writes the content of the file of diameters or sieves into the TOML tables of a scene, in place of the name of the
-/// file. The text of the scene is then complete.
+/// Replaces the name of a file of diameters or sieves in the TOML tables of a scene by the content of this file.
+/// Afterwards, the text of the scene is complete.
 /// @param root  root table of the scene
 /// @return whether the scene names such a file
 bool inline_diameters(toml::table& root, const DiameterDistribution& d) {
@@ -324,7 +324,7 @@ bool inline_diameters(toml::table& root, const DiameterDistribution& d) {
   if (d.kind == DiameterDistribution::Kind::sieve) {
     insert("sizes", d.curve.sizes);
     insert("passing", d.curve.passing);
-    // The curve has already been multiplied by the scale and cut off at its ends.
+    // The sizes of the curve have already been multiplied by the scale, and the curve has been cut off at min and max.
     for (const char* key : {"scale", "min", "max"}) diameter->erase(key);
   } else {
     insert("values", d.values);

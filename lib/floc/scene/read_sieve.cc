@@ -29,7 +29,7 @@ struct Sieves {
   }
 };
 
-/// Returns the factor that converts the column of sizes to the unit of length of the scene.
+/// Returns the factor by which the column of sizes is multiplied to obtain lengths in the unit of the scene.
 /// @param scaled  whether the key `scale` is given
 double length_factor(const CsvTable& table, const UnitColumn& column, const std::string& units, bool scaled) {
   const std::string place =
@@ -49,7 +49,8 @@ double percent_factor(const CsvTable& table, const UnitColumn& column) {
   const std::string& header = table.columns()[static_cast<std::size_t>(column.index)];
   if (!column.unit.empty())
     return 100.0 * share_of_one(fmt::format("{}, column {}", table.place(), header), column.unit);
-  // A unit such as [-] marks the numbers as fractions; a column without any unit is in percent.
+  // If the unit is [-] or another sign for pure numbers, the numbers of the column are fractions. A column without a
+  // unit contains percentages.
   const bool are_fractions =
       name_and_unit(header).first != header || states_no_unit(table.unit_cell(column.index));
   return are_fractions ? 100.0 : 1.0;
@@ -182,7 +183,8 @@ bool has_open_end(const Sieves& s, bool has_min, bool has_max, SceneSource& sour
   return (s.passing.front() > 0.0 && !has_min) || (s.passing.back() < 100.0 && !has_max);
 }
 
-/// Returns the ends of the range of sizes that contains mass: the last size with 0 % and the first size with 100 %.
+/// Returns the smallest and the largest size of the range that contains mass: the last size with 0 % and the first size
+/// with 100 %.
 std::pair<double, double> ends_of(const Sieves& s) {
   double low = s.sizes.front(), high = s.sizes.back();
   for (std::size_t k = 0; k < s.sizes.size(); ++k)

@@ -23,8 +23,8 @@ using Warnings = std::vector<std::string>;
 /// Smallest net force on a grain that double precision can resolve, in units of the typical force F1. About four
 /// contact forces of a few F1 act on a grain, and their rounding errors add up.
 constexpr double kRounding = 1e-15;
-/// Kinetic energy of a grain that rounding errors maintain, in the unit of the tolerance equilibrium.energy. It
-/// corresponds to velocities of 1e-12 in the natural unit of velocity.
+/// Kinetic energy per grain that remains because of rounding errors, in the unit of the tolerance equilibrium.energy.
+/// It corresponds to velocities of 1e-12 in the natural unit of velocity.
 constexpr double kLeastEnergy = 1e-24;
 
 void warn_of_tolerances(const Scene& scene, Warnings& warnings) {
@@ -85,7 +85,7 @@ double overlap_under(const Scene& scene, const Law& law, double pressure, double
 /// Warns if the grains are so soft that they overlap too far at a pressure of the load path. This happens, for example,
 /// if the stiffness is given in other units than the pressure.
 void warn_of_overlaps(const Scene& scene, Warnings& warnings) {
-  // a few percent of the contacts carry more than this multiple of the mean contact force
+  // in a few percent of the contacts, the force is larger than this number times the mean contact force
   constexpr double kLoaded = 3.0;
   if (!(scene.grains.largest() > 0.0)) return;
   Law law = scene.law, softest = law;
@@ -200,13 +200,13 @@ double packed_side(const Scene& scene) {
   return std::pow(scene.grains.count * unit_volume / densest, 1.0 / scene.dimension);
 }
 
-/// Returns the ratio of the mass of the smallest grain to that of the largest grain.
+/// Returns the mass of the smallest grain, divided by the mass of the largest grain.
 double lightest(const Scene& scene) {
   return std::pow(scene.grains.smallest() / scene.grains.largest(), scene.dimension);
 }
 
-/// Warns if the cell is so light that the time step must be much smaller than for the grains alone: a cell that weighs
-/// less than a few grains vibrates faster than the grains (see cell_time_step_of()).
+/// Warns if the cell is so light that the time step must be much smaller than for the grains alone: a cell that is
+/// lighter than a few grains vibrates faster than the grains (see cell_time_step_of()).
 void warn_of_light_cell(const Scene& scene, Warnings& warnings) {
   // The implicit time steps of rigid grains are stable with cells of any mass.
   if (scene.assembly.box || scene.law.is_rigid()) return;
@@ -234,9 +234,9 @@ void warn_of_light_cell(const Scene& scene, Warnings& warnings) {
 /// too long for light walls.
 void warn_of_light_walls(const Scene& scene, Warnings& warnings) {
   if (!scene.assembly.box) return;
-  // About two thirds of the grains that fit side by side along a wall touch it. The motion of a wall diverges if dt w >
-  // 2, with the time step dt and the frequency w of the wall: w^2 = n K/M, for n touching grains, contact stiffness K
-  // and mass M of the wall.
+  // A wall is touched by about two thirds of the grains that fit side by side along it. The motion of the wall diverges
+  // if dt w > 2, with the time step dt and the frequency w of the wall: w^2 = n K/M, with the number n of touching
+  // grains, the contact stiffness K and the mass M of the wall.
   const double n_touching = 2.0 / 3.0 * std::pow(packed_side(scene), scene.dimension - 1);
   const double step = scene.relaxation.time_step * (scene.dimension == 2 ? 1.0 : 0.775);
   const double least = n_touching * lightest(scene) * std::pow(0.5 * step, 2);
@@ -297,9 +297,9 @@ void warn_of_largest_grain(const Scene& scene, Warnings& warnings) {
                     scene.grains.count, 100.0 / sum, scene.dimension == 2 ? "area" : "volume"));
 }
 
-/// Warns if the volumes of the drawn grains differ from those of the size distribution. Large grains may be rare.
-/// Quantiles in the middle of equal fractions of the number of grains may include no large grain, or one large grain
-/// whose fraction of the volume is too large.
+/// Warns if the volumes of the drawn grains differ from the volumes that the size distribution gives. Large grains may
+/// be rare. Quantiles in the middle of equal fractions of the number of grains may include no large grain, or one large
+/// grain whose fraction of the volume is too large.
 void warn_of_sizes(const Scene& scene, Warnings& warnings) {
   constexpr double kMuch = 0.02;
   if (scene.grains.diameter.quantiles != DiameterDistribution::Quantiles::middle || scene.grains.count < 1)

@@ -90,7 +90,7 @@ struct Problem {
 
   Problem(const ContactNetwork<Dim>& network, const ResponseOptions& chosen) : whole(network), options(chosen) {
     const FreeMotions& free = answer.free = find_free_motions(network);
-    // A dead end and its single contact carry no load and are removed.
+    // Dead ends and their single contacts carry no load and are removed.
     if (has_ends()) pruned = without_grains(network, free.dead_end);
     unknowns = reduce_unknowns(core(), free.kept);
     unit = stiffness_scale(core());
@@ -249,8 +249,8 @@ class InheritedInverse {
 template <int Dim>
 std::optional<ElasticResponse> solve_from(const ResponseMemory& memory, Problem<Dim>& problem) {
   const ReducedUnknowns& unknowns = problem.unknowns;
-  // The stored fluctuation is the initial guess of the solver. It has a column for each strain but none for
-  // displacements of walls, so a packing between walls cannot use it.
+  // The stored fluctuation is the initial guess of the solver. It has a column for each strain but no columns for
+  // displacements of walls, so it cannot be used for a packing between walls.
   if (!memory.factor || !problem.whole.wall_axes.empty() ||
       memory.fluctuation.rows() != problem.whole.n_unknowns() ||
       memory.fluctuation.cols() != n_strains<Dim>(problem.options.strains))

@@ -57,10 +57,10 @@ struct ElasticResponse {
   /// row per axis, one column per strain. Empty without walls.
   Eigen::MatrixXd wall_shift;
   FreeMotions free;
-  /// number of independent motions of pairs of opposite walls that no stiffness resists, if the two walls of each axis
-  /// move together and the grains relax
+  /// number of independent wall shifts that no stiffness resists after relaxation of the grains; in a wall shift, the
+  /// two walls of an axis move together
   int n_free_shifts = 0;
-  /// number of negative eigenvalues of the stiffness of grains, wall shifts and dead ends
+  /// number of negative eigenvalues of the stiffness matrix that belongs to grains, wall shifts and dead ends
   int n_negative = 0;
   /// number of negative eigenvalues of the stiffness against wall shifts (`wall_shift`) after relaxation of the grains
   int n_negative_shifts = 0;

@@ -11,7 +11,7 @@ namespace floc {
 /// Strains of the cell that no stiffness resists when the grains relax.
 struct StrainMechanisms {
   Eigen::MatrixXd strains;  ///< one such strain per column, orthonormal; rows in the order of StrainSet
-  /// fluctuation of the grains under each of these strains; one row per unknown of the stiffness matrix
+  /// fluctuation of the grains under each strain in `strains`; one row per unknown of the stiffness matrix
   Eigen::MatrixXd motions;
   /// Names of the moduli that are zero because of these strains: "C11" etc. for diagonal entries of the moduli C; "B"
   /// or "G" if the strain that defines the modulus is in the span of these strains; "B_S" if an isotropic stress does
@@ -39,8 +39,9 @@ struct StructuralMechanisms {
 };
 
 /// Counts the mechanisms that a network has when its grains are moved to random (general) positions, where no
-/// near-mechanism disturbs the count. Additional mechanisms of the original network result from its special geometry.
-/// Lever arms stay along the normals, and every stiffness that is not zero is set to order one.
+/// near-mechanism disturbs the count. If the original network has additional mechanisms, they result from its special
+/// geometry. At the random positions, lever arms are still parallel to the normals, and all stiffnesses that are not
+/// zero are of order one.
 template <int Dim>
 StructuralMechanisms structural_mechanisms(const ContactNetwork<Dim>& network, StrainSet strains);
 

@@ -31,8 +31,8 @@ enum class ModuliMethod {
 struct ModuliOptions {
   ModuliMethod method = ModuliMethod::factor;
   StrainSet strains = StrainSet::diagonal;
-  /// Adds the geometric terms, which result from the contact forces, to the stiffness. The moduli are then derivatives
-  /// of the Cauchy stress.
+  /// Whether the geometric terms, which result from the contact forces, are added to the stiffness. The moduli are in
+  /// this case derivatives of the Cauchy stress.
   bool prestress = false;
   /// Used in the search for rattlers of a cohesionless packing: a contact counts as carrying no force if its normal
   /// force is at most this number, in units of F1 = max(F0, P a^(Dim-1)) (pull-off force F0, pressure P, largest
@@ -42,8 +42,8 @@ struct ModuliOptions {
   /// if the contact law applies.
   std::optional<double> rolling_stiffness;
   Ordering ordering = Ordering::automatic;
-  /// Whether the packing was brought to equilibrium under zero stress. Its contact forces then still give a small
-  /// stress, which is a residual and gives no lower bound on the moduli (B_reuss = 0).
+  /// Whether the packing was brought to equilibrium under zero stress. If so, the small stress of its contact forces is
+  /// a residual and gives no lower bound on the moduli (B_reuss = 0).
   bool unloaded = false;
   /// Tolerance on the relative errors of B and G. A warning is given if their error bounds exceed it.
   double tolerance = 1e-10;
@@ -92,12 +92,12 @@ struct Moduli {
   /// difference between the largest and the smallest of C11, C22 (and C33), divided by their mean
   double isotropy_defect = 0.0;
   Bounds bounds;  ///< bounds on these moduli; not guaranteed with prestress, see Bounds::fault
-  /// Whether the principal stresses of the load are equal to one part in 10^4, or bounds.B_reuss is zero.
+  /// Whether the principal stresses of the load are equal within one part in 10^4. Also true if bounds.B_reuss is zero.
   bool isotropic_stress = true;
   int n_negative = 0;    ///< number of negative eigenvalues of the stiffness matrix of grains and strains
   int n_mechanisms = 0;  ///< number of zero eigenvalues of the stiffness matrix; free motions do not count
-  /// Number of mechanisms that change the strain of the cell: no stiffness resists them, and the moduli along these
-  /// strains are zero.
+  /// Number of mechanisms that change the strain of the cell. No stiffness resists such a mechanism, and the moduli for
+  /// its strain are zero.
   int n_coupled_mechanisms = 0;
   int n_rattlers = 0;
   int n_free_rollers = 0;

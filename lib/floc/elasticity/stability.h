@@ -24,8 +24,8 @@ struct StabilityOptions {
 /// Result of a test of the stability of a state.
 struct Stability {
   /// Number of negative eigenvalues of the stiffness matrix; 0 for a stable state. An iterative test stops at the first
-  /// negative eigenvalue and gives 1. Absent if the state was not tested, or if an iterative test did not reach its
-  /// tolerance.
+  /// negative eigenvalue, so that the number is 1. Absent if the state was not tested, or if an iterative test did not
+  /// reach its tolerance.
   std::optional<int> n_negative;
   /// Method and result of the test, or the reason why there was no test, as a sentence. Empty if a factor of the
   /// stiffness matrix was used.

@@ -11,8 +11,8 @@ namespace {
 /// of a spring's length per unit of an unknown.
 constexpr double kEntryRounding = 8.0 * std::numeric_limits<double>::epsilon();
 
-/// Shift added to the diagonal of the stiffness matrix, whose entries are of order one. The shift is below the
-/// stiffness of the softest motions that matter and above rounding errors.
+/// Shift that is added to the diagonal of the stiffness matrix. The entries of the matrix are of order one. The shift
+/// is below the stiffness of the softest motions that influence the response, and above rounding errors.
 constexpr double kShift = 1e-11;
 
 template <int Dim>

@@ -35,7 +35,7 @@ Mat<Dim> static_stress(const Packing<Dim>& packing);
 /// s^(b), divided by the volume of the cell. F_j is the force on the second grain j of the contact, and s = image *
 /// cell.matrix is the displacement of the periodic image of j that touches i; for a contact with a wall, s is the
 /// touched point of the wall. This stress differs from static_stress() by the sum over all grains of F_i^(a) x_i^(b),
-/// divided by the volume, where F_i is the net force on the grain at x_i; this sum vanishes in equilibrium. Under
+/// divided by the volume, where F_i is the net force on the grain at x_i; in equilibrium this sum is zero. Under
 /// gravity g, the sum of -m_i g^(a) x_i^(b) over all grains (mass m_i), divided by the volume, is added, so that the
 /// two stresses agree in equilibrium in this case as well.
 template <int Dim>

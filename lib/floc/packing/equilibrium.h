@@ -21,8 +21,8 @@ struct EquilibriumTolerance {
   bool operator==(const EquilibriumTolerance&) const = default;
 };
 
-/// Residuals of a packing, which are zero in exact equilibrium: largest net force and largest net moment on a grain,
-/// deviation from the imposed stress, and kinetic energy per grain, in the units of EquilibriumTolerance. The last two
+/// Residuals of a packing, in the units of EquilibriumTolerance: largest net force and largest net moment on a grain,
+/// deviation from the imposed stress, and kinetic energy per grain. In exact equilibrium they are zero. The last two
 /// members are the indices of the grains with the largest net force and the largest net moment.
 struct Residuals {
   double force = 0.0;

@@ -65,8 +65,8 @@ inline bool similar_sizes(const std::vector<double>& radius) {
 }
 
 /// Returns the unit of length for the skin of neighbour lists: the largest diameter or, if the grains are not similar
-/// in size, the smallest diameter. A skin that is thin for the largest grains would contain whole layers of the
-/// smallest grains.
+/// in size, the smallest diameter. A skin that is thin compared with the largest grains would contain whole layers of
+/// the smallest grains.
 inline double skin_length_unit(const std::vector<double>& radius) {
   return similar_sizes(radius) ? largest_diameter(radius)
                                : 2.0 * *std::min_element(radius.begin(), radius.end());

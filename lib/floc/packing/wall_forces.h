@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Returns whether the forces on a wall move it. A wall of infinite mass keeps its velocity instead, and is fixed if
-/// its velocity is zero.
+/// Returns whether the forces on a wall move the wall. A wall of infinite mass keeps its velocity, whatever the forces
+/// are; it is fixed if its velocity is zero.
 template <int Dim>
 bool follows_forces(const Wall<Dim>& wall);
 

@@ -9,12 +9,12 @@
 namespace floc {
 namespace {
 
-/// Factor by which springs are lengthened when derivatives are computed. A spring whose force equals its cap up to
-/// rounding errors then exceeds the cap and counts as sliding.
+/// Factor by which springs are lengthened when derivatives are computed. After lengthening, a spring whose force equals
+/// its cap up to rounding errors exceeds the cap and counts as sliding.
 constexpr double kBeyondCap = 1.0 + 2e-12;
-/// Motion of the surfaces (length or radians) that is added when derivatives are computed. A spring of zero length then
-/// exceeds a cap of zero, for example between surfaces that have separated. The motion is negligible compared with any
-/// other motion, and its square does not underflow.
+/// Motion of the surfaces (length or radians) that is added when derivatives are computed. With this motion, a spring
+/// of zero length exceeds a cap of zero, for example between surfaces that have separated. The motion is negligible
+/// compared with any other motion, and its square does not underflow.
 constexpr double kTinyMotion = 1e-150;
 
 /// Returns the factor by which each number in the history of a contact is multiplied when derivatives are computed:

@@ -7,12 +7,13 @@
 
 namespace floc {
 
-/// Relative motion of the surfaces of the two grains of a contact since the history of the contact was last updated, in
-/// the frame of the contact normal.
+/// Relative motion of the two surfaces in a contact since the last update of the history of the contact, in the frame
+/// of the contact normal.
 template <int Dim>
 struct SurfaceMotion {
   Shear<Dim> slip = Shear<Dim>::Zero();  ///< tangential displacement of grain j relative to grain i (length)
-  /// Rotation of grain i relative to grain j (radians); in 3D only about axes in the tangent plane.
+  /// Rotation of grain i relative to grain j (radians). In 3D it contains only the rotation about axes in the tangent
+  /// plane.
   RotationVector<Dim> relative_rotation = RotationVector<Dim>::Zero();
   double twist = 0.0;  ///< in 3D, rotation of grain i relative to grain j about the normal (radians)
 };

@@ -12,9 +12,9 @@ namespace floc {
 using Stiffnesses = std::array<double, 4>;
 inline constexpr std::array<const char*, 4> kStiffnessNames = {"kn", "kt", "kr", "ktw"};
 
-/// Relative tolerance of the comparison of stiffnesses from another program with the stiffnesses of the contact law. It
-/// allows for rounding in files: they contain at least six digits of a stiffness, and of the force from which the law
-/// computes the stiffness.
+/// Relative tolerance for the comparison between stiffnesses from another program and stiffnesses of the contact law.
+/// It allows for rounding in files: they contain at least six digits of a stiffness, and of the force from which the
+/// law computes the stiffness.
 inline constexpr double kForeignStiffness = 1e-5;
 
 template <int Dim>
@@ -28,7 +28,8 @@ Stiffnesses stiffnesses(const Contact<Dim>& contact) {
 template <int Dim>
 Stiffnesses law_stiffnesses(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
-/// Returns whether a stiffness differs from that of the contact law, `by_law`, by more than `tolerance` times `by_law`.
+/// Returns whether a stiffness differs from the stiffness `by_law` of the contact law by more than `tolerance` times
+/// `by_law`.
 bool differ(double found, double by_law, double tolerance);
 
 /// Comparison of given stiffnesses of contacts with the stiffnesses that follow from the contact law.

@@ -21,7 +21,7 @@ struct BridgeablePair {
   double radius;  ///< mean radius R' = 2 Ri Rj/(Ri + Rj) of the two grains (length)
 };
 
-/// Distribution of the liquid of a packing over a list of pairs of grains.
+/// Distribution of the liquid in a packing over a list of pairs of grains.
 struct LiquidShares {
   std::vector<double> volume;  ///< volume V_b of the bridge of each pair (length^3), 0 without a bridge
   int n_bonds = 0;             ///< number of pairs with a bridge
@@ -51,7 +51,7 @@ LiquidShares share_liquid(const CapillaryAdhesion& bridges, double liquid,
 /// @param volume  volume of their bridge (length^3)
 bool may_hold_liquid(const CapillaryAdhesion& bridges, double gap, double volume);
 
-/// Distributes the volume `liquid` (length^3) over the pairs of grains that may hold liquid, out of n pairs.
+/// Distributes the volume `liquid` (length^3) over those of n pairs of grains that may get liquid.
 /// @param pair  function that returns the pair number k; it returns no value if this pair gets no liquid
 /// @return distribution with the volumes of all n pairs
 template <class PairAt>
@@ -91,7 +91,7 @@ class BridgeSearch {
  private:
   const CapillaryAdhesion& bridges_;
   double liquid_, largest_radius_;
-  /// Sum that the mean radii R' of all bridges would have if there were kBridgesPerGrain bridges per grain (length).
+  /// Estimated sum of the mean radii R' of all bridges, for kBridgesPerGrain bridges per grain (length).
   double radius_sum_;
 };
 
@@ -125,7 +125,7 @@ template <int Dim>
 double range_of(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
 /// Returns the largest gap (length) at which any contact of a packing acts. It is the largest of three lengths: the
-/// reach of the contact law, the reach of each liquid bridge, and the gap of each contact that holds liquid.
+/// reach of the contact law, the reach of each liquid bridge, and the gap of each contact that has liquid.
 template <int Dim>
 double interaction_range(const Packing<Dim>& packing);
 

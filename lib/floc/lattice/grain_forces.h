@@ -14,7 +14,7 @@ template <int Dim>
 struct GrainForce {
   int i, j;             ///< numbers of the two grains, i <= j
   Vec<Dim, int> image;  ///< periodic image of grain j: branch = centre[j] + image * cell.matrix - centre[i]
-  Vec<Dim> branch;      ///< vector from the centre of grain i to that of the image of grain j (length)
+  Vec<Dim> branch;      ///< vector from the centre of grain i to the centre of the image of grain j (length)
   double normal;        ///< force along the branch, compression positive (force)
   Vec<Dim> shear;       ///< force on grain i across the branch (force)
   RotationVector<Dim> moment;  ///< moment on grain i about the contact point (force * length)
@@ -37,7 +37,8 @@ template <int Dim>
 Packing<Dim> packing_of(const CementedSample<Dim>& sample, const Packing<Dim>& packing,
                         const std::vector<GrainForce<Dim>>& forces);
 
-/// Agreement of the normal forces in two lists of contacts, over the pairs of grains that both lists contain.
+/// Agreement between the normal forces in two lists of contacts. Only pairs of grains that both lists contain are
+/// compared.
 struct ForceAgreement {
   /// Pearson's correlation coefficient of the two lists of forces. Absent if fewer than 3 pairs are in both lists, or
   /// if all forces of one list are equal.

@@ -15,7 +15,7 @@ struct LatticeBond {
   Vec<Dim, int> image;  ///< periodic image of node j: branch = node[j] + image * cell.matrix - node[i]
   Vec<Dim> branch;      ///< vector from node i to the image of node j (length)
   Vec<Dim> arm_i;       ///< vector from node i to the point at which the force of the bond acts (length)
-  double facet;         ///< length (2D) or area (3D) of the face that the cells around the two nodes share
+  double facet;         ///< length (2D) or area (3D) of the face between the cells around the two nodes
 };
 
 /// Lattice of nodes that fill a periodic cell, and the bonds between neighbouring nodes, each bond once.

@@ -141,7 +141,7 @@ class NetworkBuilder {
   }
 
   /// Removes connected parts of the network that cannot carry a load, because they neither wind around the periodic
-  /// cell nor connect its two fixed sides.
+  /// cell nor connect the two fixed sides of the cell.
   void remove_islands() {
     const Parts parts = find_parts();
     std::vector<bool> carries(parts.winding.size(), false);
@@ -195,7 +195,7 @@ class NetworkBuilder {
       end_of[next[out_.elements[e].j]++] = e;
     }
     std::vector<Vec<Dim, int>> cell(
-        // for each node, that of its periodic images which the search has reached first
+        // for each node, the first of its periodic images that the search has reached
         out_.n_nodes, Vec<Dim, int>::Zero());
     for (int k = 0; k < out_.n_nodes; ++k) {
       if (parts.of[k] >= 0 || start[k] == start[k + 1]) continue;

@@ -73,7 +73,7 @@ struct LatticeElement {
   Vec<Dim> arm_i;       ///< vector from node i to the point at which the force of the element acts (length)
   double kn;            ///< normal stiffness (force/length)
   ElementKind kind;
-  bool unilateral;  ///< whether the element carries no tension and resists no shear
+  bool unilateral;  ///< whether the element carries compression only (no tension, no shear)
   int bond = -1;    ///< index of the bond in Lattice::bonds from which the element was made
 };
 

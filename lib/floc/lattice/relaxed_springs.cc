@@ -199,7 +199,8 @@ class Springs final : public RelaxedSprings<Dim> {
     int n_changed = 0;
     for (const int r : springs_.one_sided) {
       const double o = overlap(r, x_);
-      // A spring with zero overlap keeps its state. All springs are therefore closed before the first deformation.
+      // A spring with zero overlap keeps its state (open or closed). All springs are therefore still closed at the
+      // first deformation.
       const char now = o > 0.0 || (o == 0.0 && active_[r]) ? 1 : 0;
       n_changed += now != active_[r];
       active_[r] = now;
@@ -213,8 +214,8 @@ class Springs final : public RelaxedSprings<Dim> {
   }
 
   /// Returns the size of the load in the norm of the preconditioner: the square root of twice an energy. This energy is
-  /// the energy of the imposed strain, if the nodes follow it affinely, plus the energy that the nodes would then
-  /// release by relaxation.
+  /// a sum: the energy of the imposed strain, if the nodes follow the strain affinely, plus the energy that the nodes
+  /// would afterwards release by relaxation.
   double norm_of_load(SpringRelaxationReport& report) {
     Eigen::VectorXd kept = Eigen::VectorXd::Zero(x_.size());
     for (int a = 0; a < kSymmetric<Dim>; ++a)
@@ -357,7 +358,8 @@ class Springs final : public RelaxedSprings<Dim> {
     return true;
   }
 
-  /// Number of unit steps along a direction after which a decreasing energy counts as decreasing without limit.
+  /// If the energy still decreases after this number of unit steps along a direction, it counts as decreasing without
+  /// limit.
   static constexpr double kForEver = 1e12;
 
   RelaxationSettings settings_;

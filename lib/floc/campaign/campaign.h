@@ -17,8 +17,8 @@ struct SceneChange {
   std::string text() const { return key + "=" + value; }
 };
 
-/// States of a run that a campaign file selects: all states, the last one, those with given numbers, or those at given
-/// pressures.
+/// Choice of states of a run, as given in a campaign file: all states, the last state, the states with given numbers,
+/// or the states at given pressures.
 struct StateChoice {
   enum Kind { all, last, steps, pressures };
   Kind kind = all;

@@ -20,8 +20,8 @@ struct RunOutcome {
   std::optional<double> run_seconds = {};
 };
 
-/// Names of the files in the directory of a run that hold its outcome. kOutcomeFile holds the outcome of the last
-/// attempt. If that attempt failed and the run is to be repeated, kOutcomeFile is renamed to kFailureFile.
+/// Names of the files with the outcome of a run, in the directory of the run. kOutcomeFile contains the outcome of the
+/// last attempt. If that attempt failed and the run is to be repeated, kOutcomeFile is renamed to kFailureFile.
 inline constexpr const char* kOutcomeFile = "outcome.csv";
 inline constexpr const char* kFailureFile = "failed.csv";
 
@@ -48,8 +48,8 @@ Table collected_runs(const Campaign& campaign, const std::vector<CasePlan>& plan
 /// Returns a table with one row per case, state and collected column of numbers: the number n of samples, and the mean,
 /// standard error, standard deviation s, lowest and highest value over the samples. If the campaign has a reference for
 /// the column, a mean over n_ref samples with the standard deviation s_ref, the row also tells whether both means
-/// agree. They agree if they differ by at most `allowed` = 2.6 sqrt(s^2/n + s_ref^2/n_ref), as two means of one
-/// quantity do in 99 of 100 comparisons.
+/// agree. They agree if they differ by at most `allowed` = 2.6 sqrt(s^2/n + s_ref^2/n_ref). Two means of the same
+/// quantity agree in 99 of 100 comparisons.
 /// @param runs  table that collected_runs() returns
 Table means_of(const Campaign& campaign, const std::vector<CasePlan>& plans, const CsvTable& runs);
 

@@ -84,9 +84,13 @@ void add_reduced_pressures(const Scene& scene, double a, Groups& groups) {
 void add_cohesion(const Scene& scene, double a, Groups& groups) {
   const double F0 = pull_off_force(scene);
   const double K_N = std::pow(a, scene.dimension - 1) * scene.law.contact_modulus(scene.dimension, a);
-  groups.push_back({"kappa", K_N / F0, "a K_N/F0, stiffness of a contact divided by its adhesion"});
+  groups.push_back(
+      {"kappa", K_N / F0,
+       "a K_N/F0, stiffness number (largest diameter a, normal stiffness K_N, pull-off force F0)"});
   add_reduced_pressures(scene, a, groups);
-  groups.push_back({"h0/a", F0 / K_N, "overlap of two grains pulled together by their adhesion alone"});
+  groups.push_back(
+      {"h0/a", F0 / K_N,
+       "overlap of two grains of the largest diameter a under their adhesion alone, divided by a"});
 }
 
 /// Adds the dimensionless numbers of the liquid between grains. The numbers of a liquid bridge are computed for two
@@ -96,10 +100,12 @@ void add_liquid(const CapillaryAdhesion& law, double a, Groups& groups) {
   const double grain = std::numbers::pi / 6.0 * a * a * a;
   const Bridge<> bridge = law.bridge(0.5 * a, 0.5 * a, share * grain / kBridgesPerGrain);
   groups.push_back({"V_l/V_s", share, "volume of the liquid divided by the volume of the grains"});
-  groups.push_back({"l/a", 1.0 / (bridge.decay * a),
-                    "length over which the force of a liquid bridge decays, with three bridges per grain"});
   groups.push_back(
-      {"hm/a", bridge.reach / a, "gap at which a liquid bridge breaks, with three bridges per grain"});
+      {"l/a", 1.0 / (bridge.decay * a),
+       "decay length of the force of a liquid bridge, divided by the diameter, with three bridges per grain"});
+  groups.push_back(
+      {"hm/a", bridge.reach / a,
+       "gap at which a liquid bridge breaks, divided by the diameter, with three bridges per grain"});
 }
 
 /// Adds the dimensionless numbers of elastic spheres. The overlap of two spheres is proportional to 1/kappa, and the
@@ -113,13 +119,16 @@ void add_spheres(const Scene& scene, Groups& groups) {
       if (axis.kind == AxisLoad::stress) highest = std::max(highest, axis.end);
   }
   groups.push_back({"kappa", hertz_kappa(scene, scene.assembly.pressure),
-                    "(E~/P)^(2/3), E~ = E/(1 - nu^2), at the first pressure of the scene"});
-  groups.push_back({"kappa", hertz_kappa(scene, highest), "(E~/P)^(2/3) at the highest pressure of the scene"});
+                    "stiffness number (E~/P)^(2/3) at the first pressure P of the scene; E~ = E/(1 - nu^2) "
+                    "with Young's modulus E and Poisson's ratio nu"});
+  groups.push_back({"kappa", hertz_kappa(scene, highest),
+                    "stiffness number (E~/P)^(2/3) at the highest pressure P of the scene"});
   add_pressures(scene, E, "P/E~", "P/E~", groups);
   // Largest pressure between the surfaces in a contact that carries the mean force. The mean force is computed from the
   // pressure with the assumption z Phi = 4 (coordination number z, solid fraction Phi).
   groups.push_back({"p_max/E~", 0.847131 / std::sqrt(hertz_kappa(scene, highest)),
-                    "largest pressure between the surfaces of a contact with the mean force, at the highest "
+                    "largest pressure between the surfaces of two grains, divided by E~, in a contact with the "
+                    "mean force at the highest "
                     "pressure of the scene"});
 }
 
@@ -257,7 +266,8 @@ void add_box(const Scene& scene, double a, double m, Groups& groups) {
       {"eta_star", sc / std::sqrt(p * se),
        "sc/sqrt(p se) with se = K_N/a^(D-2), adhesion relative to impacts; grains bounce if it is below 1"});
   groups.push_back({"sc/se", sc / se,
-                    "overlap of two grains by their adhesion, in diameters; above 0.02 it changes the void "
+                    "overlap of two grains under their adhesion alone, divided by the diameter; above 0.02 it "
+                    "changes the void "
                     "ratio noticeably"});
   groups.push_back({"se/p", se / p,
                     "se/p with se = K_N/a^(D-2), stiffness of the contacts divided by the first pressure p"});
@@ -384,7 +394,9 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene) {
     add_spheres(scene, groups);
   } else {
     const double K_N = scene.law.contact_modulus(scene.dimension, a);
-    groups.push_back({"kappa", K_N / scene.assembly.pressure, "K_N/P at the first pressure of the scene"});
+    groups.push_back(
+        {"kappa", K_N / scene.assembly.pressure,
+         "stiffness number K_N/P, with the normal stiffness K_N and the first pressure P of the scene"});
     add_pressures(scene, K_N, "P/K_N", "P/K_N", groups);
   }
   add_law(scene, a, groups);

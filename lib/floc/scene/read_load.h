@@ -31,7 +31,7 @@ CellResponse read_rate_caps(TableReader& t);
 /// @param boxed  whether the scene has walls (table [box])
 CellResponse read_cell_response(TableReader& t, bool boxed);
 
-/// Reads the stages of the load path of a scene, its tables [[load]].
+/// Reads the tables [[load]] of a scene; each table is a stage of the load path.
 /// @param unsaid  default mass of the cell and default caps on its strain rate, for stages that do not give these
 /// values. A value is absent if the table [cell] gives it.
 /// @pre the tables [contact], [assembly] and [box] have been read

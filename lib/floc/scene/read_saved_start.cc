@@ -135,7 +135,7 @@ void keep_stress(TableReader& t, const State<Dim>& state, bool has_pressure, Sce
       KeptStress{{stress.begin(), stress.end()}, state.path.turn.empty() ? Dim - 1 : state.path.turn.axis};
 }
 
-/// Completes a scene that starts from a saved state with its grains, its solid fraction, and a text that describes the
+/// Completes a scene that starts from a saved state: sets the grains, the solid fraction, and a text that describes the
 /// start.
 /// @param file  name of the state file
 template <int Dim>

@@ -115,7 +115,7 @@ CellResponse read_cell(TableReader& root, Scene& scene) {
   return unsaid;
 }
 
-/// Whether a scene has walls: it has either a table [box] (walls) or a table [cell] (periodic cell).
+/// Whether a scene has walls. A scene has either a table [box] (walls) or a table [cell] (periodic cell).
 bool has_box(const TableReader& root) {
   return root.has("box");
 }

@@ -292,7 +292,7 @@ void warn_of_largest_grain(const Scene& scene, Warnings& warnings) {
   if (1.0 / sum > kMuch)
     warnings.push_back(
         fmt::format("grains.diameter: the largest of the {} grains has {:.2g} % of their total {}, more than "
-                    "its size has in the distribution, because a grain of the largest diameter is always "
+                    "the distribution gives for this size, because a grain of the largest diameter is always "
                     "included; expected more grains, or grains.diameter.quantiles = \"middle\"",
                     scene.grains.count, 100.0 / sum, scene.dimension == 2 ? "area" : "volume"));
 }
@@ -315,7 +315,7 @@ void warn_of_sizes(const Scene& scene, Warnings& warnings) {
     warnings.push_back(
         fmt::format("grains.diameter: of the {} grains, those with diameters up to {:.4g} have {:.3g} % of the "
                     "total {}, but the "
-                    "distribution gives {:.3g} %, because there are too few large grains; expected more "
+                    "size distribution gives {:.3g} %, because there are too few large grains; expected more "
                     "grains, or a larger "
                     "smallest diameter (grains.diameter.min)",
                     scene.grains.count, worst->to, 100.0 * worst->passing,

@@ -29,8 +29,8 @@ double chain_axial_compliance(int n, const ChainStiffness& k);
 ///
 /// Two disks of radius (n-1) R, with this compliance in their contact, are equivalent to the chain. Their contact lies
 /// in the middle of the chain; a transverse force that acts there does not turn the two ends relative to each other.
-/// The formula is exact: it equals the compliance of the solved network to rounding. Eq. 16 of [GRC2008], as printed,
-/// describes another displacement, see end_disk_deflection().
+/// The formula is exact: it equals the compliance of the solved network up to rounding errors. Eq. 16 of [GRC2008], as
+/// printed, describes another displacement, see end_disk_deflection().
 /// @param n  number of disks, in kChainLength; for n = 2 the chain is a single contact
 /// @param R  radius of the disks (length), > 0
 /// @param k  stiffnesses K_N, K_T, K_R of a contact

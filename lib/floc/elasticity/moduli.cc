@@ -20,8 +20,8 @@
 namespace floc {
 namespace {
 
-/// Largest modulus that counts as zero because it may be due to rounding, as a share of the Voigt stiffness. It is used
-/// if no error bound is available.
+/// A modulus up to this share of the Voigt stiffness counts as zero, because it may be due to rounding. The share is
+/// used only if no error bound is available.
 constexpr double kVanishingModulus = 1e-11;
 /// Condition number of the stiffness matrix above which a warning says that soft modes dominate the moduli.
 constexpr double kWarnCondition = 1e10;
@@ -37,8 +37,8 @@ constexpr double kIsotropic = 1e-4;
 /// Bound on the relative rounding error of the cell's volume, and of the stresses that prestress adds to the moduli.
 constexpr double kCellRounding = 16.0 * std::numeric_limits<double>::epsilon();
 
-/// Returns the largest absolute value that an eigenvalue of the moduli C may have if it cannot be distinguished from
-/// zero.
+/// Returns a limit for the eigenvalues of the moduli C: if the absolute value of an eigenvalue is at most this limit,
+/// the eigenvalue cannot be distinguished from zero.
 /// @param scale  Voigt stiffness, the stiffness of affine motion (stress)
 double vanishing_bound(double scale, const Moduli& m) {
   const double error = m.C_error.rowwise().sum().maxCoeff();

@@ -45,7 +45,7 @@ struct ModuliOptions {
   /// Whether the packing was brought to equilibrium under zero stress. If so, the small stress of its contact forces is
   /// a residual and gives no lower bound on the moduli (B_reuss = 0).
   bool unloaded = false;
-  /// Tolerance on the relative errors of B and G. A warning is given if their error bounds exceed it.
+  /// Tolerance on the relative errors of B and G. A warning is given if an error bound exceeds this tolerance.
   double tolerance = 1e-10;
   /// Largest size of a factor (bytes). If the factor would be larger, no moduli are computed, see Moduli::failure.
   double largest_factor = std::numeric_limits<double>::infinity();
@@ -113,8 +113,8 @@ struct Moduli {
   /// B and B_without_prestress, and between G and G_without_prestress.
   std::optional<double> B_without_prestress;
   std::optional<double> G_without_prestress;
-  /// Response, without prestress, of the network from which the moduli were computed. Mechanisms, force increments and
-  /// the backbone are computed from it.
+  /// Elastic response, without prestress, of the network from which the moduli were computed. Mechanisms, force
+  /// increments and the backbone are computed from this response.
   ElasticResponse response;
   /// Method that was used: the method in the options, or ModuliMethod::factor if the method in the options failed. Only
   /// ModuliMethod::factor counts negative eigenvalues and mechanisms, and gives error bounds from the solution. With

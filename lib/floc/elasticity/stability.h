@@ -61,7 +61,7 @@ template <int Dim>
 [[nodiscard]] Stability stability(const Packing<Dim>& packing, bool prestress = false,
                                   const StabilityOptions& options = {});
 
-/// Tests the stability of a packing at rest, which is a condition of equilibrium.
+/// Tests the stability of a packing at rest. Stability is a condition of equilibrium.
 /// - With liquid bridges, the test includes the geometric terms of the forces: the length r of a bridge is comparable
 ///   to the length over which its force F decays, and its transverse stiffness F/r may exceed its negative normal
 ///   stiffness.

@@ -51,9 +51,9 @@ ForceScale force_scale(const Packing<Dim>& packing, const Vec<Dim>& target_stres
 
 /// Force scale of each grain of a packing, that is, the unit of the net force on this grain. Grains of similar sizes
 /// (kSimilarSizes) share the force scale F1 of the packing. If sizes differ more, a net force that is small for a large
-/// grain may be as large as the contact forces of a small grain. Grain i of diameter d_i then has the force scale F1_i
-/// = max(F0, P d_i^(Dim-1)) with the pull-off force F0 and the pressure P, and F1_i d_i is the unit of the net moment
-/// and of the energy of this grain. The object keeps a reference to the packing.
+/// grain may be as large as the contact forces of a small grain. In this case, grain i of diameter d_i has the force
+/// scale F1_i = max(F0, P d_i^(Dim-1)) with the pull-off force F0 and the pressure P, and F1_i d_i is the unit of the
+/// net moment and of the energy of this grain. The object keeps a reference to the packing.
 template <int Dim>
 class GrainScales {
  public:

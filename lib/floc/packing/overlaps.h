@@ -11,8 +11,8 @@ namespace floc {
 /// other.
 inline constexpr double kDeepOverlap = 0.1;
 /// Largest accepted mean overlap, divided by the smaller radius of the two grains. A packing with a larger mean overlap
-/// is rejected. Scene files may impose pressures P up to (E~/P)^(2/3) = 30, with E~ = E/(1 - nu^2), Young's modulus E
-/// and Poisson's ratio nu; at this pressure, the mean overlap is 0.11.
+/// is rejected. Scene files may impose pressures P for which (E~/P)^(2/3) is at least 30, with E~ = E/(1 - nu^2),
+/// Young's modulus E and Poisson's ratio nu. At the largest of these pressures, the mean overlap is 0.11.
 inline constexpr double kDeepestMean = 0.12;
 
 /// Statistics of the overlaps of all contacts whose surfaces touch. Each overlap is divided by the smaller radius of

@@ -129,7 +129,7 @@ double range_of(const Packing<Dim>& packing, const Contact<Dim>& contact);
 template <int Dim>
 double interaction_range(const Packing<Dim>& packing);
 
-/// Returns the pull-off force F0 of two grains of the largest radius of a packing (force); 0 without adhesion.
+/// Returns the pull-off force F0 of two grains that have the largest radius in a packing (force); 0 without adhesion.
 template <int Dim>
 double pull_off_force(const Packing<Dim>& packing);
 

@@ -52,7 +52,8 @@ template <int Dim>
 class LatticeSolver {
  public:
   /// @param network    network that is loaded; it must outlive the solver
-  /// @param boundary,  axis  boundary condition with which the network was made, and axis along which plates load it
+  /// @param boundary   boundary condition with which the network was made
+  /// @param axis       axis along which plates load the network, counted from 0
   LatticeSolver(const LatticeNetwork<Dim>& network, const RelaxationSettings& settings,
                 LatticeBoundary boundary = LatticeBoundary::periodic, int axis = Dim - 1);
 

@@ -99,8 +99,8 @@ bool same_value(const std::string& a, const std::string& b) {
 }
 
 /// Returns the number of the state of a case whose reduced pressure is nearest to P_star and differs from P_star by at
-/// most the fraction kSamePressure. `choice` determines whether the pressure is that on all axes or that on the driven
-/// axis.
+/// most the fraction kSamePressure. `choice` determines which pressure is compared: the pressure on all axes or the
+/// pressure on the driven axis.
 /// @throws InputError listing the pressures of the states, if there is no such state
 int state_at(double P_star, const StateChoice& choice, const CampaignCase& one, const CasePlan& plan) {
   int best = -1;
@@ -203,9 +203,9 @@ std::vector<CasePlan> plan_cases(const Campaign& campaign) {
     }
     // A reference that applies to no case is an error, because no result would be compared with this reference.
     if (!meant)
-      throw InputError(
-          r.place,
-          "when: no case of this campaign has the values of this key: give values of at least one case");
+      throw InputError(r.place,
+                       "when: no case of this campaign has these values of its keys: expected the values of at "
+                       "least one case");
   }
   return plans;
 }

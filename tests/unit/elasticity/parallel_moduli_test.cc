@@ -7,8 +7,8 @@
 #include "floc/petsc/parallel_solver.h"
 #include "support/network_packings.h"
 
-/// Compares moduli computed with PETSc with those from CHOLMOD's factorization, in one process. tests/cli uses
-/// several processes.
+/// Compares moduli from PETSc with moduli from the factorization by CHOLMOD, in one process. tests/cli compares
+/// them with several processes.
 namespace floc {
 namespace {
 
@@ -101,8 +101,8 @@ TEST(ParallelModuli, EqualThoseOfAFactorInEveryEntry) {
   }
 }
 
-/// Without friction, such a loose random packing has floppy modes. Either strains do not couple to a mode or a
-/// modulus vanishes; all moduli must be right in both cases.
+/// Without friction, this loose random packing has floppy modes. If the strains couple to a mode, a modulus
+/// vanishes; otherwise the mode has no effect. All moduli must be right in both cases.
 TEST(ParallelModuli, OfAStateWithFloppyModesAreThoseOfTheFactor) {
   if (!has_parallel_solver()) GTEST_SKIP() << "built without PETSc";
   const auto packing = test::random_packing<2>(120, 5, test::elastic_law(1.0, 0.0, 0.0), 1.3);

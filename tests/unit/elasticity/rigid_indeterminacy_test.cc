@@ -49,8 +49,8 @@ TEST(RigidIndeterminacy, IsTheNumberOfComponentsMinusTheRankOfTheBalance) {
   }
 }
 
-/// The crystal has 27 lines of three spheres. Each line carries one force, and the three stresses along the
-/// axes are given.
+/// The crystal has 27 lines of three spheres. Each line carries one force. The three given stresses along the
+/// axes determine three of these forces.
 TEST(RigidIndeterminacy, OfACubicCrystalWithoutFrictionIsThatOfItsLines) {
   EXPECT_EQ(rigid_indeterminacy(cubic_crystal(0.7, 0.0).packing, 0.0).degree, 27 - 3);
 }

@@ -10,8 +10,8 @@
 #include "floc/packing/law/named_stiffness.h"
 #include "support/rigid_states.h"
 
-/// Compares moduli of lattices of grains with corners with closed forms. Each contact point is a spring with
-/// K_N and K_T, without force.
+/// Compares the moduli of lattices of angular grains with closed forms. Each contact point is a spring without
+/// force, with the stiffnesses K_N and K_T.
 namespace floc::test {
 namespace {
 
@@ -61,7 +61,8 @@ TEST(ShapeLattices, Hexagons) {
   std::vector<Vec<2>> positions;
   const double height = std::sqrt(0.75);
   for (int k = 0; k < 16; ++k) positions.emplace_back(k % 4 + 0.5 * (k / 4 % 2), height * (k / 4));
-  // Hexagons with sides of 1/sqrt(3) and centres at a distance of 1; each stands on a corner.
+  // Hexagons with sides of 1/sqrt(3) and centres at a distance of 1. Each hexagon has a corner at its top and
+  // at its bottom.
   Packing<2> turned;
   const Shape<2> hexagon = regular_polygon(6, 0.0);
   const auto lattice = [&](double angle) {

@@ -16,7 +16,7 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 
-/// Compression law with known parameters, written as in its paper.
+/// Compression law with known parameters. Its formula is written as in the original paper.
 struct KnownLaw {
   CompressionLaw law;
   std::function<double(double)> D;

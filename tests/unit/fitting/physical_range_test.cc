@@ -38,7 +38,7 @@ TEST(PhysicalRange, CutsIntervalsAndTakesBackValuesBeyond) {
   EXPECT_EQ(keep_in_range({0.0, 1.0}, none), "");
 }
 
-/// Fit in which one parameter would leave its physical range.
+/// A fit in which one parameter would leave its physical range.
 struct Beyond {
   const char* parameter;
   double low, high;  ///< physical range of the parameter
@@ -86,7 +86,8 @@ Beyond dilating() {
   return {"kappa", 0.0, kAny, fit.parameters, fit.warnings};
 }
 
-/// The published series [SVI2024] with another e_min and C, without samples whose void ratio is negative.
+/// The published series [SVI2024] with other values of e_min and C. Samples with a negative void ratio are left
+/// out.
 Beyond compacted(const char* parameter, double e_min, double C) {
   std::vector<CompactedSample> samples;
   for (const double p : {0.01, 0.1, 0.5, 1.0})

@@ -18,7 +18,7 @@ using testing::HasSubstr;
 using testing::ThrowsMessage;
 
 /// Fixture: three disks in a skewed cell of 4 x 3 with an offset of 1. Disks 0 and 1 overlap by 0.1 across the
-/// side of the cell, disks 1 and 2 by 0.2 inside it.
+/// side of the cell. Disks 1 and 2 overlap by 0.2 inside the cell.
 class CsvPacking : public testing::Test {
  protected:
   CsvPacking() {

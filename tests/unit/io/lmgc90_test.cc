@@ -21,8 +21,8 @@ std::string three(const char* format, const Eigen::Vector3d& v) {
                      test::fortran_number(v[2]));
 }
 
-/// Writes a packing as a directory DATBOX: bodies, numbered from 1, without displacements, bars as walls, and
-/// the forces on the candidate of each contact.
+/// Writes a packing as a directory DATBOX. The bodies are numbered from 1 and have no displacements. Walls are
+/// written as bars. The force of a contact acts on its candidate body.
 template <int Dim>
 void write_datbox(const std::string& folder, const Packing<Dim>& p) {
   std::filesystem::create_directory(folder);

@@ -253,7 +253,7 @@ TEST(StateWithShapes, IsRefusedIfAShapeIsNoConvexBody) {
 }
 
 TEST(StateWithShapes, IsRefusedIfItsPolygonIsNotConvex) {
-  // A pentagram has the vertices of a pentagon and uses each of them once.
+  // A pentagram has the vertices of a pentagon, and each vertex occurs once in its outline.
   Shape<2> star = regular_polygon(5, 0.0);
   star.corners = {0, 2, 2, 4, 4, 1, 1, 3, 3, 0};
   EXPECT_FALSE(fault_of_faces(star));

@@ -67,8 +67,9 @@ TEST(TableUnits, AreConvertedByTheirSizes) {
   EXPECT_THROW(factor("potatoes", "Pa"), InputError);
 }
 
-/// For all pairs of units with prefixes, conversion there and back gives one, and conversion through a third
-/// unit gives the same factor. Units of other quantities, and missing units, are refused.
+/// For all pairs of units with prefixes, the conversion factors of both directions have the product one.
+/// Conversion through a third unit gives the same factor. Units of other quantities, and missing units, are
+/// refused.
 TEST(TableUnits, OfAllPairsConvertOrAreRefused) {
   std::vector<std::string> units = known_units();
   for (const char* name :

@@ -99,8 +99,8 @@ TEST(IrregularLattice, FillsTheCellAndClosesEveryVoronoiCell) {
   EXPECT_NEAR(static_cast<double>(lattice.bonds.size()) / lattice.n_nodes(), 7.77, 0.3);
 }
 
-/// If K_N = K_T = E s/l act at the centres of the faces (area s, distance l of the nodes), every lattice is a
-/// continuum with nu = 0.
+/// The springs K_N = K_T = E s/l act at the centres of the faces between cells (area s of a face, distance l of
+/// its two nodes). Then every lattice deforms like a homogeneous continuum with nu = 0.
 TEST(IrregularLattice, OfBeamsByFacetIsAHomogeneousContinuum) {
   const Lattice<3> lattice = irregular(4.0, 1.0);
   ElementStiffness stiffness;
@@ -255,7 +255,7 @@ TEST(Disk, PressedOnADiameterHasTheStressOfTheContinuumAtItsCentre) {
   EXPECT_NEAR(mean(1, 1) / (6 * P / (std::numbers::pi * diameter)), 1.0, 0.03);
 }
 
-/// A boundary that holds the nodes makes the sample stiffer.
+/// Prescribed displacements of the nodes at the boundary make the sample stiffer than a periodic cell.
 TEST(Boundary, OfUniformStrainIsStifferThanAPeriodicCell) {
   RandomStream random(8, 0);
   const CementedSample<2> sample = sample_of<2>(triangular_lattice(14, 14, 1.0),

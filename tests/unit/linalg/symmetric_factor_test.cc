@@ -175,7 +175,8 @@ TEST(SymmetricFactor, ASmallShiftSolvesASingularSystemOnItsRange) {
   ASSERT_TRUE(factor.factorize_positive(1e-10));
   Eigen::MatrixXd found = factor.solve(B, 20);
   found.array() -= found.mean();
-  // Rounding adds about 1e-16/1e-10 of the null vector; subtracting the mean removes it.
+  // With the shift of 1e-10, rounding adds about 1e-16/1e-10 times the null vector to the solution. Subtracting
+  // the mean removes this error.
   EXPECT_LT((found - X).norm(), 1e-9);
   EXPECT_LT((factor.multiply(found) - B).norm(), 1e-12);
   EXPECT_EQ(factor.count_eigenvalues_below(1e-12), 1);

@@ -51,8 +51,8 @@ TEST(TangentSolver, SolvesByEachMethod) {
   }
 }
 
-/// The factorization of the first matrix can be used for the second one. The third one has scaled rows and
-/// columns and needs a new factorization.
+/// The factorization of the first matrix can also be used for the second one. The third matrix has scaled rows
+/// and columns and needs a new factorization.
 TEST(TangentSolver, KeepsAFactorWhileItServes) {
   TangentSolver solver({TangentMethod::cholesky, 0.0, false}, kLayout);
   const Eigen::SparseMatrix<double> first = ring_of_grains(400, 0.3, 1.0);

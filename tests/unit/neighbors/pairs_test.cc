@@ -38,7 +38,8 @@ std::vector<NeighborPair<Dim>> by_brute_force(const Cell<Dim>& cell, const Grain
       for (int code = 0; code < n_images; ++code) {
         Vec<Dim, int> image;
         for (int a = Dim - 1, rest = code; a >= 0; --a, rest /= per_axis) image[a] = rest % per_axis - reach;
-        // Of two opposite images of one grain, only the image whose code is in the upper half counts.
+        // A grain and its image form the same pair twice, with opposite images. Only the image whose code is in
+        // the upper half counts.
         if (i == j && code <= n_images / 2) continue;
         const Vec<Dim> r = grains.position[j] + cell.shift(image) - grains.position[i];
         if (r.norm() < grains.radius[i] + grains.radius[j] + gap) found.push_back({i, j, image});
@@ -158,8 +159,8 @@ TEST(Pairs, RefuseValuesThatAreNotFinite) {
 }
 
 TEST(Pairs, OfMoreThanAThousandNeighboursAGrainAreRefused) {
-  // One disk in a cell of side 1 meets half of the pi 100^2 images of itself, about 15 700 pairs. The limit is
-  // 10 000 + 1000.
+  // A disk of radius 50 in a cell of side 1 touches all its images within a distance of 100. These are pi
+  // 100^2/2 pairs, about 15 700. The limit is 10 000 + 1000.
   Grains<2> grains = Grains<2>::with_size(1);
   grains.radius[0] = 50.0;
   EXPECT_THAT(
@@ -196,7 +197,7 @@ TEST(SpaceOrder, OfManySpheresHasNeighboursWithinAFewLayers) {
   EXPECT_THAT(place, testing::Each(testing::Ge(0)));
   int furthest = 0, n_pairs = 0;
   for (const NeighborPair<3>& pair : find_pairs(cell, grains, 0.0)) {
-    if (!pair.image.isZero()) continue;  // across the boundary the order starts again
+    if (!pair.image.isZero()) continue;  // across the cell boundary the order starts again
     furthest = std::max(furthest, std::abs(place[pair.i] - place[pair.j]));
     ++n_pairs;
   }

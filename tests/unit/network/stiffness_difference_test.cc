@@ -46,9 +46,9 @@ Packing<Dim> displaced(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
   return out;
 }
 
-/// Returns the generalised forces that hold the packing: force and moment on every grain, then for each strain
-/// the sum of forces times the branches of the reference packing. For the packing itself these sums are the
-/// volume times the stress.
+/// Returns the generalised forces that keep the packing in balance: the force and moment on every grain, then
+/// for each strain the sum of the forces times the branches of the reference packing. If the packing is its own
+/// reference, these sums are the volume times the stress.
 template <int Dim>
 Eigen::VectorXd load(const Packing<Dim>& packing, const Packing<Dim>& reference, StrainSet strains) {
   const int n = packing.grains.size();
@@ -81,8 +81,8 @@ double difference_error(const Packing<Dim>& packing, StrainSet strains) {
   return (differences - k).cwiseAbs().maxCoeff() / k.cwiseAbs().maxCoeff();
 }
 
-/// The truncation error is (step/r)^2 = 1e-10, the rounding error 1e-16/step = 1e-11, relative to the largest
-/// entry.
+/// Tolerance of finite differences. The truncation error is (step/r)^2 = 1e-10, the rounding error 1e-16/step =
+/// 1e-11, both relative to the largest entry.
 constexpr double kDifferenceTolerance = 1e-8;
 
 Law cohesive_law() {
@@ -108,7 +108,7 @@ TEST(Stiffness, IsTheDerivativeOfTheForcesIn3D) {
   }
 }
 
-/// Checks the stiffness of liquid bridges at constant volume of each bridge.
+/// Checks the stiffness of liquid bridges if each bridge keeps its volume.
 template <int Dim>
 void expect_derivative_of_bridges(const std::string& form) {
   Law law = test::elastic_law(1.0, 0.7, 0.0);

@@ -100,8 +100,8 @@ Packing<Dim> carried_along(const Packing<Dim>& packing, const Eigen::VectorXd& u
   return out;
 }
 
-/// Returns minus the forces on grains, minus the moments divided by the radius, then for each strain the
-/// conjugate stress times the volume.
+/// Returns minus the forces on the grains, then minus their moments divided by the radius, then for each strain
+/// the conjugate stress times the volume.
 template <int Dim>
 Eigen::VectorXd load(const Packing<Dim>& packing) {
   const int n = packing.grains.size();
@@ -136,8 +136,9 @@ double difference_error(const Packing<Dim>& packing) {
   return (differences - k).cwiseAbs().maxCoeff() / k.cwiseAbs().maxCoeff();
 }
 
-/// The rounding error is 1e-16/step = 1e-10, relative to the largest entry. The truncation error is
-/// (step/spring)^2 where the direction of sliding rotates; the shortest springs at their limit are about 1e-3.
+/// Tolerance of finite differences, relative to the largest entry. The rounding error is 1e-16/step = 1e-10. If
+/// the direction of sliding rotates, the truncation error is (step/spring)^2; the shortest springs at their
+/// limit have a length of about 1e-3.
 constexpr double kTangentTolerance = 1e-7;
 
 template <int Dim>

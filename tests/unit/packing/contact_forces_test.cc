@@ -38,7 +38,7 @@ TEST(RefreshContact, RecomputesForcesFromPositionsAndSprings) {
   refresh_contacts(packing);
   ASSERT_EQ(packing.contacts.size(), 1u);
   const Contact<2>& c = packing.contacts[0];
-  // Positions near 10 have rounding errors of 2e-15, which K_N multiplies.
+  // Positions near 10 have rounding errors of 2e-15; the errors of forces are K_N times as large.
   EXPECT_NEAR(c.gap, -0.1, 1e-14);
   EXPECT_NEAR((c.normal - Vec<2>(0.6, 0.8)).norm(), 0.0, 1e-14);
   EXPECT_NEAR(c.elastic_force, 10.0, 1e-12);

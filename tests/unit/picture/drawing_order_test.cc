@@ -54,8 +54,8 @@ struct Cells {
   }
 };
 
-/// Returns the depth at which a line of sight leaves a polyhedron towards the eye; absent if it misses the
-/// polyhedron.
+/// Returns the depth at which a line of sight leaves a polyhedron towards the eye, or no value if the line
+/// misses the polyhedron.
 std::optional<double> front_depth(const PlacedShape<3>& placed, const Vec<3>& eye, const Vec<3>& on_line) {
   const Vec<3> from = placed.rotation.transpose() * (on_line - placed.position) / placed.scale;
   const Vec<3> along = placed.rotation.transpose() * eye / placed.scale;
@@ -131,8 +131,8 @@ TEST(DrawingOrder, HoldsEachBodyOfACycleOnce) {
 }
 
 TEST(HiddenBodies, AreBehindASphereInsideAnother) {
-  // A wall of bodies with inscribed spheres, and three more bodies: one behind the wall, one beside it further
-  // back, and one within the wall, which may stick out in front.
+  // A wall of bodies with inscribed spheres, and three more bodies: one behind the wall, one beside the wall
+  // and further back, and one within the wall. The last one may stick out in front.
   std::vector<BodyExtent> bodies;
   for (int x = -6; x <= 6; ++x)
     for (int y = -6; y <= 6; ++y) bodies.push_back({{0.5 * x, 0.5 * y, 1.0}, 0.5, 0.8});

@@ -15,8 +15,8 @@ using Part = SeenPacking::Part;
 
 constexpr double kSeenRounding = 1e-12;
 
-/// View from far up the z axis, with x to the right and y upwards, so that seen coordinates equal those of the
-/// cell.
+/// View from far up the z axis, with x to the right and y upwards. Seen coordinates therefore equal the
+/// coordinates in the cell.
 View from_above() {
   View view;
   view.azimuth = -90.0;
@@ -96,8 +96,8 @@ TEST(SeenPacking, TubesReachFromSphereToSphere) {
   EXPECT_TRUE(seen.tubes[0].to.isApprox(Vec<3>(2.0 - inside, 2, 2), kSeenRounding));
   EXPECT_EQ(seen.tubes[0].from_end, TubeEnd::at_sphere);
   EXPECT_NEAR(seen.tubes[0].width, 0.3, kSeenRounding);
-  // A tube that is wider than the spheres connects their centres. Between spheres drawn at full size no tube is
-  // visible.
+  // If a tube is wider than the spheres, it ends at their centres. Between spheres drawn at full size, no tube
+  // is visible.
   view.sphere_size = 0.2;
   const auto wide = seen_packing(picture, view, scale);
   EXPECT_TRUE(wide.tubes.at(0).from.isApprox(Vec<3>(1, 2, 2), kSeenRounding));
@@ -136,8 +136,8 @@ TEST(SeenPacking, ContactsWithAWallEndFlatOnIt) {
 
 TEST(SeenPacking, ASphereHidesWhatIsInItAndBehindIt) {
   const SeenSphere sphere{{0, 0, 0}, 1.0, 0};
-  // A line at the depth of the equator or behind it is hidden over the width of the outline. A line in front of
-  // the sphere is not hidden.
+  // A line that passes the sphere at the depth of its equator, or behind it, is hidden over the width of the
+  // outline. A line in front of the sphere is not hidden.
   EXPECT_EQ(hidden_part({-2, 0, -3}, {2, 0, -3}, sphere), (std::pair{0.25, 0.75}));
   EXPECT_FALSE(hidden_part({-2, 0, 1.5}, {2, 0, 1.5}, sphere));
   EXPECT_FALSE(hidden_part({-2, 1.5, -3}, {2, 1.5, -3}, sphere));

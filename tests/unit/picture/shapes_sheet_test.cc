@@ -81,8 +81,8 @@ Packing<3> cubes() {
   return packing;
 }
 
-/// Returns the area (length^2) of the last blue of the colour scale. Pixels at edges count in proportion to
-/// their blue.
+/// Returns the area (length^2) that has the blue at the end of the colour scale. Pixels at edges have mixed
+/// colours and count in part.
 double blue_area(const std::string& png, double pixels_per_length) {
   const Pixels pixels(png);
   const int red = rgb_of(palette::diverging(1.0)) >> 16;
@@ -92,7 +92,7 @@ double blue_area(const std::string& png, double pixels_per_length) {
   return n / (pixels_per_length * pixels_per_length);
 }
 
-/// Whether all pixels in a margin around the picture are white.
+/// Whether all pixels in a margin along the edges of the picture are white.
 bool is_white_outside(const Pixels& pixels, int margin) {
   for (int y = 0; y < pixels.height(); ++y)
     for (int x = 0; x < pixels.width(); ++x) {
@@ -162,7 +162,7 @@ TEST(SheetOfShapes, CornersAreAtTheirCoordinates) {
   for (const char* corner : {"155 155 ", "255 155 ", "255 255 ", "155 255 "})
     EXPECT_THAT(sharp, HasSubstr(corner));
   EXPECT_THAT(sharp, Not(HasSubstr(" C ")));
-  // After a rotation by 45 degrees, its corners lie on the axes.
+  // After a rotation by 45 degrees, the corners lie straight above, below and beside the centre of the square.
   packing.grains.orientation[0] = 0.25 * 3.14159265358979;
   const std::string turned = draw_sheet<2>({grains_of(packing)}, options);
   for (const char* corner : {"205 134.29 ", "275.71 205 "}) EXPECT_THAT(turned, HasSubstr(corner));
@@ -185,7 +185,8 @@ TEST(SheetOfShapes, LinesPassThroughTheContactPoint) {
   const auto at = [&](double x, double y) {
     return pixels.rgb(static_cast<int>(5.0 + 100.0 * x), static_cast<int>(5.0 + 100.0 * (4.0 - y)));
   };
-  // The line from (0.7, 1) to (2, 1) bends at (1.3, 1.3), the one across the cell boundary at (0.1, 1.2).
+  // The line from (0.7, 1) to (2, 1) bends at (1.3, 1.3). The line across the cell boundary bends at (0.1,
+  // 1.2).
   for (const auto& [x, y] : {std::pair(1.3, 1.3), std::pair(1.0, 1.15), std::pair(1.65, 1.15),
                              std::pair(0.1, 1.2), std::pair(3.7, 1.1)})
     EXPECT_EQ(at(x, y), rgb_of(palette::kCompression)) << x << ' ' << y;

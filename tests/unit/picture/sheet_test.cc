@@ -22,8 +22,8 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-/// Four disks of diameter 1 at the corners of a square in a cell of side 4, and two lines along x: one at y = 1
-/// with force 2, one at y = 3 with force 1.
+/// Four disks of diameter 1 at the corners of a square in a cell of side 4, and two lines along x. The line at
+/// y = 1 has the force 2, the line at y = 3 the force 1.
 PackingPicture<2> two_lines() {
   PackingPicture<2> picture;
   picture.cell.matrix *= 4.0;
@@ -140,7 +140,7 @@ TEST(Sheet, AHundredThousandGrainsAreNoBlackSquare) {
   options.format = PictureFormat::png;
   const Pixels dense(draw_sheet<2>({many(100'000)}, options));
   const Pixels sparse(draw_sheet<2>({many(100)}, options));
-  // The picture is as light as that of a hundred similar grains, except for the outlines.
+  // Except for the outlines, the picture is as light as a picture of a hundred similar grains.
   EXPECT_NEAR(dense.ink(), sparse.ink(), 0.05);
   EXPECT_LT(dense.ink(), 0.4);
   EXPECT_LE(std::max(dense.width(), dense.height()), 3000);
@@ -211,7 +211,7 @@ TEST(SheetOfSpheres, ManyAreAnImageUnlessOthersHideThem) {
     picture.radius.assign(picture.position.size(), radius);
     return picture;
   };
-  // Of 8000 touching spheres only those at three faces, and parts of others in between, are visible.
+  // Of 8000 touching spheres, only those at three faces are visible, and parts of other spheres between them.
   const std::string dense = draw_sheet<3>({crystal(20, 0.5)}, {});
   EXPECT_THAT(dense, Not(HasSubstr("data:image/png")));
   EXPECT_LT(count_in(dense, "<radialGradient"), 4000);

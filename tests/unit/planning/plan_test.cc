@@ -84,10 +84,11 @@ TEST_F(Plans, PricesFollowTheLawsOfTheModel) {
   const PricedError one = model_.error(phi, plain, 100, 1), many = model_.error(phi, plain, 400, 16);
   EXPECT_NEAR(one.scatter, student_t_95(8) * 0.02, 1e-12);
   EXPECT_NEAR(many.scatter, one.scatter / 8.0, 1e-12) << "sqrt(4 x 16) as small";
-  // The size error is c/N, with c from 0.02 = c (1/25 - 1/100). For 100 grains this is 0.02/3.
+  // The size error is c/N for N grains, where c follows from 0.02 = c (1/25 - 1/100). For 100 grains the error
+  // is 0.02/3.
   EXPECT_NEAR(one.size, 0.02 / 3.0, 1e-6);
   EXPECT_NEAR(many.size, one.size / 4.0, 1e-12);
-  // The means agree within their error, so only the error of single states counts.
+  // The means agree within their error, so the error of the settings is that of single states.
   EXPECT_DOUBLE_EQ(one.settings, 1e-5);
 }
 
@@ -193,7 +194,7 @@ TEST_F(Plans, WhatCannotBeHadIsRefusedWithTheNearestThatCan) {
   dear.budget = 5.0;
   EXPECT_THAT(refusal(dear), AllOf(HasSubstr("the requested errors take "),
                                    HasSubstr("; the nearest errors that the budget allows are phi=0.0")));
-  // The nearest error that the message names can be reached.
+  // The message names the nearest error that is possible. A request for this error is accepted.
   const std::string words = refusal(below);
   const std::size_t at = words.find("at least ") + 9;
   below.wants = {{"phi", std::stod(words.substr(at))}};
@@ -210,7 +211,7 @@ TEST_F(Plans, WantsAreNamesOfObservablesOrKeysOfAccuracy) {
   EXPECT_THROW((void)wants_of({"phi=1", "phi=2"}, names), InputError);
 }
 
-/// The prices above, with a row of softer springs that take half of the time.
+/// The table of prices() with more rows: softer springs that take half of the time.
 PriceTable soft_prices() {
   PriceTable table = prices();
   for (const char* name : {"phi", "B"}) {
@@ -235,11 +236,12 @@ TEST(PriceModelOfAScene, CostsAsMuchAsItsSofteningSays) {
     return model.core_seconds(model.settings_of_scene(), 100);
   };
   EXPECT_NEAR(seconds(prices(), {}), 2.0, 1e-12);
-  // Without a row of softening, 0.7 of the time goes as 1/sqrt(softening).
+  // If the table has no row for softening, 0.7 of the time is proportional to 1/sqrt(softening).
   const double tenth = 0.3 + 0.7 / std::sqrt(10.0);
   EXPECT_NEAR(seconds(prices(), {"equilibrium.softening=10"}), 2.0 * tenth, 1e-9);
   EXPECT_NEAR(seconds(prices(), {"assembly.softening=10"}), 2.0 * (0.57 * tenth + 0.43), 1e-9);
-  // With one, its time counts, and a smaller softening takes the power of it in between.
+  // If the table has a row for softening, the time of this row counts. For smaller softenings, a power law
+  // interpolates.
   EXPECT_NEAR(seconds(soft_prices(), {"equilibrium.softening=10"}), 1.0, 1e-9);
   EXPECT_NEAR(seconds(soft_prices(), {"load.0.softening=10", "load.1.softening=10"}), 2.0 * (0.57 + 0.43 * 0.5),
               1e-9);
@@ -259,7 +261,8 @@ TEST(ChangesOfAScene, GiveItTheSofteningOfThePlan) {
   EXPECT_THAT(softened(scene(), {10.0, 1.0}),
               testing::IsSupersetOf({"equilibrium.softening=1", "assembly.softening=10"}));
   EXPECT_THAT(softened(scene(), {}), testing::Each(Not(HasSubstr("softening"))));
-  // A stage's own softening, and stages that impose a strain.
+  // The changes also replace the softening of a single stage. They are accepted by scenes with stages that
+  // impose a strain.
   EXPECT_THAT(softened(scene({"load.1.softening=3"}), {}), testing::Contains("load.1.softening=1"));
   const Scene oedometer = read_scene(test::source_directory() + "/data/scenes/oedometer.toml", {});
   const std::vector<std::string> changes = softened(oedometer, {2.0, 2.0});

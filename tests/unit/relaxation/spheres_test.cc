@@ -35,7 +35,7 @@ TEST(Spheres, VectorInstructionsLeaveNoTraceInTheBits) {
   test::expect_no_trace_of_instructions<3>(30u);
 }
 
-/// Equivalent lattice vectors describe the same boundary, so the motion is the same.
+/// Different vectors of the same lattice describe the same boundary, so the motion is the same.
 TEST(Spheres, MoveAlikeInLatticesOfOtherVectors) {
   Packing<3> gas = agitated_gas<3>(150, cohesive_law());
   Packing<3> leaning = gas;
@@ -195,7 +195,8 @@ TEST(Spheres, TwistingResistsRotationsAboutTheNormalOnly) {
   EXPECT_LT((pair.moment_on_j() - Vec<3>(1e-4, 0.0, 0.0)).norm(), 1e-18);
 }
 
-/// Both springs rotate with the pair, so a rigid rotation keeps the magnitude of the moment.
+/// The springs for rolling and twisting rotate with the pair, so a rigid rotation does not change the magnitude
+/// of the moment.
 TEST(Spheres, ARigidTurnKeepsTheMoment) {
   Law law = frictional_law();
   law += test::rolling_spring(100.0, 0.3);

@@ -137,8 +137,8 @@ TEST(WetGrains, ADoubletBouncesForEverWithAllOfItsEnergy) {
   }
   EXPECT_TRUE(apart);
   EXPECT_TRUE(touching);
-  // When surfaces meet, the stiffness jumps by K_N. A step across this point has an error of about K_N (v
-  // dt)^2/8.
+  // When surfaces meet, the stiffness jumps by K_N. In the step with this jump, the energy has an error of
+  // about K_N (v dt)^2/8.
   EXPECT_LT(largest, 5e-4 * std::abs(energy));
 }
 

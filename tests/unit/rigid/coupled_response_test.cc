@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kProblems = 10'000;
 
-/// Friction coefficients of the problems, repeated periodically.
+/// Returns the friction coefficient of a problem. The coefficients repeat periodically.
 double friction_of(int n) {
   constexpr double kFrictions[] = {0.5, 0.0, 0.1, 1.5, 10.0};
   return kFrictions[n % 5];
@@ -108,7 +108,7 @@ ContactProblem<Dim> problem_of(const BodyMotion<Dim>& bodies, const StepContact<
   return out;
 }
 
-/// Two random bodies in contact; if the contact is not round, in a cell under stress.
+/// Two random bodies in contact. Unless the contact is round, the bodies are in a cell under stress.
 template <int Dim>
 class Pairs {
  public:
@@ -170,7 +170,8 @@ void expect_one_sweep_to_solve_a_pair(bool round) {
     const ContactProblem<Dim> problem = problem_of(bodies, contacts[0]);
     const SweepResult result = GaussSeidel<Dim>(bodies, contacts).solve(0.0, 1);
     const Vec<Dim> expected = contact_impulse(problem);
-    // Velocities are of order 1 and responses at least 0.4, so impulses have corresponding rounding errors.
+    // Velocities are of order 1, and responses are at least 0.4. The rounding errors of the impulses follow
+    // from these values.
     EXPECT_LT((contacts[0].impulse - expected).norm(), 1e-12 * expected.norm() + 1e-300) << "pair " << n;
     EXPECT_LT(result.residual, 1e-12) << "pair " << n;
     const BodyMotion<Dim> moved = after(before, contacts[0], expected);

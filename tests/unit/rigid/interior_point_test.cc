@@ -11,8 +11,9 @@
 namespace floc::test {
 namespace {
 
-/// Disk of radius 1 in a groove whose sides have the angle b, under a load (0, -W). Each of its two contacts is
-/// a block (P, T/mu); the rows are the forces along x and y and the moment.
+/// Disk of radius 1 in a groove whose sides have the angle b, under a load (0, -W). Each of the two contacts is
+/// a block (P, T/mu) with the normal force P and the tangential force T. The rows of the program are the forces
+/// along x and y and the moment.
 struct Groove {
   double angle = std::numbers::pi / 3.0;
   double friction = 0.3;
@@ -79,7 +80,8 @@ TEST(InteriorPoint, ProvesThatNoForceHoldsADiskThatIsPulledOut) {
   const ConeProgram<2> program = Groove{.load = -1.0}.program();
   const ConeSolution<2> found = InteriorPoint<2>(program).solve(program);
   ASSERT_EQ(found.status, ConeStatus::kInfeasible);
-  // The load does work on the motion, and the contacts open: this proves that no forces balance the load.
+  // The load does work on the motion, and the contacts open. This proves that no contact forces can balance the
+  // load.
   EXPECT_GT(program.load.dot(found.motion), 0.0);
   for (int k = 0; k < program.n_blocks(); ++k) {
     Vec<2> opening = Vec<2>::Zero();
@@ -117,7 +119,7 @@ ConeProgram<Dim> random_program(unsigned seed) {
   return out;
 }
 
-/// Expects the optimality conditions: A x = b, x and z = Q x + c - A' y in the cones, and x' z = 0.
+/// Expects the optimality conditions: A x = b; x and z = Q x + c - A' y are in the cones; x' z = 0.
 template <int Dim>
 void expect_optimal(const ConeProgram<Dim>& program, const ConeSolution<Dim>& found, double tolerance) {
   ASSERT_EQ(found.status, ConeStatus::kSolved);
@@ -170,7 +172,7 @@ TEST(SecondOrderCone, ScalingMapsThePairToOnePoint) {
     };
     const Vec<3> x = inside(), z = inside();
     const cone::Scaling<3> scaling(x, z);
-    // Rounding errors of x and z change W by eps/margin.
+    // Rounding errors of x and z change the scaling W by eps/margin.
     EXPECT_LT((scaling.scaled(z) - scaling.unscaled(x)).norm(), 1e-14 / margin);
     EXPECT_LT((scaling.unscaled(scaling.scaled(z)) - z).norm(), 1e-14 / margin);
   }

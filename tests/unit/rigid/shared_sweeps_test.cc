@@ -33,8 +33,8 @@ struct PeriodicLattice {
       }
     return out;
   }
-  /// Puts the cell under pressure. @param cell_mass  mass of the cell, in units of the mass of all grains times
-  /// the squared side
+  /// Puts the cell under pressure.
+  /// @param cell_mass  mass of the cell, divided by the mass of all grains and the squared side
   void load(BodyMotion<Dim>& bodies, double pressure, double step, double cell_mass) const {
     bodies.inverse_stretch_mass.setConstant(1.0 / (cell_mass * size() * side * side));
     bodies.stretch = -step * pressure * std::pow(side, Dim) * bodies.inverse_stretch_mass;
@@ -71,7 +71,8 @@ TEST(GaussSeidel, AnImposedRateOfStretchIsPartOfTheRelativeVelocity) {
   BodyMotion<2> bodies = lattice.bodies();
   bodies.stretch = {0.3, 0.2};
   std::vector<StepContact<2>> contacts = lattice.contacts();
-  // The contacts are springs that the stretch does not close completely.
+  // The contacts are springs that close with the speed 1. The stretch of the cell cancels only a part of this
+  // speed.
   for (StepContact<2>& c : contacts) {
     c.normal_compliance = 2.0;
     c.bias[0] = -1.0;

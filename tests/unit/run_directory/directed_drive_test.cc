@@ -84,8 +84,8 @@ TEST(DirectedDrive, MakesStatesThatVerifyAndRowsOfTheirAxes) {
   EXPECT_NEAR(at(5, "strain_2") - at(4, "strain_2"), -4e-3, 1e-12);
 }
 
-/// The tilt of the lattice is reduced before the second step of the shear. The states, also those that follow,
-/// must verify.
+/// The tilt of the lattice is reduced before the second step of the shear. All states, before and after this
+/// reduction, must pass the verification.
 TEST(DirectedDrive, ASimpleShearStoppedAnywhereVerifiesAndIsTheUnbrokenRun) {
   const test::ScratchDirectory scratch;
   const Scene scene = scene_of(

@@ -50,7 +50,7 @@ void expect_depths_of_all_features(const std::vector<Shape<Dim>>& shapes) {
     compare<Dim>(first, second, reached, counts);
     if (testing::Test::HasFatalFailure()) return;
   }
-  // The other pairs choose a face within the margin.
+  // The other pairs choose a face instead of an edge pair, within the margin.
   EXPECT_EQ(counts.compared, 500);
   EXPECT_GE(counts.exact, 490);
 }

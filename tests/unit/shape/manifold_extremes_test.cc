@@ -103,7 +103,7 @@ void expect_exchange_to_keep_gaps() {
       EXPECT_NEAR(one.least_gap(), other.least_gap(), 1.01e-4 * pair.inner_radius() + 1e-13 * scale);
       n_opposite += (one.normal + other.normal).norm() < 1e-9 && one.n == other.n ? 1 : 0;
     }
-    // If two axes tie within the margin, the choice depends on the order of the shapes.
+    // If two axes are equal within the margin, the choice depends on the order of the shapes.
     EXPECT_GE(n_opposite, 140);
   });
 }

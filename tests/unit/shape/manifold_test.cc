@@ -207,7 +207,7 @@ TEST(Manifold, HasTheDepthOfASearchOverDirections) {
   }
 }
 
-/// Overlapping polyhedra have the depth found over all axes; most of them agree up to rounding.
+/// The depth of overlapping polyhedra is the depth over all axes. For most pairs, both agree up to rounding.
 TEST(Manifold, OfPolyhedraHasTheDepthOfAllAxes) {
   RandomStream random(28, 1);
   int n_overlapping = 0, n_exact = 0, n_edges = 0;
@@ -311,8 +311,8 @@ TEST(Manifold, OfCapsulesHasOnePointOrTwoSideBySide) {
   EXPECT_NEAR(in_line.points[0].gap, -0.01, kExact);
 }
 
-/// The edge of the upper cube rotates through the direction of the lower edge. Gaps must stay continuous, and
-/// points must stay on the edge.
+/// The edge of the upper cube rotates and becomes parallel to the lower edge for a moment. Gaps must stay
+/// continuous, and points must stay on the edge.
 TEST(Manifold, OfEdgesThatTurnThroughParallelIsContinuous) {
   const Shape<3> cube = shape_of<3>(box_points(1, 1, 1));
   const auto below = placed<3>(cube, Vec<3>::Zero(), turn_about(Vec<3>::UnitX(), 45.0));

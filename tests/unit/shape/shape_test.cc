@@ -108,8 +108,8 @@ TEST(MassProperties, RoundedBoxHasItsClosedForm) {
   const double volume =
       a * b * c + 2.0 * r * (a * b + b * c + c * a) + kPi * r * r * (a + b + c) + 4.0 / 3.0 * kPi * r * r * r;
   EXPECT_NEAR(box.volume, volume, 1e-14);
-  // The moment of x^2 is integrated over slices. For |x| < a/2 a slice is the rectangle b x c rounded by r;
-  // beyond, at a distance s from it, the rounding is sqrt(r^2 - s^2).
+  // The moment of x^2 is integrated over slices. For |x| < a/2 a slice is the rectangle b x c rounded by r. At
+  // a distance s beyond the core, the rectangle is rounded by sqrt(r^2 - s^2).
   const auto area = [&](double rho) { return b * c + 2.0 * (b + c) * rho + kPi * rho * rho; };
   double xx = a * a * a / 12.0 * area(r);
   constexpr int kSlices = 2000;
@@ -158,7 +158,7 @@ TEST(MassProperties, AgreeWithRandomPointsSharpAndRounded) {
   }
 }
 
-/// A rounded shape is the limit of the hull of many points on its rounded corners.
+/// A rounded shape is the limit of convex hulls of more and more points on its rounded corners.
 TEST(MassProperties, RoundedOnesAreTheLimitOfFineHulls) {
   const std::vector<Vec<2>> core = {{0, 0}, {1, 0.1}, {0.3, 0.8}};
   const double rho = 0.2;

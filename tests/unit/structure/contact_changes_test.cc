@@ -19,8 +19,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// Returns touching disks in rows and columns of a square lattice, in a cell with empty space around them, so
-/// that none touch across its sides.
+/// Returns touching disks in rows and columns of a square lattice. There is empty space around them, so that no
+/// disks touch across the sides of the cell.
 Packing<2> block(int columns, int rows) {
   std::vector<Vec<2>> places;
   for (int y = 0; y < rows; ++y)
@@ -92,8 +92,8 @@ TEST(ContactChanges, NameWhatWasLostAndGained) {
 }
 
 TEST(ContactChanges, TellContactsOfOnePairThroughDifferentSidesApart) {
-  // Two disks in a narrow cell touch on both sides, directly and through the periodic boundary; afterwards on
-  // one side only.
+  // Two disks in a narrow cell touch on both sides, directly and through the periodic boundary. Afterwards they
+  // touch on one side only.
   Mat<2> cell;
   cell << 2.0, 0.0, 0.0, 5.0;
   const Packing<2> before = disks(cell, {{0.1, 1}, {1.1, 1}}, 1.0, elastic_law(1.0, 0.0, 0.0));

@@ -40,7 +40,8 @@ TEST(PhaseStructure, OfColumnsIsCountedByHand) {
   EXPECT_EQ(phases.n_bonds, 20);
   EXPECT_DOUBLE_EQ(phases.like_share, 11.0 / 20.0);
   EXPECT_DOUBLE_EQ(phases.like_expected, (8.0 * 7.0 + 3.0 * 2.0) / (11.0 * 10.0));
-  // The single grain under tension has no neighbour of its own sign; each of the other two has one among four.
+  // The single grain under tension has no neighbour under tension. Each of the other two has one such neighbour
+  // among four.
   EXPECT_EQ(phases.negative.by_share[0].n_grains, 1);
   EXPECT_DOUBLE_EQ(phases.negative.by_share[0].mean_size, 3.0);
   EXPECT_EQ(phases.negative.by_share[2].n_grains, 2);

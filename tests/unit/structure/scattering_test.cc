@@ -115,8 +115,8 @@ TEST(Scattering, OfASquareLatticeIsInItsBraggPeaks) {
   EXPECT_NEAR(expected.envelope[3], peak(std::sqrt(2.0) * kTwoPi), 1e-9 * peak(kTwoPi));
 }
 
-/// Equivalent lattice vectors must give equal results. A mesh along a vector of a million cells would never
-/// finish.
+/// Different vectors of the same lattice must give equal results. A mesh along a lattice vector that spans a
+/// million cells would take forever.
 TEST(Scattering, OfALatticeDoesNotDependOnItsCell) {
   Packing<2> packing = one_disk(0.4, Mat<2>::Identity() * 3.0);
   const Scattering straight = scattering(packing);
@@ -162,13 +162,14 @@ TEST(Scattering, MeshesAreNoLargerThanAllowed) {
   options.most_cells = 10000;
   const Packing<2> packing = uncorrelated(10, 100.0, 1);
   const ScatteringMesh mesh = scattering_mesh(packing, options);
-  // Lattice vectors are longer than the cell is wide, and mesh sizes are rounded up to products of small
+  // The lattice vectors are longer than the width of the cell. Mesh sizes are rounded up to products of small
   // primes.
   EXPECT_LT(mesh.size(packing.cell).prod(), 1.3 * 10000);
   EXPECT_NEAR(mesh.edges.back(), kTwoPi / (8.0 * mesh.spacing), 1e-12);
 }
 
-/// Returns a random Gaussian field on a mesh whose mean I(k) follows the law of aggregates.
+/// Returns a random Gaussian field on a mesh. The mean intensity I(k) of such fields follows the law of
+/// aggregates.
 CoverageMap aggregate_field(int n, double side, double xi, double dF, unsigned seed) {
   std::mt19937 engine(seed);
   std::normal_distribution<double> normal;

@@ -63,7 +63,7 @@ TEST(RandomStream, NormalHasUnitVarianceAndGaussianKurtosis) {
     squares += x * x;
     fourths += x * x * x * x;
   }
-  // Tolerances are five standard errors: the variances of x, x^2 and x^4 are 1, 2 and 96.
+  // The tolerances are five standard errors. The variances of x, x^2 and x^4 are 1, 2 and 96.
   EXPECT_NEAR(sum / n, 0.0, 5 * std::sqrt(1.0 / n));
   EXPECT_NEAR(squares / n, 1.0, 5 * std::sqrt(2.0 / n));
   EXPECT_NEAR(fourths / n, 3.0, 5 * std::sqrt(96.0 / n));

@@ -10,8 +10,8 @@
 namespace floc {
 namespace {
 
-// Examples published with FIPS 180-4 (NIST, "SHA-256 examples"): the empty message, messages of one and two
-// blocks, and a million bytes.
+// The examples published with FIPS 180-4 (NIST, "SHA-256 examples"): the empty message, a message of one block,
+// a message of two blocks, and a million bytes.
 TEST(Sha256, GivesThePublishedExamples) {
   EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
   EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");

@@ -93,7 +93,7 @@ Eigen::MatrixXd extended_response(const ContactNetwork<Dim>& network, const std:
 }
 
 TEST(ElasticResponse, LiesWithinItsErrorBound) {
-  // rounding error of the extended-precision result when a modulus vanishes
+  // rounding error of the result in extended precision, if a modulus vanishes
   constexpr double kReference = 1e-17;
   ResponseOptions options;
   options.strains = StrainSet::full;
@@ -127,8 +127,7 @@ TEST(ElasticResponse, EqualsThePseudoInverseWithMechanismsInPlenty) {
 TEST(ElasticResponse, CountsEveryZeroModeOnceByStructureOrAsAMechanism) {
   int n_mechanisms = 0;
   for (unsigned seed = 0; seed < 30; ++seed) {
-    // If every contact has stiffness in all directions, the zero modes of the dense matrix include no dead
-    // ends.
+    // If every contact has stiffness in all directions, dead ends cause no zero modes of the dense matrix.
     for (const double kr : {0.0, 0.1}) {
       const auto network =
           contact_network(test::random_packing<2>(20, seed, test::elastic_law(1.0, 0.6, kr), 1.5));

@@ -17,8 +17,8 @@
 namespace floc {
 namespace {
 
-/// Returns all eigenvalues of K in ascending order, for the grains with contacts. Rotations are multiplied by
-/// the size of the grain.
+/// Returns all eigenvalues of the stiffness matrix K of the grains with contacts, in ascending order. Rotations
+/// are multiplied by the size of the grain.
 template <int Dim>
 Eigen::VectorXd dense_eigenvalues(const ContactNetwork<Dim>& network) {
   const int n = network.n_unknowns();
@@ -39,7 +39,7 @@ void expect_dense_eigenvalues(const ContactNetwork<Dim>& network, int count) {
   EXPECT_TRUE(soft.complete);
   ASSERT_EQ(soft.modes.size(), static_cast<std::size_t>(count));
   const Eigen::VectorXd dense = dense_eigenvalues(network);
-  // The dense spectrum also contains the free motions, as zeros after the negative eigenvalues.
+  // The dense spectrum also contains the free motions. They appear as zeros after the negative eigenvalues.
   const auto n_negative = (dense.array() < -1e-12).count();
   for (int m = 0; m < count; ++m) {
     const double expected = dense[m < n_negative ? m : m + soft.free.modes.cols()];

@@ -44,8 +44,8 @@ Packing<Dim> skewed(Packing<Dim> packing) {
   return packing;
 }
 
-/// Returns the packing with its normal forces multiplied by `share`, because random packings have larger
-/// overlaps than real states.
+/// Returns the packing with its normal forces multiplied by `share`. Random packings have larger overlaps than
+/// real states.
 template <int Dim>
 Packing<Dim> pressed(Packing<Dim> packing, double share) {
   for (auto& c : packing.contacts) c.normal_force *= share;
@@ -61,7 +61,7 @@ void expect_equal(const Packing<Dim>& packing, const ModuliOptions& options) {
   const double size = exact.C.cwiseAbs().maxCoeff();
   ASSERT_GT(size, 0.0);
   EXPECT_LE((m.C - exact.C).cwiseAbs().maxCoeff(), 1e-8 * size);
-  // The error is within its estimate, and the estimate is within the requested tolerance.
+  // The error is at most its estimate, and the estimate is at most the requested tolerance.
   EXPECT_LE((m.C - exact.C).cwiseAbs().maxCoeff(), (m.C_error + exact.C_error).maxCoeff());
   EXPECT_LE(m.C_error.maxCoeff(), 1e-9 * size);
   EXPECT_EQ(m.n_coupled_mechanisms, exact.n_coupled_mechanisms);

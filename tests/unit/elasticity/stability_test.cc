@@ -88,8 +88,8 @@ TEST(Stability, ThatIsTooDearToTestIsSaidToBeUnknownAndRefusesNothing) {
 }
 
 TEST(Stability, DoesNotCountMechanisms) {
-  // Without tangential springs a square lattice can be sheared at no cost, and nothing resists a strain across
-  // a chain.
+  // Without tangential springs, a square lattice can be sheared at no cost. A chain has no resistance against a
+  // strain across it.
   const Law bare = test::elastic_law(1.0, 0.0, 0.0);
   EXPECT_EQ(stability(test::square_frames(4, 1.0, bare)).n_negative, 0);
   EXPECT_EQ(stability(test::chain_across(5, 1.0, 2.0, bare)).n_negative, 0);

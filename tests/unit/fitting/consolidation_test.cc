@@ -162,8 +162,7 @@ TEST(FitConsolidation, FindsTheEndOfThePlateau) {
     EXPECT_GE(fit.n_plateau, before);
     EXPECT_LE(fit.n_plateau, before + 1);
     EXPECT_NEAR(value(fit, "lambda"), set.lambda, 1e-8);
-    // P0* in the published table is rounded to three digits, while the plateau of the curve uses the rounded
-    // value.
+    // In the published table, P0* is rounded to three digits. The plateau of the curve uses the rounded value.
     EXPECT_NEAR(value(fit, "P0_star"), set.P0_star, 1e-3 * set.P0_star);
   }
 }

@@ -18,7 +18,7 @@ std::vector<double> parameters_of(const ForceLaw& law) {
   return &law == kLaws[0] ? std::vector<double>{-0.8, 0.0, 0.3, 0.7} : std::vector<double>{0.7, 1.0, 1.4, 2.0};
 }
 
-/// Integrates f^power P(f) by the midpoint rule in t, where f = t^4 removes the singularity at 0.
+/// Integrates f^power P(f) by the midpoint rule in t. The substitution f = t^4 removes the singularity at 0.
 double moment(const ForceLaw& law, double parameter, int power) {
   constexpr int kSteps = 400000;
   const double end = std::pow(80.0, 0.25);

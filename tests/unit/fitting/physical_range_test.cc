@@ -46,8 +46,8 @@ struct Beyond {
   std::vector<std::string> warnings;
 };
 
-/// Data of Heckel's law, ln[1/(1 - D)] = 0.55 + p/85 [Heckel 1961]. The full law fits them best with a limit
-/// above one.
+/// Data of Heckel's law, ln[1/(1 - D)] = 0.55 + p/85 [Heckel 1961]. In the best fit of the full law, the limit
+/// is above one.
 Beyond heckel() {
   ConsolidationCurve curve;
   for (double p = 10.0; p < 425.0; p += 10.0) {
@@ -113,8 +113,8 @@ Beyond scattered(double dF) {
   return {"dF", 0.0, 4.0, fit.parameters, fit.warnings};
 }
 
-/// In each of these fits, the parameter that would leave its physical range gets no value. All printed values
-/// are within their ranges.
+/// In each of these fits, one parameter would leave its physical range. This parameter gets no value, and all
+/// printed values are within their ranges.
 TEST(PhysicalRange, HoldsForEveryFit) {
   const std::vector<Beyond> fits = {
       heckel(),      power_law(), dilating(), compacted("e_min", -0.15, 0.24), compacted("C", 0.76, -0.05),

@@ -13,8 +13,8 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-/// Returns the intensity of the law in bins of k from 0.1 to 4. With `speckles`, each bin is the mean of n
-/// exponentially distributed intensities.
+/// Returns the intensity of the law in bins of k from 0.1 to 4. If `speckles` is given, the value of each bin
+/// is the mean of n exponentially distributed intensities.
 std::vector<ScatteredPoint> points_of(double I0, double xi, double dF, std::int64_t n, std::mt19937* speckles) {
   std::vector<ScatteredPoint> points;
   for (double k = 0.1; k < 4.0; k *= 1.1) {

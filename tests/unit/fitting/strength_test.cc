@@ -143,8 +143,8 @@ TEST(ShearTest, StillDilatingHasNoCriticalState) {
 TEST(ShearTest, UndrainedHasItsStrengthAndPorePressure) {
   std::vector<ShearPoint> points;
   for (int k = 0; k <= 100; ++k) {
-    // Starting from an isotropic stress of 100, the lateral effective stress falls to 40 and the deviator rises
-    // to 60 at a strain of 0.1.
+    // The test starts from an isotropic stress of 100. Up to a strain of 0.1, the lateral effective stress
+    // falls to 40 and the deviator rises to 60.
     const double part = std::min(1.0, k / 50.0);
     ShearPoint p;
     p.axial_strain = 0.002 * k;

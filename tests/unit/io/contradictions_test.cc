@@ -232,7 +232,7 @@ TEST_F(Contradictions, OfContactsAreRefusedInEveryFormat) {
     SCOPED_TRACE(format.name);
     const bool yade = format.text == interactions_text;
     Columns right = kContacts;
-    const std::string force = "1";  // 1000 times the overlap
+    const std::string force = "1";  // K_N = 1000 times the overlap of 0.001
     if (yade)
       for (const auto& [name, value] : {std::pair{"fnx", force},
                                         {"fny", std::string("0")},

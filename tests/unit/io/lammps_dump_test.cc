@@ -169,7 +169,7 @@ TEST_F(LammpsDump, NamesWhatIsWrongInItsContacts) {
   EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("the law has no friction")));
 }
 
-/// The grains are 2.9 apart in a cell of height 4. At this distance two images can be equally near.
+/// The grains are 2.9 apart in a cell of height 4. At this distance, two images of a grain can be equally near.
 TEST_F(LammpsDump, DoesNotGuessTheImageOfAContactOfHalfTheCell) {
   contacts("7 3 1 0 0 0 0\n");
   options_.cell = {{6, 0}, {0, 4}};

@@ -17,7 +17,8 @@ std::string three_numbers(const Eigen::Vector3d& v) {
   return fmt::format("{} {} {}", v[0], v[1], v[2]);
 }
 
-/// Returns a wall as MercuryDPM writes it: the orientation rotates the x axis to the outward normal.
+/// Returns a wall as MercuryDPM writes it. The orientation rotates the x axis to the outward normal of the
+/// wall.
 std::string wall_line(int index, int axis, int side, double position) {
   const char* orientations[3][2] = {
       {"0 0 1 0", "1 0 0 0"},

@@ -44,7 +44,7 @@ void expect_same(const Shape<Dim>& a, const Shape<Dim>& b) {
   EXPECT_EQ(a.axes, b.axes);
 }
 
-/// Returns a state with one grain of each shape in a row. The first two grains have two contact points.
+/// Returns a state with a row of grains, one of each shape. The first two grains have two contact points.
 template <int Dim>
 State<Dim> state_of(std::vector<Shape<Dim>> shapes) {
   State<Dim> state;

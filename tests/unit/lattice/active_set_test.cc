@@ -122,8 +122,8 @@ TEST(ActiveSet, NeverCycles) {
   EXPECT_GT(n_held, 300);
 }
 
-/// If contacts are bilateral, the response to tension is minus the response to compression. For unilateral
-/// contacts it is not.
+/// If contacts are bilateral, the response to tension is minus the response to compression. With unilateral
+/// contacts, it is different.
 TEST(ActiveSet, TensionIsMinusCompressionOnlyWhereAllIsBilateral) {
   RandomStream random(5, 0);
   CementedSample<2> sample = random_sample(random, 12, 12);

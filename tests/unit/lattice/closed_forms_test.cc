@@ -231,7 +231,7 @@ TEST(CompositeBounds, AreClosedFormsAndVanishWithVoids) {
   EXPECT_NEAR(one.G.hashin_shtrikman_upper, 2.0, 1e-12);
 }
 
-/// A disk between two plates touches each of them with a few nodes.
+/// A disk lies between two plates and touches each plate with a few nodes.
 TEST(Disk, PressedOnADiameterHasTheStressOfTheContinuumAtItsCentre) {
   const int across = 60;
   const int rows = 2 * static_cast<int>(std::lround(across / std::numbers::sqrt3));
@@ -260,8 +260,8 @@ TEST(Boundary, OfUniformStrainIsStifferThanAPeriodicCell) {
   RandomStream random(8, 0);
   const CementedSample<2> sample = sample_of<2>(triangular_lattice(14, 14, 1.0),
                                                 [&](const Vec<2>&) { return random.uniform() < 0.4 ? 0 : -1; });
-  // Moduli are divided by those of a homogeneous lattice with the same boundary, because the boundary also
-  // removes elements.
+  // The boundary also removes elements. Moduli are therefore divided by those of a homogeneous lattice with the
+  // same boundary.
   const auto relative = [&](LatticeBoundary boundary) {
     Eigen::VectorXd diagonal[2];
     for (const int uniform : {0, 1}) {

@@ -38,7 +38,7 @@ Eigen::SparseMatrix<double> constants(int n, int copies) {
 void expect_eigenpairs(const SymmetricFactor& factor, const Eigenpairs& pairs) {
   const Eigen::MatrixXd residual =
       factor.multiply(pairs.vectors) - pairs.vectors * pairs.values.asDiagonal().toDenseMatrix();
-  // The residual is of the order of the square root of the convergence tolerance for eigenvalues.
+  // The residual of an eigenvector is of the order of the square root of the tolerance for eigenvalues.
   EXPECT_LT(residual.cwiseAbs().maxCoeff(), 1e-7);
   const Eigen::Index k = pairs.vectors.cols();
   EXPECT_LT((pairs.vectors.transpose() * pairs.vectors - Eigen::MatrixXd::Identity(k, k)).norm(), 1e-12);

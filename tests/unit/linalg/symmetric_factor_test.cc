@@ -135,7 +135,7 @@ TEST(SymmetricFactor, CountsAndSolvesWhateverTheSigns) {
               << n << " " << bound;
         const Eigen::MatrixXd X = Eigen::MatrixXd::Random(n, 2);
         ASSERT_TRUE(factor.factorize_indefinite(0.3));
-        // Without pivoting, the growth of entries amplifies rounding errors.
+        // Without pivoting, entries of the factor grow, which amplifies rounding errors.
         EXPECT_LT((factor.solve(factor.multiply(X) + 0.3 * X, 0) - X).norm(), 1e-8)
             << n << " " << positive_share;
         EXPECT_EQ(factor.factorize_positive(), (values.array() > 0.0).all());

@@ -197,7 +197,7 @@ TEST(SpaceOrder, OfManySpheresHasNeighboursWithinAFewLayers) {
   EXPECT_THAT(place, testing::Each(testing::Ge(0)));
   int furthest = 0, n_pairs = 0;
   for (const NeighborPair<3>& pair : find_pairs(cell, grains, 0.0)) {
-    if (!pair.image.isZero()) continue;  // across the cell boundary the order starts again
+    if (!pair.image.isZero()) continue;  // grains on either side of the boundary are far apart in the order
     furthest = std::max(furthest, std::abs(place[pair.i] - place[pair.j]));
     ++n_pairs;
   }

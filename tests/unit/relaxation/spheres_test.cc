@@ -207,7 +207,7 @@ TEST(Spheres, ARigidTurnKeepsTheMoment) {
     const Vec<3> x_i = pair.position(0), x_j = pair.position(1);
     const Vec<3> rotation(0.02, -0.01, 0.03);
     pair.move({x_i, x_j}, {rotation, -rotation}, 1.0);
-    // The moment of the shear force is the same on both spheres and cancels here.
+    // The moment of the shear force is the same on both spheres, so it cancels in this difference.
     const auto of_springs = [&] { return Vec<3>(0.5 * (pair.moment_on_j() - pair.moment_on_i())); };
     const Vec<3> start = of_springs();
     EXPECT_LT((start - 2.0 * Vec<3>(0.2 * 0.02, -0.3 * 0.01, 0.3 * 0.03)).norm(), 1e-16);

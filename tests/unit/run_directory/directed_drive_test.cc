@@ -113,7 +113,7 @@ TEST(DirectedDrive, ASimpleShearStoppedAnywhereVerifiesAndIsTheUnbrokenRun) {
   EXPECT_TRUE(path.is_empty(3, path.column("shear_strain")));
 }
 
-/// A state whose offset differs from the imposed one fails verification, like one whose length differs.
+/// A state fails the verification if its offset differs from the imposed one, as it does if a length differs.
 TEST(DirectedDrive, AnOffsetThatIsOffIsFound) {
   const test::ScratchDirectory scratch;
   DriveOptions<2> driving;

@@ -56,7 +56,7 @@ std::vector<LawPath> shipped_law_paths() {
   std::vector<LawPath> paths;
   for (const std::string& file : files) {
     const Scene scene = read_scene(file);
-    if (scene.assembly.box || scene.law.is_rigid()) continue;  // no energy account exists for these
+    if (scene.assembly.box || scene.law.is_rigid()) continue;  // boxes and rigid grains have no energy account
     LawPath path = law_path_of(scene);
     const auto same = std::find_if(paths.begin(), paths.end(), [&](const LawPath& other) {
       return other.laws == path.laws && other.dimension == path.dimension && other.pressure == path.pressure;

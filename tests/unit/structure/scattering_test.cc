@@ -21,7 +21,7 @@ double form_factor(double k, double R) {
   return kTwoPi * R * std::cyl_bessel_j(1.0, k * R) / k;
 }
 
-/// Closed form of I(k) for disks, in each bin averaged over the same wave vectors.
+/// Closed form of I(k) for disks. In each bin it is averaged over the wave vectors that scattering() uses.
 struct Exact {
   std::vector<double> I, envelope;
 };

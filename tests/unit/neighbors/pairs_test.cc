@@ -26,7 +26,8 @@ Grains<Dim> random_grains(int n, const Cell<Dim>& cell, double largest_radius, s
   return grains;
 }
 
-/// Finds all pairs by testing all images within `reach` cells. This is slow and independent of the tested code.
+/// Finds all pairs by testing all images within `reach` cells. This method is slow and independent of the
+/// tested code.
 template <int Dim>
 std::vector<NeighborPair<Dim>> by_brute_force(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap,
                                               int reach) {
@@ -47,8 +48,8 @@ std::vector<NeighborPair<Dim>> by_brute_force(const Cell<Dim>& cell, const Grain
   return found;
 }
 
-/// Returns grains whose radii are distributed evenly in ln r from largest_radius/ratio to largest_radius, so
-/// that every level of the search has grains.
+/// Returns grains whose radii are distributed evenly in ln r, from largest_radius/ratio to largest_radius.
+/// Every level of the search then has grains.
 template <int Dim>
 Grains<Dim> grains_of_sizes(int n, const Cell<Dim>& cell, double largest_radius, double ratio) {
   Grains<Dim> grains = random_grains(n, cell, largest_radius, 7);
@@ -119,7 +120,7 @@ TEST(Pairs, OfPointsBesideAGrainAreFound) {
 }
 
 TEST(Pairs, OfOneGrainAThousandTimesAsLargeAsManyAreFound) {
-  // All small grains are in reach of the large one. A search with a single grid would test 3e9 pairs.
+  // All small grains are within reach of the large one. A search with a single grid would test 3e9 pairs.
   constexpr int kSmall = 50000;
   Cell<2> cell;
   cell.matrix *= 2.0;

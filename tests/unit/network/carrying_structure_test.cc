@@ -12,7 +12,7 @@ using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::SizeIs;
 
-/// Two grains joined by a contact with a given normal force.
+/// Contact with a given normal force between the grains i and j.
 struct Bond {
   int i, j;
   double force;

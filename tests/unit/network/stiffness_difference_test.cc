@@ -13,9 +13,9 @@
 namespace floc {
 namespace {
 
-/// Returns the packing after a displacement of its unknowns: fluctuations and rotations of the grains, then
-/// strains (shortening positive). The springs, initially unstretched, follow the linear kinematics of
-/// docs/physics.md, "Stiffness matrix", implemented here independently.
+/// Returns the packing after a displacement u of its unknowns: first the fluctuations and rotations of the
+/// grains, then the strains (shortening positive). The springs, initially unstretched, follow the linear
+/// kinematics of docs/physics.md, "Stiffness matrix". This implementation is independent of the library.
 template <int Dim>
 Packing<Dim> displaced(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
   const int n = packing.grains.size();
@@ -167,7 +167,7 @@ TEST(Stiffness, IsTheDerivativeOfTheForcesOfSpheresThatResistTwisting) {
     EXPECT_LT(difference_error(test::random_packing<3>(8, 7, law), StrainSet::full), kDifferenceTolerance);
 }
 
-/// Returns the packing with every contact twice, like rough grains that touch at two points.
+/// Returns the packing with every contact twice. Rough grains that touch at two points are like this.
 template <int Dim>
 Packing<Dim> doubly_in_contact(Packing<Dim> packing) {
   std::vector<Contact<Dim>> twice;

@@ -16,7 +16,7 @@
 namespace floc {
 namespace {
 
-/// Law under which tangential forces and rolling moments of the springs exceed their limits by up to half, so
+/// Law under which tangential forces and rolling moments of the springs exceed their limits by up to a half, so
 /// that a third of the contacts slide.
 Law sliding_law(int dimension) {
   Law law = test::elastic_law(1.0, 0.7, 0.05);
@@ -65,8 +65,9 @@ double twist_about(const Vec<3>& normal, const RotationVector<3>& rotation) {
   return normal.dot(rotation);
 }
 
-/// Returns the packing after small displacements and rotations (times the radius) of its grains, then symmetric
-/// strains (shortening positive). Contacts move with the grains.
+/// Returns the packing after a small displacement u of its unknowns: first the displacements and rotations
+/// (times the radius) of the grains, then symmetric strains (shortening positive). Contacts move with the
+/// grains.
 template <int Dim>
 Packing<Dim> carried_along(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
   const int n = packing.grains.size();
@@ -179,7 +180,7 @@ TEST(Tangent, HoldsForGrainsThatTouchTheirOwnImages) {
   EXPECT_LT(difference_error(packing), kTangentTolerance);
 }
 
-/// Checks each contact of a packing alone, so that large terms of other contacts cannot hide an error.
+/// Checks each contact of a packing alone. Large terms of other contacts can then not hide an error.
 template <int Dim>
 void expect_each_contact(const Packing<Dim>& packing) {
   for (const Contact<Dim>& c : packing.contacts) {

@@ -31,8 +31,8 @@ TEST(NetForces, OfOneContactAreThoseComputedByHand) {
   const Balance<2> net = net_forces(two_disks());
   EXPECT_NEAR((net.force[0] - Vec<2>(-3.0, 0.5)).norm(), 0.0, 1e-15);
   EXPECT_NEAR((net.force[1] - Vec<2>(3.0, -0.5)).norm(), 0.0, 1e-15);
-  // The lever arms are l = R r/(Ri + Rj) with r = 1.4: 14/15 and 7/15. The tangential force on disk j points
-  // down at its left side.
+  // The lever arms are l = R r/(Ri + Rj) with r = 1.4, which gives 14/15 and 7/15. The tangential force on disk
+  // j points down and acts at its left side.
   EXPECT_NEAR(net.moment[0][0], 14.0 / 15.0 * 0.5 + 0.25, 1e-15);
   EXPECT_NEAR(net.moment[1][0], 7.0 / 15.0 * 0.5 - 0.25, 1e-15);
 }

@@ -132,7 +132,7 @@ void expect_tangents() {
         EXPECT_EQ(after(t).sliding, tangential > 1.0);
         EXPECT_EQ(after(t).rolling_yield, rolling > 1.0);
         EXPECT_EQ(after(t).twisting_yield, Dim == 3 && rolling < 1.0);
-        // The truncation error is (step/spring)^2, about 1e-9, and the rounding error 1e-16/step; both are
+        // The truncation error is (step/spring)^2, about 1e-9. The rounding error is 1e-16/step. Both are
         // multiplied by stiffnesses of up to 100.
         EXPECT_LT((tangent_at(t) - by_differences(t)).cwiseAbs().maxCoeff(), 1e-6)
             << tangential << " " << rolling;

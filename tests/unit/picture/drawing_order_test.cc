@@ -23,8 +23,8 @@ View order_from_above() {
   return view;
 }
 
-/// Slightly shrunk Voronoi cells of random points in a box of side 4: convex bodies that nearly fill space and
-/// do not overlap.
+/// Slightly shrunk Voronoi cells of random points in a box of side 4. They are convex bodies that nearly fill
+/// space and do not overlap.
 struct Cells {
   std::vector<Shape<3>> shapes;
   std::vector<PlacedShape<3>> placed;
@@ -107,7 +107,8 @@ TEST(DrawingOrder, APlankOverASphereIsDrawnLaterThoughItsCentreIsFarther) {
   };
   const auto at = [&](const Vec<3>& x) { return PlacedShape<3>{&ball, 1.0, x, Mat<3>::Identity()}; };
   for (const Shape<3>& long_one : {plank, rod}) {
-    // At x = 2, where the sphere is, the long body is at height 1.33, although its centre is at height 0.
+    // At x = 2, where the sphere is, the long body is at height 1.33. The centre of the long body is at height
+    // 0.
     EXPECT_EQ(drawing_order({tilted(long_one), at({2.0, 0.0, 0.4})}, Camera(order_from_above())),
               (std::vector<int>{1, 0}));
     EXPECT_EQ(drawing_order({at({-2.0, 0.0, -0.4}), tilted(long_one)}, Camera(order_from_above())),
@@ -116,7 +117,7 @@ TEST(DrawingOrder, APlankOverASphereIsDrawnLaterThoughItsCentreIsFarther) {
 }
 
 TEST(DrawingOrder, HoldsEachBodyOfACycleOnce) {
-  // Three sticks along the sides of a triangle. Each lies above the next one at one end.
+  // Three sticks along the sides of a triangle. At one of its ends, each stick lies above the next stick.
   const Shape<3> stick = box<3>({10.0, 1.0, 1.0}, 0.0);
   std::vector<PlacedShape<3>> sticks;
   for (int k = 0; k < 3; ++k) {

@@ -59,8 +59,7 @@ TEST(Palette, KindsOfContactsStayApartForColourBlindReaders) {
     for (std::size_t j = 0; j < i; ++j)
       EXPECT_GT(least_difference(kinds[i], kinds[j]), 20.0) << i << " and " << j;
   EXPECT_GT(least_difference(palette::kLost, palette::kGained), 20.0);
-  // This checks the measure itself: red and green of equal lightness are hard to distinguish for the
-  // colour-blind.
+  // This checks the measure itself: the colour-blind can hardly distinguish red and green of equal lightness.
   EXPECT_LT(least_difference(hex_color(0xC00000), hex_color(0x5A6E00)), 20.0);
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kBodyRounding = 1e-12;
 
-/// Returns the sum of the volumes of the pyramids from the origin to all facets.
+/// Returns the volume inside the facets, as the sum of pyramids from the origin to each facet.
 double volume_of(const Facets& facets) {
   double volume = 0.0;
   for (const Facets::Facet& facet : facets.facets)

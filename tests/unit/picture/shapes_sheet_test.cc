@@ -58,7 +58,7 @@ Contact<Dim> contact_at(const Packing<Dim>& packing, int i, int j, const Vec<Dim
   return c;
 }
 
-/// Returns two pentagons and a disk in a row, with one contact between the pentagons and one across the cell
+/// Returns two pentagons and a disk in a row. One contact is between the pentagons, and one is across the cell
 /// boundary.
 Packing<2> pentagons() {
   Packing<2> packing = packing_of<2>({regular_polygon(5, 0.0), regular_polygon(5, 0.1), round_shape<2>(0.5)},
@@ -249,8 +249,8 @@ TEST(SheetOfShapes, EveryOptionWorksForCubes) {
 TEST(SheetOfShapes, ACubeHasTheAreaOfItsProjection) {
   const Packing<3> packing = packing_of<3>({box<3>({1.0, 1.0, 1.0}, 0.0)}, {{2.0, 2.0, 2.0}}, std::sqrt(3.0));
   const auto count_grey = [](const Pixels& pixels) {
-    // The margin of 20 pixels excludes the edges of the cell, which all lie in its outline. So the pixels that
-    // are not white belong to the cube.
+    // The edges of the cell all lie in its outline, so a margin of 20 pixels excludes them. All other pixels
+    // that are not white belong to the cube.
     int n = 0;
     for (int y = 20; y < pixels.height() - 20; ++y)
       for (int x = 20; x < pixels.width() - 20; ++x) n += pixels.rgb(x, y) != 0xFFFFFF;
@@ -259,8 +259,8 @@ TEST(SheetOfShapes, ACubeHasTheAreaOfItsProjection) {
   SheetOptions options = test::plain_png();
   options.view.azimuth = -90.0;
   options.view.elevation = 90.0;
-  // Seen along an edge, a cube of side 1 is a square of 100 x 100 pixels, plus half the width of its outline on
-  // each side.
+  // In a view along one of its edges, a cube of side 1 is a square of 100 x 100 pixels. Half the width of the
+  // outline is added on each side.
   EXPECT_NEAR(count_grey(Pixels(draw_sheet<3>({grains_of(packing)}, options))), 100 * 100, 410);
 }
 

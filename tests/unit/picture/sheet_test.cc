@@ -44,8 +44,8 @@ TEST(Sheet, WidthsOfLinesAreProportionalToForces) {
   const Pixels pixels(draw_sheet<2>({two_lines()}, test::plain_png()));
   ASSERT_EQ(pixels.width(), 410);
   ASSERT_EQ(pixels.height(), 410);
-  // A line with the r.m.s. force is 0.15 diameters wide, and a diameter is 100 pixels. Pixels at edges have
-  // mixed colours.
+  // A line with the root mean square force is 0.15 diameters wide, and a diameter is 100 pixels. Pixels at
+  // edges have mixed colours.
   const double rms = std::sqrt(2.5);
   EXPECT_NEAR(count_in_column(pixels, 205, palette::kCompression), 15.0 * 2.0 / rms, 2.0);
   EXPECT_NEAR(count_in_column(pixels, 205, palette::kTension), 15.0 * 1.0 / rms, 2.0);
@@ -113,7 +113,7 @@ TEST(Sheet, AStripHasOneLengthScale) {
   options.width = 10.0 + 2 * 400.0 + 12.0;
   const Pixels pixels(draw_sheet<2>({two_lines(), half}, options));
   EXPECT_EQ(pixels.height(), 410);
-  // The second picture, with half the side, is at the upper left of its column.
+  // The second picture has half the side. It is at the upper left of its column.
   const auto grey = rgb_of(palette::kGrain);
   EXPECT_EQ(pixels.rgb(5 + 412 + 100, 5 + 100), grey);
   EXPECT_EQ(pixels.rgb(5 + 412 + 100, 5 + 300), 0xFFFFFF);

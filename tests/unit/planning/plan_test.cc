@@ -21,8 +21,8 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Price table with simple numbers. Samples of 100 grains and 10 states take 2 s with the settings of the
-/// scene. The settings "fast" are four times cheaper and have an error of 1e-3 in phi. Between samples, phi
+/// Price table with simple numbers. With the settings of the scene, a sample of 100 grains and 10 states takes
+/// 2 s. The settings "fast" are four times cheaper and have an error of 1e-3 in phi. Between samples, phi
 /// scatters by 0.02 and B by 0.1. At 25 grains, finite size changes phi by 0.02 and B by 0.4.
 PriceTable prices() {
   std::string csv =
@@ -50,7 +50,7 @@ Scene scene(const std::vector<std::string>& changes = {}) {
   return read_scene(test::source_directory() + "/data/scenes/demo.toml", changes);
 }
 
-/// Returns a scene with as many equilibria as the table: 2 of the assembly and 8 of the loading.
+/// Returns a scene with as many equilibria as the table has: 2 in the assembly and 8 in the loading.
 Scene scene_of_ten_states() {
   return scene({"assembly.pressure=0.01", "load.0.to=1", "load.0.steps_per_decade=3", "load.1.to=0.01",
                 "load.1.steps_per_decade=1"});
@@ -287,7 +287,8 @@ TEST(PriceModelOfAScene, TakesCostAndScatterFromAPilotAndSettingsFromTheTable) {
   EXPECT_NEAR(alone.core_seconds(alone.settings_of_scene(), 200), 24.0, 1e-9);
   EXPECT_NEAR(alone.error(alone.observable("phi", ""), alone.settings_of_scene(), 50, 1).scatter,
               student_t_95(19) * 0.04, 1e-12);
-  // The scatters are pooled: 19 degrees of freedom with 0.04 at 50 grains, and 8 with 0.02 at 100 grains.
+  // The two scatters are combined: 0.04 with 19 degrees of freedom at 50 grains, and 0.02 with 8 degrees of
+  // freedom at 100 grains.
   EXPECT_NEAR(both.error(both.observable("phi", ""), both.settings_of_scene(), 100, 1).scatter,
               student_t_95(27) * std::sqrt((19 * 0.04 * 0.04 / 2.0 + 8 * 0.02 * 0.02) / 27.0), 1e-12);
   EXPECT_GT(both.error(both.observable("phi", ""), both.settings_of_scene(), 50, 1).settings, 0.0);

@@ -111,8 +111,8 @@ TEST(Accuracy, TheCellAddsTheErrorOfTheNearestFactorMeasuredBeyondItsOwn) {
   EXPECT_EQ(choice_with({{}}, 5e-2).name, "together coarse");
   EXPECT_EQ(choice_with({{1.5, 1.0}}, 5.02e-2).name, "together coarse");
   EXPECT_NE(choice_with({{1.5, 1.0}}, 5.01e-2).name, "together coarse");
-  // A cell of 10 times the mass changes means by 0.01 with a sampling error of 0.001, which adds an error of
-  // 0.009. A cell of 0.1 times the mass adds an error of 1e-6.
+  // A cell of 10 times the mass changes means by 0.01. The sampling error is 0.001, so an error of 0.009 is
+  // added. A cell of 0.1 times the mass adds an error of 1e-6.
   EXPECT_EQ(choice_with({{3.0, 1.0}}, 5.91e-2).name, "together coarse");
   EXPECT_NE(choice_with({{3.0, 1.0}}, 5.89e-2).name, "together coarse");
   EXPECT_EQ(choice_with({{0.1, 1.0}}, 5.0001e-2 + 1e-9).name, "together coarse");

@@ -60,7 +60,7 @@ End run_to_end(BoxRelaxer<Dim>& relaxer) {
   return {status, relaxer.report()};
 }
 
-/// Returns n^3 frictionless spheres in a simple cubic crystal that just touch each other and the walls.
+/// Returns a simple cubic crystal of n^3 frictionless spheres that just touch each other and the walls.
 Packing<3> cubic_crystal(int n, const Law& law, const BoxOptions& box) {
   Packing<3> packing;
   packing.law = law;
@@ -150,7 +150,7 @@ void expect_sum_rule(const Packing<Dim>& packing, double bound) {
   const Vec<Dim> difference =
       static_stress(packing).diagonal() + stress_borne_by_friction(packing) - wall_pressure(packing);
   EXPECT_LT(difference.cwiseAbs().maxCoeff(), bound);
-  // The forces on the walls act across the faces of the box, so the boundary stress is the contact stress.
+  // The forces on the walls act on the faces of the box, so the boundary stress equals the contact stress.
   EXPECT_LT((boundary_stress(packing) - static_stress(packing)).cwiseAbs().maxCoeff(), bound);
 }
 
@@ -181,7 +181,8 @@ TYPED_TEST(SettledGasOf, BearsThePressureAndObeysTheSumRule) {
   EXPECT_EQ(end.report.n_mechanisms, 0);
   EXPECT_LT(wall_imbalance<Dim>(relaxer.packing(), Vec<Dim>::Constant(p)), 1e-3 * p);
   EXPECT_GT(stress_borne_by_friction(relaxer.packing()).norm(), 1e-3 * p);
-  // Net forces of 1e-6 F1 = 2e-7 act on 80 grains within 10 of the origin, in a volume of at least 60.
+  // Net forces of 1e-6 F1 = 2e-7 act on 80 grains within a distance of 10 from the origin, in a volume of at
+  // least 60.
   expect_sum_rule(relaxer.packing(), 3e-6);
 }
 

@@ -13,7 +13,7 @@ Cell<2> square_cell(double side) {
   return cell;
 }
 
-/// Returns one block of grains at rest whose contacts have the given virial on both axes.
+/// Returns one block of grains at rest. Its contacts have the given virial on both axes.
 std::vector<BlockSums<2>> block_with_virial(double virial) {
   BlockSums<2> sums;
   for (int a = 0; a < 2; ++a) sums.virial[a][a] = virial;

@@ -29,7 +29,7 @@ Law linear_law(double friction) {
 }
 
 /// Returns a load that changes the length of one axis by a logarithmic strain. The other axes keep their length
-/// (others_strained) or their stress.
+/// if `others_strained`, otherwise their stress.
 template <int Dim>
 LoadTarget<Dim> driven(const Packing<Dim>& packing, int axis, double strain, bool others_strained) {
   LoadTarget<Dim> load;
@@ -65,7 +65,7 @@ Packing<Dim> solved(const Packing<Dim>& from, const LoadTarget<Dim>& load) {
   return solution.packing;
 }
 
-/// Returns a gas that was compressed without friction and is solved again with friction, starting without
+/// Returns a gas that was compressed without friction. It is solved again with friction, starting without
 /// tangential forces.
 template <int Dim>
 Packing<Dim> dense_packing(int n, double pressure, std::uint64_t seed) {

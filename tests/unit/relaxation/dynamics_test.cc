@@ -129,7 +129,7 @@ TEST(TriangularLattice, ShearsAtTheRateGiven) {
   const Packing<2> gas = agitated_gas(60, cohesive_law());
   const double dt = time_step_of(gas, 0.2);
   BoundaryControl<2> control = pressed(gas, 0.01);
-  control.target[2] = -1e-2;  // gamma increases, so its sign is opposite to that of shortening
+  control.target[2] = -1e-2;  // gamma increases; its sign is opposite to that of shortening
   control.target[0] = 5e-3;
   control.imposed[0] = Imposed::rate;
   const auto dynamics = make_dynamics(gas, control, {dt, 0.05});
@@ -146,7 +146,7 @@ TEST(Dynamics, FrictionlessUndampedCellConservesEnergyToSecondOrder) {
   const double coarse = energy_drift(0.1, 4000);
   const double fine = energy_drift(0.025, 16000);
   EXPECT_LT(coarse, 2e-3);
-  // Ideally, the error of a method of second order falls to 1/16 with a quarter of the step. Contacts that open
+  // With a quarter of the step, the error of a method of second order ideally falls to 1/16. Contacts that open
   // and close are not smooth, so only half of this gain is required.
   EXPECT_LT(fine, coarse / 8.0);
 }
@@ -297,8 +297,8 @@ double growth_in_crystal(int n_steps, double time_step, double restitution, doub
   return mean_kinetic_energy(dynamics->packing()) / mean_kinetic_energy(crystal);
 }
 
-/// The expected limits are those in the comment of RelaxationOptions::time_step. From a rolling stiffness of
-/// about 0.2 on, the step is shortened.
+/// The expected limits of the time step are those in the comment of RelaxationOptions::time_step. From a
+/// rolling stiffness of about 0.2 on, the step is shortened.
 TEST(TimeStep, LeavesCrystalsStable) {
   for (const double restitution : {0.015, 0.5}) {
     EXPECT_LT(growth_in_crystal(3000, 0.40, restitution, 0.0), 1.0);

@@ -53,8 +53,8 @@ EnergyTerms deformed(const Law& law, std::uint64_t seed, double step_share) {
   return account.terms();
 }
 
-/// Tests ten random loadings. Viscous forces use velocities half a step earlier, so the error of the account is
-/// of first order in the step.
+/// Tests ten random loadings. Viscous forces use velocities half a step earlier. The error of the account is
+/// therefore of first order in the step.
 template <int Dim>
 void expect_to_close(const Law& law) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {

@@ -38,7 +38,7 @@ const std::vector<InstructionSet>& instruction_sets() {
   return all;
 }
 
-/// Pair with overlap kOverlap and slip kSlip, which carries the shear force kShear.
+/// Pair with the overlap kOverlap and the slip kSlip. It carries the shear force kShear.
 struct ShearedPair : KernelPair {
   explicit ShearedPair(InstructionSet set) : KernelPair(glass_of_unit_modulus(), kOverlap, set) {
     slip(Vec<3>(0.0, kSlip, 0.0));

@@ -19,7 +19,7 @@ namespace {
 
 using test::for_each_law_and_dimension;
 
-/// Motion of a pair of grains of unit mass and diameter under a law, step by step.
+/// Moves a pair of grains of unit mass and diameter under a law, step by step.
 template <int Dim, class Law>
 class PairUnder {
  public:

@@ -50,9 +50,10 @@ TEST(Relaxer, ReachesAllFourCriteria) {
 
 TEST(Relaxer, TheForcesAcrossTheFacesOfTheCellAreTheStress) {
   const Mat<2> stress = static_stress(equilibrium());
-  // Net forces of 1e-8 on 60 grains within 5 of the centre of a cell of area 70 add up to 5e-8.
+  // Net forces of 1e-8 act on 60 grains within a distance of 5 from the centre of a cell of area 70. Their
+  // contributions to the stress add up to 5e-8.
   EXPECT_LT((boundary_stress(equilibrium()) - stress).cwiseAbs().maxCoeff(), 5e-8);
-  // residual of the Newton refinement, in F0/a
+  // error of the stress after the Newton refinement, in F0/a
   for (int a = 0; a < 2; ++a) EXPECT_NEAR(stress(a, a), 0.1, 1e-8);
 }
 

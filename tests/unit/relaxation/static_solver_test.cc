@@ -238,7 +238,8 @@ TEST(StaticSolver, ComesToTheSameEquilibriumByEachWayOfSolving) {
   }
 }
 
-/// A gas has no contacts that could balance the pressure. A Newton step must not invert its lattice vectors.
+/// A gas has no contacts that could balance the pressure. A Newton step must not invert the lattice vectors of
+/// its cell.
 template <int Dim>
 void expect_no_equilibrium_of_a_gas() {
   for (const double pressure : {1e-3, 0.5, 10.0})

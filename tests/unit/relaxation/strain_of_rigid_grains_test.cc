@@ -73,7 +73,7 @@ TEST(StrainOfRigidGrains, ShearsPolyhedra) {
                     0.01);
 }
 
-/// Without contacts, grains move with the imposed strain only: their reduced coordinates are constant, and the
+/// Without contacts, grains move only with the imposed strain. Their reduced coordinates are constant, and the
 /// duration follows from the rate.
 TEST(StrainOfRigidGrains, CarriesAGasAlong) {
   Packing<2> gas = make_rigid_gas<2>({.count = 10});
@@ -156,7 +156,8 @@ TEST(StrainOfRigidGrains, VerificationFindsWrongForcesAndVelocities) {
   EXPECT_THAT(fails(spoiled), HasSubstr("length"));
 }
 
-/// Under an oedometric load, one axis keeps its length, and the balanced forces determine the stress along it.
+/// Under an oedometric load, one axis keeps its length. The balanced forces determine the stress along this
+/// axis.
 template <int Dim>
 void expect_held(const RigidGas& gas, RigidForces forces) {
   const RigidEnd<Dim> rest = relaxed<Dim>(make_rigid_gas<Dim>(gas));

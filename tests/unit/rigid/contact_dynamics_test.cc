@@ -110,8 +110,7 @@ TEST(ContactDynamics, StackOfDisksCarriesItsWeightInOneStep) {
   }
 }
 
-// The first ball hits a row of equal balls. Newton's law of restitution holds for all contacts at the same
-// time.
+// The first ball hits a row of equal balls. Newton's law of restitution holds for all contacts simultaneously.
 TEST(ContactDynamics, RowOfBallsSharesTheImpact) {
   for (const double e : {0.0, 0.5, 1.0}) {
     constexpr int kBalls = 3;
@@ -166,8 +165,8 @@ struct OnSlope {
   double lower, upper;  // normal forces of the lower and the upper contact point in the first step
 };
 
-// On a slope of angle a, a block of width w and height h slides if tan a > mu, tips over if min(tan a, mu) >
-// w/h, and rests otherwise.
+// On a slope of angle a, a block of width w and height h slides if tan a > mu. It tips over if min(tan a, mu) >
+// w/h, and it rests otherwise.
 TEST(ContactDynamics, BlockOnASlopeRestsSlidesOrTips) {
   const double step = 0.005;
   for (const OnSlope& c : {OnSlope{1, 1, 0.45, 0.5, 0.0, 0.66114309, 0.25077841},
@@ -209,8 +208,8 @@ double acceleration_on_slope(double tangent, double friction) {
   return motion.packing().grains.velocity[0][0] / step / slope<Dim>(tangent)[0];
 }
 
-// A disk rolls with the acceleration 2/3 g sin a up to tan a = 3 mu, a sphere with 5/7 g sin a up to tan a =
-// 7/2 mu.
+// Up to tan a = 3 mu, a disk rolls with the acceleration 2/3 g sin a. Up to tan a = 7/2 mu, a sphere rolls with
+// 5/7 g sin a.
 TEST(ContactDynamics, RoundGrainsRollOrSlideDownASlope) {
   EXPECT_NEAR(acceleration_on_slope<2>(0.5, 0.2), 2.0 / 3.0, 1e-10);
   EXPECT_NEAR(acceleration_on_slope<2>(0.5, 0.1), 0.8, 1e-10);

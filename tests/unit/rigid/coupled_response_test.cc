@@ -82,7 +82,7 @@ Vec<Dim> relative_velocity(const BodyMotion<Dim>& bodies, const StepContact<Dim>
   return c.frame.transpose() * (u + bodies.stretch.cwiseProduct(c.branch));
 }
 
-/// Returns the velocities after an impulse on body j and the opposite impulse on body i.
+/// Returns the velocities after an impulse acts on body j and the opposite impulse acts on body i.
 template <int Dim>
 BodyMotion<Dim> after(BodyMotion<Dim> bodies, const StepContact<Dim>& c, const Vec<Dim>& impulse) {
   const Vec<Dim> in_space = c.frame * impulse;
@@ -94,7 +94,7 @@ BodyMotion<Dim> after(BodyMotion<Dim> bodies, const StepContact<Dim>& c, const V
   return bodies;
 }
 
-/// Returns the problem of a contact, whose response is computed from unit impulses.
+/// Returns the problem of a contact. Its response is computed from unit impulses.
 template <int Dim>
 ContactProblem<Dim> problem_of(const BodyMotion<Dim>& bodies, const StepContact<Dim>& c) {
   ContactProblem<Dim> out;

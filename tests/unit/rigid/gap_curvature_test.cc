@@ -58,7 +58,7 @@ int compare_with_differences(const Packing<Dim>& packing, RandomStream& random) 
         return (*ahead + *back - 2.0 * c.gap) / (part * part * kMotion * kMotion);
       };
       const auto expected = second_difference(1.0), half = second_difference(0.5);
-      // Where the closest features change within the motion, the gap has no second derivative.
+      // If the closest features change during the motion, the gap has no second derivative.
       if (!expected || !half || std::abs(*expected - *half) > 5e-3 * curvature.norm()) continue;
       const double found = motion.dot(curvature * motion) / (kMotion * kMotion);
       EXPECT_NEAR(found, *expected, 5e-3 * curvature.norm());

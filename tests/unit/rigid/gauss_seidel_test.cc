@@ -27,8 +27,8 @@ TEST(GaussSeidel, CarriesAStackOfDisksInTheFirstStep) {
       EXPECT_NEAR(contacts[k].impulse[0] / kStep, (k + 1) * kMass * kGravity, 1e-8);
     return result.n_sweeps;
   };
-  // In a stack of n disks, the slowest error decreases by exp(-pi^2/(4 n^2)) per plain sweep, or by about
-  // exp(-pi/n) with conjugate directions.
+  // In a stack of n disks, the slowest error decreases by the factor exp(-pi^2/(4 n^2)) per plain sweep. With
+  // conjugate directions, this factor is about exp(-pi/n).
   const double plain =
       4.0 / (std::numbers::pi * std::numbers::pi) * kDisks * kDisks * std::log(1.0 / kTolerance);
   EXPECT_LT(solve(), 0.15 * plain);

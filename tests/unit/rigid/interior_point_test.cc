@@ -102,7 +102,8 @@ ConeProgram<Dim> random_program(unsigned seed) {
   out.load = Eigen::VectorXd::Zero(kRows);
   for (int r = 0; r < kRows; ++r) out.group.push_back(r);
   for (int k = 0; k < kBlocks; ++k) {
-    // Of every three blocks of x, one is zero, one lies on the surface of its cone, and one inside.
+    // Of every three blocks of x, one is zero, one lies on the surface of its cone, and one lies inside its
+    // cone.
     Vec<Dim> x = Vec<Dim>::NullaryExpr([&] { return uniform(engine); });
     x[0] = x.template tail<Dim - 1>().norm() + (k % 3 == 0 ? 1.0 : 0.0);
     if (k % 3 == 1) x.setZero();
@@ -153,8 +154,8 @@ TEST(InteriorPoint, NoFeasibleDirectionLowersALinearMinimum) {
     const ConeProgram<2> program = random_program<2>(seed);
     const ConeSolution<2> minimum = InteriorPoint<2>(program).minimise_linear(program, -1e9);
     ASSERT_EQ(minimum.status, ConeStatus::kSolved);
-    // At the last proximal point, the proximal term has no gradient. So the multipliers are those of the linear
-    // program.
+    // At the last proximal point, the gradient of the proximal term is zero. The multipliers are therefore
+    // those of the linear program.
     ConeProgram<2> linear = program;
     linear.compliance.assign(program.n_blocks(), Vec<2>::Zero());
     expect_optimal<2>(linear, minimum, 1e-6);

@@ -51,7 +51,7 @@ void expect_a_cell_to_come_to_rest(int side, double cell_mass) {
   const SweepResult result = GaussSeidel<Dim>(bodies, contacts).solve(1e-12, 200'000, 10);
   EXPECT_TRUE(result.converged) << result.residual;
   EXPECT_LT(bodies.stretch.norm(), 1e-9);
-  // Rows of grains may carry different parts of the pressure, so only their mean is known.
+  // Rows of grains may carry different parts of the pressure. Only their mean is known.
   Vec<Dim> mean = Vec<Dim>::Zero();
   for (const StepContact<Dim>& c : contacts) mean += c.impulse[0] / kStep / lattice.size() * c.branch;
   for (int a = 0; a < Dim; ++a) EXPECT_NEAR(mean[a], kPressure, 1e-9);

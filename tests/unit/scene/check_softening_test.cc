@@ -15,8 +15,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-/// Scene of cohesive disks with kappa = 1e5 and D0 = 1e-3 a. Its softening may be at most 10, and at most 5
-/// from P = 200 on.
+/// Scene of cohesive disks with kappa = 1e5 and D0 = 1e-3 a. The softening may be at most 10, and from P = 200
+/// on at most 5.
 std::string soft_scene(const std::string& more) {
   return R"([scene]
 dimension = 2

@@ -43,7 +43,7 @@ TEST(Manifold, OfCubesTurnedBy45DegreesHasFourCornersOfTheOctagon) {
     EXPECT_NEAR(p[2], 0.4995, kExact);
     angles.push_back(std::atan2(p[1], p[0]));
   }
-  // Every second corner of the octagon of intersection is a contact point: together they form a square.
+  // Every second corner of the octagon of intersection is a contact point. Together these points form a square.
   std::sort(angles.begin(), angles.end());
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(angles[k + 1] - angles[k], 0.5 * std::numbers::pi, 1e-12);
 }
@@ -172,7 +172,8 @@ TEST(Manifold, IsUnchangedByExchangeAndRigidMotions) {
   }
 }
 
-/// Compares gaps with the largest separation over all directions, which is found without using faces and edges.
+/// Compares gaps with the largest separation over all directions. The search for this separation does not use
+/// faces and edges.
 template <int Dim>
 void expect_gaps_of_a_search_over_directions(double rounding) {
   RandomStream random(22, 1);
@@ -341,8 +342,8 @@ TEST(Manifold, OfEdgesThatTurnThroughParallelIsContinuous) {
 }
 
 TEST(Manifold, KeepsTheFeaturesOfTheStepBeforeWithinTheMargin) {
-  // The corners of two squares overlap along their diagonals, so that two faces tie, and noise would decide
-  // between them.
+  // The corners of two squares overlap along their diagonals. Two faces then have the same depth, and noise
+  // would decide between them.
   const Shape<2> square = shape_of<2>({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
   const PlacedShape<2> one{&square, 1.0, {0, 0}, Mat<2>::Identity()};
   RandomStream random(2, 1);
@@ -358,7 +359,8 @@ TEST(Manifold, KeepsTheFeaturesOfTheStepBeforeWithinTheMargin) {
   EXPECT_EQ(keys.size(), 1u);
 }
 
-/// The features of the previous step save time; they change the gap by at most the margin.
+/// The contact remembers the features of the previous step to save time. They change the gap by at most the
+/// margin.
 TEST(Manifold, WithFeaturesOfTheStepBeforeIsThatWithout) {
   RandomStream random(24, 1);
   for (int trial = 0; trial < 200; ++trial) {

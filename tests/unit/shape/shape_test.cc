@@ -22,8 +22,8 @@ Vec<3> sorted(Vec<3> v) {
   return v;
 }
 
-/// Returns the distance of an outside point from a core, by alternating projections on its half-spaces (Dykstra
-/// 1983).
+/// Returns the distance of a point outside a core from the core, by alternating projections on its half-spaces
+/// (Dykstra 1983).
 template <int Dim>
 double distance_to_core(const Shape<Dim>& shape, const Vec<Dim>& point) {
   std::vector<Vec<Dim>> correction(shape.n_faces(), Vec<Dim>::Zero());
@@ -101,8 +101,7 @@ TEST(MassProperties, RoundOnesAndCapsulesHaveTheirClosedForms) {
 }
 
 TEST(MassProperties, RoundedBoxHasItsClosedForm) {
-  // The rounded box consists of boxes a x b x c, quarter cylinders and eighths of a ball. Their moments of x^2
-  // are added.
+  // The rounded box consists of a box a x b x c, slabs on its faces, quarter cylinders and eighths of a ball.
   const double a = 1.0, b = 0.7, c = 0.4, r = 0.3;
   const Shape<3> box = shape_of<3>(box_points(a, b, c), r);
   const double volume =

@@ -54,7 +54,8 @@ TEST(AffinePrediction, OfTheSameDensityIsTheStateItself) {
 }
 
 TEST(AffinePrediction, WithPushedRattlersCountsTheirContacts) {
-  // A frame of unit squares with a rattler inside. Pushed against the frame, the rattler touches two grains.
+  // A frame of unit squares with a rattler inside. If the rattler is pushed against the frame, it touches two
+  // grains.
   Packing<2> packing = square_frames(5, 1.0, elastic_law(1.0, 0.0, 0.0));
   packing.grains.position.emplace_back(2.0, 2.1);
   packing.grains.radius.push_back(0.4);

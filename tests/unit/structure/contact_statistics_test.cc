@@ -141,7 +141,8 @@ TEST(ContactStatistics, BricksMeetAlongSides) {
   EXPECT_NEAR(*mean_mobilisation(state.packing, held), 0.0, 1e-15);
 }
 
-/// If one of the two points between two sides carries no force, the pair counts as a contact of a vertex.
+/// If one of the two contact points between two sides carries no force, the pair counts as a contact with a
+/// vertex.
 TEST(ContactStatistics, KindsGoByCarryingPoints) {
   State<2> state = brick_bond(0.7, 0.3);
   state.packing.contacts[0].normal_force = state.packing.contacts[0].elastic_force = 0.0;

@@ -16,12 +16,12 @@ namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
-/// Returns the Fourier transform of a disk.
+/// Returns the Fourier transform of a disk of radius R at the wave number k.
 double form_factor(double k, double R) {
   return kTwoPi * R * std::cyl_bessel_j(1.0, k * R) / k;
 }
 
-/// Closed form of I(k) for disks. In each bin it is averaged over the wave vectors that scattering() uses.
+/// Closed form of I(k) for disks. The mean of each bin is taken over the same wave vectors as in scattering().
 struct Exact {
   std::vector<double> I, envelope;
 };

@@ -86,11 +86,12 @@ TEST(Comparison, ErrorsAreAgainstTheReferenceBeforeACollapseAndTheSettledStateAf
   EXPECT_NEAR(e.before.high, 1e-6, 1e-12);
   EXPECT_EQ(e.after.n, 3);
   EXPECT_NEAR(e.after.high, 1e-3, 1e-6);
-  // Mean over the assembled state and the two states at and after the collapse: 0.1/0.65, 1e-3 and 0.
+  // Mean over three states: the assembled state, the state at the collapse and the state after it. Their
+  // differences are 0, 0.1/0.65 and 1e-3.
   EXPECT_NEAR(e.mean.difference, (0.1 / 0.65 + 1e-3) / 3.0, 1e-6);
 }
 
-/// Paths with different steps are compared at the loads that both have.
+/// Paths with different steps are compared only at the loads that both paths have.
 TEST(Comparison, MeansOfOtherStepsAreOverEqualLoads) {
   const SamplePath reference = path(0.0);
   SamplePath coarse;

@@ -189,8 +189,8 @@ TEST(VerifyRigid, RefusesAnotherRecord) {
 }
 
 TEST(VerifyRigid, AcceptsWhatWasRecordedWithinTheMarginsOfTheSearch) {
-  // A square touches its neighbour with either of two equivalent faces as the reference. Both records must be
-  // accepted.
+  // A square touches its neighbour, and either of two equivalent faces can be the reference. Records with
+  // either face must be accepted.
   const State<2> state = brick_bond(0.7, 0.3);
   ContactPoints<2> points;
   State<2> turned = state;

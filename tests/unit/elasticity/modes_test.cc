@@ -263,7 +263,8 @@ TEST(SoftModes, MechanismsAreAsManyAsTheRankOfTheRigidityMatrixLeaves) {
 }
 
 TEST(SoftModes, ParticipationOfOneGrainAgainstTheOthers) {
-  // One disk of a stiff lattice has soft contacts. In the softest mode it moves by 1 - 1/n, the others by -1/n.
+  // One disk of a stiff lattice has soft contacts. In the softest mode, this disk moves by 1 - 1/n, and all
+  // others move by -1/n.
   auto network = contact_network(test::square_frames(4, 1.0, test::elastic_law(1.0, 1.0, 1.0)));
   for (NetworkContact<2>& c : network.contacts)
     if (c.i == 2 || c.j == 2) c.kn = c.kt = c.kr = 1e-8;

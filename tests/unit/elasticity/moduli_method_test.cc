@@ -91,7 +91,7 @@ TEST(ModuliMethod, TheMiddleBetweenTheBoundsIsOffByHalfTheirDistanceAtMost) {
   EXPECT_EQ(m.method, ModuliMethod::bounds);
 }
 
-/// Computes the moduli by the method `bounds`, for a crystal after a change of one contact.
+/// Computes the moduli by the method `bounds` for a crystal in which one contact was changed.
 Moduli bounds_of_changed(void (*change)(NetworkContact<2>&)) {
   const Packing<2> packing = test::triangular_crystal(4, 0.999, test::elastic_law(1.0, 0.7, 0.03));
   ModuliOptions options;

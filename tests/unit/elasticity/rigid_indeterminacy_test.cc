@@ -8,8 +8,9 @@
 namespace floc::test {
 namespace {
 
-/// Computes the degree of indeterminacy from its definition: the number of force components minus the rank of
-/// the matrix that maps them to the net forces and moments of the grains and the stresses along the axes.
+/// Computes the degree of indeterminacy from its definition: the number of force components minus the rank of a
+/// matrix. The matrix maps the components to the net forces and moments of the grains and to the stresses along
+/// the axes.
 /// @param tangential  whether tangential forces are included
 template <int Dim>
 int counted(const Packing<Dim>& packing, bool tangential) {

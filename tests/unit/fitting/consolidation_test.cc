@@ -279,8 +279,8 @@ TEST(FitConsolidation, LawsOfOneRegimeStayInIt) {
   const auto log_fit = fit_consolidation(with_plateau(kNoRolling, 0.0, random), options);
   ASSERT_TRUE(log_fit.found()) << log_fit.failure_reason;
   EXPECT_LT(log_fit.window_high, law.P1_star);
-  // The line is fitted up to the pressure where a power law fits better. Its slope then agrees with lambda
-  // within a few per cent.
+  // The line is fitted up to the pressure where a power law fits better. The slope of the line then agrees with
+  // lambda within a few per cent.
   EXPECT_NEAR(value(log_fit, "lambda"), law.lambda, 0.05 * law.lambda);
   options.law = ConsolidationLaw::power;
   const auto power_fit = fit_consolidation(with_plateau(kNoRolling, 0.0, random), options);

@@ -135,7 +135,8 @@ TYPED_TEST(StateFile, HoldsAPackingWithoutContactsOrPhysicsInItsSlots) {
   EXPECT_EQ(back.residuals.force, s.residuals.force);
 }
 
-/// Returns two glass beads. @param overlap  overlap divided by the radius
+/// Returns two glass beads in contact.
+/// @param overlap  overlap divided by the radius
 State<3> pressed_beads(double overlap) {
   State<3> s = busy_state<3>();
   s.packing.law = Law{};

@@ -102,7 +102,8 @@ TEST(SymmetricFactor, CountsEigenvaluesBelowABound) {
 }
 
 /// Returns the lower triangle of a band matrix with a few entries far from the diagonal. Its diagonal has
-/// random signs. @param positive_share  probability of a positive diagonal entry
+/// random signs.
+/// @param positive_share  probability of a positive diagonal entry
 Eigen::SparseMatrix<double> any_signs(int n, double positive_share, std::mt19937& engine) {
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   std::vector<Eigen::Triplet<double>> t;

@@ -144,7 +144,8 @@ TEST(Stiffness, HoldsForGrainsThatTouchTheirOwnImages) {
   EXPECT_LT(difference_error(three, StrainSet::full), kDifferenceTolerance);
 }
 
-/// Laws in which one term is much larger than the others, so that the largest entries of K come from this term.
+/// Returns laws in each of which one term of the stiffness is much larger than the others. The largest entries
+/// of K then come from this term.
 std::vector<Law> laws_by_term() {
   Law tails = test::elastic_law(1.0, 0.7, 0.05);
   tails += test::tail_adhesion(8.0, 0.08);  // F0/D0 = 100

@@ -202,8 +202,8 @@ TEST(Tangent, WithoutTangentialForcesIsTheSymmetricStiffness) {
   EXPECT_LT((k - k.transpose()).topLeftCorner(n, n).cwiseAbs().maxCoeff(), 1e-14);
 }
 
-/// If no contact slides, the stiffness used for stability is the symmetric part of the tangent of the forces on
-/// grains.
+/// Expects that the stiffness for stability is the symmetric part of the tangent of the forces on grains, if no
+/// contact slides.
 template <int Dim>
 void expect_symmetric_part(const Packing<Dim>& packing) {
   const ContactNetwork<Dim> network = contact_network(test::at_rest(packing));

@@ -44,7 +44,8 @@ Packing<Dim> packing_of(const std::vector<Shape<Dim>>& shapes, const std::vector
   return packing;
 }
 
-/// Returns a contact of grains i and j. @param arm  vector from the centre of i to the contact point
+/// Returns a contact of grains i and j.
+/// @param arm  vector from the centre of i to the contact point
 template <int Dim>
 Contact<Dim> contact_at(const Packing<Dim>& packing, int i, int j, const Vec<Dim>& arm) {
   Contact<Dim> c;

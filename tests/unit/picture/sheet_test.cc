@@ -119,7 +119,7 @@ TEST(Sheet, AStripHasOneLengthScale) {
   EXPECT_EQ(pixels.rgb(5 + 412 + 100, 5 + 300), 0xFFFFFF);
 }
 
-/// Returns the contacts of random disks, copied periodically to about n grains.
+/// Returns the contacts of a random packing of disks that is repeated periodically, up to about n grains.
 PackingPicture<2> many(int n) {
   const Packing<2> packing = test::random_packing<2>(100, 3, test::elastic_law(1.0, 0.5, 0.0), 1.2);
   const int side = static_cast<int>(std::lround(std::sqrt(n / 100.0)));

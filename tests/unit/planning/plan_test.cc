@@ -97,13 +97,13 @@ TEST_F(Plans, MoreStatesAndOtherRangesOfStepsCostAccordingly) {
   const PriceModel longer(
       scene({"load.0.to=1", "load.0.steps_per_decade=8", "load.1.to=0.01", "load.1.steps_per_decade=2"}),
       prices());
-  // The path has 22 states instead of 10. Each additional state takes 0.3 times as long as each of the first
-  // 10.
+  // The path has 22 states instead of 10. Each additional state takes 0.3 times as long as one of the first 10
+  // states.
   EXPECT_NEAR(longer.core_seconds(plain, 100) / model_.core_seconds(plain, 100),
               1.0 + 0.3 * (22.0 / 10.0 - 1.0), 1e-9);
 }
 
-/// Cost and errors from the formulas of the documentation and the numbers of the table.
+/// Cost and errors of a plan, computed by the formulas of the documentation from the numbers of the table.
 struct ByHand {
   double seconds, phi, b;
 };

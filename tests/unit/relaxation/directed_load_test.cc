@@ -146,8 +146,8 @@ TEST(DirectedLoad, OfDensePackingsIsThatOfTheirModuli) {
 }
 
 /// Returns C_ab = R_ab/V + sigma_a. R is the derivative of the virial (sum of f r over contacts) with respect
-/// to the strains after relaxation of the grains, computed with the consistent tangent of all forces, including
-/// tangential ones.
+/// to the strains, after relaxation of the grains. It is computed with the consistent tangent of all forces,
+/// including tangential ones.
 template <int Dim>
 Mat<Dim> consistent_stiffness(const Packing<Dim>& packing) {
   const Eigen::MatrixXd whole = test::consistent_tangent(packing, Dim);

@@ -12,7 +12,7 @@
 #include "floc/shape/generators.h"
 #include "support/rigid_gas.h"
 
-/// Rigid grains between walls and under gravity: closed forms, and states that verify.
+/// Tests of rigid grains between walls and under gravity: closed forms, and states that pass the verification.
 namespace floc::test {
 namespace {
 

@@ -8,7 +8,7 @@
 namespace floc {
 namespace {
 
-/// Returns two grains with two contacts, each with its own spring, that shear relative to each other.
+/// Returns two grains that shear relative to each other. They have two contacts, each with its own spring.
 template <int Dim>
 Packing<Dim> twice_in_contact() {
   Packing<Dim> packing;

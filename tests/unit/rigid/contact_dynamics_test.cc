@@ -50,7 +50,8 @@ void add_grain(Packing<Dim>& packing, const Vec<Dim>& position, double radius, d
   g.angular_velocity.push_back(RotationVector<Dim>::Zero());
 }
 
-/// Adds a grain of density 1. @param shape  index of its shape in the table of shapes
+/// Adds a grain of density 1.
+/// @param shape  index of its shape in the table of shapes
 template <int Dim>
 void add_shaped(Packing<Dim>& packing, const Vec<Dim>& position, int shape, double diameter) {
   Grains<Dim>& g = packing.grains;

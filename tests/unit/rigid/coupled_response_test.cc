@@ -22,8 +22,8 @@ double friction_of(int n) {
   return kFrictions[n % 5];
 }
 
-/// Random problems. In every second one, slip and normal motion are coupled almost as strongly as positive
-/// definiteness allows. With a large friction coefficient the contact then acts like a steep wedge.
+/// Random problems. In every second problem, slip and normal motion are coupled almost as strongly as positive
+/// definiteness allows. With a large friction coefficient, the contact then acts like a steep wedge.
 template <int Dim>
 class Problems {
  public:

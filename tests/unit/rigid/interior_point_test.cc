@@ -91,8 +91,8 @@ TEST(InteriorPoint, ProvesThatNoForceHoldsADiskThatIsPulledOut) {
   }
 }
 
-/// Returns a program with random coefficients. It is feasible, because its load is A x for a given x in the
-/// cones.
+/// Returns a program with random coefficients. The program is feasible, because its load is A x for a given x
+/// in the cones.
 template <int Dim>
 ConeProgram<Dim> random_program(unsigned seed) {
   constexpr int kBlocks = 12, kRows = 8;

@@ -14,8 +14,8 @@
 namespace floc {
 namespace {
 
-/// Returns a scene of disks without adhesion with the given loads, solved by motion alone, so that the run
-/// takes enough steps to be stopped.
+/// Returns a scene of disks without adhesion with the given loads. If `finish` is "dynamic", equilibria are
+/// found by motion alone, so that the run takes enough steps to be stopped.
 Scene scene_of(const std::string& loads, const std::string& finish) {
   const std::string disks = test::exchanged(test::scene_text("disks"), "count = 40", "count = 30");
   return parse_scene(disks + loads + "[equilibrium]\nfinish = \"" + finish + "\"\n", "directed.toml", ".");

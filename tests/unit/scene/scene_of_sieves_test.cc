@@ -14,7 +14,8 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Scene of disks. @param diameter  value of the key grains.diameter
+/// Returns a scene of disks.
+/// @param diameter  value of the key grains.diameter
 std::string scene_of_sizes(const std::string& diameter) {
   return "[scene]\ndimension = 2\nunits = \"reduced\"\n[grains]\ncount = 40\ndiameter = " + diameter +
          "\n[contact]\nnormal = {law = \"linear\", stiffness = 1e4}\ndamping = {restitution = 0.1}\n"

@@ -45,7 +45,7 @@ std::vector<std::array<int, 2>> edges_of(const Shape<Dim>& shape) {
 
 template <int Dim>
 void take(FeatureDistance& least, const Vec<Dim>& between, bool is_axis) {
-  // If two distances are equal up to rounding, the one along an axis is taken.
+  // If two distances are equal up to rounding, the distance along an axis is taken.
   const double distance = between.norm();
   if (distance < least.distance - 1e-13 || (distance < least.distance + 1e-13 && is_axis))
     least.is_axis = is_axis;

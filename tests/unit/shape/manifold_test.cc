@@ -54,7 +54,7 @@ TEST(Manifold, OfCrossedEdgesIsOnePoint) {
   for (const double z : {1.41, std::numbers::sqrt2, 1.42})
     for (const double degrees : {0.0, 30.0})
       for (int trial = 0; trial < 10; ++trial) {
-        // The upper edge lies along y, or at an angle of 60 degrees to the lower one.
+        // The upper edge lies along y, or at an angle of 60 degrees to the lower edge.
         const Mat<3> all = trial == 0 ? kNoTurn : random_turn<3>(random);
         const Mat<3> upper = turn_about(Vec<3>::UnitZ(), -degrees) * turn_about(Vec<3>::UnitY(), 45.0);
         const Vec<3> centre(0.1, 0.2, z);
@@ -136,8 +136,8 @@ void expect_exchange_and_rigid_motions_to_change_nothing(double rounding) {
     n_touching += contact.n > 0 ? 1 : 0;
     ASSERT_EQ(contact.n, exchanged.n) << trial;
     if (contact.n == 0) continue;
-    // If two axes tie within the margin, the first shape decides, and the exchange could change the normal.
-    // These pairs have no ties.
+    // If two axes are equal within the margin, the first shape decides. An exchange of the shapes could then
+    // change the normal. These pairs have no equal axes.
     EXPECT_NEAR((contact.normal + exchanged.normal).norm(), 0.0, 1e-11) << trial;
     EXPECT_NEAR(contact.least_gap(), exchanged.least_gap(), 1e-12) << trial;
     const Mat<Dim> turn = random_turn<Dim>(random);
@@ -238,13 +238,13 @@ TEST(Manifold, OfRoundedShapesApartHasTheirDistance) {
     const PlacedShape<3> a = pair.first(), b = pair.second();
     const ClosestPoints<3> closest =
         closest_points<3>(*a.shape, *b.shape, RelativePlace<3>(a, b), Vec<3>::UnitX());
-    // The separation along any direction is at most the distance, and the distance is at most that of any two
-    // points. Here both bounds are equal.
+    // The separation along any direction is at most the distance of the shapes. This distance is at most that
+    // of any two of their points. Here both bounds are equal.
     const double expected = a.scale * closest.distance - a.rounding() - b.rounding();
     EXPECT_NEAR(separation_along<3>(a, b, a.rotation * closest.normal), expected, 1e-14) << trial;
     EXPECT_NEAR((closest.on_second - closest.on_first - closest.distance * closest.normal).norm(), 0.0, 1e-13);
-    // If a face is chosen, its normal may deviate by 1e-3, which changes the gap by half the square of this
-    // times the distance of the cores. Points may lie 1e-6 of the inner radius further away.
+    // If a face is chosen, its normal may deviate by 1e-3 radians. This changes the gap by half of the squared
+    // deviation times the distance of the cores. Points may lie 1e-6 of the inner radius further away.
     const Manifold<3> contact = contact_manifold<3>(a, b, 0.1);
     ASSERT_GT(contact.n, 0);
     EXPECT_NEAR(contact.least_gap(), expected, 6e-7) << trial;

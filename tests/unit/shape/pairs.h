@@ -52,8 +52,8 @@ double separation_by_search(const PlacedShape<Dim>& first, const PlacedShape<Dim
   return best;
 }
 
-/// Returns the largest separation of two sharp polyhedra over the normals of all faces and all pairs of edges,
-/// without a check of the arcs.
+/// Returns the largest separation of two sharp polyhedra over the normals of all faces and the common normals
+/// of all pairs of edges, including pairs that cannot touch each other.
 inline double separation_by_all_axes(const PlacedShape<3>& first, const PlacedShape<3>& second) {
   double most = -1e9;
   const auto try_axis = [&](const Vec<3>& n) { most = std::max(most, separation_along<3>(first, second, n)); };

@@ -31,7 +31,7 @@ TEST(PointMemory, GoesToTheNearestUnclaimedPointInTheRadius) {
   // old point. Point 2 is too far from all old points.
   EXPECT_EQ(matched({point(0.5, 0, 1), point(0.4, 0, 9), point(5, 0, 10)}, before, 0.7),
             (PointMatches<3>{0, 1, -1, -1}));
-  // Two new points are near one old point, which is matched with the nearer one.
+  // Two new points are near one old point. The nearer one of the new points is matched.
   EXPECT_EQ(matched({point(1.2, 0, 11), point(1.1, 0, 12)}, {before[1]}, 0.7),
             (PointMatches<3>{-1, 0, -1, -1}));
 }

@@ -37,7 +37,8 @@ double distance_to_core(const Shape<Dim>& shape, const Vec<Dim>& point) {
   return (point - x).norm();
 }
 
-// Expected values with a closed form are compared up to rounding, printed decimals up to their last digit.
+// Expected values with a closed form are compared up to rounding. Printed decimals are compared up to their
+// last digit.
 TEST(MassProperties, BoxAndRegularSolidsHaveTheirClosedForms) {
   const Shape<3> box = shape_of<3>(box_points(1, 2, 3));
   EXPECT_NEAR(box.volume, 6.0, 1e-14);

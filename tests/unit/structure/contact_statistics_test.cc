@@ -103,7 +103,7 @@ TEST(ContactStatistics, AxialAnisotropyInSpace) {
   EXPECT_NEAR(found->predicted_ratio, found->stress_ratio, 1e-12);
 }
 
-/// Forces are quantiles of the joined power law and exponential with alpha = 0.3.
+/// The forces are quantiles of the joined form (power law and exponential) with alpha = 0.3.
 TEST(ContactStatistics, RecoversTheJoinedForm) {
   const double alpha = 0.3, beta = std::sqrt((1.0 - alpha) * (2.0 - alpha));
   const double k = 1.0 / (1.0 / (1.0 - alpha) + 1.0 / beta), below = k / (1.0 - alpha);

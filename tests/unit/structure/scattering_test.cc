@@ -127,9 +127,9 @@ TEST(Scattering, OfALatticeDoesNotDependOnItsCell) {
 }
 
 TEST(Scattering, OfUncorrelatedDisksIsThatOfEachOfThem) {
-  // The first state is compared with the closed form for its positions, and the mean of all states with rho
-  // <f^2>, where rho is the number density and f the form factor of a disk. Beyond the sixth bin, 30 states
-  // have about 1e4 independent speckles, whose mean has an error of 1 %.
+  // The first state is compared with the closed form for its positions. The mean of all states is compared with
+  // rho <f^2>, with the number density rho and the form factor f of a disk. Beyond the sixth bin, 30 states
+  // have about 1e4 independent speckles; their mean has an error of 1 %.
   constexpr int kStates = 30, kGrains = 60;
   const Packing<2> first = uncorrelated(kGrains, 14.0, 0);
   const ScatteringMesh mesh = scattering_mesh(first, {});

@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Returns the load of a state on its driven axis: the imposed stress or, if a length or a shear is imposed, the strain.
+/// Returns the load of a state on its driven axis: the imposed stress or, for an imposed length or shear, the strain.
 template <int Dim>
 double driven_load(const State<Dim>& state) {
   if (state.target_offset) return state.path.turn.shear;

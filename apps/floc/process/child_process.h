@@ -24,8 +24,8 @@ struct ChildOptions {
 /// @throws IoError if no process can be started
 pid_t start_floc(const std::vector<std::string>& arguments, const ChildOptions& options);
 
-/// Converts the status of waitpid() to an exit code: the exit code of the process or, if a signal ended it, 128 plus
-/// the number of the signal.
+/// Converts the status of waitpid() to an exit code: the exit code of the process or, if a signal ended the process,
+/// 128 plus the number of the signal.
 int exit_code_of(int status);
 
 /// Waits until a child process ends, even if this process receives a signal. @return exit code of the child, as

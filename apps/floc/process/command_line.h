@@ -54,8 +54,8 @@ class Option {
   CLI::Option* option_;
 };
 
-/// The command line of the program or of one of its commands. Handles may be copied; ProgramLine owns the parser that
-/// they refer to.
+/// The command line of the program or of one of its commands. Handles may be copied. They refer to a parser that
+/// ProgramLine owns.
 ///
 /// This class and Option hide CLI11, whose headers and templates would about double the time to compile each command.
 /// Only command_line.cc includes it.
@@ -66,7 +66,8 @@ class CommandLine {
   void require_one_subcommand();
   /// Returns whether this subcommand was given.
   bool parsed() const;
-  /// Returns the names of the parent commands and of this command, without the name of the program: "fit elastic".
+  /// Returns the names of the parent commands and of this command, without the name of the program, such as "fit
+  /// elastic".
   std::string full_name() const;
   /// Sets a function that is called if this command was given, after the whole command line has been parsed without an
   /// error.

@@ -23,7 +23,7 @@ struct CollectArguments {
   bool forget = false;
 };
 
-/// Fits a law to those runs of one case that succeeded, and adds the results to `table`. If the fit fails, a message on
+/// Fits a law to the successful runs of one case, and adds the results to `table`. If the fit fails, a message on
 /// stderr names the log file of the fit.
 void fit_case(const PlannedCampaign& planned, int case_number, int fit_number, const std::string& directory,
               Table& table) {
@@ -94,8 +94,8 @@ int report_outcome(const CollectArguments& arguments) {
     lines += outcome ? fmt::format("\n  {}: floc {} failed with exit code {}: {}", run.directory,
                                    outcome->command, outcome->exit_code, outcome->words)
                      : fmt::format("\n  {}: this run has not ended", run.directory);
-    // snakemake repeats a run whose outcome file is missing. This file is renamed and not removed, so that the tables
-    // of the campaign still report the failure.
+    // snakemake repeats a run whose outcome file is missing. The outcome file is renamed instead of removed, so that
+    // the tables of the campaign still report the failure.
     if (arguments.forget && fs::exists(place / kOutcomeFile))
       fs::rename(place / kOutcomeFile, place / kFailureFile);
   }

@@ -102,7 +102,7 @@ class ShapeArrays {
   /// Gives the listed grains the shapes. Their positions are the places of the origins of the vertices.
   void give(ListedPacking& listed) const {
     const auto given = arrays_["shapes"].cast<std::vector<py::dict>>();
-    if (given.empty()) throw InputError("shapes", "there is no shape, expected one at least");
+    if (given.empty()) throw InputError("shapes", "there is no shape, expected at least one");
     for (std::size_t s = 0; s < given.size(); ++s) {
       if (dimension_ == 2)
         listed.shapes.in_2d.push_back(made<2>(s, given[s], listed.remarks));
@@ -135,7 +135,8 @@ class ShapeArrays {
     if (!shape && n_shapes > 1)
       throw InputError(
           "shape",
-          fmt::format("there are {} shapes, expected an array with the index of that of each grain", n_shapes));
+          fmt::format("there are {} shapes, expected an array with the index of the shape of each grain",
+                      n_shapes));
     const std::int64_t s = shape ? shape->data()[i] : 0;
     if (s < 0 || s >= n_shapes)
       throw InputError(
@@ -173,8 +174,7 @@ class ShapeArrays {
       points.push_back(row_of(name + ": vertices", vertices, v, Dim).template head<Dim>());
     if (points.size() < 3 && !(rounding > 0.0))
       throw InputError(
-          name, fmt::format("it has {} vertices and no rounding, expected a number > 0 of rounding or more "
-                            "vertices",
+          name, fmt::format("it has {} vertices and no rounding, expected a rounding > 0 or more vertices",
                             points.size()));
     if (points.empty()) return round_shape<Dim>(rounding);
     ShapeOfPoints<Dim> made = shape_of_points<Dim>(points, rounding, name);

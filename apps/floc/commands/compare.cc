@@ -87,10 +87,9 @@ Command add_compare(CommandLine program) {
   app.add_flag("--against-first", command->against_first,
                "compare each state with the first state, not with the state before it");
   app.add_option("--rigid-tolerance", command->options.rigid_tolerance,
-                 "two grains in contact count as parts of one rigid cluster if their relative motion is below "
-                 "this tolerance: "
-                 "the distance between the two points that touched (in largest diameters) and the "
-                 "difference of the rotations of the two grains (radians)")
+                 "two grains in contact belong to one rigid cluster if both measures of their relative motion "
+                 "are below this tolerance: the distance between the two points that touched (in largest "
+                 "diameters) and the difference of the rotations of the two grains (radians)")
       .positive()
       .show_default();
   app.add_option("--displacements", command->displacements,

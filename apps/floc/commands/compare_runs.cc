@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 /// between any two runs.
 constexpr const char* kTiming = "seconds";
 
-/// The files of one run that are compared: the state file of each step, and the table path.csv with the row of each
+/// The files of one run that are compared: the state file of each step, and the table path.csv with one row for each
 /// step.
 struct RunFiles {
   std::map<int, std::string> states;
@@ -54,8 +54,8 @@ struct StepComparison {
   std::optional<double> largest;
 };
 
-/// The column in the path.csv of the second run that has the name of a column in the path.csv of the first run. The
-/// factor converts the values of the second run to the unit of the first run.
+/// A column in the path.csv of the second run that corresponds to a column in the path.csv of the first run: both have
+/// the same name. The factor converts the values of the second run to the unit of the first run.
 struct Counterpart {
   int column;
   double factor;
@@ -70,8 +70,8 @@ std::optional<Counterpart> counterpart(const CsvTable& of, const std::string& he
   return std::nullopt;
 }
 
-/// Compares the values a and b that a column of path.csv has in the two runs, and adds the column to `row.differing` if
-/// they differ.
+/// Compares the values `a` and `b` of one column of path.csv in the first and the second run. If they differ, adds the
+/// column to `row.differing`.
 /// @param factor  factor that converts b to the unit of a
 void compare_values(const std::string& column, const std::string& a, const std::string& b, double factor,
                     StepComparison& row) {

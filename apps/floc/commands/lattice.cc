@@ -40,9 +40,9 @@ constexpr double kCoarse = 8.0;
 /// Largest number of lattice nodes of a sample that --strength breaks without the option --yes.
 constexpr int kBrokenUnasked = 20000;
 
-/// Returns the memory that the solution of a lattice is expected to take (bytes). With 1e5 nodes, it was measured to be
-/// 2.5 kB per node in 2D and 2.3 kB in 3D, to which a margin is added. In 2D the memory of the Cholesky factor per node
-/// grows with the logarithm of the number of nodes.
+/// Returns the memory that the solution of a lattice is expected to take (bytes). Measured values for 1e5 nodes, 2.5 kB
+/// per node in 2D and 2.3 kB in 3D, are increased by a margin. In 2D the memory of the Cholesky factor per node grows
+/// with the logarithm of the number of nodes.
 double expected_memory(int dimension, double n_nodes) {
   if (dimension == 3) return 2600.0 * n_nodes;
   return n_nodes * (1600.0 + 90.0 * std::log2(std::max(n_nodes, 2.0)));
@@ -125,8 +125,8 @@ LatticeNetwork<Dim> make_network(const LatticeArguments& arguments, const Cement
 }
 
 /// Returns the settings of the solver of the lattice.
-/// @param telling  whether the progress of the solver is printed. The settings keep a reference to this variable, so
-/// that it can be changed later; it must outlive them
+/// @param telling  whether the progress of the solver is printed. The settings keep a reference to this variable: the
+/// caller may change it later, and it must exist as long as the settings
 template <int Dim>
 RelaxationSettings settings_of(const LatticeArguments& arguments, const bool& telling) {
   RelaxationSettings settings;
@@ -168,8 +168,8 @@ std::vector<double> normal_forces(const std::vector<Contact<Dim>>& contacts) {
   return normal;
 }
 
-/// Computes the normal forces between the grains, and their correlation with the forces of a model of equal beams,
-/// bonded_forces(). If --compare names a state, also computes their correlation with the contact forces of that state.
+/// Computes the normal forces between the grains. Also computes the correlation of these forces with the forces of
+/// equal beams, see bonded_forces(), and, if --compare names a state, with the contact forces of that state.
 /// @param sign  1 if the load is compressive, -1 if it is tensile
 /// @return the packing of the grains, with the computed forces as contact forces
 template <int Dim>
@@ -250,8 +250,8 @@ CompositeBounds bounds_of(const CementedSample<Dim>& sample, const ElementStiffn
                           Dim);
 }
 
-/// Refuses to break a sample of more than kBrokenUnasked nodes without --yes. It can take long, because each broken
-/// element needs a new solution of the lattice.
+/// Refuses to break a sample of more than kBrokenUnasked nodes without --yes. Breaking can take long, because each
+/// broken element needs a new solution of the lattice.
 /// @throws InputError that gives the expected wall time, if --yes is missing
 void refuse_long_breaking(const LatticeArguments& arguments, const LatticeRow& row) {
   if (arguments.strength.empty() || arguments.yes || row.n_nodes <= kBrokenUnasked) return;
@@ -343,7 +343,7 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
     return kNotConverged;
   }
   LoadedSample<Dim> loaded{sample, network, solution, node_stress(sample.lattice, network, solution), {}};
-  // The distributions count stresses with the sign of the load as positive, whether the load is compression or tension.
+  // In the distributions, stresses with the sign of the load are positive, both for compression and for tension.
   const double sign = solution.stress[row.axis] < 0.0 ? -1.0 : 1.0;
   row.all = stress_distribution(stresses_of(loaded, row.axis, std::nullopt), sign);
   row.grain = stress_distribution(stresses_of(loaded, row.axis, Phase::grain), sign);
@@ -359,8 +359,8 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
     write_packing(arguments.output, arguments, state, packing_of(sample.lattice, network, solution), "lattice");
   write_lattice_files(arguments, row, loaded);
   if (!arguments.strength.empty()) {
-    // The solver computes a new solution after each broken element. Its rounds are no longer printed, because
-    // break_sample() prints how many elements have broken.
+    // The solver computes a new solution after each broken element. The rounds of the solver are no longer printed,
+    // because break_sample() prints how many elements have broken.
     telling = false;
     break_sample(arguments, load, solver, loaded, row);
     write_fracture_files(arguments, row, loaded);

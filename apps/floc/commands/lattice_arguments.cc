@@ -45,8 +45,8 @@ void add_lattice_options(CommandLine app, LatticeArguments& a) {
       "grain=K,matrix=K,interface=K,contact=K: stiffness of the elements inside grains, inside the matrix, "
       "between a grain and the matrix, and between two grains (force/length) [grain and matrix 1; interface 2 "
       "K K'/(K + K') with the stiffnesses K of grains and K' of matrix; contact as for grain]");
-  // Some defaults differ between 2D and 3D. They are set when the dimension of the state is known, so the variables of
-  // these options are empty here.
+  // Some defaults differ between 2D and 3D. They are set after the state has been read, so the variables of these
+  // options are still empty here.
   app.add_option("--per-diameter", a.per_diameter,
                  "number of lattice nodes per mean grain diameter [15 in 2D, 6.5 in 3D]")
       .positive();

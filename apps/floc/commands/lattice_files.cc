@@ -41,8 +41,8 @@ std::vector<std::pair<int, int>> stress_components() {
   return {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
 }
 
-/// Returns the table of --stress: a row for each node that belongs to an element, with position, phase and stress. The
-/// state file of --output contains these nodes as grains, in the order of the rows.
+/// Returns the table of --stress. It has one row for each node that belongs to an element, with the position, phase and
+/// stress of the node. The state file of --output contains these nodes as grains, in the order of the rows.
 template <int Dim>
 Table node_table(const LoadedSample<Dim>& of) {
   Table table;
@@ -67,7 +67,7 @@ Table node_table(const LoadedSample<Dim>& of) {
   return table;
 }
 
-/// Named values of stress or force, with the summary of their distribution, for a table or a plot.
+/// Stresses or forces with a name and with a summary of their distribution, for a table or a plot.
 struct Named {
   std::string name;
   std::vector<double> values;

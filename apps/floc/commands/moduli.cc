@@ -27,7 +27,7 @@ struct ModuliCommand {
   std::string solver = "automatic";
   /// Largest memory that a Cholesky factor of the stiffness matrix may take (GB).
   std::optional<double> memory;
-  /// Required relative errors of the moduli: "X", or "B=X", "G=X"; if empty, `method` is used.
+  /// Required relative errors of the moduli: "X" for all moduli, or "B=X", "G=X"; if empty, `method` is used.
   std::vector<std::string> accuracy;
   bool force = false;
   /// Name of the csv file for the force increments of every contact; if empty, no file is written.
@@ -62,16 +62,16 @@ bool accuracy_met(const std::vector<ModuliRow>& rows, const std::optional<Moduli
   });
 }
 
-/// Returns whether the moduli of a state are to be computed: if the state is in equilibrium, or if `force` is set. For
-/// a state that is not in equilibrium, prints a warning if `force` is set, otherwise an error.
+/// Returns whether the moduli of a state are to be computed: true if the state is in equilibrium or `force` is set. If
+/// the state is not in equilibrium, prints a warning (if `force` is set) or an error.
 bool accepts_state(const std::string& file, const AnyState& any, bool force, const Remarks& remarks) {
   if (force) {
     std::visit([&](const auto& state) { warn_unless_in_equilibrium(file, state, remarks); }, any);
     return true;
   }
   const std::string faults = std::visit([](const auto& state) { return equilibrium_faults(state); }, any);
-  // An imported file may give positions with only six digits. Its residuals are then larger, and the state
-  // needs a larger tolerance.
+  // If an imported file gives positions with only six digits, the residuals of the state are larger, and it needs a
+  // larger tolerance.
   const bool imported = std::visit([](const auto& state) { return state.path.branch == "imported"; }, any);
   const char* advice =
       imported ? ", or convert the file with a larger --tolerance if its numbers have few digits" : "";
@@ -223,12 +223,13 @@ Command add_moduli(CommandLine program) {
       .show_default();
   // command->memory is in GB, and ModuliTableOptions::memory in bytes. The function options_of() converts the
   // former to the latter.
-  app.add_option("--memory", command->memory,
-                 "largest memory of a Cholesky factor with --solver automatic, above which petsc is used (GB) "
-                 "[0.7 of the free memory]")
+  app.add_option(
+         "--memory", command->memory,
+         "with --solver automatic, petsc is used if a Cholesky factor would need more memory than this (GB) "
+         "[0.7 of the free memory]")
       .positive();
   app.add_option("-o,--output", command->output,
-                 "write the table to this file instead of stdout; the file is either complete or not written "
+                 "write the table to this file instead of stdout; the file is written completely or not at all "
                  "(useful with mpirun, which does not report a full disk)");
   add_printing_options(app, command->printing);
   return {app, [command] { return run_moduli(*command); }};

@@ -37,8 +37,8 @@ struct SceneArguments {
   std::string name;
 };
 
-/// Prints the expected cost of a run, if there is a table of prices for the scene. If the shipped tables are
-/// not installed, a message says so.
+/// Prints the expected cost of a run if there is a table of prices for the scene. Prints a message if the shipped
+/// tables of prices are not installed.
 void tell_price(const Scene& scene, const SceneArguments& arguments) {
   if (scene.starts_from_state()) return;
   ScenePrices prices;

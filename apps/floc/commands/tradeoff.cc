@@ -43,7 +43,7 @@ TableValue of_compared(int n, double value) {
   return n > 0 ? or_undefined_number(value) : TableValue{};
 }
 
-/// The scene of the study, with the columns that are equal in all rows of the table.
+/// The scene of the study, and the values of the columns that are equal in all rows of the table.
 struct StudiedScene {
   const Scene& scene;
   Subject subject;
@@ -65,7 +65,8 @@ struct TradeoffRow {
   const DeclaredObservable& declared() const { return declared_observables()[observable]; }
 };
 
-/// Returns a factor of softer springs; undefined for grains without springs, and for lattices.
+/// Returns the factor by which the springs are softer in one part of the run; undefined for grains without springs and
+/// for lattices.
 TableValue softening_cell(const TradeoffRow& row, double Softening::*part) {
   if (row.run.scene.law.is_rigid() || row.setting.setting.lattice) return {};
   return row.setting.setting.numerical.softening.*part;
@@ -128,7 +129,7 @@ Table table_of(const StudiedScene& run, const Tradeoff& tradeoff, const std::vec
     for (std::size_t i = 0; i < tradeoff.settings.size(); ++i) {
       const MeasuredSetting& m = tradeoff.settings[i];
       const ObservableError& e = m.errors[k];
-      // A setting has no row if it gave no value of this observable that could be compared.
+      // A setting has no row if no value of this observable could be compared.
       if (e.before.n + e.after.n + e.mean.n > 0) rows.push_back({run, tradeoff, m, k, front[i]});
     }
   }
@@ -190,9 +191,9 @@ Command add_tradeoff(CommandLine program) {
   app.add_option("--budget", command->options.budget, "processor time that the study may take, on one core (s)")
       .positive()
       .show_default();
-  app.add_option(
-         "--samples", command->options.max_samples,
-         "largest number of samples; their seeds are successive numbers that begin with the seed of the scene")
+  app.add_option("--samples", command->options.max_samples,
+                 "largest number of samples; the first sample has the seed of the scene, each further sample "
+                 "the next seed")
       .within(TradeoffOptions::kSamples)
       .show_default();
   app.add_option("--set", command->overrides,
@@ -210,8 +211,8 @@ Command add_tradeoff(CommandLine program) {
       .delimiter(',')
       .one_argument_each();
   app.add_option("--lattice", command->matrix_content,
-                 "study the lattice of floc lattice instead of the states: volume fraction of a "
-                 "matrix that cements the grains of the last state")
+                 "volume fraction of a matrix that cements the grains of the last state; the lattice of floc "
+                 "lattice is then studied instead of the states")
       .within(CementOptions::kContent);
   app.add_option("--stiffness-ratio", command->stiffness_ratio,
                  "with --lattice, ratio of the stiffness of the grains to the stiffness of the matrix")

@@ -106,9 +106,9 @@ Command add_fit_strength(CommandLine fit) {
                  "sample at failure in each row; - for a table on stdin")
       .required();
   app.add_option("--kind", arguments->kind,
-                 "kind of the test in tables that `floc run` has not written: drained, undrained (sigma1 and "
-                 "sigma3 are "
-                 "effective stresses), oedometer or simple-shear [drained; with sigma_n and tau simple-shear]")
+                 "kind of the test in tables that were not written by `floc run`: drained, undrained (sigma1 "
+                 "and sigma3 are effective stresses), oedometer or simple-shear [simple-shear for tables with "
+                 "sigma_n and tau, otherwise drained]")
       .one_of({"drained", "undrained", "oedometer", "simple-shear"});
   app.add_option("--critical-from", arguments->critical_from,
                  "axial strain at which the critical state begins [three quarters of the strain of "

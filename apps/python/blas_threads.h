@@ -7,8 +7,8 @@ namespace floc::python {
 void prepare_shared_blas();
 
 /// Restricts the BLAS library to one thread as long as an object of this class exists. The floc program uses one
-/// thread, too; the last bits of results depend on the number of threads. The destructor of the last object restores the
-/// number of threads that was set before the first object.
+/// thread, too; the last bits of results depend on the number of threads. The destructor of the last object restores
+/// the number of threads that was set before the first object.
 class SingleBlasThread {
  public:
   SingleBlasThread();

@@ -264,7 +264,7 @@ class ContactArrays {
     const auto walls = arrays_["wall"].cast<std::vector<std::string>>();
     if (walls.size() != contacts.size())
       throw InputError(name_ + ": wall",
-                       fmt::format("there are {} names of walls, expected one for each of {} contacts",
+                       fmt::format("there are {} names of walls, expected one name for each of {} contacts",
                                    walls.size(), contacts.size()));
     for (std::size_t c = 0; c < walls.size(); ++c) {
       if (walls[c].empty()) continue;

@@ -245,8 +245,7 @@ void add_reading_options(CommandLine app, ConvertArguments& arguments) {
       "axes that are not periodic, separated by commas: x (walls at both faces of the box across x), z- or "
       "z+ (a wall at the lower or upper face, and a free surface), z=0:5 (walls at these places), z=0: (a "
       "floor at 0 and a free surface); or an input script of LAMMPS or LIGGGHTS, or an STL file, that has the "
-      "walls [those that IN states; without them the packing is periodic or ends "
-      "in free space]");
+      "walls [the walls given in IN; without walls the packing is periodic or ends in free space]");
   app.add_option("--wall-law", arguments.wall_law,
                  "contact law between grains and walls, given as for --law [the law between grains]");
   app.add_option(
@@ -266,10 +265,9 @@ void add_reading_options(CommandLine app, ConvertArguments& arguments) {
   app.add_option("--bonds", arguments.bonds,
                  "file of bonds, which has the formats of a file of contacts: bonds act across gaps with their "
                  "own stiffnesses kn, kt, kr and ktw; a bond without a given force is unstressed");
-  app.add_option(
-         "--touch-gap", arguments.touch_gap,
-         "gap up to which grains and walls touch if contacts are found from the geometry; contacts across a "
-         "gap get no force (length) [0]")
+  app.add_option("--touch-gap", arguments.touch_gap,
+                 "largest gap (length) at which grains and walls count as touching if contacts are found from "
+                 "the geometry; contacts with a gap get no force [0]")
       .non_negative();
   app.add_flag("--pairs-twice", arguments.pairs_twice,
                "merge contacts that IN or the file of contacts lists twice, once from each grain");

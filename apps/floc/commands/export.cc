@@ -209,9 +209,8 @@ void export_state(const ExportArguments& arguments, const State<Dim>& state) {
   if (!arguments.shapes.empty()) write_csv(arguments.shapes, shape_table(state.packing));
   if (!state.packing.grains.are_round())
     spdlog::info(
-        "the grains have corners, which floc convert does not read from tables of grains; Packing.from_arrays "
-        "of the "
-        "Python package does, and floc convert {} FILE.conf keeps them for Rockable",
+        "floc convert cannot read grains with corners from tables of grains; Packing.from_arrays of the Python "
+        "package can, and floc convert {} FILE.conf writes these grains for Rockable",
         shell_word(arguments.state));
   if (!both || !state.packing.grains.are_round()) return;
   spdlog::info("wrote {} grains and {} contacts. The following command restores the state:\n  {}",
@@ -225,8 +224,7 @@ int run_export(const ExportArguments& arguments) {
     std::visit(
         [&](const auto& state) {
           if (!arguments.shapes.empty() && state.packing.grains.are_round())
-            throw InputError(file,
-                             "all grains are disks or spheres, which have no vertices; expected no --shapes");
+            throw InputError(file, "all grains are disks or spheres, which have no vertices: omit --shapes");
           export_state(arguments, state);
         },
         read_state(file));

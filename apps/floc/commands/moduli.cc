@@ -159,7 +159,7 @@ Command add_moduli(CommandLine program) {
   app.add_option("--strains", command->strains,
                  "strains of the cell for which moduli are computed: diagonal (only extensions along the axes; "
                  "shear strains are held at zero) or full "
-                 "(also shear strains, which adds their moduli)")
+                 "(also shear strains; their moduli are then computed, too)")
       .one_of({"diagonal", "full"})
       .show_default();
   app.add_flag("--prestress", command->options.moduli.prestress,

@@ -96,8 +96,8 @@ int start_scene(const std::string& name) {
   if (std::fclose(file) != 0 || !written)
     throw IoError(path.string(), "the file cannot be written completely; the disk may be full");
   spdlog::info(
-      "wrote {0}, a copy of the scene that floc demo runs, a cohesive powder (its content does not depend on "
-      "the name of the file; data/scenes contains scenes of other materials); you may run next: floc scene "
+      "wrote {0}, a copy of the scene of floc demo: a cohesive powder, whatever the name of the file "
+      "(data/scenes contains scenes of other materials); you may run next: floc scene "
       "check {0}, floc "
       "run {0} -o {1}",
       path.string(), path.stem().string());

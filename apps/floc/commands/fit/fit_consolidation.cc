@@ -200,9 +200,8 @@ int fit_tables(ConsolidationArguments arguments) {
   for (const ConsolidationSample& sample : samples) {
     if (arguments.fit.weights == "scatter" && sample.loading.curve.samples.cols() < 2)
       spdlog::info(
-          "{}: --weights scatter needs the scatter between several samples, but this is a single sample: it is "
-          "fitted with the weights of --weights "
-          "relative",
+          "{}: --weights scatter needs the scatter between several samples: this single sample is fitted with "
+          "--weights relative instead",
           sample.name);
     fit = fit_of(sample, arguments.fit, options);
     log_fit(sample, fit, arguments.fit.n_bootstrap);

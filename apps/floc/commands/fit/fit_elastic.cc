@@ -75,8 +75,8 @@ Command add_fit_elastic(CommandLine fit) {
       .required();
   app.add_option(
       "--state", arguments->state,
-      "state file whose computed moduli are printed for comparison [if its file exists, the state of the first "
-      "row of the branch or, for a curved branch, of the middle row of its straight part]");
+      "state file whose computed moduli are printed for comparison [the state of the first row of the branch "
+      "or, for a curved branch, of the middle row of its straight part, if the file of this state exists]");
   add_phi_limit_option(app, arguments->phi_limit);
   add_columns_option(app, arguments->columns, "P, P_star, phi, void_ratio or another density, branch");
   add_printing_options(app, arguments->printing);

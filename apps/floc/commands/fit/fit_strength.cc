@@ -64,9 +64,8 @@ int fit_strength(const StrengthArguments& arguments) {
     std::vector<StrengthTest> found = read_strength_tests(file, columns, kind_of_test(arguments.kind));
     if (found.empty()) {
       spdlog::warn(
-          "{}: the table has no test that strains the sample along one axis or shears it: no rows with the "
-          "control "
-          "triaxial, constant_volume, oedometric or simple_shear",
+          "{}: the table contains no test with axial strain or simple shear: no row has the control triaxial, "
+          "constant_volume, oedometric or simple_shear",
           file);
       return static_cast<int>(kNotConverged);
     }

@@ -26,7 +26,8 @@
 namespace floc {
 namespace {
 
-/// Returns the processor time that a function takes (s). Unlike wall time, it does not depend on other programs.
+/// Returns the processor time that a function takes (s). Unlike wall time, processor time does not depend on other
+/// programs.
 double seconds_of(const auto& work) {
   const std::clock_t start = std::clock();
   work();
@@ -63,7 +64,7 @@ void renumber(Packing<Dim>& packing) {
   for (Contact<Dim>& c : packing.contacts) c.i = place[c.i], c.j = place[c.j];
 }
 
-/// Makes a packing of periodic copies of another packing along each lattice vector, and renumbers its grains.
+/// Makes a large packing of periodic copies of `unit` along each lattice vector, and renumbers its grains.
 template <int Dim>
 Packing<Dim> large(const Packing<Dim>& unit, const Vec<Dim, int>& copies) {
   Packing<Dim> packing = tiled(unit, copies);
@@ -110,8 +111,8 @@ ContactNetwork<2> disks(int n) {
   return contact_network(packing);
 }
 
-/// Returns the contact network of about n spheres: copies of the packing that FLOC_BENCH_SPHERES names or, without this
-/// variable, an fcc lattice with bonds removed.
+/// Returns the contact network of about n spheres. The spheres are copies of the packing in the file FLOC_BENCH_SPHERES
+/// or, without this variable, an fcc lattice with some bonds removed.
 ContactNetwork<3> spheres(int n) {
   const char* file = std::getenv("FLOC_BENCH_SPHERES");
   const Packing<3> unit = file == nullptr ? lattice<3>() : std::get<State<3>>(read_state(file)).packing;

@@ -41,7 +41,7 @@ enum Sizes {
   kUniformByArea,  ///< probability density P(d) of diameters is proportional to d^-2
 };
 
-/// Returns n diameters in [1/ratio, 1]: equally spaced quantiles of their distribution.
+/// Returns n diameters from 1/ratio to 1: equally spaced quantiles of the distribution `sizes`.
 std::vector<double> diameters(int n, double ratio, Sizes sizes) {
   std::vector<double> diameter(n);
   for (int i = 0; i < n; ++i) {

@@ -69,8 +69,9 @@ int collect(const CollectArguments& arguments) {
   return kDone;
 }
 
-/// Converts the exit code of a failed run to an exit code of `floc campaign outcome`. The codes of floc for a missing
-/// result, bad input or a failed check are kept; all other codes, such as those of signals, become kFailure.
+/// Converts the exit code of a failed run to an exit code of `floc campaign outcome`. Three codes of floc are kept:
+/// those for a missing result, bad input and a failed check. All other codes, such as those of signals, become
+/// kFailure.
 int as_own(int code) {
   return code == kNotConverged || code == kBadInput || code == kVerificationFailed ? code : int{kFailure};
 }
@@ -89,7 +90,7 @@ int report_outcome(const CollectArguments& arguments) {
          or_undefined(outcome ? outcome->command : ""), or_undefined(outcome ? outcome->words : "")});
     if (is_done(outcome)) continue;
     ++n_failed;
-    // A run without an outcome was killed or has not been started. It counts as kFailure.
+    // A run without an outcome was killed or has not been started. The run counts as kFailure.
     code = worse(code, outcome ? as_own(outcome->exit_code) : int{kFailure});
     lines += outcome ? fmt::format("\n  {}: floc {} failed with exit code {}: {}", run.directory,
                                    outcome->command, outcome->exit_code, outcome->words)

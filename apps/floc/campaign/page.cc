@@ -99,8 +99,8 @@ std::vector<int> used_columns(const CsvTable& table) {
   return used;
 }
 
-/// Returns the html of a cell of a table. The cell shows a number with five significant digits; the attribute data-v of
-/// the cell has all digits of the csv file.
+/// Returns the html of a table cell. The cell shows a number with five significant digits; its attribute data-v
+/// contains all digits of the csv file.
 std::string cell_html(const std::string& column, const std::string& text) {
   const auto number = parse_number<double>(text);
   std::string classes = number ? "number" : "";
@@ -203,8 +203,8 @@ std::string tables_section(const CampaignPage& page) {
   return out;
 }
 
-/// Returns the index of the state whose picture the page shows for a case: the state under the largest pressure, or the
-/// last state if no pressure is known.
+/// Returns the index of the state of which the page shows a picture for this case. It is the state under the largest
+/// pressure or, if no pressure is known, the last state.
 int drawn_state(const CasePlan& plan) {
   int best = static_cast<int>(plan.states.size()) - 1;
   double highest = 0.0;

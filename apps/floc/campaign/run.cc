@@ -58,8 +58,8 @@ std::string last_line(const std::string& log) {
   std::istringstream lines(read_file(log));
   std::string last;
   for (std::string line; std::getline(lines, line);) {
-    // Lines of progress end in \r, so that the next line overwrites them on a terminal. Only the text after the
-    // last \r of such a line is used.
+    // Messages of progress end in \r, so that the next message overwrites them on a terminal. Only the text after the
+    // last \r of a line is used.
     line.erase(0, line.find_last_of('\r') + 1);
     if (!trimmed(line).empty()) last = trimmed(line);
   }

@@ -25,8 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Name of the column of path.csv with the wall times of the steps. It is not compared, because wall times differ
-/// between any two runs.
+/// Name of the column of path.csv with the wall times of the steps. This column is not compared, because wall times
+/// differ between any two runs.
 constexpr const char* kTiming = "seconds";
 
 /// The files of one run that are compared: the state file of each step, and the table path.csv with one row for each
@@ -104,7 +104,7 @@ StepComparison compare_step(int step, const RunFiles& before, const RunFiles& af
   return row;
 }
 
-/// Returns the result of the comparison of two runs as a sentence that begins with "equal" or "different".
+/// Returns a sentence about the result of the comparison, which begins with "equal" or "different".
 std::string verdict(const std::vector<StepComparison>& rows) {
   const auto n_same = std::ranges::count_if(rows, &StepComparison::identical);
   const auto n_rows = std::ranges::count_if(rows, [](const StepComparison& r) { return r.differing.empty(); });

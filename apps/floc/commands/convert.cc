@@ -145,7 +145,7 @@ void complete(const std::string& in, const Imported& imported, const ConvertArgu
   const std::string remark = complete_import(in, imported, completion, state);
   if (!remark.empty()) spdlog::info("{}: {}", in, remark);
   const std::filesystem::path source(in);
-  // The input of LMGC90 is a directory.
+  // A packing of LMGC90 is a directory, which contains a file of bodies.
   const std::string file = std::filesystem::is_directory(in) ? lmgc90_bodies(in) : in;
   state.provenance.source =
       in == "-" ? "stdin" : fmt::format("{}, SHA-256 {}", source.filename().string(), sha256_of_file(file));

@@ -87,8 +87,8 @@ Target target_of(const DrawArguments& arguments) {
   return target;
 }
 
-/// Parses the text "A,B,..." as `count` numbers. Returns nothing if the text contains another number of items, or an
-/// item that is not a number.
+/// Parses the text "A,B,..." as `count` numbers. Returns std::nullopt if the text contains another number of items, or
+/// an item that is not a number.
 std::optional<std::vector<double>> numbers_of(const std::string& text, std::size_t count) {
   std::vector<double> numbers;
   std::size_t begin = 0;
@@ -230,8 +230,8 @@ class Drawer {
       strip.push_back(std::move(drawn.picture));
   }
 
-  /// Writes the strip, unless each state has its own picture. Then prints the table of the states, unless stdout
-  /// contains the picture.
+  /// Writes the strip if all states are in one picture. Then prints the table of the states, except if the picture was
+  /// written to stdout.
   void finish() {
     write_strip<2>();
     write_strip<3>();

@@ -122,7 +122,7 @@ Table contact_table(const State<Dim>& state) {
     for (int a = 1; a <= n; ++a) table.columns.push_back(fmt::format("{}{}", name, a));
   };
   // The columns have the names that `floc convert --contacts` expects, so that floc can read the table again. In 2D the
-  // rolling moment is a scalar, so the name of its column ends without an index.
+  // rolling moment is a scalar, so the name of its column has no index at the end.
   numbered("image", Dim);
   table.columns.emplace_back("normal_force");
   numbered("shear_force", Dim);

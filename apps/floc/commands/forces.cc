@@ -11,8 +11,9 @@ namespace {
 struct ForcesCommand {
   std::vector<std::string> files;
   ForcesTableOptions options;
-  std::string selection;  ///< selection of forces, "closest" or "canonical"; empty: chosen for each state
-  std::string contacts;   ///< file to write with the table of contacts; empty: none
+  /// selection of forces, "closest" or "canonical"; if empty, the default for each state
+  std::string selection;
+  std::string contacts;  ///< csv file for the table of contacts; if empty, no file is written
   Printing printing;
 };
 

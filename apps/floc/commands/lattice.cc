@@ -216,10 +216,10 @@ void write_packing(const std::string& path, const LatticeArguments& arguments, c
   write_state(path, state);
 }
 
-/// Returns bounds of the bulk and shear moduli of a sample that consists of grains, matrix and voids. They follow from
-/// the volume fractions and the moduli of these phases. The moduli of a phase are those of a lattice whose elements all
-/// have the stiffness of this phase: in 2D from the closed formulas for the triangular lattice, in 3D by solving the
-/// lattice of the sample with a single stiffness.
+/// Returns bounds of the bulk and shear moduli of a sample that consists of grains, matrix and voids. The bounds follow
+/// from the volume fractions and the moduli of these phases. The moduli of a phase are those of a lattice whose
+/// elements all have the stiffness of this phase. In 2D, closed formulas for the triangular lattice give these moduli.
+/// In 3D, the lattice of the sample is solved with a single stiffness.
 template <int Dim>
 CompositeBounds bounds_of(const CementedSample<Dim>& sample, const ElementStiffness& stiffness,
                           const RelaxationSettings& settings) {
@@ -255,8 +255,9 @@ CompositeBounds bounds_of(const CementedSample<Dim>& sample, const ElementStiffn
 /// @throws InputError that gives the expected wall time, if --yes is missing
 void refuse_long_breaking(const LatticeArguments& arguments, const LatticeRow& row) {
   if (arguments.strength.empty() || arguments.yes || row.n_nodes <= kBrokenUnasked) return;
-  /// Estimates from which the expected time follows: the number of elements that break until the stress has fallen, per
-  /// node along a side of the sample, and the time of one solution per node (s).
+  /// Two estimates, from which the expected time follows. The first is the number of broken elements until the stress
+  /// has fallen, divided by the number of nodes along a side of the sample. The second is the time of one solution,
+  /// divided by the number of nodes (s).
   constexpr double kBrokenAcross = 10.0, kSecondsPerNode = 1e-5;
   const auto n = static_cast<double>(row.n_nodes);
   const double minutes = kBrokenAcross * std::pow(n, 1.0 - 1.0 / row.dimension) * kSecondsPerNode * n / 60.0;
@@ -302,8 +303,8 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
   describe(arguments, state, row);
   const LatticeLoad<Dim> load = load_of<Dim>(arguments);
   const ElementStiffness stiffness = stiffness_of(arguments);
-  // The options --strength and those of the pictures are used only after the solution. They are checked before it,
-  // because the solution can take minutes.
+  // The option --strength and the options of the pictures are used only after the solution. They are checked before the
+  // solution, which can take minutes.
   if (!arguments.strength.empty()) (void)strength_of(arguments);
   check_lattice_pictures(arguments, state.packing.cell);
   const CementedSample<Dim> sample = make_sample(arguments, state.packing, row);

@@ -138,7 +138,7 @@ void add_lattice_options(CommandLine app, LatticeArguments& a) {
                  "number of pixels per lattice node in pictures; fewer if a side of the picture would exceed "
                  "3000 pixels [4]")
       .within(LatticeSheetOptions::kPixels);
-  // With --strength, floc lattice also breaks the sample. The options that follow apply only then.
+  // With --strength, floc lattice also breaks the sample. The following options apply only to this breaking.
   app.add_option(
       "--strength", a.strength,
       "grain=F,matrix=F,interface=F,contact=F: break the sample, one element at a time; F is the tension at "

@@ -85,8 +85,8 @@ std::vector<Named> distributions(const LatticeRow& row, const LoadedSample<Dim>&
 Table distribution_table(const std::vector<Named>& all, double width) {
   Table table{{"of", "low", "high", "count", "n", "density", "unit", "n_outside"}, {}};
   for (const Named& named : all) {
-    // The histogram contains the values divided by `unit`, the mean of those values that have the sign of the load. If
-    // no value has this sign, `unit` is zero.
+    // The histogram contains values divided by `unit`. This unit is the mean of those values that have the sign of the
+    // load. If no value has this sign, `unit` is zero.
     const double unit = named.distribution.unit;
     if (unit == 0.0) continue;
     const ForceDistribution h = distribution_of(named.values, unit, width);
@@ -101,8 +101,8 @@ Table distribution_table(const std::vector<Named>& all, double width) {
 }
 
 /// Returns the two end points of the line that shows a fitted exponential tail, from the threshold of the tail to the
-/// largest value. The tail is a distribution of the values above the threshold only, so its density is multiplied by
-/// their fraction of all values.
+/// largest value. The exponential distribution is normalised for the values above the threshold. Its density is
+/// therefore multiplied by the fraction of the values that are above the threshold.
 /// @param n        number of all values
 /// @param largest  largest value, expressed in the unit of the abscissa
 /// @param sign     factor of the abscissas: 1 for a tail of values with the sign of the load, -1 for a tail of the

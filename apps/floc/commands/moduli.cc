@@ -81,7 +81,7 @@ bool accepts_state(const std::string& file, const AnyState& any, bool force, con
   return faults.empty();
 }
 
-/// Writes a table to a file, in the format that the option `--format` gives, or as csv without this option.
+/// Writes a table to a file in the format of the option `--format`, which is csv without this option.
 /// @throws IoError if the file cannot be written
 void write_file(const std::string& path, const Table& table, const Printing& printing) {
   std::ostringstream text;
@@ -122,8 +122,8 @@ int run_alone(const ModuliCommand& command, const ModuliTableOptions& options) {
   return code;
 }
 
-/// Computes the moduli of all states, one state after another, each on all processes of mpirun together. Only the first
-/// process prints the table.
+/// Computes the moduli of all states, one state after another. All processes of mpirun compute each state together, and
+/// the first process prints the table.
 int run_together(const ModuliCommand& command, const ModuliTableOptions& options) {
   const std::unique_ptr<ParallelSolver> solver = load_parallel_solver();
   std::vector<ModuliRow> rows;
@@ -221,8 +221,8 @@ Command add_moduli(CommandLine program) {
          "processes of mpirun; automatic: cholmod if its Cholesky factor fits into memory, otherwise petsc")
       .one_of({"automatic", "cholmod", "petsc"})
       .show_default();
-  // command->memory is in GB, and ModuliTableOptions::memory in bytes. The function options_of() converts the
-  // former to the latter.
+  // The unit of command->memory is GB. The function options_of() converts it to bytes, the unit of
+  // ModuliTableOptions::memory.
   app.add_option(
          "--memory", command->memory,
          "with --solver automatic, petsc is used if a Cholesky factor would need more memory than this (GB) "

@@ -72,8 +72,8 @@ void add_bond_options(CommandLine app, NetworkCommand& command) {
                  "negative particle pressure, compared with clusters after random permutations of the signs")
       .delimiter(',')
       .one_of({"bonds", "phases"});
-  // The variables of the following options contain the defaults of BondTableOptions, which show_default() adds to the
-  // help text.
+  // The variables of the following options contain the defaults of BondTableOptions. The function show_default() adds
+  // them to the help text.
   app.add_option("--near-zero", command.options.bonds.near,
                  "magnitude below which a normal force counts as near zero, in units of F0")
       .non_negative()

@@ -165,8 +165,8 @@ Made test_of_path(const PlotArguments& arguments) {
   return {kDone, axial_test_plot(CsvTable::read(is_directory ? table_of_run(input) : input))};
 }
 
-/// Returns the files of the states to plot: the states that --steps selects or, without --steps, three states of each
-/// directory, evenly spread from the first to the last.
+/// Returns the files of the states to plot. They are the states with the numbers of --steps or, without --steps, three
+/// states of each directory, evenly spread from the first to the last.
 std::vector<std::string> states_of(const PlotArguments& arguments) {
   return drawn_states(arguments.inputs, arguments.steps, 3);
 }

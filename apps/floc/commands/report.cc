@@ -136,7 +136,7 @@ void add_elastic_state(const State<Dim>& state, ReportedRun<Dim>& run) {
 }
 
 /// Adds a state to the tables of the report.
-/// @throws InputError if it is a state of elastic grains with walls or corners
+/// @throws InputError if the grains are elastic and have walls or corners
 template <int Dim>
 void add_state(const std::string& file, const State<Dim>& state, ReportedRun<Dim>& run) {
   if (state.packing.law.is_rigid()) {
@@ -398,7 +398,8 @@ int report_of(const ReportArguments& arguments) {
 }
 
 int report(const ReportArguments& arguments) {
-  // Throws InputError if the directory is that of an ensemble; the message names one of its samples.
+  // table_of_run() throws an InputError if the directory belongs to an ensemble; the message names one sample of the
+  // ensemble.
   table_of_run(arguments.directory);
   const AnyState first = read_state(states_of_run(arguments.directory).front());
   return std::holds_alternative<State<2>>(first) ? report_of<2>(arguments) : report_of<3>(arguments);

@@ -109,8 +109,8 @@ int run_seeds(const RunArguments& arguments) {
   std::vector<std::string> args = {arguments.scene};
   for (const std::string& change : arguments.overrides) args.insert(args.end(), {"--set", change});
   if (!arguments.prices.empty()) args.insert(args.end(), {"--prices", arguments.prices});
-  // Each sample gets only as many threads as it can use. Otherwise each sample would repeat the message of
-  // tell_unused_threads().
+  // Each sample gets only as many threads as it can use. Otherwise each sample would print the message of
+  // tell_unused_threads() again.
   args.insert(args.end(), {"--threads", std::to_string(options.relaxation.threads)});
   if (arguments.run.until) args.insert(args.end(), {"--until", std::to_string(*arguments.run.until)});
   if (arguments.run.track_contacts)

@@ -30,7 +30,7 @@ struct SceneArguments {
   std::string path;
   std::vector<std::string> overrides;
   std::string prices;
-  /// Name of the csv file that compares the sizes of the drawn grains with the distribution in the scene; if
+  /// Name of the csv file that compares the sizes of randomly drawn grains with the size distribution of the scene; if
   /// empty, no file is written.
   std::string sizes;
   Printing printing;

@@ -41,7 +41,7 @@ std::string gnuplot_quoted(const std::string& text);
 /// or fails
 void write_plot(const std::string& file, const Plot& plot);
 
-/// Returns the plot as the text of an svg file; no files remain.
+/// Returns the plot as the text of an svg file. Temporary files are removed.
 /// @throws IoError if a temporary file cannot be written, or if gnuplot is missing or fails
 std::string plot_as_svg(const Plot& plot);
 

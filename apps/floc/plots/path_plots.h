@@ -33,8 +33,9 @@ Plot consolidation_plot(const std::vector<PathTable>& samples, const FittedConso
 /// @throws InputError if a column of path.csv is missing
 Plot coordination_plot(const CsvTable& path);
 
-/// Returns the unit of stresses and moduli as gnuplot text. This is the SI unit, or in reduced units F_0/a for disks
-/// and F_0/a^2 for spheres. Without cohesion there is no pull-off force F_0, and the text is "units of the state".
+/// Returns the unit of stresses and moduli as gnuplot text. In SI units, this is the SI unit of the stress. In reduced
+/// units, it is F_0/a for disks and F_0/a^2 for spheres. Without cohesion there is no pull-off force F_0, and the text
+/// is "units of the state".
 /// @param units  "reduced" or "SI"
 std::string stress_unit(const std::string& units, int dimension, bool cohesive);
 

@@ -68,7 +68,8 @@ std::vector<std::vector<double>> density_rows(const ForceDistribution& d) {
   std::vector<std::vector<double>> rows;
   for (int b = 0; b < static_cast<int>(d.counts.size()); ++b)
     if (d.counts[b] > 0) {
-      // The count n of a bin is a Poisson variable. The next lines give an approximate 68 % interval for its mean.
+      // The count n of a bin is a Poisson variable. The next lines give an approximate 68 % confidence interval for the
+      // mean of this variable.
       const auto n = static_cast<double>(d.counts[b]);
       const double half = std::sqrt(n + 0.25), density = d.density(b) / n;
       rows.push_back({d.middle(b), n * density, (n + 0.5 - half) * density, (n + 0.5 + half) * density, n});
@@ -170,8 +171,8 @@ struct DensityCurve {
   std::vector<std::vector<double>> rows, fits;
 };
 
-/// Words in the labels of a plot of densities: for one value ("force"), for several values ("forces"), and for the
-/// fitted exponentials.
+/// Words for the labels of a plot of densities: the words for one value ("force"), for several values ("forces") and
+/// for the fitted exponentials.
 struct DensityWords {
   const char *value, *values, *fits;
 };

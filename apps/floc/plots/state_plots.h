@@ -66,7 +66,7 @@ struct ScatteringSample {
   std::string failure_reason;  ///< reason why the law was not fitted; empty if it was fitted
 };
 
-/// Computes I(k), the scattered intensity of the indicator function of the grains at wave number k, and fits the law of
+/// Computes the scattered intensity I(k) at wave numbers k from the indicator function of the grains. Fits the law of
 /// fractal aggregates to the points up to k = pi/a, where a is the largest diameter.
 template <int Dim>
 ScatteringSample scattering_sample(const std::string& name, const Packing<Dim>& packing);

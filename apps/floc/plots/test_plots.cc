@@ -28,8 +28,8 @@ struct TestColumns {
   std::vector<int> stress, strain;
 };
 
-/// Returns the shear strain, the ratio tau/sigma of shear to normal stress and the volumetric strain in row `row` of a
-/// simple shear test that started in row `first`.
+/// Returns three values for row `row` of a simple shear test that started in row `first`: the shear strain, the ratio
+/// tau/sigma of shear to normal stress, and the volumetric strain.
 /// @param axis  axis normal to the shear planes
 std::vector<double> sheared_row(const CsvTable& path, const TestColumns& columns, int row, int first,
                                 int axis) {

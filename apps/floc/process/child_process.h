@@ -28,8 +28,8 @@ pid_t start_floc(const std::vector<std::string>& arguments, const ChildOptions& 
 /// 128 plus the number of the signal.
 int exit_code_of(int status);
 
-/// Waits until a child process ends, even if this process receives a signal. @return exit code of the child, as
-/// exit_code_of() returns it
+/// Waits until a child process ends; a signal to this process does not end the waiting. @return exit code of the child,
+/// as exit_code_of() returns it
 int wait_for(pid_t child);
 
 /// Installs signal handlers, after which SIGINT and SIGTERM no longer end this process. If such a signal arrives while

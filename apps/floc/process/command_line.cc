@@ -43,7 +43,7 @@ std::string unknown_name(const CLI::App& app, const std::string& called) {
     const std::string name = argument.substr(0, argument.find('='));
     if (name.starts_with('-') && name.size() > 1)
       return called + " has no option " + name + "; the nearest is " + nearest_name(name, option_names(app));
-    // The unknown name is reported even if a valid command follows it: "floc modli demo".
+    // The unknown name is reported even if a valid command follows, as in "floc modli demo".
     if (const std::vector<std::string> commands = command_names(app); !commands.empty())
       return called + " has no command " + name + "; the nearest is " + nearest_name(name, commands) + " (" +
              called + " --help lists all commands)";
@@ -62,8 +62,8 @@ struct ValueOf<std::optional<T>> : ValueOf<T> {};
 template <class T>
 struct ValueOf<std::vector<T>> : ValueOf<T> {};
 
-/// Checks the text that a user gave for a number, and rewrites whole numbers in plain decimal digits. CLI11 itself
-/// would read "nan" and "inf" as numbers, 0x10 as 16, 010 as 8, and -1 as the largest seed.
+/// Checks the text that a user gave for a number, and rewrites a whole number in plain decimal digits. Without this
+/// check, CLI11 would read "nan" and "inf" as numbers, 0x10 as 16, 010 as 8, and -1 as the largest seed.
 /// @return error message; empty if the number is valid
 template <class Number>
 std::string read_number(std::string& given) {

@@ -85,8 +85,8 @@ ObservableErrors compare_means(const std::vector<const SamplePath*>& references,
                                const std::vector<const SamplePath*>& paths,
                                const std::optional<PressureWindow>& window);
 
-/// Returns the errors of elastic moduli that are computed by another method, or with another tolerance, for the states
-/// of the reference paths.
+/// Returns the errors of elastic moduli that were computed for the states of the reference paths, but by another method
+/// or with another tolerance.
 /// @param references  paths (equilibria) of the runs with the strictest settings, one path for each seed
 /// @param observations  for each reference path, the observables of each of its states, computed with these moduli
 ObservableErrors compare_levels(const std::vector<const SamplePath*>& references,
@@ -101,8 +101,8 @@ ObservableErrors compare_levels(const std::vector<const SamplePath*>& references
 ObservableErrors sampling_errors(const std::vector<const SamplePath*>& references, int n,
                                  const std::optional<PressureWindow>& window);
 
-/// Returns the mean of every observable over all states and samples. For observables of whole paths, it is the mean
-/// over samples. NaN if there is no value.
+/// Returns the mean of every observable over all states and samples or, for an observable of whole paths, over the
+/// samples. A mean is NaN if there is no value.
 Observation mean_values(const std::vector<const SamplePath*>& paths,
                         const std::optional<PressureWindow>& window);
 

@@ -7,7 +7,7 @@ namespace floc {
 /// Options of a study of the lattice of cemented grains.
 struct LatticeStudyOptions {
   double matrix_content = 0.1;  ///< fraction of the volume that the matrix fills
-  /// ratio of the stiffness of elements in grains to that of elements in the matrix
+  /// stiffness of the elements in grains, divided by the stiffness of the elements in the matrix
   double stiffness_ratio = 100.0;
   static constexpr NumberRange kRatio{.least = 1e-6, .most = 1e6};
 };

@@ -52,7 +52,8 @@ enum Observable {
 };
 
 /// Values of all observables of a state. A value is NaN if it is undefined, for example the tail of a force
-/// distribution with fewer than 10 forces above the mean. Observables of other scenes and of whole paths are NaN too.
+/// distribution with fewer than 10 forces above the mean. Observables of whole paths, and observables that the scene
+/// does not have, are NaN, too.
 using Observation = std::array<double, kObservables>;
 
 /// Data from which the value of an observable is computed.

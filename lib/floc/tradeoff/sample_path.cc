@@ -105,8 +105,8 @@ SamplePath sample_of(const RunOptions& options, const ModuliOptions& moduli, con
   return path;
 }
 
-/// Sets the member `settled` of one state. @return whether the state has reached equilibrium with the strictest
-/// settings
+/// Sets the member `settled` of one state. @return whether the state has reached equilibrium with the
+/// strictest settings
 template <int Dim>
 bool settle(const RelaxationOptions& strict, const Deadline& deadline, const State<Dim>& state,
             ObservedState& s, SamplePath& path) {

@@ -19,7 +19,7 @@ struct ObservedState {
   std::string control;  ///< keyword for the loading of the axes in the stage; empty for the assembly
   /// mean over the axes of the stress: the imposed stress or, on an axis with an imposed length, the resulting stress
   double mean_stress = 0.0;
-  /// load imposed on the driven axis: a stress, a logarithmic strain or a shear strain
+  /// load that is imposed on the driven axis: a stress, a logarithmic strain or a shear strain
   double driven_load = 0.0;
   double driven_stress = 0.0;     ///< stress on the driven axis, imposed or resulting
   double reduced_pressure = 0.0;  ///< reduced pressure P* that corresponds to `driven_stress`

@@ -24,7 +24,7 @@ struct LatticeSettings {
 struct StudiedSetting {
   /// name of the changed parameter: "tolerance", "time_step", ...; "together" if several are changed
   std::string parameter;
-  std::string value;  ///< value of the changed parameter, as a user would write it
+  std::string value;  ///< value of the changed parameter as text, such as "0.1" or "5 times"
   NumericalSettings numerical;
   ContactDynamicsOptions contact_dynamics;  ///< settings of rigid grains
   CompactionEnd compaction;                 ///< end of a compaction between walls
@@ -70,13 +70,13 @@ bool has_any_number_of_grains(const Scene& scene);
 void keep_parameters(const std::vector<std::string>& names, std::vector<StudiedSetting>& settings);
 
 /// Returns the strictest numerical settings of elastic grains: a tolerance of 1e-8 (smaller forces are lost in the
-/// rounding errors of the positions), about a quarter of the default time step, and twice the default patience.
+/// rounding errors of the positions), about a quarter of the default time step, and twice the default patience
+/// (NumericalSettings::patience).
 NumericalSettings strict_settings();
 
 /// Returns all variants of a scene that a study compares: the strictest settings first, then the scene as it is, then
-/// the values of each declared parameter. Two choices are not varied separately: power control (stopping all grains
-/// when the kinetic energy falls), because the finish "dynamic" includes it; and the precision of forces, because it is
-/// always double.
+/// the values of each declared parameter. Two choices are not varied separately. Power control (stopping all grains
+/// when the kinetic energy falls) is part of the finish "dynamic". The precision of forces is always double.
 std::vector<StudiedSetting> studied_settings(const Scene& scene);
 
 /// Returns the variants in a study of the lattice of cemented grains: the finest lattice with the strictest tolerance
@@ -88,8 +88,8 @@ std::vector<StudiedSetting> lattice_settings(const Scene& scene);
 /// the lattice.
 double tolerance_of(const StudiedSetting& setting);
 
-/// Returns the time step of a setting in the unit of its dynamics: NumericalSettings::time_step or, for rigid grains,
-/// ContactDynamicsOptions::time_step. NaN in a study of a lattice.
+/// Returns the time step of a setting: NumericalSettings::time_step or, for rigid grains,
+/// ContactDynamicsOptions::time_step, each in its own unit. The result is NaN in a study of a lattice.
 double time_step_of(const Scene& scene, const StudiedSetting& setting);
 
 double patience_of(const StudiedSetting& setting);

@@ -72,7 +72,8 @@ struct Tradeoff {
 /// the scene does not vary one of the given parameters
 Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options);
 
-/// Requires valid numbers in the options of a study. @throws InputError as study_tradeoff()
+/// Requires valid numbers in the options of a study. @throws InputError if the budget or the number of samples is not
+/// valid
 void require_study(const TradeoffOptions& options);
 
 /// Returns the largest number of samples of a study. If it is smaller than the number in `options`, adds a reason to
@@ -80,7 +81,7 @@ void require_study(const TradeoffOptions& options);
 int number_of_samples(const Scene& scene, const TradeoffOptions& options, std::vector<std::string>& left_out);
 
 /// Fills the members of `out` that describe the reference paths of a study: n_states, reference and scatter.
-/// @param references  paths of the runs with the strictest settings, one for each seed, at least one
+/// @param references  paths of the runs with the strictest settings, one path for each seed; at least one path
 void describe_reference(const std::vector<const SamplePath*>& references,
                         const std::optional<PressureWindow>& window, Tradeoff& out);
 
@@ -97,8 +98,9 @@ void add_sample_numbers(const Scene& scene, const StudiedSetting& strict,
                         const std::vector<const SamplePath*>& references,
                         const std::optional<PressureWindow>& window, Tradeoff& out);
 
-/// Returns, for each setting of a study, whether it is Pareto-optimal for an observable: no other setting is at least
-/// as cheap and at least as accurate, and cheaper or more accurate. The accuracy is measured by single_state_error().
+/// Returns, for each setting of a study, whether the setting is Pareto-optimal for an observable. It is Pareto-optimal
+/// unless another setting is cheaper and at least as accurate, or more accurate and at least as cheap. The accuracy is
+/// measured by single_state_error().
 /// @param observable  index of the observable in ObservableErrors
 std::vector<bool> pareto_front(const Tradeoff& tradeoff, std::size_t observable);
 

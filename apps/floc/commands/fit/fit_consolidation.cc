@@ -72,8 +72,8 @@ std::string quoted(const ConsolidationFit& fit, const char* name, const char* sy
   return p->low95 && p->high95 ? text + fmt::format(" ({:.4g} to {:.4g})", *p->low95, *p->high95) : text;
 }
 
-/// Returns the main results of a fit as text: the slopes, the yield pressure, the window, and the range of
-/// lambda if the window is shifted by one row.
+/// Returns the main results of a fit as text: the slopes, the yield pressure, the window, and the range of values that
+/// lambda takes if the window is shifted by one row.
 std::string headline(const ConsolidationFit& fit) {
   std::vector<std::string> parts;
   const bool yields = fit.n_plateau > 0;
@@ -104,7 +104,7 @@ const char* law_in_words(const ConsolidationFit& fit) {
 }
 
 /// Prints on stderr a summary of a fit and the warnings about it.
-/// @param n_asked  number of resampled fits that --bootstrap requires; 0 without bootstrap
+/// @param n_asked  number of resampled fits (option --bootstrap); 0 without bootstrap
 void log_fit(const ConsolidationSample& sample, const ConsolidationFit& fit, int n_asked) {
   if (!fit.found()) {
     spdlog::warn("{}: the consolidation law cannot be fitted: {}", sample.name, fit.failure_reason);

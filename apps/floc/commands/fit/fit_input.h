@@ -20,15 +20,16 @@ void add_columns_option(CommandLine app, std::string& text, const std::string& n
 /// Adds the option `--phi-limit`. @param text  receives the value of the option, which phi_limit_of() reads
 void add_phi_limit_option(CommandLine app, std::string& text);
 
-/// Parses the value of `--columns`, a list of items separated by commas. An item NAME=COLUMN says that COLUMN of the
-/// input table contains the quantity NAME; these items are returned. Any other item is the name of a column to print
-/// and is added to `printing`.
+/// Parses the value of `--columns`, a list of items separated by commas, and returns the items NAME=COLUMN. An item
+/// NAME=COLUMN means that the column COLUMN of the input table contains the quantity NAME. Any other item is the name
+/// of a column to print and is added to `printing`.
 /// @param names  names of the quantities to which columns may be assigned
 /// @throws InputError if an item is not valid, or if its NAME is not in `names`
 ColumnNames parse_column_names(const std::string& text, const std::vector<std::string>& names,
                                Printing& printing);
 
-/// Returns `names` and the names of the quantities from which solid fractions are computed (density_names()).
+/// Returns `names`, followed by the names of all quantities from which solid fractions can be computed
+/// (density_names()).
 std::vector<std::string> names_with_densities(std::vector<std::string> names);
 
 /// Prints on stderr the quantities that were read from the table of a load path, the conversion of its pressures to

@@ -20,7 +20,7 @@ namespace {
 struct StrengthArguments {
   std::vector<std::string> inputs;
   std::string columns, kind;
-  std::vector<double> modulus;  ///< two axial stresses, or empty
+  std::vector<double> modulus;  ///< two axial stresses; empty if --modulus is not given
   std::optional<double> critical_from;
   Printing printing;
 };
@@ -41,7 +41,8 @@ std::optional<std::pair<double, double>> modulus_range(const std::vector<double>
   return std::pair(stresses[0], stresses[1]);
 }
 
-/// Prints on stderr the reasons why tests have no parameters, and the warnings. @return exit code
+/// Prints on stderr the reasons why parameters of tests could not be computed, and the warnings about the tests.
+/// @return exit code
 int log_fits(const std::vector<StrengthFit>& fits) {
   int code = kDone;
   for (const StrengthFit& fit : fits) {

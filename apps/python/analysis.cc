@@ -32,7 +32,7 @@ void require_equilibrium(const NamedState& s, bool force, const Remarks& remarks
   const std::string faults = std::visit([](const auto& state) { return equilibrium_faults(state); }, *s.state);
   if (!faults.empty())
     throw EquilibriumError(s.name + ": this state is not in equilibrium: " + faults +
-                           "; force=True computes moduli of states out of equilibrium");
+                           "; force=True computes the moduli nevertheless");
 }
 
 /// Options of the moduli, and whether all states have to be in equilibrium.

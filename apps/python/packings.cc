@@ -232,8 +232,7 @@ class ContactArrays {
 
  private:
   Integers required(const char* name) const {
-    if (!arrays_.contains(name))
-      throw InputError(name_, fmt::format("the array {} is missing, which is required", name));
+    if (!arrays_.contains(name)) throw InputError(name_, fmt::format("the required array {} is missing", name));
     return arrays_[name].cast<Integers>();
   }
 
@@ -272,7 +271,8 @@ class ContactArrays {
       if (!contacts[c].wall)
         throw InputError(
             fmt::format("{}: wall[{}]", name_, c),
-            fmt::format("\"{}\" is no wall, expected a name such as x-, y+ or an empty text", walls[c]));
+            fmt::format("\"{}\" is not the name of a wall, expected a name such as x- or y+, or an empty text",
+                        walls[c]));
       contacts[c].image.reset();
     }
   }

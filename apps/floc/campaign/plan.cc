@@ -61,7 +61,8 @@ std::string extent_of(const PlannedCampaign& planned) {
   double cost = 0.0;
   for (const CasePlan& plan : planned.plans) cost += plan.cost * static_cast<double>(n_seeds);
   return fmt::format(
-      "{} cases with {} seeds: {} runs, expected to take {} on one core, to within a factor of two",
+      "{} cases with {} seeds: {} runs, expected to take {} on one core (this estimate is correct within a "
+      "factor of two)",
       planned.plans.size(), n_seeds, planned.plans.size() * n_seeds, duration_text(cost));
 }
 

@@ -110,7 +110,7 @@ LatticeNetwork<Dim> make_network(const LatticeArguments& arguments, const Cement
                     "or --bridge-gap to connect "
                     "more grains",
                     boundary_of(arguments) != LatticeBoundary::periodic
-                        ? std::string("do not connect the boundaries that hold the sample")
+                        ? std::string("do not connect the boundaries of the sample")
                         : fmt::format("are connected across the cell along only {} of {} directions",
                                       network.n_directions, Dim)));
   row.n_elements = static_cast<std::int64_t>(network.elements.size());

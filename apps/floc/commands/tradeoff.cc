@@ -182,9 +182,9 @@ int run_tradeoff(TradeoffCommand& command) {
 }  // namespace
 
 Command add_tradeoff(CommandLine program) {
-  CommandLine app = program.add_subcommand(
-      "tradeoff",
-      "Run a scene with several numerical settings, and compare the error of its results with their cost");
+  CommandLine app = program.add_subcommand("tradeoff",
+                                           "Run a scene with several numerical settings, and compare the "
+                                           "errors of the results with the costs of the settings");
   const auto command = std::make_shared<TradeoffCommand>();
   app.add_option("SCENE", command->scene, "scene file (TOML)").required();
   app.add_option("--budget", command->options.budget, "processor time that the study may take, on one core (s)")

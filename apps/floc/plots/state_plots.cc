@@ -102,10 +102,11 @@ ForceSample force_sample(const std::string& place, const std::string& name, cons
   ForceSample sample{name, {}, contact_forces(packing, kind)};
   const double size = force_unit(packing, kind, unit);
   if (sample.forces.empty() || size <= 0.0)
-    throw InputError(place,
-                     fmt::format("this state has no {} contact forces, or their unit in this plot is "
-                                 "zero: expected a state with such forces, in which this unit is not zero",
-                                 name_of(kind)));
+    throw InputError(
+        place,
+        fmt::format("this state has no {} contact forces, or their unit in this plot is "
+                    "zero: expected a state with contact forces of this kind and with a unit that is not zero",
+                    name_of(kind)));
   for (double& f : sample.forces) f /= size;
   sample.distribution = force_distribution(packing, kind, unit, bin_width(sample.forces));
   return sample;

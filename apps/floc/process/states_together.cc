@@ -14,9 +14,9 @@
 namespace floc {
 namespace {
 
-/// Calls `work` on every process of a solver. If errors occur on several processes, only the first of these
-/// processes prints its error.
-/// @return exit code of this first process, returned on all processes
+/// Calls `work` on every process of a solver. If errors occur on several processes, only the process with the lowest
+/// rank among them prints its error.
+/// @return exit code of this process, the same on all processes
 int together(ParallelSolver& solver, const std::string& file, const std::function<int()>& work) {
   const Fault fault = fault_of(file, work);
   double first = fault.code == kDone ? 0.0 : solver.size() - solver.rank();

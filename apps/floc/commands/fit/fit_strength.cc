@@ -47,7 +47,7 @@ int log_fits(const std::vector<StrengthFit>& fits) {
   int code = kDone;
   for (const StrengthFit& fit : fits) {
     if (!fit.failure_reason.empty())
-      spdlog::warn("{}: nothing can be computed: {}", described(fit), fit.failure_reason);
+      spdlog::warn("{}: no parameters can be computed: {}", described(fit), fit.failure_reason);
     if (fit.parameters.empty()) code = kNotConverged;
     for (const std::string& warning : fit.warnings) spdlog::warn("{}: warning: {}", described(fit), warning);
   }

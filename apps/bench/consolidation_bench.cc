@@ -12,8 +12,8 @@
 namespace floc {
 namespace {
 
-/// Returns a consolidation curve: a plateau at low pressure, and then the consolidation law. It has ten points per
-/// decade of pressure, each with a random relative error of 0.3 %.
+/// Returns a consolidation curve: a plateau at low pressure, and then the consolidation law. The curve has ten points
+/// per decade of pressure, each with a random relative error of 0.3 %.
 ConsolidationCurve noisy_curve() {
   const ConsolidationLawParameters law{0.11, 0.9, 0.8, 2.0};
   RandomStream random(2, 0);
@@ -25,7 +25,7 @@ ConsolidationCurve noisy_curve() {
   return curve;
 }
 
-/// @param state  benchmark whose argument range(0) is the number of resampled fits of the bootstrap
+/// @param state  benchmark; its argument range(0) is the number of resampled fits of the bootstrap
 void consolidation(benchmark::State& state) {
   const ConsolidationCurve curve = noisy_curve();
   ConsolidationOptions options;

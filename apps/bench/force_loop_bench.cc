@@ -1,7 +1,7 @@
-// Benchmark of the time stepping of disks: contact updates per second for each contact law, number of grains and
-// instruction set. Times are processor times. Compare only results of the same call, because they depend on the state
-// of the machine. FLOC_BENCH_GRAINS=1000000 adds a number of grains; FLOC_BENCH_STATE=state.h5 adds a packing from a
-// state file.
+// Benchmark of the time stepping of disks. The results are contact updates per second for each contact law, number of
+// grains and instruction set. Times are processor times. Compare only results of the same call, because they depend on
+// the state of the machine. The environment variable FLOC_BENCH_GRAINS=1000000 adds a number of grains;
+// FLOC_BENCH_STATE=state.h5 adds a packing from a state file.
 
 #include <benchmark/benchmark.h>
 
@@ -87,8 +87,8 @@ void force_loop(benchmark::State& state) {
        relaxation().time_step, static_cast<int>(state.range(3)), static_cast<InstructionSet>(state.range(4)));
 }
 
-/// Measures the processor times of the three passes of which a time step consists, as fractions of their sum, and the
-/// time to make a new list of pairs, in units of this sum. The grains do not move.
+/// Measures the processor times of the three passes of a time step as fractions of their sum, and the time to make a
+/// new list of pairs divided by this sum. The grains do not move.
 void passes(benchmark::State& state) {
   const Packing<2>& packing = dense(static_cast<int>(state.range(0)), kFriction, false);
   const ComposedLaw law{compose_law(packing.law)};
@@ -108,8 +108,8 @@ void passes(benchmark::State& state) {
   const AlignedVector<double> inverse_skin_squared(grains.x[0].size(), 0.0);
   const GrainView<2> g = grains.view(x_list, inverse_skin_squared);
   const int n_blocks = (grains.size() + kGrainBlock - 1) / kGrainBlock;
-  // All grains form a single group, so that each pass covers all pairs. With several groups, a pass over one
-  // group would cover only the pairs of this group.
+  // All grains form a single group, so that each pass covers all pairs. Otherwise each pass would cover only the pairs
+  // of one group.
   const auto rows_of = [&](const PairArrays<2>& list) {
     return RowSums<2>({&list}, row_kind<2>(law), grains.size(), SweepPlan(list, n_blocks, 1, n_blocks));
   };
@@ -176,9 +176,9 @@ void steps_of_state(benchmark::State& state, const char* file) {
               : nullptr;
 }();
 
-/// Measures the time to relax a gas to equilibrium with friction, under a pressure of 1e-4 times the normal stiffness,
-/// to the default tolerance, for several masses of the cell. A cell as heavy as all grains together oscillates four
-/// times as long as a cell with a tenth of this mass.
+/// Measures the time in which a gas of frictional disks reaches equilibrium (with the default tolerance) under a
+/// pressure of 1e-4 times the normal stiffness. The argument is the mass of the cell in per cent of the mass of all
+/// grains. A cell as heavy as all grains together oscillates four times as long as a cell with a tenth of this mass.
 void gas_to_equilibrium(benchmark::State& state) {
   const double cell_mass = 0.01 * static_cast<double>(state.range(0));
   for (auto _ : state) benchmark::DoNotOptimize(relaxed_from_gas(kUnit, law_of(kFriction, false), cell_mass));

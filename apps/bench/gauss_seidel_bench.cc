@@ -1,7 +1,7 @@
 // Benchmark of the sweeps of GaussSeidel over frictional contacts, in updates of contacts per second ("items"):
 //   floc_bench --benchmark_filter=sweeps
-// Grains on a lattice, which touch some of their neighbours, are pushed together. The arguments are the number
-// of threads and whether the cell is under stress.
+// Grains on a lattice are pushed together; each of them touches some of its neighbours. The arguments are the number of
+// threads and whether the cell is under stress.
 
 #include <benchmark/benchmark.h>
 
@@ -23,8 +23,8 @@ struct Step {
   std::vector<StepContact<Dim>> contacts;
 };
 
-/// Grains on a triangular lattice with 4 contacts each in 2D, and on a face-centred cubic lattice with 6
-/// contacts each in 3D. Both are means: the contacts are drawn at random.
+/// Grains on a triangular lattice with 4 contacts each in 2D, and on a face-centred cubic lattice with 6 contacts each
+/// in 3D. These numbers of contacts are means, because the contacts are drawn at random.
 template <int Dim>
 class LatticeStep {
  public:

@@ -1,17 +1,17 @@
 // Compares, for packings of spheres, the response to a change of pressure with the elastic moduli.
 //
-// The moduli are those of a network in which every contact is two springs, with the present normal and tangential
-// stiffness of the contact. The contact law differs from this network: if the normal force decreases, the tangential
-// force of Mindlin's law is reduced with the stiffness, and contacts with fully mobilised friction slide. The response
-// therefore depends on the sign of the change (docs/physics.md, "Moduli and the response"). Each state is first brought
-// to equilibrium up to rounding errors. Its pressure is then raised or lowered by the fraction SHARE, and Newton steps
-// with the contact law find the new equilibrium.
+// The moduli are those of a network in which every contact consists of two springs, with the present normal and
+// tangential stiffness of the contact. The contact law differs from this network: if the normal force decreases, the
+// tangential force of Mindlin's law is reduced with the stiffness, and contacts with fully mobilised friction slide.
+// The response therefore depends on the sign of the change (docs/physics.md, "Moduli and the response"). Each state is
+// first brought to equilibrium up to rounding errors. Its pressure is then raised or lowered by the fraction SHARE, and
+// Newton steps with the contact law find the new equilibrium.
 //
 //   floc_pressure_response [--step SHARE] STATE...
 //
-// Prints one row per state and sign of the change of pressure P: the bulk modulus of the network with prestress; the
-// bulk modulus -dP/d(ln V) from the change of the volume V; the number of contacts with fully mobilised friction before
-// the change; and the number of contacts that open or close in it.
+// Prints one row for each state and each sign of the change of the pressure P: the bulk modulus of the network with
+// prestress; the bulk modulus -dP/d(ln V) from the change of the volume V; the number of contacts with fully mobilised
+// friction before the change; and the number of contacts that open or close during the change.
 
 #include <fmt/format.h>
 
@@ -62,8 +62,8 @@ std::size_t count_changed(const Packing<3>& from, const Packing<3>& to) {
   return changed.size();
 }
 
-/// Returns the bulk modulus of the contact network, with prestress, for an isotropic increment of stress: the inverse
-/// of the sum of all compliances between normal stresses and normal strains.
+/// Returns the bulk modulus of the contact network, with prestress, for an isotropic increment of stress. It is the
+/// inverse of the sum of all compliances that relate normal strains to normal stresses.
 double bulk_modulus(const Packing<3>& packing) {
   ModuliOptions options;
   options.prestress = true;

@@ -1,11 +1,11 @@
 // Benchmark of the linear response of a contact network, for packings made of periodic copies of a relaxed state:
 //   FLOC_BENCH_STATE=state.h5 floc_bench --benchmark_filter='response/grains:90000'
-// Without a state, a triangular lattice of disks is used. Grains are renumbered along a space-filling curve,
-// as in runs. Stiffnesses are changed at random by up to half a percent, so that the copies are not a symmetry of the
-// network. The network of spheres is an fcc lattice from which bonds are removed at random until the coordination
-// number z is 6, or copies of the state FLOC_BENCH_SPHERES, such as
+// Without a state, a triangular lattice of disks is used. Grains are renumbered along a space-filling curve, as in
+// runs. Stiffnesses are changed at random by up to half a percent, so that the network is not symmetric under
+// translations from copy to copy. The network of spheres is an fcc lattice from which bonds are removed at random until
+// the coordination number z is 6, or copies of the state FLOC_BENCH_SPHERES, such as
 //   floc convert data/packings/yade/spheres.txt spheres.h5 --contacts data/packings/yade/spheres.interactions
-// The counter peak_MB is the peak memory of the whole process: select one case per call.
+// The counter peak_MB is the peak memory of the whole process, so only one case should be selected per call.
 
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
@@ -26,15 +26,16 @@
 namespace floc {
 namespace {
 
-/// Returns the processor time that a function takes (s). Unlike wall time, it does not depend on other programs.
+/// Returns the processor time that a function takes (s). Unlike wall time, processor time does not depend on other
+/// programs.
 double seconds_of(const auto& work) {
   const std::clock_t start = std::clock();
   work();
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-/// Returns the system time that this process has used so far (s). Most of it is spent on providing new memory. It
-/// varies between calls by a factor of three, depending on the state of the machine.
+/// Returns the system time that this process has used so far (s). The system spends most of this time on providing new
+/// memory. The time varies between calls by a factor of three, depending on the state of the machine.
 double system_seconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -63,7 +64,7 @@ void renumber(Packing<Dim>& packing) {
   for (Contact<Dim>& c : packing.contacts) c.i = place[c.i], c.j = place[c.j];
 }
 
-/// Makes a packing of periodic copies of another packing along each lattice vector, and renumbers its grains.
+/// Makes a large packing of periodic copies of `unit` along each lattice vector, and renumbers its grains.
 template <int Dim>
 Packing<Dim> large(const Packing<Dim>& unit, const Vec<Dim, int>& copies) {
   Packing<Dim> packing = tiled(unit, copies);
@@ -85,7 +86,7 @@ LawParameters lattice_law() {
   return law;
 }
 
-/// Returns one unit cell of a lattice whose touching grains are at the distance 1.
+/// Returns one unit cell of a lattice. The centres of grains that touch are at the distance 1.
 template <int Dim>
 Packing<Dim> lattice() {
   Packing<Dim> packing;
@@ -110,8 +111,8 @@ ContactNetwork<2> disks(int n) {
   return contact_network(packing);
 }
 
-/// Returns the contact network of about n spheres: copies of the packing that FLOC_BENCH_SPHERES names or, without this
-/// variable, an fcc lattice with bonds removed.
+/// Returns the contact network of about n spheres. The spheres are copies of the packing in the file FLOC_BENCH_SPHERES
+/// or, without this variable, an fcc lattice with some bonds removed.
 ContactNetwork<3> spheres(int n) {
   const char* file = std::getenv("FLOC_BENCH_SPHERES");
   const Packing<3> unit = file == nullptr ? lattice<3>() : std::get<State<3>>(read_state(file)).packing;
@@ -127,8 +128,8 @@ ContactNetwork<3> spheres(int n) {
   return contact_network(packing);
 }
 
-/// Measures the times to assemble, order and factorize the stiffness matrix and to solve for two right-hand sides. The
-/// diagonal is shifted, which makes the matrix definite without a pinned grain.
+/// Measures the times to assemble, order and factorize the stiffness matrix and to solve for two right-hand sides. A
+/// shift of the diagonal makes the matrix positive definite, so that no grain has to be fixed.
 template <int Dim>
 void solve_stages(benchmark::State& state, const ContactNetwork<Dim>& network) {
   double unit = 0.0;

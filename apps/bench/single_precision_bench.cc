@@ -1,6 +1,6 @@
-// Benchmark of the force loop in single precision against the present one: nanoseconds for each pair of the list, of
-// disks with adhesion and friction (data/scenes/type2_no_rolling.toml) and of glass beads. Both loops go through the
-// same pairs of the same packing, whose grains do not move:
+// Benchmark that compares a force loop in single precision with the present loop in double precision. The results are
+// nanoseconds per pair of grains, for disks with adhesion and friction (data/scenes/type2_no_rolling.toml) and for
+// glass beads. Both loops go through the same pairs of the same packing, whose grains do not move:
 //   floc_bench --benchmark_filter=precision
 
 #include <benchmark/benchmark.h>
@@ -42,7 +42,8 @@ LawParameters law_of_trial() {
   return law;
 }
 
-/// Returns 1400 disks under P = 10 F0/a, or 4000 beads at kappa = 8395, with grains in slow motion.
+/// Returns a packing whose grains have small velocities: 1400 disks under the pressure P = 10 F0/a (F0: pull-off force,
+/// a: largest diameter), or 4000 glass beads at the stiffness number kappa = 8395.
 template <int Dim>
 const Packing<Dim>& packing_of_trial() {
   static const Packing<Dim> made = [] {
@@ -66,7 +67,7 @@ const Packing<Dim>& packing_of_trial() {
   return made;
 }
 
-/// Grains and pairs of a packing for both loops.
+/// The grains and pairs of one packing, in the formats of both loops.
 template <int Dim>
 class Trial {
  public:
@@ -100,7 +101,7 @@ class Trial {
   void in_single(SingleLoop<Dim> loop) {
     loop(address_of_alternative(in_kernel_), single_, 0, static_cast<int>(i_.size()), cell_);
   }
-  /// Returns the largest difference of the forces of the two loops, over the largest force.
+  /// Returns the largest difference between the forces of the two loops, divided by the largest force.
   double difference() const {
     const int size = Dim == 2 ? 4 : 8;
     double largest = 0.0, error = 0.0;
@@ -116,8 +117,8 @@ class Trial {
  private:
   static constexpr double kTimeStep = Dim == 2 ? 4e-4 : 1e-2;
 
-  /// Copies what the loop in single precision reads, padded to whole registers of 16 floats with the last pair, which
-  /// does not interact.
+  /// Copies the data that the loop in single precision reads. The arrays of pairs are padded to a multiple of 16 floats
+  /// with copies of the last pair, which does not interact.
   void take_floats() {
     const std::size_t n = (static_cast<std::size_t>(pairs_.size()) + 15) / 16 * 16;
     const auto floats = [&](const auto* from, std::size_t size, std::size_t given) -> const float* {

@@ -10,8 +10,8 @@
 #include "floc/relaxation/kernels/pack.h"
 #include "floc/relaxation/kernels/step_kernels.h"
 
-/// Trial of a force loop in single precision, for single_precision_bench.cc alone: separations and overlaps are computed
-/// in double precision, everything else in floats.
+/// Force loop in single precision, which only single_precision_bench.cc uses. Separations and overlaps are computed in
+/// double precision, and all other quantities in single precision.
 namespace floc {
 
 template <int N>
@@ -27,7 +27,7 @@ struct FloatsOf<16> {
   typedef int Bits __attribute__((vector_size(64)));
 };
 
-/// Twice as many floats as Pack<Isa> has doubles, with the operations that contact laws need.
+/// A register of floats, twice as many as Pack<Isa> has doubles, with the operations that contact laws need.
 template <class Isa>
 struct FloatPack {
   static constexpr int kWidth = 2 * Isa::kWidth;
@@ -42,7 +42,7 @@ struct FloatPack {
   FloatPack() = default;
   FloatPack(double value) : v(static_cast<float>(value) - Vector{}) {}  // NOLINT(google-explicit-constructor)
   explicit FloatPack(const Vector& vector) : v(vector) {}
-  /// Rounds two packs of doubles, which become the lower and the upper half.
+  /// Rounds two packs of doubles to floats: `low` becomes the lower half of the register, and `high` the upper half.
   FloatPack(const Pack<Isa>& low, const Pack<Isa>& high) {
     if constexpr (Isa::kWidth == 8) {
       const __m256 halves[] = {_mm512_cvtpd_ps(low.v), _mm512_cvtpd_ps(high.v)};
@@ -78,7 +78,7 @@ struct FloatPack {
     return root;
   }
 
-  /// Returns base[place[l]] in lane l.
+  /// Returns a pack whose lane l contains base[place[l]].
   [[gnu::always_inline]] static FloatPack gather(const float* base, const int* place) {
     FloatPack out;
     __m128 four[kWidth / 4];
@@ -92,7 +92,7 @@ struct FloatPack {
     __builtin_memcpy(&out.v, four, sizeof(Vector));
     return out;
   }
-  /// Returns gather(base, place) with one load for eight lanes. @pre see Records::gather_window()
+  /// Returns gather(base, place), with a single load for every eight lanes. @pre see Records::gather_window()
   [[gnu::always_inline]] static FloatPack gather_window(const float* base, const int* place) {
     FloatPack out;
     __m256 eight[kWidth / 8];
@@ -105,7 +105,7 @@ struct FloatPack {
     __builtin_memcpy(&out.v, eight, sizeof(Vector));
     return out;
   }
-  /// Sets to[stride * l + k] = a[k][l] for four values of k and each lane l.
+  /// Sets to[stride * l + k] to lane l of a[k], for k from 0 to 3 and for each lane l.
   [[gnu::always_inline]] static void store_four(float* to, std::ptrdiff_t stride, const FloatPack* a) {
     __m128 quarter[4][kWidth / 4];
     for (int k = 0; k < 4; ++k) __builtin_memcpy(quarter[k], &a[k].v, sizeof(Vector));
@@ -140,7 +140,7 @@ struct NumTraits<floc::FloatPack<Isa>> : GenericNumTraits<floc::FloatPack<Isa>> 
 
 namespace floc {
 
-/// Pairs and grains of the trial: what PairView and GrainView have, in floats.
+/// Pairs and grains for the loop in single precision: the data of PairView and GrainView, mostly as floats.
 template <int Dim>
 struct SinglePairs {
   const int *i, *j;
@@ -152,13 +152,13 @@ struct SinglePairs {
   float *viscous, *history[HistoryLayout<Dim>::kSize], *row;
 };
 
-/// Function that computes the pairs [first, last) of the trial.
-/// @param law  address of the contact law, of the kernel law for which the function is compiled
+/// Function that computes the pairs from `first` to `last` - 1.
+/// @param law  address of the contact law; its type is the kernel law for which the function is compiled
 template <int Dim>
 using SingleLoop = void (*)(const void* law, const SinglePairs<Dim>&, int first, int last,
                             const PairCell<Dim>&);
 
-/// The force loop of PairKernel for grains in a rectangular lattice, with floats.
+/// The force loop of PairKernel in single precision, for cells with a rectangular lattice.
 template <class Isa, int Dim, class Law>
 struct SinglePrecisionKernel {
   using D = Pack<Isa>;
@@ -193,8 +193,8 @@ struct SinglePrecisionKernel {
     return F::load(numbers + (p & pairs.own_numbers));
   }
 
-  /// Sets the separation of the pairs, and their squared distance less the squared sum of their radii, all rounded from
-  /// double precision.
+  /// Sets `r` to the separations of the pairs, and `beyond` to the squared distances minus the squared sums of the
+  /// radii. Both are computed in double precision and then rounded.
   static void separate(const SinglePairs<Dim>& pairs, int p, const PairCell<Dim>& cell, V& r, F& beyond) {
     D half[2][Dim], excess[2];
     for (int h = 0; h < 2; ++h) {
@@ -288,7 +288,7 @@ struct SinglePrecisionKernel {
   }
 };
 
-/// Law of cohesive disks with friction, and of elastic spheres, for which the trial is compiled.
+/// Contact laws for which the loop is compiled: cohesive disks with friction, and elastic spheres.
 using DisksOfTrial = KernelLawOf<
     ContactLaw<LinearRepulsion, TailAdhesion, ViscousDamping, CoulombFriction, NoRolling, NoTwisting>, 2>;
 using SpheresOfTrial =

@@ -1,13 +1,13 @@
 // Benchmark of packings of grains of different sizes.
 //
-// In 2D the benchmark measures contact updates per second of the time stepping, including new lists of pairs.
-// Disks with friction and size ratios 1:2 and 1:30 are under a pressure of 1e-4 times the normal stiffness.
-// Their diameters d have a uniform distribution, as in scenes, or a distribution that is uniform by area, P(d)
-// ~ d^-2 (Voivret et al., Phys. Rev. Lett. 102, 178001), in which most grains are small and touch no other
-// grain. Compare only results of one call for one distribution. FLOC_BENCH_RATIO=100 adds a size ratio.
+// In 2D the benchmark measures contact updates per second of the time stepping; the time to make new lists of pairs is
+// included. Disks with friction and size ratios 1:2 and 1:30 are under a pressure of 1e-4 times the normal stiffness.
+// Their diameters d have a uniform distribution, as in scenes, or a distribution that is uniform by area, P(d) ~ d^-2
+// (Voivret et al., Phys. Rev. Lett. 102, 178001), in which most grains are small and touch no other grain. Compare only
+// results for one distribution from one call. FLOC_BENCH_RATIO=100 adds a size ratio.
 //
-// In 3D it measures pairs found per second and contact updates per second. The spheres have one size, or a size
-// ratio 1:20 with a distribution uniform by volume, P(d) ~ d^-3. The packing is a gas whose spheres have been
+// In 3D the benchmark measures pairs found per second and contact updates per second. The spheres have one size, or a
+// size ratio 1:20 with a distribution uniform by volume, P(d) ~ d^-3. The packing is a gas whose spheres have been
 // enlarged until some touch.
 
 #include <benchmark/benchmark.h>
@@ -41,7 +41,7 @@ enum Sizes {
   kUniformByArea,  ///< probability density P(d) of diameters is proportional to d^-2
 };
 
-/// Returns n diameters in [1/ratio, 1]: equally spaced quantiles of their distribution.
+/// Returns n diameters from 1/ratio to 1: equally spaced quantiles of the distribution `sizes`.
 std::vector<double> diameters(int n, double ratio, Sizes sizes) {
   std::vector<double> diameter(n);
   for (int i = 0; i < n; ++i) {
@@ -75,8 +75,8 @@ DynamicsSettings settings_of(const Packing<Dim>& packing) {
   return {time_step_of(packing, RelaxationOptions().time_step), 0.01};
 }
 
-/// Returns a packing under load. A gas is compressed isotropically for 1.5 times the time after which it is dense; for
-/// a biaxial load, the resulting packing is then loaded biaxially. Each packing is made only once.
+/// Returns a packing under load. A gas is compressed isotropically, for 1.5 times as long as it needs to become dense.
+/// For a biaxial load, the resulting packing is then loaded biaxially. Each packing is made only once.
 const Packing<2>& dense(double ratio, Sizes sizes, Load load) {
   static std::map<std::tuple<double, Sizes, Load>, Packing<2>> made;
   const auto [entry, is_new] = made.try_emplace({ratio, sizes, load});
@@ -107,8 +107,8 @@ void size_ratio(benchmark::State& state) {
   const Packing<2>& start = dense(static_cast<double>(state.range(0)), sizes, load);
   const Vec<2> stress = load == kBiaxial ? Vec<2>(kPressure * Vec<2>(0.5, 1.5)) : Vec<2>::Constant(kPressure);
   DynamicsSettings settings = settings_of(start);
-  // Ten chunks of time steps are made before the time is measured. During these steps the skin, the margin of
-  // the lists of pairs, adapts to the motion.
+  // Ten chunks of time steps come before the measurement. In these steps the skin (margin of the lists of pairs) adapts
+  // to the motion.
   Packing<2> packing = moved_for(start, stress, 10 * kStepsPerChunk * settings.time_step, settings);
   std::int64_t updates = 0;
   for (auto _ : state) {
@@ -123,8 +123,8 @@ void size_ratio(benchmark::State& state) {
   state.counters["skin"] = settings.skin;
 }
 
-/// Returns spheres without overlap at a solid fraction of 0.45, which are then enlarged by 6 %. Each packing is made
-/// only once.
+/// Returns a packing of spheres, placed without overlap at a solid fraction of 0.45 and then enlarged by 6 %. Each
+/// packing is made only once.
 const Packing<3>& grown_gas(double ratio) {
   static std::map<double, Packing<3>> made;
   const auto [entry, is_new] = made.try_emplace(ratio);

@@ -1,6 +1,6 @@
-// Benchmark of the time stepping of spheres: contact updates per second for elastic spheres (Hertz, Mindlin friction,
-// damping) and spheres with a linear law, for each number of grains and instruction set; for wet spheres; and for
-// sticky spheres with and without walls. Times are processor times:
+// Benchmark of the time stepping of spheres, in contact updates per second. Elastic spheres (Hertz, Mindlin friction,
+// damping) and spheres with a linear law are run for each number of grains and instruction set. Other cases are wet
+// spheres, and sticky spheres with and without walls. Times are processor times:
 //   floc_bench --benchmark_filter='spheres|box'
 
 #include <benchmark/benchmark.h>
@@ -25,7 +25,7 @@ constexpr int kUnit = 500;  ///< number of grains of the packing whose periodic 
 
 enum Law { kHertz, kLinear, kLinearRolling, kWet };
 
-/// Returns a contact law in units of the diameter and mass of a grain and of its modulus E~ (Hertz) or stiffness K_N
+/// Returns a contact law. The units are the diameter and mass of a grain, and its modulus E~ (Hertz) or stiffness K_N
 /// (linear).
 LawParameters law_of(int which) {
   LawParameters law;
@@ -45,8 +45,8 @@ LawParameters law_of(int which) {
   return law;
 }
 
-/// Relaxes a gas to equilibrium under a pressure with a stiffness number kappa = (E~/P)^(2/3) = 8395 (glass at 100 kPa)
-/// for Hertz contacts, or under P = 1e-4 K_N/a for linear contacts (stiffness K_N, diameter a).
+/// Relaxes a gas to equilibrium under a pressure P. For Hertz contacts, P gives the stiffness number kappa =
+/// (E~/P)^(2/3) = 8395 (glass at 100 kPa); for linear contacts, P = 1e-4 K_N/a (stiffness K_N, diameter a).
 Packing<3> relaxed_from_gas(int which) {
   GrainOptions grains;
   grains.count = kUnit;
@@ -67,8 +67,8 @@ Packing<3> relaxed_from_gas(int which) {
   return relaxed(std::move(packing));
 }
 
-/// Returns a relaxed packing of at least n grains with a contact law. It consists of periodic copies of a smaller
-/// packing. Each packing is made only once.
+/// Returns a relaxed packing of at least n grains with a contact law. The packing consists of periodic copies of a
+/// smaller one. Each packing is made only once.
 const Packing<3>& dense(int n, int which) {
   static std::map<std::tuple<int, int>, Packing<3>> made;
   const auto [entry, is_new] = made.try_emplace({n, which});
@@ -119,7 +119,7 @@ Packing<3> compacted(int n) {
 }
 
 /// Removes the walls of a packing and puts its grains into a periodic cell. The contacts between grains are kept. No
-/// contact is added across the boundary, because opposite walls have kept the grains there apart.
+/// contact is added across the boundary of the cell, because the grains there touched the walls and not each other.
 Packing<3> without_walls(Packing<3> packing) {
   for (const Wall<3>& wall : packing.walls)
     if (wall.side < 0)

@@ -9,8 +9,8 @@
 
 namespace floc {
 
-/// Returns a boundary condition that imposes the present normal stresses of a packing; the mass of the cell is the mass
-/// of all grains.
+/// Returns a boundary condition that imposes the present normal stresses of a packing. The cell has the mass of all
+/// grains together.
 template <int Dim>
 BoundaryControl<Dim> pressed(const Packing<Dim>& packing) {
   double mass = 0.0;
@@ -25,8 +25,8 @@ inline double peak_megabytes() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-/// Benchmarks time steps of a packing under its present stress. The benchmark counts contact updates: time steps times
-/// contacts.
+/// Benchmarks time steps of a packing under its present stress. The benchmark counts contact updates (number of time
+/// steps times number of contacts).
 /// @param time_step  time step in units of sqrt(m/K_N), with the smallest mass m and the normal stiffness K_N
 template <int Dim>
 void step(benchmark::State& state, const Packing<Dim>& packing, double time_step, int threads,

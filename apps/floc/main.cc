@@ -43,12 +43,12 @@ int report(int code, const std::exception& error) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // If the reader of stdout closes the pipe, as in "| head -1", the program ends silently, even if its parent process
-  // ignores SIGPIPE.
+  // If the reader of stdout closes the pipe, as in "| head -1", this program ends silently. It does so even if its
+  // parent process ignores SIGPIPE.
   std::signal(SIGPIPE, SIG_DFL);
   floc::remove_transient_files_on_signals();
-  // Without SIGXFSZ, writing beyond the limit of the file size (ulimit -f) gives an error message and does not end the
-  // program.
+  // With SIGXFSZ ignored, writing beyond the limit of the file size (ulimit -f) gives an error message and does not
+  // kill the program.
   std::signal(SIGXFSZ, SIG_IGN);
   spdlog::set_default_logger(spdlog::stderr_logger_st("floc"));
   spdlog::set_pattern("%v");

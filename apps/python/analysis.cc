@@ -24,15 +24,15 @@ namespace {
 using States = std::vector<NamedState>;
 using Names = std::vector<std::string>;
 
-/// Checks that a state is in equilibrium. @throws EquilibriumError if it is not, unless `force` is true; then a warning
-/// is issued instead
+/// Checks that a state is in equilibrium. @throws EquilibriumError if it is not in equilibrium and `force` is false. If
+/// `force` is true, a warning is issued instead
 void require_equilibrium(const NamedState& s, bool force, const Remarks& remarks) {
   if (force)
     return std::visit([&](const auto& state) { warn_unless_in_equilibrium(s.name, state, remarks); }, *s.state);
   const std::string faults = std::visit([](const auto& state) { return equilibrium_faults(state); }, *s.state);
   if (!faults.empty())
     throw EquilibriumError(s.name + ": this state is not in equilibrium: " + faults +
-                           "; force=True computes moduli of states out of equilibrium");
+                           "; force=True computes the moduli nevertheless");
 }
 
 /// Options of the moduli, and whether all states have to be in equilibrium.
@@ -41,8 +41,8 @@ struct ModuliCall {
   bool force = false;
 };
 
-/// Computes the moduli of one state and adds them to `rows`. @throws NumericalError if they are less accurate than the
-/// caller requested
+/// Computes the moduli of one state and adds them to `rows`. @throws NumericalError if the moduli are less accurate
+/// than the caller requested
 void add_moduli(const NamedState& s, const ModuliCall& call, ModuliRows& computation, Table& increments,
                 std::vector<ModuliRow>& rows, const Remarks& remarks) {
   require_equilibrium(s, call.force, remarks);
@@ -90,7 +90,7 @@ py::tuple moduli(const States& states, const py::object& strains, bool prestress
   return py::make_tuple(to_python(table), further);
 }
 
-/// A table that a function returns only if the caller requests it: its name in Python, the flag that requests it, and
+/// A table that a function returns only on request: its name in Python, the flag by which the caller requests it, and
 /// the table.
 struct FurtherTable {
   const char* name;

@@ -8,12 +8,13 @@
 #include "binding.h"
 #include "floc/base/range.h"
 
-/// Converts arguments from Python to numbers of C++ and checks that they are within the ranges of the library. Each of
-/// these functions throws InputError with the name of the argument, its value and the expectation.
+/// Converts arguments from Python to numbers of C++ and checks that they are within the ranges of the library. If an
+/// argument is not valid, the function throws an InputError with the name of the argument, its value and the
+/// expectation.
 namespace floc::python {
 
 double number_of(const char* name, const py::handle& given, const NumberRange& range = kFiniteNumber);
-/// Converts a number; absent if the argument is None.
+/// Converts a number or None; absent for None.
 std::optional<double> number_if_any(const char* name, const py::handle& given,
                                     const NumberRange& range = kFiniteNumber);
 /// Converts a sequence of numbers.

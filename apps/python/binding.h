@@ -20,13 +20,13 @@
 #include "floc/tables/fit_parameters.h"
 #include "floc/tables/remarks.h"
 
-/// Functions for all sources of the compiled Python module. This module calls those functions of the library that the
-/// floc commands call, and returns tables; the files floc/*.py make Python objects of these tables.
+/// Functions for all sources of the compiled Python module. This module calls the same functions of the library as the
+/// floc commands and returns tables. The files floc/*.py convert these tables to Python objects.
 namespace floc::python {
 
 namespace py = pybind11;
 
-/// A state that Python holds, and the name of this state in messages. The state never changes.
+/// A state that belongs to a Python object, and the name of this state in messages. The state never changes.
 struct NamedState {
   std::shared_ptr<const AnyState> state;
   std::string name;
@@ -38,7 +38,7 @@ class NumericalError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Error because a state is not in equilibrium, but the computation requires an equilibrium.
+/// Error of a computation that requires an equilibrium: the state is not in equilibrium.
 class EquilibriumError : public NumericalError {
  public:
   using NumericalError::NumericalError;
@@ -48,7 +48,7 @@ class EquilibriumError : public NumericalError {
 using Warnings = std::vector<std::string>;
 void issue(const Warnings& warnings);
 
-/// If a signal is pending, such as that of Ctrl-C, throws the Python exception for it (KeyboardInterrupt). Python
+/// Throws the Python exception for a pending signal, if there is one, such as KeyboardInterrupt for Ctrl-C. Python
 /// delivers signals only to its main thread.
 void check_signals();
 
@@ -74,7 +74,8 @@ auto without_gil(const Work& work) {
   return result;
 }
 
-/// Runs a computation on one state. Error messages name the state, as the messages of the floc commands do.
+/// Runs a computation on one state. Error messages contain the name of the state, as the messages of the floc commands
+/// do.
 template <class Work>
 auto of_state(const std::string& name, const Work& work) {
   check_interruption();
@@ -88,11 +89,11 @@ auto of_state(const std::string& name, const Work& work) {
   }
 }
 
-/// Checks a keyword. @throws InputError unless `value` is one of `words`
+/// Checks the keyword `value` of the argument `name`. @throws InputError unless `value` is one of `words`
 void require_one_of(const std::string& name, const std::string& value,
                     std::initializer_list<const char*> words);
 
-/// Checks names of tables. @throws InputError naming the entries of `tables` that are not in `known`
+/// Checks names of tables. @throws InputError if some of `tables` are not in `known`; the message lists them
 void require_tables(const std::vector<std::string>& tables, std::initializer_list<const char*> known);
 bool contains(const std::vector<std::string>& tables, const char* name);
 
@@ -101,7 +102,7 @@ py::object to_python(const TableValue& value);
 py::object to_python(const Json& json);
 /// Converts a table to a tuple (names of the columns, rows).
 py::tuple to_python(const Table& table);
-/// Converts a table to a dict with one array per column; undefined numbers become NaN.
+/// Converts a table to a dict with one array for each column; undefined numbers become NaN.
 py::dict columns_to_python(const Table& table);
 
 void bind_state(py::module_& module);

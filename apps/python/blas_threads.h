@@ -2,13 +2,13 @@
 
 namespace floc::python {
 
-/// Prepares the BLAS library for the solvers with prepare_blas(), and then restores its number of threads, because
-/// numpy may use the same library.
+/// Calls prepare_blas(), which prepares the BLAS library for the solvers. Then restores the number of threads of the
+/// library, because numpy may use the same library.
 void prepare_shared_blas();
 
-/// Restricts the BLAS library to one thread as long as an object of this class exists. The last bits of results depend
-/// on the number of threads, and the floc program uses one thread. The destructor of the last object restores the
-/// number of threads from before the first object.
+/// Restricts the BLAS library to one thread as long as an object of this class exists. The floc program uses one
+/// thread, too; the last bits of results depend on the number of threads. The destructor of the last object restores
+/// the number of threads that was set before the first object.
 class SingleBlasThread {
  public:
   SingleBlasThread();

@@ -16,7 +16,7 @@
 namespace floc::python {
 namespace {
 
-/// Samples to fit: names of files and directories, which the commands accept too, and load paths given as arrays.
+/// Samples to fit: names of files and directories, as for the commands, and load paths given as arrays.
 struct Inputs {
   std::vector<std::string> files;
   std::vector<PathArrays> arrays;
@@ -34,9 +34,9 @@ std::vector<PathTable> tables_of(const Inputs& inputs, const std::vector<std::st
   return paths;
 }
 
-/// Sorts the samples of a Python list into files and arrays.
-/// @param samples  list whose entries are names of files or tuples (name, pressures, densities, whether the densities
-/// are void ratios, branches)
+/// Divides the samples in a Python list into files and arrays.
+/// @param samples  list of names of files and of tuples (name, pressures, densities, flag, branches); the flag is true
+/// if the densities are void ratios
 Inputs inputs_of(const py::list& samples, const ColumnNames& columns) {
   Inputs inputs;
   inputs.columns = columns;
@@ -53,7 +53,7 @@ Inputs inputs_of(const py::list& samples, const ColumnNames& columns) {
   return inputs;
 }
 
-/// Converts the argument `phi_limit`, which is None for no bound.
+/// Converts the argument `phi_limit`, where None means no bound.
 double phi_limit_of(const py::object& given) {
   return number_if_any("phi_limit", given, kPositiveNumber).value_or(kInfinity);
 }

@@ -8,8 +8,8 @@
 namespace floc::python {
 namespace {
 
-/// Returns the exception class called `name` in floc/_errors.py. Exceptions of the library are translated to these
-/// classes.
+/// Returns the exception class called `name` in floc/_errors.py. Exceptions of the library are translated to the
+/// classes in this file.
 py::object error_class(const char* name) {
   return py::module_::import("floc._errors").attr(name);
 }

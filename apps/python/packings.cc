@@ -19,7 +19,7 @@ namespace {
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Integers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
 
-/// Name, in messages, of a packing that is made from arrays.
+/// Name in messages for a packing that is made from arrays.
 constexpr const char* kName = "packing";
 
 std::string shape_of(const py::array& array) {
@@ -40,8 +40,8 @@ void require_shape(const std::string& name, const py::array& array, py::ssize_t 
                         columns < 0 ? fmt::format("({},)", rows) : fmt::format("({}, {})", rows, columns)));
 }
 
-/// Checks one number of an array. @throws InputError naming the array, the index i, the value and the expectation,
-/// unless `right` is true
+/// Checks one number of an array. @throws InputError if `right` is false; the message contains the array, the index i,
+/// the value and the expectation
 void require(bool right, const std::string& name, py::ssize_t i, double value, const char* expected) {
   if (!right)
     throw InputError(fmt::format("{}[{}]", name, i),
@@ -58,14 +58,15 @@ double positive(const std::string& name, py::ssize_t i, double value) {
   return value;
 }
 
-/// Returns row i of an array with at most three columns; missing components are 0.
+/// Returns row i of an array with `components` columns, as a vector of three components; missing components are 0.
 Eigen::Vector3d row_of(const std::string& name, const Numbers& array, py::ssize_t i, int components) {
   Eigen::Vector3d row = Eigen::Vector3d::Zero();
   for (int a = 0; a < components; ++a) row[a] = finite(name, i, array.data()[i * components + a]);
   return row;
 }
 
-/// Grains are disks or spheres of given radii, or have shapes, poses and radii that follow from these.
+/// Returns the grains that the arrays describe. With the array `radius` they are disks or spheres. Without this array
+/// their shapes, positions and radii are set later, by ShapeArrays::give().
 std::vector<ListedGrain> listed_grains(const Numbers& position, const std::optional<Numbers>& radius,
                                        const std::optional<Numbers>& mass, const std::optional<Integers>& ids,
                                        int dimension) {
@@ -93,16 +94,18 @@ std::vector<ListedGrain> listed_grains(const Numbers& position, const std::optio
   return grains;
 }
 
-/// Arrays that describe grains with corners: their shapes, as dicts with vertices and rounding, and the pose of each grain.
+/// Arrays that describe grains with corners: the shapes, as dicts with vertices and rounding, and for each grain its
+/// shape, scale and orientation.
 class ShapeArrays {
  public:
-  /// @param arrays  shapes, and optionally shape, scale and orientation
+  /// @param arrays  dict with the entry shapes and optionally shape, scale and orientation
   ShapeArrays(const py::dict& arrays, int dimension) : arrays_(arrays), dimension_(dimension) {}
 
-  /// Gives the listed grains the shapes. Their positions are the places of the origins of the vertices.
+  /// Assigns the shapes to the listed grains. The listed position of a grain is that of the origin of the coordinates
+  /// of its vertices.
   void give(ListedPacking& listed) const {
     const auto given = arrays_["shapes"].cast<std::vector<py::dict>>();
-    if (given.empty()) throw InputError("shapes", "there is no shape, expected one at least");
+    if (given.empty()) throw InputError("shapes", "there is no shape, expected at least one");
     for (std::size_t s = 0; s < given.size(); ++s) {
       if (dimension_ == 2)
         listed.shapes.in_2d.push_back(made<2>(s, given[s], listed.remarks));
@@ -135,7 +138,8 @@ class ShapeArrays {
     if (!shape && n_shapes > 1)
       throw InputError(
           "shape",
-          fmt::format("there are {} shapes, expected an array with the index of that of each grain", n_shapes));
+          fmt::format("there are {} shapes, expected an array with the index of the shape of each grain",
+                      n_shapes));
     const std::int64_t s = shape ? shape->data()[i] : 0;
     if (s < 0 || s >= n_shapes)
       throw InputError(
@@ -144,7 +148,7 @@ class ShapeArrays {
     return static_cast<int>(s);
   }
 
-  /// Returns the rotation of grain i from the axes of its shape to those of space.
+  /// Returns the rotation of grain i, from the axes of its shape to the axes of space.
   Eigen::Matrix3d turn(const std::optional<Numbers>& orientation, py::ssize_t i) const {
     if (!orientation) return Eigen::Matrix3d::Identity();
     if (dimension_ == 2)
@@ -158,7 +162,8 @@ class ShapeArrays {
     return Eigen::Quaterniond(q).normalized().toRotationMatrix();
   }
 
-  /// Makes shape s: the hull of its points, a capsule of two, or a disk or sphere of the radius `rounding` of none.
+  /// Makes shape number s: the hull of its points; a capsule if it has two points; a disk or sphere of radius
+  /// `rounding` if it has none.
   template <int Dim>
   static Shape<Dim> made(std::size_t s, const py::dict& words, std::vector<std::string>& remarks) {
     const std::string name = fmt::format("shapes[{}]", s);
@@ -173,8 +178,7 @@ class ShapeArrays {
       points.push_back(row_of(name + ": vertices", vertices, v, Dim).template head<Dim>());
     if (points.size() < 3 && !(rounding > 0.0))
       throw InputError(
-          name, fmt::format("it has {} vertices and no rounding, expected a number > 0 of rounding or more "
-                            "vertices",
+          name, fmt::format("it has {} vertices and no rounding, expected a rounding > 0 or more vertices",
                             points.size()));
     if (points.empty()) return round_shape<Dim>(rounding);
     ShapeOfPoints<Dim> made = shape_of_points<Dim>(points, rounding, name);
@@ -187,10 +191,10 @@ class ShapeArrays {
   int dimension_;
 };
 
-/// Arrays that describe contacts. They have the names of the columns that `floc convert --contacts` reads.
+/// Arrays that describe contacts. The arrays are named like the columns that `floc convert --contacts` reads.
 class ContactArrays {
  public:
-  /// @param name  name of the arrays in messages: contacts or bonds
+  /// @param name  word for the arrays in messages: contacts or bonds
   ContactArrays(const py::dict& arrays, int dimension, std::string name)
       : arrays_(arrays), dimension_(dimension), name_(std::move(name)) {}
 
@@ -228,8 +232,7 @@ class ContactArrays {
 
  private:
   Integers required(const char* name) const {
-    if (!arrays_.contains(name))
-      throw InputError(name_, fmt::format("the array {} is missing, which is required", name));
+    if (!arrays_.contains(name)) throw InputError(name_, fmt::format("the required array {} is missing", name));
     return arrays_[name].cast<Integers>();
   }
 
@@ -244,7 +247,7 @@ class ContactArrays {
     }
   }
 
-  /// Reads the array `type` of contacts of a state: the kinds of contact points.
+  /// Reads the array `type`, the kinds of contact points that the contacts of a state have.
   void set_kinds(std::vector<ListedContact>& contacts) const {
     if (!arrays_.contains("type")) return;
     const auto type = arrays_["type"].cast<Integers>();
@@ -253,13 +256,14 @@ class ContactArrays {
       contacts[c].edges = type.data()[c] == static_cast<std::int64_t>(ContactType::kEdgeEdge);
   }
 
-  /// Reads the array `wall`: names of walls such as "y-", or empty texts for contacts between grains.
+  /// Reads the array `wall`. An entry is the name of a wall, such as "y-", or an empty text for a contact between
+  /// grains.
   void set_walls(std::vector<ListedContact>& contacts) const {
     if (!arrays_.contains("wall")) return;
     const auto walls = arrays_["wall"].cast<std::vector<std::string>>();
     if (walls.size() != contacts.size())
       throw InputError(name_ + ": wall",
-                       fmt::format("there are {} names of walls, expected one for each of {} contacts",
+                       fmt::format("there are {} names of walls, expected one name for each of {} contacts",
                                    walls.size(), contacts.size()));
     for (std::size_t c = 0; c < walls.size(); ++c) {
       if (walls[c].empty()) continue;
@@ -267,12 +271,13 @@ class ContactArrays {
       if (!contacts[c].wall)
         throw InputError(
             fmt::format("{}: wall[{}]", name_, c),
-            fmt::format("\"{}\" is no wall, expected a name such as x-, y+ or an empty text", walls[c]));
+            fmt::format("\"{}\" is not the name of a wall, expected a name such as x- or y+, or an empty text",
+                        walls[c]));
       contacts[c].image.reset();
     }
   }
 
-  /// Checks the shape of one of the arrays that describe contacts and returns it; absent if the user has not given an
+  /// Returns one of the arrays that describe contacts, after a check of its shape; absent if the user has not given an
   /// array of this name.
   std::optional<Numbers> array(const std::string& name, std::size_t n, int columns) const {
     if (!arrays_.contains(name.c_str())) return std::nullopt;
@@ -299,7 +304,7 @@ class ContactArrays {
       contacts[c].*member = row_of(words, *given, static_cast<py::ssize_t>(c), dimension_);
   }
 
-  /// Reads the rolling moments. In 2D the moment is a single number, about the axis normal to the plane.
+  /// Reads the rolling moments. In 2D the moment is a single number, because its axis is normal to the plane.
   void rolling(std::vector<ListedContact>& contacts) const {
     if (dimension_ == 3) return vectors("rolling_moment", &ListedContact::rolling_moment, contacts);
     const auto given = array("rolling_moment", contacts.size(), -1);
@@ -314,7 +319,7 @@ class ContactArrays {
   std::string name_;
 };
 
-/// Moves contact points, which the arrays give from the centre of the first grain, to their place in space.
+/// Converts contact points to positions in space. In the arrays, they are relative to the centre of the first grain.
 void place_points(const std::vector<ListedGrain>& grains, std::vector<ListedContact>& contacts) {
   std::map<std::int64_t, Eigen::Vector3d> centre;
   for (const ListedGrain& grain : grains) centre.emplace(grain.id, grain.position);
@@ -323,7 +328,7 @@ void place_points(const std::vector<ListedGrain>& grains, std::vector<ListedCont
       *contact.point += found->second;
 }
 
-/// Makes a packing of the arrays and completes it, as `floc convert` completes a packing from files.
+/// Makes a packing of the arrays and completes it in the same way as `floc convert` completes a packing from files.
 NamedState assembled(const ListedPacking& listed, const ImportCompletion& completion) {
   return without_gil([&](const Remarks& remarks) {
     Imported imported = assemble(listed);

@@ -6,7 +6,7 @@
 namespace floc::python {
 namespace {
 
-/// Chooses plans for a scene, and writes the file of the best one if `output` is not empty.
+/// Chooses plans for a scene, and writes the file of the best plan if `output` is not empty.
 /// @return the table of the plans, and remarks about them
 py::tuple plan(const std::string& scene, const std::vector<std::string>& changes, const std::string& prices,
                const std::string& budget, const std::vector<std::string>& want, const py::object& cores,

@@ -80,7 +80,7 @@ class Watch {
 };
 
 /// Runs a scene to its end.
-/// @return reason why the run is not complete; empty if the run is complete, or if Python has stopped it
+/// @return reason why the run is not complete; empty if the run is complete or was stopped by Python
 template <int Dim>
 std::string drive_scene(const Scene& scene, const SceneRunOptions& asked, Watch& watch) {
   SceneRun<Dim> scene_run(scene, asked);

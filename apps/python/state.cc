@@ -14,7 +14,7 @@
 namespace floc::python {
 namespace {
 
-/// A member of the C++ class Contact that Python sees as a field of a structured array.
+/// A member of the C++ class Contact, which is a field of a structured array in Python.
 struct ContactField {
   std::string name;
   const char* type;  ///< numpy type of one component
@@ -24,8 +24,8 @@ struct ContactField {
 
 template <int Dim>
 std::vector<ContactField> contact_fields(const Law& law, bool shaped) {
-  // Each field is described by the offset of its member in a contact, so that numpy can read the contacts in the memory
-  // of the state.
+  // Each field has the offset of its member in a contact. With the offsets, numpy reads the contacts directly from the
+  // memory of the state.
   const Contact<Dim> c;
   const auto offset = [&c](const void* member) {
     return static_cast<const char*>(member) - reinterpret_cast<const char*>(&c);
@@ -54,7 +54,7 @@ std::vector<ContactField> contact_fields(const Law& law, bool shaped) {
     fields.push_back({"point", "f8", Dim, offset(&c.arm_i)});
     fields.push_back({"type", "u1", 1, offset(&c.type)});
   }
-  // The contact law defines which numbers of the member `history` it uses, and their names.
+  // The contact law defines the names and places of the numbers in the member `history`.
   for (const HistoryQuantity& q : history_quantities(law, Dim))
     fields.push_back({q.declared.name, "f8", q.size, offset(c.history.data() + q.begin)});
   return fields;
@@ -80,7 +80,8 @@ py::array view(const py::object& owner, const py::dtype& type, const std::vector
   return array;
 }
 
-/// Returns the items of a vector as a read-only array with `components` columns; one-dimensional for one component.
+/// Returns the items of a vector as a read-only array with `components` columns; the array is one-dimensional if there
+/// is only one component.
 template <class Item>
 py::array view_of(const py::object& owner, const std::vector<Item>& items, py::ssize_t components) {
   const auto n = static_cast<py::ssize_t>(items.size());
@@ -100,7 +101,7 @@ const AnyState& state_in(const py::object& self) {
   return *self.cast<const NamedState&>().state;
 }
 
-/// Makes a Python property from a function `get(self, state)`, whose argument `state` is a 2D or a 3D state.
+/// Makes a Python property from a function get(self, state), which accepts both 2D and 3D states.
 template <class Get>
 auto property(Get get) {
   return [get](const py::object& self) {
@@ -135,7 +136,7 @@ py::dict path_of(const State<Dim>& state) {
   return path;
 }
 
-/// Returns numbers as a one-dimensional array, a copy.
+/// Returns a copy of numbers as a one-dimensional array.
 template <class Number>
 py::array_t<Number> copied_array(const std::vector<Number>& numbers) {
   return py::array_t<Number>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
@@ -181,8 +182,8 @@ py::dict provenance_of(const State<Dim>& state) {
   return words;
 }
 
-/// Binds the arrays of a state. They are views of its memory, not copies. The identifiers of grains are the only
-/// exception: if the packing was imported without identifiers, they are computed.
+/// Binds the arrays of a state. The arrays are views of the memory of the state. Only the identifiers of the grains are
+/// computed, if the packing was imported without identifiers.
 void bind_arrays(py::class_<NamedState>& bound) {
   bound
       .def_property_readonly("position", property([](const py::object& self, const auto& s) -> py::object {
@@ -312,7 +313,7 @@ NamedState read(const std::string& path) {
   });
 }
 
-/// Reads the state in a Python pickle and gives it the name that it had when it was pickled. No warnings are issued,
+/// Reads the state in a Python pickle and gives it the name that it had when it was pickled. Warnings are not repeated,
 /// because they were issued when the state was first read.
 NamedState restore(const std::string& path, const std::string& name) {
   const py::gil_scoped_release released;

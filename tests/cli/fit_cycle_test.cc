@@ -34,8 +34,9 @@ TEST(FitCycle, OfALoadingAloneIsRefusedInWords) {
   const Outcome o = fit_cycle("P_star,phi\n1,0.5\n3,0.6\n");
   EXPECT_EQ(o.code, 3);
   EXPECT_THAT(
-      o.err, HasSubstr("the load path contains no pressure cycle: there is no pressure that it reaches both on "
-                       "loading and on the unloading"));
+      o.err,
+      HasSubstr("the load path contains no pressure cycle: no pressure is reached both on loading and on the "
+                "unloading"));
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ TEST(FitModuli, OfTheFirstLoadingOfEachSampleAndTheirMean) {
   EXPECT_NEAR(fits[3]["parameters"]["phi_0"]["value"].get<double>(), 0.55, 1e-4);
   EXPECT_EQ(fits[8]["sample"], "pooled");
   EXPECT_NEAR(fits[8]["parameters"]["exponent"]["value"].get<double>(), 0.4, 1e-5);
-  EXPECT_THAT(o.err, HasSubstr("run-0.3: the 9 rows of the first loading of 13 are fitted"));
+  EXPECT_THAT(o.err, HasSubstr("run-0.3: only the 9 rows of the first loading are fitted, of 13 rows in all"));
 }
 
 TEST(FitModuli, OfNamedColumnsWithAllStates) {

@@ -184,7 +184,7 @@ TEST(FitStrength, OfWhatIsNoTestIsRefusedInWords) {
               HasSubstr("no Mohr-Coulomb line was fitted to the states of the peak: there are 2 tests"));
   const Outcome isotropic = run_floc("fit strength " + source_directory() + "/data/tables/demo/seed-1");
   EXPECT_EQ(isotropic.code, 3);
-  EXPECT_THAT(isotropic.err, HasSubstr("the table has no test that strains the sample along one axis"));
+  EXPECT_THAT(isotropic.err, HasSubstr("the table contains no test with axial strain or simple shear"));
 }
 
 }  // namespace

@@ -68,8 +68,9 @@ TEST_F(Output, ToADashIsStdoutOrRefusedAndNeverAFileOfThatName) {
         "structure s.h5 --map -", "compare s.h5 s.h5 --displacements -"}) {
     const Outcome o = shell("\"$0\" " + command);
     EXPECT_EQ(o.code, 4) << command;
-    EXPECT_THAT(o.err, HasSubstr("this name means standard output, which the first table of this command "
-                                 "takes: expected the name of a file"))
+    EXPECT_THAT(o.err,
+                HasSubstr("this name means standard output, which already receives the first table of this "
+                          "command: expected the name of a file"))
         << command;
   }
   for (const std::string command :

@@ -306,7 +306,7 @@ const Refusal kOfCommands[] = {
      {{"g.csv", "x,y,r\n0,0,0.1\n2,2,0.1\n"}},
      {kConvert, "plot p.h5 -o p.svg --show forces"},
      "p.h5: this state has no normal contact forces, or their unit in this plot is zero: expected a state with "
-     "such forces, in which this unit is not zero"},
+     "contact forces of this kind and with a unit that is not zero"},
     {"structure_range",
      {{"g.csv", kGrains}},
      {kConvert, "structure p.h5 --fit-range 2,1"},

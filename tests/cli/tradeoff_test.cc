@@ -142,7 +142,7 @@ TEST(TradeoffCommand, ComparesTheParametersThatAreNamed) {
   EXPECT_EQ(knobs, (std::set<std::string>{"strict", "scene", "softening", "patience", "samples"}));
   const Outcome refused = run_floc("tradeoff " + kSmall + "--knobs colour");
   EXPECT_EQ(refused.code, 4);
-  EXPECT_THAT(refused.err, HasSubstr("--knobs colour: this is no parameter that a study of this scene varies"));
+  EXPECT_THAT(refused.err, HasSubstr("--knobs colour: a study of this scene does not vary this parameter"));
 }
 
 TEST(TradeoffCommand, StudiesScenesThatStartFromASavedState) {

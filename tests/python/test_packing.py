@@ -128,10 +128,11 @@ class WallsAndBonds(unittest.TestCase):
 
     def test_wrong_ones_are_named(self):
         position, radius, cell = square()
-        for words, more in ((r'wall\[0\]: "up" is no wall', {"contacts": {"id1": [0], "id2": [1], "wall": ["up"]}}),
+        for words, more in ((r'wall\[0\]: "up" is not the name of a wall',
+                             {"contacts": {"id1": [0], "id2": [1], "wall": ["up"]}}),
                             ("periodic along every axis", {"gravity": [0, -1]}),
                             ("gravity has 3 components, expected 2", {"gravity": [0, 0, -1], "walls": "y"}),
-                            ("bonds: the array id1 is missing", {"bonds": {"id2": [1]}}),
+                            ("bonds: the required array id1 is missing", {"bonds": {"id2": [1]}}),
                             ("kn = 0", {"bonds": {"id1": [0], "id2": [1]}})):
             with self.assertRaisesRegex(floc.InputError, words):
                 floc.Packing.from_arrays(position + 0.5, radius, cell, LAW, **more)
@@ -162,7 +163,7 @@ class Refusals(unittest.TestCase):
         self.refused("stiffness", law={"normal": {"stiffness": -1.0}})
 
     def test_name_the_contact(self):
-        self.refused("contacts: the array id2 is missing, which is required", contacts={"id1": [0]})
+        self.refused("contacts: the required array id2 is missing", contacts={"id1": [0]})
         self.refused("contacts: 'force1' is not one of", contacts={"id1": [0], "id2": [1], "force1": [1.0]})
         self.refused(r"contacts: normal_force: this array has shape \(2,\), expected \(1,\)",
                      contacts={"id1": [0], "id2": [1], "normal_force": [1.0, 2.0]})

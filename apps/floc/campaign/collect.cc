@@ -23,7 +23,7 @@ struct CollectArguments {
   bool forget = false;
 };
 
-/// Fits a law to those runs of one case that succeeded, and adds the results to `table`. If the fit fails, a message on
+/// Fits a law to the successful runs of one case, and adds the results to `table`. If the fit fails, a message on
 /// stderr names the log file of the fit.
 void fit_case(const PlannedCampaign& planned, int case_number, int fit_number, const std::string& directory,
               Table& table) {
@@ -69,8 +69,9 @@ int collect(const CollectArguments& arguments) {
   return kDone;
 }
 
-/// Converts the exit code of a failed run to an exit code of `floc campaign outcome`. The codes of floc for a missing
-/// result, bad input or a failed check are kept; all other codes, such as those of signals, become kFailure.
+/// Converts the exit code of a failed run to an exit code of `floc campaign outcome`. Three codes of floc are kept:
+/// those for a missing result, bad input and a failed check. All other codes, such as those of signals, become
+/// kFailure.
 int as_own(int code) {
   return code == kNotConverged || code == kBadInput || code == kVerificationFailed ? code : int{kFailure};
 }
@@ -89,13 +90,13 @@ int report_outcome(const CollectArguments& arguments) {
          or_undefined(outcome ? outcome->command : ""), or_undefined(outcome ? outcome->words : "")});
     if (is_done(outcome)) continue;
     ++n_failed;
-    // A run without an outcome was killed or has not been started. It counts as kFailure.
+    // A run without an outcome was killed or has not been started. The run counts as kFailure.
     code = worse(code, outcome ? as_own(outcome->exit_code) : int{kFailure});
     lines += outcome ? fmt::format("\n  {}: floc {} failed with exit code {}: {}", run.directory,
                                    outcome->command, outcome->exit_code, outcome->words)
                      : fmt::format("\n  {}: this run has not ended", run.directory);
-    // snakemake repeats a run whose outcome file is missing. This file is renamed and not removed, so that the tables
-    // of the campaign still report the failure.
+    // snakemake repeats a run whose outcome file is missing. The outcome file is renamed instead of removed, so that
+    // the tables of the campaign still report the failure.
     if (arguments.forget && fs::exists(place / kOutcomeFile))
       fs::rename(place / kOutcomeFile, place / kFailureFile);
   }

@@ -16,7 +16,8 @@ Command add_campaign_outcome(CommandLine campaign);
 Command add_campaign_page(CommandLine campaign);
 
 /// Reads a campaign file and plans its runs.
-/// @throws InputError naming file and line if the file has an error, or names a column that no table has
+/// @throws InputError if the file has an error, or contains the name of a column that no table has; the message gives
+/// file and line
 PlannedCampaign planned_campaign(const std::string& file);
 
 }  // namespace floc

@@ -14,8 +14,8 @@
 namespace floc {
 namespace {
 
-/// One point of a curve: the mean of a quantity over the samples of a case, with the lowest and the highest value. The
-/// points of a curve are in the order of the load path.
+/// One point of a curve: the mean of a quantity over the samples of a case, with the lowest and the highest value among
+/// the samples. The points of a curve are in the order of the load path.
 struct Point {
   std::string branch;
   double P_star, mean, low, high;
@@ -50,7 +50,7 @@ struct Axis {
   }
 };
 
-/// Returns an axis that holds the values from `low` to `high`, with a margin at both ends.
+/// Returns an axis that contains the values from `low` to `high`, with a margin at both ends.
 Axis axis_of(double low, double high, double begin, double end, bool logarithmic) {
   if (logarithmic) {
     const double air = std::max(std::pow(high / low, 0.04), 1.05);
@@ -60,8 +60,8 @@ Axis axis_of(double low, double high, double begin, double end, bool logarithmic
   return {low - air, high + air, begin, end, false};
 }
 
-/// Returns the values with tick marks on an axis: four to ten round numbers. A logarithmic axis has marks at powers of
-/// ten and, if it is short, at 2 and 5 times powers of ten.
+/// Returns the values at which an axis has tick marks: four to ten round numbers. A logarithmic axis has marks at
+/// powers of ten and, if it is short, at 2 and 5 times powers of ten.
 std::vector<double> marks_of(const Axis& axis) {
   std::vector<double> marks;
   if (axis.logarithmic) {
@@ -104,8 +104,8 @@ std::string axes_svg(const Axis& x, const Axis& y, const std::string& quantity, 
                    0.5 * (kLeft + kWidth - kRight), kHeight - 10.0, pressure, middle, html_text(quantity));
 }
 
-/// Draws the points of one branch of the load path: a band from the lowest to the highest sample, a line through the
-/// means, and a mark at each mean.
+/// Draws the points of one branch of the load path: a band from the lowest to the highest value of the samples, a line
+/// through the means, and a mark at each mean.
 std::string branch_svg(const std::vector<Point>& points, const Axis& x, const Axis& y,
                        const std::string& colour, bool dashed) {
   std::string up, down, line, marks;
@@ -181,7 +181,8 @@ std::string curves_svg(const CsvTable& means, const std::string& quantity,
       high = std::max(high, p.high);
     }
   const Axis x = axis_of(P_low, P_high, kLeft, kWidth - kRight, true);
-  constexpr double kDecades = 50.0;  // ratio of highest to lowest value above which an axis is logarithmic
+  // largest ratio of highest to lowest value on a linear axis; the axis is logarithmic above it
+  constexpr double kDecades = 50.0;
   const Axis y = axis_of(low, high, kHeight - kBottom, kTop, low > 0.0 && high / low > kDecades);
   std::string out =
       fmt::format("<svg class=\"curves\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{} against P*\">\n",

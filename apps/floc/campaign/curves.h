@@ -7,13 +7,13 @@
 
 namespace floc {
 
-/// Returns the names of the quantities in a table of means that can be drawn as curves: those with values at two or
-/// more pressures in at least one case.
+/// Returns the names of those quantities in a table of means that can be drawn as curves. Such a quantity has values at
+/// two or more pressures in at least one case.
 std::vector<std::string> curve_quantities(const CsvTable& means);
 
 /// Draws one quantity against the reduced pressure P* as an svg element of an html page. Each case is a group of class
 /// "curve", whose attribute data-case is the label of the case. The group shows the mean over the samples as a line
-/// with points, and a band from the lowest to the highest sample.
+/// with points, and the range from the lowest to the highest sample as a band.
 /// @param labels  labels of the cases, in the order of their colours
 /// @param pressure  label of the axis of pressures, such as "P*"
 std::string curves_svg(const CsvTable& means, const std::string& quantity,

@@ -84,8 +84,8 @@ struct CampaignPage {
   }
 };
 
-/// Returns the indices of the columns of a table that have a value in at least one row. Columns with a dot in
-/// their name are left out, because they repeat keys of the scene, whose values the table of cases shows.
+/// Returns the indices of the columns of a table that have a value in at least one row. Columns with a dot in their
+/// name are left out: they contain values of scene keys, which the table of cases already shows.
 std::vector<int> used_columns(const CsvTable& table) {
   const auto is_used = [&table](int column) {
     if (table.columns()[static_cast<std::size_t>(column)].find('.') != std::string::npos) return false;
@@ -99,8 +99,8 @@ std::vector<int> used_columns(const CsvTable& table) {
   return used;
 }
 
-/// Returns the html of a cell of a table. The cell shows a number with five significant digits; the attribute data-v of
-/// the cell has all digits of the csv file.
+/// Returns the html of a table cell. The cell shows a number with five significant digits; its attribute data-v
+/// contains all digits of the csv file.
 std::string cell_html(const std::string& column, const std::string& text) {
   const auto number = parse_number<double>(text);
   std::string classes = number ? "number" : "";
@@ -110,7 +110,7 @@ std::string cell_html(const std::string& column, const std::string& text) {
                      html_text(text), shown);
 }
 
-/// Returns the html of a table whose rows a reader of the page can sort.
+/// Returns the html of a table. A reader of the page can sort its rows.
 /// @param rows  indices of the rows of `table` that are shown
 std::string sorting_table(const std::string& id, const CsvTable& table, const std::vector<int>& rows) {
   const std::vector<int> columns = used_columns(table);
@@ -161,7 +161,7 @@ std::string failures_section(const CampaignPage& page) {
          sorting_table("failed", page.outcomes, failed);
 }
 
-/// Returns whether some states of a campaign have different stresses on their axes, so that their pressure is
+/// Returns whether a campaign contains states with different stresses on their axes. The pressure of such a state is
 /// the mean of these stresses.
 bool has_driven_states(const PlannedCampaign& planned) {
   return std::ranges::any_of(planned.plans, [](const CasePlan& plan) {
@@ -203,8 +203,8 @@ std::string tables_section(const CampaignPage& page) {
   return out;
 }
 
-/// Returns the index of the state whose picture the page shows for a case: the state under the largest pressure, or the
-/// last state if no pressure is known.
+/// Returns the index of the state of which the page shows a picture for this case. It is the state under the largest
+/// pressure or, if no pressure is known, the last state.
 int drawn_state(const CasePlan& plan) {
   int best = static_cast<int>(plan.states.size()) - 1;
   double highest = 0.0;
@@ -238,7 +238,7 @@ SheetOptions picture_options() {
 
 std::string pictures_section(const CampaignPage& page) {
   std::string out;
-  // If there are more cases than pictures, the cases that are drawn are spread evenly over all cases.
+  // If there are more cases than pictures, only some cases are drawn, evenly spread over all cases.
   const std::size_t n = page.drawn.size(), spread = std::max(n, kMostPictures);
   std::size_t k = 0;
   for (const auto& [number, run] : page.drawn) {

@@ -39,8 +39,8 @@ const DescribedTable& described_table(const std::string& name) {
   return *std::ranges::find(tables, name, &DescribedTable::name);
 }
 
-/// Checks that the tables have the columns that a campaign collects. @throws InputError naming the line of the campaign
-/// file and the column
+/// Checks that every column that a campaign collects exists in its table. @throws InputError naming the line of the
+/// campaign file and the column
 void check_columns(const Campaign& campaign) {
   for (const Collection& collection : campaign.collections) {
     const std::string name = collection.table == "path" ? "path.csv" : collection.table;
@@ -55,17 +55,19 @@ void check_columns(const Campaign& campaign) {
   }
 }
 
-/// Returns a text with the number of runs of a campaign and their expected processor time.
+/// Returns a text about the size of a campaign: the number of its runs and their expected processor time.
 std::string extent_of(const PlannedCampaign& planned) {
   const std::size_t n_seeds = planned.campaign.seeds.size();
   double cost = 0.0;
   for (const CasePlan& plan : planned.plans) cost += plan.cost * static_cast<double>(n_seeds);
   return fmt::format(
-      "{} cases with {} seeds: {} runs, expected to take {} on one core, to within a factor of two",
+      "{} cases with {} seeds: {} runs, expected to take {} on one core (this estimate is correct within a "
+      "factor of two)",
       planned.plans.size(), n_seeds, planned.plans.size() * n_seeds, duration_text(cost));
 }
 
-/// Writes a new file. @throws InputError if a file of this name exists, so that no file of a user is replaced
+/// Writes a new file. @throws InputError if a file of this name exists already, because no file of a user may be
+/// replaced
 void write_new(const fs::path& path, const std::string& text) {
   if (fs::exists(path))
     throw InputError(path.string(), "this file exists already: expected the name of a new file");

@@ -58,8 +58,8 @@ std::string last_line(const std::string& log) {
   std::istringstream lines(read_file(log));
   std::string last;
   for (std::string line; std::getline(lines, line);) {
-    // Lines of progress end in \r, so that the next line overwrites them on a terminal. Only the text after the
-    // last \r of such a line is used.
+    // Messages of progress end in \r, so that the next message overwrites them on a terminal. Only the text after the
+    // last \r of a line is used.
     line.erase(0, line.find_last_of('\r') + 1);
     if (!trimmed(line).empty()) last = trimmed(line);
   }
@@ -92,11 +92,11 @@ int make_table(const TableCommand& command, const CampaignRunArguments& argument
 }
 
 /// Runs one sample of a campaign and makes its tables.
-/// @return exit code; it is 0 even if the run failed, because outcome.csv records the failure, so that snakemake goes
-/// on with the other runs
+/// @return exit code; it is 0 even if the run failed: outcome.csv records the failure, and snakemake goes on with the
+/// other runs
 int run_sample(const CampaignRunArguments& arguments) {
-  // This process is killed when the snakemake that started it ends. Otherwise the next snakemake would start a second
-  // process in the same run directory.
+  // With this option, this process is killed when the snakemake that started it ends. Otherwise the next snakemake
+  // would start a second process in the same run directory.
   if (arguments.with_parent) ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   std::vector<TableCommand> tables;
   for (const std::string& text : arguments.tables) tables.push_back(table_command(text));
@@ -123,7 +123,7 @@ int run_sample(const CampaignRunArguments& arguments) {
     if (outcome.exit_code != kDone) outcome.command = table.words.front();
   }
   outcome.seconds = children_seconds() - before;
-  if (was_signalled()) return kInterrupted;  // the run will be resumed, so it has no outcome yet
+  if (was_signalled()) return kInterrupted;  // no outcome is written, because the run will be resumed
   if (outcome.exit_code != kDone) outcome.words = words_of(outcome.exit_code, log);
   write_csv(arguments.directory + "/" + kOutcomeFile, table_of(outcome));
   if (outcome.exit_code != kDone)

@@ -21,7 +21,8 @@ struct CompareCommand {
   std::vector<std::string> files;
   bool against_first = false;
   CompareTableOptions options;
-  /// Names of the csv files for the displacements of the grains and for the contacts; empty: the file is not written.
+  /// Names of the csv files for the displacements of the grains and for the contacts; a file with an empty name is not
+  /// written.
   std::string displacements, contacts;
   Printing printing;
 };
@@ -47,8 +48,8 @@ int run_compare(CompareCommand command) {
   CompareTables side;
   std::optional<std::pair<std::string, AnyState>> reference;
   const int code = for_each_file(states_of_inputs(command.files), [&](const std::string& file) {
-    // Each state is compared with `before`: the state just before it or, with --against-first, the first state. There
-    // is no comparison if `before` is empty: for the first state, and after a state that could not be read.
+    // Each state is compared with `before`: the state just before it or, with --against-first, the first state. If
+    // `before` is empty (for the first state, and after a state that could not be read), nothing is compared.
     std::optional<std::pair<std::string, AnyState>> before = reference;
     if (!command.against_first) reference.reset();
     std::pair<std::string, AnyState> now(file, read_state(file));
@@ -87,10 +88,9 @@ Command add_compare(CommandLine program) {
   app.add_flag("--against-first", command->against_first,
                "compare each state with the first state, not with the state before it");
   app.add_option("--rigid-tolerance", command->options.rigid_tolerance,
-                 "two grains in contact count as parts of one rigid cluster if their relative motion is below "
-                 "this tolerance: "
-                 "the distance between the two points that touched (in largest diameters) and the "
-                 "difference of the rotations of the two grains (radians)")
+                 "two grains in contact belong to one rigid cluster if both measures of their relative motion "
+                 "are below this tolerance: the distance between the two points that touched (in largest "
+                 "diameters) and the difference of the rotations of the two grains (radians)")
       .positive()
       .show_default();
   app.add_option("--displacements", command->displacements,

@@ -25,11 +25,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Name of the column of path.csv with the wall times of the steps. It is not compared, because wall times differ
-/// between any two runs.
+/// Name of the column of path.csv with the wall times of the steps. This column is not compared, because wall times
+/// differ between any two runs.
 constexpr const char* kTiming = "seconds";
 
-/// The files of one run that are compared: the state file of each step, and the table path.csv with the row of each
+/// The files of one run that are compared: the state file of each step, and the table path.csv with one row for each
 /// step.
 struct RunFiles {
   std::map<int, std::string> states;
@@ -54,8 +54,8 @@ struct StepComparison {
   std::optional<double> largest;
 };
 
-/// The column in the path.csv of the second run that has the name of a column in the path.csv of the first run. The
-/// factor converts the values of the second run to the unit of the first run.
+/// A column in the path.csv of the second run that corresponds to a column in the path.csv of the first run: both have
+/// the same name. The factor converts the values of the second run to the unit of the first run.
 struct Counterpart {
   int column;
   double factor;
@@ -70,8 +70,8 @@ std::optional<Counterpart> counterpart(const CsvTable& of, const std::string& he
   return std::nullopt;
 }
 
-/// Compares the values a and b that a column of path.csv has in the two runs, and adds the column to `row.differing` if
-/// they differ.
+/// Compares the values `a` and `b` of one column of path.csv in the first and the second run. If they differ, adds the
+/// column to `row.differing`.
 /// @param factor  factor that converts b to the unit of a
 void compare_values(const std::string& column, const std::string& a, const std::string& b, double factor,
                     StepComparison& row) {
@@ -104,7 +104,7 @@ StepComparison compare_step(int step, const RunFiles& before, const RunFiles& af
   return row;
 }
 
-/// Returns the result of the comparison of two runs as a sentence that begins with "equal" or "different".
+/// Returns a sentence about the result of the comparison, which begins with "equal" or "different".
 std::string verdict(const std::vector<StepComparison>& rows) {
   const auto n_same = std::ranges::count_if(rows, &StepComparison::identical);
   const auto n_rows = std::ranges::count_if(rows, [](const StepComparison& r) { return r.differing.empty(); });

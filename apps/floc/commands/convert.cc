@@ -88,7 +88,8 @@ std::map<std::string, std::string> parse_columns(const std::string& option, cons
   return columns;
 }
 
-/// Reads the option `--wall-ids`: identifiers of bodies and the walls that they are, such as "0=x-,1=x+".
+/// Parses the option `--wall-ids`, such as "0=x-,1=x+". Each item is the identifier of a body and the wall that this
+/// body forms.
 std::map<std::int64_t, WallSide> parse_wall_ids(const std::string& text) {
   std::map<std::int64_t, WallSide> walls;
   for (const auto& [id, name] : parse_columns("--wall-ids", text)) {
@@ -130,8 +131,8 @@ ImportOptions import_options(const ConvertArguments& arguments) {
   return options;
 }
 
-/// Completes a state that was read from a file of another program: adds its provenance, and the quantities that floc
-/// needs but the file does not contain, such as the contact law and the imposed stress.
+/// Completes a state that was read from a file of another program. Adds the provenance of the state, and the quantities
+/// that floc needs but the file lacks, such as the contact law and the imposed stress.
 template <int Dim>
 void complete(const std::string& in, const Imported& imported, const ConvertArguments& arguments,
               State<Dim>& state) {
@@ -144,7 +145,7 @@ void complete(const std::string& in, const Imported& imported, const ConvertArgu
   const std::string remark = complete_import(in, imported, completion, state);
   if (!remark.empty()) spdlog::info("{}: {}", in, remark);
   const std::filesystem::path source(in);
-  // The input of LMGC90 is a directory.
+  // A packing of LMGC90 is a directory, which contains a file of bodies.
   const std::string file = std::filesystem::is_directory(in) ? lmgc90_bodies(in) : in;
   state.provenance.source =
       in == "-" ? "stdin" : fmt::format("{}, SHA-256 {}", source.filename().string(), sha256_of_file(file));
@@ -244,12 +245,12 @@ void add_reading_options(CommandLine app, ConvertArguments& arguments) {
       "axes that are not periodic, separated by commas: x (walls at both faces of the box across x), z- or "
       "z+ (a wall at the lower or upper face, and a free surface), z=0:5 (walls at these places), z=0: (a "
       "floor at 0 and a free surface); or an input script of LAMMPS or LIGGGHTS, or an STL file, that has the "
-      "walls [those that IN states; without them the packing is periodic or ends "
-      "in free space]");
+      "walls [the walls given in IN; without walls the packing is periodic or ends in free space]");
   app.add_option("--wall-law", arguments.wall_law,
                  "contact law between grains and walls, given as for --law [the law between grains]");
-  app.add_option("--wall-ids", arguments.wall_ids,
-                 "ID=WALL,...: bodies in the file of contacts that are walls, e.g. 0=x-,1=x+,2=z-");
+  app.add_option(
+      "--wall-ids", arguments.wall_ids,
+      "ID=WALL,...: identifiers of the bodies that are walls in the file of contacts, e.g. 0=x-,1=x+,2=z-");
   app.add_option("--gravity", arguments.gravity,
                  "components of the acceleration due to gravity, separated by commas, e.g. 0,0,-9.81 "
                  "[as given in IN, otherwise none]");
@@ -261,14 +262,12 @@ void add_reading_options(CommandLine app, ConvertArguments& arguments) {
                  "file of the contacts: csv with the columns id1, id2 and optionally image1.., normal_force, "
                  "shear_force1.., rolling_moment.., twisting_moment; or a LAMMPS dump of style local; or YADE "
                  "interactions [contacts are found from the positions and radii]");
-  app.add_option(
-      "--bonds", arguments.bonds,
-      "file of bonds, which has the formats of a file of contacts: they act across gaps with their own "
-      "stiffnesses kn, kt, kr and ktw, and are unstressed without a force");
-  app.add_option(
-         "--touch-gap", arguments.touch_gap,
-         "gap up to which grains and walls touch if contacts are found from the geometry; contacts across a "
-         "gap get no force (length) [0]")
+  app.add_option("--bonds", arguments.bonds,
+                 "file of bonds, which has the formats of a file of contacts: bonds act across gaps with their "
+                 "own stiffnesses kn, kt, kr and ktw; a bond without a given force is unstressed");
+  app.add_option("--touch-gap", arguments.touch_gap,
+                 "largest gap (length) at which grains and walls count as touching if contacts are found from "
+                 "the geometry; contacts with a gap get no force [0]")
       .non_negative();
   app.add_flag("--pairs-twice", arguments.pairs_twice,
                "merge contacts that IN or the file of contacts lists twice, once from each grain");
@@ -282,7 +281,8 @@ void add_reading_options(CommandLine app, ConvertArguments& arguments) {
                  "stress given in IN or, without it, the stress carried by the contacts]");
   app.add_option(
          "--tolerance", arguments.tolerance,
-         "tolerance to which the packing in IN is taken to be in equilibrium: largest net force in units of "
+         "tolerance within which the packing in IN counts as being in equilibrium: largest net force in units "
+         "of "
          "F1, net moment in units of F1 a, and "
          "error of the stress in units of F1/a^(d-1); F1 is the larger of the pull-off force F0 and P a^(d-1) "
          "(P: pressure, a: largest diameter, d: dimension) [1e-3; for the format jambashbulk 1e-5]")
@@ -298,9 +298,10 @@ void add_reading_options(CommandLine app, ConvertArguments& arguments) {
   app.add_option("--dimension", arguments.dimension,
                  "dimension of the packing: 2 or 3 [2 if all grains have equal z coordinates, otherwise 3]")
       .one_of_integers({2, 3});
-  app.add_option("--index", arguments.index,
-                 "number of the packing or frame to read from a file with several, counted from 0 [the last "
-                 "one; for the format jambashbulk the first one]")
+  app.add_option(
+         "--index", arguments.index,
+         "number, counted from 0, of the packing or frame to read from a file with several of them [the last "
+         "one; for the format jambashbulk the first one]")
       .non_negative();
 }
 

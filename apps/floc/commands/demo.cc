@@ -20,8 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the path of a file or directory that is installed with floc. It is relative to the directory of the program:
-/// ../share/floc/NAME.
+/// Returns the path of a file or directory that is installed with floc. Relative to the directory of the program, this
+/// path is ../share/floc/NAME.
 /// @throws InputError if it does not exist
 std::string shipped(const std::string& name) {
   const fs::path path = (fs::path(this_program()).parent_path() / "../share/floc" / name).lexically_normal();
@@ -41,9 +41,9 @@ int step(const std::string& about, const std::vector<std::string>& arguments, bo
   return run_floc(arguments, {"", shown ? "" : "/dev/null", "", false});
 }
 
-/// Prints the parameters of the consolidation law from two fits: to the sample of this demonstration, and to the mean
-/// of six larger samples, which are installed with floc. A parameter that the sample of the demonstration does not determine
-/// is left empty.
+/// Prints the parameters of the consolidation law from two fits. One is the fit to the sample of this demonstration; a
+/// parameter that this sample does not determine is left empty. The other is the fit to the mean of six larger samples,
+/// whose tables are installed with floc.
 void print_laws(const std::string& directory, const std::string& tables) {
   fmt::print(
       stderr,

@@ -59,7 +59,7 @@ PictureFormat format_named(const std::string& keyword) {
   return keyword == "pdf" ? PictureFormat::pdf : keyword == "png" ? PictureFormat::png : PictureFormat::svg;
 }
 
-/// Place to which the pictures are written: one file, stdout, or a directory with one file per state.
+/// Output for the pictures: one file, stdout, or a directory with one file per state.
 struct Target {
   bool directory = false;
   bool standard_output = false;
@@ -87,8 +87,8 @@ Target target_of(const DrawArguments& arguments) {
   return target;
 }
 
-/// Parses the text "A,B,..." as `count` numbers. Returns nothing if the text contains another number of items, or an
-/// item that is not a number.
+/// Parses the text "A,B,..." as `count` numbers. Returns std::nullopt if the text contains another number of items, or
+/// an item that is not a number.
 std::optional<std::vector<double>> numbers_of(const std::string& text, std::size_t count) {
   std::vector<double> numbers;
   std::size_t begin = 0;
@@ -126,7 +126,7 @@ void read_sight(DrawArguments& arguments) {
   arguments.cut = Slab{static_cast<int>(axis / 2), (*ends)[0], (*ends)[1]};
 }
 
-/// A picture of a state, with values of this state for its row in the printed table.
+/// A picture of a state, and values of this state for one row of the printed table.
 template <int Dim>
 struct Drawn {
   std::string file;
@@ -145,8 +145,8 @@ void cut_slab(const std::string& file, const DrawArguments& arguments, PackingPi
 }
 
 /// Makes the picture of a state.
-/// @param other  state that the option --compare names. The picture then shows the changes of contacts and
-/// grains from one state to the other. Absent without --compare
+/// @param other  state given by the option --compare; absent without this option. If present, the picture shows the
+/// changes of contacts and grains from one state to the other
 template <int Dim>
 Drawn<Dim> drawn_from(const std::string& file, const State<Dim>& state, const DrawArguments& arguments,
                       const std::optional<AnyState>& other) {
@@ -191,8 +191,8 @@ void add_row(const Drawn<Dim>& drawn, const std::string& name, Table& table) {
   table.rows.push_back(std::move(row));
 }
 
-/// Gives all pictures of a strip (pictures side by side) one colour scale, which ends at the largest value in any of
-/// them.
+/// Gives all pictures of a strip (pictures side by side) the same colour scale. Its end is the largest value in any of
+/// the pictures.
 template <int Dim>
 void share_shades(std::vector<PackingPicture<Dim>>& strip) {
   double largest = 0.0;
@@ -230,8 +230,8 @@ class Drawer {
       strip.push_back(std::move(drawn.picture));
   }
 
-  /// Writes the strip, unless each state has its own picture. Then prints the table of the states, unless stdout
-  /// contains the picture.
+  /// Writes the strip if all states are in one picture. Then prints the table of the states, except if the picture was
+  /// written to stdout.
   void finish() {
     write_strip<2>();
     write_strip<3>();
@@ -303,7 +303,8 @@ Command add_draw(CommandLine program) {
   app.add_option("--step", arguments->step,
                  "type of the stress increment for --forces increment: isotropic or deviatoric [isotropic]")
       .one_of({"isotropic", "deviatoric"});
-  // The option --compare excludes --forces, because its picture shows displacements of the grains instead of forces.
+  // The option --compare excludes --forces, because pictures of --compare show displacements of the grains instead of
+  // forces.
   app.add_option("--compare", arguments->compare,
                  "STATE2: draw the contacts that are lost and gained between STATE and STATE2, and the "
                  "non-affine displacements of the grains")
@@ -320,8 +321,8 @@ Command add_draw(CommandLine program) {
   app.add_option("--width", arguments->width, "width of the page (cm) [17]");
   app.add_option("--columns", arguments->sheet.columns, "number of pictures in each row of a strip [4]");
   app.add_option("--line-width", arguments->sheet.line_width,
-                 "width of the line of a contact that carries the r.m.s. force, in mean diameters; line widths "
-                 "are proportional to the force [0.15]");
+                 "line width, in mean diameters, of a contact whose force is the r.m.s. force; line widths are "
+                 "proportional to the force [0.15]");
   app.add_flag("--same-scale", arguments->sheet.same_force_scale,
                "use a common scale of line widths for all pictures of a strip [each picture has its own scale, "
                "given in its legend]");

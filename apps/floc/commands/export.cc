@@ -26,7 +26,8 @@ struct ExportArguments {
 
 constexpr const char* kAxes[] = {"x", "y", "z"};
 
-/// Columns of the orientation of a grain: an angle (radians), or the components of a unit quaternion, the real one last.
+/// Names of the columns for the orientation of a grain: in 2D an angle (radians), in 3D the components of a unit
+/// quaternion with the real component last.
 template <int Dim>
 const std::vector<std::string> kOrientation =
     Dim == 2 ? std::vector<std::string>{"angle"} : std::vector<std::string>{"qx", "qy", "qz", "qw"};
@@ -66,8 +67,8 @@ Table grain_table(const Packing<Dim>& packing) {
   return table;
 }
 
-/// Returns the table of the vertices of all shapes, in the axes of the shape and about its centre of mass. A shape without
-/// vertices, a disk or sphere, has one row for its centre.
+/// Returns a table of the vertices of all shapes. The coordinates of a vertex are along the axes of its shape and
+/// relative to the centre of mass of the shape. A disk or sphere, which has no vertices, has one row for its centre.
 template <int Dim>
 Table shape_table(const Packing<Dim>& packing) {
   Table table{{"shape", "vertex"}, {}};
@@ -86,7 +87,7 @@ Table shape_table(const Packing<Dim>& packing) {
   return table;
 }
 
-/// Names of the strengths that some contact has, with their places among the strengths.
+/// Returns the names of those strengths that at least one contact has, each with its index in kStrengthNames.
 std::vector<std::pair<std::string, std::size_t>> given_strengths(const std::vector<Strengths>& strengths) {
   std::vector<std::pair<std::string, std::size_t>> given;
   for (std::size_t k = 0; k < kStrengthNames.size(); ++k)
@@ -95,7 +96,7 @@ std::vector<std::pair<std::string, std::size_t>> given_strengths(const std::vect
   return given;
 }
 
-/// Appends the point, normal, gap and kind of a contact of grains with corners to its row.
+/// Appends to the row of a contact of grains with corners its point, normal, gap and kind.
 template <int Dim>
 void add_point(const Packing<Dim>& packing, const Contact<Dim>& c, std::vector<TableValue>& row) {
   const Vec<Dim> point = packing.grains.position[c.i] + c.arm_i;
@@ -105,8 +106,8 @@ void add_point(const Packing<Dim>& packing, const Contact<Dim>& c, std::vector<T
   row.emplace_back(contact_type_name(c.type));
 }
 
-/// Returns the table of the contacts. It contains rolling and twisting moments only if the contact law resists rolling
-/// or twisting, or bonds may, because `floc convert` rejects these moments for other contact laws.
+/// Returns the table of the contacts. It has columns for rolling (twisting) moments only if the contact law or bonds
+/// can resist rolling (twisting), because otherwise `floc convert` would reject such moments.
 template <int Dim>
 Table contact_table(const State<Dim>& state) {
   const Packing<Dim>& packing = state.packing;
@@ -121,7 +122,7 @@ Table contact_table(const State<Dim>& state) {
     for (int a = 1; a <= n; ++a) table.columns.push_back(fmt::format("{}{}", name, a));
   };
   // The columns have the names that `floc convert --contacts` expects, so that floc can read the table again. In 2D the
-  // rolling moment is a scalar, so the name of its column ends without an index.
+  // rolling moment is a scalar, so the name of its column has no index at the end.
   numbered("image", Dim);
   table.columns.emplace_back("normal_force");
   numbered("shear_force", Dim);
@@ -163,7 +164,8 @@ Table contact_table(const State<Dim>& state) {
   return table;
 }
 
-/// Returns the options of `floc convert` that give the walls and the body force of a packing; empty if it has neither.
+/// Returns the options of `floc convert` for the walls and the body force of a packing; empty if the packing has
+/// neither.
 template <int Dim>
 std::string boundary_options(const Packing<Dim>& packing) {
   std::string walls, options;
@@ -180,8 +182,9 @@ std::string boundary_options(const Packing<Dim>& packing) {
   return options;
 }
 
-/// Returns the command line of `floc convert` that restores the state from the two tables, of grains and of contacts.
-/// Its options give the quantities that neither of the tables contains: cell, contact law, stress, units and tolerance.
+/// Returns the command line of `floc convert` that restores the state from the table of grains and the table of
+/// contacts. The options give the quantities that neither table contains: cell, contact law, stress, units and
+/// tolerance.
 template <int Dim>
 std::string convert_command(const ExportArguments& arguments, const State<Dim>& state) {
   std::vector<std::string> vectors;
@@ -206,9 +209,8 @@ void export_state(const ExportArguments& arguments, const State<Dim>& state) {
   if (!arguments.shapes.empty()) write_csv(arguments.shapes, shape_table(state.packing));
   if (!state.packing.grains.are_round())
     spdlog::info(
-        "the grains have corners, which floc convert does not read from tables of grains; Packing.from_arrays "
-        "of the "
-        "Python package does, and floc convert {} FILE.conf keeps them for Rockable",
+        "floc convert cannot read grains with corners from tables of grains; Packing.from_arrays of the Python "
+        "package can, and floc convert {} FILE.conf writes these grains for Rockable",
         shell_word(arguments.state));
   if (!both || !state.packing.grains.are_round()) return;
   spdlog::info("wrote {} grains and {} contacts. The following command restores the state:\n  {}",
@@ -222,8 +224,7 @@ int run_export(const ExportArguments& arguments) {
     std::visit(
         [&](const auto& state) {
           if (!arguments.shapes.empty() && state.packing.grains.are_round())
-            throw InputError(file,
-                             "all grains are disks or spheres, which have no vertices; expected no --shapes");
+            throw InputError(file, "all grains are disks or spheres, which have no vertices: omit --shapes");
           export_state(arguments, state);
         },
         read_state(file));
@@ -248,8 +249,9 @@ Command add_export(CommandLine program) {
   app.add_option("--shapes", arguments->shapes,
                  "of grains with corners: csv file to write, with one row per vertex of each shape");
   app.footer(
-      "If both files are written, the command is printed that restores the state from them; it contains the "
-      "cell, the\nwalls, the contact law and the load, which are not in the tables. Velocities, angles and the "
+      "If both files are written, floc prints the command that restores the state from them. This command "
+      "contains the\ncell, walls, contact law and load, which are not in the tables. Velocities, angles and "
+      "the "
       "history of "
       "the run are not written.");
   return {app, [arguments] { return run_export(*arguments); }};

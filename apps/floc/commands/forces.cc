@@ -11,8 +11,9 @@ namespace {
 struct ForcesCommand {
   std::vector<std::string> files;
   ForcesTableOptions options;
-  std::string selection;  ///< selection of forces, "closest" or "canonical"; empty: chosen for each state
-  std::string contacts;   ///< file to write with the table of contacts; empty: none
+  /// selection of forces, "closest" or "canonical"; if empty, the default for each state
+  std::string selection;
+  std::string contacts;  ///< csv file for the table of contacts; if empty, no file is written
   Printing printing;
 };
 
@@ -37,11 +38,11 @@ int run_forces(const ForcesCommand& command) {
 }  // namespace
 
 Command add_forces(CommandLine program) {
-  CommandLine app =
-      program.add_subcommand("forces",
-                             "Find contact forces at rest for the geometry of saved states: the forces closest "
-                             "to those of the state, or the "
-                             "forces of least elastic energy, and the range of the force of each contact");
+  CommandLine app = program.add_subcommand(
+      "forces",
+      "Find balanced contact forces for the geometry of saved states: the forces closest "
+      "to those of the state, or the "
+      "forces of least elastic energy, and the range of the force of each contact");
   const auto command = std::make_shared<ForcesCommand>();
   add_states_argument(app, command->files);
   app.add_option("--selection", command->selection,

@@ -21,8 +21,8 @@ struct HelpArguments {
   Printing printing;
 };
 
-/// Returns the descriptions of the tables whose names begin with `name`, such as "moduli" and "moduli --increments" for
-/// the name "moduli", or of all tables if `name` is empty.
+/// Returns the descriptions of all tables whose names begin with `name`. For example, "moduli" stands for the tables
+/// "moduli" and "moduli --increments", and an empty name for all tables.
 /// @throws InputError if there is no such table; the message contains the most similar table name
 std::vector<DescribedTable> tables_named(const std::string& name) {
   std::vector<DescribedTable> found;

@@ -47,8 +47,8 @@ void print(const Table& table, const Printing& printing) {
   finish_output();
 }
 
-/// Returns whether a file is a table. By its name and its first bytes, it then is neither a directory, a state
-/// file nor a scene.
+/// Returns whether a file is a table. A file counts as a table if it is not a directory and if neither its name nor its
+/// first bytes are those of a state file or a scene.
 bool is_table(const std::string& file) {
   const std::filesystem::path path(file);
   if (file == "-" || !std::filesystem::is_regular_file(path)) return false;
@@ -56,7 +56,7 @@ bool is_table(const std::string& file) {
          !read_beginning(file, 4).starts_with("\x89HDF");
 }
 
-/// Prints how floc reads tables: a summary of each table on stderr, and one row for each column on stdout.
+/// Prints how floc reads tables: a summary of each table on stderr, and one row for each column of a table on stdout.
 int info_of_tables(const std::vector<std::string>& files, const ColumnNames& names, double phi_limit,
                    const Printing& printing) {
   Table table;
@@ -95,8 +95,7 @@ int info(const InfoArguments& arguments) {
 
 Command add_info(CommandLine program) {
   CommandLine app = program.add_subcommand(
-      "info",
-      "Print the contents of a state file, its loading history and its provenance; or how floc reads a table");
+      "info", "Print the contents, loading history and provenance of a state file, or how floc reads a table");
   const auto arguments = std::make_shared<InfoArguments>();
   app.add_option("FILE", arguments->files,
                  "state files, or directories that floc run wrote; - reads one state from stdin; or "

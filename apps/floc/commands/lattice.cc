@@ -40,9 +40,9 @@ constexpr double kCoarse = 8.0;
 /// Largest number of lattice nodes of a sample that --strength breaks without the option --yes.
 constexpr int kBrokenUnasked = 20000;
 
-/// Returns the memory that the solution of a lattice is expected to take (bytes). With 1e5 nodes, it was measured to be
-/// 2.5 kB per node in 2D and 2.3 kB in 3D, to which a margin is added. In 2D the memory of the Cholesky factor per node
-/// grows with the logarithm of the number of nodes.
+/// Returns the memory that the solution of a lattice is expected to take (bytes). Measured values for 1e5 nodes, 2.5 kB
+/// per node in 2D and 2.3 kB in 3D, are increased by a margin. In 2D the memory of the Cholesky factor per node grows
+/// with the logarithm of the number of nodes.
 double expected_memory(int dimension, double n_nodes) {
   if (dimension == 3) return 2600.0 * n_nodes;
   return n_nodes * (1600.0 + 90.0 * std::log2(std::max(n_nodes, 2.0)));
@@ -110,7 +110,7 @@ LatticeNetwork<Dim> make_network(const LatticeArguments& arguments, const Cement
                     "or --bridge-gap to connect "
                     "more grains",
                     boundary_of(arguments) != LatticeBoundary::periodic
-                        ? std::string("do not connect the boundaries that hold the sample")
+                        ? std::string("do not connect the boundaries of the sample")
                         : fmt::format("are connected across the cell along only {} of {} directions",
                                       network.n_directions, Dim)));
   row.n_elements = static_cast<std::int64_t>(network.elements.size());
@@ -125,8 +125,8 @@ LatticeNetwork<Dim> make_network(const LatticeArguments& arguments, const Cement
 }
 
 /// Returns the settings of the solver of the lattice.
-/// @param telling  whether the progress of the solver is printed. The settings keep a reference to this variable, so
-/// that it can be changed later; it must outlive them
+/// @param telling  whether the progress of the solver is printed. The settings keep a reference to this variable: the
+/// caller may change it later, and it must exist as long as the settings
 template <int Dim>
 RelaxationSettings settings_of(const LatticeArguments& arguments, const bool& telling) {
   RelaxationSettings settings;
@@ -168,8 +168,8 @@ std::vector<double> normal_forces(const std::vector<Contact<Dim>>& contacts) {
   return normal;
 }
 
-/// Computes the normal forces between the grains, and their correlation with the forces of a model of equal beams,
-/// bonded_forces(). If --compare names a state, also computes their correlation with the contact forces of that state.
+/// Computes the normal forces between the grains. Also computes the correlation of these forces with the forces of
+/// equal beams, see bonded_forces(), and, if --compare names a state, with the contact forces of that state.
 /// @param sign  1 if the load is compressive, -1 if it is tensile
 /// @return the packing of the grains, with the computed forces as contact forces
 template <int Dim>
@@ -216,10 +216,10 @@ void write_packing(const std::string& path, const LatticeArguments& arguments, c
   write_state(path, state);
 }
 
-/// Returns bounds of the bulk and shear moduli of a sample that consists of grains, matrix and voids. They follow from
-/// the volume fractions and the moduli of these phases. The moduli of a phase are those of a lattice whose elements all
-/// have the stiffness of this phase: in 2D from the closed formulas for the triangular lattice, in 3D by solving the
-/// lattice of the sample with a single stiffness.
+/// Returns bounds of the bulk and shear moduli of a sample that consists of grains, matrix and voids. The bounds follow
+/// from the volume fractions and the moduli of these phases. The moduli of a phase are those of a lattice whose
+/// elements all have the stiffness of this phase. In 2D, closed formulas for the triangular lattice give these moduli.
+/// In 3D, the lattice of the sample is solved with a single stiffness.
 template <int Dim>
 CompositeBounds bounds_of(const CementedSample<Dim>& sample, const ElementStiffness& stiffness,
                           const RelaxationSettings& settings) {
@@ -250,13 +250,14 @@ CompositeBounds bounds_of(const CementedSample<Dim>& sample, const ElementStiffn
                           Dim);
 }
 
-/// Refuses to break a sample of more than kBrokenUnasked nodes without --yes. It can take long, because each broken
-/// element needs a new solution of the lattice.
+/// Refuses to break a sample of more than kBrokenUnasked nodes without --yes. Breaking can take long, because each
+/// broken element needs a new solution of the lattice.
 /// @throws InputError that gives the expected wall time, if --yes is missing
 void refuse_long_breaking(const LatticeArguments& arguments, const LatticeRow& row) {
   if (arguments.strength.empty() || arguments.yes || row.n_nodes <= kBrokenUnasked) return;
-  /// Estimates from which the expected time follows: the number of elements that break until the stress has fallen, per
-  /// node along a side of the sample, and the time of one solution per node (s).
+  /// Two estimates, from which the expected time follows. The first is the number of broken elements until the stress
+  /// has fallen, divided by the number of nodes along a side of the sample. The second is the time of one solution,
+  /// divided by the number of nodes (s).
   constexpr double kBrokenAcross = 10.0, kSecondsPerNode = 1e-5;
   const auto n = static_cast<double>(row.n_nodes);
   const double minutes = kBrokenAcross * std::pow(n, 1.0 - 1.0 / row.dimension) * kSecondsPerNode * n / 60.0;
@@ -302,8 +303,8 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
   describe(arguments, state, row);
   const LatticeLoad<Dim> load = load_of<Dim>(arguments);
   const ElementStiffness stiffness = stiffness_of(arguments);
-  // The options --strength and those of the pictures are used only after the solution. They are checked before it,
-  // because the solution can take minutes.
+  // The option --strength and the options of the pictures are used only after the solution. They are checked before the
+  // solution, which can take minutes.
   if (!arguments.strength.empty()) (void)strength_of(arguments);
   check_lattice_pictures(arguments, state.packing.cell);
   const CementedSample<Dim> sample = make_sample(arguments, state.packing, row);
@@ -343,7 +344,7 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
     return kNotConverged;
   }
   LoadedSample<Dim> loaded{sample, network, solution, node_stress(sample.lattice, network, solution), {}};
-  // The distributions count stresses with the sign of the load as positive, whether the load is compression or tension.
+  // In the distributions, stresses with the sign of the load are positive, both for compression and for tension.
   const double sign = solution.stress[row.axis] < 0.0 ? -1.0 : 1.0;
   row.all = stress_distribution(stresses_of(loaded, row.axis, std::nullopt), sign);
   row.grain = stress_distribution(stresses_of(loaded, row.axis, Phase::grain), sign);
@@ -359,8 +360,8 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
     write_packing(arguments.output, arguments, state, packing_of(sample.lattice, network, solution), "lattice");
   write_lattice_files(arguments, row, loaded);
   if (!arguments.strength.empty()) {
-    // The solver computes a new solution after each broken element. Its rounds are no longer printed, because
-    // break_sample() prints how many elements have broken.
+    // The solver computes a new solution after each broken element. The rounds of the solver are no longer printed,
+    // because break_sample() prints how many elements have broken.
     telling = false;
     break_sample(arguments, load, solver, loaded, row);
     write_fracture_files(arguments, row, loaded);

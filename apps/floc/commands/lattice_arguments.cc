@@ -45,8 +45,8 @@ void add_lattice_options(CommandLine app, LatticeArguments& a) {
       "grain=K,matrix=K,interface=K,contact=K: stiffness of the elements inside grains, inside the matrix, "
       "between a grain and the matrix, and between two grains (force/length) [grain and matrix 1; interface 2 "
       "K K'/(K + K') with the stiffnesses K of grains and K' of matrix; contact as for grain]");
-  // Some defaults differ between 2D and 3D. They are set when the dimension of the state is known, so the variables of
-  // these options are empty here.
+  // Some defaults differ between 2D and 3D. They are set after the state has been read, so the variables of these
+  // options are still empty here.
   app.add_option("--per-diameter", a.per_diameter,
                  "number of lattice nodes per mean grain diameter [15 in 2D, 6.5 in 3D]")
       .positive();
@@ -138,7 +138,7 @@ void add_lattice_options(CommandLine app, LatticeArguments& a) {
                  "number of pixels per lattice node in pictures; fewer if a side of the picture would exceed "
                  "3000 pixels [4]")
       .within(LatticeSheetOptions::kPixels);
-  // With --strength, floc lattice also breaks the sample. The options that follow apply only then.
+  // With --strength, floc lattice also breaks the sample. The following options apply only to this breaking.
   app.add_option(
       "--strength", a.strength,
       "grain=F,matrix=F,interface=F,contact=F: break the sample, one element at a time; F is the tension at "

@@ -41,8 +41,8 @@ std::vector<std::pair<int, int>> stress_components() {
   return {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
 }
 
-/// Returns the table of --stress: a row for each node that belongs to an element, with position, phase and stress. The
-/// state file of --output contains these nodes as grains, in the order of the rows.
+/// Returns the table of --stress. It has one row for each node that belongs to an element, with the position, phase and
+/// stress of the node. The state file of --output contains these nodes as grains, in the order of the rows.
 template <int Dim>
 Table node_table(const LoadedSample<Dim>& of) {
   Table table;
@@ -67,7 +67,7 @@ Table node_table(const LoadedSample<Dim>& of) {
   return table;
 }
 
-/// Named values of stress or force, with the summary of their distribution, for a table or a plot.
+/// Stresses or forces with a name and with a summary of their distribution, for a table or a plot.
 struct Named {
   std::string name;
   std::vector<double> values;
@@ -85,8 +85,8 @@ std::vector<Named> distributions(const LatticeRow& row, const LoadedSample<Dim>&
 Table distribution_table(const std::vector<Named>& all, double width) {
   Table table{{"of", "low", "high", "count", "n", "density", "unit", "n_outside"}, {}};
   for (const Named& named : all) {
-    // The histogram contains the values divided by `unit`, the mean of those values that have the sign of the load. If
-    // no value has this sign, `unit` is zero.
+    // The histogram contains values divided by `unit`. This unit is the mean of those values that have the sign of the
+    // load. If no value has this sign, `unit` is zero.
     const double unit = named.distribution.unit;
     if (unit == 0.0) continue;
     const ForceDistribution h = distribution_of(named.values, unit, width);
@@ -101,8 +101,8 @@ Table distribution_table(const std::vector<Named>& all, double width) {
 }
 
 /// Returns the two end points of the line that shows a fitted exponential tail, from the threshold of the tail to the
-/// largest value. The tail is a distribution of the values above the threshold only, so its density is multiplied by
-/// their fraction of all values.
+/// largest value. The exponential distribution is normalised for the values above the threshold. Its density is
+/// therefore multiplied by the fraction of the values that are above the threshold.
 /// @param n        number of all values
 /// @param largest  largest value, expressed in the unit of the abscissa
 /// @param sign     factor of the abscissas: 1 for a tail of values with the sign of the load, -1 for a tail of the

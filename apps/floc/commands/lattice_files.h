@@ -20,7 +20,7 @@ struct LoadedSample {
   std::vector<double> pair_force;  ///< normal force of each pair of grains that exert forces on each other
 };
 
-/// Returns the normal stress along an axis of each node that belongs to an element.
+/// Returns, for each node that belongs to an element, the normal stress along an axis.
 /// @param axis   index of the axis, from 0
 /// @param phase  phase of the nodes to include (grain or matrix); if absent, nodes of all phases
 template <int Dim>
@@ -37,8 +37,8 @@ template <int Dim>
 void write_fracture_files(const LatticeArguments& arguments, const LatticeRow& row,
                           const LoadedSample<Dim>& of);
 
-/// Checks the options of the pictures, before the solution is computed: the extensions of the file names, the value of
-/// --cut, and whether the cell has a shape that can be drawn.
+/// Checks the options of the pictures before the solution is computed. Checked are the extensions of the file names,
+/// the value of --cut, and whether the cell has a shape that can be drawn.
 /// @throws InputError that names the invalid option
 template <int Dim>
 void check_lattice_pictures(const LatticeArguments& arguments, const Cell<Dim>& cell);

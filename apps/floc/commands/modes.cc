@@ -38,9 +38,9 @@ Command add_modes(CommandLine program) {
   const auto command = std::make_shared<ModesCommand>();
   add_states_argument(app, command->files);
   app.add_option("--count", command->count,
-                 "number of modes to compute [all modes with eigenvalues below max |F_N|/r, the "
-                 "largest ratio of normal force F_N to distance r of the centres among all contacts, "
-                 "but at least 10 and at most 100]")
+                 "number of modes to compute [all modes with eigenvalues below max |F_N|/r, but at least 10 "
+                 "and at most 100 modes; max |F_N|/r is the largest ratio of normal force F_N to distance r of "
+                 "the centres among all contacts]")
       .positive();
   add_printing_options(app, command->printing);
   return {app, [command] { return run_modes(*command); }};

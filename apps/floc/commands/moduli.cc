@@ -27,7 +27,7 @@ struct ModuliCommand {
   std::string solver = "automatic";
   /// Largest memory that a Cholesky factor of the stiffness matrix may take (GB).
   std::optional<double> memory;
-  /// Required relative errors of the moduli: "X", or "B=X", "G=X"; if empty, `method` is used.
+  /// Required relative errors of the moduli: "X" for all moduli, or "B=X", "G=X"; if empty, `method` is used.
   std::vector<std::string> accuracy;
   bool force = false;
   /// Name of the csv file for the force increments of every contact; if empty, no file is written.
@@ -62,16 +62,16 @@ bool accuracy_met(const std::vector<ModuliRow>& rows, const std::optional<Moduli
   });
 }
 
-/// Returns whether the moduli of a state are to be computed: if the state is in equilibrium, or if `force` is set. For
-/// a state that is not in equilibrium, prints a warning if `force` is set, otherwise an error.
+/// Returns whether the moduli of a state are to be computed: true if the state is in equilibrium or `force` is set. If
+/// the state is not in equilibrium, prints a warning (if `force` is set) or an error.
 bool accepts_state(const std::string& file, const AnyState& any, bool force, const Remarks& remarks) {
   if (force) {
     std::visit([&](const auto& state) { warn_unless_in_equilibrium(file, state, remarks); }, any);
     return true;
   }
   const std::string faults = std::visit([](const auto& state) { return equilibrium_faults(state); }, any);
-  // An imported file may give positions with only six digits. Its residuals are then larger, and the state
-  // needs a larger tolerance.
+  // If an imported file gives positions with only six digits, the residuals of the state are larger, and it needs a
+  // larger tolerance.
   const bool imported = std::visit([](const auto& state) { return state.path.branch == "imported"; }, any);
   const char* advice =
       imported ? ", or convert the file with a larger --tolerance if its numbers have few digits" : "";
@@ -81,7 +81,7 @@ bool accepts_state(const std::string& file, const AnyState& any, bool force, con
   return faults.empty();
 }
 
-/// Writes a table to a file, in the format that the option `--format` gives, or as csv without this option.
+/// Writes a table to a file in the format of the option `--format`, which is csv without this option.
 /// @throws IoError if the file cannot be written
 void write_file(const std::string& path, const Table& table, const Printing& printing) {
   std::ostringstream text;
@@ -122,8 +122,8 @@ int run_alone(const ModuliCommand& command, const ModuliTableOptions& options) {
   return code;
 }
 
-/// Computes the moduli of all states, one state after another, each on all processes of mpirun together. Only the first
-/// process prints the table.
+/// Computes the moduli of all states, one state after another. All processes of mpirun compute each state together, and
+/// the first process prints the table.
 int run_together(const ModuliCommand& command, const ModuliTableOptions& options) {
   const std::unique_ptr<ParallelSolver> solver = load_parallel_solver();
   std::vector<ModuliRow> rows;
@@ -159,7 +159,7 @@ Command add_moduli(CommandLine program) {
   app.add_option("--strains", command->strains,
                  "strains of the cell for which moduli are computed: diagonal (only extensions along the axes; "
                  "shear strains are held at zero) or full "
-                 "(also shear strains, which adds their moduli)")
+                 "(also shear strains; their moduli are then computed, too)")
       .one_of({"diagonal", "full"})
       .show_default();
   app.add_flag("--prestress", command->options.moduli.prestress,
@@ -221,14 +221,15 @@ Command add_moduli(CommandLine program) {
          "processes of mpirun; automatic: cholmod if its Cholesky factor fits into memory, otherwise petsc")
       .one_of({"automatic", "cholmod", "petsc"})
       .show_default();
-  // command->memory is in GB, and ModuliTableOptions::memory in bytes. The function options_of() converts the
-  // former to the latter.
-  app.add_option("--memory", command->memory,
-                 "largest memory of a Cholesky factor with --solver automatic, above which petsc is used (GB) "
-                 "[0.7 of the free memory]")
+  // The unit of command->memory is GB. The function options_of() converts it to bytes, the unit of
+  // ModuliTableOptions::memory.
+  app.add_option(
+         "--memory", command->memory,
+         "with --solver automatic, petsc is used if a Cholesky factor would need more memory than this (GB) "
+         "[0.7 of the free memory]")
       .positive();
   app.add_option("-o,--output", command->output,
-                 "write the table to this file instead of stdout; the file is either complete or not written "
+                 "write the table to this file instead of stdout; the file is written completely or not at all "
                  "(useful with mpirun, which does not report a full disk)");
   add_printing_options(app, command->printing);
   return {app, [command] { return run_moduli(*command); }};

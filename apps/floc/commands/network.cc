@@ -72,15 +72,15 @@ void add_bond_options(CommandLine app, NetworkCommand& command) {
                  "negative particle pressure, compared with clusters after random permutations of the signs")
       .delimiter(',')
       .one_of({"bonds", "phases"});
-  // The variables of the following options contain the defaults of BondTableOptions, which show_default() adds to the
-  // help text.
+  // The variables of the following options contain the defaults of BondTableOptions. The function show_default() adds
+  // them to the help text.
   app.add_option("--near-zero", command.options.bonds.near,
                  "magnitude below which a normal force counts as near zero, in units of F0")
       .non_negative()
       .show_default();
   app.add_option("--shuffles", command.options.bonds.phase_structure.n_shuffles,
-                 "number of random permutations of the signs of the particle pressures with which --with "
-                 "phases compares the clusters")
+                 "for --with phases, number of random permutations of the signs of the particle pressures; the "
+                 "clusters of the state are compared with the clusters after these permutations")
       .within(PhaseOptions::kShuffles)
       .show_default();
   app.add_option(
@@ -140,7 +140,7 @@ Command add_network(CommandLine program) {
                  "csv file to write, with one row per grain: its pressure and stress");
   add_bond_options(app, *command);
   app.add_option("--without", command->without,
-                 "mechanics: leave the columns empty that need the elastic response (indeterminacy to "
+                 "mechanics: leave empty all columns that need the elastic response (indeterminacy to "
                  "correlation_size, hyperstaticity, n_null_modes); computing them takes most of the time in a "
                  "large packing")
       .delimiter(',')

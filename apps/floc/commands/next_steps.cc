@@ -10,8 +10,8 @@
 namespace floc {
 namespace {
 
-/// Returns whether `floc fit consolidation` can fit the consolidation law to these tables path.csv: to each of them
-/// and, if there are several, to their mean.
+/// Returns whether `floc fit consolidation` can fit the consolidation law to each of these tables path.csv and, if
+/// there are several tables, to their mean.
 bool can_be_fitted(const std::vector<std::string>& tables) {
   try {
     const ConsolidationFitOptions asked;
@@ -43,7 +43,7 @@ bool is_rigid(const std::string& table) {
   return CsvTable::read(table).has("force_freedom");
 }
 
-/// Returns a text as one word of a shell command, in quotation marks and with escapes if it needs them.
+/// Returns a text as one word of a shell command. Quotation marks and escapes are added if the text needs them.
 std::string one_word(const std::string& text) {
   constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./+-=:,@%";
   if (text.find_first_not_of(kPlain) == std::string::npos) return text;

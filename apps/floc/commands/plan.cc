@@ -67,7 +67,7 @@ Command add_plan(CommandLine program) {
       .within(PlanRequest::kCores)
       .show_default();
   app.add_option("--observables", arguments->plan.observables,
-                 "NAME,...: observables whose errors are made small if --want is not given [all]")
+                 "NAME,...: observables whose errors the plan makes small if --want is not given [all]")
       .delimiter(',')
       .one_argument_each()
       .excludes(want);
@@ -79,10 +79,9 @@ Command add_plan(CommandLine program) {
       app.add_flag("--pilot", arguments->plan.pilot,
                    "run a few small samples of the scene first, to measure the costs and the scatter "
                    "between samples");
-  const Option output =
-      app.add_option("-o,--output", arguments->output,
-                     "campaign file to write, which makes the samples of the best plan; a scene file "
-                     "if the plan has one sample");
+  const Option output = app.add_option(
+      "-o,--output", arguments->output,
+      "file to write for the best plan: a campaign file, or a scene file if the plan has only one sample");
   app.add_option("--check", arguments->check,
                  "DIR: directory of a campaign that floc plan has written: compare its runs with the "
                  "errors and the cost that the plan predicts")

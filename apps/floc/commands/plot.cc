@@ -40,7 +40,7 @@ struct PlotArguments {
   Printing printing;
 };
 
-/// A plot with the exit code of `floc plot`. The plot is absent if no input could be read.
+/// A plot and the exit code of `floc plot`. The plot is absent if no input could be read.
 struct Made {
   int code = kDone;
   std::optional<Plot> plot;
@@ -82,9 +82,9 @@ ModuliPoint moduli_of_state(const std::string& file, const AnyState& any) {
       any);
 }
 
-/// Returns the unit of the moduli in a table of `floc moduli`. The unit depends on whether the packing has cohesion,
-/// which the table does not say. It follows from the pressures: with cohesion and in reduced units, the reduced
-/// pressure P* and the pressure P are almost equal.
+/// Returns the unit of the moduli in a table of `floc moduli`. The unit depends on whether the packing has cohesion.
+/// The table does not say so, but its pressures do: with cohesion and in reduced units, the reduced pressure P* and the
+/// pressure P are almost equal.
 std::string unit_of_table(const CsvTable& table) {
   for (const char* name : {"units", "dimension", "P", "P_star"})
     if (!table.has(name)) return "units of the state";
@@ -94,17 +94,17 @@ std::string unit_of_table(const CsvTable& table) {
                      std::abs(number("P") - number("P_star")) < 0.1 * std::abs(number("P")));
 }
 
-/// Returns whether the bounds of the moduli in a row of a table of `floc moduli` are valid, which the column
-/// bounds_hold says. Tables of floc 0.2 and earlier do not have this column; their bounds are taken as valid if no
-/// force acts across a gap.
+/// Returns whether the bounds of the moduli in a row of a table of `floc moduli` are valid, according to the column
+/// bounds_hold. Tables of floc 0.2 and earlier do not have this column; their bounds are taken as valid if no force
+/// acts across a gap.
 bool bounds_hold(const CsvTable& table, int row) {
   if (table.has("bounds_hold")) return table.text(row, table.column("bounds_hold")) == "true";
   return !table.has("n_distant") || table.number(row, table.column("n_distant")) == 0.0;
 }
 
-/// Returns whether the state in a row of a table of `floc moduli` is stable: the column n_negative, the number of
-/// negative eigenvalues of its stiffness matrix, is zero. An empty cell, left by methods that do not count these
-/// eigenvalues, is taken as zero.
+/// Returns whether the state in a row of a table of `floc moduli` is stable. A state is stable if the column n_negative
+/// (number of negative eigenvalues of the stiffness matrix) is zero. Some methods do not count these eigenvalues and
+/// leave the cell empty; it is then taken as zero.
 bool is_stable(const CsvTable& table, int row) {
   if (!table.has("n_negative")) return true;
   const int column = table.column("n_negative");
@@ -125,8 +125,8 @@ Made moduli(const PlotArguments& arguments) {
       const auto x = [&](int k) {
         return table.is_empty(i, columns[k]) ? std::nan("") : table.number(i, columns[k]);
       };
-      // A row without Reuss bound is that of an unloaded packing. Its reduced pressure is set to zero, so that it is
-      // left out of the plot, whose axis of pressures is logarithmic.
+      // A row without Reuss bound belongs to an unloaded packing. Its reduced pressure is set to zero: the plot, whose
+      // axis of pressures is logarithmic, then leaves the row out.
       const ModuliPoint point{x(4) > 0.0 ? x(0) : 0.0, x(1), x(2), x(3), x(4), x(5), x(6)};
       points.push_back(point.with_bounds(bounds_hold(table, i), is_stable(table, i)));
     }
@@ -165,8 +165,8 @@ Made test_of_path(const PlotArguments& arguments) {
   return {kDone, axial_test_plot(CsvTable::read(is_directory ? table_of_run(input) : input))};
 }
 
-/// Returns the files of the states to plot: the states that --steps selects or, without --steps, three states of each
-/// directory, evenly spread from the first to the last.
+/// Returns the files of the states to plot. They are the states with the numbers of --steps or, without --steps, three
+/// states of each directory, evenly spread from the first to the last.
 std::vector<std::string> states_of(const PlotArguments& arguments) {
   return drawn_states(arguments.inputs, arguments.steps, 3);
 }
@@ -241,9 +241,8 @@ Made pressures(const PlotArguments& arguments) {
     if (!samples.empty() && samples.front().over_adhesion != sample.over_adhesion)
       throw InputError(
           file,
-          "the particle pressures of this state have another unit than those of the states before it, because "
-          "only some of the states have adhesion: plot the states with adhesion and those without it "
-          "separately");
+          "the particle pressures of this state and of the states before it have different units, because only "
+          "some of the states have adhesion: plot the states with adhesion and those without it separately");
     samples.push_back(std::move(sample));
     return int{kDone};
   });
@@ -296,7 +295,8 @@ Made fabric(const PlotArguments& arguments) {
 }
 
 Made make(const PlotArguments& arguments) {
-  const double phi_limit = phi_limit_of(arguments.phi_limit);  // a wrong value is refused whatever is shown
+  const double phi_limit =
+      phi_limit_of(arguments.phi_limit);  // an invalid value is rejected for every kind of plot
   if (arguments.show == "test") return test_of_path(arguments);
   if (arguments.show == "fabric") return fabric(arguments);
   if (arguments.show == "forces") return forces(arguments);
@@ -325,9 +325,9 @@ int plot(const PlotArguments& arguments) {
 }  // namespace
 
 Command add_plot(CommandLine program) {
-  CommandLine app = program.add_subcommand(
-      "plot",
-      "Plot load paths and states with gnuplot; the data and the gnuplot script are written next to the plot");
+  CommandLine app = program.add_subcommand("plot",
+                                           "Plot load paths and states with gnuplot; write the plotted data "
+                                           "and the gnuplot script to the directory of the plot");
   const auto arguments = std::make_shared<PlotArguments>();
   app.add_option("INPUT", arguments->inputs,
                  "directories of floc run, tables, or state files; - for a table on stdin")
@@ -342,8 +342,9 @@ Command add_plot(CommandLine program) {
          "with "
          "the fitted consolidation law and its regimes, unloading branches and elastic lines; moduli: elastic "
          "moduli and "
-         "their bounds, of states or of a table of floc moduli; coordination: coordination numbers of a run by "
-         "sign of the normal force; forces: distributions of contact forces of states; pressures: "
+         "their bounds, of states or of a table of floc moduli; coordination: coordination numbers of a run, "
+         "for all contacts and for each sign of the normal force; forces: distributions of contact forces of "
+         "states; pressures: "
          "distributions of particle pressures of states; scattering: scattered intensity I(k) of states and "
          "the fitted law; test: stress ratio q/p and volumetric strain against axial strain, and the lateral "
          "stress ratio K0, of a run with a driven axis; fabric: rose diagrams of the contact directions of "
@@ -351,9 +352,9 @@ Command add_plot(CommandLine program) {
       .one_of(
           {"consolidation", "moduli", "coordination", "forces", "pressures", "scattering", "test", "fabric"});
   app.add_option("--steps", arguments->steps,
-                 "K,...: numbers of the states of a directory to plot with --show forces [the states at the "
-                 "lowest and highest pressure of loading and half way between], pressures, scattering or "
-                 "fabric [three states, evenly spread from the first to the last]")
+                 "K,...: numbers of the states of a directory to plot with --show forces, pressures, "
+                 "scattering or fabric [for forces, the states at the lowest and highest pressure of loading "
+                 "and half way between; otherwise three states, evenly spread from the first to the last]")
       .delimiter(',')
       .non_negative();
   app.add_option("--kind", arguments->kind,

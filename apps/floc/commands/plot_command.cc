@@ -18,7 +18,7 @@ std::string plot_command(const Plot& plot, const std::vector<Curve>& curves) {
     text += fmt::format("{}{}{}data index {} {}", text.empty() ? "plot " : ", \\\n     ", curve.loop,
                         curve.loop.empty() ? "" : " ", curve.block, curve.how);
   }
-  // gnuplot fails if there is no curve to plot; in that case the command draws empty axes.
+  // gnuplot fails if there is no curve to plot. Empty axes are drawn instead.
   return (text.empty() ? "set xrange [0.1:1]\nset yrange [0.1:1]\nplot NaN notitle" : text) + "\n";
 }
 

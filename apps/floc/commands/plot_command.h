@@ -14,7 +14,7 @@ struct Curve {
   std::string loop = {};  ///< gnuplot loop that repeats the curve, such as "for [k=1:4]"; may be empty
 };
 
-/// Returns the gnuplot command that draws the curves. A curve is left out if its data block contains no finite values,
+/// Returns the gnuplot command that draws the curves. A curve whose data block contains no finite values is left out,
 /// so that the legend does not list it.
 std::string plot_command(const Plot& plot, const std::vector<Curve>& curves);
 

@@ -52,8 +52,8 @@ struct ReportedRun {
   std::vector<std::string> shown_files;
   std::optional<State<Dim>> first;
   std::vector<ModuliPoint> moduli;
-  /// Whether the contacts are rigid. Such states have no moduli and, without adhesion, no reduced pressures: the report
-  /// describes their contacts in place of these.
+  /// Whether the contacts are rigid. States with rigid contacts have no moduli and, without adhesion, no reduced
+  /// pressures. The report then describes their contacts instead.
   bool is_rigid = false;
   Table packings{{"state", "branch", "P*", "Φ", "z", "z+", "z−", "z0", "distant", "rattlers x0"}, {}};
   Table elasticity{{"state", "P*", "B Reuss", "B", "± B", "B Voigt", "G", "± G", "G Voigt", "isotropy defect",
@@ -63,13 +63,14 @@ struct ReportedRun {
                   "vertex-face", "edge-edge", "double", "face-face"},
                  {}};
   std::vector<std::string> warnings;
-  /// Numbers of the states to which each warning applies.
+  /// Warnings, each with the numbers of the states to which it applies.
   std::map<std::string, std::vector<int>> state_warnings;
 };
 
 /// Returns the indices of three states of the first loading: the first and loosest one, the last and densest one, and
 /// the one half way between them along the load path. If the path contains no loading, returns the index of its last
-/// state only. States of rigid grains have no reduced pressure that could rise: returns those of the whole path.
+/// state only. For rigid grains, which may have no reduced pressure, returns the first, the middle and the last state
+/// of the whole path.
 /// @param is_rigid  whether the grains are rigid
 std::set<std::size_t> shown_states(const PathTable& path, bool is_rigid) {
   std::set<std::size_t> shown;
@@ -82,7 +83,7 @@ std::set<std::size_t> shown_states(const PathTable& path, bool is_rigid) {
   return shown;
 }
 
-/// Adds a state of rigid grains, whose contacts are described in place of its moduli.
+/// Adds a state of rigid grains to the tables of the report, with a description of its contacts instead of moduli.
 template <int Dim>
 void add_rigid_state(const std::string& file, const State<Dim>& state, ReportedRun<Dim>& run) {
   NetworkTableOptions options;
@@ -135,7 +136,7 @@ void add_elastic_state(const State<Dim>& state, ReportedRun<Dim>& run) {
 }
 
 /// Adds a state to the tables of the report.
-/// @throws InputError if it is a state of elastic grains with walls or corners
+/// @throws InputError if the grains are elastic and have walls or corners
 template <int Dim>
 void add_state(const std::string& file, const State<Dim>& state, ReportedRun<Dim>& run) {
   if (state.packing.law.is_rigid()) {
@@ -150,7 +151,7 @@ void add_state(const std::string& file, const State<Dim>& state, ReportedRun<Dim
     run.state_warnings["not in equilibrium: " + message].push_back(state.path.step);
 }
 
-/// Unit of pressures and moduli in packings in reduced units, as text for HTML.
+/// Unit of pressures and moduli of packings in reduced units, as text for HTML.
 template <int Dim>
 constexpr const char* kPressureUnit = Dim == 2 ? "F0/a" : "F0/a²";
 
@@ -216,9 +217,9 @@ std::string provenance_section(const ReportedRun<Dim>& run) {
   return "<h2>Provenance</h2>\n" + html_table(table);
 }
 
-/// Returns the scene of a run, whose text is stored in the states of the run. If the run started from a saved
-/// state, the scene names the file of that state, which may no longer exist. In the returned scene, this name
-/// is replaced by the name of the first state of the run, which has the same grains.
+/// Returns the scene of a run. The text of the scene is stored in the states of the run. If the run started from a
+/// saved state, the scene names the file of that state, which may no longer exist. In the returned scene, this name is
+/// replaced by the name of the first state of the run, which has the same grains.
 template <int Dim>
 Scene scene_of(const ReportedRun<Dim>& run) {
   std::vector<std::string> changes;
@@ -331,9 +332,8 @@ std::string pictures_section(const ReportedRun<Dim>& run) {
         "Forces at " + pressure_text(run.shown[k]) + ", " + fs::path(run.shown_files[k]).filename().string() +
             (round
                  ? ": lines join the centres of grains that interact; their width is proportional to the force."
-                 : ": lines join the centres of grains that interact, in colours of what meets at the contact; "
-                   "their "
-                   "width is proportional to the force."));
+                 : ": lines join the centres of grains that interact, coloured by the kind of contact (such as "
+                   "vertex and face); their width is proportional to the force."));
   }
   return out;
 }
@@ -398,7 +398,8 @@ int report_of(const ReportArguments& arguments) {
 }
 
 int report(const ReportArguments& arguments) {
-  // Throws InputError if the directory is that of an ensemble; the message names one of its samples.
+  // table_of_run() throws an InputError if the directory belongs to an ensemble; the message names one sample of the
+  // ensemble.
   table_of_run(arguments.directory);
   const AnyState first = read_state(states_of_run(arguments.directory).front());
   return std::holds_alternative<State<2>>(first) ? report_of<2>(arguments) : report_of<3>(arguments);

@@ -56,8 +56,8 @@ int report_outcome(const DriveReport& report, const Run<Dim>& run, const std::st
 }
 
 /// Freed blocks of memory of at least this size (bytes) are returned to the system at once. By default glibc keeps
-/// freed blocks of up to 32 MB. A large packing would then occupy the memory of its neighbour lists, of its saved
-/// states and of its files all at the same time.
+/// freed blocks of up to 32 MB. In a run of a large packing, the memory of freed neighbour lists, saved states and
+/// files would then add up.
 constexpr int kReturnedBlock = 1 << 22;
 
 template <int Dim>
@@ -97,7 +97,7 @@ int run_scene(const RunArguments& arguments) {
 int run_seeds(const RunArguments& arguments) {
   const SeedRange seeds = parse_seeds(arguments.seeds);
   const Scene scene = read_scene(arguments.scene, arguments.overrides, arguments.prices);
-  // Faults of the options that would stop every sample are reported here once, before any sample starts.
+  // Faults of the options would stop every sample. They are reported here once, before any sample starts.
   const RunOptions options = checked_options(scene, arguments.run);
   if (!scene.is_random())
     throw InputError("--seeds " + arguments.seeds,
@@ -109,8 +109,8 @@ int run_seeds(const RunArguments& arguments) {
   std::vector<std::string> args = {arguments.scene};
   for (const std::string& change : arguments.overrides) args.insert(args.end(), {"--set", change});
   if (!arguments.prices.empty()) args.insert(args.end(), {"--prices", arguments.prices});
-  // Each sample gets only as many threads as it can use. Otherwise each sample would repeat the message of
-  // tell_unused_threads().
+  // Each sample gets only as many threads as it can use. Otherwise each sample would print the message of
+  // tell_unused_threads() again.
   args.insert(args.end(), {"--threads", std::to_string(options.relaxation.threads)});
   if (arguments.run.until) args.insert(args.end(), {"--until", std::to_string(*arguments.run.until)});
   if (arguments.run.track_contacts)

@@ -16,8 +16,8 @@
 namespace floc {
 namespace {
 
-/// Time between two checks whether any of the running samples has ended (microseconds). It is short compared with the
-/// run of a sample, which takes at least seconds.
+/// Pause (microseconds) between two checks whether any of the running samples has ended. The pause is short compared
+/// with the run of a sample, which takes at least seconds.
 constexpr useconds_t kPause = 20000;
 
 class Ensemble {
@@ -36,7 +36,8 @@ class Ensemble {
     seed_of_[start_floc(args, {"", "", sample + ".log", append_})] = seed;
   }
 
-  /// Waits until one of the running samples has ended. If a signal arrives meanwhile, it is passed on to all samples.
+  /// Waits until one of the running samples has ended. A signal that arrives in the meantime is passed on to all
+  /// samples.
   void wait() {
     int status = 0;
     pid_t ended = 0;

@@ -9,7 +9,7 @@
 namespace floc {
 
 /// Parses a range of seeds "A..B".
-/// @throws InputError unless A and B are whole numbers with A <= B, and the range contains at most a million seeds
+/// @throws InputError if A or B is not a whole number, if A > B, or if the range contains more than a million seeds
 SeedRange parse_seeds(const std::string& text);
 
 /// Runs an ensemble: one sample per seed, each in its own process, with the directory DIR/seed-N and the log file

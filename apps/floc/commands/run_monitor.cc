@@ -18,7 +18,7 @@ constexpr double kSecondsBetweenLines = 10.0;
 template <int Dim>
 std::string phase_of(const Run<Dim>& run) {
   if (run.point().aggregating)
-    return fmt::format("the grains aggregate into one cluster, {} clusters are left", run.n_clusters());
+    return fmt::format("the grains aggregate into one cluster; {} clusters are left so far", run.n_clusters());
   const RelaxationReport report = run.report();
   const bool finishing = report.phase == "finishing";
   std::string text = fmt::format("{}, {}", report.phase, report.blocking);
@@ -27,8 +27,8 @@ std::string phase_of(const Run<Dim>& run) {
   return text;
 }
 
-/// Returns how a relaxation ended, as a keyword. If mechanisms of a packing between walls prevent an equilibrium, their
-/// number is added.
+/// Returns a keyword for the end of a relaxation. If mechanisms of a packing between walls prevent an equilibrium, the
+/// number of mechanisms is added.
 std::string ending_of(const RelaxationReport& report) {
   if (report.n_mechanisms <= 0) return report.ending;
   return fmt::format("{}, not in equilibrium because of {} mechanisms", report.ending, report.n_mechanisms);
@@ -45,8 +45,8 @@ std::string time_text(double time) {
 RunMonitor::RunMonitor(int n_steps)
     : n_steps_(n_steps), terminal_(isatty(STDERR_FILENO) == 1), last_line_(Clock::now()) {}
 
-/// Returns the expected wall time of the steps that remain (s): their number times the mean time of the completed
-/// steps. Steps in which the packing collapses take longer, but they cannot be predicted.
+/// Returns the expected wall time of the remaining steps (s): their number times the mean time of the completed steps.
+/// Steps in which the packing collapses take longer, but collapses cannot be predicted.
 double RunMonitor::expected_seconds_left(int steps_left) const {
   return seconds_done_ / steps_done_ * steps_left;
 }
@@ -70,8 +70,8 @@ void RunMonitor::chunk(const Run<Dim>& run) {
 
 namespace {
 
-/// Returns a warning if many time steps of contact dynamics ended before their impulses were within tolerance; empty if
-/// few did.
+/// Returns a warning if in many time steps of contact dynamics the impulses did not converge to the tolerance;
+/// otherwise an empty text.
 std::string unfinished_warning(const StepCounts& counts) {
   constexpr double kMany = 0.05;
   const double share = counts.n_steps == 0

@@ -30,15 +30,15 @@ struct SceneArguments {
   std::string path;
   std::vector<std::string> overrides;
   std::string prices;
-  /// Name of the csv file that compares the sizes of the drawn grains with the distribution in the scene; if
+  /// Name of the csv file that compares the sizes of randomly drawn grains with the size distribution of the scene; if
   /// empty, no file is written.
   std::string sizes;
   Printing printing;
   std::string name;
 };
 
-/// Prints the expected cost of a run, if there is a table of prices for the scene. If the shipped tables are
-/// not installed, a message says so.
+/// Prints the expected cost of a run if there is a table of prices for the scene. Prints a message if the shipped
+/// tables of prices are not installed.
 void tell_price(const Scene& scene, const SceneArguments& arguments) {
   if (scene.starts_from_state()) return;
   ScenePrices prices;
@@ -96,8 +96,8 @@ int start_scene(const std::string& name) {
   if (std::fclose(file) != 0 || !written)
     throw IoError(path.string(), "the file cannot be written completely; the disk may be full");
   spdlog::info(
-      "wrote {0}, a copy of the scene that floc demo runs, a cohesive powder (its content does not depend on "
-      "the name of the file; data/scenes contains scenes of other materials); you may run next: floc scene "
+      "wrote {0}, a copy of the scene of floc demo: a cohesive powder, whatever the name of the file "
+      "(data/scenes contains scenes of other materials); you may run next: floc scene "
       "check {0}, floc "
       "run {0} -o {1}",
       path.string(), path.stem().string());

@@ -23,8 +23,8 @@ struct StructureCommand {
   Printing printing;
 };
 
-/// Converts the command line to the options of the library. Each table other than the printed one is computed only if a
-/// file is named for it.
+/// Converts the command line to the options of the library. Each further table, besides the printed one, is computed
+/// only if the command line names a file for it.
 /// @throws InputError that names the invalid option
 StructureTableOptions options_of(const StructureCommand& command) {
   StructureTableOptions options = command.options;
@@ -92,7 +92,7 @@ Command add_structure(CommandLine program) {
                  "number of mesh cells per wavelength at the largest wave number of I(k) (at least 4)")
       .within(ScatteringOptions::kCellsPerWave)
       .show_default();
-  // Each table that follows is computed only if its option names a file: see options_of().
+  // Each of the following options names the file for a table. A table without a file is not computed, see options_of().
   app.add_option("--intensity", command->intensity,
                  "csv file to write, with one row per bin of the wave number k: scattered intensity I(k)");
   app.add_option("--pair-correlation", command->pairs,
@@ -122,7 +122,7 @@ Command add_structure(CommandLine program) {
       .show_default();
   app.add_option("--porosity", command->porosity,
                  "csv file to write: porosity in cubes of different sizes around the centre of the cell, and "
-                 "in copies of the cell that are shrunk about its centre");
+                 "in smaller copies of the cell around its centre");
   app.add_option("--probes", command->options.n_probes, "number of different sizes of the cubes of --porosity")
       .within(kPorosityProbes)
       .show_default();

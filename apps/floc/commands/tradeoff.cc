@@ -43,7 +43,7 @@ TableValue of_compared(int n, double value) {
   return n > 0 ? or_undefined_number(value) : TableValue{};
 }
 
-/// The scene of the study, with the columns that are equal in all rows of the table.
+/// The scene of the study, and the values of the columns that are equal in all rows of the table.
 struct StudiedScene {
   const Scene& scene;
   Subject subject;
@@ -65,7 +65,8 @@ struct TradeoffRow {
   const DeclaredObservable& declared() const { return declared_observables()[observable]; }
 };
 
-/// Returns a factor of softer springs; undefined for grains without springs, and for lattices.
+/// Returns the factor by which the springs are softer in one part of the run; undefined for grains without springs and
+/// for lattices.
 TableValue softening_cell(const TradeoffRow& row, double Softening::*part) {
   if (row.run.scene.law.is_rigid() || row.setting.setting.lattice) return {};
   return row.setting.setting.numerical.softening.*part;
@@ -121,14 +122,13 @@ Table table_of(const StudiedScene& run, const Tradeoff& tradeoff, const std::vec
   for (std::size_t k = 0; k < names.size(); ++k) {
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), names[k]) == wanted.end()) continue;
     if (!applies(declared_observables()[k], run.scene, run.subject)) continue;
-    // The Pareto front contains the numerical settings for which no other setting is both cheaper and more accurate. It
-    // is determined for each observable separately, because a setting may be on the front of one observable and not on
-    // that of another.
+    // The Pareto front contains the numerical settings for which no other setting is both cheaper and more accurate.
+    // The front is determined for each observable separately, because it differs between observables.
     const std::vector<bool> front = pareto_front(tradeoff, k);
     for (std::size_t i = 0; i < tradeoff.settings.size(); ++i) {
       const MeasuredSetting& m = tradeoff.settings[i];
       const ObservableError& e = m.errors[k];
-      // A setting has no row if it gave no value of this observable that could be compared.
+      // A setting has no row if no value of this observable could be compared.
       if (e.before.n + e.after.n + e.mean.n > 0) rows.push_back({run, tradeoff, m, k, front[i]});
     }
   }
@@ -182,17 +182,17 @@ int run_tradeoff(TradeoffCommand& command) {
 }  // namespace
 
 Command add_tradeoff(CommandLine program) {
-  CommandLine app = program.add_subcommand(
-      "tradeoff",
-      "Run a scene with several numerical settings, and compare the error of its results with their cost");
+  CommandLine app = program.add_subcommand("tradeoff",
+                                           "Run a scene with several numerical settings, and compare the "
+                                           "errors of the results with the costs of the settings");
   const auto command = std::make_shared<TradeoffCommand>();
   app.add_option("SCENE", command->scene, "scene file (TOML)").required();
   app.add_option("--budget", command->options.budget, "processor time that the study may take, on one core (s)")
       .positive()
       .show_default();
-  app.add_option(
-         "--samples", command->options.max_samples,
-         "largest number of samples; their seeds are successive numbers that begin with the seed of the scene")
+  app.add_option("--samples", command->options.max_samples,
+                 "largest number of samples; the first sample has the seed of the scene, each further sample "
+                 "the next seed")
       .within(TradeoffOptions::kSamples)
       .show_default();
   app.add_option("--set", command->overrides,
@@ -210,8 +210,8 @@ Command add_tradeoff(CommandLine program) {
       .delimiter(',')
       .one_argument_each();
   app.add_option("--lattice", command->matrix_content,
-                 "study the lattice of floc lattice instead of the states: volume fraction of a "
-                 "matrix that cements the grains of the last state")
+                 "volume fraction of a matrix that cements the grains of the last state; the lattice of floc "
+                 "lattice is then studied instead of the states")
       .within(CementOptions::kContent);
   app.add_option("--stiffness-ratio", command->stiffness_ratio,
                  "with --lattice, ratio of the stiffness of the grains to the stiffness of the matrix")

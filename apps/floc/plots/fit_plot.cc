@@ -11,7 +11,8 @@
 namespace floc {
 namespace {
 
-/// Returns the ends of the recompression line, as pairs of P* and 1/Phi; empty if no slope was fitted to it.
+/// Returns the two end points of the recompression line, as pairs of P* and 1/Phi; empty if the slope of this line was
+/// not fitted.
 std::vector<std::vector<double>> recompression_points(const ConsolidationFit& fit) {
   const FittedParameter* P0 = fit.find("P0_star");
   if (!fit.line.slopes || !P0 || !P0->value) return {};
@@ -21,7 +22,8 @@ std::vector<std::vector<double>> recompression_points(const ConsolidationFit& fi
 }
 
 /// Adds the blocks of data to which the gnuplot script refers by number: 0 for the fitted points, 1 for the points left
-/// out of the fit, 2 for the fitted law, 3 for unloading and reloading, 4 for the recompression line, 5 for its end.
+/// out of the fit, 2 for the fitted law, 3 for unloading and reloading, 4 for the recompression line, 5 for the yield
+/// point at its end.
 void add_blocks(const ConsolidationPlot& of, Plot& plot) {
   const ConsolidationCurve& curve = of.curve;
   const ConsolidationFit& fit = of.fit;
@@ -34,15 +36,18 @@ void add_blocks(const ConsolidationPlot& of, Plot& plot) {
   for (std::size_t i = 0; i < curve.phi.size(); ++i)
     if (std::find(fit.used.begin(), fit.used.end(), static_cast<int>(i)) == fit.used.end())
       others.push_back({curve.P_star[i], 1.0 / curve.phi[i], error_of_mean(curve, i)});
-  plot.add("points fitted: P_star 1/phi error_of_mean residual", std::move(used));
-  plot.add("points left out: P_star 1/phi error_of_mean", std::move(others));
-  plot.add("law: P_star 1/phi", law_points(fit));
-  plot.add("unloading and reloading: P_star 1/phi", of.loops);
+  plot.add(
+      "points fitted: reduced pressure P*, inverse solid fraction 1/Phi, standard error of its mean, residual",
+      std::move(used));
+  plot.add("points left out: reduced pressure P*, inverse solid fraction 1/Phi, standard error of its mean",
+           std::move(others));
+  plot.add("law: reduced pressure P*, inverse solid fraction 1/Phi", law_points(fit));
+  plot.add("unloading and reloading: reduced pressure P*, inverse solid fraction 1/Phi", of.loops);
   std::vector<std::vector<double>> recompression = recompression_points(fit);
   std::vector<std::vector<double>> yield;
   if (!recompression.empty()) yield.push_back(recompression.back());
-  plot.add("recompression line: P_star 1/phi", std::move(recompression));
-  plot.add("yield: P_star 1/phi", std::move(yield));
+  plot.add("recompression line: reduced pressure P*, inverse solid fraction 1/Phi", std::move(recompression));
+  plot.add("yield point: reduced pressure P*, inverse solid fraction 1/Phi", std::move(yield));
 }
 
 std::string title_of(const ConsolidationPlot& plot) {
@@ -56,7 +61,7 @@ std::string title_of(const ConsolidationPlot& plot) {
   return title;
 }
 
-/// Axis of the residuals: the power of ten in which they are drawn, and half of the range of the axis in this unit.
+/// Axis of the residuals: its unit (a power of ten), and half of its range in this unit.
 struct ResidualAxis {
   double unit, half;
 };
@@ -74,8 +79,8 @@ const char* law_title(const ConsolidationFit& fit) {
 }
 
 std::string script_of(const ConsolidationPlot& plot, const Plot& drawn) {
-  // Two panels share the pressure axis: the curve above, the residuals below. The fitted points are drawn last, so that
-  // the law does not cover them.
+  // Two panels have the same pressure axis: the upper one shows the curve, and the lower one the residuals. The fitted
+  // points are drawn last, so that the law does not cover them.
   const std::string curves = plot_command(
       drawn,
       {{3,
@@ -91,7 +96,7 @@ std::string script_of(const ConsolidationPlot& plot, const Plot& drawn) {
   const ResidualAxis axis = residual_axis(drawn);
   const double low = plot.curve.P_star.front();
   const double high = plot.curve.P_star.back();
-  // Without noenhanced, gnuplot would turn names in the title, such as Phi_max, into subscripts.
+  // Without noenhanced, gnuplot would print names in the title, such as Phi_max, with subscripts.
   return fmt::format(
       R"(set termoption noenhanced
 set termoption font ',20'
@@ -141,7 +146,8 @@ double error_of_mean(const ConsolidationCurve& curve, std::size_t i) {
 
 std::vector<std::vector<double>> law_points(const ConsolidationFit& fit) {
   constexpr int kSteps = 200;
-  // The line of regime II begins where it meets the recompression line, which may lie between two rows.
+  // The line of regime II begins at its intersection with the recompression line. The intersection may lie between two
+  // rows.
   const FittedParameter* P0 = fit.find("P0_star");
   const bool meets = fit.line.slopes && P0 && P0->value && *P0->value < fit.window_low;
   const double first = std::log(meets ? *P0->value : fit.window_low);

@@ -16,7 +16,8 @@ struct ConsolidationPlot {
   std::string stress;
   const ConsolidationCurve& curve;
   const ConsolidationFit& fit;
-  /// P* and 1/Phi of unloadings and reloadings, which are not fitted; a row of NaN ends each.
+  /// Pairs of P* and 1/Phi of the unloading and reloading branches, which are not fitted. Each branch ends with a row
+  /// of NaN.
   std::vector<std::vector<double>> loops = {};
 };
 
@@ -26,14 +27,14 @@ struct ConsolidationPlot {
 std::string pressure_label(const std::string& unit, const std::string& stress);
 
 /// Plots 1/Phi (Phi: solid fraction) against the pressure P*, with the fitted law and the range of pressures to which
-/// it was fitted, the recompression line before it and the yield pressure where they meet. A second panel below shows
-/// the residuals.
+/// it was fitted, the recompression line at smaller pressures, and the yield pressure at which this line and the law
+/// meet. A second panel below shows the residuals.
 Plot plot_of_fit(const ConsolidationPlot& of);
 
 /// Returns the standard error of the mean of 1/Phi over all samples at the i-th pressure; 0 for a single sample.
 double error_of_mean(const ConsolidationCurve& curve, std::size_t i);
 
-/// Returns points of the fitted law, as pairs of P* and 1/Phi, over the range of pressures to which it was fitted. @pre
+/// Returns points of the fitted law, as pairs of P* and 1/Phi, in the range of pressures to which it was fitted. @pre
 /// fit.found()
 std::vector<std::vector<double>> law_points(const ConsolidationFit& fit);
 

@@ -59,7 +59,7 @@ std::string script_of(const Plot& plot, const fs::path& picture, const fs::path&
 }
 
 /// Runs gnuplot on a script, in the directory of the script. The messages of gnuplot go to the file `words`. They are
-/// shown only if gnuplot fails, because otherwise they are warnings about the look of plots with few points.
+/// shown only if gnuplot fails: otherwise they only warn about the appearance of plots with few points.
 /// @throws IoError if gnuplot is missing or fails
 void run_gnuplot(const fs::path& script, const fs::path& picture, const fs::path& words) {
   const std::string directory = script.has_parent_path() ? script.parent_path().string() : ".";
@@ -85,8 +85,8 @@ void run_gnuplot(const fs::path& script, const fs::path& picture, const fs::path
                                          script.string(), read_file(words.string())));
 }
 
-/// Overwrites the creation time in a pdf file with blanks, so that equal plots give equal files and no other byte
-/// moves.
+/// Overwrites the creation time in a pdf file with blanks, so that equal plots give equal files. The positions of all
+/// other bytes must not change, because the pdf file refers to them.
 void blank_creation_date(std::string& bytes) {
   const std::string key = "/CreationDate (";
   const std::size_t first = bytes.find(key);

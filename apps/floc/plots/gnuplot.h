@@ -8,7 +8,7 @@ namespace floc {
 /// A plot for gnuplot: blocks of numbers, and a script that refers to block N, counted from 0, as `data index N`.
 struct Plot {
   /// A table of numbers. In the data file, a comment with the names of the columns precedes the numbers. A block
-  /// without rows is written too, so that the indices of later blocks do not change.
+  /// without rows is also written, so that the indices of later blocks do not depend on it.
   struct Block {
     std::string columns;
     std::vector<std::vector<double>> rows;
@@ -21,13 +21,13 @@ struct Plot {
   int add(const std::string& columns, std::vector<std::vector<double>> rows);
 };
 
-/// Returns the gnuplot command that sets the range of an axis ("x" or "y") so that the range holds the values in column
-/// `column` of the blocks with the indices `blocks`. The margin is a tenth of a decade on a logarithmic axis and a
-/// twentieth of the range on a linear axis. The command is empty if there are no two different values.
+/// Returns the gnuplot command that sets the range of an axis ("x" or "y") so that the range contains the values in
+/// column `column` of the blocks with the indices `blocks`. The margin is a tenth of a decade on a logarithmic axis and
+/// a twentieth of the range on a linear axis. The command is empty if there are no two different values.
 std::string range_script(const Plot& plot, const std::string& axis, const std::vector<int>& blocks, int column,
                          bool logarithmic);
 
-/// Formats a value with its error, as in "0.197 ± 0.090". The error has two significant digits, and the value as many
+/// Formats a value with its error, as in "0.197 ± 0.090". The error has two significant digits. The value has as many
 /// decimals as the error.
 std::string value_and_error(double value, double error);
 
@@ -41,7 +41,7 @@ std::string gnuplot_quoted(const std::string& text);
 /// or fails
 void write_plot(const std::string& file, const Plot& plot);
 
-/// Returns the plot as the text of an svg file; no files remain.
+/// Returns the plot as the text of an svg file. Temporary files are removed.
 /// @throws IoError if a temporary file cannot be written, or if gnuplot is missing or fails
 std::string plot_as_svg(const Plot& plot);
 

@@ -37,7 +37,8 @@ struct CellText {
   std::string operator()(const std::string& value) const { return "<td>" + html_text(value) + "</td>"; }
 };
 
-/// Returns bytes as part of a data URL.
+/// Returns bytes in the encoding of a data URL (RFC 3986): all but a few plain characters become % and two hexadecimal
+/// digits.
 std::string percent_encoded(const std::string& text) {
   constexpr std::string_view kPlain = "-_.~ /:;=,()+*!'";
   std::string out;

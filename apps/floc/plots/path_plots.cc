@@ -15,9 +15,9 @@
 namespace floc {
 namespace {
 
-/// Indices of consecutive rows of a load path along which the pressure rises (`up`) or falls. The row at which the
-/// pressure reverses belongs to both branches. Rows with zero pressure are left out, because the pressure axis is
-/// logarithmic.
+/// One branch of a load path: the indices of consecutive rows along which the pressure rises (`up`) or falls. The row
+/// at which the pressure reverses belongs to two branches. Rows with zero pressure are left out, because the pressure
+/// axis is logarithmic.
 struct Branch {
   bool up = true;
   std::vector<int> rows;
@@ -37,8 +37,8 @@ std::vector<Branch> branches_of(const std::vector<double>& P) {
   return branches;
 }
 
-/// Returns the points `row(i)` of all branches along which the pressure rises (or falls, if `up` is false). A point of
-/// NaN separates two branches, so that no line joins them.
+/// Returns the points row(i) of the rows i of all branches along which the pressure rises or, if `up` is false, falls.
+/// Points of NaN separate the branches, so that no line joins two branches.
 template <class Row>
 std::vector<std::vector<double>> rows_going(bool up, const std::vector<Branch>& branches, Row&& row) {
   std::vector<std::vector<double>> rows;
@@ -66,8 +66,8 @@ double stress_of_unit(const PathTable& path, int row) {
 
 /// Returns the modulus of the state at the start of an unloading branch, in the unit of the pressures of the path;
 /// absent if this state is not available. The modulus is B_S, the bulk modulus for imposed stresses. In an oedometer
-/// test it is a modulus for uniaxial strain: M if the pressures are stresses on the driven axis, B_uniaxial if they are
-/// mean stresses.
+/// test the result is a modulus for uniaxial strain instead: M if the pressures of the path are stresses on the driven
+/// axis, B_uniaxial if they are mean stresses.
 std::optional<double> modulus_of_state(const PathTable& path, const Loading& branch) {
   const auto found = moduli_of_row(path, branch.rows.front(), driven_axis(path, branch.rows.back()));
   if (!found) return std::nullopt;
@@ -78,7 +78,7 @@ std::optional<double> modulus_of_state(const PathTable& path, const Loading& bra
 
 /// Adds points of the elastic line of an unloading branch, 1/Phi = exp((P_first - P)/B)/phi_first. The line begins at
 /// the first point (P_first, phi_first) of the branch and ends at its last pressure. B is the modulus of the state at
-/// the first point or, without this state, a modulus fitted to the branch.
+/// the first point; if this state is not available, B is fitted to the branch.
 void add_elastic_line(const PathTable& path, const Loading& branch, std::vector<std::vector<double>>& points) {
   constexpr int kSteps = 60;
   const double P_first = branch.curve.P_star.front(), P_last = branch.curve.P_star.back();
@@ -96,8 +96,9 @@ void add_elastic_line(const PathTable& path, const Loading& branch, std::vector<
   }
 }
 
-/// Returns the positions and the texts of labels above the plot, which name the regimes of the consolidation law. A
-/// regime that is too narrow for its own label is named in the label of its neighbour, so that labels do not overlap.
+/// Returns the positions and the texts of the labels above the plot, which name the regimes of the consolidation law.
+/// If a regime is too narrow for a label of its own, the label of its neighbour contains both names. Labels therefore
+/// do not overlap.
 std::vector<std::pair<double, std::string>> regime_labels(
     double low, const std::vector<std::pair<double, const char*>>& regimes) {
   constexpr double kNarrowest = 0.1;  // width of the label "III", as a fraction of the axis
@@ -118,7 +119,7 @@ std::vector<std::pair<double, std::string>> regime_labels(
   return labels;
 }
 
-/// Returns gnuplot commands that draw the limits of the regimes of the consolidation law and their names. A limit is
+/// Returns gnuplot commands that draw the limits and the names of the regimes of the consolidation law. A limit is
 /// drawn only if the data determine it.
 std::string regimes_script(const ConsolidationFit& fit, double low, double high) {
   const auto value = [&fit](const char* name) -> std::optional<double> {
@@ -145,8 +146,8 @@ std::string regimes_script(const ConsolidationFit& fit, double low, double high)
   return script;
 }
 
-/// Returns the gnuplot command that marks round values of the solid fraction Phi on the right axis. Each mark is at the
-/// height that 1/Phi has on the left axis.
+/// Returns the gnuplot command that marks round values of the solid fraction Phi on the right axis. The mark of a value
+/// Phi is at the height of the value 1/Phi on the left axis.
 std::string density_tics(const Plot& plot) {
   double low = 1.0, high = 0.0;
   for (const Plot::Block& block : plot.blocks)
@@ -196,17 +197,18 @@ Plot consolidation_plot(const std::vector<PathTable>& samples, const FittedConso
     const std::vector<Branch> branches = branches_of(pressures_of(sample));
     for (const auto& [up, rows] : {std::pair(true, &each), std::pair(false, &down)})
       for (auto& row : rows_going(up, branches, point)) rows->push_back(std::move(row));
-    // A row of NaN after each sample keeps its line separate from the line of the next sample.
+    // A row of NaN after each sample ends its line, so that it is not joined to the next sample.
     for (auto* rows : {&each, &down}) rows->push_back({std::nan(""), std::nan("")});
     for (const Loading& branch : unloadings(sample.rows)) add_elastic_line(sample, branch, elastic);
   }
   for (std::size_t i = 0; i < curve.phi.size(); ++i)
     mean.push_back({curve.P_star[i], 1.0 / curve.phi[i], error_of_mean(curve, i)});
-  plot.add("loading of each sample: P_star 1/phi", std::move(each));
-  plot.add("loading fitted: P_star 1/phi error_of_mean", std::move(mean));
-  plot.add("unloading: P_star 1/phi", std::move(down));
-  plot.add("elastic lines: P_star 1/phi", std::move(elastic));
-  plot.add("law: P_star 1/phi",
+  plot.add("loading of each sample: reduced pressure P*, inverse solid fraction 1/Phi", std::move(each));
+  plot.add("loading fitted: reduced pressure P*, inverse solid fraction 1/Phi, standard error of its mean",
+           std::move(mean));
+  plot.add("unloading: reduced pressure P*, inverse solid fraction 1/Phi", std::move(down));
+  plot.add("elastic lines: reduced pressure P*, inverse solid fraction 1/Phi", std::move(elastic));
+  plot.add("law: reduced pressure P*, inverse solid fraction 1/Phi",
            fitted.fit.found() ? law_points(fitted.fit) : std::vector<std::vector<double>>{});
   const std::string& unit = samples.front().unit;
   const std::vector<int> all = {0, 1, 2, 3, 4};
@@ -214,7 +216,7 @@ Plot consolidation_plot(const std::vector<PathTable>& samples, const FittedConso
   const double low = curve.P_star.empty() ? 1.0 : curve.P_star.front();
   const double high = curve.P_star.empty() ? 1.0 : curve.P_star.back();
   const bool one = samples.size() == 1;
-  // Order of drawing: the lines of the samples first, the mean and its errors last, on top.
+  // The lines of the samples are drawn first. The mean and its errors are drawn last, so that they lie on top.
   const std::string curves = plot_command(
       plot,
       {{0, fmt::format("using 1:2 with lines linecolor rgb '#bdbdbd' {}", one ? "notitle" : "title 'samples'")},
@@ -233,8 +235,8 @@ set y2label 'Φ'
 set key top right
 set title {title} offset 0,0.6
 {regimes}{curves})",
-      // The axis of Phi on the right has the range of the axis of 1/Phi on the left; density_tics() puts its marks at
-      // round values of Phi.
+      // Both vertical axes have the range of 1/Phi. On the right axis, density_tics() puts marks at round values of
+      // Phi.
       fmt::arg("ranges", range_script(plot, "x", all, 0, true) + y_range +
                              (y_range.empty() ? "" : "set y2" + y_range.substr(5)) + density_tics(plot)),
       fmt::arg("xlabel", gnuplot_quoted(pressure_label(unit, samples.front().stress))),
@@ -266,8 +268,8 @@ Plot coordination_plot(const CsvTable& path) {
   };
   Plot plot;
   const std::vector<Branch> branches = branches_of(pressures);
-  // The loop over k in the script draws columns 2 to 5 of a block. For unloading, only the curve of z has an entry in
-  // the legend.
+  // The loop over k in the script draws columns 2 to 5 of a block. For unloading, only the curve of z (column 2) has an
+  // entry in the legend.
   plot.add("loading: P_star z z_plus z_minus z_zero", rows_going(true, branches, row));
   plot.add("unloading: P_star z z_plus z_minus z_zero", rows_going(false, branches, row));
   plot.script = "set logscale x\n" + range_script(plot, "x", {0, 1}, 0, true) + R"(set format x '%g'
@@ -321,8 +323,8 @@ Plot moduli_plot(const std::vector<ModuliPoint>& points, const std::string& unit
   const std::vector<Branch> branches = branches_of(pressures);
   plot.add("loading: P_star B B_S G B_reuss B_voigt G_voigt", rows_going(true, branches, row));
   plot.add("unloading: P_star B B_S G B_reuss B_voigt G_voigt", rows_going(false, branches, row));
-  // The Reuss and Voigt bounds are drawn for loading only. They are drawn before the moduli, which then cover them.
-  // Bounds that do not hold are NaN, which gnuplot does not draw.
+  // The Reuss and Voigt bounds are drawn for loading only. They are drawn first, so that the moduli cover them. Bounds
+  // that do not hold are NaN, which gnuplot does not draw.
   const std::string curves = plot_command(
       plot,
       {{0,

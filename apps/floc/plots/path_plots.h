@@ -11,20 +11,20 @@
 
 namespace floc {
 
-/// A consolidation curve and the law fitted to it, as consolidation_plot() draws them.
+/// A consolidation curve and the law fitted to it, for consolidation_plot().
 struct FittedConsolidation {
   ConsolidationCurve curve;  ///< curve of the sample, or the mean curve of several samples
   ConsolidationFit fit;
 };
 
-/// Fits the consolidation law that the data support. It is fitted to the first loading of a sample or, for
-/// several samples, to the mean of their first loadings.
+/// Fits that form of the consolidation law which the data support. The law is fitted to the first loading of a sample
+/// or, for several samples, to the mean of their first loadings.
 FittedConsolidation fitted_consolidation(const std::vector<PathTable>& samples, double phi_limit = 1.0);
 
 /// Plots 1/Phi against P*, with Phi (solid fraction) on the right axis. The plot shows the samples, their mean with its
 /// error, the fitted law with its regimes, and the unloading branches with their elastic lines dPhi/Phi = dP/B. The
-/// modulus B is computed from the state at the start of the unloading branch if its file is in the directory of
-/// path.csv; otherwise B is fitted to the branch.
+/// modulus B is computed from the state at the start of the unloading branch if the file of this state is in the
+/// directory of path.csv; otherwise B is fitted to the branch.
 /// @param samples  load paths of the samples; at least one
 Plot consolidation_plot(const std::vector<PathTable>& samples, const FittedConsolidation& fitted);
 
@@ -33,8 +33,9 @@ Plot consolidation_plot(const std::vector<PathTable>& samples, const FittedConso
 /// @throws InputError if a column of path.csv is missing
 Plot coordination_plot(const CsvTable& path);
 
-/// Returns the unit of stresses and moduli as gnuplot text. This is the SI unit, or in reduced units F_0/a for disks
-/// and F_0/a^2 for spheres. Without cohesion there is no pull-off force F_0, and the text is "units of the state".
+/// Returns the unit of stresses and moduli as gnuplot text. In SI units, this is the SI unit of the stress. In reduced
+/// units, it is F_0/a for disks and F_0/a^2 for spheres. Without cohesion there is no pull-off force F_0, and the text
+/// is "units of the state".
 /// @param units  "reduced" or "SI"
 std::string stress_unit(const std::string& units, int dimension, bool cohesive);
 
@@ -48,7 +49,8 @@ struct ModuliPoint {
   /// Returns this point with NaN in place of the bounds that do not hold.
   /// @param hold  whether the bounds of the bulk modulus, B_reuss <= B <= B_voigt, and of the shear modulus, G <=
   /// G_voigt, are valid
-  /// @param stable  whether no eigenvalue of the stiffness matrix is negative; this alone is enough for G <= G_voigt
+  /// @param stable  whether no eigenvalue of the stiffness matrix is negative; if true, G <= G_voigt is valid even if
+  /// `hold` is false
   ModuliPoint with_bounds(bool hold, bool stable) const;
 };
 

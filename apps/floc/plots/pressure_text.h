@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Returns whether a state has a reduced pressure. Rigid grains without adhesion have none, because the
-/// pressure is their only scale of forces.
+/// Returns whether a state has a reduced pressure. A state of rigid grains without adhesion has no reduced pressure,
+/// because the pressure is its only scale of forces.
 template <int Dim>
 bool has_reduced_pressure(const State<Dim>& state);
 

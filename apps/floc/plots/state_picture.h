@@ -11,8 +11,9 @@ namespace floc {
 enum class Shown {
   equilibrium,     ///< contact forces
   isotropic_step,  ///< increments of the contact forces in a small step of pressure
-  deviatoric_step,  ///< increments of the contact forces in a small step of the stress difference of axes 1 and 2
-  particle_pressure,  ///< pressure of each grain, as its colour
+  /// increments of the contact forces in a small step of the difference between the stresses on axes 1 and 2
+  deviatoric_step,
+  particle_pressure,  ///< grains coloured by their pressure
   phases,  ///< grains coloured by the sign of their pressure, and contacts between grains of equal sign
   kinds,   ///< contact forces of grains with corners, coloured by the kind of contact
   grains,  ///< grains without forces
@@ -20,8 +21,8 @@ enum class Shown {
 
 /// Draws a state; the caption gives its pressure, solid fraction and coordination number.
 /// @param file  name of the state file, for messages
-/// @throws InputError if a mechanism lets the cell deform without resistance, so that the contact network cannot
-/// balance the step of stress
+/// @throws InputError if a mechanism lets the cell deform without resistance, because the contact network then cannot
+/// balance a step of stress
 template <int Dim>
 PackingPicture<Dim> picture_of(const std::string& file, const State<Dim>& state, Shown shown);
 

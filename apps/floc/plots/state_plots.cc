@@ -31,7 +31,7 @@ constexpr const char* kColors =
     "array marker[6] = [7, 8, 4, 12, 10, 2]\n";
 constexpr int kDrawsForNoPValue = 1;
 
-/// Returns a width of the bins of a histogram, chosen so that about twenty bins hold nine tenths of the forces.
+/// Returns a bin width for a histogram, chosen so that about twenty bins contain nine tenths of the forces.
 double bin_width(std::vector<double> forces) {
   const auto quantile = [&forces](double share) {
     const auto at =
@@ -43,8 +43,8 @@ double bin_width(std::vector<double> forces) {
   return range > 0.0 ? round_number_below(range / 20.0) : 0.1;
 }
 
-/// Fits an exponential tail to the forces f of one sign that exceed their mean, the threshold, and adds points of this
-/// tail from the threshold to the largest force. The density is the fraction of all forces that are in the tail, times
+/// Fits an exponential tail to those forces f of one sign that exceed their mean (the threshold), and adds points of
+/// the fitted tail from the threshold to the largest force. The density of the tail is its fraction of all forces times
 /// exp[-(f - threshold)/f_0]/f_0, with the fitted force f_0.
 void add_tail(const std::vector<double>& forces, double sign, std::vector<std::vector<double>>& rows) {
   std::vector<double> sizes;
@@ -70,7 +70,8 @@ std::vector<std::vector<double>> density_rows(const ForceDistribution& d) {
   std::vector<std::vector<double>> rows;
   for (int b = 0; b < static_cast<int>(d.counts.size()); ++b)
     if (d.counts[b] > 0) {
-      // The count n of a bin is a Poisson variable. The next lines give an approximate 68 % interval for its mean.
+      // The count n of a bin is a Poisson variable. The next lines give an approximate 68 % confidence interval for the
+      // mean of this variable.
       const auto n = static_cast<double>(d.counts[b]);
       const double half = std::sqrt(n + 0.25), density = d.density(b) / n;
       rows.push_back({d.middle(b), n * density, (n + 0.5 - half) * density, (n + 0.5 + half) * density, n});
@@ -78,8 +79,9 @@ std::vector<std::vector<double>> density_rows(const ForceDistribution& d) {
   return rows;
 }
 
-/// Fits an exponential to the values p of one sign, and adds points of it from zero to the largest value. The density
-/// is the fraction of values that have this sign, times b exp(-b |p|), with the fitted parameter b.
+/// Fits an exponential distribution to the values p of one sign, and adds points of the fitted density from zero to the
+/// largest value. The density is the fraction of values with this sign times b exp(-b |p|), with the fitted parameter
+/// b.
 void add_exponential(const std::vector<double>& values, double sign, std::vector<std::vector<double>>& rows) {
   const std::vector<double> sizes = sizes_of(values, sign);
   const ExponentEstimate fit = fit_exponent({cut_sample(sizes, 0.0, std::numeric_limits<double>::infinity())});
@@ -102,10 +104,11 @@ ForceSample force_sample(const std::string& place, const std::string& name, cons
   ForceSample sample{name, {}, contact_forces(packing, kind)};
   const double size = force_unit(packing, kind, unit);
   if (sample.forces.empty() || size <= 0.0)
-    throw InputError(place,
-                     fmt::format("this state has no {} contact forces, or their unit in this plot is "
-                                 "zero: expected a state with such forces, in which this unit is not zero",
-                                 name_of(kind)));
+    throw InputError(
+        place,
+        fmt::format("this state has no {} contact forces, or their unit in this plot is "
+                    "zero: expected a state with contact forces of this kind and with a unit that is not zero",
+                    name_of(kind)));
   for (double& f : sample.forces) f /= size;
   sample.distribution = force_distribution(packing, kind, unit, bin_width(sample.forces));
   return sample;
@@ -114,8 +117,8 @@ ForceSample force_sample(const std::string& place, const std::string& name, cons
 namespace {
 
 /// Returns the ends of the axis that the curves of all samples share. The axis shows 99 % of the values of each sample,
-/// but not more than three times the range of the sample with the narrowest range, whose curve would otherwise become a
-/// spike.
+/// but at most three times the range of the sample with the narrowest range. Otherwise the curve of this sample would
+/// become a spike.
 /// @param samples  values of each sample
 std::pair<double, double> shown_values(std::vector<std::vector<double>> samples) {
   constexpr double kLeftOut = 0.005, kWidest = 3.0;
@@ -163,15 +166,16 @@ std::string density_axes(const Plot& plot, const std::vector<int>& points,
   return script;
 }
 
-/// A distribution to draw: the values of a sample, the rows of their histogram, and points of the fitted exponentials.
+/// A distribution to draw: the values of a sample, the rows of the histogram of these values, and points of the fitted
+/// exponentials.
 struct DensityCurve {
   std::string name;
   const std::vector<double>& values;
   std::vector<std::vector<double>> rows, fits;
 };
 
-/// Words in the labels of a plot of densities: for one value ("force"), for several values ("forces"), and for the
-/// fitted exponentials.
+/// Words for the labels of a plot of densities: the words for one value ("force"), for several values ("forces") and
+/// for the fitted exponentials.
 struct DensityWords {
   const char *value, *values, *fits;
 };
@@ -183,13 +187,13 @@ Plot density_plot(std::vector<DensityCurve> densities, const DensityWords& words
   std::vector<int> all;
   std::vector<std::vector<double>> values;
   for (const DensityCurve& d : densities) values.push_back(d.values);
-  // All samples share one x axis. Its range is limited, so that a sample with widely spread values does not reduce the
-  // curve of another sample to a spike.
+  // All samples have the same x axis. Its range is limited: otherwise a sample with widely spread values would reduce
+  // the curve of another sample to a spike.
   const std::pair<double, double> shown = shown_values(std::move(values));
   for (std::size_t s = 0; s < densities.size(); ++s) {
     DensityCurve& d = densities[s];
     const std::size_t color = s % 6 + 1;
-    // The legend has a single entry for all fitted exponentials, at the first sample that has them.
+    // The legend has a single entry for all fitted exponentials: that of the first sample with such a fit.
     const bool named = d.fits.empty() || !fits.empty();
     all.push_back(
         plot.add(fmt::format("{}: {} density low high count", d.name, words.value), std::move(d.rows)));

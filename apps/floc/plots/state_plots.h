@@ -13,12 +13,12 @@ namespace floc {
 struct ForceSample {
   std::string name;  ///< name in the legend
   ForceDistribution distribution;
-  /// Forces or moments from which `distribution` is computed, divided by the unit that was given to force_sample().
+  /// Forces or moments from which `distribution` is computed, divided by the unit of force_sample().
   std::vector<double> forces;
 };
 
 /// Returns the contact forces of one kind (normal, tangential, rolling) in a packing and their distribution. The bins
-/// of the distribution are so wide that about twenty of them hold nine tenths of the forces.
+/// of the distribution are so wide that about twenty of them contain nine tenths of the forces.
 /// @param place  name of the state file, for messages
 /// @param name  name of the state in the legend
 /// @throws InputError if the packing has no contact forces of this kind or the unit of force is zero
@@ -26,8 +26,8 @@ template <int Dim>
 ForceSample force_sample(const std::string& place, const std::string& name, const Packing<Dim>& packing,
                          ForceKind kind, ForceUnit unit);
 
-/// Plots probability densities of contact forces on a logarithmic axis, with error bars from the counts. Exponential
-/// tails are fitted to the forces of each sign that exceed the mean force of that sign.
+/// Plots probability densities of contact forces on a logarithmic axis, with error bars computed from the counts of the
+/// bins. Exponential tails are fitted to the forces of each sign that exceed the mean force of that sign.
 Plot forces_plot(const std::vector<ForceSample>& samples, ForceKind kind, ForceUnit unit);
 
 /// Particle pressures of one state. Their unit is F0/<a>^(d-1), with the pull-off force F0, the mean diameter <a> and
@@ -48,8 +48,8 @@ template <int Dim>
 PressureSample pressure_sample(const std::string& place, const std::string& name, const Packing<Dim>& packing,
                                double zero_force);
 
-/// Plots probability densities of particle pressures on a logarithmic axis, with error bars from the counts. For each
-/// sign of the pressure, an exponential fitted by maximum likelihood is drawn.
+/// Plots probability densities of particle pressures on a logarithmic axis, with error bars computed from the counts of
+/// the bins. For each sign of the pressure, an exponential fitted by maximum likelihood is drawn.
 /// @pre there is at least one sample, and all samples have the same kind of unit
 Plot pressures_plot(const std::vector<PressureSample>& samples);
 
@@ -66,7 +66,7 @@ struct ScatteringSample {
   std::string failure_reason;  ///< reason why the law was not fitted; empty if it was fitted
 };
 
-/// Computes I(k), the scattered intensity of the indicator function of the grains at wave number k, and fits the law of
+/// Computes the scattered intensity I(k) at wave numbers k from the indicator function of the grains. Fits the law of
 /// fractal aggregates to the points up to k = pi/a, where a is the largest diameter.
 template <int Dim>
 ScatteringSample scattering_sample(const std::string& name, const Packing<Dim>& packing);

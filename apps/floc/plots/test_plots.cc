@@ -30,8 +30,8 @@ struct TestColumns {
   std::vector<int> stress, strain;
 };
 
-/// Returns the shear strain, the ratio tau/sigma of shear to normal stress and the volumetric strain in row `row` of a
-/// simple shear test that started in row `first`.
+/// Returns three values for row `row` of a simple shear test that started in row `first`: the shear strain, the ratio
+/// tau/sigma of shear to normal stress, and the volumetric strain.
 /// @param axis  axis normal to the shear planes
 std::vector<double> sheared_row(const CsvTable& path, const TestColumns& columns, int row, int first,
                                 int axis) {
@@ -44,8 +44,8 @@ std::vector<double> sheared_row(const CsvTable& path, const TestColumns& columns
 using Rows = std::vector<std::vector<double>>;
 
 /// Computes the deviator q, the lateral stress ratio K0 and the strains of a test from the stresses and strains in a
-/// row of path.csv. The columns q and K0 of the table are not used, because in the row where a test starts they refer
-/// to the axis of the stage before.
+/// row of path.csv. The columns q and K0 of the table are not used, because in the first row of a test they refer to
+/// the driven axis of the previous stage.
 template <int Dim>
 AxialTest test_at(const CsvTable& path, const TestColumns& columns, int row, int axis, int first) {
   Vec<Dim> stress, strain;
@@ -155,8 +155,8 @@ Plot fabric_plot(const std::vector<std::pair<std::string, ContactDirections>>& s
   for (std::size_t k = 0; k < states.size(); ++k) {
     const ContactDirections& d = states[k].second;
     Rows rows;
-    // Contacts with directions n and -n are equal, so the bins from 0 to 180 degrees are drawn twice. A bin is an arc
-    // between its two edges. The first point is repeated at the end, which closes the curve.
+    // Contacts with directions n and -n are equivalent, so the bins from 0 to 180 degrees are drawn twice. Each bin is
+    // drawn as an arc between its two edges. The first point is repeated at the end, which closes the curve.
     for (int turn = 0; turn < 2; ++turn)
       for (int b = 0; b < d.n_bins; ++b)
         for (const int edge : {b, b + 1})

@@ -12,11 +12,11 @@
 namespace floc {
 namespace {
 
-/// Smallest relative error that is drawn. Smaller errors are drawn at this value, because the axis is logarithmic.
+/// Smallest relative error on the logarithmic axis. Smaller errors are drawn at this value.
 constexpr double kSmallest = 1e-10;
 
 /// One curve of the plot: the errors and costs measured for several values of one parameter, in the order of increasing
-/// cost. The value that the scene gives is one of these values.
+/// cost. The value in the scene is one of these values.
 struct ParameterCurve {
   std::string parameter;
   std::vector<const MeasuredSetting*> settings;
@@ -26,8 +26,8 @@ bool is_compared(const MeasuredSetting& m, Observable observable) {
   return std::isfinite(single_state_error(m.errors[observable]));
 }
 
-/// Returns the first of the `candidates` for which errors of single states were measured; if there is none, the
-/// last one.
+/// Returns the first of the `candidates` for which errors of single states were measured. If there is no such
+/// candidate, returns the last candidate.
 Observable first_compared(const Tradeoff& tradeoff, std::initializer_list<Observable> candidates) {
   for (const Observable candidate : candidates)
     if (std::any_of(tradeoff.settings.begin(), tradeoff.settings.end(),
@@ -64,8 +64,8 @@ std::vector<ParameterCurve> curves_of(const Tradeoff& tradeoff, Observable obser
   return curves;
 }
 
-/// Returns a plot with one block of data per curve. Each row of a block has the relative cost and the errors of
-/// the observables of the two panels for one value of the parameter.
+/// Returns a plot with one block of data per curve. Each row of a block belongs to one value of the parameter. It
+/// contains the relative cost and the errors of the two observables that the panels show.
 Plot blocks_of(const std::vector<ParameterCurve>& curves, const Panels& panels) {
   const auto drawn = [](const MeasuredSetting& m, Observable k) {
     return std::max(single_state_error(m.errors[k]), kSmallest);

@@ -84,7 +84,7 @@ bool was_signalled() {
 int run_floc(const std::vector<std::string>& arguments, const ChildOptions& options) {
   const pid_t child = start_floc(arguments, options);
   g_child = child;
-  // The handler has not passed on a signal that arrived before g_child was set.
+  // A signal that arrived before g_child was set was not passed on by the handler, so it is passed on here.
   if (was_signalled()) ::kill(child, SIGTERM);
   const int code = wait_for(child);
   g_child = 0;

@@ -24,12 +24,12 @@ struct ChildOptions {
 /// @throws IoError if no process can be started
 pid_t start_floc(const std::vector<std::string>& arguments, const ChildOptions& options);
 
-/// Converts the status of waitpid() to an exit code: the exit code of the process or, if a signal ended it, 128 plus
-/// the number of the signal.
+/// Converts the status of waitpid() to an exit code: the exit code of the process or, if a signal ended the process,
+/// 128 plus the number of the signal.
 int exit_code_of(int status);
 
-/// Waits until a child process ends, even if this process receives a signal. @return exit code of the child, as
-/// exit_code_of() returns it
+/// Waits until a child process ends; a signal to this process does not end the waiting. @return exit code of the child,
+/// as exit_code_of() returns it
 int wait_for(pid_t child);
 
 /// Installs signal handlers, after which SIGINT and SIGTERM no longer end this process. If such a signal arrives while

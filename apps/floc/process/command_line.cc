@@ -33,9 +33,9 @@ std::vector<std::string> command_names(const CLI::App& app) {
   return names;
 }
 
-/// Returns a message on the first argument that is neither an option nor a subcommand of `app`. If there is none, the
-/// arguments of the subcommand that was given are searched in the same way. The message names the most similar option
-/// or command; it is empty if all arguments are known.
+/// Returns a message about the first argument that is neither an option nor a subcommand of `app`. If there is no such
+/// argument, the arguments of the given subcommand are searched in the same way. The message names the most similar
+/// option or command; it is empty if all arguments are known.
 /// @param called  name by which the user called `app`, such as "floc fit"
 std::string unknown_name(const CLI::App& app, const std::string& called) {
   const std::vector<CLI::App*> given = app.get_subcommands();
@@ -43,7 +43,7 @@ std::string unknown_name(const CLI::App& app, const std::string& called) {
     const std::string name = argument.substr(0, argument.find('='));
     if (name.starts_with('-') && name.size() > 1)
       return called + " has no option " + name + "; the nearest is " + nearest_name(name, option_names(app));
-    // The unknown name is reported even if a valid command follows it: "floc modli demo".
+    // The unknown name is reported even if a valid command follows, as in "floc modli demo".
     if (const std::vector<std::string> commands = command_names(app); !commands.empty())
       return called + " has no command " + name + "; the nearest is " + nearest_name(name, commands) + " (" +
              called + " --help lists all commands)";
@@ -62,8 +62,8 @@ struct ValueOf<std::optional<T>> : ValueOf<T> {};
 template <class T>
 struct ValueOf<std::vector<T>> : ValueOf<T> {};
 
-/// Checks the text that a user gave for a number, and rewrites whole numbers in plain decimal digits. CLI11 itself
-/// would read "nan" and "inf" as numbers, 0x10 as 16, 010 as 8, and -1 as the largest seed.
+/// Checks the text that a user gave for a number, and rewrites a whole number in plain decimal digits. Without this
+/// check, CLI11 would read "nan" and "inf" as numbers, 0x10 as 16, 010 as 8, and -1 as the largest seed.
 /// @return error message; empty if the number is valid
 template <class Number>
 std::string read_number(std::string& given) {
@@ -85,8 +85,8 @@ std::string read_number(std::string& given) {
   }
 }
 
-/// Returns a validator that accepts the numbers within a range. The validator of CLI11 is not used: its messages print
-/// the largest double with three hundred digits.
+/// Returns a validator that accepts the numbers within a range. The validator of CLI11 is not used, because its
+/// messages print the largest double with three hundred digits.
 /// @param name  text that stands for the value of the option in the help
 template <class Number, class Range>
 CLI::Validator number_within(const std::string& name, const Range& range) {
@@ -260,7 +260,7 @@ std::optional<int> ProgramLine::parse(int argc, char** argv) {
   try {
     app_->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    // CLI11 treats "floc modli --help" as a request for help, although there is no command modli.
+    // CLI11 prints the help for "floc modli --help" without an error, although there is no command modli.
     const bool fault = error.get_exit_code() != 0 || app_->get_subcommands().empty();
     if (const std::string unknown = unknown_name(*app_, app_->get_name()); fault && !unknown.empty()) {
       std::cerr << "floc: " << unknown << "\nRun with --help for more information.\n";

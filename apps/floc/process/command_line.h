@@ -32,8 +32,8 @@ class Option {
   /// Shows the present value of the variable of this option in the help, as the default.
   Option show_default();
 
-  /// Makes the option accept only numbers within a range. The range is defined in the library, which also refuses
-  /// numbers outside it.
+  /// Makes the option accept only numbers within a range. The library defines this range and also rejects numbers
+  /// outside of it.
   Option within(const NumberRange& range);
   Option within(const WholeRange& range);
   Option positive() { return within(kPositiveNumber); }
@@ -54,8 +54,8 @@ class Option {
   CLI::Option* option_;
 };
 
-/// The command line of the program or of one of its commands. Handles may be copied; ProgramLine owns the parser that
-/// they refer to.
+/// The command line of the program or of one of its commands. Handles may be copied. They refer to a parser that
+/// ProgramLine owns.
 ///
 /// This class and Option hide CLI11, whose headers and templates would about double the time to compile each command.
 /// Only command_line.cc includes it.
@@ -66,7 +66,8 @@ class CommandLine {
   void require_one_subcommand();
   /// Returns whether this subcommand was given.
   bool parsed() const;
-  /// Returns the names of the parent commands and of this command, without the name of the program: "fit elastic".
+  /// Returns the names of the parent commands and of this command, without the name of the program, such as "fit
+  /// elastic".
   std::string full_name() const;
   /// Sets a function that is called if this command was given, after the whole command line has been parsed without an
   /// error.
@@ -76,8 +77,8 @@ class CommandLine {
   void footer(const std::string& text);
 
   /// Adds an option ("-o,--output") or a positional argument ("STATE"), which is read into `value` when the command
-  /// line is parsed. Numbers have to be decimal and finite, and whole numbers have to fit the type of the variable.
-  /// The template is instantiated in command_line.cc for each type of variable; a new type needs a line there.
+  /// line is parsed. Numbers have to be decimal and finite, and whole numbers have to fit the type of the variable. The
+  /// template is instantiated in command_line.cc for each type of variable; a new type needs a new line in that file.
   template <class T>
   Option add_option(const std::string& name, T& value, const std::string& text);
   Option add_flag(const std::string& name, bool& value, const std::string& text);

@@ -9,7 +9,8 @@ Fault fault_of(const std::string& file, const std::function<int()>& work) {
   try {
     return {work(), ""};
   } catch (const InputError& error) {
-    const std::string message = error.what();  // the message of an error in a packing may not name the file
+    // the message of an error in a packing may lack the name of the file
+    const std::string message = error.what();
     return {kBadInput, message.find(file) == std::string::npos ? file + ": " + message : message};
   } catch (const IoError& error) {
     return {kFailure, error.what()};

@@ -12,7 +12,8 @@ struct Fault {
   std::string message;
 };
 /// Runs `work` and catches its exceptions.
-/// @param file  name of the file that `work` processes; messages that do not contain this name get it as a prefix
+/// @param file  name of the file that `work` processes; a message that does not contain this name is preceded by the
+/// name
 Fault fault_of(const std::string& file, const std::function<int()>& work);
 
 }  // namespace floc

@@ -28,10 +28,9 @@ void finish_output() {
 
 void write_csv(const std::string& path, const Table& table) {
   if (path == "-")
-    throw InputError(
-        path,
-        "this name means standard output, which the first table of this command takes: expected the name of a "
-        "file");
+    throw InputError(path,
+                     "this name means standard output, which already receives the first table of this command: "
+                     "expected the name of a file");
   std::ostringstream text;
   write_table(text, table, TableFormat::csv);
   write_bytes_atomically(path, text.str());

@@ -29,8 +29,8 @@ void add_states_argument(CommandLine app, std::vector<std::string>& files);
 int for_each_file(const std::vector<std::string>& files,
                   const std::function<int(const std::string& file)>& work);
 
-/// A function that processes a state read from a file and returns an exit code. Its remarks on all states are collected
-/// and printed after the last state, each remark once.
+/// A function that processes a state read from a file and returns an exit code. The remarks of this function on all
+/// states are collected. After the last state, each different remark is printed once.
 using StateWork = std::function<int(const std::string& file, const AnyState& state, const Remarks& remarks)>;
 
 /// Reads each file and calls `work` with its state. If a file cannot be read or `work` throws, the error and the name

@@ -22,9 +22,9 @@ std::string pattern_of(const std::string& chosen) {
   return chosen == "all" ? "*" : chosen;
 }
 
-/// Returns the names of the columns that a command can print, or patterns of these names. A table such as "moduli
-/// --increments" is written to a file, so its columns are not included, unless the command has no other table (as
-/// "campaign collect --table runs").
+/// Returns the names of the columns that a command can print, or patterns of these names. Columns of a table that an
+/// option writes to a file, such as "moduli --increments", are not included. They are included only if all tables of
+/// the command belong to options, such as "campaign collect --table runs".
 std::vector<std::string> names_printed_by(const std::string& command) {
   std::vector<std::string> printed, with_option;
   for (const DescribedTable& table : described_tables()) {
@@ -76,7 +76,7 @@ std::size_t printed_width(const Table& table) {
   return widest;
 }
 
-/// Returns the first columns of `wanted`, as many as fit the width of the terminal, but at least one.
+/// Returns a table with the first columns of `wanted`: as many as fit the width of the terminal, but at least one.
 Table fitting(const Table& table, const std::vector<std::string>& wanted) {
   const auto room = static_cast<std::size_t>(terminal_width());
   std::vector<std::size_t> shown;

@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Collects the remarks on many states. Its destructor prints each remark once, with the text for the worst state and
-/// the number of states. Texts that differ only in their numbers count as one remark.
+/// Collects the remarks on many states. The destructor prints each remark once, with its text for the worst state and
+/// the number of states to which it applies. Texts that differ only in their numbers count as one remark.
 class RepeatedWarnings {
  public:
   RepeatedWarnings() = default;
@@ -32,7 +32,7 @@ class RepeatedWarnings {
   std::vector<Warning> kept_;
 };
 
-/// Returns a Remarks that prints its texts on stderr immediately, as "floc: FILE: TEXT".
+/// Returns a Remarks object that prints its texts on stderr immediately, as "floc: FILE: TEXT".
 Remarks printed_remarks();
 
 }  // namespace floc

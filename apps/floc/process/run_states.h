@@ -6,16 +6,16 @@
 namespace floc {
 
 /// Returns the name of the file path.csv in the directory of a run.
-/// @throws InputError if the directory has no path.csv. If it holds several samples of a scene (DIR/seed-N), the
-/// message names the directory of one sample
+/// @throws InputError if the directory has no path.csv. If the directory contains several samples of a scene
+/// (DIR/seed-N), the message names the directory of one sample
 std::string table_of_run(const std::string& directory);
 
 /// Returns the names of the state files in the directory of a run, from state-0000.h5 on, in order.
 /// @throws InputError if the directory has no state files
 std::vector<std::string> states_of_run(const std::string& directory);
 
-/// Returns the names of state files: the inputs, where each directory is replaced by the states of its run that have
-/// the numbers `steps`, or by all its states if `steps` is empty.
+/// Returns the inputs with each directory replaced by the state files of its run: those with the numbers `steps` or, if
+/// `steps` is empty, all of them.
 /// @throws InputError if a directory has no state files, or if `steps` are given but no directory
 std::vector<std::string> states_of_inputs(const std::vector<std::string>& inputs,
                                           const std::vector<int>& steps = {});

@@ -12,7 +12,8 @@ namespace fs = std::filesystem;
 
 std::vector<std::string> states_of_directory(const std::string& directory) {
   if (fs::exists(state_file(directory, 0))) return states_of_run(directory);
-  std::map<std::pair<std::size_t, std::string>, fs::path> samples;  // seed-2 sorts before seed-10
+  // The key is the length and the text of a name, so that seed-2 comes before seed-10.
+  std::map<std::pair<std::size_t, std::string>, fs::path> samples;
   for (const auto& entry : fs::directory_iterator(directory))
     if (const std::string name = entry.path().filename(); name.starts_with("seed-") && entry.is_directory())
       samples[{name.size(), name}] = entry.path();

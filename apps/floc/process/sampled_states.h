@@ -5,8 +5,8 @@
 
 namespace floc {
 
-/// Returns the names of the state files in the directory of a run, in order. If the directory holds several samples of
-/// a scene, returns the states of all samples DIR/seed-N, one sample after the other.
+/// Returns the names of the state files in the directory of a run, in order. If the directory contains several samples
+/// of a scene (DIR/seed-N), returns the states of all samples, one sample after the other.
 /// @throws InputError if there are no state files
 std::vector<std::string> states_of_directory(const std::string& directory);
 

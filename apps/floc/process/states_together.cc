@@ -14,9 +14,9 @@
 namespace floc {
 namespace {
 
-/// Calls `work` on every process of a solver. If errors occur on several processes, only the first of these
-/// processes prints its error.
-/// @return exit code of this first process, returned on all processes
+/// Calls `work` on every process of a solver. If errors occur on several processes, only the process with the lowest
+/// rank among them prints its error.
+/// @return exit code of this process, the same on all processes
 int together(ParallelSolver& solver, const std::string& file, const std::function<int()>& work) {
   const Fault fault = fault_of(file, work);
   double first = fault.code == kDone ? 0.0 : solver.size() - solver.rank();
@@ -66,7 +66,8 @@ int for_each_state_together(const std::vector<std::string>& files, ParallelSolve
     const Fault fault = fault_of(file, [&] { return work(file, state, remarks), int{kDone}; });
     if (fault.code == kDone) return kDone;
     // If the network has no moduli, all processes find this, and the first process reports it. Any other error may
-    // occur on some processes only. It ends all processes, because the others would wait for them forever.
+    // occur on only some of the processes. All processes are then ended, because the others would wait forever for the
+    // failed ones.
     if (speaks || fault.code != kNotConverged) std::cerr << "floc: " << fault.message << '\n';
     if (fault.code != kNotConverged && solver.size() > 1) solver.abort(fault.code);
     return fault.code;

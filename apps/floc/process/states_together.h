@@ -17,8 +17,9 @@ using StateChange = std::function<void(const std::string& file, AnyState& state,
 /// 1. The first process verifies the checksum of the file and reads it; then the other processes read it.
 /// 2. The first process calls `check`.
 /// 3. If the exit code of `check` is 0, all processes call `work`.
-/// An error is printed once, and the next file is processed. An error in `work` on only some of the processes, however,
-/// ends all processes.
+///
+/// An error is printed once, and the next file is processed. If an error in `work` occurs on only some of the processes,
+/// however, all processes are ended.
 /// @return worst of the exit codes, the same on all processes
 int for_each_state_together(const std::vector<std::string>& files, ParallelSolver& solver,
                             const StateWork& check, const StateChange& work);

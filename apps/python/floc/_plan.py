@@ -50,7 +50,7 @@ def plan(scene, *, budget=None, want=None, cores=1, observables=(), changes=None
     pilot : bool
         Whether to run a few small samples of the scene first, and to take costs and scatter from them.
     output : path-like, optional
-        Campaign file to write, which makes the samples of the best plan; a scene if the plan has one sample.
+        File to write for the best plan: a campaign file, or a scene file if the plan has only one sample.
 
     Returns
     -------

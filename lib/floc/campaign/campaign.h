@@ -17,20 +17,20 @@ struct SceneChange {
   std::string text() const { return key + "=" + value; }
 };
 
-/// States of a run that a campaign file selects: all states, the last one, those with given numbers, or those at given
-/// pressures.
+/// Choice of states of a run, as given in a campaign file: all states, the last state, the states with given numbers,
+/// or the states at given pressures.
 struct StateChoice {
   enum Kind { all, last, steps, pressures };
   Kind kind = all;
   std::vector<int> numbers;  ///< numbers of the chosen states, if `kind` is `steps`
   std::string branch;        ///< branch of the load path with the states, if `kind` is `pressures`; empty: any
   std::vector<double> P_star;  ///< reduced imposed pressures of the states, if `kind` is `pressures`
-  /// whether `P_star` are stresses on the driven axis, not equal pressures on all axes
+  /// whether `P_star` contains stresses on the driven axis; if not, it contains pressures that are equal on all axes
   bool is_driven = false;
   std::string place;  ///< "FILE:LINE" in the campaign file, for messages
 };
 
-/// A case of a campaign: its scene with some keys changed, which is run with every seed.
+/// A case of a campaign: the scene of the campaign with changed values of some keys. It is run with every seed.
 struct CampaignCase {
   std::string label;  ///< name of the directory of the case; consists of letters, digits and "_=.+-"
   std::vector<SceneChange> changes;
@@ -39,11 +39,11 @@ struct CampaignCase {
 
 /// Columns of one table that a campaign collects from every run, for some states of the run.
 struct Collection {
-  std::string table;  ///< path, moduli, network, structure or compare
+  std::string table;  ///< name of the table: path, moduli, network, structure or compare
   std::vector<std::string> columns;
   std::vector<std::string> options;  ///< options of the command that makes the table
   StateChoice states;
-  StateChoice before;  ///< for the table compare: the single state with which `states` are compared
+  StateChoice before;  ///< only for the table compare: the single state with which `states` are compared
   std::string place;   ///< "FILE:LINE" in the campaign file, for messages
 };
 
@@ -60,20 +60,21 @@ struct Reference {
   std::vector<SceneChange> when;  ///< keys and values that select the cases to compare; empty: all cases
   StateChoice state;              ///< state at which a column is compared
   double value = 0.0;
-  /// Standard deviation of the values of the reference samples; the standard error of `value` for a single sample.
+  /// Standard deviation of the values of the reference samples. If `n_samples` is 1, it is the standard error of
+  /// `value`.
   double deviation = 0.0;
   int n_samples = 1;
   std::string source;
   std::string place;  ///< "FILE:LINE" in the campaign file, for messages
 };
 
-/// Promise of floc plan about a campaign: see floc/planning/plan.h.
+/// Cost and errors of a campaign as floc plan has predicted them, see floc/planning/plan.h.
 struct PlanPromise {
   std::string settings;       ///< name of the numerical settings in the table of prices, such as "patience 0.2"
-  std::string prices;         ///< table of prices, or pilot, from which the promise is made
+  std::string prices;         ///< table of prices, or pilot, from which the prediction was made
   double core_seconds = 0.0;  ///< processor time of all runs (s)
-  /// Names of observables, each with its promised relative error: half the width of the 95 % interval divided
-  /// by the value. The value is a mean over states and samples, or a fit.
+  /// Names of observables, each with its predicted relative error: half the width of the 95 % confidence interval,
+  /// divided by the value. The value is a mean over states and samples, or the result of a fit.
   std::vector<std::pair<std::string, double>> errors;
 };
 

@@ -32,8 +32,8 @@ std::vector<std::string> overrides_of(const CampaignCase& one) {
   return texts;
 }
 
-/// Returns the place in the campaign file that an error in the scene of a case refers to: the place of the change that
-/// the message `fault` names or, if it names no change, the place of the case.
+/// Returns the place in the campaign file from which an error in the scene of a case comes: the place of the change
+/// that the message `fault` names or, if the message names no change, the place of the case.
 std::string blamed_place(const CampaignCase& one, const std::string& fault) {
   for (const SceneChange& change : one.changes)
     if (fault.find("--set " + change.text()) != std::string::npos) return change.place;
@@ -51,8 +51,8 @@ double planned_pressure(const Scene& scene, const PlannedEquilibrium& equilibriu
   return reduced_pressure(largest, pressure);
 }
 
-/// Returns the stress that an equilibrium imposes on its driven axis, or on all axes. It is not known if a strain is
-/// imposed on the axis.
+/// Returns the stress that an equilibrium imposes on its driven axis, or on all axes if the load is isotropic. Returns
+/// std::nullopt if this stress is not known before the run, for example because a strain is imposed on the driven axis.
 /// @param from  stress on each axis at the start of the stage, as far as it is known
 std::optional<double> planned_driven_stress(const KnownStress& from, const PlannedEquilibrium& e) {
   if (e.is_isotropic()) return e.pressure;
@@ -98,8 +98,9 @@ bool same_value(const std::string& a, const std::string& b) {
   return x && y ? *x == *y : a == b;
 }
 
-/// Returns the number of the state of a case whose reduced pressure, on all axes or on the driven one as `choice` says,
-/// is P_star or nearest to it, within kSamePressure.
+/// Returns the number of the state of a case whose reduced pressure is nearest to P_star and differs from P_star by at
+/// most the fraction kSamePressure. `choice` determines which pressure is compared: the pressure on all axes or the
+/// pressure on the driven axis.
 /// @throws InputError listing the pressures of the states, if there is no such state
 int state_at(double P_star, const StateChoice& choice, const CampaignCase& one, const CasePlan& plan) {
   int best = -1;
@@ -200,11 +201,11 @@ std::vector<CasePlan> plan_cases(const Campaign& campaign) {
         throw InputError(r.state.place,
                          "state: several states are selected: expected the one state whose value is compared");
     }
-    // A reference that applies to no case is an error, because nothing would be compared with it.
+    // A reference that applies to no case is an error, because no result would be compared with this reference.
     if (!meant)
-      throw InputError(
-          r.place,
-          "when: no case of this campaign has the values of this key: give values of at least one case");
+      throw InputError(r.place,
+                       "when: no case of this campaign has these values of its keys: expected the values of at "
+                       "least one case");
   }
   return plans;
 }

@@ -13,7 +13,8 @@ namespace floc {
 struct PlannedState {
   std::string branch;
   std::optional<double> P_star;  ///< reduced imposed pressure; absent if the axes have unequal pressures
-  /// reduced imposed pressure on the driven axis, or on all axes; absent if it is not known before the run
+  /// reduced imposed pressure on the driven axis, or on all axes if they have equal pressures; absent if this pressure
+  /// is not known before the run
   std::optional<double> P_driven_star = {};
 };
 

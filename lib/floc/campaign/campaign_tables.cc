@@ -26,8 +26,8 @@ TableValue as_value(const std::string& text) {
   return text;
 }
 
-/// Returns the cells with which each row about a case begins, in the tables of results: the label of the case, and the
-/// values that it gives to the keys in which the cases differ.
+/// Returns the first cells of each row about a case in the tables of results: the label of the case, and the values
+/// that the case gives to the keys in which the cases differ.
 Row case_cells(const Campaign& campaign, const CampaignCase& one) {
   Row row = {one.label};
   for (const std::string& key : campaign.keys) row.push_back(as_value(value_of(one, key)));
@@ -41,7 +41,8 @@ std::vector<std::string> with_case_columns(const Campaign& campaign, std::vector
   return columns;
 }
 
-/// Returns the number of a state from the name of its file in a column of a table, such as 12 from state-0012.h5.
+/// Returns the number of the state in a row of a table. It follows from the name of the state file in `column`: the
+/// number is 12 for state-0012.h5.
 int step_of(const CsvTable& table, int row, const std::string& column) {
   const std::string name = fs::path(table.text(row, table.column(column))).stem().string();
   const auto step = parse_number<int>(name.substr(std::min(name.size(), name.rfind('-') + 1)));
@@ -56,8 +57,8 @@ void take_columns(const CsvTable& table, int row, const Collection& collection, 
   for (const std::string& column : collection.columns) cells[column] = table.text(row, table.column(column));
 }
 
-/// Copies the columns of one collection of the campaign, for the states of a run with the numbers `steps`, into
-/// `states`, whose key is the number of the state.
+/// Reads the columns of one collection of the campaign for one run, and copies them into `states`. The key of `states`
+/// is the number of a state; only the states with the numbers `steps` are copied.
 /// @param number  number of the collection, counted from 0
 /// @param directory  directory of the run
 /// @param path  table path.csv of the run
@@ -93,7 +94,7 @@ std::vector<std::string> collected_columns(const Campaign& campaign) {
 const std::set<std::string> kOfState = {"case", "seed", "step", "branch", "P_star"};
 
 /// Returns the reference value for a column at a state of a case, or for a parameter of a fit to a case; null if the
-/// campaign has no such reference.
+/// campaign has no reference for this value.
 /// @param step  number of the state; -1 for a parameter of a fit
 const Reference* reference_of(const Campaign& campaign, const CampaignCase& one, const CasePlan* plan, int step,
                               const std::string& fit, const std::string& quantity) {
@@ -201,7 +202,7 @@ Table means_of(const Campaign& campaign, const std::vector<CasePlan>& plans, con
   const int label = runs.column("case"), step = runs.column("step");
   for (std::size_t k = 0; k < campaign.cases.size(); ++k) {
     const CampaignCase& one = campaign.cases[k];
-    std::map<int, std::vector<int>> rows;  // indices of the rows of the case for each step
+    std::map<int, std::vector<int>> rows;  // rows about the case, by the number of the state
     for (int row = 0; row < runs.n_rows(); ++row)
       if (runs.text(row, label) == one.label) rows[static_cast<int>(runs.integer(row, step))].push_back(row);
     for (const auto& [number, those] : rows) {
@@ -243,7 +244,7 @@ void add_fit(const Campaign& campaign, const CampaignCase& one, const CampaignFi
   std::vector<std::string> parameters;  // names of the parameters, in the order of the printed table
   std::set<std::string> pooled;
   const auto cell = [&](int row, const char* column) { return printed.text(row, printed.column(column)); };
-  std::set<std::string> tests;  // kinds of mechanical tests, whose parameters have the same names
+  std::set<std::string> tests;  // kinds of mechanical tests; all kinds have the same names of parameters
   for (int row = 0; printed.has("test") && row < printed.n_rows(); ++row) tests.insert(cell(row, "test"));
   const auto parameter_of = [&](int row) {
     const bool of_state = printed.has("source") && cell(row, "source") == "state";

@@ -20,8 +20,8 @@ struct RunOutcome {
   std::optional<double> run_seconds = {};
 };
 
-/// Names of the files in the directory of a run that hold its outcome. kOutcomeFile holds the outcome of the last
-/// attempt. If that run failed and is to be repeated, this file is renamed to kFailureFile.
+/// Names of the files with the outcome of a run, in the directory of the run. kOutcomeFile contains the outcome of the
+/// last attempt. If that attempt failed and the run is to be repeated, kOutcomeFile is renamed to kFailureFile.
 inline constexpr const char* kOutcomeFile = "outcome.csv";
 inline constexpr const char* kFailureFile = "failed.csv";
 
@@ -45,20 +45,20 @@ const char* word_of(const std::optional<RunOutcome>& outcome);
 Table collected_runs(const Campaign& campaign, const std::vector<CasePlan>& plans,
                      const std::string& directory);
 
-/// Returns a table with one row per case, state and collected column of numbers: the number n of samples, their mean,
-/// standard error and standard deviation s, and their lowest and highest value. If the campaign has a reference for the
-/// column, a mean over n_ref samples with the standard deviation s_ref, the row also tells whether both means agree.
-/// They agree if they differ by at most `allowed` = 2.6 sqrt(s^2/n + s_ref^2/n_ref), as two means of one quantity do in
-/// 99 of 100 comparisons.
+/// Returns a table with one row per case, state and collected column of numbers: the number n of samples, and the mean,
+/// standard error, standard deviation s, lowest and highest value over the samples. If the campaign has a reference for
+/// the column, a mean over n_ref samples with the standard deviation s_ref, the row also tells whether both means
+/// agree. They agree if they differ by at most `allowed` = 2.6 sqrt(s^2/n + s_ref^2/n_ref). Two means of the same
+/// quantity agree in 99 of 100 comparisons.
 /// @param runs  table that collected_runs() returns
 Table means_of(const Campaign& campaign, const std::vector<CasePlan>& plans, const CsvTable& runs);
 
 /// Returns the table of fits, with its columns but without rows.
 Table empty_fits(const Campaign& campaign);
 
-/// Adds the results that `floc fit LAW --format csv` printed for a case to the table of fits: one row per sample and
-/// parameter, and one row per parameter for all samples. A row for all samples has the pooled fit if the law has one,
-/// and otherwise the mean over the samples; it is compared with the reference.
+/// Adds to the table of fits the results that `floc fit LAW --format csv` printed for a case: one row per sample and
+/// parameter, and one row per parameter for all samples. The row for all samples contains the value of the pooled fit
+/// if the law has a pooled fit, and otherwise the mean over the samples. This value is compared with the reference.
 void add_fit(const Campaign& campaign, const CampaignCase& one, const CampaignFit& fit, const CsvTable& printed,
              Table& table);
 

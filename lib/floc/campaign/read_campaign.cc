@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Need = TableReader::Need;
 
-/// Largest numbers of seeds and of runs of a campaign. A campaign file with more of them is refused, because it
+/// Largest numbers of seeds and of runs of a campaign. A campaign file with more seeds or runs is refused, because it
 /// is probably a mistake.
 constexpr std::uint64_t kMaxSeeds = 10'000;
 constexpr std::size_t kMaxRuns = 100'000;
@@ -35,7 +35,7 @@ constexpr const char* kStates =
     "\"all\", \"last\", {step = [0, 5]}, {branch = \"load\", P_star = [0.1, 1.0]} or {branch = \"load\", "
     "P_driven_star = [0.1, 1.0]}";
 
-/// A table of the campaign file, with the reader of its keys.
+/// A table of the campaign file, together with the reader of the keys of this table.
 struct Part {
   TableReader reader;
   const toml::table& table;
@@ -55,8 +55,8 @@ bool is_list(const toml::node& node) {
   return array != nullptr && !array->empty() && std::all_of(array->begin(), array->end(), is_scalar);
 }
 
-/// A value in a table of the campaign file, or in a table inside that table. Its key is relative to the outer table,
-/// with dots between the names: "friction.coefficient".
+/// A value in a table of the campaign file, or in a table inside that table. The key of the value is relative to the
+/// outer table, with dots between the names: "friction.coefficient".
 struct Leaf {
   std::string key;
   const toml::node* node;
@@ -209,8 +209,8 @@ Collection read_collection(Part& part) {
                            " is not allowed with table = \"path\": floc run writes path.csv without options");
   else
     collection.options = part.reader.texts("options", "a list of options and their values, each a string");
-  // The table "compare" needs the key `before`, which selects one state. By default, the last state of the run is
-  // compared with it.
+  // The table "compare" needs the key `before`, which selects one state. By default, this state is compared with the
+  // last state of the run.
   const bool compares = collection.table == "compare";
   collection.states = read_states(part, "states", compares ? StateChoice::last : StateChoice::all);
   if (compares) {
@@ -275,7 +275,7 @@ std::optional<PlanPromise> read_promise(TableReader& root) {
   return promise;
 }
 
-/// Reads an array of tables in the campaign file, such as [[case]], each table by the function `read`.
+/// Reads an array of tables in the campaign file, such as [[case]]. The function `read` reads one table of the array.
 template <class Read>
 auto read_all(TableReader& root, SceneSource& source, const std::string& key, const char* expectation,
               Read read) {
@@ -289,8 +289,7 @@ auto read_all(TableReader& root, SceneSource& source, const std::string& key, co
   return all;
 }
 
-/// Records an error for each fit, column or key of the scene that a reference names, but that the campaign does not
-/// have.
+/// Records an error if a reference names a fit, a column or a key of the scene that the campaign does not have.
 void check_references(const Campaign& campaign, SceneSource& source) {
   for (const Reference& r : campaign.references) {
     const bool is_fitted = std::any_of(campaign.fits.begin(), campaign.fits.end(),

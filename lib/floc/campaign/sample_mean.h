@@ -34,8 +34,8 @@ struct Difference {
   bool agrees = false;  ///< whether abs(value) <= allowed
 };
 
-/// Compares a mean with its reference. Two means of the same quantity, with normally distributed errors, differ by more
-/// than 2.6 standard errors of their difference in one of a hundred comparisons.
+/// Compares a mean with its reference. If the errors are normally distributed, two means of the same quantity differ by
+/// more than 2.6 standard errors of the difference in one of a hundred comparisons.
 Difference difference_of(const SampleMean& mean, const ReferenceMean& reference);
 
 }  // namespace floc

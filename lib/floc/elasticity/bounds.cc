@@ -16,8 +16,9 @@ namespace {
 /// 1e-8, such a pressure cannot be distinguished from zero.
 constexpr double kNoPressure = 1e-8;
 /// The contact forces count as balanced if the net force on each grain is at most this share of the largest contact
-/// force. The share is a hundred times the tolerance of an equilibrium. For a pair of walls, the reference is the sum
-/// of the forces on both walls. Such a net force changes the complementary energy by a share of the same order.
+/// force, and the net force on each pair of walls is at most this share of the sum of the forces on both walls. The
+/// share is a hundred times the tolerance of an equilibrium. Net forces up to this share change the complementary
+/// energy by a share of the same order.
 constexpr double kBalanced = 1e-3;
 
 struct Sums {
@@ -26,7 +27,7 @@ struct Sums {
   double kt = 0.0;
   double force = 0.0;  // sum of the normal forces F_N
   double complementary = 0.0;
-  // sum over touching contacts of K_N times the sum of F^2/K over the springs of the contact
+  // sum of K_N S over touching contacts, where S is the sum of F^2/K over the springs of the contact
   double scaled = 0.0;
   double virial = 0.0;  // sum of |F_N| r over touching contacts, with the distance r between centres
 };
@@ -52,9 +53,9 @@ Sums sum_over_contacts(const ContactNetwork<Dim>& network) {
 }
 
 /// Returns the mean-field bulk modulus z Phi K_N <r^2>/(2 Dim^2 <v>), with the coordination number z, the solid
-/// fraction Phi, the distance r between the centres of touching grains and the mean volume <v> of a grain. The Voigt
-/// form takes <r^2> = (<d^2> + <d>^2)/2, as if the diameters d of touching grains were independent. The Reuss form
-/// takes <d>^2 in place of <r^2>.
+/// fraction Phi, the distance r between the centres of touching grains and the mean volume <v> of a grain. In the Voigt
+/// form, <r^2> = (<d^2> + <d>^2)/2, as if the diameters d of touching grains were independent. In the Reuss form, <r^2>
+/// is replaced by <d>^2.
 /// @param kn                  mean normal stiffness K_N
 /// @param mean_square_branch  <r^2>, or <d>^2 for the Reuss form
 /// @param mean_size_power     <d^Dim>
@@ -93,9 +94,9 @@ RowStiffness<Dim> row_forces(const NetworkContact<Dim>& c) {
   return f;
 }
 
-/// Returns whether the contact forces balance on every grain, and on the two walls of each axis, which may move
-/// together. The principle of minimum complementary energy, which gives the Reuss bound, admits only forces that
-/// balance.
+/// Returns whether the contact forces balance on every grain and on each pair of opposite walls. The two walls of an
+/// axis count as one body, because they may move together. The principle of minimum complementary energy, which gives
+/// the Reuss bound, admits only forces that balance.
 template <int Dim>
 bool forces_balance(const ContactNetwork<Dim>& network) {
   Eigen::VectorXd on_grains = Eigen::VectorXd::Zero(network.n_unknowns());

@@ -24,7 +24,8 @@ struct Bounds {
   /// stress is isotropic, it is also a lower bound on the bulk modulus B_S under imposed stress.
   double B_reuss = 0.0;
   /// Reason why B_reuss <= B_C <= B_voigt is not guaranteed, as a clause that follows "because". Empty if the
-  /// inequality is guaranteed: no force acts across a gap, no stiffness is negative, and the forces balance.
+  /// inequality is guaranteed, that is, if no force acts across a gap, no stiffness is negative, and the forces
+  /// balance.
   std::string fault;
   /// B_voigt, G_voigt and B_reuss in the mean-field forms printed in [GRC2008], which replace averages of products by
   /// products of averages.
@@ -37,7 +38,8 @@ struct Bounds {
   double Z2 = std::numeric_limits<double>::infinity();
 };
 
-/// Averages over a packing that the mean-field forms of the bounds need and that the contact network does not contain.
+/// Averages over a packing that are needed for the mean-field forms of the bounds. The contact network does not contain
+/// them.
 struct MeanField {
   double coordination;    ///< coordination number z: mean number of touching contacts of a grain
   double solid_fraction;  ///< solid fraction Phi: volume of the grains divided by the volume of the cell

@@ -95,8 +95,8 @@ Mat<3> end_motions(const Chord& chord) {
   return motion;
 }
 
-/// Returns the springs of a chain of disks. The first disk is fixed, the last disk moves by combinations of the columns
-/// of `motions`, and the disks in between move freely.
+/// Returns the springs of a chain of disks. The first disk is fixed, the motion of the last disk is a combination of
+/// the columns of `motions`, and the disks in between move freely.
 SpringSystem chain_springs(const ContactNetwork<2>& network, const Mat<3>& motions) {
   const Eigen::SparseMatrix<double> rigidity = rigidity_matrix(network, StrainSet::diagonal);
   SpringSystem springs;
@@ -131,8 +131,8 @@ struct Compliance {
 
 Compliance invert_stiffness(const Mat<3>& stiffness, const Mat<3>& error) {
   Compliance c;
-  // The stiffness matrix is inverted in extended precision, because its terms cancel where soft and stiff directions
-  // mix.
+  // The stiffness matrix is inverted in extended precision, because its large terms nearly cancel if soft and stiff
+  // directions are mixed.
   c.value = stiffness.cast<long double>().inverse().cast<double>();
   // The error E of the stiffness matrix S changes its inverse by at most |S^-1| E |exact^-1|, where `exact` is S
   // without error and |exact^-1| <= |S^-1|/(1 - change). `change` is the norm of |S^-1| E after a diagonal scaling,

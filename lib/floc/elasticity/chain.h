@@ -29,8 +29,8 @@ double chain_axial_compliance(int n, const ChainStiffness& k);
 ///
 /// Two disks of radius (n-1) R, with this compliance in their contact, are equivalent to the chain. Their contact lies
 /// in the middle of the chain; a transverse force that acts there does not turn the two ends relative to each other.
-/// The formula is exact: it equals the compliance of the solved network to rounding. Eq. 16 of [GRC2008] as printed
-/// gives a different displacement, see end_disk_deflection().
+/// The formula is exact: it equals the compliance of the solved network up to rounding errors. Eq. 16 of [GRC2008], as
+/// printed, describes another displacement, see end_disk_deflection().
 /// @param n  number of disks, in kChainLength; for n = 2 the chain is a single contact
 /// @param R  radius of the disks (length), > 0
 /// @param k  stiffnesses K_N, K_T, K_R of a contact
@@ -43,7 +43,7 @@ double chain_transverse_compliance(int n, double R, const ChainStiffness& k);
 /// @throws InputError if n is out of range or a stiffness is not positive
 double chain_rolling_compliance(int n, const ChainStiffness& k);
 
-/// Returns the displacement of the centre of the last disk of a straight chain if the first disk is fixed and a unit
+/// Returns how far the centre of the last disk in a straight chain moves if the first disk is fixed and a unit
 /// transverse force acts along a line through the last contact (length/force; [GRC2008], Eq. 16 as printed).
 ///
 ///   (n-1)/K_T + (n-1) (4 n^2 - 11 n + 6) R^2 / (3 K_R)
@@ -68,12 +68,12 @@ struct BoundedValue {
 /// The chord is the line through the centres of the end disks.
 struct SolvedChain {
   BoundedValue axial;  ///< displacement of the last disk along the chord, per force along the chord
-  /// displacement of the last disk across the chord, per force that acts across the chord at its middle
+  /// displacement of the last disk across the chord, per force that acts across the chord at the middle of the chord
   BoundedValue transverse;
   BoundedValue rolling;  ///< rotation of the last disk per moment on this disk
   /// displacement of the last disk's centre across the chord, per force that acts across the chord at the last contact
   BoundedValue end_disk;
-  /// estimated condition number of the stiffness matrix; infinite if it is singular to rounding
+  /// estimated condition number of the stiffness matrix; infinite if rounding makes the matrix singular
   double condition;
 };
 

@@ -77,7 +77,7 @@ class SpringList {
 };
 
 /// Elastic problem of a contact network: the network without dead ends (grains that hang on a single contact), the
-/// motions that are solved for, and the answer.
+/// motions that are solved for, and the elastic response.
 template <int Dim>
 struct Problem {
   const ContactNetwork<Dim>& whole;
@@ -90,7 +90,7 @@ struct Problem {
 
   Problem(const ContactNetwork<Dim>& network, const ResponseOptions& chosen) : whole(network), options(chosen) {
     const FreeMotions& free = answer.free = find_free_motions(network);
-    // A dead end and its single contact carry no load and are removed.
+    // Dead ends and their single contacts carry no load and are removed.
     if (has_ends()) pruned = without_grains(network, free.dead_end);
     unknowns = reduce_unknowns(core(), free.kept);
     unit = stiffness_scale(core());
@@ -108,7 +108,8 @@ struct Problem {
   }
   SpringSystem springs() const { return SpringList<Dim>(core(), unknowns, unit, options).take(); }
 
-  /// Returns an answer that contains no response, but the reason for its absence: the factor would take too many bytes.
+  /// Returns a result without a response. It contains the reason why there is no response: the factor would take too
+  /// many bytes.
   ElasticResponse refuse(double bytes) {
     answer.factor_bytes = bytes;
     answer.failure = fmt::format(
@@ -118,7 +119,7 @@ struct Problem {
     return std::move(answer);
   }
 
-  /// Converts the condensed springs into the answer, in the unknowns of the whole network.
+  /// Converts the condensed springs into the elastic response, in the unknowns of the whole network.
   /// @param norm  norm of the stiffness matrix, or a lower bound on this norm
   ElasticResponse take(const Condensation& condensed, double norm) {
     ElasticResponse& out = answer;
@@ -207,7 +208,8 @@ std::optional<ElasticResponse> solve_by_single_factor(Problem<Dim>& problem) {
 }
 
 /// Approximate inverse of the stiffness matrix of this network, made from the factor of another network. The factor is
-/// used for the unknowns that both networks have. For all other unknowns, the diagonal of the matrix is inverted.
+/// used for the unknowns that both networks have. For all other unknowns, the diagonal entries of the matrix are
+/// inverted.
 class InheritedInverse {
  public:
   InheritedInverse(const ResponseMemory& memory, const ReducedUnknowns& unknowns, Eigen::VectorXd diagonal)
@@ -239,16 +241,16 @@ class InheritedInverse {
   Eigen::VectorXd diagonal_;
   // for each row of the factor, the row of its unknown in this network; -1 if there is none
   std::vector<int> row_;
-  // for each row of the factor: the value solved for in the other network divided by the value solved for in this
-  // network
+  // for each row of the factor: the value solved for in the other network (a length, see ReducedUnknowns), divided by
+  // the value solved for in this network
   std::vector<double> scale_;
 };
 
 template <int Dim>
 std::optional<ElasticResponse> solve_from(const ResponseMemory& memory, Problem<Dim>& problem) {
   const ReducedUnknowns& unknowns = problem.unknowns;
-  // The stored fluctuation is the initial guess of the solver. It has a column for each strain but none for
-  // displacements of walls, so a packing between walls cannot use it.
+  // The stored fluctuation is the initial guess of the solver. It has a column for each strain but no columns for
+  // displacements of walls, so it cannot be used for a packing between walls.
   if (!memory.factor || !problem.whole.wall_axes.empty() ||
       memory.fluctuation.rows() != problem.whole.n_unknowns() ||
       memory.fluctuation.cols() != n_strains<Dim>(problem.options.strains))

@@ -26,14 +26,14 @@ struct ResponseOptions {
   bool prestress = false;
   Ordering ordering = Ordering::automatic;
   /// Tolerance on the relative error of each diagonal entry of ElasticResponse::relaxed. The solution is refined until
-  /// the error bounds are below it or until rounding stops the progress. With the default value, one refinement step
-  /// usually suffices.
+  /// the error bounds are below this tolerance or until rounding prevents further progress. With the default value, one
+  /// refinement step usually suffices.
   double tolerance = 1e-11;
   /// Largest absolute eigenvalue of the stiffness matrix K that counts as a mechanism, divided by the largest contact
-  /// stiffness; rotations are multiplied by the grain's size. Rounding of K moves an eigenvalue by some 1e-15. The
-  /// bound must be below the eigenvalues of near-mechanisms: in real packings, near-mechanisms with eigenvalues down to
-  /// 6e-13 have contributed 3 % of the bulk modulus. The bound is used only where K may be indefinite; otherwise the
-  /// rank of the square root of K shows the mechanisms.
+  /// stiffness. In K, rotations are multiplied by the grain's size. Rounding of K moves an eigenvalue by some 1e-15.
+  /// The bound must be below the eigenvalues of near-mechanisms: in real packings, near-mechanisms with eigenvalues
+  /// down to 6e-13 have contributed 3 % of the bulk modulus. The bound is used only where K may be indefinite;
+  /// otherwise the rank of the square root of K shows the mechanisms.
   double mechanism_bound = 1e-13;
   /// Largest size of a factor of K in double precision (bytes). A factor whose predicted size is larger is not
   /// computed.
@@ -53,21 +53,21 @@ struct ElasticResponse {
   /// Fluctuation of the grains (their motion relative to the affine motion) per unit strain: one row per unknown of the
   /// stiffness matrix K, one column per strain. Zero for unknowns that no contact resists.
   Eigen::MatrixXd fluctuation;
-  /// Common displacement of the two walls of an axis per unit strain for which both walls bear the same force: one row
-  /// per axis, one column per strain. Empty without walls.
+  /// Common displacement of the two walls of an axis, per unit strain, at which the forces on both walls are equal: one
+  /// row per axis, one column per strain. Empty without walls.
   Eigen::MatrixXd wall_shift;
   FreeMotions free;
-  /// number of independent motions of pairs of opposite walls that no stiffness resists, if the two walls of each axis
-  /// move together and the grains relax
+  /// number of independent wall shifts that no stiffness resists after relaxation of the grains; in a wall shift, the
+  /// two walls of an axis move together
   int n_free_shifts = 0;
-  /// number of negative eigenvalues of the stiffness of grains, wall shifts and dead ends
+  /// number of negative eigenvalues of the stiffness matrix that belongs to grains, wall shifts and dead ends
   int n_negative = 0;
   /// number of negative eigenvalues of the stiffness against wall shifts (`wall_shift`) after relaxation of the grains
   int n_negative_shifts = 0;
   /// number of zero eigenvalues of the stiffness matrix K, except the free motions in `free`
   int n_mechanisms = 0;
-  /// relative backward error of the solution: largest net force on a grain divided by the size of the forces that add
-  /// up to it
+  /// relative backward error of the solution: largest net force on a grain, divided by the size of the forces whose sum
+  /// is this net force
   double residual = 0.0;
   /// estimated condition number of the stiffness matrix K; infinite if there are mechanisms
   double condition = 1.0;
@@ -86,20 +86,20 @@ struct ElasticResponse {
 
 /// Solves for the response of a network to strains of its cell. A singular or indefinite stiffness matrix K is a
 /// result, not an error. Without prestress and without attractions across gaps, a mechanism of the grains cannot couple
-/// to strain; ElasticResponse::relaxed is exact then, even if K is singular.
+/// to strain. In this case ElasticResponse::relaxed is exact even if K is singular.
 template <int Dim>
 [[nodiscard]] ElasticResponse elastic_response(const ContactNetwork<Dim>& network,
                                                const ResponseOptions& options);
 
 /// Solves for the response of a network and leaves the factor of the stiffness matrix in `factor`. If `factor` comes
-/// from an earlier network with the same contacts, its symbolic part is used again. The ordering of `factor` replaces
-/// `options.ordering`.
+/// from an earlier network with the same contacts, the symbolic part of the factor is used again. The ordering of
+/// `factor` replaces `options.ordering`.
 template <int Dim>
 [[nodiscard]] ElasticResponse elastic_response(const ContactNetwork<Dim>& network,
                                                const ResponseOptions& options, SymmetricFactor& factor);
 
-/// Solution and factor of an elastic response that are kept for the next state. Conjugate gradients start from the
-/// solution, and the factor is their preconditioner as long as few contacts have changed.
+/// Solution and factor of the elastic response of one state, which are kept for the next state. Conjugate gradients
+/// start from the solution, and the factor is their preconditioner as long as few contacts have changed.
 struct ResponseMemory {
   std::unique_ptr<SymmetricFactor> factor;
   std::vector<int> unknown;  ///< for each row of the factor, the number of its unknown in the stiffness matrix

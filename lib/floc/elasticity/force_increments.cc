@@ -10,11 +10,11 @@
 namespace floc {
 namespace {
 
-/// Share of the elastic energy of all touching contacts that is held by the StepResponse::n_holding contacts with the
-/// largest energies.
+/// StepResponse::n_holding counts the contacts with the largest elastic energies that together have this share of the
+/// elastic energy of all touching contacts.
 constexpr double kHeldShare = 0.95;
-/// Largest work of a unit stress that counts as zero, on a strain that no stiffness resists. The strain is an
-/// eigenvector that is accurate to rounding.
+/// The work of a unit stress on a strain that no stiffness resists counts as zero if it is at most this number. The
+/// strain is a computed eigenvector and has rounding errors.
 constexpr double kNoWork = 1e-9;
 
 template <int Dim>

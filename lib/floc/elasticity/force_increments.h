@@ -18,9 +18,9 @@ struct ForceIncrement {
   double twisting_moment;  ///< change of the moment on grain i about the normal, in 3D (force * length)
 };
 
-/// Computes the forces k G U that a small strain of the cell adds in every contact if no contact slides. k are the
-/// contact stiffnesses, G is the rigidity matrix, and U are the strains and the motions of the grains. Without
-/// prestress, the forces on dead ends (grains that hang on a single contact) do not change.
+/// Computes the forces k G U that a small strain of the cell adds in every contact if no contact slides. Here k
+/// contains the contact stiffnesses, G is the rigidity matrix, and U contains the strains and the motions of the
+/// grains. Without prestress, the forces on dead ends (grains that hang on a single contact) do not change.
 /// @param strain  strains of the cell, in the order in which the response contains them, shortening positive
 template <int Dim>
 std::vector<ForceIncrement<Dim>> force_increments(const ContactNetwork<Dim>& network,
@@ -41,8 +41,8 @@ struct StepResponse {
   /// negative for an attraction across a gap. The sum over all contacts is half the work of the stress, V/2 times the
   /// scalar product of strain and stress, with the volume V.
   std::vector<double> energy;
-  std::vector<int> rank;  ///< place of each contact in descending order of `energy`, from 0
-  /// Smallest number of touching contacts that together hold 95 % of the elastic energy of all touching contacts.
+  std::vector<int> rank;  ///< position (from 0) of each contact in the list sorted by descending energy
+  /// Smallest number of touching contacts that together have 95 % of the elastic energy of all touching contacts.
   int n_holding = 0;
   double energy_share_95 = 0.0;  ///< `n_holding` divided by the number of touching contacts
 };

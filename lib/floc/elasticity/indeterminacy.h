@@ -15,21 +15,23 @@ struct Indeterminacy {
   int n_null_modes = 0;  ///< number of motions that no stiffness resists: free motions, mechanisms, strains
 };
 
-/// Computes the indeterminacy of a network. The unknowns of the cell are either its diagonal strains (3 N_b + 2
-/// unknowns in 2D, 6 N_b + 3 in 3D, for N_b grains with contacts) or all its strains.
+/// Computes the indeterminacy of a network. The unknowns are the motions of the grains and either the diagonal strains
+/// or all strains of the cell. With diagonal strains and N_b grains with contacts, there are 3 N_b + 2 unknowns in 2D
+/// and 6 N_b + 3 in 3D.
 /// @param response  response of the same network without prestress; its strains must include `strains`
 /// @param strains   strains that count as unknowns
 template <int Dim>
 Indeterminacy force_indeterminacy(const ContactNetwork<Dim>& network, const ElasticResponse& response,
                                   StrainSet strains = StrainSet::diagonal);
 
-/// Computes the indeterminacy of the forces of rigid contacts that carry more than `smallest_force`. The force of a
-/// contact that sticks by friction has one component for each direction of space. The force of a frictionless or a
-/// sliding contact has one component, since its normal force determines the whole force. The forces are balanced on
-/// every grain, and they transmit the stresses along the axes of the cell. Indeterminacy::degree is therefore the
-/// number of these components minus the number of independent equations of balance: the dimension of the set of forces
-/// that the geometry allows as long as no force reaches another limit.
-/// @param smallest_force  force without adhesion up to which a contact does not count (force), >= 0
+/// Computes the indeterminacy of the forces of those rigid contacts whose elastic force is above `smallest_force`. The
+/// force of a contact that sticks by friction has one component for each direction of space. The force of a contact
+/// that slides or has no friction has one component, because the normal force determines the whole force. The forces
+/// are balanced on every grain, and they transmit the stresses along the axes of the cell. Indeterminacy::degree is
+/// therefore the number of force components minus the number of independent equations of balance. It is the dimension
+/// of the set of forces that balance, as long as no further force reaches its limit.
+/// @param smallest_force  a contact does not count if its elastic force (the normal force without the adhesion) is at
+/// most this value (force), >= 0
 /// @pre the packing has no walls
 template <int Dim>
 Indeterminacy rigid_indeterminacy(const Packing<Dim>& packing, double smallest_force);

@@ -70,8 +70,8 @@ MeanFieldEstimates mean_field_estimates(const ContactNetwork<Dim>& network, doub
   const Averages m = average(network);
   if (m.n == 0.0) return out;
   const Sizes s = sizes_of(network);
-  // Number of contacts per volume, divided by Dim^2. For grains whose diameters d are drawn independently, the squared
-  // distance between centres has the mean (<d^2> + <d>^2)/2.
+  // Number of contacts per volume, divided by Dim^2. If the diameters d of the grains are drawn independently, the mean
+  // squared distance between touching centres is (<d^2> + <d>^2)/2.
   const double density = 0.5 * coordination * solid_fraction / s.volume / (Dim * Dim);
   out.B_voigt = density * m.kn * 0.5 * (s.d2 + s.d * s.d);
   out.G_voigt_rough = shear_over_bulk(Dim, m.kt / m.kn) * out.B_voigt;

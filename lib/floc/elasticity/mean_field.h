@@ -33,13 +33,14 @@ template <int Dim>
 MeanFieldEstimates mean_field_estimates(const ContactNetwork<Dim>& network, double coordination,
                                         double solid_fraction);
 
-/// Mean-field estimates of the moduli of equal spheres with Hertz contacts, computed from averages without a packing.
+/// Mean-field estimates of the moduli of equal spheres with Hertz contacts. They are computed from given averages; no
+/// packing is needed.
 struct HertzMeanField {
   double kn_over_a = 0.0;  ///< mean normal stiffness `<K_N>` divided by the diameter a (force/length^2)
   /// bulk modulus (1/2) (z Phi E/(3 pi))^(2/3) P^(1/3) Z(1/3), with the symbols of hertz_mean_field()
   double B = 0.0;
   double G_rough = 0.0,
-         G_smooth = 0.0;  ///< shear moduli with the tangential stiffness of the contacts, and with none
+         G_smooth = 0.0;  ///< shear moduli with and without tangential stiffness of the contacts
 };
 
 /// Computes the mean-field estimates of the moduli of equal spheres with Hertz contacts.

@@ -10,11 +10,12 @@
 namespace floc {
 namespace {
 
-/// Largest absolute eigenvalue that counts as zero in the stiffness against strain of the cell after relaxation of the
-/// grains, because it may be due to rounding. It is given as a share of the trace of the stiffness without relaxation.
+/// An eigenvalue of the stiffness against strain of the cell (after relaxation of the grains) counts as zero if its
+/// absolute value is at most this share of the trace of the stiffness without relaxation. Such an eigenvalue may be due
+/// to rounding.
 constexpr double kVanishingStiffness = 1e-11;
 /// Standard deviation of the random displacements that bring grains to general positions, divided by the size of the
-/// grain. It is of order one, but small enough that the two grains of a contact do not change places.
+/// grain. It is of order one, but so small that the two grains of a contact do not exchange their positions.
 constexpr double kDisplacement = 0.2;
 
 /// Returns |p|^2/|v|^2, where p is the projection of the vector v onto the span of the given orthonormal columns.
@@ -24,7 +25,8 @@ double share_in(const Eigen::MatrixXd& columns, const Eigen::VectorXd& v) {
 
 template <int Dim>
 std::vector<std::string> vanishing_moduli(const Eigen::MatrixXd& strains) {
-  // Eigenvectors of the eigenvalue zero are accurate to rounding, because all other eigenvalues are much larger.
+  // Eigenvectors of the eigenvalue zero are accurate up to rounding errors, because all other eigenvalues are much
+  // larger.
   constexpr double kRounding = 1e-9;
   const Eigen::Index n = strains.rows();
   const auto vanishes = [&](const Eigen::VectorXd& v) { return share_in(strains, v) > 1.0 - kRounding; };

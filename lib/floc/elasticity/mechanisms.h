@@ -10,8 +10,8 @@ namespace floc {
 
 /// Strains of the cell that no stiffness resists when the grains relax.
 struct StrainMechanisms {
-  Eigen::MatrixXd strains;  ///< one of these strains per column, orthonormal; rows in the order of StrainSet
-  /// fluctuation of the grains under each of these strains; one row per unknown of the stiffness matrix
+  Eigen::MatrixXd strains;  ///< one such strain per column, orthonormal; rows in the order of StrainSet
+  /// fluctuation of the grains under each strain in `strains`; one row per unknown of the stiffness matrix
   Eigen::MatrixXd motions;
   /// Names of the moduli that are zero because of these strains: "C11" etc. for diagonal entries of the moduli C; "B"
   /// or "G" if the strain that defines the modulus is in the span of these strains; "B_S" if an isotropic stress does
@@ -26,20 +26,22 @@ struct StrainMechanisms {
 Eigen::MatrixXd vanishing_strains(const Eigen::MatrixXd& relaxed, const Eigen::MatrixXd& affine);
 
 /// Finds the strains of the cell that no stiffness resists, and the moduli that are zero because of them.
-/// @param affine  volume times stress per unit strain of the same network without relaxation of the grains, see
-///                affine_stiffness(); for the strains that `response` contains
+/// @param affine  volume times stress per unit strain without relaxation of the grains, see affine_stiffness(); for
+///                the same network and the same strains as `response`
 template <int Dim>
 StrainMechanisms strain_mechanisms(const ElasticResponse& response, const Eigen::MatrixXd& affine);
 
-/// Numbers of mechanisms of a network that follow from the list of touching grains alone, and not from their positions.
+/// Numbers of mechanisms of a network that follow from the list of touching grains alone. The positions of the grains
+/// have no influence.
 struct StructuralMechanisms {
   int n_mechanisms = 0;  ///< number of mechanisms of the grains at zero strain; free motions do not count
   int n_coupled = 0;     ///< number of strains of the cell that no stiffness resists
 };
 
 /// Counts the mechanisms that a network has when its grains are moved to random (general) positions, where no
-/// near-mechanism disturbs the count. Additional mechanisms of the original network result from its special geometry.
-/// Lever arms stay along the normals, and every stiffness that is not zero is set to order one.
+/// near-mechanism disturbs the count. If the original network has additional mechanisms, they result from its special
+/// geometry. At the random positions, lever arms are still parallel to the normals, and all stiffnesses that are not
+/// zero are of order one.
 template <int Dim>
 StructuralMechanisms structural_mechanisms(const ContactNetwork<Dim>& network, StrainSet strains);
 

@@ -16,9 +16,9 @@ namespace floc {
 /// Kind of a mode, an eigenvector of the stiffness matrix, according to its eigenvalue.
 enum class ModeKind {
   unstable,   ///< eigenvalue below zero
-  mechanism,  ///< eigenvalue zero to rounding (free motions, see FreeMotions, do not count as modes)
+  mechanism,  ///< eigenvalue zero within rounding errors (free motions, see FreeMotions, do not count as modes)
   /// positive eigenvalue up to max |F_N|/r, the largest ratio of normal force to distance between centres; prestress
-  /// could make such an eigenvalue negative
+  /// could make an eigenvalue of this size negative
   near_mechanism,
   elastic,  ///< eigenvalue above max |F_N|/r, the largest ratio of normal force to distance between centres
 };
@@ -61,9 +61,9 @@ struct ModeOptions {
   /// Number of modes to compute. If absent: all modes that are not ModeKind::elastic, but at least 10 and at most 100.
   std::optional<int> count;
   static constexpr WholeRange kCount{.least = 1, .most = std::numeric_limits<int>::max()};
-  /// Largest absolute eigenvalue that counts as a mechanism, as a share of the largest contact stiffness. Such a small
-  /// share is possible because eigenvalues are recomputed as sums of squares over the contacts, which the rounding of
-  /// the stiffness matrix does not affect. Mechanisms have been seen at 1e-19 and below.
+  /// Largest absolute eigenvalue that counts as a mechanism, as a share of the largest contact stiffness. The share can
+  /// be this small because eigenvalues are recomputed as sums of squares over the contacts, without the rounding errors
+  /// of the stiffness matrix. Mechanisms have been seen at 1e-19 and below.
   double mechanism_bound = 1e-16;
   Ordering ordering = Ordering::amd;
 };
@@ -74,22 +74,23 @@ struct SoftModes {
   std::vector<Mode<Dim>> modes;  ///< modes in ascending order of their eigenvalues
   /// max |F_N|/r over the contacts, with normal force F_N and distance r between centres (force/length)
   double near_bound = 0.0;
-  /// number of modes with eigenvalues up to `near_bound` (unstable modes, mechanisms and near-mechanisms), from the
-  /// inertia of the stiffness matrix shifted by this bound
+  /// number of modes with eigenvalues up to `near_bound` (unstable modes, mechanisms and near-mechanisms), counted from
+  /// the inertia (the signs of the eigenvalues) of the stiffness matrix shifted by this bound
   int n_below_near_bound = 0;
   /// whether `modes` contains every mode whose eigenvalue is below the largest eigenvalue in `modes`
   bool complete = true;
 };
 
-/// Finds the softest modes of a network, without its free motions (see FreeMotions), by Lanczos' method with shift and
-/// invert.
+/// Finds the softest modes of a network by Lanczos' method with shift and invert. Free motions (see FreeMotions) do not
+/// count as modes.
 /// @throws InputError if options.count is given and not positive
 template <int Dim>
 [[nodiscard]] SoftModes<Dim> soft_modes(const ContactNetwork<Dim>& network, const ModeOptions& options);
 
 /// Counts the near-mechanisms of a network: modes that are neither free motions nor mechanisms and whose positive
-/// eigenvalues are at most max |F_N|/r, the largest ratio of normal force to distance between centres. The count is
-/// taken from the inertia of the shifted stiffness matrix and costs a factor as large as that of the elastic response.
+/// eigenvalues are at most max |F_N|/r, the largest ratio of normal force to distance between centres. The count
+/// follows from the inertia (the signs of the eigenvalues) of the shifted stiffness matrix. It requires a factor as
+/// large as the factor of the elastic response.
 /// @param response        response of the same network without prestress, for any strains
 /// @param largest_factor  largest size of the factor (bytes)
 /// @return no value if the factor would be larger than allowed

@@ -20,13 +20,13 @@
 namespace floc {
 namespace {
 
-/// Largest modulus that counts as zero because it may be due to rounding, as a share of the Voigt stiffness. It is used
-/// if no error bound is available.
+/// A modulus up to this share of the Voigt stiffness counts as zero, because it may be due to rounding. The share is
+/// used only if no error bound is available.
 constexpr double kVanishingModulus = 1e-11;
 /// Condition number of the stiffness matrix above which a warning says that soft modes dominate the moduli.
 constexpr double kWarnCondition = 1e10;
 /// Tolerance of a solution by a factor, as a share of the tolerance on the moduli. Each refinement step squares the
-/// error, so this strict tolerance costs no more steps.
+/// error, so this strict tolerance costs no additional steps.
 constexpr double kToleranceOfSolution = 1e-3;
 /// Tolerance of a solution by any other method, as a share of the tolerance on the moduli. The steps of such a method
 /// do not square the error, so a stricter tolerance would cost more steps.
@@ -37,15 +37,16 @@ constexpr double kIsotropic = 1e-4;
 /// Bound on the relative rounding error of the cell's volume, and of the stresses that prestress adds to the moduli.
 constexpr double kCellRounding = 16.0 * std::numeric_limits<double>::epsilon();
 
-/// Returns the largest absolute value that an eigenvalue of the moduli C may have if it cannot be distinguished from
-/// zero.
+/// Returns a limit for the eigenvalues of the moduli C: if the absolute value of an eigenvalue is at most this limit,
+/// the eigenvalue cannot be distinguished from zero.
 /// @param scale  Voigt stiffness, the stiffness of affine motion (stress)
 double vanishing_bound(double scale, const Moduli& m) {
   const double error = m.C_error.rowwise().sum().maxCoeff();
   return std::isfinite(error) ? error : kVanishingModulus * scale;
 }
 
-/// Counts the zero and negative eigenvalues of the moduli C, and sets those within `bound` of zero to exactly zero.
+/// Counts the zero and negative eigenvalues of the moduli C. Eigenvalues whose absolute value is at most `bound` are
+/// set to exactly zero.
 void count_coupled_mechanisms(double bound, Moduli& m) {
   const SymmetricEigen eigen = symmetric_eigen(m.C);
   Eigen::VectorXd values = eigen.values;
@@ -81,8 +82,8 @@ void derive_stress_controlled_bulk(const Eigen::MatrixXd& c, const Eigen::Matrix
   }
   if (compliance == 0.0) return;
   m.B_S = 1.0 / compliance;
-  // To first order, an error dC of C changes 1/B_S by -strain^T dC strain. The higher orders are a small share of this
-  // as long as the compliance changes little.
+  // To first order, an error dC of C changes 1/B_S by -strain^T dC strain. The terms of higher order are small compared
+  // with this change as long as the compliance changes little.
   const double change = strain.cwiseAbs().dot(error * strain.cwiseAbs()) / std::abs(compliance);
   m.B_S_error = change < 0.5 ? 2.0 * change * std::abs(m.B_S) : kInfinity;
 }
@@ -232,8 +233,8 @@ void set_midpoint_of_bounds(int n_strains, Moduli& m) {
   }
 }
 
-/// Returns whether the normal stresses along the axes are equal. The bulk modulus under imposed stress, B_S, requires
-/// no more, because it is defined with the shear strains fixed at zero.
+/// Returns whether the normal stresses along the axes are equal. Shear stresses have no influence on the bulk modulus
+/// under imposed stress, B_S, because it is defined with the shear strains fixed at zero.
 template <int Dim>
 bool is_isotropic(const Mat<Dim>& stress, double pressure) {
   const Vec<Dim> deviator = stress.diagonal() - Vec<Dim>::Constant(pressure);
@@ -292,7 +293,8 @@ Moduli solved_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>&
   return m;
 }
 
-/// Adds B, G and the response of the moduli `without` prestress to the moduli `with` prestress.
+/// Adds the values of B and G without prestress, and the elastic response without prestress, to the moduli with
+/// prestress.
 /// @return the completed moduli, or `without` if it contains no moduli
 Moduli beside(Moduli without, Moduli with) {
   if (!without.failure.empty()) return without;

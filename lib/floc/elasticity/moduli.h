@@ -18,8 +18,8 @@ enum class ModuliMethod {
   factor,  ///< Cholesky factor in double precision; gives error bounds
   /// Cholesky factor in single precision, with refinement in double precision: half the memory; gives error estimates
   single_factor,
-  /// conjugate gradients that start from the solution of the last state, with its factor as preconditioner; gives error
-  /// estimates
+  /// conjugate gradients that start from the solution of the last state, with the factor of that state as
+  /// preconditioner; gives error estimates
   iterative,
   /// Mean of the lower and the upper bound of each modulus; no system is solved. Half the distance between the bounds
   /// is a bound on the error. Fails if the bounds are not guaranteed (Bounds::fault). The stress-controlled bulk
@@ -31,21 +31,21 @@ enum class ModuliMethod {
 struct ModuliOptions {
   ModuliMethod method = ModuliMethod::factor;
   StrainSet strains = StrainSet::diagonal;
-  /// Adds the geometric terms, which result from the contact forces, to the stiffness. The moduli are then derivatives
-  /// of the Cauchy stress.
+  /// Whether the geometric terms, which result from the contact forces, are added to the stiffness. The moduli are in
+  /// this case derivatives of the Cauchy stress.
   bool prestress = false;
-  /// In the search for rattlers: normal force up to which a contact of a cohesionless packing counts as carrying no
-  /// force, in units of F1 = max(F0, P a^(Dim-1)) (pull-off force F0, pressure P, largest diameter a). The default is
-  /// the tolerance of an equilibrium (docs/physics.md, "Equilibrium").
+  /// Used in the search for rattlers of a cohesionless packing: a contact counts as carrying no force if its normal
+  /// force is at most this number, in units of F1 = max(F0, P a^(Dim-1)) (pull-off force F0, pressure P, largest
+  /// diameter a). The default is the tolerance of an equilibrium (docs/physics.md, "Equilibrium").
   double force_tolerance = 1e-5;
   /// Rolling stiffness of every touching contact, in place of the stiffness of the contact law (force * length); absent
   /// if the contact law applies.
   std::optional<double> rolling_stiffness;
   Ordering ordering = Ordering::automatic;
-  /// Whether the packing was brought to equilibrium under zero stress. Its contact forces then still give a small
-  /// stress, which is a residual and gives no lower bound on the moduli (B_reuss = 0).
+  /// Whether the packing was brought to equilibrium under zero stress. If so, the small stress of its contact forces is
+  /// a residual and gives no lower bound on the moduli (B_reuss = 0).
   bool unloaded = false;
-  /// Tolerance on the relative errors of B and G. A warning is given if their error bounds exceed it.
+  /// Tolerance on the relative errors of B and G. A warning is given if an error bound exceeds this tolerance.
   double tolerance = 1e-10;
   /// Largest size of a factor (bytes). If the factor would be larger, no moduli are computed, see Moduli::failure.
   double largest_factor = std::numeric_limits<double>::infinity();
@@ -59,7 +59,7 @@ struct ModuliOptions {
   std::vector<std::string> validate() const;
 };
 
-/// Load on a contact network, which the moduli of the network depend on.
+/// Load on a contact network. The moduli of the network depend on it.
 template <int Dim>
 struct NetworkLoad {
   Mat<Dim> stress = Mat<Dim>::Zero();  ///< static stress, compression positive (force/length^(Dim-1))
@@ -83,8 +83,8 @@ struct Moduli {
   /// bulk modulus under imposed stress: 1/(sum of the entries of the inverse of C for diagonal strains)
   double B_S = 0.0;
   double G = 0.0;  ///< shear modulus (C11 + C22 - 2 C12)/4; in 3D its mean over the pairs of axes
-  /// Bounds on the errors of C (entry by entry), B, B_S and G that result from solving and rounding, in the units of
-  /// these moduli; see ElasticResponse::error. Infinite if no bound can be given.
+  /// Bounds on the errors of C (entry by entry), B, B_S and G, in the units of these moduli. The errors result from
+  /// solving and rounding; see ElasticResponse::error. Infinite if no bound can be given.
   Eigen::MatrixXd C_error;
   double B_error = 0.0;
   double B_S_error = 0.0;
@@ -92,20 +92,20 @@ struct Moduli {
   /// difference between the largest and the smallest of C11, C22 (and C33), divided by their mean
   double isotropy_defect = 0.0;
   Bounds bounds;  ///< bounds on these moduli; not guaranteed with prestress, see Bounds::fault
-  /// Whether the principal stresses of the load are equal to one part in 10^4, or bounds.B_reuss is zero.
+  /// Whether the principal stresses of the load are equal within one part in 10^4. Also true if bounds.B_reuss is zero.
   bool isotropic_stress = true;
   int n_negative = 0;    ///< number of negative eigenvalues of the stiffness matrix of grains and strains
   int n_mechanisms = 0;  ///< number of zero eigenvalues of the stiffness matrix; free motions do not count
-  /// Number of mechanisms that change the strain of the cell: no stiffness resists them, and the moduli along these
-  /// strains are zero.
+  /// Number of mechanisms that change the strain of the cell. No stiffness resists such a mechanism, and the moduli for
+  /// its strain are zero.
   int n_coupled_mechanisms = 0;
   int n_rattlers = 0;
   int n_free_rollers = 0;
   /// number of mobilised contacts (whose force or moment is at its limit); C treats them as elastic
   int n_mobilised = 0;
   double pressure = 0.0;  ///< pressure: mean of the diagonal of load_stress() (force/length^(Dim-1))
-  /// relative backward error of the solution: largest net force on a grain divided by the size of the forces that add
-  /// up to it
+  /// relative backward error of the solution: largest net force on a grain, divided by the size of the forces whose sum
+  /// is this net force
   double residual = 0.0;
   /// estimated condition number of the stiffness matrix; infinite if there are mechanisms
   double condition = 1.0;
@@ -113,10 +113,10 @@ struct Moduli {
   /// B and B_without_prestress, and between G and G_without_prestress.
   std::optional<double> B_without_prestress;
   std::optional<double> G_without_prestress;
-  /// Response, without prestress, of the network from which the moduli were computed. Mechanisms, force increments and
-  /// the backbone are computed from it.
+  /// Elastic response, without prestress, of the network from which the moduli were computed. Mechanisms, force
+  /// increments and the backbone are computed from this response.
   ElasticResponse response;
-  /// Method that was used: the one in the options, or ModuliMethod::factor if that method failed. Only
+  /// Method that was used: the method in the options, or ModuliMethod::factor if the method in the options failed. Only
   /// ModuliMethod::factor counts negative eigenvalues and mechanisms, and gives error bounds from the solution. With
   /// ModuliMethod::bounds, the error is half the distance between the bounds; with other methods, it is an estimate.
   ModuliMethod method = ModuliMethod::factor;
@@ -128,8 +128,8 @@ struct Moduli {
   /// Returns whether B_reuss <= B_S is guaranteed, for the bulk modulus B_S under imposed stress and the bound B_reuss
   /// in `bounds`.
   bool bounds_hold_B_S() const { return bounds_hold() && isotropic_stress; }
-  /// Reason why there are no moduli, as a sentence; of all members only `bounds` is then meaningful. Empty if there are
-  /// moduli.
+  /// Reason why there are no moduli, as a sentence. Empty if there are moduli; otherwise only the member `bounds` is
+  /// meaningful.
   std::string failure;
   /// Predicted size of the factor (bytes) if it is too large, so that there are no moduli; otherwise 0.
   double factor_bytes = 0.0;
@@ -154,7 +154,8 @@ template <int Dim>
 [[nodiscard]] Moduli elastic_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
                                     const ModuliOptions& options);
 
-/// Computes the moduli with prestress from the moduli without prestress, for any value of `options.prestress`.
+/// Computes the moduli with prestress, to which the given moduli without prestress are added. The value of
+/// `options.prestress` has no influence.
 /// @param without  moduli of the same network without prestress
 template <int Dim>
 [[nodiscard]] Moduli prestressed_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
@@ -164,8 +165,8 @@ template <int Dim>
 template <int Dim>
 [[nodiscard]] Moduli elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options);
 
-/// Computes the moduli by ModuliMethod::petsc, for any value of `options.method`. All processes of the solver have to
-/// call this function with the same arguments, and all obtain the same moduli.
+/// Computes the moduli by ModuliMethod::petsc. The value of `options.method` has no influence. All processes of the
+/// solver have to call this function with the same arguments, and all obtain the same moduli.
 /// @param centres  centres of the grains (length), by which the grains are distributed over the processes
 template <int Dim>
 [[nodiscard]] Moduli elastic_moduli(const ContactNetwork<Dim>& network, const std::vector<Vec<Dim>>& centres,
@@ -173,14 +174,15 @@ template <int Dim>
                                     ParallelSolver& solver);
 
 /// Computes the moduli of a packing for several rolling stiffnesses, with a single symbolic factorization.
-/// @param rolling_stiffness  values >= 0 that replace options.rolling_stiffness one after another (force * length)
+/// @param rolling_stiffness  rolling stiffnesses (force * length), >= 0; each of them in turn replaces
+/// options.rolling_stiffness
 /// @return moduli for each of these rolling stiffnesses
 template <int Dim>
 [[nodiscard]] std::vector<Moduli> elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options,
                                                  const std::vector<double>& rolling_stiffness);
 
 /// Computes the moduli of successive states, such as those of a loading path. With ModuliMethod::iterative, the
-/// solution of a state starts from that of the previous state if both states have the same number of grains.
+/// iteration for a state starts from the solution of the previous state if both states have the same number of grains.
 template <int Dim>
 class ModuliSequence {
  public:

@@ -14,8 +14,9 @@ namespace {
 /// Smallest relative error of a modulus that may be required: the rounding error of the cell's volume.
 constexpr double kMinError = 1e-14;
 /// B_reuss counts as a lower bound on B_S, the bulk modulus under imposed stress, if the range of the principal
-/// stresses, divided by their mean, is at most this share of the required relative accuracy. Principal stresses P (1 +
-/// delta_a), with the pressure P, make the bound wrong by a relative error of about the largest delta_a.
+/// stresses, divided by their mean, is at most this share of the required relative accuracy of B. The bound holds
+/// exactly only if the principal stresses are equal. If they are P (1 + delta_a), with the pressure P, the bound is
+/// wrong by a relative error of about the largest delta_a.
 constexpr double kAnisotropyShare = 0.01;
 /// Largest number of grains for which a factor in single precision is cheaper than one in double precision.
 constexpr int kMaxForSingle = 1000;
@@ -29,8 +30,8 @@ bool bounds_suffice(const Packing<Dim>& packing, const ModuliOptions& options, c
   return stress.maxCoeff() - stress.minCoeff() <= kAnisotropyShare * accuracy.B * std::abs(stress.mean());
 }
 
-/// Returns whether the numbers of zero and negative eigenvalues in `m` can be relied on. ModuliMethod::factor counts
-/// all of them; moduli of another method are relied on only if none was found.
+/// Returns whether the numbers of zero and negative eigenvalues in `m` are reliable. ModuliMethod::factor counts all
+/// these eigenvalues. The numbers of another method are reliable only if it found no such eigenvalue.
 bool fully_counted(const Moduli& m) {
   return m.method == ModuliMethod::factor || (m.n_mechanisms == 0 && m.n_negative == 0);
 }

@@ -13,27 +13,27 @@ struct ModuliAccuracy {
   double B = std::numeric_limits<double>::infinity();
   double G = std::numeric_limits<double>::infinity();
 
-  /// Returns whether the errors of B and G in `moduli` are within these limits. A modulus that is known to be zero has
-  /// no relative error and counts as within its limit.
+  /// Returns whether the errors of B and G in `moduli` are within these limits. The limit of a modulus that is known to
+  /// be zero counts as met, because this modulus has no relative error.
   bool met_by(const Moduli& moduli) const;
   /// Returns every invalid limit as "name = value: requirement". At least one of the limits on B and G has to be
   /// finite, and none may be below the rounding error.
   std::vector<std::string> validate() const;
 };
 
-/// Returns the methods to compute moduli that need no previous state, the cheapest first. For the states of a loading
-/// path of 60 grains, ModuliMethod::bounds, single_factor and factor took 0.15, 5.0 and 5.9 ms per state;
-/// ModuliMethod::iterative took 14 ms (`floc tradeoff`, data/tables/tradeoff). For large packings a factor in double
-/// precision is cheaper than one in single precision: 0.010 s and 0.012 s for 1400 grains, 1.3 s and 4.1 s for 90 000
-/// (dense packings, one core).
+/// Returns those methods of computing moduli that need no previous state, in ascending order of their cost. For the
+/// states of a loading path of 60 grains, ModuliMethod::bounds, single_factor and factor took 0.15, 5.0 and 5.9 ms per
+/// state; ModuliMethod::iterative took 14 ms (`floc tradeoff`, data/tables/tradeoff). For large packings a factor in
+/// double precision is cheaper than a factor in single precision: 0.010 s and 0.012 s for 1400 grains, 1.3 s and 4.1 s
+/// for 90 000 (dense packings, one core).
 std::vector<ModuliMethod> moduli_methods_by_cost(int n_grains);
 
 /// Computes moduli by the cheapest of three methods whose errors are within `accuracy`:
 /// 1. The mean of the bounds: if the bounds are guaranteed (Moduli::bounds_hold()), the principal stresses are equal,
 /// and only B is required.
 /// 2. A factor in single precision: if it finds no mechanism.
-/// 3. A factor in double precision. Its moduli are returned even if their errors are too large; accuracy.met_by() tells
-/// whether they are.
+/// 3. A factor in double precision. The moduli of this method are returned even if their errors are too large;
+/// accuracy.met_by() tells whether the errors are small enough.
 ///
 /// @param options   options of the solution; their method and tolerance are replaced
 /// @param accuracy  largest relative errors of B and G

@@ -29,26 +29,29 @@ struct ContactMechanics {
 template <int Dim>
 ContactMechanics<Dim> contact_mechanics(const ContactNetwork<Dim>& network, const Moduli& moduli);
 
-/// Numbers that describe how far the contacts of a network determine its forces (docs/physics.md, "Stability and
-/// mechanisms").
+/// Numbers that describe to which extent the contacts of a network determine the contact forces (docs/physics.md,
+/// "Stability and mechanisms").
 struct NetworkMechanics {
   double rattler_fraction = 0.0;  ///< x0: number of rattlers divided by the number of grains
   /// Coordination number without rattlers: twice the number of touching contacts between grains that are not rattlers,
-  /// divided by the number of these grains.
+  /// divided by the number of grains that are not rattlers.
   double z_star = 0.0;
   /// Dimensionless shear modulus G/(K_N Phi (1 - x0)), with the mean normal stiffness K_N of touching contacts, the
   /// solid fraction Phi and the rattler fraction x0; in 3D multiplied by the largest diameter. Absent without contacts.
   std::optional<double> G_star;
-  int n_dead_ends = 0;   ///< number of grains that hang on a single contact, or on a chain of such grains
+  int n_dead_ends = 0;   ///< number of grains with one contact, or in a chain that ends with such a grain
   int n_components = 0;  ///< number of connected parts of the network after the dead ends have been removed
   Indeterminacy indeterminacy;
-  /// smallest share of the touching contacts that hold 95 % of the elastic energy of the isotropic step of stress
+  /// smallest share of the touching contacts that together have 95 % of the elastic energy in the isotropic step of
+  /// stress
   std::optional<double> energy_share_95;
-  /// smallest share of the touching contacts that hold 95 % of the elastic energy of the deviatoric step of stress
+  /// smallest share of the touching contacts that together have 95 % of the elastic energy in the deviatoric step of
+  /// stress
   std::optional<double> energy_share_95_deviatoric;
   /// share of contacts in the mechanical backbone, see mechanical_backbone()
   std::optional<double> backbone_share;
-  /// Share of contacts that would carry current if every contact conducted, see Percolation; absent without contacts.
+  /// Share of contacts through which a current would flow if every contact were a conductor, see Percolation; absent
+  /// without contacts.
   std::optional<double> scalar_backbone_share;
   int n_percolating = 0;  ///< number of directions in which the network percolates through the periodic cell
 };

@@ -20,10 +20,11 @@
 namespace floc {
 namespace {
 
-/// Largest eigenvalue that counts as zero in the stiffness against strain of the cell after relaxation of the grains,
-/// as a share of the stiffness without relaxation. A strain with such an eigenvalue is a mechanism.
+/// An eigenvalue of the stiffness against strain of the cell (after relaxation of the grains) counts as zero if it is
+/// at most this share of the stiffness without relaxation. A strain with such an eigenvalue is a mechanism.
 constexpr double kVanishingStrain = 1e-11;
-/// Condition number above which a Cholesky factor may hide a mechanism. Above it, the eigenvalues are counted instead.
+/// Condition number above which a Cholesky factor may hide a mechanism. In this case, the eigenvalues are counted as
+/// well.
 constexpr double kSuspiciousCondition = 1e12;
 /// Assumed largest eigenvalue of a stiffness matrix scaled to a diagonal of 1. In packings it is 2 to 4.
 constexpr double kLargestEigenvalue = 4.0;
@@ -94,9 +95,9 @@ ReducedStiffness reduced_stiffness(const ContactNetwork<Dim>& whole, const std::
 
 /// Tests the stability by a factor. By Haynsworth's theorem, the stiffness matrix has as many negative eigenvalues as
 /// the block of the grains and its Schur complement together. The Schur complement is the stiffness against strain
-/// after relaxation of the grains. The solution needs no refinement, because a factor with rounding errors is the exact
-/// factor of a nearby matrix.
-/// @return result of the test; without a number, but with the reason, if the factor would be too expensive
+/// after relaxation of the grains. No refinement is needed, because a factor with rounding errors is the exact factor
+/// of a nearby matrix.
+/// @return result of the test; if the factor would be too expensive, the result contains the reason but no number
 Stability test_by_factor(const ReducedStiffness& k, const StabilityOptions& options) {
   SymmetricFactor factor;
   factor.set_matrix(k.grains, k.group);

@@ -24,8 +24,8 @@ struct StabilityOptions {
 /// Result of a test of the stability of a state.
 struct Stability {
   /// Number of negative eigenvalues of the stiffness matrix; 0 for a stable state. An iterative test stops at the first
-  /// negative eigenvalue and gives 1. Absent if the state was not tested, or if an iterative test did not reach its
-  /// tolerance.
+  /// negative eigenvalue, so that the number is 1. Absent if the state was not tested, or if an iterative test did not
+  /// reach its tolerance.
   std::optional<int> n_negative;
   /// Method and result of the test, or the reason why there was no test, as a sentence. Empty if a factor of the
   /// stiffness matrix was used.
@@ -45,8 +45,8 @@ struct Stability {
 template <int Dim>
 [[nodiscard]] Stability stability(const ContactNetwork<Dim>& network, const StabilityOptions& options = {});
 
-/// Tests the stability of a network with prestress, that is, with the geometric terms of all forces and moments that it
-/// carries. With tangential forces the tangent matrix is not symmetric, and its symmetric part is tested. If this part
+/// Tests the stability of a network with prestress, that is, with the geometric terms of all contact forces and
+/// moments. With tangential forces the tangent matrix is not symmetric, and its symmetric part is tested. If this part
 /// is positive, the second-order work of every motion is positive, and no motion starts without external work
 /// [Hill1958].
 /// @param stress  load_stress() of the state, compression positive (force/length^(Dim-1))
@@ -61,11 +61,11 @@ template <int Dim>
 [[nodiscard]] Stability stability(const Packing<Dim>& packing, bool prestress = false,
                                   const StabilityOptions& options = {});
 
-/// Tests the stability of a packing at rest, which is a condition of equilibrium.
+/// Tests the stability of a packing at rest. Stability is a condition of equilibrium.
 /// - With liquid bridges, the test includes the geometric terms of the forces: the length r of a bridge is comparable
 ///   to the length over which its force F decays, and its transverse stiffness F/r may exceed its negative normal
 ///   stiffness.
-/// - Without liquid, these terms are left out, because the attraction has a short range compared with r.
+/// - Without liquid, the geometric terms are left out, because the range of the attraction is short compared with r.
 template <int Dim>
 [[nodiscard]] Stability stability_at_rest(const Packing<Dim>& packing);
 

@@ -8,8 +8,8 @@
 namespace floc {
 namespace {
 
-/// Largest stiffness against a wall shift (common displacement of the two walls of an axis) that counts as zero,
-/// because it may be due to rounding, as a share of the stiffness against strain. A shift has no stiffness if the
+/// A stiffness against a wall shift (common displacement of the two walls of an axis) counts as zero if it is at most
+/// this share of the stiffness against strain, because it may be due to rounding. A shift has no stiffness if the
 /// grains between the two walls touch no other boundary and move along with the walls.
 constexpr double kFreeShift = 1e-11;
 
@@ -20,7 +20,7 @@ void relax_wall_shifts(const ContactNetwork<Dim>& network, ElasticResponse& out)
   const auto n = static_cast<Eigen::Index>(network.wall_axes.size());
   const Eigen::Index n_strains = out.relaxed.rows() - n;
   // The wall shifts (common displacements of the two walls of an axis) are eliminated by a pseudo-inverse. A shift
-  // without stiffness moves the grains along freely, and its amplitude does not matter.
+  // without stiffness moves the grains along without resistance; its amplitude has no influence on the forces.
   const SymmetricEigen eigen = symmetric_eigen(out.relaxed.bottomRightCorner(n, n));
   const double least = kFreeShift * out.relaxed.trace();
   Eigen::VectorXd inverse = Eigen::VectorXd::Zero(n);

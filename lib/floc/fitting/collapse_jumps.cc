@@ -7,7 +7,8 @@
 namespace floc {
 namespace {
 
-/// Returns the weights whose sum with 1/Phi of points is how much it falls for a unit of ln P, by least squares.
+/// Returns one weight per point. The sum of weight * (1/Phi) over the points is the decrease of 1/Phi per unit of ln P,
+/// by least squares.
 Eigen::VectorXd slope_weights(const Eigen::VectorXd& log_P) {
   const Eigen::VectorXd d = log_P.array() - log_P.mean();
   return -d / d.squaredNorm();
@@ -24,7 +25,7 @@ double distance_of_jumps(const Eigen::MatrixXd& samples, const Eigen::VectorXd& 
   const double variance = (steps.colwise() - steps.rowwise().mean()).squaredNorm() /
                           static_cast<double>(samples.cols() - 1) / (2.0 * lambda * lambda);
   const auto expected = [&](double g) { return g * g * (1.0 - (-h.array() / g).exp()).sum(); };
-  // The sum grows with g. Beyond the range of the curve it only says that there are hardly any jumps.
+  // The expected sum grows with g. A value of g above the range of ln P only means that there are hardly any jumps.
   double low = 1e-9, high = log_P[n - 1] - log_P[0];
   if (expected(high) <= variance) return high;
   constexpr int kHalvings = 60;
@@ -51,7 +52,7 @@ bool samples_bend_at(const Eigen::MatrixXd& samples, const Eigen::VectorXd& log_
   constexpr double kDeviations = 4.0;
   const Eigen::Index n = log_P.size();
   assert(end >= 2 && end < n && samples.cols() >= 2);
-  // A single point beyond has a slope from the last point before it.
+  // If there is only one point from `end` on, its slope is computed together with the last point before it.
   const Eigen::Index beyond = std::max<Eigen::Index>(n - end, 2);
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(n);
   weights.head(end) += slope_weights(log_P.head(end));

@@ -54,7 +54,8 @@ std::vector<DensityResidual<Model>> residuals_of(const CompressionPoints& points
   return residuals;
 }
 
-/// Returns the coordinate of the limit of a model, or -1 if it has none.
+/// Returns the index of the coordinate that is the limit of the solid fraction in a model; -1 if the model has no
+/// limit.
 template <class Model>
 constexpr int limit_coordinate() {
   if constexpr (requires { Model::kLimit; }) return Model::kLimit;
@@ -95,9 +96,9 @@ std::optional<Solution> solve(const CompressionPoints& points, const Compression
   return solution;
 }
 
-/// Returns the covariance of theta, zero for coordinates that were not fitted. It does not rely on the weights,
-/// because a table does not tell how the errors of D depend on D: each residual, divided by 1 - h with the
-/// leverage h of its point, is the estimate of the error of this point (estimator HC3 [MW1985]).
+/// Returns the covariance of theta, zero for coordinates that were not fitted. The covariance is not computed from the
+/// weights, because the dependence of the errors of D on D is unknown. Instead, the error of each point is estimated as
+/// its residual divided by 1 - h, where h is the leverage of the point (estimator HC3 [MW1985]).
 Eigen::MatrixXd covariance_of(const Solution& solution) {
   const Eigen::MatrixXd& J = solution.jacobian;
   Eigen::MatrixXd c = unit_covariance(J);
@@ -119,8 +120,8 @@ Eigen::MatrixXd covariance_of(const Solution& solution) {
   return covariance;
 }
 
-/// Returns the standard error of a quantity with the given gradient. The sum runs only over the coordinates on which the
-/// quantity depends, because others may have an infinite variance.
+/// Returns the standard error of a quantity with the given gradient. The sum runs only over the coordinates on which
+/// the quantity depends, because the other coordinates may have an infinite variance.
 template <class Gradient>
 double error_of(const Gradient& gradient, const Eigen::MatrixXd& covariance) {
   double variance = 0.0;
@@ -130,10 +131,10 @@ double error_of(const Gradient& gradient, const Eigen::MatrixXd& covariance) {
   return std::sqrt(std::max(variance, 0.0));
 }
 
-/// Removes the value of a parameter that the data do not identify, and those ends of its interval that are too
-/// far away to be useful.
+/// If the data do not identify a parameter, removes its value and those ends of its interval that are too far from the
+/// value to be useful.
 void remove_if_unknown(FittedParameter& p) {
-  constexpr double kFar = 1e3;  // factor by which an end may differ from the best value
+  constexpr double kFar = 1e3;  // largest factor between an end and the best value
   if (p.identified) return;
   if (p.low95 && !(*p.low95 * kFar > *p.value)) p.low95 = std::nullopt;
   if (p.high95 && !(*p.high95 < *p.value * kFar)) p.high95 = std::nullopt;
@@ -158,8 +159,8 @@ std::vector<FittedParameter> parameters_of(const Solution& solution, double fact
   return parameters;
 }
 
-/// For a fixed parameter, reports its given value. For a limit at its bound, reports the bound instead of a
-/// value.
+/// Sets the parameters that were not fitted freely: a fixed parameter to its given value; for a limit at its bound, the
+/// value is removed and the bound is reported.
 void mark_given(const CompressionOptions& options, const Solution& solution, CompressionFit& fit) {
   for (FittedParameter& p : fit.parameters) {
     if (p.name == "D0" && options.D0 > 0.0) p = held_at("D0", options.D0);

@@ -10,7 +10,7 @@
 namespace floc {
 
 /// Laws of the compression of powders: the solid fraction D (relative density) at the pressure P. D0 is the solid
-/// fraction without pressure, C = 1 - D0/D the relative reduction of volume.
+/// fraction without pressure, and C = 1 - D0/D is the relative reduction of volume.
 enum class CompressionLaw {
   heckel,        ///< ln[1/(1 - D)] = A + P/P_y, fitted to the linear part of the curve [Heckel1961]
   kawakita,      ///< C = a b P/(1 + b P) [KL1971]
@@ -29,7 +29,7 @@ struct NamedCompressionLaw {
 std::span<const NamedCompressionLaw> compression_laws();
 
 struct CompressionOptions {
-  /// Solid fraction D0 without pressure; 0 to fit it as a parameter of the laws that have it.
+  /// Solid fraction D0 without pressure. If it is 0, D0 is fitted in the laws that contain it.
   double D0 = 0.0;
   /// Largest solid fraction to which a law may tend. Infinity allows values above 1, as measured in a die under
   /// load, where the solid itself is compressed elastically.
@@ -43,9 +43,9 @@ struct CompressionFit {
   /// Parameters with their intervals. Heckel: P_y, A; Kawakita: a, b, D0, Phi_max; Cooper and Eaton: a1, k1, a2, k2, D0;
   /// Walker and Gurnham: slope and D_1, the solid fraction at the pressure 1; Adams: tau, alpha, D0.
   std::vector<FittedParameter> parameters;
-  int first = 0;            ///< index of the first point in the part of the curve that gives the parameters
-  int n_points = 0;         ///< number of points in this part
-  double rms = 0.0;         ///< root mean square residual of D over these points
+  int first = 0;     ///< index of the first point in the part of the curve from which the parameters are fitted
+  int n_points = 0;  ///< number of points in this part
+  double rms = 0.0;  ///< root mean square residual of D over these points
   ResidualPattern pattern;  ///< pattern in the residuals of the law fitted to all points
   /// Corrected Akaike information criterion of the law fitted to all points, up to a constant that depends on
   /// the data, and its difference from the smallest value among the laws fitted together.
@@ -57,13 +57,13 @@ struct CompressionFit {
 };
 
 /// Fits compression laws to the same points by least squares in D, and ranks them by their Akaike information
-/// criterion. Errors of D are taken as proportional to sqrt(D), which is between equal and relative errors.
-/// Intervals follow from Student's t, in the logarithm of a positive parameter. Their standard errors follow
-/// from the single residuals [MW1985], so they hold for equal and for relative errors.
+/// criterion. Errors of D are taken as proportional to sqrt(D), which is between equal and relative errors. Intervals
+/// follow from Student's t; for a positive parameter, they are computed in its logarithm. Standard errors are computed
+/// from the residual of each single point [MW1985], so that they are valid for equal and for relative errors of D.
 ///
-/// Heckel's law is fitted to the longest part of the curve in which ln[1/(1 - D)] is straight: its quadratic
-/// term is not significant, or changes the slope by less than a tenth from end to end. Its rank is that of a
-/// fit to all points, like the ranks of the other laws.
+/// Heckel's law is fitted to the longest part of the curve in which ln[1/(1 - D)] is straight, that is, in which its
+/// quadratic term is not significant or changes the slope by less than a tenth from end to end. For the rank, however,
+/// Heckel's law is fitted to all points, like the other laws.
 /// @param P  pressures, > 0, growing   @param D  solid fractions, > 0, one per pressure
 [[nodiscard]] std::vector<CompressionFit> fit_compression(const std::vector<double>& P,
                                                           const std::vector<double>& D,

@@ -9,7 +9,7 @@ namespace floc {
 // - density(theta, P), the solid fraction at the pressure P,
 // - kQuantities parameters with their names, and quantities(theta, q), the coordinates in which their intervals are
 //   symmetric: the logarithm of a positive parameter, or the parameter itself where `kLogarithm` is false.
-// A model with D0 has it as its first coordinate, ln D0, which may be given. T is any scalar type.
+// In a model with D0, the first coordinate is ln D0; it is fixed if the user gives D0. T is any scalar type.
 
 struct HeckelModel {
   static constexpr int kParameters = 2, kQuantities = 2;
@@ -34,7 +34,7 @@ struct KawakitaModel {
   static constexpr const char* kNames[] = {"a", "b", "D0", "Phi_max"};
   static constexpr bool kLogarithm[] = {true, true, true, true};
   static constexpr bool kHasD0 = true;
-  static constexpr int kLimit = 2;  ///< coordinate of the limit of the law
+  static constexpr int kLimit = 2;  ///< index of the coordinate that is the limit of the solid fraction
   template <class T>
   static T density(const T* theta, double P) {
     using std::exp;

@@ -19,9 +19,9 @@ struct CompressionPoints {
   }
 };
 
-/// Returns starting points of theta for a model. They follow from straight lines in coordinates in which the
-/// model is linear, and from grids of its other coordinates. The result is empty if the solid fraction does not
-/// grow with pressure.
+/// Returns starting points of theta for a model. They are found by fits of straight lines in coordinates in which the
+/// model is linear, on a grid of values of the remaining coordinates. The result is empty if the solid fraction does
+/// not grow with pressure.
 /// @param D0  given solid fraction without pressure; 0 if it is fitted
 template <class Model>
 std::vector<Eigen::VectorXd> starts_of(const CompressionPoints& points, double D0);

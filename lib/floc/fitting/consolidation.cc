@@ -17,7 +17,8 @@ namespace {
 
 using Law = ConsolidationLaw;
 
-/// Smallest number of samples whose scatter gives the weights and the standard errors of the fit to their mean curve.
+/// Smallest number of samples for which the scatter between samples is used to compute weights and standard errors of
+/// the fit to their mean curve.
 constexpr Eigen::Index kMinSamples = 3;
 
 const char* name_of(Law law) {
@@ -67,8 +68,8 @@ Eigen::VectorXd weights_of(const ConsolidationCurve& curve, const Eigen::VectorX
 }
 
 Window given_window(const ConsolidationCurve& curve, std::pair<double, double> window) {
-  // Relative tolerance of the bounds of the window, so that a bound that was typed with a few digits includes the point
-  // whose pressure was rounded to it.
+  // Relative tolerance of the bounds of the window. It is needed because a user types a bound with few digits: the
+  // window then includes the point whose rounded pressure is the bound.
   constexpr double kTyped = 1e-3;
   const auto inside = [&](double P) {
     return P >= window.first * (1 - kTyped) && P <= window.second * (1 + kTyped);
@@ -131,9 +132,9 @@ void describe_window(const ConsolidationCurve& curve, const Window& window, Cons
   fit.window_high = curve.P_star[window.first + window.n - 1];
 }
 
-/// Adds the uncertainty of the ends of the regimes to the covariance of the coordinates theta of a fit. For every other
-/// probable end of a regime, the law is fitted again to the points up to this end, and the squared change of theta is
-/// added, weighted by the probability of this end.
+/// Adds the uncertainty of the ends of the regimes to the covariance of theta, the coordinates of a fit. For every
+/// other probable end of a regime, the law is fitted again with this end, and the squared change of theta is added,
+/// weighted by the probability of this end.
 void add_spread_over_places(const LawEstimate& e, const LawPoints& all, const Window& window,
                             const Regimes& regimes, Covariance& covariance) {
   struct Other {
@@ -142,7 +143,8 @@ void add_spread_over_places(const LawEstimate& e, const LawPoints& all, const Wi
   };
   std::vector<Other> others;
   const int end = window.first + window.n;
-  // Samples that jump move the end of the plateau as they move lambda: their scatter has it already.
+  // If samples collapse in jumps, the end of the plateau is not varied: its uncertainty is already contained in the
+  // scatter of the samples.
   const bool of_jumps = regimes.jump_distance > 0.0 && e.law == Law::log;
   if (e.law != Law::power && regimes.plateau_end && !of_jumps)
     for (const ChangePlace& p : regimes.plateau_end->places) others.push_back({p.first, end, p.probability});
@@ -303,8 +305,8 @@ ConsolidationFit fit_consolidation(const ConsolidationCurve& curve, const Consol
   if (n <= n_parameters(law)) return refused(law, too_few(law, n));
   LawPoints points = law_points(curve, fit.weighting);
   points.least_limit = 1.0 / options.phi_limit;
-  // The search for the regimes uses weights that do not depend on the scatter of the samples, because this
-  // scatter is correlated between neighbouring pressures.
+  // The search for the regimes does not use weights from the scatter of the samples, because the deviations of a sample
+  // at neighbouring pressures are correlated.
   const Weighting of_shape = fit.weighting == Weighting::scatter ? Weighting::relative : fit.weighting;
   Window window{};
   if (options.window) {

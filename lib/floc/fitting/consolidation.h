@@ -17,7 +17,7 @@
 
 namespace floc {
 
-/// Weights of the points of a consolidation curve in a fit. Each choice assumes other errors of the inverse solid
+/// Weights of the points of a consolidation curve in a fit. They follow from the assumed errors of the inverse solid
 /// fraction 1/Phi.
 enum class Weighting {
   automatic,  ///< `scatter` if the curve is the mean over three samples or more, otherwise `relative`
@@ -30,8 +30,8 @@ enum class Weighting {
 struct ConsolidationOptions {
   ConsolidationLaw law = ConsolidationLaw::full;
   /// Lowest and highest reduced pressure P* of the points to fit. If absent, the regimes of the curve are found first:
-  /// a plateau (regime I), a line in ln P* (II) and a power law (III). The full law is then fitted to regimes II and
-  /// III, the line to regime II, and the power law to regime III.
+  /// regime I (a plateau), regime II (1/Phi is linear in ln P*) and regime III (a power law). The full law is then
+  /// fitted to regimes II and III, the line to regime II, and the power law to regime III.
   std::optional<std::pair<double, double>> window;
   /// Whether P0*, the pressure at which the line of regime II begins, is set to the first pressure fitted. Otherwise
   /// P0* is the pressure at which this line meets the plateau of regime I.
@@ -42,8 +42,8 @@ struct ConsolidationOptions {
   std::uint64_t seed = 1;
   /// Largest solid fraction to which a law may tend at high pressure; infinity for no bound.
   double phi_limit = 1.0;
-  /// Regimes of the curve, if they are known. The points before regime II then lie on a recompression line, whose slope
-  /// kappa is fitted too.
+  /// Regimes of the curve; absent if they are not known. If given, a recompression line is fitted to the points before
+  /// regime II, and its slope kappa is a parameter.
   std::optional<Regimes> regimes = {};
   /// Whether systematic residuals widen the intervals of a fit to a single curve.
   bool widen = false;
@@ -53,11 +53,11 @@ struct ConsolidationOptions {
   std::vector<std::string> validate() const;
 };
 
-/// Solid fraction against pressure of one sample, or its mean over several samples: points in the order of growing
-/// pressure.
+/// Consolidation curve (solid fraction against pressure) of one sample, or the mean curve of several samples. The
+/// points are in the order of growing pressure.
 struct ConsolidationCurve {
-  /// Reduced pressure P* > 0. In 2D with adhesion it is a P/F0, with the grain diameter a, the pressure P and the
-  /// pull-off force F0.
+  /// Reduced pressure P* > 0. In 2D with adhesion, P* = a P/F0, where a is the grain diameter, P the pressure and F0
+  /// the pull-off force.
   std::vector<double> P_star;
   std::vector<double> phi;  ///< solid fraction, > 0
   /// For a mean curve, 1/Phi of each sample (one row per pressure, one column per sample); otherwise empty.
@@ -69,7 +69,7 @@ struct ConsolidationCurve {
 struct WindowShift {
   /// End that moves: "first row earlier", "first row later", "last row earlier" or "last row later".
   std::string change;
-  /// Value of lambda from this fit; absent if it leaves fewer than three points to regime II.
+  /// Value of lambda from this fit; absent if the fit leaves fewer than three points to regime II.
   std::optional<double> lambda;
 };
 
@@ -77,9 +77,8 @@ struct WindowShift {
 /// standard error.
 struct ErrorParts {
   std::string name;      ///< name of the parameter
-  double scatter = 0.0;  ///< part from the scatter between samples or from the residuals of the fit
-  /// Part from the uncertain ends of the regimes: scatter of the parameter over the points at which the regimes may
-  /// end.
+  double scatter = 0.0;  ///< part due to the scatter between samples or, without it, the residuals of the fit
+  /// Part due to the uncertain ends of the regimes: scatter of the parameter if the ends of the regimes are varied.
   double regimes = 0.0;
 };
 
@@ -101,8 +100,8 @@ struct ConsolidationFit {
   std::vector<std::string> correlated;
   Eigen::MatrixXd correlation;  ///< correlation matrix of the fitted parameters
   double rms = 0.0;             ///< root mean square residual of 1/Phi over the points fitted
-  /// Law of which `theta` are the parameters: the line of regime II if the points do not show the bend of the full law,
-  /// otherwise `law`.
+  /// Law whose parameters are in `theta`: the line of regime II if the points do not show the bend of the full law,
+  /// otherwise the law in the options.
   ConsolidationLaw reported_law = ConsolidationLaw::full;
   Eigen::VectorXd theta;    ///< fitted parameters of the law, as LawSolution defines them
   Eigen::VectorXd fitted;   ///< inverse solid fraction 1/Phi of the fitted law at each point fitted
@@ -131,8 +130,8 @@ struct ConsolidationFit {
   const FittedParameter* find(const std::string& name) const;
 };
 
-/// Returns a curve as points with the given weights. In a search for regimes, the weights must not come from
-/// the scatter between samples, which is correlated between neighbouring pressures.
+/// Returns a curve as points with the given weights. For a search for regimes, `weighting` must not be
+/// Weighting::scatter, because the deviations of a sample at neighbouring pressures are correlated.
 [[nodiscard]] LawPoints law_points(const ConsolidationCurve& curve, Weighting weighting);
 
 /// Fits a consolidation law (docs/physics.md, "Consolidation laws") to a curve of the solid fraction Phi
@@ -142,16 +141,17 @@ struct ConsolidationFit {
 /// Standard errors of a fit to a single curve follow from the residuals. For a mean over three samples or more they
 /// follow from the scatter of the samples: the deviation of each sample from the mean is propagated through the
 /// linearised fit, so that the correlation of errors along the curve is included. If the fit has found the regimes, the
-/// scatter of the parameters over the probable ends of the regimes is added. Of regimes with lagging points, these are left
-/// out of the line of regime II, and its start is not varied.
+/// scatter of the parameters over the probable ends of the regimes is added. If samples lag behind the line of regime
+/// II at its beginning (Regimes::n_lagging), the points concerned are not fitted by this line, and the beginning of
+/// regime II is not varied.
 ///
-/// The 95 % intervals follow from Student's t in the logarithm of a parameter, or in 1/Phi0 for Phi0. Those of
-/// alpha and Phi_max follow from the profile likelihood. The bootstrap draws samples if the curve is a mean
-/// over samples, and otherwise residuals.
+/// The 95 % intervals follow from Student's t in the logarithm of a parameter, or in 1/Phi0 for Phi0. The intervals of
+/// alpha and Phi_max follow from the profile likelihood. The bootstrap draws samples if the curve is a mean over
+/// samples; otherwise it draws residuals.
 ///
-/// If the data end before P1*, the pressure at which regime III begins, the fit gives bounds of P1* and Phi_max
-/// and no value of the exponent alpha. There is no fit, but a `failure_reason`, if the points are too few, if
-/// all of them lie in regime I, or if the solid fraction does not grow with pressure.
+/// If the data end before P1*, the pressure at which regime III begins, the fit gives bounds of P1* and Phi_max and no
+/// value of the exponent alpha. There is no fit, but a `failure_reason`, if there are too few points, if all points lie
+/// in regime I, or if the solid fraction does not grow with pressure.
 /// @pre All pressures and solid fractions are positive and finite, and the pressures grow.
 /// @throws InputError with the faults of the options if they are not valid
 [[nodiscard]] ConsolidationFit fit_consolidation(const ConsolidationCurve& curve,

@@ -11,8 +11,8 @@
 namespace floc {
 namespace {
 
-/// Draws samples with replacement, one fewer than there are. Returns the mean of 1/Phi over the drawn samples at each
-/// point: first at the points of the plateau, then at the other points fitted.
+/// Draws n - 1 of the n samples, with replacement. Returns the mean of 1/Phi over the drawn samples at each point:
+/// first at the points of the plateau, then at the other points fitted.
 Eigen::VectorXd mean_of_draw(const Eigen::MatrixXd& samples, RandomStream& random) {
   const Eigen::Index n_drawn = samples.cols() - 1;
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(samples.rows());

@@ -10,13 +10,14 @@ namespace floc {
 ///   g(x) = ln{ e^x [1 - exp(-u)]^(1/alpha) },  u = exp(-alpha x) = (P1*/P*)^alpha
 ///
 /// g tends to x far below P1*, and to -u/(2 alpha) far above. T is any scalar type (`double`, Ceres' Jet). The result
-/// is exact to rounding from P*/P1* = 1e-12 to 1e12, unlike the printed formula, which loses all digits.
+/// is exact to rounding from P*/P1* = 1e-12 to 1e12. The formula of the paper, evaluated directly, would lose all
+/// digits there.
 /// @param alpha  exponent of the power law in regime III, > 0
 template <class T>
 T consolidation_bracket(const T& x, const T& alpha) {
   using std::exp, std::expm1, std::log, std::log1p;
   const T log_u = -alpha * x;
-  // For such a large u, exp(-u) is below the smallest double, so that g = x.
+  // If u is this large, exp(-u) is below the smallest double, so that g = x.
   if (log_u > T(6.7)) return x;
   const T u = exp(log_u);
   if (u > T(1.0)) return x + log1p(-exp(-u)) / alpha;
@@ -32,7 +33,7 @@ T consolidation_bracket(const T& x, const T& alpha) {
 ///   1/Phi = 1/Phi_max - lambda g(ln(P*/P1*))
 ///
 /// The function g is consolidation_bracket(). Eq. 9 of [GRC2008] is the same law, written with the solid fraction Phi0
-/// at a pressure P0* of free choice: 1/Phi0 = 1/Phi_max + lambda ln(P1*/P0*).
+/// at an arbitrary pressure P0*: 1/Phi0 = 1/Phi_max + lambda ln(P1*/P0*).
 struct ConsolidationLawParameters {
   double lambda;   ///< plasticity index, the slope -d(1/Phi)/dlnP* in regime II, > 0
   double alpha;    ///< exponent of the power law in regime III, > 0

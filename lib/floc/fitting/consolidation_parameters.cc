@@ -11,8 +11,9 @@ namespace {
 
 using Law = ConsolidationLaw;
 
-/// Returns the correlation matrix of the first `n` parameters of a fit. The sign is reversed for a parameter of which
-/// the inverse was fitted, such as Phi_max, because 1/Phi_max falls as Phi_max grows.
+/// Returns the correlation matrix of the first `n` parameters of a fit. If the inverse of a parameter was fitted
+/// (1/Phi_max instead of Phi_max), the sign of its correlations is reversed, because the parameter falls as its inverse
+/// grows.
 Eigen::MatrixXd correlation_of(const std::vector<Quantity>& quantities, Eigen::Index n,
                                const Eigen::MatrixXd& covariance) {
   Eigen::MatrixXd gradients(n, covariance.cols());

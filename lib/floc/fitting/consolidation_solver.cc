@@ -91,7 +91,7 @@ std::vector<Start> full_starts(const LawPoints& points) {
   const double first = log_P[0];
   const double end = log_P[log_P.size() - 1] + 1.0;
   // The starting values of ln P1* are 0.5 apart, close enough to find the minimum. A wide range of pressures needs more
-  // of them.
+  // starting values.
   const int n_P1 = std::clamp(static_cast<int>(std::ceil((end - first) / 0.5)) + 1, 16, 128);
   for (const double alpha_log : grid(std::log(0.2), std::log(6.0), 10))
     for (const double log_P1 : grid(first, end, n_P1)) {
@@ -113,8 +113,8 @@ std::vector<Residual> residuals_of(const LawPoints& points) {
   return residuals;
 }
 
-/// Returns limits of the parameters alpha and P1*, which could diverge without them. They lie far beyond the values at
-/// which the consolidation laws reach their limiting forms.
+/// Returns limits of the parameters alpha and P1*. Without limits, these parameters could diverge. The limits lie far
+/// beyond the values at which the consolidation laws reach their limiting forms.
 std::vector<ParameterLimits> limits_of(int n_parameters, const LawPoints& points) {
   constexpr double kFar = 15.0;
   std::vector<ParameterLimits> limits;
@@ -134,8 +134,8 @@ std::optional<LawSolution> refine(const LawPoints& points, const Eigen::VectorXd
   const std::vector<Residual> residuals = residuals_of<Residual>(points);
   std::vector<ParameterLimits> limits = limits_of(Residual::kParameters, points);
   auto found = minimize(residuals, start, {}, held);
-  // With limits of the parameters the solver is less exact. It therefore runs without limits first, and with
-  // limits only if this run fails or ends beyond the limits.
+  // The solver is less accurate if the parameters have limits. It therefore runs without limits first. Only if this run
+  // fails or ends beyond the limits, it runs again with limits.
   if (!found || !within(limits, found->theta)) found = minimize(residuals, start, limits, held);
   if (!found) return std::nullopt;
   const bool beyond = Residual::kParameters > kLimitParameter && held != kLimitParameter &&
@@ -250,8 +250,8 @@ std::optional<Eigen::VectorXd> start_of_law(ConsolidationLaw law, const LawPoint
   for (Start& start : starts) {
     Eigen::VectorXd end = start.theta;
     const double left = minimize_law(law, points, end);
-    // A solution beyond the limits of alpha and P1* does not replace the starting point, because it leads to no minimum
-    // within the limits.
+    // A solution beyond the limits of alpha and P1* does not replace the starting point, because from such a solution
+    // no minimum within the limits is reached.
     if (left < start.sum_of_squares && within(limits, end)) start = {end, left};
   }
   const auto best = std::min_element(starts.begin(), starts.end(), less);

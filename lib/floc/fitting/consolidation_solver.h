@@ -42,7 +42,7 @@ struct LawSolution {
   /// Derivatives of the weighted residuals with respect to theta; empty if an entry of theta was held fixed.
   Eigen::MatrixXd jacobian;
   double sum_of_squares = 0.0;  ///< sum of squares of the weighted residuals
-  /// True if 1/Phi_max is at LawPoints::least_limit, because without this bound the fit would go below it.
+  /// True if 1/Phi_max is at its bound LawPoints::least_limit. Without this bound, the best 1/Phi_max would be smaller.
   bool at_limit = false;
 };
 
@@ -54,15 +54,17 @@ inline constexpr int kLimitParameter = 2;
 double law_value(ConsolidationLaw law, const Eigen::VectorXd& theta, double log_P, double log_P_first);
 
 /// Fits a consolidation law:
-/// 1. For each point of a grid of the nonlinear parameters, linear least squares give the other ones: a starting point.
+/// 1. For each point of a grid of the nonlinear parameters, linear least squares give the linear parameters. Together
+/// they are a starting point.
 /// 2. From the best few starting points, the solver descends to a minimum.
-/// 3. The best minimum is refined to rounding by Levenberg-Marquardt (Ceres).
+/// 3. The best minimum is refined by Levenberg-Marquardt (Ceres), until its errors are only rounding.
 ///
 /// The solution is absent if no starting point gives a solid fraction that grows with pressure.
 /// @pre There are more points than parameters.
 [[nodiscard]] std::optional<LawSolution> solve_law(ConsolidationLaw law, const LawPoints& points);
 
-/// Fits a consolidation law to rounding, from the starting point `start` of theta.
+/// Fits a consolidation law, from the starting point `start` of theta, with an accuracy that is limited only by
+/// rounding.
 /// @param held  index of an entry of theta to hold fixed; -1 to fit all
 [[nodiscard]] std::optional<LawSolution> solve_law_from(ConsolidationLaw law, const LawPoints& points,
                                                         const Eigen::VectorXd& start, int held = -1);
@@ -79,9 +81,9 @@ double law_value(ConsolidationLaw law, const Eigen::VectorXd& theta, double log_
 /// @return the sum of squares at the minimum
 double minimize_law(ConsolidationLaw law, const LawPoints& points, Eigen::VectorXd& theta);
 
-/// Return the sum of squared residuals of a straight line in ln P* (regime II), and of a power law of P* with its best
-/// exponent (regime III), fitted by least squares. The result is absent if the solid fraction does not grow with
-/// pressure.
+/// Both functions return the sum of squared residuals of a least-squares fit to 1/Phi: residual_of_line() for a
+/// straight line in ln P* (regime II), residual_of_power_law() for a power law of P* with its best exponent (regime
+/// III). The result is absent if the solid fraction does not grow with pressure.
 [[nodiscard]] std::optional<double> residual_of_line(const LawPoints& points);
 [[nodiscard]] std::optional<double> residual_of_power_law(const LawPoints& points);
 

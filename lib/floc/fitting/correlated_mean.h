@@ -7,13 +7,13 @@
 
 namespace floc {
 
-/// Returns the mean of independent values, such as those of several samples, with its interval by Student's t.
-/// A single value has no interval.
+/// Returns the mean of independent values, such as one value per sample, with the interval of the mean by Student's t.
+/// For a single value, there is no interval.
 FittedParameter mean_of_samples(const std::string& name, const std::vector<double>& values);
 
-/// Returns the mean of successive correlated values, such as those along the path of one sample. Its interval
-/// follows from the means of five successive batches of equal length, which are taken as independent. So the
-/// correlation must vanish within one batch. With fewer than ten values there is no interval.
+/// Returns the mean of successive correlated values, such as the values along the load path of one sample. The interval
+/// of the mean is computed from the means of five successive batches of equal length, which are treated as independent.
+/// The correlation length must therefore be shorter than one batch. With fewer than ten values there is no interval.
 FittedParameter mean_along_path(const std::string& name, const std::vector<double>& values);
 
 }  // namespace floc

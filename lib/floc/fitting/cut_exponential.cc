@@ -10,7 +10,8 @@ constexpr int kMinValues = 10;
 
 /// Returns the mean of a random variable x with density ~ exp(-t x) on [0, 1], accurate to rounding for any t.
 double mean_in_unit(double t) {
-  // For small t the formula loses digits, and a series is used, whose first neglected term is below rounding.
+  // For small t, a series is used, because the formula loses digits. The first neglected term of the series is below
+  // rounding.
   if (std::abs(t) < 1e-2) return 0.5 - t / 12.0 + t * t * t / 720.0;
   return 1.0 / t - 1.0 / std::expm1(t);
 }

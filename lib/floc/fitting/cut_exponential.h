@@ -23,10 +23,10 @@ struct ExponentEstimate {
   double error = 0.0;  ///< standard error, from Fisher's information
 };
 
-/// Estimates, by maximum likelihood, one exponent b for the values in several windows of an exponential distribution.
-/// The number n of values in each window is taken as given. b is the root of the sum over the windows of n (m(b) -
-/// mean). Here `mean` is the mean distance of the values from the lower end of their window, and m(b) = 1/b - w/(exp(b
-/// w) - 1) is its expected value in a window of width w.
+/// Estimates one exponent b by maximum likelihood from the values in several windows of an exponential distribution.
+/// The number n of values in each window is treated as given. The exponent b is the root of the function sum_windows n
+/// [m(b) - mean]. Here `mean` is the mean distance of the values from the lower end of their window, and m(b) = 1/b -
+/// w/(exp(b w) - 1) is its expected value in a window of width w.
 [[nodiscard]] ExponentEstimate fit_exponent(const std::vector<CutSample>& windows);
 
 }  // namespace floc

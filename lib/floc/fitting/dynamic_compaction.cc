@@ -25,11 +25,13 @@ constexpr int kParameters = 7;
 constexpr std::array<const char*, kParameters> kNames = {"e_min", "De", "C", "A", "s_m", "a", "b"};
 using Parameters = Eigen::Matrix<double, kParameters, 1>;
 
-/// Residual of the void ratio e of one sample. In the fit, the plateau refers to the geometric mean of the pressures of
-/// the samples, because the law may have a pole between them and the reference pressure p_D.
+/// Residual of the void ratio e of one sample. During the fit, the reference pressure of the plateau is the geometric
+/// mean of the pressures of the samples. It is not p_D, because the law may have a pole between p_D and the pressures
+/// of the samples.
 struct CompactionResidual {
   static constexpr int kParameters = floc::kParameters;
-  /// logarithm of the pressure at which the plateau is evaluated, in units of its geometric mean over the samples
+  /// logarithm of the pressure at which the plateau is evaluated; the pressure is in units of its geometric mean over
+  /// the samples
   double log_p;
   double log_x, e, weight;
   template <class T>
@@ -74,8 +76,8 @@ bool add_plateau(const Residuals& data, Eigen::VectorXd& theta) {
   for (Eigen::Index i = 0; i < n; ++i) {
     const CompactionResidual& r = data[static_cast<std::size_t>(i)];
     const double S = std::exp(theta[3] + a * r.log_x) + std::exp(theta[4] + b * r.log_x);
-    // Both sides of e_r/(e - e_min) = 1/De + C ln p are multiplied by (e - e_min)^2/e_r, so that the residuals
-    // are in proportion to those of the void ratio e.
+    // Both sides of e_r/(e - e_min) = 1/De + C ln p are multiplied by (e - e_min)^2/e_r, so that the residuals are in
+    // proportion to the residuals of the void ratio e.
     const double over = r.e - theta[0];
     const double e_r = S / (1.0 + S);
     columns.row(i) << over * over / e_r, over * over / e_r * r.log_p;
@@ -170,8 +172,8 @@ std::optional<RobustView> robust_view(const CompactionData& data) {
   return view;
 }
 
-/// Returns the indices of the samples that do not lie on the plateau: samples that view.may_flag allows to
-/// flag, and that miss the law by more than `n_deviations` standard deviations.
+/// Returns the indices of the samples that do not lie on the plateau: samples that may be flagged according to
+/// view.may_flag, and whose distance from the law is more than `n_deviations` standard deviations.
 std::vector<int> beside_plateau(const CompactionData& data, const RobustView& view, double n_deviations) {
   std::vector<int> rows;
   for (std::size_t k = 0; k < data.rows.size(); ++k)
@@ -248,8 +250,8 @@ struct CompactionEstimate {
   double error(int k) const { return std::hypot(scatter[k], spread[k]); }
 };
 
-/// Returns the root mean square change of each of coordinates() if samples are flagged as beside the plateau at a
-/// smaller or a larger distance from the law.
+/// Varies the distance from the law beyond which a sample is flagged as not lying on the plateau, to a smaller and to a
+/// larger value. Returns the root mean square change of each of coordinates().
 Parameters spread_over_flags(const CompactionEstimate& estimate, const CompactionData& all,
                              const RobustView& view, const std::vector<int>& flagged) {
   Parameters sum = Parameters::Zero();
@@ -282,12 +284,11 @@ FittedParameter parameter_of(const CompactionEstimate& e, int k) {
   return from_logarithm(name, e.value[k], e.error(k), t95);
 }
 
-/// Replaces the 95 % interval of the parameter A or a by the interval from the profile likelihood of ln A or ln
-/// a.
+/// Replaces the 95 % interval of the parameter A (or a) by the interval from the profile likelihood of ln A (or ln a).
 void profile(const CompactionEstimate& e, int k, FittedParameter& p, CompactionFit& fit) {
   const double error = e.error(k);
-  // With a standard error this small, changes of the sum of squares are only rounding, and the interval from the
-  // covariance is kept.
+  // If the standard error is very small, changes of the sum of squares are only rounding. The interval from the
+  // covariance is then kept.
   if (!std::isfinite(error) || error < 1e-9) return;
   const double t95 = student_t_95(e.dof());
   const double inflated = std::pow(t95 * error / e.scatter[k], 2) * e.variance;
@@ -323,8 +324,8 @@ void profile(const CompactionEstimate& e, int k, FittedParameter& p, CompactionF
                  *p.high95 < kIdentifiedFactor * *p.value;
 }
 
-/// Returns the parts of the standard error of a parameter. They are the parts of the error of its coordinate in
-/// coordinates(), multiplied by one factor so that they refer to the parameter.
+/// Returns the parts of the standard error of a parameter. The parts of the error of the corresponding entry of
+/// coordinates() are all multiplied by one factor, so that their squares add up to the squared error of the parameter.
 CompactionErrorParts parts_of(const CompactionEstimate& e, int k, const FittedParameter& p) {
   const double all = e.error(k);
   const double unit = all > 0.0 ? *p.standard_error / all : 0.0;
@@ -373,14 +374,15 @@ void add_parameters(const CompactionEstimate& e, CompactionFit& fit) {
   }
   const Eigen::MatrixXd G = gradients(e.solution.theta, e.data.log_p_D);
   Eigen::MatrixXd c = G * e.covariance * G.transpose();
-  // Row and column 1 are correlations of 1/De; those of De have the opposite sign, because 1/De falls as De grows.
+  // Row and column 1 are correlations of 1/De. The correlations of De have the opposite sign, because 1/De falls as De
+  // grows.
   c.row(1) *= -1.0, c.col(1) *= -1.0;
   const Eigen::VectorXd scale = c.diagonal().cwiseSqrt().cwiseInverse();
   fit.correlation = scale.asDiagonal() * c * scale.asDiagonal();
 }
 
-/// Returns the samples to fit: those whose plateau is evaluated at a pressure of at least p_0. Adds the indices of all
-/// other samples to fit.below_p_0.
+/// Returns the samples to fit: samples whose plateau is evaluated at a pressure of at least p_0. Adds the indices of
+/// all other samples to fit.below_p_0.
 CompactionData data_of(const std::vector<CompactedSample>& samples, const CompactionReference& reference,
                        double p_0, CompactionFit& fit) {
   CompactionData data;
@@ -389,7 +391,7 @@ CompactionData data_of(const std::vector<CompactedSample>& samples, const Compac
   for (int i = 0; i < static_cast<int>(samples.size()); ++i) {
     const CompactedSample& s = samples[static_cast<std::size_t>(i)];
     const double p = plateau_pressure(s, reference.plateau);
-    // The tolerance keeps samples whose pressure is p_0 but was rounded.
+    // The tolerance keeps samples whose pressure is equal to p_0 apart from rounding.
     if (p < p_0 * (1 - 1e-6)) {
       fit.below_p_0.push_back(i);
       continue;
@@ -408,11 +410,11 @@ CompactionData data_of(const std::vector<CompactedSample>& samples, const Compac
 /// between repeated runs.
 void describe(const std::vector<CompactedSample>& samples, CompactionEstimate& estimate, CompactionFit& fit) {
   if (!fit.beside_plateau.empty())
-    fit.warnings.push_back(
-        fmt::format("{} of the {} samples lie above the plateau of the law or at eta* > 1, and miss the law by "
-                    "more than four "
-                    "standard deviations: they are flagged as beside the plateau and not fitted",
-                    fit.beside_plateau.size(), samples.size()));
+    fit.warnings.push_back(fmt::format(
+        "{} of the {} samples lie above the plateau of the law or at eta* > 1, and miss the law by "
+        "more than four "
+        "standard deviations: they are flagged as samples that do not lie on the plateau, and are not fitted",
+        fit.beside_plateau.size(), samples.size()));
   fit.rms = std::sqrt(estimate.solution.sum_of_squares / static_cast<double>(fit.used.size()));
   const auto between_runs = variance_between_runs(samples, fit.used);
   fit.errors_from_runs = between_runs.has_value();
@@ -421,7 +423,7 @@ void describe(const std::vector<CompactedSample>& samples, CompactionEstimate& e
   if (estimate.scatter_share < 0.25)
     fit.warnings.push_back(
         fmt::format("the law misses the void ratio e by {:.3g} (root mean square), but repeated runs scatter "
-                    "only by {:.3g}: the standard errors come mostly from the misfit of the law",
+                    "only by {:.3g}: the main part of the standard errors is the misfit of the law",
                     std::sqrt(estimate.variance), std::sqrt(*between_runs)));
 }
 
@@ -465,7 +467,8 @@ CompactionFit fit_dynamic_compaction(const std::vector<CompactedSample>& samples
   }
   const auto solution = solve(kept.residuals);
   if (!view || !solution) {
-    fit.failure_reason = "no starting point leads to a solution: the void ratio does not follow the law";
+    fit.failure_reason =
+        "the fit finds no solution from any starting point: the void ratio does not follow the law";
     return fit;
   }
   CompactionEstimate estimate = estimate_of(kept, *solution);

@@ -25,17 +25,17 @@ enum class PlateauPressure {
   critical,
 };
 
-/// Reference values of the law of dynamic compaction. They are chosen, not fitted: other values change only the
-/// parameters of the law, not its form.
+/// Reference values of the law of dynamic compaction. They are chosen by the user and not fitted. If they are changed,
+/// the form of the law remains, but its parameters take other values.
 struct CompactionReference {
   /// Pressure at which the plateau of the void ratio is e_min + De, in the unit of p; 0.01 MPa in [SVI2024].
   double p_D = 0.01;
-  /// Reference value by which eta* = sc/sqrt(p se) is divided in the law; 0.045 in [SVI2024]. At this eta*, the
-  /// relative void ratio e_r is such that (1 - e_r)/e_r is the parameter s_m.
+  /// Reference value by which eta* = sc/sqrt(p se) is divided in the law; 0.045 in [SVI2024]. The parameter s_m is the
+  /// value of (1 - e_r)/e_r at this eta*, with the relative void ratio e_r.
   double eta_m = 0.045;
-  /// Lower limit of the pressure at which the plateau is evaluated; samples below it are not fitted. If p_0 is 0, there
-  /// is no limit for PlateauPressure::own, and p_D is the limit for PlateauPressure::critical, because the published
-  /// plateau has a pole not far below p_D.
+  /// Lower limit of the pressure at which the plateau is evaluated; samples with a lower pressure are not fitted. If
+  /// p_0 is 0, there is no limit for PlateauPressure::own. For PlateauPressure::critical, the limit is then p_D,
+  /// because the published plateau has a pole not far below p_D.
   double p_0 = 0.0;
   PlateauPressure plateau = PlateauPressure::own;
 
@@ -65,11 +65,11 @@ T compacted_void_ratio(const T* theta, double log_p_over_p_D, double log_x) {
 /// the standard error.
 struct CompactionErrorParts {
   std::string name;  ///< name of the parameter
-  /// part from the scatter between repeated runs; from the residuals if no run is repeated
+  /// part due to the scatter between repeated runs or, if no run is repeated, due to the residuals
   double scatter = 0.0;
-  /// Part from the misfit of the law beyond the scatter between repeated runs; 0 if no run is repeated.
+  /// Part due to residuals of the law that are larger than the scatter between repeated runs; 0 if no run is repeated.
   double law = 0.0;
-  /// Part from the choice of the samples that are left out because they do not lie on the plateau of the law.
+  /// Part due to the choice of the samples that are left out because they do not lie on the plateau of the law.
   double plateau = 0.0;
 };
 
@@ -99,16 +99,16 @@ struct CompactionFit {
 
 /// Fits the law of dynamic compaction by least squares in the void ratio e, from starting points on a grid.
 ///
-/// Samples beside the plateau are flagged and not fitted. These are samples that lie above the plateau or have
-/// eta* > 1, and miss a robust fit to all samples by more than four standard deviations.
+/// Samples that do not lie on the plateau are flagged and not fitted. A sample is flagged if it lies above the plateau
+/// or has eta* > 1, and if its distance from a robust fit to all samples is more than four standard deviations.
 ///
-/// Standard errors have two parts: one follows from the residuals, the other is the change of the parameters if
-/// the threshold for flagged samples is 2.5 or 6 standard deviations instead of four. The 95 % intervals follow
-/// from Student's t in e_min, 1/De, C and the logarithms of the other parameters; those of A and a follow from
-/// the profile likelihood.
+/// Standard errors have two parts: one follows from the residuals, the other is the change of the parameters if samples
+/// are flagged at a distance of 2.5 or 6 standard deviations instead of four. The 95 % intervals follow from Student's
+/// t in e_min, 1/De, C and the logarithms of the other parameters, but the intervals of A and a follow from the profile
+/// likelihood.
 ///
-/// There is no fit, but a `failure_reason`, with fewer than eight samples. Parameters that the samples do not
-/// identify have no value, and a warning names them.
+/// With fewer than eight samples, there is no fit, but a `failure_reason`. A parameter that the samples do not identify
+/// has no value, and is named in a warning.
 /// @throws InputError with the faults of the reference values if they are not valid
 [[nodiscard]] CompactionFit fit_dynamic_compaction(const std::vector<CompactedSample>& samples,
                                                    const CompactionReference& reference);

@@ -82,13 +82,13 @@ bool falls_throughout(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const 
   return secants(P, y, part).first > 0.0;
 }
 
-/// Returns the longest straight part of a branch that begins or ends at an end of the branch; of two parts of equal
-/// length, the one at low pressures. If the line through the whole branch has no positive modulus, the solid fraction
-/// must fall from every point of the part to the next lower pressure.
+/// Returns the longest straight part among those that begin or end at an end of the branch. Of two straight parts with
+/// the same number of points, returns the part at low pressures. If the line through the whole branch has no positive
+/// modulus, the solid fraction must fall from every point of the part to the point at the next lower pressure.
 std::optional<FittedPart> straight_part(const Eigen::VectorXd& P, const Eigen::VectorXd& y) {
   constexpr Eigen::Index kFewest = 4;
-  // Number of standard errors beyond which a part of the branch counts as curved. A 95 % interval is not used,
-  // because with few points it is so wide that no curvature would be significant.
+  // A part of the branch counts as curved if its quadratic term exceeds this number of standard errors. The 95 %
+  // interval of the term is not used: with few points, it is so wide that no curvature would be significant.
   constexpr double kErrors = 2.0;
   const bool falls = P[0] > P[P.size() - 1], whole = falls_as_a_whole(P, y);
   for (Eigen::Index n = P.size(); n >= kFewest; --n)
@@ -133,7 +133,7 @@ void set_parameters(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const Fi
     fit.parameters[1] = not_identified("phi_unloaded");
 }
 
-/// Returns a text with the reason why the whole branch has no single modulus.
+/// Returns a message with the reason why a single modulus does not describe the whole branch.
 std::string words_of_curved(bool falls, const ElasticFit& fit) {
   if (!falls) return "the branch is not elastic as a whole: its solid fraction grows as the pressure falls";
   return fmt::format(

@@ -12,15 +12,15 @@ struct ElasticFit {
   std::string failure_reason;  ///< reason why there is no fit; empty if there is one
   /// Parameters B (bulk modulus, in the unit of the pressures) and phi_unloaded (solid fraction at zero pressure).
   std::vector<FittedParameter> parameters;
-  /// Bulk modulus between the two lowest pressures; infinite or negative if the solid fraction does not grow between
-  /// them.
+  /// Bulk modulus between the two lowest pressures; infinite or negative if the solid fraction does not grow from the
+  /// lower to the higher of these pressures.
   double secant_low = 0.0;
   double secant_high = 0.0;  ///< bulk modulus between the two highest pressures
-  /// Root mean square residual of ln Phi over the points fitted, with Phi the solid fraction.
+  /// Root mean square residual of ln Phi over the points fitted (Phi: solid fraction).
   double rms = 0.0;
   int first = 0;     ///< index of the first point fitted, among the points given
   int n_points = 0;  ///< number of points fitted: all points, unless the branch is curved
-  /// True if the bulk modulus B is that of a part of the branch only, or is not identified.
+  /// True if the branch is curved. The bulk modulus B then describes only a part of the branch, or is not identified.
   bool is_curved = false;
   std::vector<std::string> warnings;
 
@@ -31,10 +31,10 @@ struct ElasticFit {
 /// dPhi/Phi = dP/B: the straight line ln Phi = ln Phi_0 + P/B, by least squares.
 ///
 /// A branch that is curved beyond its scatter has no single modulus. B is then the modulus of the longest straight part
-/// at either end of the branch that has at least four pressures. A part is straight if its points lie on a line within
-/// their scatter, or if all moduli between neighbouring pressures are within 15 % of B; the interval of B then contains
-/// these moduli. If no part is straight, B is not identified. The solid fraction at zero pressure is identified only if
-/// the straight part reaches the lowest pressure.
+/// that begins or ends at an end of the branch and has at least four pressures. A part is straight if its points lie on
+/// a line within their scatter. A part is also straight if all moduli between neighbouring pressures are within 15 % of
+/// B; in this case, the interval of B is widened to contain these moduli. If no part is straight, B is not identified.
+/// The solid fraction at zero pressure is identified only if the straight part reaches the lowest pressure.
 ///
 /// If the line through the whole branch has a negative modulus, for instance because the packing collapses as the
 /// pressure begins to fall, a part is straight only if, in addition, Phi falls from every point to the next lower

@@ -8,7 +8,8 @@
 namespace floc {
 namespace {
 
-/// A parameter is not identified if its 95 % interval extends beyond its value times this factor or divided by it.
+/// A parameter is identified if its 95 % interval lies between the value divided by this factor and the value times
+/// this factor.
 constexpr double kIdentifiedFactor = 10.0;
 
 }  // namespace
@@ -51,7 +52,7 @@ std::string keep_in_range(const PhysicalRange& range, FittedParameter& p) {
                                  : fmt::format("between {:g} and {:g}", range.low, range.high);
   const std::string why = fmt::format(
       "{} is not identified by these data: its value in the best fit is {:.5g}, but it must be {}. The law "
-      "does not describe the data, and the other parameters belong to this best fit",
+      "does not describe the data, and the other parameters are those of this best fit",
       p.name, *p.value, limits);
   p.value = p.standard_error = p.low95 = p.high95 = std::nullopt;
   if (std::isfinite(range.low)) p.low95 = range.low;

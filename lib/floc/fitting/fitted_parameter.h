@@ -5,11 +5,11 @@
 
 namespace floc {
 
-/// One parameter of a fit. Its interval is computed in a coordinate that keeps the parameter in its range, such
-/// as its logarithm, and may therefore be asymmetric.
+/// One parameter of a fit. The interval is computed in a coordinate that keeps the parameter in its range, such as the
+/// logarithm of a positive parameter. The interval may therefore be asymmetric.
 struct FittedParameter {
   std::string name;
-  std::optional<double> value;           ///< fitted value; absent if the data only bound the parameter
+  std::optional<double> value;           ///< fitted value; absent if the data give only bounds of the parameter
   std::optional<double> standard_error;  ///< absent for a parameter that was given, not fitted
   std::optional<double> low95, high95;   ///< ends of the 95 % interval; bounds if there is no value
   bool identified = true;                ///< whether the data determine the parameter to within a factor of ten
@@ -39,7 +39,7 @@ struct PhysicalRange {
 /// @return a text with the reason why the value was removed; empty if the value is inside the range
 std::string keep_in_range(const PhysicalRange& range, FittedParameter& p);
 
-/// Returns a parameter for which the data give at most a lower bound.
+/// Returns a parameter without a value, with the lower bound `low` if the data give one.
 FittedParameter bounded_below(const std::string& name, std::optional<double> low);
 
 }  // namespace floc

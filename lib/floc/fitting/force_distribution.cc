@@ -27,15 +27,15 @@ double log_likelihood(const ForceLaw& law, double parameter, const std::vector<d
 }
 
 /// Returns the parameter of a force law at which the log-likelihood of the forces f is largest, by golden-section
-/// search. The log-likelihood has one maximum.
+/// search. The log-likelihood must have a single maximum.
 double maximize(const ForceLaw& law, const std::vector<double>& f) {
   constexpr double kGolden = 0.6180339887498949;
   double low = law.low, high = law.high;
   double inner = high - kGolden * (high - low), outer = low + kGolden * (high - low);
   double at_inner = log_likelihood(law, inner, f), at_outer = log_likelihood(law, outer, f);
   while (high - low > 1e-9 * (law.high - law.low)) {
-    // The log-likelihood is -infinity for parameters that are so large that the law is no probability density. With
-    // `>=`, the comparison then discards the upper side.
+    // The log-likelihood is -infinity if the parameter is so large that the law is no probability density. If both
+    // values are -infinity, `>=` makes the search continue at smaller parameters.
     if (at_inner >= at_outer) {
       high = outer, outer = inner, at_outer = at_inner;
       inner = high - kGolden * (high - low);
@@ -50,7 +50,7 @@ double maximize(const ForceLaw& law, const std::vector<double>& f) {
 }
 
 /// Returns the parameter between `best`, the maximum of the log-likelihood, and `end` at which the log-likelihood has
-/// fallen by kDrop95; absent if it does not fall so far.
+/// fallen by kDrop95; absent if it falls by less than kDrop95 up to `end`.
 std::optional<double> interval_end(const ForceLaw& law, const std::vector<double>& f, double best, double end) {
   const double wanted = log_likelihood(law, best, f) - kDrop95;
   if (log_likelihood(law, end, f) > wanted) return std::nullopt;
@@ -87,9 +87,9 @@ double normalize(std::vector<double>& forces) {
   return mean;
 }
 
-/// Returns the p-value of a fit. Random samples of `n` forces are drawn from the fitted law, and the law is
-/// fitted again to each sample. The p-value is the fraction of samples whose Kolmogorov-Smirnov distance from
-/// their own fit is at least `found`.
+/// Returns the p-value of a fit. Random samples of `n` forces are drawn from the fitted law, and the law is fitted
+/// again to each sample. The p-value is the fraction of the samples for which the Kolmogorov-Smirnov distance between
+/// the sample and the law fitted to it is at least `found`.
 template <class Draw, class Distance>
 double share_as_far(const ForceFitOptions& options, int n, double found, const Draw& draw,
                     const Distance& distance) {

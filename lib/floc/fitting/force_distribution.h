@@ -12,7 +12,7 @@
 namespace floc {
 
 // Distributions of contact forces f ([RTV2010], Eqs 2-5), each with one free parameter. For compressive forces, f is
-// the force divided by the mean force, so that the distributions have norm and mean 1.
+// the force divided by the mean force, so that every distribution has the integral 1 and the mean 1.
 
 /// Distribution of the contact force f >= 0 with one free parameter.
 struct ForceLaw {
@@ -30,11 +30,12 @@ struct ForceLaw {
 /// beta^2 = (1-alpha)(2-alpha) and 1/k = 1/(1-alpha) + 1/beta. The free parameter is alpha < 1.
 const ForceLaw& power_exponential();
 
-/// Returns the law with the probability density P(f) = a (1 - b exp(-f^2)) exp(-beta f). The free parameter is beta; a
-/// and b follow from the conditions that norm and mean are 1.
+/// Returns the law with the probability density P(f) = a (1 - b exp(-f^2)) exp(-beta f). The free parameter is beta.
+/// The constants a and b follow from two conditions: the integral of P is 1, and the mean of f is 1.
 const ForceLaw& quadratic_exponential();
 
-/// Fit of a force distribution by maximum likelihood and the quality of the fit, or the reason why there is no fit.
+/// Result of a maximum-likelihood fit of a force distribution, with the quality of the fit; or the reason why there is
+/// no fit.
 struct ForceFit {
   /// Name of the law: power_exponential, quadratic_exponential, tail_positive or tail_negative.
   std::string form;
@@ -47,8 +48,8 @@ struct ForceFit {
   /// Kolmogorov-Smirnov distance: largest difference between the cumulative distributions of the forces and the
   /// law.
   double distance = 0.0;
-  /// Probability of a distance of at least `distance` if the forces follow the law. It is found from random samples of
-  /// the fitted law, to each of which the law is fitted again.
+  /// Probability of a distance of at least `distance` if the forces follow the law. It is estimated from random samples
+  /// of the fitted law; the law is fitted again to each sample.
   double p_value = 0.0;
 
   bool found() const { return failure_reason.empty(); }

@@ -24,10 +24,10 @@ ResidualVariance residuals_of_law(const LawEstimate& e) {
   return {e.solution.sum_of_squares / dof, dof};
 }
 
-/// Returns the variance of the residuals in one part of the data, before or within regime II. `own` is the
-/// variance computed from this part alone. It is used if it has enough degrees of freedom, because the errors
-/// may differ between the parts. Otherwise the common variance of both parts is used. A plateau that was fitted
-/// by a level line is ignored: if it is not level, its residuals would look like noise.
+/// Returns the variance of the residuals in one part of the data, before or within regime II. `own` is the variance
+/// computed from this part alone. The function returns `own` if it has enough degrees of freedom, because the errors
+/// may differ between the parts. It also returns `own` if the plateau was fitted by a level line, because the residuals
+/// of a sloping plateau from a level line are not noise. Otherwise it returns the common variance of both parts.
 ResidualVariance shared_variance(const LawEstimate& e, const ResidualVariance& own) {
   constexpr int kEnough = 6;
   if (!e.line.slopes || own.dof >= kEnough) return own;
@@ -45,7 +45,8 @@ ResidualVariance variance_of_line(const LawEstimate& e) {
   return shared_variance(e, {dof > 0 ? e.line.sum_of_squares / dof : 0.0, dof});
 }
 
-/// Returns (J^T J)^-1 of the law. If 1/Phi_max is at its bound, it counts as given.
+/// Returns (J^T J)^-1 of the law, with J the Jacobian of the weighted residuals. If 1/Phi_max is at its bound, it is
+/// treated as given.
 Eigen::MatrixXd unit_covariance_of(const LawSolution& solution) {
   if (!solution.at_limit) return unit_covariance(solution.jacobian);
   Eigen::MatrixXd jacobian = solution.jacobian;
@@ -61,9 +62,9 @@ Eigen::VectorXd unit(Eigen::Index n, Eigen::Index k) {
   return Eigen::VectorXd::Unit(n, k);
 }
 
-/// Adds Phi0 and P0*, the solid fraction and the reduced pressure at which the line of regime II begins, with
-/// their gradients. With a plateau or recompression line, the line of regime II begins where both lines meet.
-/// Otherwise it begins at the first pressure, and only Phi0 is added.
+/// Adds Phi0 and P0*, the solid fraction and the reduced pressure at which the line of regime II begins, with their
+/// gradients. If there is a plateau or a recompression line, the line of regime II begins where it meets that line.
+/// Otherwise the line of regime II begins at the first pressure, and only Phi0 is added.
 ///
 /// `log_P` and `y` are ln P* and 1/Phi of a point on the line. `to_log_P` and `to_y` are their gradients with
 /// respect to the coordinates of the fit.
@@ -100,8 +101,8 @@ Eigen::VectorXd weighted_distances(const LawEstimate& e) {
   return e.plateau.weight.array() * (e.plateau.log_P.array() - e.line.centre);
 }
 
-/// Returns a function that holds one coordinate at a given value, fits the other coordinates, and returns the sum of
-/// squares. Each call starts from the solution of the call before.
+/// Returns a function of a value of one coordinate: the function fixes the coordinate at this value, fits the other
+/// coordinates, and returns the sum of squares. Each call starts from the solution of the previous call.
 ProfileFunction profile_of(const LawEstimate& estimate, int coordinate) {
   return [&estimate, coordinate, theta = estimate.solution.theta](double value) mutable {
     Eigen::VectorXd start = theta;
@@ -131,15 +132,17 @@ std::vector<Quantity> quantities_of(const LawEstimate& e) {
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(n);
   const double first = e.points.log_P[0];
   std::vector<Quantity> found;
-  // Each parameter is a function of the coordinates (see LawSolution). From its gradient, fitted_parameter() computes
-  // its standard error. P0* and Phi0 follow from the other parameters and from the level of the plateau.
+  // Each parameter is a function of the coordinates (see LawSolution). fitted_parameter() computes the standard error
+  // of a parameter from the gradient of this function. P0* and Phi0 follow from the other parameters and from the level
+  // of the plateau.
   switch (e.law) {
     case Law::log:
       found.push_back({"lambda", false, theta[0], unit(n, 0), true});
       add_start_of_regime_two(e, first, none, theta[1], unit(n, 1), found);
       break;
     case Law::power: {
-      // theta holds A at the first pressure, A1 = A P_first^-alpha, so ln A = ln A1 + alpha ln P_first.
+      // theta contains A1 = A P_first^-alpha, which refers to the first pressure; hence ln A = ln A1 + alpha ln
+      // P_first.
       const double alpha = std::exp(theta[1]);
       found.push_back({"A", false, theta[0] + alpha * first, unit(n, 0) + alpha * first * unit(n, 1)});
       found.push_back({"alpha", false, theta[1], unit(n, 1)});
@@ -178,7 +181,7 @@ Covariance covariance_from_samples(const LawEstimate& e, const Eigen::MatrixXd& 
   Eigen::MatrixXd finite = unscaled;
   for (Eigen::Index k = 0; k < n; ++k)
     if (!std::isfinite(finite(k, k))) finite.row(k).setZero(), finite.col(k).setZero();
-  // Change of each coordinate of the fit (rows) that the deviation of each sample (columns) causes.
+  // Change of each coordinate of the fit (rows) due to the deviation of each sample from the mean (columns).
   Eigen::MatrixXd change(e.n_coordinates(), deviations.cols());
   change.topRows(n) =
       finite * e.solution.jacobian.transpose() * e.points.weight.asDiagonal() * deviations.bottomRows(n_window);
@@ -211,7 +214,8 @@ FittedParameter fitted_parameter(const Quantity& quantity, const Covariance& cov
   if (quantity.is_inverse) return from_inverse(quantity.name, quantity.value, error, t95);
   FittedParameter p = from_logarithm(quantity.name, quantity.value, error, t95);
   if (!covariance.is_of_samples || !quantity.is_mean) return p;
-  // Student's interval of a mean is symmetric, and a positive mean has no negative end.
+  // Student's interval of a mean is symmetric about the mean. Its lower end is raised to 0 if it is negative, because
+  // the parameter is positive.
   p.low95 = std::max(0.0, *p.value - t95 * *p.standard_error);
   p.high95 = *p.value + t95 * *p.standard_error;
   return p;
@@ -229,8 +233,8 @@ ProfileInterval profile_interval(const LawEstimate& estimate, int coordinate, co
   const double center = estimate.solution.theta[coordinate];
   const double t95 = student_t_95(covariance.dof);
   const double error = std::sqrt(covariance.matrix(coordinate, coordinate));
-  // Below this standard error, changes of the sum of squares are only rounding, and the interval follows from the
-  // covariance.
+  // If the standard error is below this limit, changes of the sum of squares are only rounding. The interval is then
+  // computed from the covariance.
   constexpr double kRounding = 1e-9;
   const bool is_at_limit = coordinate == kLimitParameter && estimate.solution.at_limit;
   if (error < kRounding && !is_at_limit) return {center - t95 * error, center + t95 * error};
@@ -240,8 +244,8 @@ ProfileInterval profile_interval(const LawEstimate& estimate, int coordinate, co
   const double ratio = finite ? error * error / own_variance : 1.0;
   const double allowed =
       estimate.solution.sum_of_squares + t95 * t95 * ratio * variance_of_law(estimate).variance;
-  // The search for the ends of the interval is limited to values with a meaning: alpha from 1/100 to 100, and
-  // 1/Phi_max from 1/1000 to 1000.
+  // The search for the ends of the interval is limited to reasonable values: alpha from 1/100 to 100, and 1/Phi_max
+  // from 1/1000 to 1000.
   const bool is_inverse = coordinate == 2;
   const double low_end = is_inverse ? 1e-3 : std::log(1e-2);
   const double high_end = is_inverse ? 1e3 : std::log(1e2);

@@ -11,14 +11,14 @@
 
 namespace floc {
 
-/// A consolidation law fitted to a range of points. The coordinates of the fit are theta (LawSolution) and, if there are
-/// points before regime II, the level and (if it was fitted) the slope kappa of the recompression line through them.
-/// The parameters of the law follow from them.
+/// A consolidation law fitted to a range of points. The coordinates of the fit are theta (LawSolution) and, if there
+/// are points before regime II, the level of the recompression line through these points and its slope kappa (if kappa
+/// was fitted). The parameters of the law are functions of the coordinates.
 struct LawEstimate {
   ConsolidationLaw law;
   LawPoints points;
   LawSolution solution;
-  LawPoints plateau;  ///< points before regime II: its plateau or recompression line; empty if there are none
+  LawPoints plateau;  ///< points of the plateau or recompression line before regime II; empty if there are none
   RecompressionLine line;  ///< line through the points of the plateau
 
   bool has_plateau() const { return plateau.size() > 0; }
@@ -39,22 +39,23 @@ struct Quantity {
   bool is_inverse;  ///< true if the parameter is 1/value, false if it is exp(value)
   double value;
   Eigen::VectorXd gradient;  ///< derivatives of `value` with respect to the coordinates of the fit
-  /// Whether the parameter of a mean curve is the mean of those of the samples, as the slope of a line is.
+  /// Whether the parameter of the mean curve is the mean of the parameters of the samples. This is true for the slope
+  /// of a line, for example.
   bool is_mean = false;
 
   double parameter() const;
 };
 
-/// Returns the parameters of a fitted consolidation law. The first ones correspond to the entries of theta. P0*, the
-/// pressure at which the line of regime II begins, is left out if there is no plateau, because it is then given and not
-/// fitted.
+/// Returns the parameters of a fitted consolidation law. The first ones correspond to the entries of theta. P0* is the
+/// pressure at which the line of regime II begins. It is left out if there is no plateau, because P0* is then given and
+/// not fitted.
 std::vector<Quantity> quantities_of(const LawEstimate& estimate);
 
 /// Covariance of the coordinates of a fit, and the number of degrees of freedom of this covariance.
 struct Covariance {
   Eigen::MatrixXd matrix;
   int dof;
-  bool is_of_samples = false;  ///< whether it is the scatter between samples
+  bool is_of_samples = false;  ///< whether the covariance was computed from the scatter between samples
 };
 
 /// Returns the covariance of the coordinates as (J^T J)^-1 times the residual variance, with J the Jacobian of the

@@ -37,8 +37,8 @@ class ResidualBlock final : public ceres::CostFunction {
   const ResidualFunction& function_;
 };
 
-/// Cost function in the form that Ceres' TinySolver requires. The number of parameters is dynamic, because each number
-/// that is fixed at compile time costs ten seconds of compilation.
+/// Cost function in the form that Ceres' TinySolver requires. The number of parameters is known only at run time,
+/// because each number of parameters that is known at compile time costs ten seconds of compilation.
 class TinyFunction {
  public:
   using Scalar = double;

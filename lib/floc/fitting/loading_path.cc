@@ -12,8 +12,8 @@ void add_point(const std::vector<PathRow>& rows, std::size_t i, Loading& loading
   loading.rows.push_back(static_cast<int>(i));
 }
 
-/// Returns whether the next row of the same branch has the same pressure. Then the row is superseded and does
-/// not count.
+/// Returns whether row `i` is superseded: the next row belongs to the same branch and has the same pressure. A
+/// superseded row is not used.
 bool is_superseded(const std::vector<PathRow>& rows, std::size_t i) {
   if (i + 1 >= rows.size() || rows[i].P_star == 0.0) return false;
   const PathRow &row = rows[i], &next = rows[i + 1];
@@ -21,7 +21,7 @@ bool is_superseded(const std::vector<PathRow>& rows, std::size_t i) {
          next.load == PathLoad::isotropic;
 }
 
-/// Returns the indices of the rows that are not superseded by a later row of the same pressure.
+/// Returns the indices of the rows that are not superseded (see is_superseded()).
 std::vector<std::size_t> counted_rows(const std::vector<PathRow>& rows) {
   std::vector<std::size_t> counted;
   for (std::size_t i = 0; i < rows.size(); ++i)
@@ -54,7 +54,7 @@ std::vector<PathStep> path_steps(const std::vector<PathRow>& rows) {
       step = PathStep::unloading;
     else if (turned)
       step = P > largest * (1 + kSamePressure) ? PathStep::later_virgin : PathStep::reloading;
-    // A row with P* = 0 belongs to the assembly if it comes before the first positive pressure, otherwise to an
+    // A row with P* = 0 belongs to the assembly if no row before it has a positive pressure; otherwise it belongs to an
     // unloading.
     turned = turned || step == PathStep::unloading || step == PathStep::test || (P == 0.0 && largest > 0.0);
     largest = std::max(largest, P);
@@ -69,8 +69,8 @@ std::vector<int> superseded_rows(const std::vector<PathRow>& rows) {
   std::vector<int> found;
   for (std::size_t i = 0, first = 0; i < rows.size(); ++i) {
     if (is_superseded(rows, i)) continue;
-    // A branch that only holds the pressure of the branch before it adds no points to a curve, not even its
-    // last row.
+    // If a branch is entirely at the last pressure of the branch before it, none of its rows is a point of a curve, not
+    // even the last row.
     for (; first < i; ++first)
       if (steps[i] != PathStep::hold) found.push_back(static_cast<int>(first));
     first = i + 1;

@@ -13,7 +13,8 @@ inline constexpr double kSamePressure = 1e-3;
 /// Kind of load in one row of the table of a load path.
 enum class PathLoad {
   isotropic,
-  /// One axis is driven, the others keep their lengths; P_star may be the stress on the driven axis.
+  /// One axis is driven, and the lengths along the other axes are constant; P_star may be the stress on the driven
+  /// axis.
   oedometric,
   other,  ///< any other load that differs between the axes; the row is no point of a consolidation curve
 };
@@ -24,7 +25,7 @@ struct PathRow {
   double P_star;
   double phi;
   PathLoad load = PathLoad::isotropic;
-  /// stress on the driven axis divided by the mean stress, for an oedometric row
+  /// for an oedometric row: stress on the driven axis divided by the mean stress
   double driven_over_mean = 1.0;
 };
 
@@ -39,29 +40,28 @@ enum class PathStep {
   test,          ///< the axes are loaded differently, but not as in an oedometer
 };
 
-/// Returns the kind of the step to each row. It follows from the kinds of load and the pressures alone, not
-/// from the names of the branches. If successive rows of one branch have one pressure, as in an oedometer test
-/// while the sample creeps, only the last row counts; the others have the kind PathStep::hold.
+/// Returns, for each row, the kind of the step that leads to this row. The kinds follow only from the loads and the
+/// pressures; the names of the branches are not used. If successive rows of one branch have the same pressure, as in an
+/// oedometer test while the sample creeps, only the last of them is used; the other rows have the kind PathStep::hold.
 std::vector<PathStep> path_steps(const std::vector<PathRow>& rows);
 
-/// Returns the indices of the rows that do not count, because a later row of the same branch has the same
-/// pressure.
+/// Returns the indices of the rows that are not used because the next row of the same branch has the same pressure.
 std::vector<int> superseded_rows(const std::vector<PathRow>& rows);
 
 /// Returns how often the pressure of a load path changes from growing to falling or back.
 int count_reversals(const std::vector<PathRow>& rows);
 
-/// Index of a row of a load path whose pressure does not fit to its branch, and a text that describes the
-/// pressure expected in this row.
+/// A row of a load path whose pressure does not fit its branch: the index of the row, and a text that describes the
+/// expected pressure.
 struct PathFault {
   int row;
   std::string expected;
 };
 
-/// Returns the first row whose pressure does not fit its branch, or nothing. A branch consists of consecutive
-/// rows with one branch name. Along a branch the pressures must not change direction. They must not fall in the
-/// branch "load", and must not grow in the branch "unload". Rows without branch names always fit. Rows whose
-/// load differs between the axes always fit, because the stress on an axis with imposed strain may fall.
+/// Returns the first row whose pressure does not fit its branch, or nothing. A branch consists of consecutive rows with
+/// the same branch name. Along a branch, the pressures must not grow in some rows and fall in others. They must not
+/// fall in the branch "load", and must not grow in the branch "unload". Rows without branch names always fit. Rows
+/// whose load differs between the axes always fit too, because the stress on an axis with an imposed strain may fall.
 std::optional<PathFault> path_fault(const std::vector<PathRow>& rows);
 
 /// Rows of a load path as a consolidation curve.
@@ -70,14 +70,14 @@ struct Loading {
   std::vector<int> rows;  ///< index of the row of each point
 };
 
-/// Returns the rows of the first loading; with `virgin`, also the rows of later loadings beyond the largest earlier
-/// pressure. The first loading is found from the pressures. If there is a branch "load", only rows of the branch
-/// "assembly" and the first consecutive rows of the branch "load" belong to the first loading.
+/// Returns the rows of the first loading. If `virgin` is true, adds the rows of later loadings at pressures above the
+/// largest earlier pressure. The first loading is found from the pressures. If there is a branch "load", the first
+/// loading consists only of rows of the branch "assembly" and of the first consecutive rows of the branch "load".
 Loading first_loading(const std::vector<PathRow>& rows, bool virgin = false);
 
 /// A loading that starts again after an unloading.
 struct Reloading {
-  Loading loading;        ///< rows from the lowest pressure on: reloading, and loading beyond `largest_before`
+  Loading loading;        ///< rows from the lowest pressure on, up to `largest_before` and beyond
   double largest_before;  ///< largest pressure before the reloading
 };
 std::vector<Reloading> reloadings(const std::vector<PathRow>& rows);
@@ -86,8 +86,8 @@ std::vector<Reloading> reloadings(const std::vector<PathRow>& rows);
 /// left out.
 std::vector<Loading> unloadings(const std::vector<PathRow>& rows);
 
-/// Returns the mean over samples of the inverse solid fraction 1/Phi, at each pressure that all samples have (to 0.1
-/// %). The result is empty if no pressure is common to all samples.
+/// Returns the mean of the inverse solid fraction 1/Phi over samples, at each pressure that occurs in all samples (to
+/// 0.1 %). The result is empty if no pressure occurs in all samples.
 ConsolidationCurve mean_curve(const std::vector<ConsolidationCurve>& samples);
 
 }  // namespace floc

@@ -27,42 +27,45 @@ Eigen::MatrixXd line_columns(const Eigen::VectorXd& x) {
   return columns;
 }
 
-/// Returns the reason why points do not give a power law; empty if they may.
+/// Returns the reason why a power law cannot be fitted to points; empty if it can.
 std::string why_no_power(const char* quantity, const std::vector<double>& x, std::size_t least) {
   if (x.size() < least)
     return fmt::format("there are {} states, but this law needs at least {}", x.size(), least);
-  if (!(x.back() > x.front())) return fmt::format("all states have one {}, {:.4g}", quantity, x.front());
+  if (!(x.back() > x.front())) return fmt::format("all states have the same {}, {:.4g}", quantity, x.front());
   return "";
 }
 
 void warn_of_pattern(ModulusLaw& law) {
   if (law.pattern.is_systematic())
-    law.warnings.push_back(fmt::format(
-        "neighbouring residuals are correlated (coefficient {:.2f}), which independent errors would do with a "
-        "probability of {:.1g}: the modulus does not follow this power law, and the intervals are widened",
-        law.pattern.correlation, std::min(law.pattern.smoothness_p, law.pattern.runs_p)));
+    law.warnings.push_back(
+        fmt::format("neighbouring residuals are correlated (coefficient {:.2f}; for independent errors, the "
+                    "probability of such residuals would be {:.1g}): the modulus does not follow this power "
+                    "law, and the intervals are widened",
+                    law.pattern.correlation, std::min(law.pattern.smoothness_p, law.pattern.runs_p)));
 }
 
-/// Moduli against the solid fraction. For a given distance of phi_0 below the smallest Phi, exponent and coefficient are
-/// those of a straight line in logarithms, so that a single coordinate, the logarithm u of this distance, is searched for.
+/// Fit of the power law M = coefficient (Phi - phi_0)^exponent to moduli M at solid fractions Phi. If phi_0 is given,
+/// ln M is a straight line against ln(Phi - phi_0), which gives exponent and coefficient. The search therefore needs a
+/// single coordinate: u, the logarithm of the distance of phi_0 from the smallest Phi.
 class FractionProblem {
  public:
   FractionProblem(const std::vector<double>& phi, const std::vector<double>& modulus)
       : phi_(Eigen::Map<const Eigen::VectorXd>(phi.data(), static_cast<Eigen::Index>(phi.size()))),
         y_(logarithms_of(modulus)),
-        // phi_0 is at least 0, and the first state has to count: its logarithm would outweigh all others.
+        // phi_0 is at least 0. It is not too close to the smallest Phi, because the first state, with a very negative
+        // ln(Phi - phi_0), would then outweigh all other states.
         low_(std::log(kNearest * (phi.back() - phi.front()))),
         high_(std::log(phi.front())) {}
 
   Eigen::VectorXd x_at(double u) const { return (phi_.array() - phi_[0] + std::exp(u)).log(); }
   LinearFit line_at(double u) const { return fit_linear(line_columns(x_at(u)), y_); }
   double squares(double u) const { return line_at(u).sum_of_squares; }
-  /// Sum of squares of the best line with the given slope.
+  /// Sum of squared residuals of the best line with the given slope.
   double squares_with_slope(double u, double slope) const {
     const Eigen::ArrayXd rest = y_ - slope * x_at(u);
     return (rest - rest.mean()).square().sum();
   }
-  /// Sum of squares of the best line with the given value at x = 0.
+  /// Sum of squared residuals of the best line with the given value at x = 0.
   double squares_with_intercept(double u, double intercept) const {
     const Eigen::VectorXd x = x_at(u), rest = y_.array() - intercept;
     return (rest - x.dot(rest) / x.squaredNorm() * x).squaredNorm();
@@ -72,8 +75,8 @@ class FractionProblem {
   double low() const { return low_; }
   double high() const { return high_; }
 
-  /// Place and value of the minimum of a function of u, between the limits of u: by a grid, and by golden sections about
-  /// its best point.
+  /// Returns the position and the value of the minimum of a function f(u) between the limits of u: first the best point
+  /// of a grid, then a golden-section search around this point.
   std::pair<double, double> minimum_of(const std::function<double(double)>& f) const {
     constexpr int kGrid = 60, kSections = 40;
     const double step = (high_ - low_) / kGrid;
@@ -101,12 +104,13 @@ class FractionProblem {
   }
 
  private:
-  static constexpr double kNearest = 1e-3;  // share of the range of Phi
+  // smallest distance of phi_0 from the smallest Phi, divided by the range of Phi
+  static constexpr double kNearest = 1e-3;
   Eigen::VectorXd phi_, y_;
   double low_, high_;
 };
 
-/// Returns the matrix that projects on the derivatives of ln M by coefficient, exponent and phi_0.
+/// Returns the matrix that projects on the derivatives of ln M with respect to coefficient, exponent and phi_0.
 Eigen::MatrixXd tangent_of(const FractionProblem& problem, double u) {
   const Eigen::VectorXd x = problem.x_at(u);
   Eigen::MatrixXd columns(x.size(), 3);
@@ -114,12 +118,13 @@ Eigen::MatrixXd tangent_of(const FractionProblem& problem, double u) {
   return projection_on(columns);
 }
 
-/// Profile of the sum of squares of a law of the solid fraction, and how far it may grow within an interval.
+/// Sum of squares of the best fit (`least`), and largest sum of squares within a 95 % interval (`allowed`), for a law
+/// of the solid fraction.
 struct Profile {
   double least, allowed, t95;
 
-  /// Returns a parameter with the interval of its profile in a coordinate c, in which `squares` is the smallest sum of
-  /// squares and `parameter` its value.
+  /// Returns a parameter with its interval from the profile of the sum of squares. The parameter is the function
+  /// `value` of a coordinate c; `squares` is the smallest sum of squares for a given c.
   template <class Squares, class Value>
   FittedParameter parameter(const char* name, const ProfileSearch& search, const Squares& squares,
                             const Value& value) const {
@@ -133,19 +138,22 @@ struct Profile {
     };
     p.low95 = end(c.low);
     p.high95 = end(c.high);
-    // phi_0 falls as its distance from the states grows.
+    // The coordinate of phi_0 is the logarithm of its distance from the smallest Phi, so that phi_0 falls as the
+    // coordinate grows.
     if (value(search.low_end) > value(search.high_end)) std::swap(p.low95, p.high95);
     if (p.identified) p.standard_error = (*p.high95 - *p.low95) / (2.0 * t95);
     return p;
   }
 };
 
-/// Returns the parameters of the law of the solid fraction, whose best line is `line` at the coordinate u.
+/// Returns the parameters of the law of the solid fraction. The best fit is at the coordinate u, and `line` is the line
+/// fitted there.
 std::vector<FittedParameter> parameters_of_fractions(const FractionProblem& problem, double u,
                                                      const LinearFit& line, const Profile& profile) {
   const auto exponential = [](double c) { return std::exp(c); };
   const double of_exponent = std::log(line.coefficients[1]), intercept = line.coefficients[0];
-  // Exponents are searched for from a hundredth to a hundred times the best one, coefficients over forty decades.
+  // Range of the search: exponents from 1/100 to 100 times the best exponent, coefficients from 10^-20 to 10^20 times
+  // the best coefficient.
   const double far = std::log(100.0), farther = 20.0 * std::log(10.0);
   return {
       profile.parameter(
@@ -205,7 +213,7 @@ ModulusLaw fit_modulus_of_fraction(const std::vector<double>& phi, const std::ve
   law.rms = std::sqrt(line.sum_of_squares / static_cast<double>(phi.size()));
   const int dof = line.dof - 1;  // phi_0 is fitted too
   const double t95 = student_t_95(dof);
-  // Residuals that are only rounding leave an interval of that size.
+  // If the residuals are only rounding, the interval corresponds to this small increase of the sum of squares.
   constexpr double kRounding = 1e-20;
   const double growth = t95 * t95 * law.pattern.variance_factor() * line.sum_of_squares / dof;
   const Profile profile{line.sum_of_squares, line.sum_of_squares + std::max(growth, kRounding), t95};

@@ -18,13 +18,13 @@ double degrees(double radians) {
   return radians * 180.0 / std::numbers::pi;
 }
 
-/// Returns the friction angle phi of N = (1 + sin phi)/(1 - sin phi) (degrees).
+/// Returns the friction angle phi (degrees) for which (1 + sin phi)/(1 - sin phi) is N.
 double angle_of_ratio(double N) {
   return degrees(std::asin((N - 1.0) / (N + 1.0)));
 }
 
-/// Returns the line y = C + N x with the coefficients C and N. Residuals are divided by the fitted y, which two or three
-/// rounds settle.
+/// Fits the line y = C + N x by least squares of relative residuals, and returns it with the coefficients C and N. The
+/// residuals are divided by the fitted y, which is found by iteration in a few rounds.
 LinearFit line_of_relative_errors(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
   constexpr int kRounds = 4;
   Eigen::VectorXd scale = y;
@@ -43,7 +43,7 @@ LinearFit line_of_relative_errors(const Eigen::VectorXd& x, const Eigen::VectorX
 /// Stress that is imposed on each sample, and the stress at which the sample fails.
 struct Failures {
   Eigen::VectorXd imposed, found;
-  const char* name;  ///< of the imposed stress, in messages
+  const char* name;  ///< name of the imposed stress in messages
 };
 
 template <class Stress>
@@ -58,13 +58,13 @@ Failures failures_of(const std::vector<Stress>& stresses, double Stress::*impose
   return failures;
 }
 
-/// Returns the reason why samples do not give a line; empty if they may.
+/// Returns the reason why no line can be fitted to the samples; empty if a line can be fitted.
 std::string why_no_line(const Failures& f) {
   constexpr Eigen::Index kLeast = 3;
   if (f.imposed.size() < kLeast)
     return fmt::format("there are {} tests, but a line with its error needs at least {}", f.imposed.size(),
                        kLeast);
-  // Tests under nearly one stress say nothing about the slope.
+  // If the imposed stresses are nearly equal, the tests do not determine the slope.
   constexpr double kLeastRange = 0.05;
   const double least = f.imposed.minCoeff(), most = f.imposed.maxCoeff();
   if (f.found.minCoeff() > 0.0 && most - least >= kLeastRange * most) return "";
@@ -77,10 +77,10 @@ std::string why_no_line(const Failures& f) {
 
 void warn_of_negative_cohesion(MohrCoulombFit& fit) {
   if (*fit.cohesion.high95 >= 0.0) return;
-  fit.warnings.push_back(fmt::format(
-      "the cohesion of the line is negative, {:.5g} (95 % interval {:.5g} to {:.5g}): the envelope of the "
-      "tests is curved, and its angle belongs to their range of stresses alone",
-      *fit.cohesion.value, *fit.cohesion.low95, *fit.cohesion.high95));
+  fit.warnings.push_back(
+      fmt::format("the cohesion of the line is negative, {:.5g} (95 % interval {:.5g} to {:.5g}): the envelope "
+                  "of the tests is curved, and the fitted angle is valid only in their range of stresses",
+                  *fit.cohesion.value, *fit.cohesion.low95, *fit.cohesion.high95));
 }
 
 MohrCoulombFit refused_line(std::string why) {
@@ -113,8 +113,8 @@ MohrCoulombFit fit_mohr_coulomb(const std::vector<FailureStress>& stresses, cons
                angle_of_ratio(*ratio.low95),
                angle_of_ratio(*ratio.high95),
                *ratio.low95 > 1.0};
-  // The cohesion is c = C/(2 sqrt N), for the line sigma_1 = C + N sigma_3. Its error follows by propagation of
-  // the errors of C and N.
+  // The cohesion is c = C/(2 sqrt N), for the line sigma_1 = C + N sigma_3. Its error follows from the covariance of C
+  // and N by error propagation.
   const double by_C = 0.5 / std::sqrt(N), by_N = -0.25 * C / (N * std::sqrt(N));
   const double variance = by_C * by_C * line.covariance(0, 0) + 2.0 * by_C * by_N * line.covariance(0, 1) +
                           by_N * by_N * line.covariance(1, 1);

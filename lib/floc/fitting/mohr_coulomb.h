@@ -7,16 +7,16 @@
 
 namespace floc {
 
-/// Largest and smallest principal stress of a sample that fails (stress, compression positive).
+/// Largest and smallest principal stress of a sample at failure (compression positive).
 struct FailureStress {
   double major = 0.0;
   double minor = 0.0;
 };
 
-/// Stresses on the planes along which a sample fails.
+/// Stresses on the planes along which a sample fails, at failure.
 struct PlaneStress {
-  double normal = 0.0;  ///< across the planes, compression positive
-  double shear = 0.0;   ///< along the planes
+  double normal = 0.0;  ///< normal stress on the planes, compression positive
+  double shear = 0.0;   ///< shear stress along the planes
 };
 
 /// Mohr-Coulomb line through the stresses of several samples at failure, or the reason why there is none.
@@ -31,20 +31,20 @@ struct MohrCoulombFit {
   bool found() const { return failure_reason.empty(); }
 };
 
-/// Fits the Mohr-Coulomb criterion tau = c + sigma tan(phi) in the form of its principal stresses,
+/// Fits the Mohr-Coulomb criterion tau = c + sigma tan(phi), written with the principal stresses,
 ///
 ///   sigma_1 = N sigma_3 + 2 c sqrt(N),   N = (1 + sin phi)/(1 - sin phi),
 ///
-/// to the stresses of at least three samples. The fit assumes relative errors of sigma_1, because the strengths
-/// of samples under equal lateral stress differ by a fraction of their value. Intervals follow from Student's
-/// t; that of the angle is symmetric in ln N.
+/// to the stresses of at least three samples. The fit assumes relative errors of sigma_1, because the strengths of
+/// samples under equal lateral stress differ by a fraction of their value. Intervals follow from Student's t; the
+/// interval of the angle is symmetric in ln N.
 /// @param suffix  end of the names of both parameters, such as "_peak"
 [[nodiscard]] MohrCoulombFit fit_mohr_coulomb(const std::vector<FailureStress>& stresses,
                                               const std::string& suffix);
 
-/// Fits the line tau = c + sigma tan(phi) of Mohr and Coulomb to the stresses on the planes of at least three samples, as
-/// tests of simple shear and of a shear box give them. The errors of tau count relative to its value, and the interval of the
-/// angle is symmetric in its tangent.
+/// Fits the Mohr-Coulomb line tau = c + sigma tan(phi) to the stresses on the planes of at least three samples. Such
+/// stresses are measured in tests of simple shear and with a shear box. The fit assumes relative errors of tau. The
+/// interval of the angle is symmetric in the tangent of the angle.
 /// @param suffix  end of the names of both parameters, such as "_peak"
 [[nodiscard]] MohrCoulombFit fit_mohr_coulomb_planes(const std::vector<PlaneStress>& stresses,
                                                      const std::string& suffix);
@@ -53,11 +53,10 @@ struct MohrCoulombFit {
 /// Mohr-Coulomb line goes through the origin.
 double secant_angle(const FailureStress& stress);
 
-/// Returns the angle (degrees) that belongs to a given sine, with the interval that follows from that of the
-/// sine.
+/// Returns the angle (degrees) with a given sine. Its interval follows from the interval of the sine.
 FittedParameter angle_of_sine(const FittedParameter& sine);
 
-/// Returns the angle whose tangent is `tangent` (degrees), with the interval of the tangent.
+/// Returns the angle (degrees) with the tangent `tangent`. Its interval follows from the interval of the tangent.
 FittedParameter angle_of_tangent(const FittedParameter& tangent);
 
 }  // namespace floc

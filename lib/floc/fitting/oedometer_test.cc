@@ -11,7 +11,7 @@ namespace {
 
 using TestPoints = std::vector<ShearPoint>;
 
-/// Returns the points whose axial stress is larger than that of all points before.
+/// Returns the points whose axial stress is larger than the axial stresses of all earlier points.
 TestPoints first_loading_of(const TestPoints& points) {
   TestPoints loading;
   for (const ShearPoint& p : points)
@@ -20,7 +20,7 @@ TestPoints first_loading_of(const TestPoints& points) {
   return loading;
 }
 
-/// Returns the axial strain at an axial stress between those of the first and the last point.
+/// Returns the axial strain at an axial stress that lies between the stresses of the first and the last point.
 double strain_at(const TestPoints& loading, double stress) {
   std::size_t k = 1;
   while (k + 1 < loading.size() && loading[k].axial_stress < stress) ++k;
@@ -47,7 +47,7 @@ OedometerTest evaluate_oedometer_test(const TestPoints& points,
   if (!ratios.empty()) test.parameters.push_back(mean_along_path("K0", ratios));
   const double lowest = loading.front().axial_stress, highest = loading.back().axial_stress;
   const auto [low, high] = range.value_or(std::pair(std::max(lowest, 0.5 * highest), highest));
-  // The stresses of a run agree with those of its scene only up to rounding.
+  // The stresses that a run reaches agree with the stresses prescribed by its scene only up to rounding.
   constexpr double kRounding = 1e-6;
   if (low < lowest * (1.0 - kRounding) || high > highest * (1.0 + kRounding)) {
     test.failure_reason = fmt::format(

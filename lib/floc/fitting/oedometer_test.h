@@ -10,7 +10,7 @@
 
 namespace floc {
 
-/// Results that a laboratory reports of one compression without lateral strain.
+/// Results that a laboratory reports for one oedometer test, that is, a compression without lateral strain.
 struct OedometerTest {
   std::string failure_reason;  ///< reason why there are no parameters; empty if there are
   /// K0 (lateral stress divided by axial stress) and constrained_modulus (unit of the stresses)

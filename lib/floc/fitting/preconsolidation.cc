@@ -18,8 +18,9 @@
 namespace floc {
 namespace {
 
-/// Returns the correlation of neighbouring residuals. Returns 0 if independent residuals could have it by chance, or if
-/// the residuals are only rounding. A round bend leaves correlated residuals.
+/// Returns the correlation of neighbouring residuals. Returns 0 if independent residuals could have this correlation by
+/// chance, or if the residuals are only rounding. If the bend of the curve is round, the residuals of a fit with a
+/// sharp bend are correlated.
 double correlation_of_neighbours(const Eigen::VectorXd& residuals) {
   constexpr double kRounding = 1e-9;
   const Eigen::Index n = residuals.size();
@@ -29,8 +30,8 @@ double correlation_of_neighbours(const Eigen::VectorXd& residuals) {
   return correlation < 2.0 / std::sqrt(static_cast<double>(n)) ? 0.0 : correlation;
 }
 
-/// Returns the range of positions of the bend at which the profile of the sum of squares is at most `within`,
-/// with linear interpolation between grid points.
+/// Returns the range of positions of the bend for which the profile of the sum of squares is at most `within`. The
+/// profile is interpolated linearly between grid points.
 std::pair<double, double> places_within(const RoundBendFit& fit, double within) {
   const Eigen::VectorXd& left = fit.profile;
   double low = fit.best.bend, high = fit.best.bend;
@@ -59,7 +60,8 @@ PreconsolidationFit fit_preconsolidation(const std::vector<double>& P, const std
   assert(P.size() == phi.size());
   constexpr int kMinPressures =
       5;  // one more than the number of parameters of a sharp bend: P_c, y_c, kappa and lambda
-  constexpr int kEnoughForWidth = 10;  // fewer pressures cannot distinguish a round bend from a sharp one
+  // with fewer pressures a round bend cannot be distinguished from a sharp bend
+  constexpr int kEnoughForWidth = 10;
   constexpr int kEnoughForConstructions = 8;
   const auto n = static_cast<Eigen::Index>(P.size());
   if (n < kMinPressures)
@@ -90,10 +92,10 @@ PreconsolidationFit fit_preconsolidation(const std::vector<double>& P, const std
   const double fewer = (1.0 + r) / (1.0 - std::min(r, kMostCorrelated));
   const double within = best.sum_of_squares + fewer * t95 * t95 * variance;
   if (r > 0.0)
-    fit.warnings.push_back(fmt::format(
-        "neighbouring residuals are correlated (coefficient {:.2f}), because the bend is round or the curve "
-        "moves in steps: the interval of P_c is widened to allow for this",
-        r));
+    fit.warnings.push_back(
+        fmt::format("neighbouring residuals are correlated (coefficient {:.2f}), because the bend is round or "
+                    "the curve advances in jumps: the interval of P_c is widened to allow for this correlation",
+                    r));
   const Eigen::Index last = lines.places.size() - 1;
   const auto [low, high] = places_within(lines, within);
   FittedParameter P_c{"P_c", std::exp(best.bend), std::nullopt, std::exp(low), std::exp(high), true};
@@ -104,7 +106,7 @@ PreconsolidationFit fit_preconsolidation(const std::vector<double>& P, const std
     if (is_open_below) P_c.low95 = std::nullopt;
     if (is_open_above) P_c.high95 = std::nullopt;
     fit.warnings.push_back(
-        "the preconsolidation pressure may lie at an end of the branch: its interval is open there");
+        "the preconsolidation pressure may lie at an end of the branch: its interval has no bound there");
   }
   const Eigen::MatrixXd c = fewer * variance * unit_covariance(lines.jacobian);
   fit.parameters = {P_c, from_value("kappa", kappa, std::sqrt(c(1, 1)), t95),

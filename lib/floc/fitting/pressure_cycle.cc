@@ -20,15 +20,14 @@ Loading loading_up_to(const std::vector<PathRow>& rows, int turn) {
   return up;
 }
 
-/// Returns the index of the last of the points of a curve at the pressure `P`.
+/// Returns the index of the last point of a curve that has the pressure `P`; absent if there is no such point.
 std::optional<std::size_t> last_at(const ConsolidationCurve& curve, double P) {
   for (std::size_t k = curve.P_star.size(); k-- > 0;)
     if (std::abs(curve.P_star[k] - P) <= kSamePressure * P) return k;
   return std::nullopt;
 }
 
-/// Returns the work of a cycle that starts at the lowest pressure common to loading and unloading, and ends
-/// there.
+/// Returns the work of a cycle that starts and ends at the lowest pressure common to loading and unloading.
 double closed_work(const PressureCycle& cycle) {
   const std::size_t start = *last_at(cycle.up.curve, cycle.P.front());
   const std::size_t end = *last_at(cycle.down.curve, cycle.P.front());

@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Returns the work of the pressure on a packing along a load path, per unit volume of its grains (stress). With P the
-/// pressure and Phi the solid fraction, it is
+/// Returns the work that the pressure does on a packing along a load path, per unit volume of the grains (stress). With
+/// the pressure P and the solid fraction Phi, this work is
 ///
 ///   -integral of P d(1/Phi), by the trapezoidal rule between the points
 ///
@@ -25,8 +25,8 @@ struct PressureCycle {
   /// fractions at these pressures on loading and on unloading. phi_down - phi_up is the compaction that remains after
   /// the cycle.
   std::vector<double> P, phi_up, phi_down;
-  /// Work of the cycle by work_of_path(), from the lowest pressure common to loading and unloading, up and back
-  /// to this pressure; absent if they have no pressure in common.
+  /// Work of the cycle by work_of_path(). The cycle starts and ends at the lowest pressure common to loading and
+  /// unloading; the work is absent if they have no pressure in common.
   std::optional<double> work;
 };
 

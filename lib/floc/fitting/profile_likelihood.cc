@@ -6,10 +6,10 @@
 namespace floc {
 namespace {
 
-/// Returns the coordinate at which the profile of the sum of squares reaches `search.allowed` on one side of
-/// the solution. First, growing steps, beginning with `step` (signed), bracket this coordinate. Then it is
-/// found by the method of false position, applied to the square root of the increase of the sum of squares,
-/// which is nearly linear in the coordinate. The result is absent if the profile does not reach
+/// Returns the coordinate at which the profile of the sum of squares reaches `search.allowed` on one side of the
+/// solution. First, growing steps, beginning with `step` (signed), bracket this coordinate. The coordinate is then
+/// found by the method of false position. The method is applied to the square root of the increase of the sum of
+/// squares, because this root is nearly linear in the coordinate. The result is absent if the profile does not reach
 /// `search.allowed` before `end`, or if the solver fails before.
 std::optional<double> crossing(const ProfileSearch& search, double step, double end,
                                const ProfileFunction& profile) {

@@ -16,19 +16,19 @@ struct ProfileSearch {
   double center;             ///< value of the coordinate at the solution
   double least;              ///< sum of squares at the solution
   double allowed;            ///< sum of squares at the ends of the interval, > least
-  double low_end, high_end;  ///< limits of the search: values of the coordinate beyond them have no meaning
+  double low_end, high_end;  ///< limits of the search; beyond them, the coordinate has no meaningful values
   double step;               ///< first step away from the solution, > 0
 };
 
 /// Profile of the sum of squares: a function that holds one coordinate at `value` and returns the smallest sum of
 /// squares over all other coordinates, or infinity if the solver fails. It may start the solver from the solution of
-/// the call before.
+/// the previous call.
 using ProfileFunction = std::function<double(double value)>;
 
-/// Finds the ends of a ProfileInterval, at which the profile of the sum of squares reaches `search.allowed`, to 1e-3 of
-/// the width of the interval.
-/// @param profile_from_solution  function that returns a profile whose first call starts from the solution of the fit;
-/// it is called once for each end of the interval
+/// Finds the ends of a ProfileInterval, at which the profile of the sum of squares reaches `search.allowed`. Their
+/// accuracy is 1e-3 of the width of the interval.
+/// @param profile_from_solution  function that returns a profile; the first call of this profile starts from the
+/// solution of the fit. A new profile is requested for each end of the interval
 [[nodiscard]] ProfileInterval profile_interval(const ProfileSearch& search,
                                                const std::function<ProfileFunction()>& profile_from_solution);
 

@@ -4,13 +4,13 @@
 
 namespace floc {
 
-/// Straight line through the points before regime II, where 1/Phi falls by kappa for each unit of ln P*: the
+/// Straight line through the points before regime II, along which 1/Phi falls by kappa per unit of ln P*. It is the
 /// recompression line of a soil or, with kappa = 0, the plateau of regime I.
 struct RecompressionLine {
-  bool slopes = false;          ///< whether kappa was fitted; otherwise it is 0
-  double centre = 0.0;          ///< weighted mean of ln P* over the points
-  double level = 0.0;           ///< 1/Phi of the line at `centre`, the weighted mean over the points
-  double kappa = 0.0;           ///< slope -d(1/Phi)/d(ln P*)
+  bool slopes = false;  ///< whether kappa was fitted; otherwise it is 0
+  double centre = 0.0;  ///< weighted mean of ln P* over the points
+  double level = 0.0;   ///< 1/Phi of the line at `centre`; equal to the weighted mean of 1/Phi over the points
+  double kappa = 0.0;   ///< slope -d(1/Phi)/d(ln P*)
   double sum_of_squares = 0.0;  ///< sum of squares of the weighted residuals
 
   /// Returns 1/Phi on the line at the reduced pressure exp(log_P).

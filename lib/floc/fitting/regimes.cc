@@ -48,8 +48,8 @@ double residual_of_plateau(Law law, const LawPoints& points, int k, const Eigen:
   return (points.weight.head(k).array() * (points.y.head(k).array() - level)).square().sum();
 }
 
-/// Returns the change between the points `k - 1` and `k`, at which the plateau of regime I ends, with its
-/// information criterion.
+/// Returns the end of the plateau of regime I between the points `k - 1` and `k`, with the information criterion of the
+/// fit that changes there.
 /// @param theta  solution of the law fitted to the points after the plateau
 /// @param left  sum of squared residuals of this fit
 Place plateau_end(Law law, const LawPoints& points, int k, const Eigen::VectorXd& theta, double left) {
@@ -58,11 +58,11 @@ Place plateau_end(Law law, const LawPoints& points, int k, const Eigen::VectorXd
                          n_parameters(law) + (k > 0 ? 1 : 0))};
 }
 
-/// Returns the possible ends of the plateau of regime I if the points after it follow the full law. A place is left out
-/// if fewer than three points lie between the plateau and P1*, where regime III begins.
+/// Returns the possible ends of the plateau of regime I if the points after it follow the full law. A possible end is
+/// left out if fewer than three points lie between it and P1*, where regime III begins.
 std::vector<Place> ends_before_full_law(const LawPoints& points) {
-  // The search stops after this number of consecutive ends of the plateau that leave too few points to regime
-  // II. If a plateau reaches P1*, where regime III begins, every longer plateau leaves too few points as well.
+  // If this number of consecutive ends of the plateau leave too few points to regime II, the search stops. A plateau
+  // that reaches P1*, where regime III begins, leaves too few points, and so does every longer plateau.
   constexpr int kGiveUp = 3;
   std::vector<Place> places;
   std::optional<Eigen::VectorXd> theta;
@@ -70,7 +70,7 @@ std::vector<Place> ends_before_full_law(const LawPoints& points) {
   int n_failed = 0;
   for (int k = 0; n - k > n_parameters(Law::full) && n_failed < kGiveUp; ++k) {
     const LawPoints rest = points.range(k, n - k);
-    // Each fit has one point less than the previous one. It starts from the previous solution, and also from a
+    // Each fit has one point less than the previous fit. The solver starts from the previous solution, and also from a
     // new starting point, because the point that is now left out may have hidden the bend of the law.
     double left = kInfinity;
     if (theta) left = minimize_law(Law::full, rest, *theta);
@@ -165,8 +165,8 @@ std::optional<Regimes> find_regimes(const LawPoints& points) {
   const int n = points.size();
   std::vector<Place> ends = ends_before_full_law(points);
   const std::vector<Place> line_ends = ends_before_line(points);
-  // A constant or an elastic line that explains the curve better than any plateau followed by a law leaves no regimes
-  // to separate.
+  // If a constant or an elastic line explains the curve better than a plateau followed by a law, the curve has no
+  // separate regimes.
   const double flat = std::min(information(residual_of_constant(points), n, 1),
                                information(residual_of_elasticity(points), n, 2));
   const auto explains_more = [flat](const Place& p) { return p.information < flat; };

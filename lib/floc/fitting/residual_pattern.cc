@@ -10,16 +10,17 @@
 namespace floc {
 namespace {
 
-/// Probability with which each of the two tests reports a pattern in independent residuals.
+/// Probability of a false alarm: each of the two tests reports a pattern in independent residuals with this
+/// probability.
 constexpr double kLevel = 0.005;
 
 double log_choose(int n, int k) {
   return std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0);
 }
 
-/// Returns the number of sequences with n_plus positive and n_minus negative signs that have `runs` runs of
-/// equal signs, times exp(-log_all). It is the number of ways to cut the two groups of signs into alternating
-/// runs.
+/// Returns the fraction of sequences that have `runs` runs of equal signs, among all exp(log_all) sequences with n_plus
+/// positive and n_minus negative signs. Their number is the number of ways to divide the positive and the negative
+/// signs into alternating runs.
 double share_with_runs(int runs, int n_plus, int n_minus, double log_all) {
   const auto ways = [&](int of_plus, int of_minus) {
     if (of_plus < 1 || of_minus < 1 || of_plus > n_plus || of_minus > n_minus) return 0.0;
@@ -29,8 +30,8 @@ double share_with_runs(int runs, int n_plus, int n_minus, double log_all) {
   return runs % 2 == 0 ? 2.0 * ways(half, half) : ways(half + 1, half) + ways(half, half + 1);
 }
 
-/// Returns the probability that independent residuals have at most as many runs of equal signs as these, given
-/// the numbers of both signs.
+/// Returns the probability that independent residuals, with as many positive and negative signs as `r`, have at most as
+/// many runs of equal signs as `r`.
 double runs_probability(const Eigen::VectorXd& r) {
   const auto n = static_cast<int>(r.size());
   const auto n_plus = static_cast<int>((r.array() > 0.0).count());
@@ -42,11 +43,11 @@ double runs_probability(const Eigen::VectorXd& r) {
   return std::min(p, 1.0);
 }
 
-/// Returns the probability that the von Neumann ratio of the residuals of a fit to independent data is below
-/// `ratio`.
+/// Returns the probability that a fit to independent data has residuals with a von Neumann ratio below `ratio`.
 double smoothness_probability(double ratio, const Eigen::MatrixXd& hat) {
   const Eigen::Index n = hat.rows();
-  Eigen::MatrixXd differences = Eigen::MatrixXd::Zero(n, n);  // matrix D with r^T D r = sum (r_k+1 - r_k)^2
+  // matrix D for which r^T D r is the sum of (r_(k+1) - r_k)^2 over k
+  Eigen::MatrixXd differences = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index k = 0; k + 1 < n; ++k) {
     differences(k, k) += 1.0;
     differences(k + 1, k + 1) += 1.0;
@@ -73,8 +74,8 @@ bool ResidualPattern::is_systematic() const {
 }
 
 double ResidualPattern::variance_factor() const {
-  // Correlated residuals count as a smaller number of independent ones; at a correlation of 1 this number would
-  // be zero.
+  // Upper limit of the correlation. Correlated residuals count as a smaller number of independent residuals; at a
+  // correlation of 1 this number would be zero.
   constexpr double kMost = 0.9;
   if (!is_systematic()) return 1.0;
   const double r = std::clamp(correlation, 0.0, kMost);

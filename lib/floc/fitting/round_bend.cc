@@ -13,7 +13,7 @@
 namespace floc {
 namespace {
 
-/// Returns s(d), the function by which a round bend passes from one line to the other (see RoundBend).
+/// Returns s(d), the function that describes the transition of a round bend from one line to the other (see RoundBend).
 double softened(double d, double width) {
   if (width == 0.0) return std::max(d, 0.0);
   // ln(1 + e^u) without overflow.
@@ -29,8 +29,8 @@ Eigen::MatrixXd columns_of(const Eigen::ArrayXd& x, double bend, double width) {
   return columns;
 }
 
-/// Fits level and slopes of the two lines for a given bend and width. The normal equations are well
-/// conditioned, because x is centred on the bend.
+/// Fits the common level and the slopes of the two lines for a given position and width of the bend. The normal
+/// equations are well conditioned, because x is centred on the bend.
 RoundBend with_lines(const Eigen::ArrayXd& x, const Eigen::VectorXd& y, double bend, double width) {
   const Eigen::MatrixXd columns = columns_of(x, bend, width);
   const Eigen::VectorXd c = solve_symmetric(columns.transpose() * columns, columns.transpose() * y);
@@ -70,9 +70,9 @@ struct BendResidual {
   }
 };
 
-/// Minimises the sum of squares over all five parameters, starting from the bend `near`. Returns `near` if the
-/// solver fails, finds no smaller sum, or leaves the allowed range: the bend between the second and the
-/// second-last x, the width up to `widest`.
+/// Minimises the sum of squares over all five parameters, starting from the bend `near`. Returns `near` if the solver
+/// fails, finds no smaller sum, or leaves the allowed range. In this range, the bend lies between the second and the
+/// second-last x, and its width is at most `widest`.
 RoundBend polished(const Eigen::ArrayXd& x, const Eigen::VectorXd& y, const RoundBend& near, double widest) {
   std::vector<BendResidual> residuals;
   for (Eigen::Index i = 0; i < x.size(); ++i) residuals.push_back({x[i], y[i]});

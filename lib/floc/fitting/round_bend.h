@@ -25,7 +25,7 @@ struct RoundBendFit {
   /// for each.
   Eigen::VectorXd places, profile;
   Eigen::VectorXd residuals;  ///< data minus fit
-  /// derivatives of the fit with respect to level, both slopes, bend and, if it is not 0, width
+  /// derivatives of the fit with respect to level, both slopes, bend and width (left out if the width is 0)
   Eigen::MatrixXd jacobian;
 };
 

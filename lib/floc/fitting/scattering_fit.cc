@@ -15,7 +15,7 @@ namespace floc {
 namespace {
 
 constexpr int kMinBins = 6;
-/// Value of chi squared per degree of freedom above which a warning says that the data do not follow the law.
+/// If chi squared per degree of freedom is above this value, a warning says that the data do not follow the law.
 constexpr double kFarOff = 9.0;
 
 /// Residual of ln I in one bin of wave numbers, divided by the standard deviation of ln I, where I is the scattered
@@ -33,8 +33,8 @@ struct ScatteringResidual {
 };
 
 /// Returns the bias of the logarithm of an intensity averaged over n wave vectors: the mean of ln X, where X is the
-/// average of n exponential random variables of mean 1. It is digamma(n) - ln n (Abramowitz and Stegun 6.3.18, and the
-/// recurrence for small n).
+/// average of n exponential random variables of mean 1. It is digamma(n) - ln n, computed by Abramowitz and Stegun
+/// 6.3.18 and, for small n, the recurrence of digamma.
 double log_bias(double n) {
   double shift = 0.0, m = n;
   for (; m < 6.0; m += 1.0) shift -= 1.0 / m;
@@ -94,7 +94,8 @@ ScatteringFit fit_scattering(const std::vector<ScatteredPoint>& points, double l
   fit.high = data.back().k;
   const auto solution = solve(data);
   if (!solution) {
-    fit.failure_reason = "no starting point leads to a solution: the intensity does not follow the law";
+    fit.failure_reason =
+        "the fit finds no solution from any starting point: the intensity does not follow the law";
     return fit;
   }
   const int dof = fit.n_points - ScatteringResidual::kParameters;
@@ -108,7 +109,7 @@ ScatteringFit fit_scattering(const std::vector<ScatteredPoint>& points, double l
   fit.parameters = {from_logarithm("I0", solution->theta[0], error(0), t95),
                     from_logarithm("xi", solution->theta[1], error(1), t95),
                     from_value("dF", solution->theta[2], error(2), t95)};
-  // The exponent dF is minus the slope of ln I against ln k at wavelengths below the length xi. It has no
+  // The exponent dF is minus the slope of ln I against ln k at wavelengths below the length xi. The exponent has no
   // meaning if the data do not determine xi.
   fit.parameters[2].identified = fit.parameters[1].identified;
   const double xi = *fit.parameters[1].value;

@@ -16,8 +16,8 @@ struct ScatteredPoint {
 };
 
 /// Fit of the scattering law of fractal aggregates of finite size (docs/physics.md, "Structure"), or the reason why
-/// there is no fit. The law gives the intensity at the wave number k from the fractal dimension dF and the length xi up
-/// to which the aggregates are fractal:
+/// there is no fit. The law gives the intensity I at the wave number k. Its parameters are the intensity I0 at small k,
+/// the fractal dimension dF, and the length xi up to which the aggregates are fractal:
 ///
 ///   I(k) = I0 / [1 + (k xi/(2 pi))^2]^(dF/2)
 struct ScatteringFit {

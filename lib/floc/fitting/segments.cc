@@ -17,8 +17,8 @@ struct Misfit {
   int n_free = 0;
 };
 
-/// A division of the curve into three parts: the points before `lower_end`, the points from there to
-/// `upper_begin` - 1, and the points from `upper_begin` on; with its information criterion.
+/// A division of the curve into three parts, with its information criterion. The parts are the points before
+/// `lower_end`, the points from `lower_end` to `upper_begin` - 1, and the points from `upper_begin` on.
 struct Division {
   int lower_end, upper_begin;
   double information;
@@ -28,8 +28,8 @@ WeightedLine line_of(const LawPoints& points) {
   return fit_weighted_line(points.log_P, points.y, points.weight);
 }
 
-/// Returns the information criterion of a fit to `n` points: the criterion of Bayes, with a larger penalty if
-/// the points are few (see find_segments()).
+/// Returns the information criterion of a fit to `n` points: Bayes' criterion, with a larger penalty if there are few
+/// points (see find_segments()).
 double criterion(const Misfit& misfit, int n) {
   const double floor = n * kRoundingOfTables * kRoundingOfTables;
   const double left = n - misfit.n_free - 1;
@@ -37,10 +37,10 @@ double criterion(const Misfit& misfit, int n) {
   return n * std::log(std::max(misfit.squares, floor) / n) + misfit.n_free * std::log(n) * n / left;
 }
 
-/// Fits a recompression line to the first `k` points. The curve `upper(ln P)` describes the points after them;
-/// its initial slope is -`steeper`. Line and curve have to meet between the points k - 1 and k. If the best
-/// line does not meet the curve there, the function fits a line that meets the curve at the nearer of these two
-/// points. A line that would rise is replaced by a horizontal line.
+/// Fits a recompression line to the first `k` points. The curve `upper(ln P)` describes the points after them; its
+/// initial slope is -`steeper`. Line and curve have to meet between the points k - 1 and k. If the best line meets the
+/// curve elsewhere, the function fits a line that meets the curve at one of these two points, the one nearer to the
+/// intersection. A line that would rise is replaced by a horizontal line.
 template <class Upper>
 std::optional<Misfit> misfit_below(const LawPoints& points, int k, double steeper, const Upper& upper) {
   if (k == 0) return Misfit{};
@@ -52,7 +52,8 @@ std::optional<Misfit> misfit_below(const LawPoints& points, int k, double steepe
   const double above_before = upper(before) - line.at(before), above_after = upper(after) - line.at(after);
   const Misfit met{line.sum_of_squares, line.slopes ? 2 : 1};
   if (above_before >= 0.0 && above_after <= 0.0) return met;
-  // Fits a line through the point of the curve at the end of the gap that is nearer to the intersection.
+  // Fits a line that meets the curve at one end of the gap between the two points: the end that is nearer to the
+  // intersection.
   const double at = above_before < 0.0 ? before : after;
   const Eigen::ArrayXd w2 = lower.weight.array().square();
   const Eigen::ArrayXd dx = lower.log_P.array() - at, dy = lower.y.array() - upper(at);
@@ -62,9 +63,9 @@ std::optional<Misfit> misfit_below(const LawPoints& points, int k, double steepe
   return Misfit{(w2 * (dy - slope * dx).square()).sum(), met.n_free};
 }
 
-/// Returns the misfit of the points from `first` on. They are described by a flatter line or by the power law
-/// of regime III, whichever has the smaller criterion. The index `first` counts as one more parameter. Absent
-/// if there are too few points.
+/// Returns the misfit of the points from `first` on. These points are described by a flatter line or by the power law
+/// of regime III: the one with the smaller criterion. The index `first` counts as one more parameter. The result is
+/// absent if there are too few points.
 std::optional<Misfit> misfit_above(const LawPoints& points, int first) {
   constexpr int kOfLine = 2, kOfPower = 3, kPlace = 1;
   const int n = points.size() - first;
@@ -81,8 +82,8 @@ std::optional<Misfit> misfit_above(const LawPoints& points, int first) {
   return best;
 }
 
-/// Returns whether the curve falls much faster after the point `j` than a line with the slope `slope`. The line
-/// is then not the steepest part of the curve; it may be a plateau before a collapse.
+/// Returns whether the curve after the point `j` falls much faster than a line with the slope `slope`. If it does, the
+/// line is not the steepest part of the curve; it may be a plateau before a collapse.
 bool steepens(const LawPoints& points, int j, double slope) {
   constexpr double kMuchSteeper = 2.0;
   const int first = j - 1, n = std::min(3, points.size() - first);
@@ -120,8 +121,8 @@ std::vector<Division> divisions_without_two(const LawPoints& points) {
     const LawPoints rest = points.range(k, n - k);
     const auto power = residual_of_power_law(rest);
     if (!power) continue;
-    // The line through the first two points of regime III approximates the power law where it meets the
-    // recompression line.
+    // At the intersection with the recompression line, the power law is approximated by the line through the first two
+    // points of regime III.
     const WeightedLine start = line_of(rest.range(0, 2));
     const auto below = misfit_below(points, k, -start.slope, [&](double x) { return start.at(x); });
     if (!below) continue;
@@ -131,8 +132,8 @@ std::vector<Division> divisions_without_two(const LawPoints& points) {
   return found;
 }
 
-/// Returns the position of one end of the line of regime II, with its uncertainty. The probability of each
-/// position is the sum over all positions of the other end. `best` is the position in the best division.
+/// Returns the position of one end of the line of regime II, with its uncertainty. The probability of each position of
+/// this end is summed over all positions of the other end. `best` is the position in the best division.
 template <class Place>
 ChangePoint change_of(const std::vector<Division>& divisions, int n, int best, const Place& place) {
   double least = kInfinity;

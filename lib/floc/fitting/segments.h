@@ -6,18 +6,20 @@
 
 namespace floc {
 
-/// Divides a consolidation curve of 1/Phi against ln P* into up to three parts: a recompression line of slope
-/// kappa >= 0; the steeper line of regime II; and the rest, in which the curve bends towards Phi_max, described
-/// by a flatter line or by the power law of regime III. The recompression line meets the line of regime II
-/// between the last point of the former and the first point of the latter. A division may lack any of these
-/// parts, but it has at least one of regimes II and III.
+/// Divides a consolidation curve of 1/Phi against ln P* into at most three parts. The first part is a recompression
+/// line of slope kappa >= 0, the second part is the steeper line of regime II. In the third part, the curve bends
+/// towards Phi_max; it is described by a flatter line or by the power law of regime III. The first two lines meet
+/// between the last point of the recompression line and the first point of regime II. Any part may be missing, but at
+/// least one of the regimes II and III is present.
 ///
-/// The division has the smallest information criterion of all: that of Bayes, with the penalty of p parameters enlarged
-/// by n/(n - p - 1), because tables of a laboratory have as few as n = 8 rows. The probability of a division is in
-/// proportion to exp(-criterion/2); the range of the end of one part is taken over all ends of the other.
+/// The function chooses the division with the smallest information criterion. This is Bayes' criterion, with the
+/// penalty for p parameters multiplied by n/(n - p - 1), because tables of a laboratory have as few as n = 8 rows. The
+/// probability of a division is in proportion to exp(-criterion/2). For the range of the end of one part, the
+/// probabilities are summed over all positions of the other end.
 /// @param bends  whether the curve may bend away from the line of regime II
-/// @return the regimes, of which `end_of_two == n_plateau` if there is no regime II; `all_in_one` is set if a constant or
-/// an elastic line explains the curve better; absent if the solid fraction does not grow anywhere as it should
+/// @return the regimes, of which `end_of_two == n_plateau` if there is no regime II; `all_in_one` is set if a constant
+/// or an elastic line explains the curve better; absent if no part of the curve has a solid fraction that grows as in
+/// regime II or III
 [[nodiscard]] std::optional<Regimes> find_segments(const LawPoints& points, bool bends = true);
 
 }  // namespace floc

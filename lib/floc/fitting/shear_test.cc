@@ -16,7 +16,7 @@ double deviator(const ShearPoint& p) {
   return p.failure().major - p.failure().minor;
 }
 
-/// Returns the curve of a test along its axis. Its strain is positive in the direction in which the test goes.
+/// Returns the mobilised friction and the volumetric strain of a test against the magnitude of its axial strain.
 TestCurve curve_of(const TestPoints& points) {
   TestCurve curve;
   const double sign = !points.empty() && points.back().axial_strain < 0.0 ? -1.0 : 1.0;
@@ -46,7 +46,7 @@ FittedParameter named(const char* name, FittedParameter p) {
   return p;
 }
 
-/// Adds the parameters of the critical state, the points from `first` on.
+/// Adds the parameters of the critical state, which consists of the points from `first` on.
 void add_critical(const TestPoints& points, std::size_t first, bool undrained, ShearTest& test) {
   std::vector<double> sines, strengths;
   FailureStress sum;

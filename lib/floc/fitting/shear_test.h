@@ -13,7 +13,7 @@ namespace floc {
 /// positive in compression; strains count from the beginning of the test.
 struct ShearPoint {
   double axial_stress = 0.0;
-  double lateral_stress = 0.0;  ///< mean over the other axes
+  double lateral_stress = 0.0;  ///< mean stress over the other axes
   double axial_strain = 0.0;
   double volumetric_strain = 0.0;
 
@@ -22,10 +22,10 @@ struct ShearPoint {
   double mobilised() const;
 };
 
-/// Results that a laboratory reports of one biaxial or triaxial test. The test is drained (the lateral stress
-/// is held constant) or undrained (the volume is held constant).
+/// Results that a laboratory reports for one biaxial or triaxial test. In a drained test, the lateral stress is
+/// constant; in an undrained test, the volume is constant.
 struct ShearTest {
-  std::string failure_reason;  ///< reason why the test has no strength; empty if it has one
+  std::string failure_reason;  ///< reason why the test gives no strength; empty if it gives one
   int peak = 0;                ///< index of the point of largest mobilised friction
   FailureStress peak_stress;
   /// Mean stress over the last part of the test; absent if the test has not reached a critical state.
@@ -42,19 +42,20 @@ struct ShearTestOptions {
   /// Magnitude of the axial strain at which the critical state begins. If absent, the critical state is the
   /// last quarter of the strain of the test.
   std::optional<double> critical_from;
-  bool undrained = false;  ///< whether the test keeps the volume constant
+  bool undrained = false;  ///< whether the volume is constant during the test
 };
 
 /// Evaluates one test.
 ///
-/// The peak is the point of largest mobilised friction. The dilatancy angle psi at the peak follows from the
-/// slope of the volumetric strain against the axial strain. The slope is fitted to the points around the peak
-/// with at least 95 % of its mobilised friction, but to five points at least: sin psi = -d eps_v/(2 d eps_1 - d
-/// eps_v) [VB1984], which in 2D is -d eps_v/(d eps_1 - d eps_2).
+/// The peak is the point of largest mobilised friction. The dilatancy angle psi at the peak follows from the slope of
+/// the volumetric strain against the axial strain. The slope is fitted to the points around the peak that have at least
+/// 95 % of the mobilised friction of the peak, but to at least five points. With the increments d eps_v of the
+/// volumetric and d eps_1 of the axial strain, sin psi = -d eps_v/(2 d eps_1 - d eps_v) [VB1984]; in 2D, this is equal
+/// to -d eps_v/(d eps_1 - d eps_2).
 ///
 /// The critical state is the mean over the last part of the test, with an interval from its fluctuations (see
-/// mean_along_path()). It is left out if the volumetric strain still changes there by more than a tenth of the
-/// change of the axial strain.
+/// mean_along_path()). There is no critical state if, in this part, the volumetric strain changes by more than a tenth
+/// of the change of the axial strain.
 ///
 /// The undrained strength is (sigma_1 - sigma_3)/2. The pore pressure coefficient at the peak [S1954] is A =
 /// (sigma_3 at the start - sigma_3)/(deviator - deviator at the start). The numerator is the pore pressure that

@@ -9,7 +9,8 @@
 namespace floc {
 namespace {
 
-/// Returns the points of a test as if it sheared in the positive direction.
+/// Returns the points of a test with positive shear: if the shear strain is negative, reverses the signs of shear
+/// strain and shear stress.
 std::vector<PlaneShearPoint> forwards(std::vector<PlaneShearPoint> points) {
   if (points.empty() || points.back().shear_strain >= 0.0) return points;
   for (PlaneShearPoint& p : points) {

@@ -10,8 +10,9 @@
 namespace floc {
 namespace {
 
-/// Matrices Q and R of Reinsch's algorithm. A spline with the values f at x has the second derivatives g at the
-/// inner points, with R g = Q^T f; its roughness, the integral of the squared second derivative, is g^T R g.
+/// Matrices Q and R of Reinsch's algorithm. Let f be the values of a spline at x, and g its second derivatives at the
+/// inner points. Then R g = Q^T f, and the roughness of the spline (the integral of the squared second derivative) is
+/// g^T R g.
 struct Bands {
   Eigen::MatrixXd Q, R;
 };
@@ -43,11 +44,12 @@ SmoothingSpline::SmoothingSpline(const Eigen::VectorXd& x, const Eigen::VectorXd
   const Eigen::ArrayXd s = penalty.values.array().max(0.0);
   const Eigen::ArrayXd parts = penalty.vectors.transpose() * y;
   const double largest = s.maxCoeff();
-  // the first two eigenvalues are 0: those of straight lines
+  // the first two eigenvalues, which belong to straight lines, are 0
   const double smallest = *std::min_element(s.begin() + 2, s.end());
   double best = kInfinity, mu = 0.0;
   constexpr int kTried = 80;
-  // Generalised cross-validation without this factor sometimes follows the noise, especially correlated noise.
+  // Without this factor, the spline chosen by generalised cross-validation sometimes follows the noise, especially
+  // correlated noise.
   constexpr double kCaution = 1.4;
   const double low = std::log(1e-3 / largest), high = std::log(1e3 / smallest);
   for (int k = 0; k <= kTried; ++k) {

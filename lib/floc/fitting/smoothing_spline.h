@@ -14,10 +14,11 @@ class SmoothingSpline {
   /// @param x  increasing values; four or more
   SmoothingSpline(const Eigen::VectorXd& x, const Eigen::VectorXd& y);
 
-  /// Returns the matrix that turns y into the values of the spline at x.
+  /// Returns the matrix that is multiplied by y to obtain the values of the spline at x.
   const Eigen::MatrixXd& smoother() const { return smoother_; }
 
-  /// Matrices that turn y into values, slopes and second derivatives of the spline at given positions.
+  /// Matrices that are multiplied by y to obtain values, slopes and second derivatives of the spline at given
+  /// positions.
   struct Operators {
     Eigen::MatrixXd value, slope, curvature;
   };
@@ -26,7 +27,7 @@ class SmoothingSpline {
 
  private:
   Eigen::VectorXd x_;
-  /// matrices that turn y into values and second derivatives of the spline at x
+  /// matrices that are multiplied by y to obtain values and second derivatives of the spline at x
   Eigen::MatrixXd smoother_, second_;
 };
 

@@ -16,7 +16,7 @@ bool is_within_factor(const FittedParameter* p, double factor) {
   return p && p->value && p->identified && p->low95 && p->high95 && *p->high95 <= factor * *p->low95;
 }
 
-/// Returns whether the data determine the parameters of a fit of the full law well enough to quote them.
+/// Returns whether the data determine the parameters of the full law well enough for them to be reported.
 bool is_supported(const ConsolidationFit& full) {
   constexpr double kLambda = 3.0, kAlpha = 5.0;
   const FittedParameter* phi_max = full.found() ? full.find("Phi_max") : nullptr;
@@ -42,7 +42,7 @@ void add_indices(ConsolidationFit& fit) {
   std::vector<FittedParameter> indices;
   if (const FittedParameter* lambda = fit.find("lambda")) indices.push_back(per_decade(*lambda, "C_c"));
   if (const FittedParameter* kappa = fit.find("kappa")) indices.push_back(per_decade(*kappa, "C_s"));
-  // The first parameters are lambda and kappa, as far as the law has them.
+  // lambda and kappa, if the law has them, are the first parameters.
   fit.parameters.insert(fit.parameters.begin() + static_cast<std::ptrdiff_t>(indices.size()), indices.begin(),
                         indices.end());
 }
@@ -80,27 +80,28 @@ void add_beyond(const ConsolidationCurve& curve, const ConsolidationOptions& opt
   line.parameters.insert(after_indices, {alpha, phi_max, P1});
 }
 
-/// Returns the regimes of a mean over samples. A bend counts only if the samples show it; without it, the curve is divided
-/// again.
+/// Returns the regimes of a mean over samples. If the samples do not show the bend away from the line of regime II, the
+/// curve is divided again without such a bend.
 std::optional<Regimes> regimes_of_samples(const ConsolidationCurve& curve, const LawPoints& points) {
   const std::optional<Regimes> regimes = find_segments(points);
   const int n = points.size();
   if (!regimes || regimes->all_in_one || regimes->end_of_two == n) return regimes;
   const int first = regimes->n_plateau, end = regimes->end_of_two - first;
-  // A power law without regime II has no place of its bend.
+  // Without regime II, the bend of the power law has no definite position; the middle of its points is used.
   const int place = end > 0 ? end : (n - first) / 2;
   if (samples_bend_at(curve.samples.bottomRows(n - first), points.log_P.tail(n - first), place)) return regimes;
   const std::optional<Regimes> straight = find_segments(points, false);
   return straight ? straight : regimes;
 }
 
-/// Finds the jumps of the samples from the line of regime II that was fitted to their mean, and the points in which they
-/// lag behind it.
+/// Finds the mean distance between the jumps of samples, and the points at which the samples lag behind the line of
+/// regime II.
+/// @param lambda  slope of the line of regime II that was fitted to the mean of the samples
 void find_jumps(const ConsolidationCurve& curve, const LawPoints& points, double lambda, Regimes& regimes) {
   const int first = regimes.n_plateau, n = regimes.end_of_two - first;
   const Eigen::VectorXd log_P = points.log_P.segment(first, n);
   regimes.jump_distance = distance_of_jumps(curve.samples.middleRows(first, n), log_P, lambda);
-  // Without a plateau the samples have lagged before already.
+  // If there is no plateau, the samples already lag at the first point, and no points are left out.
   if (first > 0) regimes.n_lagging = points_in_lag(log_P, regimes.jump_distance);
 }
 
@@ -123,11 +124,11 @@ ConsolidationFit fit_supported_law(const ConsolidationCurve& curve, Consolidatio
   options.regimes = std::nullopt;
   constexpr Eigen::Index kMinSamples = 3;
   const bool has_samples = curve.samples.cols() >= kMinSamples;
-  // The user's table does not tell whether its errors are errors of 1/Phi or of Phi.
+  // It is not known whether the errors in the user's table are errors of 1/Phi or of Phi.
   if (options.weighting == Weighting::automatic && !has_samples) options.weighting = Weighting::between;
   if (!options.window) {
     const auto n = static_cast<int>(curve.phi.size());
-    constexpr int kEnough = 5;  // fewer points do not determine a division into regimes
+    constexpr int kEnough = 5;  // smallest number of points that determine a division into regimes
     const LawPoints points = law_points(curve, Weighting::between);
     if (n >= kEnough) options.regimes = has_samples ? regimes_of_samples(curve, points) : find_segments(points);
     if (options.regimes && options.regimes->all_in_one) return fit_as(Law::log, curve, options);
@@ -139,7 +140,8 @@ ConsolidationFit fit_supported_law(const ConsolidationCurve& curve, Consolidatio
   }
   if (options.regimes && options.regimes->end_of_two == options.regimes->n_plateau)
     return without_two(fit_as(Law::power, curve, options));
-  // Weights from the scatter of a few samples would follow their deviations, and make the intervals of the line too small.
+  // Weights from the scatter of a few samples would depend on the deviations of these samples, which would make the
+  // intervals of the line too small.
   if (options.weighting == Weighting::automatic) options.weighting = Weighting::between;
   ConsolidationFit line = fit_as(Law::log, curve, options);
   if (!line.found()) return line;

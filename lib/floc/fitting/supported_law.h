@@ -4,23 +4,24 @@
 
 namespace floc {
 
-/// Fits the consolidation law that a curve supports. The range of points is the window of the options or,
-/// without a window, the regimes found by find_segments(). The function chooses
+/// Fits the consolidation law that a curve supports. The law is fitted to the points in the window of the options or,
+/// without a window, to points of the regimes found by find_segments(). The function chooses
 ///
-/// 1. the full law, if the curve bends towards Phi_max within the data, if lambda, alpha and Phi_max are
-/// identified and Phi_max is below its bound, if the upper end of the interval of lambda is at most three times
-/// the lower end, and that of alpha at most five times, and if the residuals of a single curve are not
-/// systematic;
+/// 1. the full law, if all of the following is true: the curve bends towards Phi_max within the data; lambda, alpha and
+/// Phi_max are identified; Phi_max is below its bound; the upper end of an interval is at most three times the lower
+/// end for lambda, and at most five times for alpha; the residuals of a single curve are not systematic;
 /// 2. otherwise the line of regime II, fitted to the points of regime II; if possible, a power law fitted to
 /// the points beyond gives alpha, Phi_max and the pressure P1* at which regime III begins;
 /// 3. the power law of regime III, if the curve has no regime II.
 ///
-/// The points before regime II lie on a recompression line, whose slope is kappa; P0*, the yield pressure, is where it
-/// meets the line of regime II. The parameters C_c = ln(10) lambda and C_s = ln(10) kappa follow lambda and kappa.
-/// Systematic residuals of a single curve widen its intervals.
+/// The points before regime II lie on a recompression line, whose slope is kappa. The yield pressure P0* is the
+/// pressure at which this line meets the line of regime II. In the list of parameters, C_c = ln(10) lambda and C_s =
+/// ln(10) kappa come after lambda and kappa. If the residuals of a single curve are systematic, the intervals are
+/// widened.
 ///
-/// A mean over three samples or more is that of samples that may collapse in jumps (collapse_jumps.h): it bends only if its
-/// samples do, and the points in which they lag behind the line of regime II are left out of it.
+/// If the curve is a mean over three samples or more, these samples may collapse in jumps (collapse_jumps.h). A bend of
+/// the mean is then accepted only if the samples show it, and points at which the samples lag behind the line of regime
+/// II are not used to fit this line.
 /// @param options  options of fit_consolidation(), of which `law`, `regimes` and `widen` are not used
 [[nodiscard]] ConsolidationFit fit_supported_law(const ConsolidationCurve& curve, ConsolidationOptions options);
 

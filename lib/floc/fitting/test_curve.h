@@ -9,33 +9,34 @@
 
 namespace floc {
 
-/// Mobilised friction and volume along a test that strains a sample.
+/// Mobilised friction and volumetric strain of a sample against its strain in a mechanical test.
 struct TestCurve {
   std::vector<double> strain;      ///< strain in the direction of the test, from 0 on
-  std::vector<double> mobilised;   ///< measure of the friction that is mobilised
+  std::vector<double> mobilised;   ///< measure of the mobilised friction, such as its sine or its tangent
   std::vector<double> volumetric;  ///< volumetric strain, positive in compression
 
   std::size_t size() const { return strain.size(); }
 };
 
-/// Returns the reason why a test has no strength; empty if it may have one.
+/// Returns the reason why a test gives no strength; empty if it can give one.
 std::string why_no_strength(const TestCurve& curve);
 
 /// Returns the index of the point of largest mobilised friction. @pre the curve is not empty
 std::size_t peak_of(const TestCurve& curve);
 
-/// Returns the line of the volumetric strain against the strain over the points around the peak with at least 95 % of its
-/// friction, five at least, as far as there are so many.
+/// Fits a line of the volumetric strain against the strain to the points around the peak that have at least 95 % of the
+/// mobilised friction of the peak. If these are fewer than five points, neighbouring points are added.
 LinearFit volume_at_peak(const TestCurve& curve, std::size_t peak);
 
-/// Critical state of a test: its points from `first` on, or the reason why it has not come to one.
+/// Critical state of a test: its points from `first` on, or the reason why the test has not reached a critical state.
 struct CriticalPart {
   std::size_t first = 0;
   std::string why_not;  ///< empty if the points are in the critical state
 };
 
-/// Returns the last part of a test: the points from the strain `from` on; absent: the last quarter of the strain. It is no
-/// critical state if it has fewer than three points, or if the volume still changes by more than a tenth of the strain.
+/// Returns the last part of a test: the points from the strain `from` on or, if `from` is absent, the last quarter of
+/// the strain. This part is no critical state if it has fewer than three points, or if the volumetric strain changes in
+/// it by more than a tenth of the change of the strain.
 CriticalPart critical_part(const TestCurve& curve, const std::optional<double>& from);
 
 }  // namespace floc

@@ -12,7 +12,7 @@ namespace {
 
 using Law = ConsolidationLaw;
 
-/// Returns the weighted residuals of the points before regime II from their line, followed by the weighted
+/// Returns the weighted residuals of the recompression line at the points before regime II, followed by the weighted
 /// residuals of the law.
 Eigen::VectorXd all_residuals(const LawEstimate& e) {
   const LawPoints& p = e.plateau;
@@ -42,10 +42,10 @@ void check_residuals(const LawEstimate& estimate, ConsolidationFit& fit) {
   fit.pattern = residual_pattern(all_residuals(estimate), hat_of(estimate));
   if (!fit.pattern.is_systematic()) return;
   fit.warnings.push_back(fmt::format(
-      "neighbouring residuals are correlated (coefficient {:.2f}; independent errors would be so correlated "
-      "with a probability of {:.1g}): the curve does not follow this law, or it moves in steps, so that the "
-      "standard errors from independent residuals are too small; fit the mean of several samples, whose "
-      "scatter gives better errors",
+      "neighbouring residuals are correlated (coefficient {:.2f}; for independent errors, the probability of "
+      "such residuals would be {:.1g}): the curve does not follow this law, or it advances in jumps, so that "
+      "standard errors computed for independent residuals are too small; fit the mean of several samples, "
+      "because the scatter between samples gives better errors",
       fit.pattern.correlation, std::min(fit.pattern.smoothness_p, fit.pattern.runs_p)));
 }
 

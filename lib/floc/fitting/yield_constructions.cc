@@ -22,7 +22,7 @@ struct Sides {
 };
 
 Sides sides_of(const Eigen::VectorXd& x, const RoundBend& bend) {
-  // smallest distance of these points from the bend, divided by the width of the bend
+  // smallest distance of the points of a line from the bend, divided by the width of the bend
   constexpr double kBeyond = 2.0;
   constexpr Eigen::Index kLeast = 3;
   const Eigen::Index n = x.size();
@@ -43,8 +43,8 @@ std::optional<double> meeting(const WeightedLine& a, const WeightedLine& b) {
   return (b.intercept - a.intercept) / steeper;
 }
 
-/// Constructions of the preconsolidation pressure P_c, for curves with equal pressures and `sides`. Each
-/// function returns ln P_c.
+/// Constructions of the preconsolidation pressure P_c. All curves must have the same pressures and the same division
+/// into `sides`. Each function returns ln P_c.
 class Constructions {
  public:
   Constructions(const Eigen::VectorXd& P, const SmoothingSpline& spline, const Sides& sides)
@@ -111,8 +111,8 @@ constexpr NamedConstruction kConstructions[] = {{"P_c_casagrande", &Construction
                                                 {"P_c_butterfield", &Constructions::butterfield},
                                                 {"P_c_becker", &Constructions::becker}};
 
-/// Returns the parameter exp(value). Its interval holds 95 % of the logarithms `drawn`, after they are shifted
-/// so that their median is `value`.
+/// Returns the parameter exp(value). Its interval contains 95 % of the values `drawn`, which are logarithms, after they
+/// are shifted so that their median is `value`.
 FittedParameter parameter_of(const char* name, double value, std::vector<double> drawn) {
   std::sort(drawn.begin(), drawn.end());
   const auto at = [&](double share) {

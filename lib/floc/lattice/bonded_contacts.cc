@@ -12,8 +12,8 @@
 namespace floc {
 namespace {
 
-/// Ratio of the limits of adhesion, friction and rolling resistance of a contact law to the largest forces and moments
-/// of the bonds of a lattice.
+/// Limits of adhesion, friction and rolling resistance in a contact law, divided by the largest forces and moments of
+/// the bonds.
 constexpr double kMargin = 2.0;
 
 void set_moment(const RotationVector<2>& moment, Contact<2>& c) {
@@ -61,8 +61,8 @@ LawParameters law_for(const BondedContacts<Dim>& bonds) {
 
 template <int Dim>
 void set_bonded_contacts(const BondedContacts<Dim>& bonds, Packing<Dim>& packing) {
-  /// Largest relative distance from its limit at which a force counts as mobilised. The contact law keeps the forces of
-  /// all bonds far from their limits.
+  /// A force counts as mobilised if it differs from its limit by at most this fraction of the limit. The contact law is
+  /// chosen so that the forces of all bonds are far from their limits.
   constexpr double kCapTolerance = 1e-9;
   packing.law = law_for(bonds);
   packing.contacts.clear();

@@ -22,8 +22,8 @@ struct BondedContact {
 template <int Dim>
 using BondedContacts = std::vector<BondedContact<Dim>>;
 
-/// Replaces the contacts of a packing by the given bonds, and its contact law by a law under which these contacts can
-/// carry the forces of the bonds:
+/// Replaces the contacts of a packing by the given bonds, and the contact law of the packing by a law that allows the
+/// forces of the bonds:
 /// - linear springs, with the mean stiffnesses of the bonds;
 /// - adhesion of twice the largest tension, and at least a tenth of the largest force;
 /// - friction if bonds resist shear, and rolling resistance if bonds carry moments, each with a limit of twice the

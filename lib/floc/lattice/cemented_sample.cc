@@ -114,8 +114,9 @@ class Cementing {
     return false;
   }
 
-  /// Returns, for each node, the smallest width of a bridge of matrix that covers it, divided by R' = 2 R_i R_j/(R_i +
-  /// R_j) with the radii R_i, R_j of the two grains of the bridge; infinite if this ratio exceeds `largest`.
+  /// Returns a number for each node: the smallest width of a bridge of matrix that covers the node, divided by R' = 2
+  /// R_i R_j/(R_i + R_j) with the radii R_i, R_j of the two grains of the bridge. The number is infinite if it would
+  /// exceed `largest`.
   std::vector<double> covering_widths(double largest) const {
     std::vector<double> width(out_.lattice.n_nodes(), kFar);
     for (const NeighborPair<Dim>& pair : pairs_) {
@@ -135,15 +136,14 @@ class Cementing {
     return width;
   }
 
-  /// Returns nodes that bridges of matrix can cover, sorted by the smallest width of a bridge that covers the node. The
-  /// number of nodes is at least as large as the matrix content needs.
+  /// Returns nodes that bridges of matrix can cover, sorted by the smallest width of a bridge that covers the node.
+  /// There are at least as many nodes as the wanted matrix content requires.
   /// @param wanted  matrix content as a share of the volume
   std::vector<CoveredNode> nodes_by_width(double wanted) const {
     std::vector<CoveredNode> covered;
     double reached = 0.0;
     /// Largest width of a bridge that is tried, divided by R' = 2 R_i R_j/(R_i + R_j), where R_i and R_j are the radii
-    /// of its grains. It is many times the size of the grains: a node outside all bridges of this width is outside any
-    /// bridge.
+    /// of its grains. This width is many times the size of the grains, so that no wider bridge covers additional nodes.
     constexpr double kWidest = 64.0;
     for (double largest = 0.5; largest <= kWidest; largest *= 2.0) {
       const std::vector<double> width = covering_widths(largest);
@@ -166,7 +166,7 @@ class Cementing {
     return covered;
   }
 
-  /// Chooses the width of the bridges for which the matrix content is nearest to the wanted content.
+  /// Chooses the width of the bridges that brings the matrix content nearest to the wanted content.
   /// @param wanted   matrix content as a share of the volume
   /// @param covered  result of nodes_by_width() for this content
   void choose_nodes(double wanted, const std::vector<CoveredNode>& covered) {

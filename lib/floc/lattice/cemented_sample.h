@@ -18,8 +18,8 @@ struct CementOptions {
   /// matrix content rho_m: share of the volume that the matrix has to fill, 0 to 1
   double matrix_content = 0.0;
   /// Largest gap between the surfaces of two grains that a bridge of matrix joins, divided by the mean diameter, >= 0.
-  /// The default is wider than the gaps between neighbours in a frictionless packing and narrower than the gaps to
-  /// second neighbours.
+  /// In a frictionless packing, the default is wider than the gaps between nearest neighbours and narrower than the
+  /// gaps between second neighbours.
   double bridge_gap = 0.05;
 
   static constexpr NumberRange kContent{.least = 0.0, .most = 1.0};
@@ -37,8 +37,8 @@ struct CementedSample {
   std::vector<Phase> phase;  ///< material of each node
   /// For each node, its owner: the grain whose surface is nearest to it; -1 for void nodes.
   std::vector<int> owner;
-  /// For each node, the periodic image of its owner whose surface is nearest to the node: the centre of this image is
-  /// the centre of the owner + owner_image * cell.matrix.
+  /// For each node, the nearest periodic image of its owner. The centre of this image is the centre of the owner +
+  /// owner_image * cell.matrix.
   std::vector<Vec<Dim, int>> owner_image;
   double grain_content = 0.0;  ///< grain content rho_p: share of the volume of all nodes that belongs to grains
   /// matrix content rho_m: share of the volume of all nodes that belongs to the matrix
@@ -52,9 +52,9 @@ struct CementedSample {
   double strain = 0.0;  ///< largest component of the strain by which the packing was fitted to the lattice
 };
 
-/// Gives each node of a lattice the material at its position in a packing, and adds the matrix:
-/// 1. A node inside a grain belongs to this grain. If grains overlap there, it belongs to the grain in which it lies
-/// deepest.
+/// Gives each node of a lattice the material that a packing has at the position of the node, and adds the matrix:
+/// 1. A node inside a grain belongs to this grain. A node inside two overlapping grains belongs to the grain in which
+/// it lies deepest.
 /// 2. Straight bridges between the centres of neighbouring grains are filled with matrix. A bridge between grains of
 ///    the radii R_i and R_j has the width w R', with R' = 2 R_i R_j/(R_i + R_j). The number w is chosen to give the
 ///    matrix the wanted content. To find w, the nodes outside grains are sorted by the smallest w at which a bridge

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// Element that breaks first when the load increases, and the ratio of the load at which it breaks to the present load.
+/// Element that breaks first when the load increases, and the load at which it breaks, divided by the present load.
 struct Weakest {
   int element = -1;
   double factor = kNever;
@@ -53,7 +53,8 @@ FracturePath fracture(const LatticeNetwork<Dim>& network, LatticeSolver<Dim>& so
   std::vector<bool> gone(network.elements.size(), false);
   while (true) {
     if (static_cast<int>(path.broken.size()) >= options.most_broken) {
-      path.end = fmt::format("{} elements have broken, the largest number allowed", path.broken.size());
+      path.end =
+          fmt::format("{} elements have broken, which is the largest allowed number", path.broken.size());
       break;
     }
     const LatticeSolution<Dim> solution = solver.solve(load);

@@ -29,7 +29,8 @@ struct Breakage {
 
 struct FractureOptions {
   ElementStrength strength;
-  /// The simulation ends when the stress has fallen below this share of its largest value so far; a value in kShare.
+  /// The simulation ends when the stress has fallen below this share of its largest value so far. The share must be in
+  /// kShare.
   double end_at = 0.2;
   static constexpr NumberRange kShare{.least = 0.0, .most = 1.0};
   int most_broken = 1'000'000;  ///< largest number of elements that may break before the simulation ends
@@ -41,19 +42,19 @@ struct FractureOptions {
 /// Result of the fracture of a sample, one element at a time.
 struct FracturePath {
   std::vector<Breakage> broken;  ///< breakages in the order in which they happened
-  /// strength of the sample: largest absolute stress along the load that it carried; 0 if no element can break
+  /// strength of the sample: largest absolute stress along the load that the sample carried; 0 if no element can break
   double strength = 0.0;
   double strain_at_strength = 0.0;  ///< strain along the load at which the sample carried its largest stress
   std::string end;                  ///< reason why the simulation ended, as a sentence
 };
 
 /// Simulates the fracture of a sample, one element at a time:
-/// 1. The load is increased in proportion to `load` until the first element reaches its strength. Every state is
-///    elastic, so this load follows from scaling one solution.
+/// 1. The load is increased in proportion to `load` until the first element reaches its strength. All elements
+///    are linear until then, so this load follows from scaling one solution.
 /// 2. This element is removed, and the lattice is solved again.
 ///
-/// If the next element breaks at a smaller load, a sample under constant stress would fail at once.
-/// @param load  direction of the load, with any magnitude
+/// If the next element breaks at a smaller load than the last one, a sample under constant load would fail at once.
+/// @param load  direction of the load; its magnitude has no influence
 /// @param axis  axis along which the result contains the strain and the stress
 /// @throws InputError if an option is invalid
 template <int Dim>

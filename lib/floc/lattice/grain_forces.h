@@ -14,30 +14,31 @@ template <int Dim>
 struct GrainForce {
   int i, j;             ///< numbers of the two grains, i <= j
   Vec<Dim, int> image;  ///< periodic image of grain j: branch = centre[j] + image * cell.matrix - centre[i]
-  Vec<Dim> branch;      ///< vector from the centre of grain i to that of the image of grain j (length)
+  Vec<Dim> branch;      ///< vector from the centre of grain i to the centre of the image of grain j (length)
   double normal;        ///< force along the branch, compression positive (force)
   Vec<Dim> shear;       ///< force on grain i across the branch (force)
   RotationVector<Dim> moment;  ///< moment on grain i about the contact point (force * length)
-  /// Stiffnesses along and across the branch (force/length): sums over the elements between the two grains that carry
-  /// force.
+  /// Stiffnesses along and across the branch (force/length): sums over those elements between the two grains that carry
+  /// a force.
   double kn, kt;
 };
 
 /// Returns the forces between the grains of a cemented sample, sorted by (i, j, image). The forces balance on every
-/// grain, except for the forces that hold fixed nodes. They carry the stress sigma of the cell: the sum of the tensor
-/// products of branch and force is exactly V sigma, with the volume V of the cell.
+/// grain, except for the forces that keep fixed nodes in place. They add up to the stress sigma of the cell: the sum of
+/// the tensor products of branch and force is exactly V sigma, with the volume V of the cell.
 template <int Dim>
 std::vector<GrainForce<Dim>> grain_forces(const CementedSample<Dim>& sample, const LatticeNetwork<Dim>& network,
                                           const LatticeSolution<Dim>& solution);
 
 /// Returns a packing of the grains of a cemented sample, with contacts that carry the given forces. Every command that
-/// takes a contact network can be applied to this packing.
+/// works on a contact network can be applied to this packing.
 /// @param packing  packing from which the sample was made; the masses of the grains are taken from it
 template <int Dim>
 Packing<Dim> packing_of(const CementedSample<Dim>& sample, const Packing<Dim>& packing,
                         const std::vector<GrainForce<Dim>>& forces);
 
-/// Agreement of the normal forces in two lists of contacts, over the pairs of grains that both lists contain.
+/// Agreement between the normal forces in two lists of contacts. Only pairs of grains that both lists contain are
+/// compared.
 struct ForceAgreement {
   /// Pearson's correlation coefficient of the two lists of forces. Absent if fewer than 3 pairs are in both lists, or
   /// if all forces of one list are equal.

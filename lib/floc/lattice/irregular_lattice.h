@@ -10,8 +10,8 @@ namespace floc {
 
 struct IrregularLatticeOptions {
   double spacing = 0.0;  ///< spacing of the cubic grid whose points are displaced (length)
-  /// Largest displacement of a grid point along each axis, divided by the spacing. With the default, the lattice is
-  /// isotropic, and its points do not come close to each other.
+  /// Largest displacement of a grid point along each axis, divided by the spacing. With the default value, the lattice
+  /// is isotropic and no two points are very close to each other.
   double jitter = 0.35;
   std::uint64_t seed = 1;  ///< seed of the random displacements of the grid points
 

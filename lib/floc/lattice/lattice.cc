@@ -61,8 +61,7 @@ Lattice<2> triangular_lattice_in(const Cell<2>& cell, double spacing) {
     throw InputError(
         "",
         fmt::format("a spacing of {:.3g} is too small: the lattice would have more than 1e8 nodes", spacing));
-  /// Numbers of columns are tried if their relative difference from the ratio of the cell's width to the spacing is at
-  /// most this value.
+  /// A number of columns is tried if it differs from the cell's width divided by the spacing by at most this fraction.
   constexpr double kTried = 0.03;
   const double asked = width / spacing;
   int best_columns = 1, best_rows = 2;

@@ -11,11 +11,11 @@ namespace floc {
 template <int Dim>
 struct LatticeBond {
   int i;                ///< first node
-  int j;                ///< second node; equal to i if the lattice is one node wide
+  int j;                ///< second node; equal to the first node if the lattice is one node wide
   Vec<Dim, int> image;  ///< periodic image of node j: branch = node[j] + image * cell.matrix - node[i]
   Vec<Dim> branch;      ///< vector from node i to the image of node j (length)
   Vec<Dim> arm_i;       ///< vector from node i to the point at which the force of the bond acts (length)
-  double facet;         ///< length (2D) or area (3D) of the face that the cells around the two nodes share
+  double facet;         ///< length (2D) or area (3D) of the face between the cells around the two nodes
 };
 
 /// Lattice of nodes that fill a periodic cell, and the bonds between neighbouring nodes, each bond once.
@@ -40,10 +40,10 @@ struct Lattice {
 /// @param spacing  distance between neighbouring nodes (length)
 Lattice<2> triangular_lattice(int columns, int rows, double spacing);
 
-/// Returns the triangular lattice that fits best into a rectangular cell. Its number of columns is within 3 % of the
-/// cell's width divided by the spacing, its ratio of sides is as close as possible to that of the cell, and its area is
-/// that of the cell. The sides differ by some 1e-4 from those of the cell, and a packing has to be deformed by this
-/// strain to fit.
+/// Returns the triangular lattice that fits best into a rectangular cell. The number of columns is within 3 % of the
+/// cell's width divided by the spacing. The ratio of the sides of the lattice is as close as possible to that of the
+/// cell, and the areas are equal. The sides of the lattice and of the cell differ by a fraction of some 1e-4. To fit
+/// the lattice, a packing has to be deformed by this strain.
 /// @throws InputError if the cell is not rectangular, or if more than 1e8 nodes would be needed
 Lattice<2> triangular_lattice_in(const Cell<2>& cell, double spacing);
 

@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Sine of the angle between two directions below which they count as collinear.
+/// Two directions count as collinear if the sine of the angle between them is below this number.
 constexpr double kCollinear = 1e-6;
 
 template <int Dim>
@@ -65,7 +65,7 @@ class NetworkBuilder {
                              bare && stiffness_.contact == BareContact::unilateral, number});
   }
 
-  /// Handles a bond that crosses the border of the cell: makes no element, but fixes the two nodes of the bond as the
+  /// Treats a bond that crosses the border of the cell: it becomes no element, but its two nodes are fixed as the
   /// boundary condition requires.
   void hold(const LatticeBond<Dim>& bond) {
     if (boundary_ == LatticeBoundary::uniform_strain) {
@@ -99,7 +99,7 @@ class NetworkBuilder {
     return false;
   }
 
-  /// Elements at a node: their number, the direction of the first element, and whether any other element has a
+  /// The elements at one node: their number, the direction of the first element, and whether any other element has a
   /// different direction.
   struct Holding {
     int count = 0;
@@ -141,7 +141,7 @@ class NetworkBuilder {
   }
 
   /// Removes connected parts of the network that cannot carry a load, because they neither wind around the periodic
-  /// cell nor connect its two fixed sides.
+  /// cell nor connect the two fixed sides of the cell.
   void remove_islands() {
     const Parts parts = find_parts();
     std::vector<bool> carries(parts.winding.size(), false);
@@ -162,10 +162,11 @@ class NetworkBuilder {
   struct Parts {
     // for each node, the number of the connected part that contains it; -1 for nodes without elements
     std::vector<int> of;
-    // for each connected part, linearly independent loops around the cell (numbers of cells)
+    // for each connected part, linearly independent loops around the cell; a loop is given by the number of cells that
+    // it crosses along each lattice vector
     std::vector<std::vector<Vec<Dim, int>>> winding;
-    // for each connected part: 1 if it contains a fixed node in the lower half of the cell, plus 2 if it contains a
-    // fixed node in the upper half
+    // for each connected part, the sum of two numbers: 1 if the part contains a fixed node in the lower half of the
+    // cell, and 2 if it contains a fixed node in the upper half
     std::vector<int> n_faces;
   };
 
@@ -194,7 +195,7 @@ class NetworkBuilder {
       end_of[next[out_.elements[e].j]++] = e;
     }
     std::vector<Vec<Dim, int>> cell(
-        // for each node, the periodic image of the node that the search has reached first
+        // for each node, the first of its periodic images that the search has reached
         out_.n_nodes, Vec<Dim, int>::Zero());
     for (int k = 0; k < out_.n_nodes; ++k) {
       if (parts.of[k] >= 0 || start[k] == start[k + 1]) continue;
@@ -226,8 +227,9 @@ class NetworkBuilder {
     return parts;
   }
 
-  /// Returns which fixed sides of the cell a node belongs to: 1 for a fixed node in the lower half of the cell, 2 for a
-  /// fixed node in the upper half, 3 (both) if the whole border is fixed, and 0 for a free node.
+  /// Returns a number for the fixed sides of the cell to which a node belongs: 1 for a fixed node in the lower half of
+  /// the cell, 2 for a fixed node in the upper half, 3 (both sides) if the whole border is fixed, and 0 for a free
+  /// node.
   int faces_of(int node) const {
     if (!is_held(node)) return 0;
     if (boundary_ == LatticeBoundary::uniform_strain) return 3;

@@ -37,8 +37,8 @@ enum class LatticeBoundary {
 };
 
 /// Stiffness of the elements of a lattice: one spring constant per kind of element, independent of the element's
-/// length, as in [RTV2010]. An interface consists of two springs of half the length in series, one of each material,
-/// which gives the exact stiffness of laminates.
+/// length, as in [RTV2010]. By default, an element across an interface has the stiffness of two springs of half the
+/// length in series, one of each material. This gives the exact stiffness of laminates.
 struct ElementStiffness {
   /// stiffness k_p of elements within grains (force/length), or Young's modulus E (stress) if `by_facet`
   double grain = 1.0;
@@ -73,7 +73,7 @@ struct LatticeElement {
   Vec<Dim> arm_i;       ///< vector from node i to the point at which the force of the element acts (length)
   double kn;            ///< normal stiffness (force/length)
   ElementKind kind;
-  bool unilateral;  ///< whether the element carries no tension and resists no shear
+  bool unilateral;  ///< whether the element carries compression only (no tension, no shear)
   int bond = -1;    ///< index of the bond in Lattice::bonds from which the element was made
 };
 
@@ -88,14 +88,14 @@ struct LatticeNetwork {
   double bending = 0.0;
   std::vector<LatticeElement<Dim>> elements;
   std::vector<bool> present;  ///< for each node, whether it has an element
-  /// For each component of the nodes' displacements relative to the uniform strain, whether it is fixed at zero: Dim
+  /// Whether each component of the displacement of each node, relative to the uniform strain, is fixed at zero: Dim
   /// entries per node. Empty if no displacement is fixed.
   std::vector<bool> held;
-  /// number of nodes of grains or matrix that were removed because they cannot carry a force
+  /// number of nodes (of grains or of the matrix) that were removed because they cannot carry a force
   int n_removed = 0;
   int n_islands = 0;  ///< number of connected parts that were removed because they cannot carry the load
-  /// number of independent directions in which the network winds around the cell; Dim if plates or the border of the
-  /// cell fix nodes
+  /// number of independent directions in which the network winds around the cell; equal to Dim if nodes are fixed by
+  /// plates or at the border of the cell
   int n_directions = 0;
 
   bool central() const { return shear == 0.0 && bending == 0.0; }
@@ -103,7 +103,7 @@ struct LatticeNetwork {
 };
 
 /// Returns the network of elements between the nodes of a sample, without the elements that carry no force under any
-/// load. These are
+/// load. The following elements are left out:
 /// - the element of a node with a single element and, if springs are central, the elements of a node with only two
 ///   collinear elements;
 /// - the elements of connected parts that neither wind around the cell nor reach from one fixed side to the other.
@@ -116,7 +116,7 @@ LatticeNetwork<Dim> lattice_network(const CementedSample<Dim>& sample, const Ele
 
 /// Returns a lattice as a contact network: its grains are the nodes, its contacts the elements. The functions of the
 /// folder `elasticity` accept this network.
-/// @param open  for each element, whether it is left out because it is open; if empty, no element is left out
+/// @param open  for each element, whether it is open; open elements are left out. If empty, no element is left out
 template <int Dim>
 ContactNetwork<Dim> contact_network(const LatticeNetwork<Dim>& network, const std::vector<bool>& open = {});
 

@@ -47,8 +47,8 @@ LatticeSolution<Dim> LatticeSolver<Dim>::solve(const LatticeLoad<Dim>& load) {
   if (boundary_ == LatticeBoundary::plates || boundary_ == LatticeBoundary::bonded_plates)
     for (int a = 0; a < kSymmetric<Dim>; ++a)
       if (a != axis_)
-        // between plates, the sample is free to expand sideways: strains across the axis of the plates are not needed
-        // and are fixed at zero
+        // between plates, the nodes move freely sideways, so no uniform strain across the axis of the plates is needed:
+        // these strains are fixed at zero
         control.imposed[a] = true, control.value[a] = 0.0;
   for (int a = 0; a < kSymmetric<Dim>; ++a)
     if (!control.imposed[a]) control.value[a] *= network_.volume;

@@ -36,7 +36,7 @@ struct LatticeSolution {
   std::vector<Vec<Dim>> shear_force;
   /// Bending moment of each element on its node i (force * length); empty if all elements are central springs.
   std::vector<RotationVector<Dim>> moment;
-  std::vector<bool> open;              ///< for each element, whether it is open, that is, carries no force
+  std::vector<bool> open;  ///< for each element, whether it is open; an open element carries no force
   std::vector<Vec<Dim>> displacement;  ///< displacement of each node relative to the uniform strain (length)
   double energy = 0.0;                 ///< elastic energy of the elements (force * length)
   SpringRelaxationReport report;
@@ -51,12 +51,14 @@ struct LatticeSolution {
 template <int Dim>
 class LatticeSolver {
  public:
-  /// @param network    network to load, which must outlive the solver
-  /// @param boundary,  axis  boundary condition with which the network was made, and axis along which plates load it
+  /// @param network    network that is loaded; it must outlive the solver
+  /// @param boundary   boundary condition with which the network was made
+  /// @param axis       axis along which plates load the network, counted from 0
   LatticeSolver(const LatticeNetwork<Dim>& network, const RelaxationSettings& settings,
                 LatticeBoundary boundary = LatticeBoundary::periodic, int axis = Dim - 1);
 
-  /// Finds the state of the network under a load. Between plates, only the load along the axis of the plates counts.
+  /// Finds the state of the network under a load. Between plates, all components of the load except that along the axis
+  /// of the plates are ignored.
   [[nodiscard]] LatticeSolution<Dim> solve(const LatticeLoad<Dim>& load);
 
   /// Returns the moduli of the sample, with all nodes free to relax: stress per unit of each strain, in the order of

@@ -7,7 +7,7 @@
 namespace floc {
 namespace {
 
-/// Smallest number of values above a threshold to which an exponential tail is fitted.
+/// An exponential tail is fitted only if at least this number of values are above the threshold.
 constexpr int kFewest = 10;
 
 StressTail tail_beyond(const std::vector<double>& x, double from) {
@@ -44,8 +44,8 @@ StressDistribution stress_distribution(const std::vector<double>& values, double
   StressDistribution out;
   out.n = static_cast<int>(values.size());
   if (values.empty()) return out;
-  // The values of each sign are divided by their own mean before a tail is fitted (docs/physics.md, "Cemented grains").
-  // Sums and numbers are therefore kept separately for the two signs.
+  // Before a tail is fitted, the values of each sign are divided by the mean of the values of this sign
+  // (docs/physics.md, "Cemented grains"). The two signs are therefore summed and counted separately.
   double squares = 0.0, loaded = 0.0, other = 0.0;
   int n_loaded = 0, n_other = 0;
   for (const double value : values) {

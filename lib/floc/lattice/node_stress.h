@@ -10,7 +10,7 @@ namespace floc {
 /// Returns the stress of each node, compression positive. It is the symmetric part of -(1/V_a) times the sum of r f^T
 /// over the elements of node a, with the volume V_a of the node, the force f of the element on the node, and the vector
 /// r from the node to the point at which f acts. The mean over all nodes, weighted by volume and with zero for void
-/// nodes, is the stress of the cell. The stress of a fixed node includes the forces that hold it.
+/// nodes, is the stress of the cell. The stress of a fixed node includes the forces that keep the node in place.
 template <int Dim>
 std::vector<Mat<Dim>> node_stress(const Lattice<Dim>& lattice, const LatticeNetwork<Dim>& network,
                                   const LatticeSolution<Dim>& solution);
@@ -20,25 +20,24 @@ struct StressTail {
   double from = 1.0;                ///< threshold of x above which the tail is fitted
   int n = 0;                        ///< number of values of x above the threshold
   std::optional<double> beta = {};  ///< decay rate beta; absent for fewer than 10 values
-  /// Standard error beta/sqrt(n) of beta. It assumes independent values; the stresses of neighbouring nodes are in fact
-  /// correlated.
+  /// Standard error beta/sqrt(n) of beta. The formula assumes independent values, although the stresses of neighbouring
+  /// nodes are correlated.
   std::optional<double> error = {};
 };
 
-/// Distribution of a stress component over the nodes of a lattice. The number x is a stress of the same sign as the
-/// load, divided by the mean of these stresses.
+/// Distribution of a stress component over the nodes of a lattice. The number x of a node is the component divided by
+/// its mean over the nodes where it has the same sign as the load.
 struct StressDistribution {
   int n = 0;          ///< number of nodes in the distribution
   double mean = 0.0;  ///< mean of the component over all nodes (stress)
-  /// mean of the component over the nodes where it has the same sign as the load (stress); x is the component divided
-  /// by this mean
+  /// mean of the component over the nodes where it has the same sign as the load (stress); the unit in which x is given
   double unit = 0.0;
   double spread = 0.0;       ///< standard deviation of the component over all nodes, divided by `mean`
   double other_share = 0.0;  ///< share of the nodes where the component and the load have opposite signs
   double largest = 0.0;      ///< largest value of x
   StressTail loaded_1{1.0}, loaded_2{2.0};  ///< exponential tails of the distribution of x above 1 and above 2
-  /// exponential tail above 1 of the components whose sign is opposite to that of the load, each divided by the mean of
-  /// these components
+  /// exponential tail, above 1, for the nodes where the component and the load have opposite signs; the number x is
+  /// here the component divided by its mean over these nodes
   StressTail other_1{1.0};
 };
 

@@ -20,14 +20,14 @@ double mean_with(const std::vector<ElasticPhase>& phases, double ElasticPhase::*
   return sum > 0.0 ? 1.0 / sum - y : 0.0;
 }
 
-/// Returns the value of y in mean_with() for the bounds of Hashin and Shtrikman on the bulk modulus, if the reference
-/// phase has the shear modulus G: 2 G (d - 1)/d in dimension d.
+/// Returns the value of y in mean_with() for the bounds of Hashin and Shtrikman on the bulk modulus: 2 G (d - 1)/d in
+/// dimension d, with the shear modulus G of the reference phase.
 double bulk_reference(double G, int dimension) {
   return 2.0 * G * (dimension - 1) / dimension;
 }
 
-/// Returns the value of y in mean_with() for the bounds of Hashin and Shtrikman on the shear modulus, if the reference
-/// phase has the moduli K and G: K G/(K + 2 G) in 2D, G (9 K + 8 G)/(6 (K + 2 G)) in 3D.
+/// Returns the value of y in mean_with() for the bounds of Hashin and Shtrikman on the shear modulus: K G/(K + 2 G) in
+/// 2D, G (9 K + 8 G)/(6 (K + 2 G)) in 3D, with the moduli K and G of the reference phase.
 double shear_reference(double K, double G, int dimension) {
   if (K + 2.0 * G == 0.0) return 0.0;
   return dimension == 2 ? K * G / (K + 2.0 * G) : G * (9.0 * K + 8.0 * G) / (6.0 * (K + 2.0 * G));

@@ -18,14 +18,14 @@ constexpr int kMostChanged = 60;
 constexpr int kStepsOnOldFactor = 30;
 /// Largest number of unknowns for which a factor is cheap in 3D.
 constexpr int kSmallInSpace = 20000;
-/// Net forces on nodes count as rounding errors if they are below this share of the load and no longer decrease.
+/// Net forces on nodes count as rounding errors if they are below this share of the load and have stopped decreasing.
 constexpr double kRounding = 1e-8;
-/// Ratio of the strain of a sample to its affine strain under the load, with all springs closed, above which the sample
-/// counts as not resisting its load. The preconditioner could not distinguish a softer sample from a sample with free
-/// motions.
+/// A sample counts as not resisting its load if its strain is larger than this number times the affine strain, that is,
+/// the strain under the load if all springs are closed and all nodes follow the strain of the cell. The preconditioner
+/// could not distinguish a still softer sample from a sample with free motions.
 constexpr double kBeyond = 1e8;
-/// Ratio of the energy of a motion to the energy that the preconditioner predicts, below which the motion counts as
-/// free (without resistance).
+/// A motion counts as free (without resistance) if its energy, divided by the energy that the preconditioner predicts
+/// for it, is below this number.
 constexpr double kNoEnergy = 1e-5;
 
 template <int Dim, int Size>
@@ -65,7 +65,8 @@ class Springs final : public RelaxedSprings<Dim> {
       const double norm = std::sqrt(std::max(0.0, down.dot(inverse_->apply(down))));
       report.imbalance = whole > 0.0 ? norm / whole : 0.0;
       const int steps_before = report.n_steps;
-      // If some motions need no energy, rounding leaves net forces on nodes that no further round reduces.
+      // If no spring resists some motions, rounding leaves net forces on nodes, and further rounds do not reduce these
+      // forces.
       const bool is_rounding =
           n_changed == 0 && report.imbalance < kRounding && report.imbalance > 0.5 * before;
       report.converged = report.imbalance <= settings_.tolerance || is_rounding;
@@ -166,8 +167,8 @@ class Springs final : public RelaxedSprings<Dim> {
            springs_.on_strain[r].dot(x.template tail<kSymmetric<Dim>>());
   }
 
-  /// Returns the forces K x of the active springs on the nodes and on the strains of the cell, with their stiffness
-  /// matrix K; zero for imposed strains.
+  /// Returns the product K x with the stiffness matrix K of the active springs: forces on the nodes and on the strains
+  /// of the cell. The entries of imposed strains are zero.
   /// @param x  displacements of the nodes, then the strains of the cell
   Eigen::VectorXd applied(const Eigen::VectorXd& x) const {
     Eigen::VectorXd out = Eigen::VectorXd::Zero(x.size());
@@ -198,7 +199,8 @@ class Springs final : public RelaxedSprings<Dim> {
     int n_changed = 0;
     for (const int r : springs_.one_sided) {
       const double o = overlap(r, x_);
-      // A spring with zero overlap keeps its state. All springs are therefore closed before the first deformation.
+      // A spring with zero overlap keeps its state (open or closed). All springs are therefore still closed at the
+      // first deformation.
       const char now = o > 0.0 || (o == 0.0 && active_[r]) ? 1 : 0;
       n_changed += now != active_[r];
       active_[r] = now;
@@ -212,8 +214,8 @@ class Springs final : public RelaxedSprings<Dim> {
   }
 
   /// Returns the size of the load in the norm of the preconditioner: the square root of twice an energy. This energy is
-  /// the energy of the imposed strain, if the nodes follow it affinely, plus the energy that the nodes would then
-  /// release by relaxation.
+  /// a sum: the energy of the imposed strain, if the nodes follow the strain affinely, plus the energy that the nodes
+  /// would afterwards release by relaxation.
   double norm_of_load(SpringRelaxationReport& report) {
     Eigen::VectorXd kept = Eigen::VectorXd::Zero(x_.size());
     for (int a = 0; a < kSymmetric<Dim>; ++a)
@@ -289,7 +291,8 @@ class Springs final : public RelaxedSprings<Dim> {
 
   void take_step(const Eigen::VectorXd& down, double norm, double whole, SpringRelaxationReport& report) {
     const bool one_sided = !springs_.one_sided.empty();
-    // While springs still open and close, an inexact direction suffices, unless an exact direction is cheap.
+    // As long as springs open and close, an inexact direction is sufficient. If the inverse is nearly exact, an exact
+    // direction is cheap, and the accuracy is higher.
     const double share = inverse_->is_exact() ? 1e-8 : one_sided ? 0.03 : 0.0;
     const double target = std::max(share * norm, 0.5 * settings_.tolerance * whole);
     const bool old_factor = inverse_->is_exact() && prepared_ != active_;
@@ -311,8 +314,7 @@ class Springs final : public RelaxedSprings<Dim> {
     if (slope >= 0.0) return true;
     double
         square = 0.0,
-        // The slope of the energy of the two-sided springs after a step of t times the direction is linear + t *
-        // square.
+        // After a step of t times the direction, the energy of the two-sided springs has the slope linear + t * square.
         linear = slope;
     // for each one-sided spring: overlap, change of the overlap per unit step along the direction, stiffness
     std::vector<std::array<double, 3>> one_sided;
@@ -355,14 +357,15 @@ class Springs final : public RelaxedSprings<Dim> {
     return true;
   }
 
-  /// Number of unit steps along a direction after which a decreasing energy counts as decreasing without limit.
+  /// If the energy still decreases after this number of unit steps along a direction, it counts as decreasing without
+  /// limit.
   static constexpr double kForEver = 1e12;
 
   RelaxationSettings settings_;
   SpringRows<Dim, Size> springs_;
   std::vector<int> here_;
   Eigen::VectorXd x_;  // displacements of the nodes, then the strains of the cell
-  // for each spring, whether it is active now, and whether it was when the preconditioner was made
+  // for each spring, whether it is active now, and whether it was active when the preconditioner was made
   std::vector<char> active_, prepared_;
   bool ready_ = false;
   StrainControl<Dim> control_;

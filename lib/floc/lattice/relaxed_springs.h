@@ -28,8 +28,8 @@ struct RelaxationRound {
 
 struct RelaxationSettings {
   LatticeMethod method = LatticeMethod::automatic;
-  /// The relaxation ends when the net forces on the nodes are at most this share of the load. Both are measured in the
-  /// norm of the preconditioner.
+  /// The relaxation ends when the net forces on the nodes are at most this share of the load. Net forces and load are
+  /// both measured in the norm of the preconditioner.
   double tolerance = 1e-10;
   int max_rounds = 100;  ///< largest number of rounds of the relaxation; about ten are usual
   /// Function that is called after each round of the relaxation, if set.
@@ -47,7 +47,7 @@ struct StrainControl {
 /// Report of the relaxation of a lattice.
 struct SpringRelaxationReport {
   bool converged = false;
-  bool holds = true;       ///< false if no spring resists the load, which then moves a mechanism
+  bool holds = true;       ///< false if the load moves a mechanism, which no spring resists
   double imbalance = 0.0;  ///< size of the net forces that remain on the nodes, divided by the size of the load
   /// numbers of rounds, of conjugate-gradient steps and of preconditioners made
   int n_rounds = 0, n_steps = 0, n_factors = 0;
@@ -70,8 +70,8 @@ class RelaxedSprings {
   /// Relaxes the springs under imposed strains and loads.
   /// @return report of the relaxation; the springs are left in the best state found, whether or not it has converged
   [[nodiscard]] virtual SpringRelaxationReport relax(const StrainControl<Dim>& control) = 0;
-  /// Returns the volume times the stress per unit of each strain, in the order of StrainSet::full, if the nodes relax
-  /// and no spring opens or closes.
+  /// Returns the volume times the stress per unit of each strain, in the order of StrainSet::full, after relaxation of
+  /// the nodes. No spring opens or closes during this relaxation.
   /// @pre relax() was called
   virtual Eigen::MatrixXd tangent_stiffness() = 0;
 

@@ -70,7 +70,7 @@ class RowBuilder {
   }
 
   const LatticeNetwork<Dim>& network_;
-  // for each node of the lattice, its index in SpringRows::node; -1 if it has no element
+  // for each node of the lattice, its index in SpringRows::node; -1 if the node has no element
   std::vector<int> here_;
   SpringRows<Dim, Size> out_;
 };

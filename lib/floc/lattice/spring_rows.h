@@ -16,7 +16,8 @@ struct SpringRows {
   using OnNode = Eigen::Matrix<double, Size, 1>;
   using OnStrain = Eigen::Matrix<double, kSymmetric<Dim>, 1>;
   /// Spring: coefficients of its elongation as a linear function of the unknowns of its two nodes. The first spring of
-  /// an element lies along the element; its coefficients give its overlap instead, which is positive in compression.
+  /// an element lies along the element. The coefficients of this spring give its overlap instead of its elongation; the
+  /// overlap is positive in compression.
   struct Row {
     int i, j;  // indices of the two nodes in SpringRows::node
     // coefficients for node i and node j, zero for fixed displacements; if i = j, `on_i` contains both
@@ -25,7 +26,7 @@ struct SpringRows {
   };
 
   std::vector<Row> rows;
-  /// For each spring, coefficients by which its elongation depends on the strains, in the order of StrainSet::full.
+  /// For each spring, the derivatives of its elongation with respect to the strains, in the order of StrainSet::full.
   std::vector<OnStrain> on_strain;
   std::vector<int> element;    ///< for each spring, the number of its element
   std::vector<int> one_sided;  ///< numbers of the springs of unilateral elements, ascending

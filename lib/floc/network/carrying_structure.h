@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Force-carrying structure of a packing (docs/physics.md, "Force-carrying structure"): the contacts and attractions
-/// between grains that are not rattlers, if they carry a normal force, compressive or tensile.
+/// Force-carrying structure of a packing (docs/physics.md, "Force-carrying structure"): the grains that are not
+/// rattlers, and all contacts and attractions between them that carry a compressive or tensile normal force.
 struct CarryingStructure {
   std::vector<bool> rattler;  ///< for each grain, whether it is a rattler
   std::vector<int> contacts;  ///< indices of the carrying contacts in Packing::contacts, ascending
@@ -18,19 +18,21 @@ struct CarryingStructure {
   int n_held() const { return static_cast<int>(rattler.size()) - n_rattlers; }
 };
 
-/// Returns the smallest number of contacts that can hold a grain in equilibrium: two if any contact of the packing
-/// carries a tangential force; otherwise Dim + 1, because fewer normal forces balance only in special directions.
+/// Returns the smallest number of contacts that keep a grain in equilibrium: two if any contact of the packing carries
+/// a tangential force, otherwise Dim + 1. Without tangential forces, fewer than Dim + 1 normal forces are in balance
+/// only for special directions.
 template <int Dim>
 int least_contacts(const Packing<Dim>& packing);
 
 /// Allowed values of `least` in carrying_structure(): the smallest number of carrying contacts of a grain.
 inline constexpr WholeRange kLeastContacts{.least = 1, .most = 100};
 
-/// Finds the force-carrying structure of a packing. Only contacts that carry more than `smallest_force` count,
-/// including contacts with walls. Grains with fewer than `least` such contacts are rattlers. They are removed together
-/// with their contacts, and the search is repeated until it finds no other rattler. In find_rattlers(), in contrast, a
-/// contact with a smaller force may hold a grain.
-/// @param smallest_force  absolute normal force above which a contact is carrying (force), >= 0
+/// Finds the force-carrying structure of a packing. Only contacts whose normal force exceeds `smallest_force` in
+/// magnitude are counted, including contacts with walls. Grains with fewer than `least` such contacts are rattlers.
+/// They are removed together with their contacts, and the search is repeated until it finds no other rattler. In
+/// contrast, find_rattlers() also counts contacts with smaller forces.
+/// @param smallest_force  a contact is force-carrying if the magnitude of its normal force is above this value (force),
+/// >= 0
 /// @param least           smallest number of carrying contacts of a grain that is not a rattler, in kLeastContacts
 /// @throws InputError if a parameter is out of range
 template <int Dim>

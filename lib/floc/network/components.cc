@@ -8,11 +8,11 @@
 namespace floc {
 namespace {
 
-/// Largest number of cells along a closed path that leads through contacts back to a grain or its periodic image. Up to
-/// this number the arithmetic is exact.
+/// Largest number of cells along a path through contacts from a grain to its own periodic image. Up to this number, the
+/// arithmetic is exact.
 constexpr std::int64_t kMaxCells = std::int64_t{1} << 40;
 
-using Wide = __int128;  // integer type that holds products of three numbers up to kMaxCells
+using Wide = __int128;  // integer type for products of three numbers up to kMaxCells
 
 /// Set of at most Dim linearly independent integer vectors with components up to kMaxCells. Linear independence is
 /// tested by exact arithmetic.
@@ -99,7 +99,7 @@ class Walk {
   const Adjacency& of_;
   const std::vector<bool>& active_;
   std::vector<int> index_;             // for each grain, its index in its part; -1 if it has not been reached
-  std::vector<CellCount<Dim>> image_;  // for each grain, the periodic image at which the search has placed it
+  std::vector<CellCount<Dim>> image_;  // for each grain, the periodic image that the search has assigned to it
 };
 
 }  // namespace

@@ -7,19 +7,19 @@
 
 namespace floc {
 
-/// Number of periodic cells along each lattice vector between two grains that a chain of contacts connects. It needs 64
-/// bits: a single contact may lead across up to 1e9 cells.
+/// Number of periodic cells along each lattice vector between two grains that a chain of contacts connects. The number
+/// needs 64 bits, because a single contact may connect grains that are up to 1e9 cells apart.
 template <int Dim>
 using CellCount = Vec<Dim, std::int64_t>;
 
-/// Connected part of a contact network. Its grains are unwrapped from the periodic cell: each grain is placed at the
-/// periodic image that touches the grain from which the search has reached it.
+/// Connected part of a contact network. Its grains are unwrapped from the periodic cell: each grain is placed at a
+/// periodic image that touches a grain that was placed before.
 template <int Dim>
 struct Component {
   std::vector<int> grains;  ///< grains of the part, in the order in which the search reaches them
   /// unwrapped position of each grain, with the first grain at the origin (length)
   std::vector<Vec<Dim>> place;
-  /// linearly independent lattice vectors that lead from this part to its own periodic images (length)
+  /// linearly independent lattice vectors along which this part is connected to its own periodic images (length)
   std::vector<Vec<Dim>> winding;
   std::vector<int> on_walls;  ///< contacts between grains of this part and walls
 };
@@ -32,11 +32,12 @@ template <int Dim>
 Adjacency contacts_of_grains(const ContactNetwork<Dim>& network);
 
 /// Finds the connected parts of a network, sorted by their first grain. Only active contacts connect grains, and only
-/// grains with an active contact are considered. If a part winds around the periodic cell along n independent lattice
-/// vectors (Component::winding), it percolates along them. The vectors are found from the integer images of contacts.
+/// grains with an active contact are considered. A part that winds around the periodic cell along n independent lattice
+/// vectors (Component::winding) percolates along these n vectors. The vectors are found from the integer images of
+/// contacts.
 /// @param of      contacts_of_grains() of the network
 /// @param active  for each contact, whether it connects its grains
-/// @throws InputError if a chain of contacts leads around more than 2^40 cells
+/// @throws InputError if a chain of contacts extends over more than 2^40 cells
 template <int Dim>
 std::vector<Component<Dim>> find_components(const ContactNetwork<Dim>& network, const Adjacency& of,
                                             const std::vector<bool>& active);

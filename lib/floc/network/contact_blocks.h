@@ -8,10 +8,12 @@
 
 namespace floc {
 
-/// Graph of the pairs of grains in contact, each pair once: for every grain, its neighbours with a higher number, in
-/// ascending order. Each pair is a block below the diagonal of the stiffness matrix.
+/// Graph of the pairs of grains in contact. The graph contains each pair once: for every grain, it lists the neighbours
+/// with higher numbers, in ascending order. Each pair corresponds to a block below the diagonal of the stiffness
+/// matrix.
 struct ContactGraph {
-  /// for each grain, the index of its first neighbour in `neighbour`; then the size of `neighbour`
+  /// for each grain, the index of its first neighbour in `neighbour`; one additional last entry is the size of
+  /// `neighbour`
   std::vector<int> start;
   std::vector<int> neighbour;
 };
@@ -44,9 +46,9 @@ ContactGraph contact_graph(int n_grains, const Contacts& contacts) {
   return graph;
 }
 
-/// Adds G^T D G for one contact to a stiffness matrix. The matrix G gives the relative motion at the contact, one
-/// component per row, from the unknowns of grain i, of grain j and of the boundary. The matrix D is the stiffness for
-/// these components. All stiffness matrices are assembled by this function.
+/// Adds G^T D G for one contact to a stiffness matrix. The matrix G, multiplied by the unknowns of grain i, of grain j
+/// and of the boundary, gives the relative motion at the contact, with one row per component of the motion. The matrix
+/// D contains the stiffnesses for these components. All stiffness matrices are assembled by this function.
 ///
 /// @param i, j        numbers of the two grains
 /// @param on_i, on_j  columns of G for the unknowns of i and of j, rows x kDofs; if i = j, `on_i` contains both and
@@ -54,8 +56,8 @@ ContactGraph contact_graph(int n_grains, const Contacts& contacts) {
 /// @param boundary    columns of G for the unknowns of the boundary (strains of a cell, displacements of walls)
 /// @param d           the matrix D, an Eigen expression; it must be symmetric if `sum` stores only one triangle
 /// @param sum         stiffness matrix, an object with these functions: add(grain, grain, block) adds a block of two
-///                    grains, the lower one first if `kSymmetric`; boundary(), border(grain) and, unless `kSymmetric`,
-///                    border_row(grain) return references to the blocks of the boundary
+///                    grains, of which the first has the lower number if `kSymmetric`; boundary(), border(grain) and,
+///                    unless `kSymmetric`, border_row(grain) return references to the blocks of the boundary
 template <class Rows, class Boundary, class Stiffness, class Sum>
 void add_contact(int i, int j, const Rows& on_i, const Rows& on_j, const Boundary& boundary, const Stiffness& d,
                  Sum& sum) {

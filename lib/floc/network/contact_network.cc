@@ -22,7 +22,7 @@ Mat<3> contact_frame(const Vec<3>& n) {
 
 namespace {
 
-/// Returns, for each axis with walls, the coordinate of the middle between its two walls (length).
+/// Returns, for each axis with walls, the coordinate of the point in the middle between the two walls (length).
 template <int Dim>
 Vec<Dim> middle(const std::vector<Wall<Dim>>& walls) {
   Vec<Dim> middle = Vec<Dim>::Zero();
@@ -30,8 +30,8 @@ Vec<Dim> middle(const std::vector<Wall<Dim>>& walls) {
   return middle;
 }
 
-/// Returns the vector between the two bodies of a contact with a wall that a strain of the cell changes
-/// (NetworkContact::branch).
+/// Returns the branch vector of a contact with a wall (NetworkContact::branch), which is changed by a strain of the
+/// cell.
 /// @param to_foot  vector from the centre of the grain to the nearest point of the wall
 template <int Dim>
 Vec<Dim> strained_branch(const Packing<Dim>& packing, const Contact<Dim>& c, Vec<Dim> to_foot) {

@@ -6,17 +6,17 @@
 
 namespace floc {
 
-/// Contact in the form that the linear response needs: its contact points on the two bodies, its directions,
-/// stiffnesses and forces. Grains need not be round.
+/// Contact in the form that is needed to compute the linear response: contact points on the two bodies, directions,
+/// stiffnesses and forces. The grains may have corners.
 template <int Dim>
 struct NetworkContact {
   int i;  ///< number of the first grain
-  int j;  ///< number of the second grain; equal to i if grain i touches its own image or a wall
-  /// periodic image of j that i touches, as its number of cells along each lattice vector
+  int j;  ///< number of the second grain; equal to i if the contact is with an image of grain i itself, or with a wall
+  /// periodic image of j that i touches, given by the number of cells along each lattice vector
   Vec<Dim, int> image;
-  /// Vector from the centre of i to the centre of the image of j (length), which a strain of the cell changes. For a
-  /// wall, the component along the normal of the wall leads to its plane. Along other axes between walls the vector
-  /// leads to the middle of the box, because a wall moves along its normal only.
+  /// Vector from the centre of i to the centre of the image of j (length). A strain of the cell changes this vector.
+  /// For a contact with a wall, the vector ends on the plane of the wall; along other axes that have walls it ends in
+  /// the middle of the box, because a wall moves only along its normal.
   Vec<Dim> branch;
   Vec<Dim> arm_i;    ///< vector from the centre of i to the contact point (length)
   Vec<Dim> arm_j;    ///< vector from the centre of the image of j to the contact point (length)
@@ -37,17 +37,17 @@ struct NetworkContact {
   bool on_wall() const { return wall >= 0; }
 };
 
-/// Contact network of a packing: its contacts, and all quantities on which its linear response depends.
+/// Contact network of a packing: the contacts, and all quantities that determine the linear response of the packing.
 template <int Dim>
 struct ContactNetwork {
   int n_grains = 0;
   double volume = 0.0;  ///< volume of the cell; area in 2D
-  /// For each grain, the length by which its rotation is multiplied to give a displacement: the radius of a round
-  /// grain.
+  /// For each grain, a length; the rotation of the grain times this length is treated as a displacement. For a round
+  /// grain, it is the radius.
   std::vector<double> grain_size;
   std::vector<NetworkContact<Dim>> contacts;
-  /// Axes that have a wall at both ends, ascending. The two walls of such an axis may move together; this motion is an
-  /// additional unknown of the boundary.
+  /// Axes with a wall at both ends, ascending. The two walls of an axis may move together along the axis; this motion
+  /// is an additional unknown of the boundary.
   std::vector<int> wall_axes;
 
   int n_unknowns() const { return kDofs<Dim> * n_grains; }
@@ -59,15 +59,15 @@ constexpr int first_unknown(int grain) {
   return kDofs<Dim> * grain;
 }
 
-/// Returns the frame of a contact as columns: the given unit normal, then unit tangents that are orthogonal to the
-/// normal and to each other.
+/// Returns a matrix whose columns are the frame of a contact: the given unit normal, then unit tangents that are
+/// orthogonal to the normal and to each other.
 Mat<2> contact_frame(const Vec<2>& normal);
 Mat<3> contact_frame(const Vec<3>& normal);
 
-/// Returns the network of all contacts of a packing, in the order of Packing::contacts. The distance r of the centres
-/// of two grains is divided at the contact point in proportion to their radii R_i and R_j: the lever arm of grain i has
-/// the length r R_i/(R_i + R_j) and lies along the normal (docs/physics.md, "Kinematics of a contact"). The lever arm
-/// at a wall is the distance to the plane of the wall.
+/// Returns the network of all contacts of a packing, in the order of Packing::contacts. The contact point divides the
+/// distance r between the centres of two grains in proportion to their radii R_i and R_j: the lever arm of grain i has
+/// the length r R_i/(R_i + R_j) and is parallel to the normal (docs/physics.md, "Kinematics of a contact"). The lever
+/// arm of a grain at a wall is the distance of its centre from the plane of the wall.
 template <int Dim>
 ContactNetwork<Dim> contact_network(const Packing<Dim>& packing);
 
@@ -76,9 +76,9 @@ ContactNetwork<Dim> contact_network(const Packing<Dim>& packing);
 template <int Dim>
 ContactNetwork<Dim> without_grains(const ContactNetwork<Dim>& network, const std::vector<bool>& removed);
 
-/// Returns the largest absolute normal or tangential stiffness of a contact (force/length); 1 without contacts. If the
-/// stiffness matrix is divided by this value and rotations are multiplied by the sizes of the grains, its diagonal is
-/// of order one.
+/// Returns the largest absolute value among the normal and tangential stiffnesses of all contacts (force/length); 1
+/// without contacts. If the stiffness matrix is divided by this value, and rotations are multiplied by the sizes of the
+/// grains, the diagonal of the matrix is of order one.
 template <int Dim>
 double stiffness_scale(const ContactNetwork<Dim>& network);
 

@@ -12,11 +12,11 @@
 namespace floc {
 namespace {
 
-/// Smallest share of the largest displacement of a rigid motion that must remain after the motions already fixed have
-/// been subtracted, for the motion to count as independent of them.
+/// A rigid motion is independent of the motions that are already fixed if, after their subtraction, at least this share
+/// of its largest displacement remains.
 constexpr double kDistinct = 1e-6;
 
-/// Returns the null space of a matrix to rounding: orthonormal columns v with |matrix v| <= bound.
+/// Returns the null space of a matrix up to rounding, as orthonormal columns v with |matrix v| <= bound.
 /// @param matrix  matrix with at least as many rows as columns
 Eigen::MatrixXd kernel(const Eigen::MatrixXd& matrix, double bound) {
   const SingularValues found = singular_values(matrix);
@@ -27,8 +27,8 @@ Eigen::MatrixXd kernel(const Eigen::MatrixXd& matrix, double bound) {
 template <int Dim>
 using GrainMotion = Eigen::Matrix<double, kDofs<Dim>, 1>;
 
-/// Returns the axes about which a connected part of the network can rotate as a rigid body without losing the fit to
-/// its periodic images.
+/// Returns the axes about which a connected part of the network can rotate as a rigid body while it remains connected
+/// to its periodic images.
 std::vector<RotationVector<2>> free_axes(const Component<2>& part) {
   if (!part.winding.empty()) return {};
   return {RotationVector<2>(1.0)};
@@ -63,17 +63,17 @@ class FreeMotionFinder {
   }
 
  private:
-  /// Grain that hangs on a single contact. All dead ends that hang on the same grain form a linked list.
+  /// A dead end: a grain that is connected by a single contact. All dead ends at the same grain form a linked list.
   struct DeadEnd {
     int grain;
     int contact;
     int next_held;  // index of the next dead end on the same grain; -1 at the end of the list
   };
-  /// Common rotation, which nothing resists, of a group of grains that are no dead ends.
+  /// Common rotation of a group of grains that are not dead ends. No force or moment resists this rotation.
   struct CoreSpin {
     std::vector<int> grains;
     GrainMotion<Dim> motion;
-    int pinned;  // unknown of the stiffness matrix that is not solved for because of this rotation
+    int pinned;  // unknown of the stiffness matrix that is fixed, and not solved for, because of this rotation
   };
 
   void keep_grain(int grain, bool keep) {
@@ -91,7 +91,7 @@ class FreeMotionFinder {
     alone_.push_back(grain);
   }
 
-  /// Removes dead ends, from the tips. The contacts of the remaining grains stay active.
+  /// Removes dead ends one after another, beginning at the tips. The contacts of the remaining grains remain active.
   void remove_dead_ends() {
     std::vector<int> degree(network_.n_grains);
     std::vector<int> tips;
@@ -103,7 +103,8 @@ class FreeMotionFinder {
     while (!tips.empty()) {
       const int tip = tips.back();
       tips.pop_back();
-      if (degree[tip] != 1) continue;  // last grain of a tree; its contact has been removed with its neighbour
+      // A tip without a contact is the last grain of a tree; its contact was removed together with its neighbour.
+      if (degree[tip] != 1) continue;
       const int c = *std::find_if(of_[tip].begin(), of_[tip].end(), [&](int k) { return active_[k]; });
       const int holder = other_end(c, tip);
       active_[c] = false;
@@ -129,7 +130,7 @@ class FreeMotionFinder {
         entries_.emplace_back(first_unknown<Dim>(grain) + u, static_cast<int>(free_.kind.size()), motion[u]);
   }
 
-  /// Adds a motion of one grain to the current free motion. The dead ends that hang on the grain move along, so that
+  /// Adds a motion of one grain to the current free motion. Dead ends at this grain move together with it, so that
   /// their contacts do not change.
   void add_with_dead_ends(int grain, const GrainMotion<Dim>& motion) {
     std::vector<std::pair<int, GrainMotion<Dim>>> moved{{grain, motion}};
@@ -149,8 +150,8 @@ class FreeMotionFinder {
 
   void finish_mode(FreeMotionKind kind) { free_.kind.push_back(kind); }
 
-  /// Adds the free motions of grains without contact and of dead ends. Grains without contact can move in every way.
-  /// Dead ends can move at their single contact along every component of the motion for which the contact has no
+  /// Adds the free motions of grains without contact and of dead ends. Grains without contact can move in every way. A
+  /// dead end can move relative to its neighbour in every component of the motion for which their contact has no
   /// stiffness.
   void add_rolls() {
     for (const int grain : alone_)
@@ -182,7 +183,7 @@ class FreeMotionFinder {
   }
 
   /// Returns `start` and the grains that rolling or twisting stiffness connects to it, directly or through other
-  /// grains; empty if a tangential spring or a wall resists their rotation.
+  /// grains; empty if a tangential spring or a wall resists the rotation of these grains.
   std::vector<int> free_rolling_group(int start, std::vector<bool>& visited) const {
     bool held = false;
     std::vector<int> group{start};
@@ -201,8 +202,8 @@ class FreeMotionFinder {
     return held ? std::vector<int>{} : group;
   }
 
-  /// Finds rotations of grains that nothing resists. A grain without tangential springs rotates freely. Grains that
-  /// rolling or twisting stiffness connects rotate together.
+  /// Finds free rotations of grains, which no force or moment resists. A grain without tangential springs rotates
+  /// freely. Grains that are connected by rolling or twisting stiffness rotate together.
   void find_free_spins() {
     std::vector<bool> visited(network_.n_grains, false);
     for (int i = 0; i < network_.n_grains; ++i) {
@@ -215,8 +216,8 @@ class FreeMotionFinder {
     }
   }
 
-  /// Finds free rotations about an axis. A sphere rotates freely about the line through its two contacts if it has no
-  /// other contact and neither of the two has rolling or twisting stiffness.
+  /// Finds free rotations about an axis. A sphere with exactly two contacts rotates freely about the line through these
+  /// contacts if neither contact has rolling or twisting stiffness.
   void find_axis_spins() {
     if constexpr (Dim == 3) {
       for (int i = 0; i < network_.n_grains; ++i) {
@@ -244,7 +245,8 @@ class FreeMotionFinder {
 
   /// Returns the motion of a grain in a rigid motion of a connected part.
   /// @param place  position of the grain in the part (length)
-  /// @param m      number of the rigid motion: translations along the axes first, then rotations about `axes`
+  /// @param m      number of the rigid motion; translations along the coordinate axes come first, then rotations about
+  /// `axes`
   GrainMotion<Dim> rigid_motion(const Vec<Dim>& place, int m,
                                 const std::vector<RotationVector<Dim>>& axes) const {
     GrainMotion<Dim> motion = GrainMotion<Dim>::Zero();
@@ -255,8 +257,8 @@ class FreeMotionFinder {
     return motion;
   }
 
-  /// Returns the distance from the first grain of a part to its farthest point (length). Multiplied by this distance,
-  /// rotations are comparable to displacements.
+  /// Returns the distance from the first grain of a part to its farthest point (length). Rotations are multiplied by
+  /// this distance to make them comparable to displacements.
   double reach_of(const Component<Dim>& part) const {
     double reach = 0.0;
     for (std::size_t k = 0; k < part.grains.size(); ++k)
@@ -289,7 +291,7 @@ class FreeMotionFinder {
             (stiffness.array() != 0.0).select(change, 0.0);
       }
     }
-    // The translations that no wall resists come first. They are followed by free motions orthogonal to them.
+    // First come the translations that no wall resists, then free motions that are orthogonal to these translations.
     const double bound = kDistinct * felt.norm();
     const Eigen::MatrixXd slides = kernel(felt.leftCols(Dim), bound);
     Eigen::MatrixXd across = Eigen::MatrixXd::Zero(felt.rows() + slides.cols(), n);
@@ -304,8 +306,8 @@ class FreeMotionFinder {
 
   double unit(int grain, int dof) const { return dof < Dim ? 1.0 : network_.grain_size[grain]; }
 
-  /// Subtracts a rotation of grains that is already fixed from the rigid motions of the connected part that contains
-  /// these grains.
+  /// Subtracts `spin`, a rotation of grains that is already fixed, from the rigid motions of the connected part that
+  /// contains these grains.
   /// @param motions  rigid motions, one per column; the rows are the unknowns of the part, rotations multiplied by the
   /// grain size
   void take_out(const CoreSpin& spin, const std::vector<int>& row_of, Eigen::MatrixXd& motions) const {
@@ -319,8 +321,8 @@ class FreeMotionFinder {
     motions.row(row_of[pinned_grain] + pinned_dof).setZero();
   }
 
-  /// Fixes one unknown for each rigid motion of a connected part: the unknown with the largest change in this motion,
-  /// after the motions already fixed have been subtracted.
+  /// Fixes one unknown for each rigid motion of a connected part: the unknown that changes most in this motion, after
+  /// motions that are already fixed have been subtracted.
   /// @param spins   rotations of grains that are already fixed
   /// @param row_of  receives, for each grain of the part, its first row among the unknowns of the part
   void pin(const Component<Dim>& part, const std::vector<CoreSpin>& spins, std::vector<int>& row_of) {
@@ -348,8 +350,8 @@ class FreeMotionFinder {
     for (int m = 0; m < motions.cols(); ++m) {
       Eigen::Index row = 0;
       const double most = motions.col(m).cwiseAbs().maxCoeff(&row);
-      // If all grains of the part lie on a line, the rotation of the part about this line may already be fixed by the
-      // rotations of its grains.
+      // If all grains of the part lie on a line, the rotation of the part about this line may already be fixed, because
+      // rotations of its grains are fixed.
       if (!(most > kDistinct * extent[m])) continue;
       free_.kept[first_unknown<Dim>(part.grains[row / kDofs<Dim>]) + row % kDofs<Dim>] = false;
       const double turn = shares.col(m).tail(shares.rows() - Dim).norm() * reach;
@@ -379,10 +381,10 @@ class FreeMotionFinder {
   const ContactNetwork<Dim>& network_;
   const Adjacency of_;
   std::vector<bool> active_;
-  // for each grain, index of the first dead end that hangs on it; -1 if there is none
+  // for each grain, index of the first dead end at this grain; -1 if there is none
   std::vector<int> first_held_;
   std::vector<int> alone_;
-  std::vector<DeadEnd> dead_ends_;  // in the order of their removal, from the tips
+  std::vector<DeadEnd> dead_ends_;  // in the order of their removal, which begins at the tips
   std::vector<CoreSpin> spins_;
   std::vector<Eigen::Triplet<double>> entries_;
   FreeMotions free_;

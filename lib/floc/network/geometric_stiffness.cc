@@ -3,7 +3,7 @@
 namespace floc {
 namespace {
 
-/// Returns the matrix of the linear map from a vector v to v x force.
+/// Returns the matrix that is multiplied by a vector v to give the cross product v x force.
 Eigen::Matrix<double, 1, 2> crossed_with(const Vec<2>& force) {
   return {force[1], -force[0]};
 }
@@ -11,10 +11,10 @@ Eigen::Matrix3d crossed_with(const Vec<3>& f) {
   return Eigen::Matrix3d{{0.0, f[2], -f[1]}, {-f[2], 0.0, f[0]}, {f[1], -f[0], 0.0}};
 }
 
-/// Returns the matrix that gives the motion at a contact (rows as in MotionMatrix) from the unknowns of one of its two
-/// grains.
-/// @param sign            1 for grain j, -1 for grain i: sign with which the displacement of this grain enters the
-/// displacement of j relative to i
+/// Returns the matrix that is multiplied by the unknowns of one of the two grains of a contact to give the motion at
+/// the contact (rows as in MotionMatrix).
+/// @param sign            1 for grain j, -1 for grain i: the displacement of j relative to i contains the displacement
+/// of this grain with this sign
 /// @param first_rotation  first row of the rotation of this grain
 /// @param size            length by which rotations are multiplied to give the unknowns
 template <int Dim>

@@ -15,7 +15,7 @@ using MotionMatrix = Eigen::Matrix<double, kMotionRows<Dim>, kMotionRows<Dim>>;
 /// Computes the geometric stiffness of a contact: the change of its forces and moments if the frame of the contact
 /// rotates and their components in this frame are constant.
 ///
-/// Let r be the vector from the centre of grain i to that of grain j, n the normal, and dr the displacement of j
+/// Let r be the vector from the centre of grain i to the centre of grain j, n the normal, and dr the displacement of j
 /// relative to i. The frame rotates by w = n x dn + psi n, with dn = (1 - n n) dr/|r| and psi = n.(rotation of i +
 /// rotation of j)/2. The force on i is f = -F n + S, with the normal force F and the tangential force S. The moment on
 /// i is share_i r x S + M, with the lever arm share_i r and the rolling and twisting moment M; the moment on j is
@@ -23,13 +23,13 @@ using MotionMatrix = Eigen::Matrix<double, kMotionRows<Dim>, kMotionRows<Dim>>;
 ///
 ///   df = -F dn + w x S,  d(moment on i) = share_i (dr x S + r x (w x S)) + w x M
 ///
-/// @return matrix whose columns are the components of the motion and whose rows are the forces and moments that do work
-///         on them; the sign is that of a stiffness
+/// @return matrix with a column for each component of the motion, and a row for the force or moment that does work on
+///         each component. It has the sign of a stiffness
 template <int Dim>
 MotionMatrix<Dim> geometric_stiffness(const NetworkContact<Dim>& contact);
 
-/// Motion of two grains at their contact as a linear function of the unknowns of the grains. The rows are the
-/// components of the motion (kMotionRows), the columns are the unknowns.
+/// Matrices of the linear function that gives the motion of two grains at their contact from the unknowns of the
+/// grains. The rows are the components of the motion (kMotionRows), the columns are the unknowns.
 template <int Dim>
 struct GrainMotions {
   /// columns for the unknowns of i; if i = j, they also contain the columns for the unknowns of j
@@ -37,7 +37,7 @@ struct GrainMotions {
   Eigen::Matrix<double, kMotionRows<Dim>, kDofs<Dim>> on_j;  ///< columns: unknowns of j; zero if i = j
 };
 
-/// Returns the matrices that give the motion of two grains at their contact from the unknowns of the grains.
+/// Returns the matrices that are multiplied by the unknowns of two grains to give the motion at their contact.
 /// @param size_i, size_j  lengths by which rotations are multiplied to give the unknowns of i and of j; 1 if the
 ///                        unknowns are the rotations themselves
 template <int Dim>

@@ -7,8 +7,8 @@
 namespace floc {
 namespace {
 
-/// Block of a network: a maximal set of contacts any two of which lie on a common loop, or a single contact that lies
-/// on no loop.
+/// Block of a network: a maximal set of contacts in which any two contacts lie on a common loop; or a single contact
+/// that lies on no loop.
 struct Block {
   std::vector<int> contacts;
   std::vector<int> grains;
@@ -16,10 +16,9 @@ struct Block {
   bool held = false;   // whether the block contains a loop that passes through walls
 };
 
-/// Finds the blocks of a network, sets of contacts any two of which lie on a common loop, by depth-first search
-/// (Hopcroft and Tarjan). Several contacts between the same two grains, and contacts of a grain with its own image, are
-/// different contacts. All walls together count as one additional grain, and the upper walls as periodic images of this
-/// grain.
+/// Finds the blocks of a network (see Block) by depth-first search (Hopcroft and Tarjan). Several contacts between the
+/// same two grains, and contacts of a grain with its own image, are different contacts. All walls together are treated
+/// as one additional grain, of which the upper walls are periodic images.
 template <int Dim>
 class BlockSearch {
  public:
@@ -84,7 +83,7 @@ class BlockSearch {
     path.push_back({other, c});
   }
 
-  /// Completes a block, which consists of the contact `first` and all contacts that the search has followed since.
+  /// Completes a block. It consists of the contact `first` and all contacts that the search has followed after it.
   void close_block(int first) {
     Block block;
     const int number = static_cast<int>(blocks_.size());
@@ -119,7 +118,7 @@ class BlockSearch {
   const ContactNetwork<Dim>& network_;
   Adjacency of_;
   std::vector<int> depth_;  // for each grain, its depth in the search tree, from 1; 0 if not reached
-  std::vector<int> low_;    // for each grain, the smallest depth of a grain that its subtree touches
+  std::vector<int> low_;    // for each grain, the smallest depth of a grain in contact with its subtree
   std::vector<CellCount<Dim>> image_;
   std::vector<bool> seen_;
   std::vector<int> open_;  // contacts that do not yet belong to a block
@@ -137,8 +136,8 @@ std::vector<bool> hanging(const std::vector<Block>& blocks, int n_nodes) {
     for (const int grain : blocks[b].grains) of[grain].push_back(b);
   std::vector<int> n_left(n_nodes);
   for (int i = 0; i < n_nodes; ++i) n_left[i] = static_cast<int>(of[i].size());
-  // A joint is a grain that a block shares with other remaining blocks. Blocks and joints form trees; a block with at
-  // most one joint is therefore a tip.
+  // A joint of a block is a grain that also belongs to other remaining blocks. Blocks and joints form trees; a block
+  // with at most one joint is therefore a tip.
   std::vector<int> n_joints(blocks.size(), 0);
   std::vector<int> tips;
   const auto is_tip = [&](int b) { return !blocks[b].winds && !blocks[b].held && n_joints[b] <= 1; };
@@ -154,7 +153,7 @@ std::vector<bool> hanging(const std::vector<Block>& blocks, int n_nodes) {
     gone[tip] = true;
     for (const int grain : blocks[tip].grains) {
       // If a single block remains at a grain, the grain is no longer a joint of this block. If two or more blocks
-      // remain, the grain still joins them.
+      // remain at the grain, it is still a joint of these blocks.
       if (--n_left[grain] != 1) continue;
       const int last = *std::find_if(of[grain].begin(), of[grain].end(), [&](int b) { return !gone[b]; });
       --n_joints[last];

@@ -6,19 +6,19 @@
 
 namespace floc {
 
-/// Contacts of a network that can carry an electric current or a stress through the periodic cell, determined from the
-/// list of grains in contact alone.
+/// Contacts of a network that can carry an electric current or a stress through the periodic cell. They are determined
+/// by the list of grains in contact, without any stiffnesses.
 struct Percolation {
   /// For each contact, whether it is in the scalar backbone: whether it carries current if every contact is a resistor
-  /// and a voltage is applied across the periodic cell or between opposite walls. This is decided block by block. A
-  /// block is a set of contacts any two of which lie on a common loop. If a block contains a loop around the cell or
-  /// from wall to wall, every contact of the block lies on such a loop (Zaslavsky's lemma on theta graphs) and carries
-  /// current for almost all values of the resistances.
+  /// and a voltage is applied across the periodic cell or between opposite walls. Either all contacts of a block are in
+  /// the backbone, or none of them is; a block is a set of contacts in which any two contacts lie on a common loop. If
+  /// a block contains a loop around the cell or from wall to wall, every contact of the block lies on a loop of this
+  /// kind (Zaslavsky's lemma on theta graphs), and carries current for almost all values of the resistances.
   std::vector<bool> scalar_backbone;
-  /// For each contact, whether it is in a dead end: a part of the network that hangs on a single grain, or on a single
-  /// contact with a wall, and contains no loop around the cell. No strain of the cell changes the forces in a dead end.
-  /// Some contacts are neither in a dead end nor in the scalar backbone. Such a contact connects two parts that both
-  /// wind around the cell. It carries no current, but may carry a moment.
+  /// For each contact, whether it is in a dead end. A dead end is a part of the network that contains no loop around
+  /// the cell, and is connected to the rest by a single grain or by a single contact with a wall. No strain of the cell
+  /// changes the forces in a dead end. Some contacts are neither in a dead end nor in the scalar backbone. Such a
+  /// contact connects two parts that both wind around the cell. It carries no current, but may carry a moment.
   std::vector<bool> dead_end;
   /// largest number of independent lattice vectors along which a connected part of the network winds around the cell
   int n_directions = 0;

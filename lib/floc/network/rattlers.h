@@ -8,12 +8,12 @@ namespace floc {
 
 /// Finds the rattlers, grains that carry no force (docs/physics.md, "Coordination and rattlers").
 ///
-/// With adhesion, rattlers are the grains without any contact or attraction; a grain that is held by a contact of zero
-/// force is not a rattler.
+/// With adhesion, rattlers are the grains without any contact or attraction; a grain with a contact is not a rattler,
+/// even if the force of the contact is zero.
 ///
 /// Without adhesion, a grain is a rattler if none of its contacts carries more than `smallest_force`, or if it has
 /// fewer than two contacts. Rattlers are removed with their contacts, and the search is repeated until it finds no
-/// other rattler. If the packing carries no force at all, only grains without contact are rattlers.
+/// other rattler. If no contact of the packing carries a force, only grains without contacts are rattlers.
 ///
 /// @param smallest_force  largest normal force that counts as zero (force), >= 0
 /// @return for each grain, whether it is a rattler

@@ -17,7 +17,8 @@ constexpr std::array<int, 2> shear_pair(int shear) {
 
 using RowMajorMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// Appends the nonzero entries of one row of a block to a row of the matrix. Columns must come in ascending order.
+/// Appends the nonzero entries of one row of a block to a row of the matrix. Columns must be appended in ascending
+/// order.
 void append(RowMajorMatrix& matrix, int row, int first_column, const auto& values) {
   for (int b = 0; b < values.size(); ++b)
     if (values[b] != 0.0) matrix.insertBack(row, first_column + b) = values[b];
@@ -45,7 +46,8 @@ ContactRows<Dim> contact_rows(const NetworkContact<Dim>& c) {
   g.on_j.setZero();
   g.on_strain.setZero();
   for (int a = 0; a < Dim; ++a) {
-    // The overlap increases when j approaches i; tangential displacements are positive along the tangent.
+    // The overlap increases if j moves towards i; a tangential displacement is positive if j moves along the tangent
+    // relative to i.
     const Vec<Dim> axis = a == 0 ? Vec<Dim>(-c.frame.col(0)) : Vec<Dim>(c.frame.col(a));
     g.on_i.template block<1, Dim>(a, 0) = -axis.transpose();
     g.on_j.template block<1, Dim>(a, 0) = axis.transpose();

@@ -17,16 +17,17 @@ constexpr int n_strains(StrainSet set) {
   return set == StrainSet::diagonal ? Dim : kSymmetric<Dim>;
 }
 
-/// Returns the strain tensor in which one strain unknown is 1 and all other unknowns are 0; shortening is positive.
+/// Returns the strain tensor for which one strain unknown is 1 and all other strain unknowns are 0; shortening is
+/// positive.
 /// @param column  number of this strain unknown in the order of StrainSet
 template <int Dim>
 Mat<Dim> unit_strain(int column);
 
 /// Matrix G that gives the relative motion at one contact as a linear function of the unknowns. The rows of G are the
 /// components of this motion: the overlap; the tangential displacement of j relative to i along each tangent; the
-/// rotation of j relative to i, in 3D about the normal (twisting), then about each tangent (rolling). With f the normal
-/// force, the tangential force on i and the moments on i, G^T f are the loads on the unknowns that the contact
-/// balances.
+/// rotation of j relative to i, in 3D about the normal (twisting), then about each tangent (rolling). Let f be the
+/// vector of the normal force, the tangential force on i and the moments on i. The contact then balances the loads G^T
+/// f on the unknowns.
 template <int Dim>
 struct ContactRows {
   /// columns for the unknowns of i; if i = j, they also contain the columns for the unknowns of j
@@ -40,12 +41,12 @@ struct ContactRows {
 template <int Dim>
 using RowStiffness = Eigen::Matrix<double, kDofs<Dim>, 1>;
 
-/// Returns the matrix of one contact that gives its relative motion as a linear function of the unknowns.
+/// Returns the matrix G of one contact (see ContactRows).
 template <int Dim>
 ContactRows<Dim> contact_rows(const NetworkContact<Dim>& contact);
 
-/// Returns the relative motion at a contact (rows as in ContactRows) if the two walls of an axis are displaced together
-/// by 1 along this axis; one column per axis. Only the overlap with a wall of this axis changes.
+/// Returns a matrix with one column per axis: the relative motion at a contact (rows as in ContactRows) if the two
+/// walls of this axis are displaced together by 1 along the axis. Only the overlap with a wall of this axis changes.
 template <int Dim>
 Eigen::Matrix<double, kDofs<Dim>, Dim> rows_on_walls(const NetworkContact<Dim>& contact);
 
@@ -54,24 +55,25 @@ Eigen::Matrix<double, kDofs<Dim>, Dim> rows_on_walls(const NetworkContact<Dim>& 
 template <int Dim>
 int n_boundary_unknowns(const ContactNetwork<Dim>& network, StrainSet strains);
 
-/// Returns the length by which displacements of walls are divided to make them comparable to strains: the side of a
-/// cube (square in 2D) that has the volume of the network.
+/// Returns the unit of displacements of walls; in this unit, displacements are comparable to strains. It is the side of
+/// a cube (square in 2D) that has the volume of the network.
 template <int Dim>
 double wall_shift_unit(const ContactNetwork<Dim>& network);
 
-/// Relative motion at a contact (rows as in ContactRows) if one unknown of the boundary is 1, one column per unknown.
+/// Matrix with one column per unknown of the boundary: the relative motion at a contact (rows as in ContactRows) if
+/// this unknown is 1.
 template <int Dim>
 using BoundaryRows =
     Eigen::Matrix<double, kDofs<Dim>, Eigen::Dynamic, Eigen::ColMajor, kDofs<Dim>, kSymmetric<Dim> + Dim>;
 
-/// Returns the relative motion at a contact if one unknown of the boundary is 1, one column per unknown.
+/// Returns a matrix with one column per unknown of the boundary: the relative motion at a contact if this unknown is 1.
 /// @param rows  contact_rows() of the contact
 template <int Dim>
 BoundaryRows<Dim> boundary_rows(const ContactNetwork<Dim>& network, const NetworkContact<Dim>& contact,
                                 const ContactRows<Dim>& rows, StrainSet strains);
 
-/// Returns the axes of the components of the relative rotation in `ContactRows`, one axis per column, for a contact
-/// with the given frame.
+/// Returns the axes of the relative rotations in `ContactRows` for a contact with the given frame. Each column is the
+/// axis of one component.
 inline Mat<1> rotation_axes(const Mat<2>&) {
   return Mat<1>::Identity();
 }
@@ -90,20 +92,20 @@ RowStiffness<Dim> row_stiffness(const NetworkContact<Dim>& contact);
 template <int Dim>
 ContactRows<Dim> translation_rows(ContactRows<Dim> rows);
 
-/// Returns the geometric stiffness of the normal force F_N for the rows of translation_rows(): -F_N/r along the
-/// tangents, with the distance r of the centres of the two grains (force/length). It is zero at a wall, whose normal
-/// does not rotate.
+/// Returns the geometric stiffness of the normal force F_N for the rows of translation_rows() (force/length): -F_N/r
+/// along the tangents, where r is the distance between the centres of the two grains. At a wall it is zero, because the
+/// normal of a wall does not rotate.
 template <int Dim>
 RowStiffness<Dim> row_prestress(const NetworkContact<Dim>& contact);
 
-/// Returns the rigidity matrix G of a network. It has kDofs rows per contact, in the order of `ContactRows`. Its
-/// columns are kDofs unknowns per grain, then the strains. Without prestress the stiffness matrix is K = G^T k G, with
-/// the contact stiffnesses k.
+/// Returns the rigidity matrix G of a network. G has kDofs rows per contact, in the order of `ContactRows`. It has a
+/// column for each of the kDofs unknowns of every grain, then a column for each strain. Without prestress the stiffness
+/// matrix is K = G^T k G, with the contact stiffnesses k.
 template <int Dim>
 Eigen::SparseMatrix<double> rigidity_matrix(const ContactNetwork<Dim>& network, StrainSet strains);
 
-/// Returns R = sqrt(k) G for the contact stiffnesses k and the rigidity matrix G; R^T R is the stiffness matrix K. A
-/// soft mode computed from R loses only half as many digits to rounding as a mode computed from K.
+/// Returns R = sqrt(k) G for the contact stiffnesses k and the rigidity matrix G; R^T R is the stiffness matrix K. If a
+/// soft mode is computed from R instead of K, only half as many digits are lost by rounding.
 /// @pre no stiffness is negative (attractions across a gap have a negative stiffness)
 template <int Dim>
 Eigen::SparseMatrix<double> scaled_rigidity_matrix(const ContactNetwork<Dim>& network, StrainSet strains);

@@ -10,8 +10,8 @@ namespace floc {
 namespace {
 
 /// Adds the symmetric part of the geometric stiffness that follows from the tangential force and the moments of a
-/// contact. It is zero at a wall, which does not rotate, and across a gap, where there is neither a tangential force
-/// nor a moment.
+/// contact. It is zero for a contact with a wall, because a wall does not rotate, and for an attraction across a gap,
+/// because there is no tangential force and no moment.
 template <int Dim>
 void add_shear_prestress(const NetworkContact<Dim>& c, StrainSet strains, SymmetricSum<kDofs<Dim>>& sum) {
   if (c.on_wall() || c.distant) return;
@@ -19,7 +19,8 @@ void add_shear_prestress(const NetworkContact<Dim>& c, StrainSet strains, Symmet
   without_normal_force.normal_force = 0.0;
   const MotionMatrix<Dim> k = geometric_stiffness(without_normal_force);
   const GrainMotions<Dim> of_grains = grain_motions(c, 1.0, 1.0);
-  // A strain or a displacement of walls displaces the two grains of the contact but does not rotate them.
+  // A strain or a displacement of walls displaces the two grains of the contact relative to each other, but does not
+  // rotate the grains.
   Eigen::Matrix<double, kMotionRows<Dim>, Eigen::Dynamic> of_boundary =
       Eigen::Matrix<double, kMotionRows<Dim>, Eigen::Dynamic>::Zero(kMotionRows<Dim>, sum.boundary().cols());
   for (int e = 0; e < n_strains<Dim>(strains); ++e)

@@ -9,23 +9,23 @@ namespace floc {
 
 struct StiffnessOptions {
   StrainSet strains = StrainSet::diagonal;
-  /// Adds, for each contact, the geometric stiffness -(F_N/r)(1 - n n) of the normal force F_N, with the distance r of
-  /// the centres and the normal n. The geometric terms of the tangential force are left out; the matrix is therefore
-  /// the exact derivative of the forces only if no contact carries a tangential force.
+  /// Whether the geometric stiffness -(F_N/r)(1 - n n) of each contact is added, with the normal force F_N, the
+  /// distance r between the centres and the normal n. The geometric terms of tangential forces are left out; the matrix
+  /// is therefore the exact derivative of the forces only if no contact carries a tangential force.
   bool prestress = false;
-  /// Adds unknowns of the boundary after the strains: for each axis between walls, the common displacement of the two
-  /// walls divided by wall_shift_unit().
+  /// Whether unknowns of the boundary are added after the strains. For each axis between walls, this unknown is the
+  /// common displacement of the two walls divided by wall_shift_unit().
   bool wall_shifts = false;
-  /// Adds the symmetric part of the geometric stiffness that follows from the tangential forces and the moments of
-  /// contacts. If `prestress` is also set, the quadratic form of the matrix is the second-order work of all forces and
+  /// Whether the symmetric part of the geometric stiffness due to the tangential forces and the moments of contacts is
+  /// added. If `prestress` is also set, the quadratic form of the matrix is the second-order work of all forces and
   /// moments.
   bool shear_prestress = false;
 };
 
-/// Stiffness matrix K of a network in blocks: [grains, border; border^T, boundary]. Its unknowns U are the translations
+/// Stiffness matrix K of a network in blocks: [grains, border; border^T, boundary]. The unknowns U are the translations
 /// and rotations of each grain relative to the affine motion, then the unknowns of the boundary: strains of the cell
-/// and, if StiffnessOptions::wall_shifts is set, displacements of walls. K U is the load: forces and moments on the
-/// grains, and volume times stress for the strains.
+/// and, if StiffnessOptions::wall_shifts is set, displacements of walls. K U is the vector of loads: forces and moments
+/// on the grains, and volume times stress for the strains.
 struct StiffnessMatrix {
   Eigen::SparseMatrix<double> grains;  ///< block of the grains, lower triangle, of order kDofs * n_grains
   /// block that couples grains and boundary: rows as in `grains`, one column per boundary unknown
@@ -36,13 +36,13 @@ struct StiffnessMatrix {
   Eigen::SparseMatrix<double> whole() const;
 };
 
-/// Assembles the stiffness matrix K in compressed columns. For each pair of grains in contact it stores a full block,
-/// including zeros. The pattern therefore does not depend on the stiffnesses.
+/// Assembles the stiffness matrix K in compressed columns. The matrix contains a full block for each pair of grains in
+/// contact, including zeros. The pattern of the matrix therefore does not depend on the stiffnesses.
 template <int Dim>
 StiffnessMatrix stiffness_matrix(const ContactNetwork<Dim>& network, const StiffnessOptions& options);
 
-/// Returns the volume times the moduli that the network would have if every grain followed the strain without rotating
-/// (Voigt).
+/// Returns the affine moduli (Voigt) times the volume: the moduli that the network would have if every grain moved with
+/// the strain and did not rotate.
 template <int Dim>
 Eigen::MatrixXd affine_stiffness(const ContactNetwork<Dim>& network, StrainSet strains);
 

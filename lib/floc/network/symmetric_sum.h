@@ -9,10 +9,10 @@
 
 namespace floc {
 
-/// Stiffness matrix of bodies with `Size` unknowns each, to which add_contact() adds one contact after another. The
-/// block of the unknowns of the bodies is stored as its lower triangle in compressed columns. The columns of a body
-/// contain its diagonal block, from the diagonal down, then one block for each neighbour with a higher number. Zeros
-/// are stored, too; the pattern therefore does not depend on the stiffnesses.
+/// Stiffness matrix of bodies that have `Size` unknowns each. Contacts are added one after another by add_contact(). Of
+/// the block of the unknowns of the bodies, only the lower triangle is stored, in compressed columns. The columns of a
+/// body contain its diagonal block, from the diagonal down, then one block for each neighbour with a higher number.
+/// Zeros are also stored, so that the pattern of the matrix does not depend on the stiffnesses.
 template <int Size>
 class SymmetricSum {
  public:

@@ -67,8 +67,8 @@ TangentMatrix<Dim>::TangentMatrix(std::vector<double> grain_size, const ContactG
 template <int Dim>
 void TangentMatrix<Dim>::lay_out(const ContactGraph& graph) {
   const int n = static_cast<int>(grain_size_.size());
-  // Each grain is listed among its own neighbours, which gives its diagonal block. The tangent matrix is not symmetric,
-  // so both triangles are stored.
+  // Each grain is listed as a neighbour of itself, so that its diagonal block is included. Both triangles are stored,
+  // because the tangent matrix is not symmetric.
   std::vector<std::vector<int>> neighbours(n);
   for (int g = 0; g < n; ++g) neighbours[g].push_back(g);
   for (int g = 0; g < n; ++g)
@@ -86,8 +86,9 @@ void TangentMatrix<Dim>::lay_out(const ContactGraph& graph) {
   matrix_.resize(order, order);
   matrix_.resizeNonZeros(kDofs<Dim> * (kDofs<Dim> * static_cast<int>(neighbour_.size()) + n * n_boundary_) +
                          n_boundary_ * order);
-  // Row indices ascend in each column, as compressed storage requires. The blocks of a grain are stored in full,
-  // including zeros, and the columns of the boundary contain all rows; the pattern therefore does not depend on values.
+  // Row indices ascend in each column, as required for compressed storage. The blocks of a grain are stored in full,
+  // including zeros, and the columns of the boundary contain all rows. The pattern of the matrix therefore does not
+  // depend on the values of its entries.
   int at = 0;
   for (int column = 0; column < order; ++column) {
     matrix_.outerIndexPtr()[column] = at;
@@ -118,7 +119,8 @@ void TangentMatrix<Dim>::add(const NetworkContact<Dim>& c, const ConsistentStiff
   Sum sum(*this);
   const double size_i = grain_size_[c.i], size_j = grain_size_[c.j];
   const GrainMotions<Dim> of_grains = grain_motions(c, size_i, size_j);
-  // A strain or a displacement of walls displaces the two grains of the contact but does not rotate them.
+  // A strain or a displacement of walls displaces the two grains of the contact relative to each other, but does not
+  // rotate the grains.
   using OnBoundary = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMotionRows<Dim>,
                                    BoundaryColumns<Dim>::kMaxColumns>;
   OnBoundary moved = OnBoundary::Zero(kMotionRows<Dim>, n_boundary_);

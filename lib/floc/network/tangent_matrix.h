@@ -27,13 +27,14 @@ struct BoundaryColumns {
 };
 
 /// Tangent matrix of a Newton iteration, with the sign of a stiffness: minus the derivative of the forces on grains and
-/// boundary with respect to the unknowns of grains and boundary. It is not symmetric. For each contact it contains G^T
-/// D G, where G gives the motion at the contact from the unknowns and D is the stiffness of the contact. It also
-/// contains all geometric terms, including those of tangential forces and rolling moments.
+/// boundary with respect to the unknowns of grains and boundary. The matrix is not symmetric. For each contact it
+/// contains G^T D G, where G times the unknowns is the motion at the contact, and D is the stiffness of the contact.
+/// The matrix also contains all geometric terms, including those of tangential forces and rolling moments.
 ///
 /// The unknowns are the translations of each grain and its rotations times its size, then the unknowns of the boundary.
 /// The loads are the forces on each grain and the moments divided by its size, then the loads on the boundary. The
-/// pattern of the matrix is fixed by the pairs of grains given to the constructor; values are added contact by contact.
+/// pairs of grains that are passed to the constructor determine the pattern of the matrix; values are added contact by
+/// contact.
 template <int Dim>
 class TangentMatrix {
  public:
@@ -46,8 +47,8 @@ class TangentMatrix {
   void reset(double regularisation);
 
   /// Adds a contact of two round grains. The lever arms are constant shares of the vector between the centres of the
-  /// grains. The tangential spring rotates with this vector, and about this vector with the mean rotation of the two
-  /// grains.
+  /// grains. The tangential spring rotates together with this vector. In addition, it rotates about this vector by the
+  /// mean rotation of the two grains.
   /// @param d         derivatives of the forces of the contact with respect to the relative motion at the contact
   /// @param boundary  effect of the unknowns of the boundary on the contact
   void add(const NetworkContact<Dim>& contact, const ConsistentStiffness<Dim>& d,
@@ -65,7 +66,8 @@ class TangentMatrix {
 
   std::vector<double> grain_size_;
   int n_boundary_;
-  // for each grain, the index of its first neighbour in `neighbour_`; then the size of `neighbour_`
+  // for each grain, the index of its first neighbour in `neighbour_`; one additional last entry is the size of
+  // `neighbour_`
   std::vector<int> start_;
   std::vector<int> neighbour_;  // neighbours of each grain, including itself, ascending
   Eigen::SparseMatrix<double> matrix_;

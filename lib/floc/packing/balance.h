@@ -15,8 +15,8 @@ struct Balance {
   std::vector<RotationVector<Dim>> moment;
 };
 
-/// Returns the mean of the elastic (repulsive) forces of the contacts with a positive elastic force (force); 0 if there
-/// are none.
+/// Returns the mean of the elastic (repulsive) forces over the contacts with a positive elastic force (force); 0 if
+/// there are no such contacts.
 template <int Dim>
 double mean_repulsive_force(const Packing<Dim>& packing);
 
@@ -33,20 +33,21 @@ Mat<Dim> static_stress(const Packing<Dim>& packing);
 /// Returns the stress transmitted by the contacts that cross the faces of the cell: the force across each face divided
 /// by the area of the face (force/length^(Dim-1)). Its component (a, b) is the sum over these contacts of F_j^(a)
 /// s^(b), divided by the volume of the cell. F_j is the force on the second grain j of the contact, and s = image *
-/// cell.matrix is the displacement of the periodic image of j that touches i; for a wall, s is the touched point. This
-/// stress differs from static_stress() by the sum over all grains of F_i^(a) x_i^(b), divided by the volume, where F_i
-/// is the net force on the grain at x_i; this sum vanishes in equilibrium. Under gravity g, the sum of -m_i g^(a)
-/// x_i^(b), divided by the volume, is added, with the masses m_i; the two stresses then also agree in equilibrium.
+/// cell.matrix is the displacement of the periodic image of j that touches i; for a contact with a wall, s is the
+/// touched point of the wall. This stress differs from static_stress() by the sum over all grains of F_i^(a) x_i^(b),
+/// divided by the volume, where F_i is the net force on the grain at x_i; in equilibrium this sum is zero. Under
+/// gravity g, the sum of -m_i g^(a) x_i^(b) over all grains (mass m_i), divided by the volume, is added, so that the
+/// two stresses agree in equilibrium in this case as well.
 template <int Dim>
 Mat<Dim> boundary_stress(const Packing<Dim>& packing);
 
-/// Returns twice the kinetic energy of grain i (energy), from its spin and its peculiar velocity, which excludes the
-/// affine motion of the cell.
+/// Returns twice the kinetic energy of grain i (energy). It is computed from the spin and from the peculiar velocity,
+/// which excludes the affine motion of the cell.
 template <int Dim>
 double twice_kinetic_energy(const Grains<Dim>& grains, int i);
 
-/// Returns the kinetic energy per grain (energy), from the spins and the peculiar velocities of the grains, which
-/// exclude the affine motion of the cell.
+/// Returns the mean kinetic energy of a grain (energy). It is computed from the spins and from the peculiar velocities,
+/// which exclude the affine motion of the cell.
 template <int Dim>
 double mean_kinetic_energy(const Packing<Dim>& packing);
 

@@ -17,10 +17,10 @@ struct Ball {
   double inertia(double mass) const { return mass * radius * radius * (Dim == 2 ? 0.5 : 0.4); }
 };
 
-/// Returns Ri/(Ri + Rj), the lever arm of the first of two touching balls of radii Ri and Rj divided by the distance of
-/// their centres. The contact point divides the line between the centres in proportion to the radii (docs/physics.md,
-/// "Kinematics of a contact"). A wall counts as a ball of radius 0: the result is then 1, because the arm reaches to
-/// the wall.
+/// Returns Ri/(Ri + Rj) for two touching balls of radii Ri and Rj: the lever arm of the first ball, divided by the
+/// distance between the centres. The contact point divides the line between the centres in proportion to the radii
+/// (docs/physics.md, "Kinematics of a contact"). A wall counts as a ball of radius 0. For a wall the result is
+/// therefore 1: the lever arm ends at the wall.
 inline double lever_share(double radius_i, double radius_j) {
   return radius_i / (radius_i + radius_j);
 }

@@ -9,24 +9,24 @@
 
 namespace floc {
 
-/// Strengths of a contact: the largest tension and tangential force (force), and the largest rolling and twisting moment
-/// (force * length) before it breaks; 0: not given.
+/// Strengths of a contact: the largest tension and tangential force (force), and the largest rolling and twisting
+/// moment (force * length), that the contact resists without breaking; 0: not given.
 using Strengths = std::array<double, 4>;
 
 /// Names of the strengths in files and tables.
 inline constexpr std::array<const char*, 4> kStrengthNames = {"tensile_strength", "shear_strength",
                                                               "rolling_strength", "twisting_strength"};
 
-/// Strengths of a contact or bond of a packing, as the file of another program gives them. floc keeps them with the state;
-/// none of its contact laws takes them.
+/// Strengths of a contact or bond of a packing, as the file of another program gives them. floc stores them with the
+/// state, but none of its contact laws uses them.
 template <int Dim>
 struct BondStrength {
-  int i = 0, j = 0;  ///< the two bodies, as those of the contact
+  int i = 0, j = 0;  ///< the two bodies of the contact, as in Contact
   Vec<Dim, int> image = Vec<Dim, int>::Zero();
   Strengths strengths{};
 };
 
-/// Returns the strengths of each contact; zeros for a contact without any. Empty if no contact has any.
+/// Returns the strengths of each contact; zeros for a contact without strengths. Empty if no contact has strengths.
 /// @param strengths  sorted by precedes()
 template <int Dim>
 std::vector<Strengths> strengths_by_contact(const std::vector<Contact<Dim>>& contacts,

@@ -7,13 +7,13 @@
 
 namespace floc {
 
-/// One interaction of a packing: two surfaces that touch, by the criterion of the contact law, or that attract each
+/// One interaction in a packing. Either two surfaces touch, by the criterion of the contact law, or they attract each
 /// other across a gap (a distant attraction). The normal force is positive in compression. The shear force and the
 /// rolling moment act on grain i.
 template <int Dim>
 struct Contact {
   int i = 0;  ///< index of the first grain
-  int j = 0;  ///< index of the second grain or of a wall; may equal i (a grain and its own image)
+  int j = 0;  ///< index of the second grain or of a wall; equal to i for a grain and an image of itself
   /// Periodic image of j that interacts with i: the branch vector from i to j is x[j] + image * cell.matrix - x[i].
   Vec<Dim, int> image = Vec<Dim, int>::Zero();
   /// Number that distinguishes several contacts between i and one image of j.
@@ -42,9 +42,9 @@ struct Contact {
   /// Kind of features that meet at a contact of shapes with corners: a vertex and a face, two edges, ...; kVertexFace
   /// for round grains.
   ContactType type = ContactType::kVertexFace;
-  bool distant = false;  ///< whether the surfaces do not touch but attract each other across a gap
-  /// Whether the contact is a bond: it acts at any gap, and its forces and stiffnesses are data that do not follow from
-  /// the law.
+  bool distant = false;  ///< whether the surfaces attract each other across a gap, without touching
+  /// Whether the contact is a bond: it acts at any gap, and its forces and stiffnesses are given data that do not
+  /// follow from the contact law.
   bool bonded = false;
   /// History of the contact under its law, arranged as in HistoryLayout.
   ContactHistory<Dim> history = ContactHistory<Dim>::Zero();

@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Returns whether a pair of grains or a contact, p, precedes q in sorted lists. Lists are sorted by (i, j, image),
-/// then by the member `key` if the type has it.
+/// Returns whether p precedes q in sorted lists, where p and q are pairs of grains or contacts. Lists are sorted by (i,
+/// j, image), then by the member `key` if the type has this member.
 template <class Pair>
 bool precedes(const Pair& p, const Pair& q) {
   if (p.i != q.i) return p.i < q.i;
@@ -25,7 +25,8 @@ bool same_pair(const Pair& p, const Pair& q) {
   return p.i == q.i && p.j == q.j && p.image == q.image;
 }
 
-/// Returns a pair of grains with the grains exchanged. Only i, j and image change, not forces or other members.
+/// Returns a pair of grains with the grains exchanged. Only i, j and image change; forces and other members stay as
+/// they are.
 template <class Pair>
 Pair swapped(Pair pair) {
   std::swap(pair.i, pair.j);
@@ -33,8 +34,9 @@ Pair swapped(Pair pair) {
   return pair;
 }
 
-/// Returns whether a pair of grains has the canonical one of its two forms (i, j) and (j, i), which lists store: i < j
-/// or, for a grain and its own image, a positive first non-zero component of the image.
+/// Returns whether a pair of grains has its canonical form. Lists store only this one of the two forms (i, j) and (j,
+/// i). In the canonical form i < j or, for a grain and an image of itself, the first non-zero component of the image is
+/// positive.
 template <class Pair>
 bool is_canonical(const Pair& pair) {
   if (pair.i != pair.j) return pair.i < pair.j;

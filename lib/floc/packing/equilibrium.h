@@ -6,10 +6,10 @@
 
 namespace floc {
 
-/// Tolerances up to which a packing counts as being in equilibrium. They are given in units of the force scale F1 =
-/// max(F0, P a^(Dim-1)) and the largest diameter a, where F0 is the pull-off force and P the pressure (docs/physics.md,
-/// "Equilibrium"; default values of [GRC2008]). If diameters differ by more than a factor of four, the force, moment
-/// and energy of each grain are expressed in units of the scale of this grain (GrainScales).
+/// Tolerances of an equilibrium: a packing is in equilibrium if its residuals are below them. They are given in units
+/// of the force scale F1 = max(F0, P a^(Dim-1)) and the largest diameter a, where F0 is the pull-off force and P the
+/// pressure (docs/physics.md, "Equilibrium"; default values of [GRC2008]). If diameters differ by more than a factor of
+/// four, the force, moment and energy of each grain are expressed in units of the scale of this grain (GrainScales).
 struct EquilibriumTolerance {
   double force = 1e-5;   ///< largest net force on a grain, in units of the force scale F1
   double moment = 1e-5;  ///< largest net moment on a grain, in units of F1 a (force scale times diameter)
@@ -21,8 +21,8 @@ struct EquilibriumTolerance {
   bool operator==(const EquilibriumTolerance&) const = default;
 };
 
-/// Residuals of a packing, which are zero in exact equilibrium: largest net force and largest net moment on a grain,
-/// deviation from the imposed stress, and kinetic energy per grain, in the units of EquilibriumTolerance. The last two
+/// Residuals of a packing, in the units of EquilibriumTolerance: largest net force and largest net moment on a grain,
+/// deviation from the imposed stress, and kinetic energy per grain. In exact equilibrium they are zero. The last two
 /// members are the indices of the grains with the largest net force and the largest net moment.
 struct Residuals {
   double force = 0.0;
@@ -37,7 +37,7 @@ struct Residuals {
   }
 };
 
-/// Units of force and length in which the residuals of a packing or of one grain are expressed.
+/// Units of force and length for the residuals of a packing or of one grain.
 struct ForceScale {
   double force;   ///< force scale F1 (force)
   double length;  ///< largest diameter a of the packing, or diameter of the grain (length)
@@ -49,11 +49,11 @@ struct ForceScale {
 template <int Dim>
 ForceScale force_scale(const Packing<Dim>& packing, const Vec<Dim>& target_stress);
 
-/// Force scale of each grain of a packing, the unit in which the net force on the grain is expressed. Grains of similar
-/// sizes (kSimilarSizes) share the force scale F1 of the packing. If sizes differ more, a net force that is small for a
-/// large grain may be as large as the contact forces of a small grain. Grain i of diameter d_i then has the force scale
-/// F1_i = max(F0, P d_i^(Dim-1)) with the pull-off force F0 and the pressure P, and F1_i d_i is the unit of its moment
-/// and energy. The object keeps a reference to the packing.
+/// Force scale of each grain of a packing, that is, the unit of the net force on this grain. Grains of similar sizes
+/// (kSimilarSizes) share the force scale F1 of the packing. If sizes differ more, a net force that is small for a large
+/// grain may be as large as the contact forces of a small grain. In this case, grain i of diameter d_i has the force
+/// scale F1_i = max(F0, P d_i^(Dim-1)) with the pull-off force F0 and the pressure P, and F1_i d_i is the unit of the
+/// net moment and of the energy of this grain. The object keeps a reference to the packing.
 template <int Dim>
 class GrainScales {
  public:
@@ -62,7 +62,8 @@ class GrainScales {
   const ForceScale& of_packing() const { return packing_; }
   ForceScale of(int i) const;       ///< force scale F1_i and diameter d_i of grain i
   double force_share(int i) const;  ///< force scale F1_i of grain i divided by F1 of the packing
-  /// Force scale times diameter of grain i, divided by the force scale times the largest diameter of the packing.
+  /// Product of force scale and diameter for grain i, divided by the product of force scale and largest diameter for
+  /// the packing.
   double work_share(int i) const;
 
  private:
@@ -89,7 +90,7 @@ double scaled_kinetic_energy(const Packing<Dim>& packing, const GrainScales<Dim>
                              const std::vector<bool>& counted = {});
 
 /// Computes the residuals of a packing from the forces in its list of contacts. If the force scale F1 is zero (no
-/// adhesion, no pressure), any residual that is not exactly zero is infinite.
+/// adhesion, no pressure), a residual is either exactly zero or infinite.
 /// @param target_stress  stress imposed on each axis, compression positive (force/length^(Dim-1))
 template <int Dim>
 Residuals residuals(const Packing<Dim>& packing, const Vec<Dim>& target_stress);

@@ -53,9 +53,9 @@ double total_volume(const Grains<Dim>& grains) {
   return volume;
 }
 
-/// Largest ratio of two diameters in a packing at which the grains count as similar in size. The search for neighbours
-/// and the force scale then use the largest diameter for all grains; above this ratio, they use the diameter of each
-/// grain.
+/// The grains of a packing count as similar in size if the largest diameter is at most this number times the smallest
+/// diameter. In this case the search for neighbours and the force scale use the largest diameter for all grains;
+/// otherwise they use the diameter of each grain.
 inline constexpr double kSimilarSizes = 4.0;
 
 inline bool similar_sizes(const std::vector<double>& radius) {
@@ -65,8 +65,8 @@ inline bool similar_sizes(const std::vector<double>& radius) {
 }
 
 /// Returns the unit of length for the skin of neighbour lists: the largest diameter or, if the grains are not similar
-/// in size, the smallest diameter. A skin that is thin for the largest grains would contain whole layers of the
-/// smallest grains.
+/// in size, the smallest diameter. A skin that is thin compared with the largest grains would contain whole layers of
+/// the smallest grains.
 inline double skin_length_unit(const std::vector<double>& radius) {
   return similar_sizes(radius) ? largest_diameter(radius)
                                : 2.0 * *std::min_element(radius.begin(), radius.end());

@@ -6,8 +6,8 @@
 namespace floc {
 namespace {
 
-/// Returns, for each grain, whether at least two of its contacts remain after grains with fewer contacts have been
-/// removed repeatedly, together with their contacts.
+/// Removes grains with fewer than two contacts, together with their contacts, until no such grain is left. Returns, for
+/// each grain, whether it has remained.
 template <int Dim>
 std::vector<bool> held_grains(const Packing<Dim>& packing) {
   std::vector<bool> held(packing.grains.size(), true);

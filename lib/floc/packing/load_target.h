@@ -29,8 +29,8 @@ struct LoadTarget {
   bool any_strained() const { return side.maxCoeff() > 0.0; }
   /// Whether zero stress is imposed on every axis.
   bool unloaded() const { return !any_strained() && stress.isZero(0.0); }
-  /// Returns the stress on each axis, which determines the force scale: the imposed stress or, if a side length is
-  /// imposed on the axis, the carried stress.
+  /// Returns the stress on each axis from which the force scale is computed: the imposed stress or, if a side length is
+  /// imposed on the axis, the stress that the packing carries.
   /// @param carried  stress that the packing carries
   Vec<Dim> stress_with(const Mat<Dim>& carried) const {
     Vec<Dim> out = stress;

@@ -33,7 +33,7 @@ Manifold<Dim> manifold_of(const Packing<Dim>& packing, const Contact<Dim>& conta
 namespace {
 
 /// Returns the geometry of a contact of two shapes, at the contact point with the key of the contact. If no point has
-/// this key, because the features that meet have changed, the point nearest to the recorded point is taken.
+/// this key, because the features that meet have changed, the contact point nearest to the recorded point is used.
 template <int Dim>
 ContactGeometry<Dim> locate_shapes(const Packing<Dim>& packing, const Contact<Dim>& contact) {
   ContactGeometry<Dim> at;

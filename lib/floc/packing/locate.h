@@ -34,7 +34,7 @@ ContactGeometry<Dim> locate(const Packing<Dim>& packing, const Contact<Dim>& con
 /// and a wall. Only the members i and j of `contact` are used.
 /// @param branch  branch vector of the contact (length)
 /// @param reach  largest gap of a contact point (length)
-/// @param last  features with which the search begins, as in contact_manifold()
+/// @param last  features (such as vertices or faces) with which the search begins, as in contact_manifold()
 /// @pre !packing.grains.are_round()
 template <int Dim>
 Manifold<Dim> manifold_of(const Packing<Dim>& packing, const Contact<Dim>& contact, const Vec<Dim>& branch,

@@ -11,10 +11,10 @@
 namespace floc {
 namespace {
 
-/// Factor by which the solid fraction may exceed the largest solid fraction of hard grains without a warning. It allows
-/// for crystals that are compressed by some tenths of a percent.
+/// There is no warning as long as the solid fraction is at most this factor times the largest solid fraction of hard
+/// grains. It allows for crystals that are compressed by some tenths of a percent.
 constexpr double kCompressedCrystal = 1.01;
-/// Relative difference below which two radii count as equal. It allows for rounding.
+/// Two radii count as equal if their relative difference is below this number, which allows for rounding.
 constexpr double kEqual = 1e-9;
 
 std::string small_overlaps_rule(const Law& law) {

@@ -10,9 +10,9 @@ namespace floc {
 /// overlaps the contact circle between spheres exceeds a third of the radius, and the contacts of a grain affect each
 /// other.
 inline constexpr double kDeepOverlap = 0.1;
-/// Mean overlap, divided by the smaller radius of the two grains, beyond which a packing is rejected. Scene files may
-/// impose pressures P up to (E~/P)^(2/3) = 30, with E~ = E/(1 - nu^2), Young's modulus E and Poisson's ratio nu; at
-/// this pressure, the mean overlap is 0.11.
+/// Largest accepted mean overlap, divided by the smaller radius of the two grains. A packing with a larger mean overlap
+/// is rejected. Scene files may impose pressures P for which (E~/P)^(2/3) is at least 30, with E~ = E/(1 - nu^2),
+/// Young's modulus E and Poisson's ratio nu. At the largest of these pressures, the mean overlap is 0.11.
 inline constexpr double kDeepestMean = 0.12;
 
 /// Statistics of the overlaps of all contacts whose surfaces touch. Each overlap is divided by the smaller radius of
@@ -26,15 +26,15 @@ struct Overlaps {
 template <int Dim>
 Overlaps measure_overlaps(const Packing<Dim>& packing);
 
-/// Returns the largest solid fraction of equal hard grains, which is that of the triangular lattice of disks (2D) or of
-/// the face-centred cubic lattice of spheres (3D).
+/// Returns the largest possible solid fraction of equal hard grains. It is the solid fraction of the triangular lattice
+/// of disks (2D) or of the face-centred cubic lattice of spheres (3D).
 constexpr double densest_of_equal(int dim) {
   return dim == 2 ? 0.906899682117109 : 0.740480489693061;
 }
 
-/// Returns a warning, with the likely cause, if the grains of a packing overlap too far, or if they are equal and their
-/// solid fraction is larger than hard grains can reach; otherwise an empty text. Large overlaps are not an error,
-/// because a soft packing may be intended.
+/// Returns a warning, with the likely cause, if the grains of a packing overlap too far, or if all grains are equal and
+/// the solid fraction is larger than is possible for hard grains. Otherwise returns an empty text. Large overlaps are
+/// not an error, because a soft packing may be intended.
 template <int Dim>
 std::string overlap_warning(const Packing<Dim>& packing);
 

@@ -51,7 +51,7 @@ struct Grains {
   std::vector<std::int64_t> id;
   /// Shapes of the grains; null if all grains are disks or spheres. Copies of a packing share one table of shapes.
   std::shared_ptr<const std::vector<Shape<Dim>>> shapes;
-  std::vector<int> shape;     ///< index in `shapes` of the shape of each grain; empty without shapes
+  std::vector<int> shape;     ///< for each grain, the index of its shape in `shapes`; empty without shapes
   std::vector<double> scale;  ///< factor by which the shape of each grain is magnified; empty without shapes
 
   int size() const { return static_cast<int>(radius.size()); }
@@ -104,14 +104,14 @@ inline Mat<3> rotation_matrix(const Eigen::Quaterniond& orientation) {
 /// Mechanical state of a packing: cell, walls, grains, contact laws and contacts.
 template <int Dim>
 struct Packing {
-  /// Periodic cell. An axis between walls is not periodic; the side of the cell is then normal to the walls, and its
-  /// length is the distance of the walls.
+  /// Periodic cell. An axis between walls is not periodic; the side of the cell along this axis is normal to the walls,
+  /// and its length is the distance between the walls.
   Cell<Dim> cell;
   Grains<Dim> grains;
   Law law;                             ///< contact law between grains
   std::vector<Contact<Dim>> contacts;  ///< contacts, sorted by (i, j, image, key) with i <= j
-  /// Both ends of each axis that is not periodic: the lower end, then the upper end, in ascending order of the axes;
-  /// empty if all axes are periodic.
+  /// Walls or open ends of the axes that are not periodic, in ascending order of the axes: for each axis first the
+  /// lower end, then the upper end. Empty if all axes are periodic.
   std::vector<Wall<Dim>> walls;
   Law wall_law;  ///< contact law between grains and walls
   /// Acceleration due to gravity, which acts on every grain as a body force (length/time^2); zero along periodic axes.
@@ -127,7 +127,7 @@ struct Packing {
   const Law& law_of(const Contact<Dim>& contact) const { return is_wall(contact.j) ? wall_law : law; }
 };
 
-/// Returns whether an axis of the cell is not periodic and lies between two ends, which are walls or open.
+/// Returns whether an axis of the cell has two ends, each a wall or open; all other axes are periodic.
 template <int Dim>
 bool between_walls(const std::vector<Wall<Dim>>& walls, int axis) {
   for (const Wall<Dim>& wall : walls)
@@ -152,7 +152,7 @@ bool is_open(const std::vector<Wall<Dim>>& walls) {
 }
 
 /// Returns the cell in which to search for neighbours whose centres are closer than `reach` (length). The cell is
-/// widened along axes between walls, where no grain may be close to a periodic image.
+/// widened along axes between walls, so that no grain is close to a periodic image along these axes.
 template <int Dim>
 Cell<Dim> search_cell(Cell<Dim> cell, const std::vector<Wall<Dim>>& walls, double reach);
 

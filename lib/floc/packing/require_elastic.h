@@ -21,7 +21,7 @@ void require_elastic(const Packing<Dim>& packing, const std::string& what,
 }
 
 /// Requires a packing of disks or spheres.
-/// @param what  computation that holds for round grains, as the first part of the sentence "... only for disks and
+/// @param what  computation that is valid for round grains, as the first part of the sentence "... only for disks and
 /// spheres"
 /// @param place  name of the packing in the message, such as its file
 /// @throws InputError if grains have corners

@@ -4,8 +4,8 @@
 
 namespace floc {
 
-/// Imbalance of a packing that results from the rounding of the stored numbers. No stored state can have a smaller
-/// imbalance, independent of how it was computed.
+/// Imbalance of a packing that results from the rounding of the stored numbers. A stored state cannot have a smaller
+/// imbalance, however accurately it was computed.
 struct RoundingFloor {
   /// Net force on a grain, in units of the force scale F1 of the packing. It is the sum of two errors: half a unit in
   /// the last place of the coordinates of the grain, times the stiffness of its contacts, and half a unit in the last

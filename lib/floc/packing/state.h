@@ -14,8 +14,8 @@
 
 namespace floc {
 
-/// Reference of a stage of a load path that loads the axes differently (such as an oedometric test): the sides and
-/// stresses of the packing at the start of the stage, to which all steps of the stage refer.
+/// Reference for the steps of a stage that loads the axes differently (such as an oedometric test): the sides and
+/// stresses of the packing at the start of the stage.
 struct StageReference {
   /// Kind of the stage, "oedometric", "triaxial", ...; empty if the state belongs to no such stage.
   std::string control;
@@ -37,12 +37,12 @@ struct PathPosition {
   std::int64_t n_steps = 0;  ///< number of time steps since the start of the run
   std::string ending;  ///< ending of the relaxation: "static", "polished", "dynamic", ...; empty if not known
   StageReference turn;
-  /// counts of the time steps of contact dynamics that led to the state; all zero for elastic contacts
+  /// counts about the time steps of contact dynamics from which the state resulted; all zero for elastic contacts
   StepCounts counts = {};
 };
 
 /// Origin of a state: the program, the seed and the state file from which the run continued. It contains no date or
-/// time, so that repeated runs give identical files.
+/// time, so that repetitions of a run give identical files.
 struct Provenance {
   /// program that made the state: "floc 0.1.0", or the program from which a packing was converted
   std::string program;
@@ -74,11 +74,11 @@ struct State {
   Residuals residuals;                 ///< residuals reached when the state was saved
   int n_negative = -1;  ///< number of negative eigenvalues of the stiffness matrix; -1: not determined
   /// Number of liquid bridges that would form or break if the liquid were distributed once more; -1 if not determined,
-  /// or without liquid. It is above 0 if the pairs with bridges were still changing after many distributions of the
-  /// liquid; the bridges then kept their volumes.
+  /// or without liquid. It is above 0 if the set of pairs with bridges was still changing after the largest number of
+  /// distributions; in this case, the bridges kept the volumes of the last distribution.
   int n_bridges_unsettled = -1;
-  /// Forces on the walls, in the order of the walls, as recorded in the file from which the state was read. When a
-  /// state is saved, the forces of its contacts on the walls are recorded in their place.
+  /// Forces on the walls, in the order of the walls, as recorded in the file from which the state was read. These
+  /// values are not written when the state is saved; the file then contains the forces of the contacts on the walls.
   std::vector<double> wall_force = {};
   /// Time step that begins at the state, if the state is in motion (path.ending is "moving"); absent at rest.
   std::optional<MotionRecord> motion = {};
@@ -87,14 +87,15 @@ struct State {
   Provenance provenance;
 };
 
-/// Returns the stress on the axis along which the load path drives a state, from the stress on each axis. If the state
-/// belongs to no stage that drives an axis, the mean over the axes is returned.
+/// Returns the component of `stress` on the axis along which the load path drives a state. If the state belongs to no
+/// stage that drives an axis, the mean over the axes is returned.
 template <int Dim>
 double stress_on_driven_axis(const State<Dim>& state, const Vec<Dim>& stress) {
   return state.path.turn.empty() ? stress.mean() : stress[state.path.turn.axis];
 }
 
-/// Sets the stress and the residuals of a state, from the contact forces of its packing and its target stress.
+/// Sets the stress and the residuals of a state. They are computed from the contact forces of the packing and from the
+/// target stress.
 template <int Dim>
 void measure(State<Dim>& state);
 

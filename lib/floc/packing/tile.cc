@@ -23,8 +23,8 @@ Vec<Dim, int> place_of(int tile, const Vec<Dim, int>& copies) {
   return place;
 }
 
-/// Returns the contact of copy number `tile` of a packing that corresponds to the contact c of the packing. Its second
-/// grain may belong to another copy, or to a periodic image of a copy.
+/// Returns the contact in copy number `tile` of a packing that corresponds to the contact c of the original packing.
+/// Its second grain may belong to another copy, or to a periodic image of a copy.
 template <int Dim>
 Contact<Dim> placed(Contact<Dim> c, int tile, int n_grains, const Vec<Dim, int>& copies,
                     const ContactHistory<Dim>& parity) {

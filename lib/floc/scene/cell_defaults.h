@@ -11,7 +11,7 @@ namespace floc {
 /// from a gas are looser than the published packings.
 inline constexpr double kAssemblyCellMass = 1.0;
 /// Default mass of the cell on load paths, divided by the mass of all grains. A heavier cell overshoots the imposed
-/// stress and compacts the packing; a lighter cell gives the same densities as this one.
+/// stress and compacts the packing; a lighter cell gives the same densities as a cell of this mass.
 inline constexpr double kLoadCellMass = 0.1;
 /// Default cap on the strain rate of the cell for cohesive grains, in units of 1/T0. T0 = sqrt(a m/F0), with the
 /// largest diameter a, the mass m of the largest grain and the pull-off force F0.
@@ -21,7 +21,8 @@ inline constexpr double kStrainRateCap = 0.05;
 inline constexpr double kLargestInertialNumber = 1e-3;
 
 /// Default cap on the inertial number of the cell for rigid grains, with or without adhesion. It is larger than the cap
-/// for elastic grains, because the number of time steps needed for a given strain is inversely proportional to it.
+/// for elastic grains, because the number of time steps for a given strain is inversely proportional to the inertial
+/// number.
 inline constexpr double kInertialNumberOfRigidGrains = 0.02;
 
 /// Returns the default cap on the rate at which the cell deforms: kInertialNumberOfRigidGrains for rigid contacts, else
@@ -38,7 +39,7 @@ inline CellResponse default_cap(const Law& law) {
 }
 
 /// Returns the default mass of the cell and the default cap on its strain rate on the load path. They apply to a stage
-/// if neither the stage nor the table [cell] of the scene gives these values.
+/// if neither the stage itself nor the table [cell] of the scene gives them.
 inline CellResponse default_load_response(const Law& law) {
   CellResponse response = default_cap(law);
   response.cell_mass = kLoadCellMass;

@@ -5,7 +5,7 @@
 
 namespace floc {
 
-/// Records a fault in a scene whose results would not be accurate for one of these reasons: a pressure is not larger
+/// Records a fault for each of these reasons why the results of a scene would not be accurate: a pressure is not larger
 /// than the tolerance of a stress; contacts are so stiff that rounding errors exceed the tolerances; grains are so soft
 /// that they overlap too far.
 /// @param root  reader of the root table of the scene

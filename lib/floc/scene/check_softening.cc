@@ -14,7 +14,7 @@ namespace {
 
 using Need = TableReader::Need;
 
-/// Records a fault if the softening in a table of the scene is larger than the limit of the steps to which it applies.
+/// Records a fault if a table of the scene gives a larger softening than its steps allow.
 void check_limit(TableReader& table, double s, const SofteningLimit& limit) {
   const std::string fault = limit.fault(s);
   if (!fault.empty())
@@ -30,8 +30,8 @@ void check_softening(TableReader& root, const SceneSource& source, const Scene& 
                               "equilibrium.softening is not allowed here: springs can be softened only in a "
                               "periodic cell, but the scene has walls");
   if (source.n_faults() > 0 || !(scene.grains.largest() > 0)) return;
-  // Smallest limit for each table that can give a softening. The key is -2 for [equilibrium], -1 for [assembly], and
-  // otherwise the index of the table [[load]].
+  // For each table that can give a softening, the smallest limit of the steps to which the table applies. The key is -2
+  // for the table [equilibrium], -1 for [assembly], and otherwise the index of the table [[load]].
   std::map<int, SofteningLimit> limits;
   double before = 0.0;
   for (const PlannedEquilibrium& step : plan_run(scene.assembly, scene.law, scene.load, scene.dimension)) {

@@ -5,10 +5,9 @@
 
 namespace floc {
 
-/// Checks the softening of springs wherever a scene gives it, and records a fault where it is not possible: for
-/// packings between walls, for stages that impose a length, together with [accuracy], and for contacts that are too
-/// soft for it (softening_limit()).
-/// (softening_limit()).
+/// Checks every softening of springs that a scene gives, and records a fault for each one that is not possible. Springs
+/// cannot be softened in a packing between walls, in a stage that imposes a strain, together with the table [accuracy],
+/// or if the contacts are already too soft (see softening_limit()).
 /// @param root  reader of the root table of the scene
 void check_softening(TableReader& root, const SceneSource& source, const Scene& scene);
 

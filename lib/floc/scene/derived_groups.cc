@@ -84,9 +84,13 @@ void add_reduced_pressures(const Scene& scene, double a, Groups& groups) {
 void add_cohesion(const Scene& scene, double a, Groups& groups) {
   const double F0 = pull_off_force(scene);
   const double K_N = std::pow(a, scene.dimension - 1) * scene.law.contact_modulus(scene.dimension, a);
-  groups.push_back({"kappa", K_N / F0, "a K_N/F0, stiffness of a contact divided by its adhesion"});
+  groups.push_back(
+      {"kappa", K_N / F0,
+       "a K_N/F0, stiffness number (largest diameter a, normal stiffness K_N, pull-off force F0)"});
   add_reduced_pressures(scene, a, groups);
-  groups.push_back({"h0/a", F0 / K_N, "overlap of two grains pulled together by their adhesion alone"});
+  groups.push_back(
+      {"h0/a", F0 / K_N,
+       "overlap of two grains of the largest diameter a under their adhesion alone, divided by a"});
 }
 
 /// Adds the dimensionless numbers of the liquid between grains. The numbers of a liquid bridge are computed for two
@@ -96,10 +100,12 @@ void add_liquid(const CapillaryAdhesion& law, double a, Groups& groups) {
   const double grain = std::numbers::pi / 6.0 * a * a * a;
   const Bridge<> bridge = law.bridge(0.5 * a, 0.5 * a, share * grain / kBridgesPerGrain);
   groups.push_back({"V_l/V_s", share, "volume of the liquid divided by the volume of the grains"});
-  groups.push_back({"l/a", 1.0 / (bridge.decay * a),
-                    "length over which the force of a liquid bridge decays, with three bridges per grain"});
   groups.push_back(
-      {"hm/a", bridge.reach / a, "gap at which a liquid bridge breaks, with three bridges per grain"});
+      {"l/a", 1.0 / (bridge.decay * a),
+       "decay length of the force of a liquid bridge, divided by the diameter, with three bridges per grain"});
+  groups.push_back(
+      {"hm/a", bridge.reach / a,
+       "gap at which a liquid bridge breaks, divided by the diameter, with three bridges per grain"});
 }
 
 /// Adds the dimensionless numbers of elastic spheres. The overlap of two spheres is proportional to 1/kappa, and the
@@ -113,18 +119,22 @@ void add_spheres(const Scene& scene, Groups& groups) {
       if (axis.kind == AxisLoad::stress) highest = std::max(highest, axis.end);
   }
   groups.push_back({"kappa", hertz_kappa(scene, scene.assembly.pressure),
-                    "(E~/P)^(2/3), E~ = E/(1 - nu^2), at the first pressure of the scene"});
-  groups.push_back({"kappa", hertz_kappa(scene, highest), "(E~/P)^(2/3) at the highest pressure of the scene"});
+                    "stiffness number (E~/P)^(2/3) at the first pressure P of the scene; E~ = E/(1 - nu^2) "
+                    "with Young's modulus E and Poisson's ratio nu"});
+  groups.push_back({"kappa", hertz_kappa(scene, highest),
+                    "stiffness number (E~/P)^(2/3) at the highest pressure P of the scene"});
   add_pressures(scene, E, "P/E~", "P/E~", groups);
   // Largest pressure between the surfaces in a contact that carries the mean force. The mean force is computed from the
-  // pressure for z Phi = 4 (coordination number z, solid fraction Phi).
+  // pressure with the assumption z Phi = 4 (coordination number z, solid fraction Phi).
   groups.push_back({"p_max/E~", 0.847131 / std::sqrt(hertz_kappa(scene, highest)),
-                    "largest pressure between the surfaces of a contact with the mean force, at the highest "
+                    "largest pressure between the surfaces of two grains, divided by E~, in a contact with the "
+                    "mean force at the highest "
                     "pressure of the scene"});
 }
 
-/// Returns a parameter of the contact law in dimensionless form; its name is its symbol. Returns std::nullopt for
-/// forces, pressures and volumes, because these are used as units.
+/// Returns a parameter of the contact law in dimensionless form, named by the symbol of the parameter and, if it has a
+/// unit, by the divisor: "D0/a". Returns std::nullopt for parameters that are forces, pressures or volumes, because
+/// they are used as units.
 /// @param K_N  normal stiffness of a contact
 /// @param a  largest diameter
 std::optional<DerivedGroup> group_of(const LawNumber& n, double K_N, double a) {
@@ -167,8 +177,9 @@ void add_law(const Scene& scene, double a, Groups& groups) {
         {"zeta", damping_ratio(damping.get<ViscousDamping>().restitution), "fraction of critical damping"});
 }
 
-/// Adds the caps on the strain rate of the cell, the mass of the cell, and the softening in one part of a run (the
-/// assembly, or a stage of the load path), if they differ from the values in another part.
+/// Adds the options of the cell in one part of a run (the assembly, or a stage of the load path): the caps on the
+/// strain rate of the cell, the mass of the cell, and the softening. An option that has the same value in the other
+/// part is left out.
 /// @param r  options in this part
 /// @param other  options in the part with which `r` is compared
 /// @param where  words for this part of the run, for example " at assembly"
@@ -227,17 +238,17 @@ double compaction_time(const Scene& scene, double a, double m) {
 void add_walls(const Scene& scene, Groups& groups) {
   const BoxOptions& box = *scene.assembly.box;
   if (!scene.starts_from_state()) {
-    groups.push_back(
-        {"p_k/p", box.kinetic_pressure / scene.assembly.pressure,
-         "kinetic pressure of the gas over the first pressure; above 1 the gas pushes the walls outwards"});
+    groups.push_back({"p_k/p", box.kinetic_pressure / scene.assembly.pressure,
+                      "kinetic pressure of the gas divided by the first pressure; above 1 the gas pushes the "
+                      "walls outwards"});
     if (scene.assembly.solid_fraction > 0.0)
       groups.push_back({"e_i", 1.0 / scene.assembly.solid_fraction - 1.0, "void ratio of the gas"});
   }
   if (any_wall_moves(box, scene.dimension))
-    groups.push_back({"m_w/m", box.mass, "mass of a wall over that of the largest grain"});
+    groups.push_back({"m_w/m", box.mass, "mass of a wall divided by the mass of the largest grain"});
   const double F0 = scene.law.pull_off_force();
   groups.push_back({"f_w/F0", F0 > 0.0 ? box.adhesion / F0 : 0.0,
-                    "pull-off force of grains from walls over that between grains"});
+                    "pull-off force of grains from walls divided by the pull-off force between grains"});
   groups.push_back({"mu_w", box.friction, "friction coefficient of the walls"});
 }
 
@@ -255,7 +266,8 @@ void add_box(const Scene& scene, double a, double m, Groups& groups) {
       {"eta_star", sc / std::sqrt(p * se),
        "sc/sqrt(p se) with se = K_N/a^(D-2), adhesion relative to impacts; grains bounce if it is below 1"});
   groups.push_back({"sc/se", sc / se,
-                    "overlap of two grains by their adhesion, in diameters; above 0.02 it changes the void "
+                    "overlap of two grains under their adhesion alone, divided by the diameter; above 0.02 it "
+                    "changes the void "
                     "ratio noticeably"});
   groups.push_back({"se/p", se / p,
                     "se/p with se = K_N/a^(D-2), stiffness of the contacts divided by the first pressure p"});
@@ -264,10 +276,11 @@ void add_box(const Scene& scene, double a, double m, Groups& groups) {
                     "sqrt(m/(p a^(D-2))), unit of time of the compaction (time unit of the scene)"});
 }
 
-/// Adds the fractions of the total volume in classes of grain size, together with the fractions of the size
-/// distribution.
+/// Adds, for classes of grain size, the fraction of the total volume that is in the drawn grains of this class,
+/// together with the fraction that the size distribution gives.
 void add_sizes(const Scene& scene, Groups& groups) {
-  // With more grains, the fractions of the drawn diameters equal those of the distribution to six digits.
+  // Largest number of grains for which the fractions are computed. With more grains, the fractions of the drawn grains
+  // equal those of the distribution to six digits.
   constexpr int kMostGrains = 1'000'000;
   using Kind = DiameterDistribution::Kind;
   const Kind kind = scene.grains.diameter.kind;
@@ -313,9 +326,9 @@ double steps_of_compaction(const Scene& scene) {
          time_step_of_scene(scene);
 }
 
-/// Returns the normal stiffness K_N of a contact. The stiffness of spheres increases with the force. It is given for
-/// the mean force under the first pressure P: 0.665 kappa P a, for z Phi = 4 (stiffness number kappa, largest diameter
-/// a, coordination number z, solid fraction Phi).
+/// Returns the normal stiffness K_N of a contact. For spheres, whose stiffness increases with the force, it is the
+/// stiffness at the mean force under the first pressure P: 0.665 kappa P a, with the assumption z Phi = 4 (stiffness
+/// number kappa, largest diameter a, coordination number z, solid fraction Phi).
 double typical_stiffness(const Scene& scene) {
   const double a = scene.grains.largest(), modulus = scene.law.contact_modulus(scene.dimension, a);
   if (scene.law.force_exponent() == 1.0) return modulus * std::pow(a, scene.dimension - 2);
@@ -346,7 +359,8 @@ double expected_cost(const Scene& scene) {
     return kSecondsPerGrainStep * scene.grains.count * steps_of_compaction(scene) *
            (1 + stages.up + stages.down);
   }
-  // Ratio of the processor time of assembling a packing from a gas to that of one equilibrium of loading.
+  // Processor time of the assembly of a packing from a gas, divided by the processor time of one equilibrium during
+  // loading. kUnloading is this ratio for one equilibrium during unloading.
   constexpr double kAssembly = 6.0;
   constexpr double kUnloading = 0.25;
   constexpr double kSecondsPerGrainAndStep = 80.0 / (1400.0 * (26.0 + kAssembly));
@@ -380,7 +394,9 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene) {
     add_spheres(scene, groups);
   } else {
     const double K_N = scene.law.contact_modulus(scene.dimension, a);
-    groups.push_back({"kappa", K_N / scene.assembly.pressure, "K_N/P at the first pressure of the scene"});
+    groups.push_back(
+        {"kappa", K_N / scene.assembly.pressure,
+         "stiffness number K_N/P, with the normal stiffness K_N and the first pressure P of the scene"});
     add_pressures(scene, K_N, "P/K_N", "P/K_N", groups);
   }
   add_law(scene, a, groups);
@@ -395,8 +411,8 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene) {
                         ? "longest time step of the motion at the first pressure (time unit of the scene)"
                         : "time step of the motion (time unit of the scene)"});
   const Steps steps = count_steps(scene);
-  // Most assemblies make one equilibrium. They make two if the grains are aggregated (first an equilibrium at zero
-  // pressure), or if a packing made from a gas is vibrated (an equilibrium before and one after the vibration).
+  // In most scenes the assembly makes one equilibrium. It makes two if the grains are aggregated (first an equilibrium
+  // at zero pressure), or if a packing made from a gas is vibrated (an equilibrium before and one after the vibration).
   const bool twice = scene.assembly.protocol == AssemblyOptions::Protocol::aggregation ||
                      (scene.assembly.vibration && !scene.starts_from_state());
   const int assembled = twice ? 2 : 1;

@@ -15,11 +15,11 @@ struct DerivedGroup {
   std::string meaning;
 };
 
-/// Returns the numbers that characterize a scene. First come the dimensionless numbers, such as kappa (stiffness), P*
-/// (reduced pressure) of every stage, Ia (strain rate), ratios of stiffnesses, D0/a (range of the adhesion), h0/a
-/// (overlap caused by adhesion), the fraction of critical damping and V0/V* (speed at the start). Then follow the time
-/// T0, the time step, the number of equilibria and the expected cost. Here a is the largest diameter. Numbers about
-/// effects that do not occur in the scene are left out.
+/// Returns the numbers that characterize a scene. The list begins with the dimensionless numbers, such as kappa
+/// (stiffness), P* (reduced pressure) of every stage, Ia (strain rate), ratios of stiffnesses, D0/a (range of the
+/// adhesion), h0/a (overlap caused by adhesion), the fraction of critical damping and V0/V* (speed at the start). Then
+/// follow the time T0, the time step, the number of equilibria and the expected cost. Here a is the largest diameter.
+/// The list contains only numbers about effects that occur in the scene.
 std::vector<DerivedGroup> derived_groups(const Scene& scene);
 
 /// Returns the stiffness number kappa = (E~/P)^(2/3) of elastic spheres under a pressure P, with E~ = E/(1 - nu^2)
@@ -32,8 +32,9 @@ double time_step_of_scene(const Scene& scene);
 
 /// Returns the expected processor time of a run on one core (s), correct within about a factor of two. It is
 /// proportional to the number of grains, to the number of equilibria, and to the inverse of the time step. An
-/// equilibrium of unloading counts as a quarter, because unloading is nearly elastic. For comparison: a run that
-/// aggregates 1400 grains (protocol "aggregation") and loads them in 26 steps takes 150 s on a core of the year 2023.
+/// equilibrium during unloading is assumed to cost a quarter of one during loading, because unloading is nearly
+/// elastic. For comparison: a run that aggregates 1400 grains (protocol "aggregation") and loads them in 26 steps takes
+/// 150 s on a core of the year 2023.
 double expected_cost(const Scene& scene);
 
 }  // namespace floc

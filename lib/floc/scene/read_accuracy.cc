@@ -13,8 +13,8 @@ namespace {
 
 constexpr NumberRule kRelativeError{positive, "a positive number (relative error)"};
 
-/// Records a fault for each key of a numerical setting that [accuracy] chooses: a scene may give either [accuracy] or
-/// these keys.
+/// Records a fault for each key that gives a numerical setting which the table [accuracy] chooses. A scene may give
+/// either [accuracy] or these keys.
 void refuse_settings(TableReader& root) {
   TableReader equilibrium = root.table("equilibrium", "", TableReader::Need::optional);
   TableReader run = root.table("run", "", TableReader::Need::optional);
@@ -61,7 +61,8 @@ bool read_accuracy(TableReader& root, SceneSource& source, const std::string& pr
     return false;
   }
   refuse_settings(root);
-  // If `wanted` is empty although the table has keys, their values are invalid, and faults have been recorded for them.
+  // If `wanted` is empty although the table has keys, the values of these keys are invalid, and faults have been
+  // recorded for them.
   const bool asks = std::ranges::any_of(accuracy_keys(), [&t](const std::string& key) { return t.has(key); });
   if (wanted.empty() && asks) return false;
   if (wanted.empty()) {
@@ -69,7 +70,7 @@ bool read_accuracy(TableReader& root, SceneSource& source, const std::string& pr
                             fmt::join(accuracy_keys(), ", ")));
     return false;
   }
-  // The kind of a scene is known only if the scene has no faults.
+  // The kind of a scene, which determines the table of prices, is known only if the scene has no faults.
   if (source.n_faults() > 0) return false;
   const ScenePrices found = prices_of(scene, prices);
   if (!found.table) {

@@ -6,10 +6,10 @@
 
 namespace floc {
 
-/// Reads the table [accuracy] of a scene: chooses numerical settings that keep the requested errors, and writes them
-/// into the scene and into its TOML tables. If the scene records that settings were chosen before, nothing is changed.
-/// Faults are recorded for numerical settings that the scene gives in addition to [accuracy], and for requested errors
-/// that no settings keep.
+/// Reads the table [accuracy] of a scene: chooses numerical settings whose errors are within the requested errors, and
+/// writes these settings into the scene and into its TOML tables. If the table records that settings have already been
+/// chosen, nothing is changed. Faults are recorded for numerical settings that the scene gives in addition to
+/// [accuracy], and for requested errors that are too small for all settings.
 /// @param prices  file of a table of prices, see read_scene()
 /// @return whether this call has chosen settings
 bool read_accuracy(TableReader& root, SceneSource& source, const std::string& prices, Scene& scene);

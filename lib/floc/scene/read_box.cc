@@ -104,7 +104,7 @@ void read_sides(TableReader& t, const Scene& scene, BoxOptions& box) {
   for (int a = 0; a < scene.dimension; ++a) box.sides[a] = sides[static_cast<std::size_t>(a)];
 }
 
-/// Reads the friction coefficient between grains and walls, and the pull-off force of grains from walls. They have no
+/// Reads the friction coefficient between grains and walls, and the pull-off force of grains from walls. Both have no
 /// default values, because they determine the result and publications often omit them.
 void read_contacts(TableReader& t, const Scene& scene, BoxOptions& box) {
   const NumberRule friction{not_negative,
@@ -121,7 +121,7 @@ void read_contacts(TableReader& t, const Scene& scene, BoxOptions& box) {
                 "box.adhesion: with contact.normal.law = \"{}\" grains adhere to walls with the same law as to "
                 "each other, so box.adhesion cannot be given; expected a periodic cell, or another contact law",
                 scene.law.normal_keyword()));
-  // Walls of rigid grains need no stiffness.
+  // If the grains are rigid, contacts with walls need no stiffness.
   if (box.friction > 0 && !scene.law.has_friction() && !scene.law.is_rigid())
     t.fault(
         "friction",
@@ -178,7 +178,7 @@ void read_boxed_gas(TableReader& assembly, Scene& scene) {
         "assembly.kinetic_pressure is not allowed here: the grains of the file assembly.state start at rest");
     return;
   }
-  // Above the largest accepted solid fraction, grains cannot be placed at random without overlap.
+  // At solid fractions above the accepted interval, grains cannot be placed at random without overlap.
   const bool plane = scene.dimension == 2;
   scene.assembly.solid_fraction =
       assembly

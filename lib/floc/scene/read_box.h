@@ -14,8 +14,8 @@ void read_boxed_gas(TableReader& assembly, Scene& scene);
 /// @pre the tables [assembly] and [grains] have been read
 void read_box(TableReader& root, Scene& scene);
 
-/// Reads the keys of the table [equilibrium] that define when the compaction of grains between walls ends. If the scene
-/// has no walls (no table [box]), a fault is recorded for each of these keys.
+/// Reads those keys of the table [equilibrium] that determine when the compaction of grains between walls ends. If the
+/// scene has no walls (no table [box]), a fault is recorded for each of these keys.
 void read_compaction_end(TableReader& equilibrium, Scene& scene);
 
 }  // namespace floc

@@ -92,8 +92,8 @@ void read_lognormal(TableReader& t, int dimension, DiameterDistribution& d) {
   d.sigma =
       t.number("sigma", {positive, "a positive number (standard deviation of the logarithm of the diameter)"})
           .value_or(0);
-  // [HC1929]: if the masses of grains are lognormal, so are their numbers,
-  // with the same sigma and a median that is smaller by the factor exp(-Dim sigma^2).
+  // [HC1929]: if the distribution of the mass over the diameters is lognormal, the distribution of the number of grains
+  // is lognormal as well. It has the same sigma, and its median is the median by mass times exp(-Dim sigma^2).
   const bool by_mass = t.choice("by", {"number", "mass"}, Need::optional) == 1;
   d.median = by_mass ? median * std::exp(-dimension * d.sigma * d.sigma) : median;
   // Smallest fraction of the complete lognormal distribution that must lie between min and max. With a smaller
@@ -128,7 +128,7 @@ DiameterDistribution read_diameters(TableReader t, SceneSource& source, const st
   if (!chosen) return d;
   d.kind = std::array{Kind::uniform,   Kind::constant,  Kind::bidisperse, Kind::list, Kind::power_law,
                       Kind::lognormal, Kind::power_law, Kind::power_law,  Kind::sieve}[*chosen];
-  // Three keywords select power laws: "power_law", and "uniform_by_volume" and "uniform_by_area", which fix the
+  // Three keywords select power laws: "power_law", "uniform_by_volume" and "uniform_by_area". The last two fix the
   // exponent.
   constexpr std::size_t kByVolume = 6, kByArea = 7;
   switch (d.kind) {
@@ -166,14 +166,15 @@ DiameterDistribution read_diameters(TableReader t, SceneSource& source, const st
       read_lognormal(t, dimension, d);
       break;
     case Kind::sieve:
-      // With quantiles at the ends, one grain of the largest size is always included, and it may hold much of the mass.
+      // With quantiles at the ends, one grain of the largest size is always included, and this grain may be much of the
+      // mass.
       d.quantiles = DiameterDistribution::Quantiles::middle;
       read_sieve(t, source, directory, units, d);
       break;
   }
   t.refuse_other_keys();
-  // Later checks read the ends of the distribution. A distribution with faults has no quantiles, so they are set to its
-  // ends.
+  // Later checks need the smallest and the largest diameter. A distribution with faults has no quantiles in the middle
+  // of equal fractions; with quantiles at the ends, these diameters are the ends of the distribution itself.
   if (source.n_faults() > n_faults) d.quantiles = DiameterDistribution::Quantiles::ends;
   return d;
 }

@@ -54,8 +54,7 @@ void read_contact_dynamics(TableReader& t, ContactDynamicsOptions& options) {
                                    Need::optional);
 }
 
-/// Key that is not allowed with one of the two methods, and the end of the message, which says what is expected
-/// instead.
+/// Key that is not allowed with one of the two methods, and the end of the message about this key: the expected input.
 struct KeyInPlace {
   const char* key;
   const char* expectation;
@@ -96,8 +95,8 @@ void refuse_smooth_dynamics(TableReader& root) {
   for (const KeyInPlace& k : kRefusedInEquilibrium) refuse(equilibrium, k);
 }
 
-/// Records a fault for each stage of the load path that imposes the lengths of all axes. Without an imposed stress, the
-/// forces of rigid grains have no scale.
+/// Records a fault for each stage of the load path that imposes the lengths of all axes. Without an imposed stress,
+/// nothing determines the magnitude of the forces between rigid grains.
 void check_stages(TableReader& root, const Scene& scene) {
   if (scene.load.empty()) return;
   std::vector<TableReader> stages = root.tables("load", "tables [[load]]");

@@ -6,7 +6,7 @@
 namespace floc {
 
 /// Reads the table [dynamics] of a scene: the method that moves the grains, and the settings of contact dynamics. The
-/// contacts determine the method: rigid contacts require contact dynamics, all others smooth dynamics.
+/// contacts determine the method: rigid contacts require contact dynamics, all other contacts require smooth dynamics.
 /// @pre the table [contact] has been read
 void read_dynamics(TableReader& root, const SceneSource& source, Scene& scene);
 

@@ -44,8 +44,9 @@ void refuse_keys_of_others(TableReader& t, const DeclaredSlot& slot, const Decla
                                     t.path_of(n.key), chosen.keyword, slot.key, n.key, other.keyword, n.key));
 }
 
-/// Returns the index of the model of a component of the contact law whose table has no key "law". This is the default
-/// model (or the default of the family of the normal law), unless the table has a number that only another model has.
+/// Returns the index of the model for a component of the contact law if the table of this component has no key "law".
+/// This is the default model (or the default of the family of the normal law). But if the table has a key that the
+/// default model does not have, it is the first model that has this key.
 /// @param law  contact law with the components that were read earlier
 std::size_t unnamed_model(const TableReader& t, const DeclaredSlot& slot, const LawParameters& law) {
   std::size_t meant = 0;
@@ -66,8 +67,8 @@ void read_slot(TableReader t, const DeclaredSlot& slot, LawParameters& law) {
   const auto chosen = t.choice("law", keywords, names_its_model(slot) ? Need::required : Need::optional);
   if (!chosen && (t.has("law") || (slot.models.size() > 1 && names_its_model(slot)))) return;
   const DeclaredModel& model = slot.models[chosen ? *chosen : unnamed_model(t, slot, law)];
-  // If the chosen model cannot be combined with the models of other components, this is the only fault reported: the
-  // numbers of the model are not checked.
+  // If the chosen model cannot be combined with the models of other components, no other fault of this component is
+  // reported: the numbers of the model are not checked.
   const bool goes_together = fits(model, law);
   model.choose(law);
   bool all_right = true;
@@ -96,7 +97,7 @@ Law read_law(TableReader& root, int dimension) {
   for (const DeclaredSlot& slot : declared_slots())
     read_slot(t.table(slot.key, expected_table(slot).c_str(), slot.optional ? Need::optional : Need::required),
               slot, law);
-  // Each number has been checked above. It remains to check whether the components can be combined with each other and
+  // Each number has been checked above. Here it is checked whether the components can be combined with each other and
   // with the dimension of the scene.
   for (const auto& faults : {law.faults_between_slots(), law.faults_in_dimension(dimension)})
     for (const LawFault& fault : faults) t.fault(fault.slot, fault.words);

@@ -7,7 +7,7 @@ namespace floc {
 
 /// Reads the contact law of a scene from its table [contact], in which each component of the law (normal, adhesion,
 /// friction, ...) has a table. The models of a component declare the keys of its table. For an invalid value a fault is
-/// recorded, and the returned law has a valid number instead.
+/// recorded, and the returned law has a valid number in its place.
 Law read_law(TableReader& root, int dimension);
 
 }  // namespace floc

@@ -41,7 +41,7 @@ std::vector<std::string> law_keys(LawParameters law) {
   return keys;
 }
 
-/// Applies the changes of the contact law that a stage makes (key "set" of the stage), and records faults in them.
+/// Applies the changes of the contact law in a stage (key "set" of the stage), and records faults in these changes.
 /// @param present  contact law before the stage, replaced by the law during the stage
 void apply_changes(TableReader& t, const LoadStage& stage, Law& present) {
   LawParameters law = present;
@@ -78,8 +78,8 @@ AxisLoad read_axis_load(TableReader& t, const char* stress_key, const char* of_s
   return {AxisLoad::stress, stress.value_or(0.0)};
 }
 
-/// Reads the loads that a stage imposes on the axes from its key "axes", for example `axes = [{stress = 2.0}, {strain =
-/// 0.1}, {as = 1}]`, where {as = 1} means the load of axis 1.
+/// Reads the key "axes" of a stage, which gives the load on each axis, for example `axes = [{stress = 2.0}, {strain =
+/// 0.1}, {as = 1}]`. Here {as = 1} means the load of axis 1.
 std::vector<AxisLoad> read_axes(TableReader& t, int dimension) {
   std::vector<AxisLoad> axes;
   const char* expectation =
@@ -161,8 +161,9 @@ void read_axes_of(TableReader& t, int dimension, LoadStage& stage) {
   stage.axes = read_test(t, stage.control, stage.axis, dimension);
 }
 
-/// Whether the key steps_per_decade determines the number of steps of a stage. It does if every imposed stress is
-/// positive at the end of the stage, and is known before the run and positive at the start of the stage.
+/// Whether the key steps_per_decade determines the number of steps of a stage. It does if the stage imposes a stress,
+/// if all imposed stresses are positive at the start and at the end of the stage, and if their values at the start are
+/// known before the run.
 /// @param from  stress on each axis at the start of the stage, as far as it is known before the run
 bool counts_in_decades(const KnownStress& from, const LoadStage& stage) {
   bool any = false;
@@ -191,8 +192,8 @@ void read_step_size(TableReader& t, const KnownStress& from, LoadStage& stage) {
         fmt::format("{} is not allowed here: the stage imposes no strain; expected steps or steps_per_decade",
                     t.path_of("strain_step")));
   if (strain_step && strain > 0.0) {
-    // The tolerance kRoundingPerStep prevents an additional step by rounding if the strain is a multiple of
-    // strain_step.
+    // If the strain is a multiple of strain_step, rounding could add a step. The tolerance kRoundingPerStep prevents
+    // this.
     const double n = std::ceil(strain / *strain_step - kRoundingPerStep);
     if (n > static_cast<double>(kMaxSteps))
       t.fault("strain_step",
@@ -233,9 +234,9 @@ void check_isotropic_steps(TableReader& t, const KnownStress& from, bool has_end
                                             t.path_of("steps_per_decade")));
 }
 
-/// Returns the name of a stage whose name the scene does not give. For an isotropic or oedometric stage it is "load",
-/// "unload" or "hold", if it is known before the run whether the load increases. Otherwise it is the control of the
-/// stage, for example "triaxial".
+/// Returns the name of a stage whose name the scene does not give. For an isotropic or oedometric stage, the name is
+/// "load", "unload" or "hold", provided it is known before the run whether the load increases. In all other cases it is
+/// the control of the stage, for example "triaxial".
 /// @param from  stress on each axis at the start of the stage, as far as it is known before the run
 std::string default_name(const KnownStress& from, const LoadStage& stage) {
   const std::size_t axis = static_cast<std::size_t>(stage.axis);
@@ -262,8 +263,8 @@ void check_volume(TableReader& t, const LoadStage& stage) {
                                 t.path_of("axes"), sum, kLargestStrain));
 }
 
-/// Checks that no axis keeps a stress of zero during a stage if the grains do not adhere, because nothing would hold
-/// them together. Stresses that are not known before the run are not checked.
+/// Checks that no axis keeps a stress of zero during a stage, unless the grains adhere. Without adhesion, nothing would
+/// hold the grains together. Stresses that are not known before the run are not checked.
 /// @param from  stress on each axis at the start of the stage, as far as it is known before the run
 void check_kept_stress(TableReader& t, const KnownStress& from, const LoadStage& stage, const Law& law) {
   if (law.adheres()) return;
@@ -277,7 +278,7 @@ void check_kept_stress(TableReader& t, const KnownStress& from, const LoadStage&
 }
 
 /// Checks a stage that ends at zero stress on an axis. The grains must adhere and must not be rigid, and the caps on
-/// the strain rate must allow the cell to move.
+/// the strain rate must allow a motion of the cell at zero pressure.
 /// @param has_end  whether the stage has a valid pressure "to"
 /// @param cell_cap  whether the table [cell] caps the inertial number; such a cap allows no motion at zero pressure
 void check_zero_stress(TableReader& t, const LoadStage& stage, bool has_end, const Law& law, bool cell_cap) {
@@ -310,8 +311,8 @@ void check_zero_stress(TableReader& t, const LoadStage& stage, bool has_end, con
                              t.path_of(key)));
 }
 
-/// Checks the loads that a stage imposes on the axes of a box with walls. A stress can be imposed only on an axis whose
-/// walls can move; the lengths of all other axes must stay constant.
+/// Checks the loads that a stage imposes on the axes of a box with walls. A stress can be imposed only on an axis with
+/// walls that can move; the lengths of all other axes must stay constant.
 void check_walls(TableReader& t, const BoxOptions& box, const LoadStage& stage) {
   const char* key = t.has("axes") ? "axes" : "control";
   for (std::size_t a = 0; a < stage.axes.size(); ++a) {
@@ -328,7 +329,7 @@ void check_walls(TableReader& t, const BoxOptions& box, const LoadStage& stage) 
   }
 }
 
-/// Reads the strain rate of a stage of rigid grains.
+/// Reads the key that gives the strain rate of a stage with rigid grains.
 void read_strain_rate(TableReader& t, const Law& law, LoadStage& stage) {
   constexpr const char* kKey = "inertial_number";
   if (!law.is_rigid())
@@ -367,8 +368,8 @@ LoadStage read_stage(TableReader t, const Scene& scene, const KnownStress& from,
                                 t.path_of(key)));
   } else {
     read_axes_of(t, dimension, stage);
-    // If all stresses in the key "axes" are equal, the stage is treated as isotropic, so that both notations give
-    // identical results.
+    // If the key "axes" gives equal stresses for all axes, the stage is treated as isotropic, so that both notations
+    // give identical results.
     if (stage.control == "axes" && !stage.axes.empty() && stage.axes[0].kind == AxisLoad::stress &&
         std::count(stage.axes.begin(), stage.axes.end(), stage.axes[0]) == dimension) {
       stage.to = stage.axes[0].end;

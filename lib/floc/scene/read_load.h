@@ -8,7 +8,7 @@ namespace floc {
 inline constexpr NumberRule kCellMass{
     positive, "a positive number (mass of the cell's sides divided by the mass of all grains)"};
 
-/// Condition that the factor by which springs are softened while grains rearrange must satisfy.
+/// Condition for the factor by which springs are softened while grains rearrange.
 inline constexpr NumberRule kSoftening{
     [](double x) { return x >= 1; },
     "a number >= 1 (factor by which the springs of contacts are softened while grains rearrange)"};
@@ -31,9 +31,9 @@ CellResponse read_rate_caps(TableReader& t);
 /// @param boxed  whether the scene has walls (table [box])
 CellResponse read_cell_response(TableReader& t, bool boxed);
 
-/// Reads the stages of the load path of a scene, its tables [[load]].
+/// Reads the tables [[load]] of a scene; each table is a stage of the load path.
 /// @param unsaid  default mass of the cell and default caps on its strain rate, for stages that do not give these
-/// values; without the values that the table [cell] gives
+/// values. A value is absent if the table [cell] gives it.
 /// @pre the tables [contact], [assembly] and [box] have been read
 void read_load(TableReader& root, const CellResponse& unsaid, Scene& scene);
 

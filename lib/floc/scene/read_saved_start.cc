@@ -17,8 +17,8 @@ namespace {
 
 using Need = TableReader::Need;
 
-/// Reads the packing from which a run starts, at the beginning of the run. The state file was first read with the
-/// scene.
+/// Reads the packing from which a run starts. This function is called at the beginning of the run; the state file has
+/// been read before, together with the scene.
 /// @param sha256  SHA-256 checksum that the file had when the scene was read
 /// @throws InputError if the file has changed since then
 std::variant<Packing<2>, Packing<3>> read_again(const std::string& file, const std::string& sha256) {
@@ -81,9 +81,9 @@ std::string refusal_of(const State<Dim>& state, const Scene& scene) {
   return "";
 }
 
-/// Returns the grains of a saved packing as a scene would describe them: their number, their sizes, and their density,
-/// which is computed from the heaviest grain.
-/// @param n_tiles  number of copies of the packing that the run starts from
+/// Describes the grains of a saved packing in the form in which a scene describes grains: number, sizes, and density.
+/// The density is computed from the heaviest grain.
+/// @param n_tiles  number of copies of the saved packing in the first packing of the run
 template <int Dim>
 GrainOptions grains_of(const Grains<Dim>& grains, int n_tiles) {
   GrainOptions out;
@@ -113,7 +113,7 @@ std::string start_description(const State<Dim>& state, const std::string& file, 
                        : "of the scene, in place of the contact law in the state file: " + law_text(law));
 }
 
-/// Sets the stresses at the beginning of the run to those of the state, if the scene gives no pressure.
+/// If the scene gives no pressure, the stresses at the beginning of the run are set to the stresses of the saved state.
 /// @param has_pressure  whether the scene gives a pressure
 template <int Dim>
 void keep_stress(TableReader& t, const State<Dim>& state, bool has_pressure, Scene& scene) {
@@ -135,7 +135,7 @@ void keep_stress(TableReader& t, const State<Dim>& state, bool has_pressure, Sce
       KeptStress{{stress.begin(), stress.end()}, state.path.turn.empty() ? Dim - 1 : state.path.turn.axis};
 }
 
-/// Completes a scene that starts from a saved state with its grains, its solid fraction, and a text that describes the
+/// Completes a scene that starts from a saved state: sets the grains, the solid fraction, and a text that describes the
 /// start.
 /// @param file  name of the state file
 template <int Dim>
@@ -164,8 +164,8 @@ void read_saved_start(TableReader& t, const std::string& directory, Scene& scene
       t.text("state_sha256", "the SHA-256 of the state file, which floc writes", Need::optional);
   SavedStart& start = scene.assembly.saved;
   start.copies = read_copies(t, scene.dimension);
-  // A placeholder for the pressure. If the state cannot be read, later checks would otherwise report a missing stress
-  // too.
+  // The pressure gets a placeholder. Without it, if the state cannot be read, later checks would also report a missing
+  // stress.
   const bool has_pressure = t.has("pressure");
   if (!has_pressure && !scene.assembly.box) scene.assembly.pressure = 1.0;
   if (!name) return;

@@ -41,8 +41,8 @@ constexpr bool is_gas_of_disks(double x) {
 constexpr bool is_gas_of_spheres(double x) {
   return x > 0 && x <= kDensestGasOfSpheres;
 }
-/// Whether a time step is stable: the explicit time integration is unstable from 0.4 sqrt(m_min/K_N) on (see
-/// RelaxationOptions::time_step).
+/// Whether a time step is stable: the explicit time integration is unstable for time steps of 0.4 sqrt(m_min/K_N) or
+/// more (see RelaxationOptions::time_step).
 /// @param x  time step in units of sqrt(m_min/K_N), with the mass m_min of the smallest grain and the normal stiffness
 /// K_N
 constexpr bool is_stable_step(double x) {
@@ -81,8 +81,8 @@ void read_grains(TableReader& root, SceneSource& source, const std::string& dire
 }
 
 /// Reads the table [cell] of a scene with a periodic cell.
-/// @return default mass of the cell and default caps on its strain rate on the load path, except the values that [cell]
-/// itself gives
+/// @return default mass of the cell and default caps on its strain rate on the load path, without the values that
+/// [cell] itself gives
 CellResponse read_cell(TableReader& root, Scene& scene) {
   const bool from_state = scene.starts_from_state();
   TableReader t = root.table("cell", "a table [cell]", from_state ? Need::optional : Need::required);
@@ -115,7 +115,7 @@ CellResponse read_cell(TableReader& root, Scene& scene) {
   return unsaid;
 }
 
-/// Whether a scene has walls: it has either a table [box] (walls) or a table [cell] (periodic cell).
+/// Whether a scene has walls. A scene has either a table [box] (walls) or a table [cell] (periodic cell).
 bool has_box(const TableReader& root) {
   return root.has("box");
 }
@@ -148,13 +148,13 @@ void read_assembly(TableReader& root, const std::string& directory, Scene& scene
     t.refuse("gas", "assembly.gas is not allowed here: the grains come from the file assembly.state");
   else if (const auto gas = t.choice("gas", {"equilibrated", "sequential_addition"}, Need::optional))
     scene.assembly.gas = std::array{GasKind::equilibrated, GasKind::sequential_addition}[*gas];
-  // In a scene with walls, the pressure on the walls (box.pressure) acts from the start, and keys about a periodic cell
-  // are not allowed.
+  // In a scene with walls, the pressure on the walls (box.pressure) acts from the start. Keys about a periodic cell are
+  // not allowed.
   const bool boxed = has_box(root);
   if (boxed) {
     read_boxed_gas(t, scene);
   } else {
-    // Without a pressure, a saved packing keeps the stresses that it bears.
+    // If no pressure is given, a saved packing keeps its stresses.
     scene.assembly.pressure =
         t.number("pressure",
                  {positive, "a positive number (first pressure of the packing, compression positive)"},
@@ -293,7 +293,7 @@ void check_consistency(TableReader& root, SceneSource& source, const Scene& scen
                fmt::format("{} is not allowed here: its unit 1/T0, with T0 = sqrt(a m/F0), requires a pull-off "
                            "force F0, but the grains do not adhere; expected inertial_number_cap",
                            t->path_of("strain_rate_cap")));
-  // For rigid grains, check_rigid() reports this protocol with another message.
+  // For rigid grains, check_rigid() reports the protocol "aggregation" with another message.
   if (scene.assembly.protocol != AssemblyOptions::Protocol::aggregation || scene.law.is_rigid()) return;
   if (!cohesive || (scene.law.has_adhesion() && scene.law.range() == 0))
     assembly.fault(
@@ -309,8 +309,8 @@ void check_consistency(TableReader& root, SceneSource& source, const Scene& scen
     assembly.fault("inertial_number_cap", fmt::format(kNothingMoves, "assembly.inertial_number_cap"));
 }
 
-/// Writes the content of the file of diameters or sieves into the TOML tables of a scene, in place of the name of the
-/// file. The text of the scene is then complete.
+/// Replaces the name of a file of diameters or sieves in the TOML tables of a scene by the content of this file.
+/// Afterwards, the text of the scene is complete.
 /// @param root  root table of the scene
 /// @return whether the scene names such a file
 bool inline_diameters(toml::table& root, const DiameterDistribution& d) {
@@ -324,7 +324,7 @@ bool inline_diameters(toml::table& root, const DiameterDistribution& d) {
   if (d.kind == DiameterDistribution::Kind::sieve) {
     insert("sizes", d.curve.sizes);
     insert("passing", d.curve.passing);
-    // The curve has already been multiplied by the scale and cut off at its ends.
+    // The sizes of the curve have already been multiplied by the scale, and the curve has been cut off at min and max.
     for (const char* key : {"scale", "min", "max"}) diameter->erase(key);
   } else {
     insert("values", d.values);
@@ -374,7 +374,7 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
   CellResponse unsaid;
   if (has_box(root)) {
     read_box(root, scene);
-    // Walls on rigid grains have a drag, as the sides of a periodic cell.
+    // A drag acts on walls around rigid grains, as on the sides of a periodic cell.
     if (scene.law.is_rigid()) scene.relaxation = default_cap(scene.law).applied_to(scene.relaxation);
     root.refuse(
         "cell",

@@ -106,7 +106,7 @@ FileShapeOptions read_file_options(TableReader& t, const std::string& directory)
 
 /// Records a fault for each key of grains.shape that the chosen kind does not have but another kind has.
 void refuse_keys_of_other_kinds(TableReader& t, const ShapeKind& chosen) {
-  // names of the kinds that have a key, as text; the map's key is the key of grains.shape
+  // for each key of grains.shape, the names of the kinds of shapes that have this key, as text
   std::map<std::string, std::string> kinds_with;
   for (const ShapeKind& other : shape_kinds())
     for (const std::string& key : other.keys) {
@@ -121,7 +121,7 @@ void refuse_keys_of_other_kinds(TableReader& t, const ShapeKind& chosen) {
                            t.path_of(key), chosen.name, key, kinds, key));
 }
 
-/// Returns the options of the chosen kind of shape.
+/// Reads the options of the chosen kind of shape and returns them.
 /// @param kind  index of the kind in shape_kinds()
 auto read_kind(TableReader& t, std::size_t kind, const std::string& directory) -> decltype(ShapeOptions::kind) {
   switch (kind) {

@@ -21,8 +21,8 @@ std::optional<ShapeOptions> read_shape(TableReader& grains, const SceneSource& s
 /// Returns the keyword that a scene gives for a kind of shape, for example "polygon".
 const char* shape_kind_name(const ShapeOptions& options);
 
-/// Draws the shapes of a scene. Records a fault if their options are not valid, or if a gas of such grains cannot have
-/// the solid fraction of the scene. Remarks about a file of shapes are added to the scene.
+/// Draws the shapes of a scene. Records a fault if the options of the shapes are not valid, or if a gas of these grains
+/// cannot have the solid fraction of the scene. Remarks about a file of shapes are added to the scene.
 /// @param root  reader of the root table of the scene
 /// @pre all other tables of the scene have been read
 void check_shapes(TableReader& root, const SceneSource& source, Scene& scene);

@@ -17,7 +17,7 @@ namespace {
 
 using Need = TableReader::Need;
 
-/// Rows of a sieve analysis as the user gives them, and their place for messages.
+/// Rows of a sieve analysis as the user gives them, and the place of these rows, for messages.
 struct Sieves {
   std::string place;
   std::vector<double> sizes;    ///< sizes of the openings (unit of the scene)
@@ -29,7 +29,7 @@ struct Sieves {
   }
 };
 
-/// Returns the factor that converts the column of sizes to the unit of length of the scene.
+/// Returns the factor by which the column of sizes is multiplied to obtain lengths in the unit of the scene.
 /// @param scaled  whether the key `scale` is given
 double length_factor(const CsvTable& table, const UnitColumn& column, const std::string& units, bool scaled) {
   const std::string place =
@@ -49,13 +49,14 @@ double percent_factor(const CsvTable& table, const UnitColumn& column) {
   const std::string& header = table.columns()[static_cast<std::size_t>(column.index)];
   if (!column.unit.empty())
     return 100.0 * share_of_one(fmt::format("{}, column {}", table.place(), header), column.unit);
-  // A unit such as [-] marks the numbers as fractions; a column without any unit is in percent.
+  // If the unit is [-] or another sign for pure numbers, the numbers of the column are fractions. A column without a
+  // unit contains percentages.
   const bool are_fractions =
       name_and_unit(header).first != header || states_no_unit(table.unit_cell(column.index));
   return are_fractions ? 100.0 : 1.0;
 }
 
-/// Returns the column that has one of the accepted names of `name`.
+/// Returns the column of the quantity `name`. Its header may be any accepted name of this quantity.
 /// @throws InputError that names the content of the missing column and the existing columns
 UnitColumn column_of(const NamedColumns& columns, const std::string& name, const char* content,
                      const char* names) {
@@ -161,8 +162,9 @@ std::optional<std::pair<std::string, std::string>> fault_of(const Sieves& s) {
   return std::nullopt;
 }
 
-/// Records a fault for each end of the curve that does not reach 0 or 100 % and is not cut off by the key min or max.
-/// @return whether there is such an end
+/// Records a fault if the curve does not begin at 0 % and is not cut off by the key min, and if it does not end at 100
+/// % and is not cut off by the key max.
+/// @return whether a fault was recorded
 bool has_open_end(const Sieves& s, bool has_min, bool has_max, SceneSource& source) {
   const std::size_t last = s.sizes.size() - 1;
   if (s.passing.front() > 0.0 && !has_min)
@@ -181,7 +183,8 @@ bool has_open_end(const Sieves& s, bool has_min, bool has_max, SceneSource& sour
   return (s.passing.front() > 0.0 && !has_min) || (s.passing.back() < 100.0 && !has_max);
 }
 
-/// Returns the ends of the range of sizes that contains mass: the last size with 0 % and the first size with 100 %.
+/// Returns the smallest and the largest size of the range that contains mass: the last size with 0 % and the first size
+/// with 100 %.
 std::pair<double, double> ends_of(const Sieves& s) {
   double low = s.sizes.front(), high = s.sizes.back();
   for (std::size_t k = 0; k < s.sizes.size(); ++k)
@@ -218,8 +221,8 @@ void read_sieve(TableReader& t, SceneSource& source, const std::string& director
   if (!(d.min < d.max) || passing_at(d.curve, d.min) >= passing_at(d.curve, d.max))
     return t.fault("min", fmt::format("no grains are between the sizes {:g} and {:g}: expected a wider range",
                                       d.min, d.max));
-  // A complete curve is left unchanged, bit by bit, so that a scene that contains the rows of the file gives the same
-  // grains.
+  // A complete curve is left unchanged to the last bit, so that a scene that contains the rows of the file gives the
+  // same grains.
   if (min || max) d.curve = cut_curve(d.curve, d.min, d.max);
 }
 

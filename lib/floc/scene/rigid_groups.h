@@ -4,8 +4,8 @@
 
 namespace floc {
 
-/// Adds numbers about the shapes of the grains: the number of shapes, the fraction of their circumscribed circles or
-/// spheres that the grains fill, and their aspect ratio.
+/// Adds numbers about the shapes of the grains: the number of shapes, the volume of the grains divided by the volume of
+/// their circumscribed circles or spheres, and the mean aspect ratio.
 /// @pre the scene gives shapes
 void add_shape_groups(const Scene& scene, std::vector<DerivedGroup>& groups);
 

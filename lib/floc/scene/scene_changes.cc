@@ -18,8 +18,8 @@ std::string below(const std::string& path, const std::string& key) {
   return path.empty() ? key : path + "." + key;
 }
 
-/// Adds all values in a TOML node to `values`, each with its key. The parts of a key are joined by dots, and tables in
-/// an array are numbered from 0, as in "load.0.to".
+/// Adds all values in a TOML node to `values`, each with its key. In a key, the names of nested tables are joined by
+/// dots, and the tables of an array are numbered from 0, as in "load.0.to".
 /// @param path  key of the node itself; empty for the root table
 void flatten(const toml::node& node, const std::string& path, Values& values) {
   if (const toml::table* table = node.as_table()) {

@@ -13,9 +13,9 @@ namespace floc {
 std::vector<std::string> scene_changes(const std::string& first, const std::string& here,
                                        const std::string& second, const std::string& there);
 
-/// Returns whether a scene continues the load path of another scene and is otherwise equal to it. It may have further
-/// stages, and its last common stage may have another end or number of steps (keys to, strain, stress and steps). It is
-/// not checked whether the steps of this stage are unchanged up to its former end.
+/// Returns whether a scene continues the load path of another scene and is otherwise equal to it. The longer scene may
+/// have additional stages. The last stage that both scenes have may differ in its end and in its number of steps (keys
+/// to, strain, stress and steps). It is not checked whether the steps of this stage are unchanged up to its former end.
 /// @param longer, begun  texts of the two scenes (TOML)
 /// @throws InputError if a text is not TOML
 bool continues_path(const std::string& longer, const std::string& begun);

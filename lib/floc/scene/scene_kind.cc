@@ -24,7 +24,8 @@ std::string grains_word(const Scene& scene) {
   return (flat ? "disks-" : "beads-") + law;
 }
 
-/// Returns the word that describes the cohesion of the grains in the name of the kind; empty if the name contains none.
+/// Returns the word that describes the cohesion of the grains in the name of the kind; empty if the name contains no
+/// such word.
 std::string cohesion_word(const Scene& scene) {
   const auto plan = plan_run(scene.assembly, scene.law, scene.load, scene.dimension);
   const auto on_path = [&](auto&& has) {

@@ -15,9 +15,9 @@
 namespace floc {
 namespace {
 
-/// Returns the stiffness number of a scene (largest diameter a, normal stiffness K_N, first pressure P): a K_N/F0 for
-/// cohesive grains with the pull-off force F0, (E~/P)^(2/3) for elastic spheres, otherwise K_N/P. Scenes with rigid
-/// contacts have none.
+/// Returns the stiffness number of a scene: a K_N/F0 for cohesive grains, (E~/P)^(2/3) for elastic spheres, otherwise
+/// K_N/P, with the largest diameter a, the normal stiffness K_N, the pull-off force F0, the first pressure P and E~ =
+/// E/(1 - nu^2). Scenes with rigid contacts have no stiffness number.
 std::optional<double> stiffness_number(const Scene& scene) {
   if (scene.law.is_rigid()) return std::nullopt;
   const double a = scene.grains.largest(), modulus = scene.law.contact_modulus(scene.dimension, a);
@@ -44,9 +44,9 @@ std::string errors_in(const PriceTable& table) {
   return table.is_shipped ? "table of errors shipped with floc" : table.name();
 }
 
-/// Whether the cell of a scene can be compared with the cell in tables of prices for its kind of scenes. It can for
-/// cohesive grains, whose tables are measured with the default cap on the strain rate. For grains without adhesion the
-/// default cap is on the inertial number, and its value differs between materials.
+/// Whether the cell of a scene can be compared with the cell in tables of prices for its kind of scenes. This is
+/// possible for cohesive grains, because their tables are measured with the default cap on the strain rate. For grains
+/// without adhesion the default cap is on the inertial number, and its value differs between materials.
 bool has_default_cells(const Scene& scene) {
   return default_cap(scene.law).strain_rate_cap.has_value();
 }

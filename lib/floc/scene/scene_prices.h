@@ -12,7 +12,7 @@ namespace floc {
 /// Table of prices that applies to a scene, or the reason why there is none.
 struct ScenePrices {
   std::optional<PriceTable> table;
-  /// Reason why no table applies, as text that begins with a property of the scene; empty if a table applies.
+  /// Reason why no table applies, as a text that begins with a property of the scene; empty if a table applies.
   std::string problem;
 };
 
@@ -22,9 +22,10 @@ struct ScenePrices {
 /// @throws InputError if there is no such file, or if the table is not valid
 ScenePrices prices_of(const Scene& scene, const std::string& file);
 
-/// Returns the mass of the cell and the cap on its strain rate in each part of a run, divided by the default values for
-/// cohesive grains: first in the assembly, then in each stage of the load path. The result is empty for scenes with
-/// walls, and for grains without adhesion, because their tables are not measured with the default cell.
+/// Returns the mass of the cell and the cap on its strain rate in each part of a run, each divided by the default value
+/// for cohesive grains: first in the assembly, then in each stage of the load path. The result is empty for scenes with
+/// walls and for grains without adhesion, because the tables of prices for these scenes are not measured with the
+/// default cell.
 std::vector<CellFactors> cells_of(const Scene& scene);
 
 }  // namespace floc

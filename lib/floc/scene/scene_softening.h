@@ -11,30 +11,34 @@
 /// collapse").
 namespace floc {
 
-/// Returns the largest factor by which springs may be softer in a step of a run. A step that imposes a strain allows
-/// none, because the stress then follows from the stiffness.
-/// @param pressure  largest pressure on the packing in this step, also at its start (stress unit of the scene)
+/// Returns the largest factor by which springs may be softer in a step of a run. For a step that imposes a strain the
+/// factor is 1, because the stress at this strain depends on the stiffness.
+/// @param pressure  largest pressure on the packing in this step, including the pressure at its start (stress unit of
+/// the scene)
 SofteningLimit softening_limit_of(const PlannedEquilibrium& step, const RunOptions& run, double pressure);
 
 /// Returns the largest stress that a step of a run imposes on an axis (stress unit of the scene).
 double largest_stress(const PlannedEquilibrium& step);
 
-/// Returns for each stage of the load path whether it imposes a strain, so that its springs cannot be softer.
+/// Returns, for each stage of the load path, whether it imposes a strain. The springs cannot be softened in such a
+/// stage.
 std::vector<bool> strained_stages(const RunOptions& run);
 
-/// Returns the factors of a run.
+/// Returns the factors by which springs are softened in a run; for the load path, the largest factor of all stages.
 Softening softening_of(const RunOptions& run);
 
 /// Returns the largest factors that give_softening() may give a run; 1 where springs cannot be softer.
 Softening largest_softening(const RunOptions& run);
 
-/// Gives all parts of a run new factors. Stages that impose a strain keep the springs of the contact law.
+/// Sets the factors by which springs are softened in all parts of a run. In stages that impose a strain, springs are
+/// not softened.
 void give_softening(const Softening& softening, RunOptions& run);
 
 /// Returns the numerical settings of a run, with its softening.
 NumericalSettings settings_of(const RunOptions& run);
 
-/// Gives a run numerical settings. Parts of the run keep their own softening if it is that of the settings as a whole.
+/// Sets the numerical settings of a run. The parts of the run keep their softening if softening_of() already equals the
+/// softening in the settings.
 void apply_settings(const NumericalSettings& settings, RunOptions& run);
 
 }  // namespace floc

@@ -95,8 +95,8 @@ void SceneSource::apply(const std::string& override_text) {
   if (!table) throw InputError(place, "the last part of the path must be the name of a key in a table");
   const toml::table value = parse_value(trimmed(override_text.substr(equals + 1)));
   value.get("v")->visit([&](const auto& v) { table->insert_or_assign(parts.back(), v); });
-  // If several overrides have the same key, the last one determines the value. It is stored first, because messages
-  // name the first stored override of a key.
+  // If several overrides have the same key, the last one determines the value. This override is stored before the
+  // others, because messages name the first stored override of a key.
   overrides_.insert(overrides_.begin(), {key, override_text});
 }
 
@@ -113,8 +113,7 @@ unsigned SceneSource::line_of(const std::string& key, const toml::node* node) co
 std::string SceneSource::place_of(const std::string& key, const toml::node* node) const {
   if (const Override* o = override_of(key)) return "--set " + o->text;
   if (const unsigned line = line_of(key, node)) return fmt::format("{}:{}", place_, line);
-  // If the key has no line in the file, its table was added by an override of a key in it. The message names this
-  // override.
+  // A table without a line in the file was added by an override of one of its keys. The message names this override.
   for (const Override& o : overrides_)
     if (is_below(o.key, key)) return "--set " + o.text;
   return place_;

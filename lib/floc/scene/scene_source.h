@@ -9,8 +9,9 @@
 
 namespace floc {
 
-/// Parsed text of a scene. It also holds the values that the user replaced (overrides, from the option "--set
-/// key=value"), and the faults that are found while the scene is read.
+/// Parsed text of a scene. It also contains the overrides and the faults of the scene. An override is a value by which
+/// the user replaces a value of the scene, with the option "--set key=value". The faults are found while the scene is
+/// read.
 class SceneSource {
  public:
   /// @param text  text of the scene (TOML)

@@ -23,8 +23,8 @@ using Warnings = std::vector<std::string>;
 /// Smallest net force on a grain that double precision can resolve, in units of the typical force F1. About four
 /// contact forces of a few F1 act on a grain, and their rounding errors add up.
 constexpr double kRounding = 1e-15;
-/// Kinetic energy of a grain that rounding errors maintain, in the unit of the tolerance equilibrium.energy. It
-/// corresponds to velocities of 1e-12 in the natural unit of velocity.
+/// Kinetic energy per grain that remains because of rounding errors, in the unit of the tolerance equilibrium.energy.
+/// It corresponds to velocities of 1e-12 in the natural unit of velocity.
 constexpr double kLeastEnergy = 1e-24;
 
 void warn_of_tolerances(const Scene& scene, Warnings& warnings) {
@@ -59,9 +59,10 @@ double largest_stress(const LoadStage& stage) {
   return largest;
 }
 
-/// Returns the ratio of the overlap of two grains of the largest diameter to their radius, under their adhesion and a
-/// multiple of the mean contact force. The mean force F is computed from the pressure P = z Phi F/(pi a^(d-1)) with the
-/// assumption z Phi = 4 (coordination number z, solid fraction Phi, largest diameter a, dimension d).
+/// Returns the overlap of two grains of the largest diameter, divided by their radius. The grains are pressed together
+/// by their adhesion and by a multiple of the mean contact force. The mean force F is computed from the pressure P = z
+/// Phi F/(pi a^(d-1)) with the assumption z Phi = 4 (coordination number z, solid fraction Phi, largest diameter a,
+/// dimension d).
 /// @param law  contact law
 /// @param pressure  pressure P
 /// @param times_mean  number by which the mean force is multiplied
@@ -84,7 +85,7 @@ double overlap_under(const Scene& scene, const Law& law, double pressure, double
 /// Warns if the grains are so soft that they overlap too far at a pressure of the load path. This happens, for example,
 /// if the stiffness is given in other units than the pressure.
 void warn_of_overlaps(const Scene& scene, Warnings& warnings) {
-  // a few percent of the contacts carry more than this multiple of the mean contact force
+  // in a few percent of the contacts, the force is larger than this number times the mean contact force
   constexpr double kLoaded = 3.0;
   if (!(scene.grains.largest() > 0.0)) return;
   Law law = scene.law, softest = law;
@@ -110,8 +111,8 @@ void warn_of_range(const Scene& scene, Warnings& warnings) {
                     scene.law.range(), radius));
 }
 
-/// Returns the largest water content during a run: that at the beginning, or a larger one that a stage of the load path
-/// sets.
+/// Returns the largest water content during a run. A stage of the load path may set a larger water content than that at
+/// the beginning.
 /// @param at_first  water content at the beginning
 double most_water(const Scene& scene, double at_first) {
   double most = at_first;
@@ -121,8 +122,8 @@ double most_water(const Scene& scene, double at_first) {
   return most;
 }
 
-/// Warns if the liquid between grains has effects that may surprise: if the grains are in fact dry, if liquid bridges
-/// merge, and if walls stay dry.
+/// Warns if the liquid between grains has effects that users may not expect: if the grains are in fact dry, if liquid
+/// bridges merge, and if walls stay dry.
 void warn_of_liquid(const Scene& scene, Warnings& warnings) {
   const auto& adhesion = scene.law.parameters().adhesion;
   if (!adhesion.holds<CapillaryAdhesion>()) return;
@@ -162,8 +163,8 @@ double time_unit(const Scene& scene, double pressure) {
   return F1 > 0.0 ? std::sqrt(a * m / F1) : 0.0;
 }
 
-/// Warns if the compression of a gas takes so long that the first step ends unfinished, at the time
-/// equilibrium.max_time, before the grains touch.
+/// Warns if the compression of a gas takes so long that the first step is given up, at the time equilibrium.max_time,
+/// before the grains touch.
 void warn_of_slow_compression(const Scene& scene, Warnings& warnings) {
   // Smallest solid fraction at which a gas compressed under pressure (protocol "direct") may come to rest, even if its
   // grains adhere.
@@ -199,17 +200,17 @@ double packed_side(const Scene& scene) {
   return std::pow(scene.grains.count * unit_volume / densest, 1.0 / scene.dimension);
 }
 
-/// Returns the ratio of the mass of the smallest grain to that of the largest grain.
+/// Returns the mass of the smallest grain, divided by the mass of the largest grain.
 double lightest(const Scene& scene) {
   return std::pow(scene.grains.smallest() / scene.grains.largest(), scene.dimension);
 }
 
-/// Warns if the cell is so light that the time step must be much smaller than for the grains alone: a cell that weighs
-/// less than a few grains vibrates faster than the grains (see cell_time_step_of()).
+/// Warns if the cell is so light that the time step must be much smaller than for the grains alone: a cell that is
+/// lighter than a few grains vibrates faster than the grains (see cell_time_step_of()).
 void warn_of_light_cell(const Scene& scene, Warnings& warnings) {
   // The implicit time steps of rigid grains are stable with cells of any mass.
   if (scene.assembly.box || scene.law.is_rigid()) return;
-  // smallest ratio of the time step to that which the grains alone allow, down to which there is no warning
+  // there is a warning if the time step, divided by the time step that the grains alone allow, is below this number
   constexpr double kSlow = 0.1;
   const double along = scene.dimension == 2 ? 1.5 : 2.0;
   const auto check = [&](const std::string& key, const CellResponse& cell) {
@@ -233,9 +234,9 @@ void warn_of_light_cell(const Scene& scene, Warnings& warnings) {
 /// too long for light walls.
 void warn_of_light_walls(const Scene& scene, Warnings& warnings) {
   if (!scene.assembly.box) return;
-  // About two thirds of the grains that fit side by side along a wall touch it. The motion of a wall diverges if dt w >
-  // 2, with the time step dt and the frequency w of the wall: w^2 = n K/M, for n touching grains, contact stiffness K
-  // and mass M of the wall.
+  // A wall is touched by about two thirds of the grains that fit side by side along it. The motion of the wall diverges
+  // if dt w > 2, with the time step dt and the frequency w of the wall: w^2 = n K/M, with the number n of touching
+  // grains, the contact stiffness K and the mass M of the wall.
   const double n_touching = 2.0 / 3.0 * std::pow(packed_side(scene), scene.dimension - 1);
   const double step = scene.relaxation.time_step * (scene.dimension == 2 ? 1.0 : 0.775);
   const double least = n_touching * lightest(scene) * std::pow(0.5 * step, 2);
@@ -251,7 +252,7 @@ void warn_of_light_walls(const Scene& scene, Warnings& warnings) {
 /// equilibria.
 void warn_of_stiff_contacts(const Scene& scene, Warnings& warnings) {
   // Largest number of time steps per unit of time sqrt(a m/F1) for which there is no warning: twice the largest number
-  // in scenes shipped with floc.
+  // in the scenes shipped with floc.
   constexpr double kMany = 3000.0;
   if (scene.law.force_exponent() == 1.0) return;
   const double pressure = scene.assembly.pressure;
@@ -291,14 +292,14 @@ void warn_of_largest_grain(const Scene& scene, Warnings& warnings) {
   if (1.0 / sum > kMuch)
     warnings.push_back(
         fmt::format("grains.diameter: the largest of the {} grains has {:.2g} % of their total {}, more than "
-                    "its size has in the distribution, because a grain of the largest diameter is always "
+                    "the distribution gives for this size, because a grain of the largest diameter is always "
                     "included; expected more grains, or grains.diameter.quantiles = \"middle\"",
                     scene.grains.count, 100.0 / sum, scene.dimension == 2 ? "area" : "volume"));
 }
 
-/// Warns if the volumes of the drawn grains differ from those of the size distribution. Quantiles in the middle of
-/// equal fractions of the number of grains may include no rare large grain, or one whose volume is too large a
-/// fraction.
+/// Warns if the volumes of the drawn grains differ from the volumes that the size distribution gives. Large grains may
+/// be rare. Quantiles in the middle of equal fractions of the number of grains may include no large grain, or one large
+/// grain whose fraction of the volume is too large.
 void warn_of_sizes(const Scene& scene, Warnings& warnings) {
   constexpr double kMuch = 0.02;
   if (scene.grains.diameter.quantiles != DiameterDistribution::Quantiles::middle || scene.grains.count < 1)
@@ -314,7 +315,7 @@ void warn_of_sizes(const Scene& scene, Warnings& warnings) {
     warnings.push_back(
         fmt::format("grains.diameter: of the {} grains, those with diameters up to {:.4g} have {:.3g} % of the "
                     "total {}, but the "
-                    "distribution gives {:.3g} %, because there are too few large grains; expected more "
+                    "size distribution gives {:.3g} %, because there are too few large grains; expected more "
                     "grains, or a larger "
                     "smallest diameter (grains.diameter.min)",
                     scene.grains.count, worst->to, 100.0 * worst->passing,

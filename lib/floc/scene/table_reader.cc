@@ -60,8 +60,8 @@ std::optional<std::int64_t> TableReader::integer(const std::string& key, Integer
   const std::int64_t value = node->is_integer() ? node->as_integer()->get() : 0;
   if (node->is_integer() && value >= rule.at_least && value <= rule.at_most) return value;
   const auto* number = node->as_floating_point();
-  // In TOML, 2 is a whole number and 2.0 is a real number. A real number is not accepted here, even if it has no
-  // fraction.
+  // In TOML, 2 is a whole number and 2.0 is a real number. A real number is not accepted here, even if it has a whole
+  // value, such as 2.0.
   if (number != nullptr && whole_number(number->get()))
     fault(key, fmt::format("{} = {:.1f}: expected {}, written without a decimal point", path_of(key),
                            number->get(), rule.expectation));

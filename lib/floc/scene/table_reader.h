@@ -50,30 +50,31 @@ class TableReader {
   std::optional<double> number(const std::string& key, NumberRule rule, Need need = Need::required);
   std::optional<std::int64_t> integer(const std::string& key, IntegerRule rule, Need need = Need::required);
   std::optional<std::string> text(const std::string& key, const char* expectation, Need need = Need::required);
-  /// Returns the index, in `choices`, of the keyword that is the value of a key.
+  /// Reads the value of a key, which has to be one of the keywords in `choices`, and returns the index of this keyword.
   /// @param choices  all keywords that the key accepts
   std::optional<std::size_t> choice(const std::string& key, const std::vector<std::string>& choices,
                                     Need need = Need::required);
   TableReader table(const std::string& key, const char* expectation, Need need = Need::required);
-  /// Returns one reader for each table in the array of tables that is the value of a key; the result is empty if the
+  /// Returns one reader for each table in an array of tables, which is the value of a key. The result is empty if the
   /// key is missing.
   std::vector<TableReader> tables(const std::string& key, const char* expectation);
-  /// Returns the numbers in the table that is the value of a key, each with its own key. The keys of numbers in inner
-  /// tables are written with dots, for example "adhesion.force".
+  /// Returns the numbers in a table, which is the value of a key; each number with its key in this table. The keys of
+  /// numbers in inner tables are written with dots, for example "adhesion.force".
   std::vector<std::pair<std::string, double>> flat_numbers(const std::string& key);
-  /// Returns the numbers in the array that is the value of a key: at least one number, and each number satisfies the
-  /// rule. The result is empty if the key is missing or its value is invalid.
+  /// Returns the numbers in an array, which is the value of a key. The array has to have at least one number, and each
+  /// number has to satisfy the rule. The result is empty if the key is missing or its value is invalid.
   std::vector<double> numbers(const std::string& key, NumberRule rule);
 
   /// Returns the smallest and the largest whole number of an interval. The value of the key is an array of these two
   /// numbers, or one whole number that is both ends of the interval.
   std::optional<std::pair<int, int>> whole_interval(const std::string& key, const char* expectation);
 
-  /// Returns the texts in the array that is the value of a key. The result is empty if the key is missing or its value
+  /// Returns the texts in an array, which is the value of a key. The result is empty if the key is missing or its value
   /// is invalid.
   std::vector<std::string> texts(const std::string& key, const char* expectation);
 
-  /// Records a fault at a key of this table, or, if the table does not have the key, at the table itself.
+  /// Records a fault at a key of this table. If the table does not have the key, the fault is recorded at the table
+  /// itself.
   void fault(const std::string& key, const std::string& problem);
 
   /// Records a fault if the table has a key that is allowed in other scenes but not in this one.

@@ -14,20 +14,20 @@ Packing<Dim> scaled_to(const Packing<Dim>& packing, double solid_fraction);
 /// Coordination numbers and pressure of a packing directly after affine scaling, before its grains move to a new
 /// equilibrium.
 struct AffinePrediction {
-  /// Coordination number of the grains, including rattlers, that overlap after all distances are scaled by a factor s.
-  /// It equals z_I(a/s - a), where z_I(h) is the coordination number of neighbours at gaps up to h in the given packing
-  /// and a is the diameter.
+  /// Coordination number, including rattlers, of pairs of grains that overlap after all distances are scaled by a
+  /// factor s. It equals z_I(a/s - a), where a is the diameter and z_I(h) is the coordination number of neighbours at
+  /// gaps up to h in the given packing.
   double z = 0.0;
   /// Coordination number like `z`, but with the rattlers (grains that carry no force) pushed against other grains
   /// before the scaling.
   double z_pushed = 0.0;
-  /// Mean normal stress (force/length^(Dim-1)) after all distances are scaled by a factor s: the sum of N(a - s r) s r
-  /// over the pairs of grains at distances s r below the diameter a, divided by Dim times the volume of the scaled
-  /// cell. N is the normal force that the contact law gives for an overlap.
+  /// Mean normal stress (force/length^(Dim-1)) after all distances r are scaled by a factor s. It is the sum of N(a - s
+  /// r) s r over the pairs of grains whose scaled distance s r is below the diameter a, divided by Dim times the volume
+  /// of the scaled cell. N(h) is the normal force that the contact law gives for the overlap h.
   double pressure = 0.0;
 };
 
-/// Packing whose coordination numbers and pressure at other solid fractions are predicted.
+/// A packing from which coordination numbers and pressure at other solid fractions are predicted.
 template <int Dim>
 class AffineReference {
  public:

@@ -13,20 +13,20 @@ struct AxialTest {
   double deviator = 0.0;
   /// Ratio K0: mean stress on the other axes divided by the stress on the driven axis.
   double lateral_ratio = 0.0;
-  /// Logarithmic volumetric strain since the state to which the strains given to measure_axial_test() refer.
+  /// Logarithmic volumetric strain from the reference state of the strains that are passed to measure_axial_test().
   double volumetric_strain = 0.0;
   /// Mobilised friction: (s1 - s2)/(s1 + s2) = q/(2 p) in 2D, q/p in 3D. Here s1 is the stress on the driven axis, s2
   /// the stress on the other axis, q the deviator and p the mean stress.
   double mobilised = 0.0;
-  /// Dilatancy -d eps_v/d eps_q since the previous equilibrium, with the volumetric strain eps_v. In 2D eps_q = eps_1 -
-  /// eps_2, in 3D 2/3 (eps_1 - eps_3): eps_1 is the strain of the driven axis, eps_2 the strain of the other axis and
-  /// eps_3 the mean strain of the other axes. Absent if eps_q does not change.
+  /// Dilatancy -d eps_v/d eps_q between the previous equilibrium and this one, with the volumetric strain eps_v. The
+  /// strain eps_q is eps_1 - eps_2 in 2D and 2/3 (eps_1 - eps_3) in 3D. Here eps_1 is the strain of the driven axis,
+  /// eps_2 the strain of the other axis, and eps_3 the mean strain of the other axes. Absent if eps_q does not change.
   std::optional<double> dilatancy;
 };
 
 /// Computes the stresses and strains of a mechanical test with one driven axis in one equilibrium.
 /// @param axis            index of the driven axis, from 0
-/// @param stress, strain  stress and logarithmic strain of each axis; the strain may refer to any reference state
+/// @param stress, strain  stress and logarithmic strain of each axis; the reference state of the strain is arbitrary
 /// @param strain_before   strain of the previous equilibrium, from the same reference state; null if there is none
 template <int Dim>
 AxialTest measure_axial_test(int axis, const Vec<Dim>& stress, const Vec<Dim>& strain,

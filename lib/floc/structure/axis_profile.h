@@ -8,7 +8,7 @@
 namespace floc {
 
 /// A slice of the cell between two planes, with the grains whose centres lie in the slice. The planes are parallel to
-/// all lattice vectors but one.
+/// all lattice vectors except one.
 struct ProfileSlice {
   /// Distances of the two planes of the slice from the origin or, between walls, from the lower wall (length).
   double low = 0.0, high = 0.0;
@@ -18,8 +18,8 @@ struct ProfileSlice {
   /// Stress along each axis (force/length^(d-1)), compression positive. Each contact contributes its force times the
   /// part of its branch vector that lies in the slice; the sum is divided by the volume of the slice.
   std::vector<double> stress;
-  /// Mean, over the grains of the slice, of each array of values given to axis_profile(); NaN if the slice has no
-  /// grains.
+  /// For each array of values passed to axis_profile(): mean of the values over the grains of the slice; NaN if the
+  /// slice has no grains.
   std::vector<double> mean;
 };
 

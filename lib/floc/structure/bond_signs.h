@@ -10,8 +10,8 @@ namespace floc {
 struct BondSigns {
   int n_bonds = 0;
   double z = 0.0;
-  double z_plus = 0.0;   ///< coordination number of bonds in compression, without those near zero
-  double z_minus = 0.0;  ///< coordination number of bonds in tension, without those near zero
+  double z_plus = 0.0;   ///< coordination number of bonds in compression, without bonds near zero
+  double z_minus = 0.0;  ///< coordination number of bonds in tension, without bonds near zero
   double z_near = 0.0;   ///< coordination number of bonds with |F_N| < `near`
   /// Share of bonds in tension among the bonds that are not near zero; 0 if there are no such bonds.
   double minus_share = 0.0;
@@ -24,18 +24,19 @@ template <int Dim>
 BondSigns bond_signs(const Packing<Dim>& packing, double near);
 
 /// Returns the tensile strength of a packing (stress): the tension at which it would break if every bond carried its
-/// pull-off force F0 at once. With the coordination number z, the solid fraction Phi and the diameter d it is
+/// pull-off force F0 at once. With the coordination number z, the solid fraction Phi and the diameter d, this strength
+/// is
 ///
 ///   z Phi F0/(pi d^(Dim-1)),
 ///
-/// which is the virial stress of equal grains that touch. It is exact for a crystal. Rumpf's estimate of the tensile
-/// strength takes z = pi/(1 - Phi).
+/// which is the virial stress of equal grains that touch. The formula is exact for a crystal. With z = pi/(1 - Phi), it
+/// becomes Rumpf's estimate of the tensile strength.
 /// @param F0  pull-off force (force)
 /// @param d   diameter (length)
 double virial_strength(int dimension, double z, double solid_fraction, double F0, double d);
 
-/// Returns Rumpf's estimate of the tensile strength (stress), Phi/(1 - Phi) F0/d^(Dim-1) with the solid fraction Phi:
-/// virial_strength() with the coordination number pi/(1 - Phi).
+/// Returns Rumpf's estimate of the tensile strength (stress), Phi/(1 - Phi) F0/d^(Dim-1), where Phi is the solid
+/// fraction. It equals virial_strength() for the coordination number pi/(1 - Phi).
 /// @param F0  pull-off force (force)
 /// @param d   diameter (length)
 double rumpf_strength(int dimension, double solid_fraction, double F0, double d);

@@ -29,9 +29,9 @@ double reduced_moment(const Packing<Dim>& packing, const CarryingStructure& carr
   return sum / static_cast<double>(carrying.contacts.size());
 }
 
-/// Returns the fabric tensor of the strong contacts (with `strong`; elastic normal force above the mean) or of the weak
-/// contacts: the sum of n n - 1/Dim over these contacts, with n the normal, divided by the number of all force-carrying
-/// contacts.
+/// Returns the fabric tensor of the strong contacts if `strong` is true, otherwise of the weak contacts. A contact is
+/// strong if its elastic normal force is above the mean. The tensor is the sum of n n - 1/Dim over these contacts (n:
+/// normal), divided by the number of all force-carrying contacts.
 template <int Dim>
 Mat<Dim> fabric_of(const Packing<Dim>& packing, const CarryingStructure& carrying, double mean, bool strong) {
   Mat<Dim> sum = Mat<Dim>::Zero();

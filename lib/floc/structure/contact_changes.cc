@@ -12,8 +12,8 @@
 namespace floc {
 namespace {
 
-/// Largest relative difference between the radii of a grain in two files that may result from rounding of the numbers
-/// in the files.
+/// Largest relative difference between the radii of a grain in two files that counts as rounding of the numbers in the
+/// files.
 constexpr double kSameRadius = 1e-9;
 
 /// Returns the integer matrix M that expresses the lattice vectors of the later state (rows of `later`) by those of the
@@ -44,9 +44,10 @@ Vec<Dim> circular_mean(const std::vector<Vec<Dim>>& displacement) {
   return mean;
 }
 
-/// Identity of a contact and its index in the contact list. The identity consists of the two grains in canonical order,
-/// the periodic image in the lattice of the state before, and the key, which distinguishes several contacts of one pair
-/// of grains. The key of grains with corners is 0, because it names features that change while the pair stays in contact.
+/// Identity of a contact, and index of the contact in the contact list. The identity consists of the two grains in
+/// canonical order, the periodic image in the lattice of the state before, and a key that distinguishes several
+/// contacts of one pair of grains. For grains with corners the key is set to 0, because their keys denote corners,
+/// edges or faces, which change while the pair remains in contact.
 template <int Dim>
 struct Named {
   Contact<Dim> name;
@@ -141,7 +142,7 @@ std::string incomparable(const Packing<Dim>& before, const Packing<Dim>& after) 
   if (before.grains.are_round() != after.grains.are_round())
     return "the grains have corners in one of the states only: both must be states of the same grains";
   if (!is_lattice_choice<Dim>(lattice_choice(before.cell, after.cell)))
-    return "the two cells do not correspond: no strain and choice of lattice vectors turns one into "
+    return "the two cells do not correspond: no strain, with any choice of lattice vectors, turns one into "
            "the other";
   return {};
 }
@@ -155,9 +156,10 @@ ContactChanges<Dim> contact_changes(const Packing<Dim>& before, const Packing<Di
   out.cell_after = choice.inverse() * after.cell.matrix;
   out.deformation = out.cell_after.transpose() * before.cell.matrix.transpose().inverse();
 
-  // Displacements are computed in reduced coordinates, where the affine part is zero. Before they are rounded to the
-  // nearest periodic image, their circular mean is subtracted, which does not depend on the images of the grains.
-  // Otherwise the rounding would separate grains that moved together by half a cell.
+  // Displacements are computed in reduced coordinates, where the affine part is zero. The circular mean of the
+  // displacements, which does not depend on the images of the grains, is subtracted before the displacements are
+  // rounded to the nearest periodic image. Otherwise the rounding would separate grains that moved together by half a
+  // cell.
   const int n = before.grains.size();
   const Mat<Dim> to_reduced = out.cell_after.transpose().inverse();
   std::vector<Vec<Dim>> moved(n);
@@ -175,8 +177,8 @@ ContactChanges<Dim> contact_changes(const Packing<Dim>& before, const Packing<Di
   }
   for (int i = 0; i < n; ++i) out.displacement.push_back(out.cell_after.transpose() * (moved[i] - mean));
 
-  // Contacts are identified by their periodic image in the lattice of `before`. Another choice of lattice vectors, or a
-  // grain that crosses the border of the cell, changes the image of a contact but not the contact.
+  // Contacts are identified by their periodic image in the lattice of `before`. If other lattice vectors are chosen, or
+  // if a grain crosses the border of the cell, the image of a contact changes, but the contact remains the same.
   const auto old_names = named<Dim>(before, [](const Contact<Dim>& c) { return c.image; });
   const auto new_names = named<Dim>(after, [&](const Contact<Dim>& c) -> Vec<Dim, int> {
     return images * c.image + out.wrapped[c.j] - out.wrapped[c.i];

@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// A contact that exists in two states: its index in the contact list of the state before, and its index in that of the
-/// state after.
+/// A contact that exists in two states: its index in the contact list of the state before, and its index in the contact
+/// list of the state after.
 struct KeptContact {
   int before;
   int after;
@@ -27,8 +27,8 @@ struct ContactChanges {
   Mat<Dim> deformation = Mat<Dim>::Identity();
   /// Displacement of each grain minus its affine part and minus the mean displacement of all grains (length).
   std::vector<Vec<Dim>> displacement;
-  /// Numbers of lattice vectors by which each grain was moved back into the cell. The position after is deformation *
-  /// (position before) + displacement + (mean displacement) + wrapped * cell_after.
+  /// Numbers of lattice vectors by which each grain was moved back into the cell. The position in the state after is
+  /// deformation * (position before) + displacement + (mean displacement) + wrapped * cell_after.
   std::vector<Vec<Dim, int>> wrapped;
   /// Lattice vectors of the later state, one per row, chosen so that each corresponds to a lattice vector of the
   /// earlier state.
@@ -46,9 +46,10 @@ template <int Dim>
 std::string incomparable(const Packing<Dim>& before, const Packing<Dim>& after);
 
 /// Compares two states of a packing. Grains are identified by their index, contacts by their two grains, periodic image
-/// and key. The contact points of two grains with corners count as one contact, with the index of the first. Displacements are taken to the nearest periodic image in reduced coordinates, so that each grain must move
-/// by less than half the cell relative to the mean displacement. A common translation or another choice of lattice
-/// vectors does not change the result.
+/// and key. All contact points of two grains with corners count as one contact, with the index of the first point. The
+/// displacement of a grain leads to its nearest periodic image in reduced coordinates; each grain must therefore move
+/// by less than half the cell relative to the mean displacement. A common translation of all grains, or another choice
+/// of lattice vectors, does not change the result.
 /// @pre incomparable(before, after) is empty
 template <int Dim>
 ContactChanges<Dim> contact_changes(const Packing<Dim>& before, const Packing<Dim>& after);

@@ -12,7 +12,7 @@ struct ContactDirections {
   int n_bins = 0;  ///< number of bins of equal width from 0 to pi
   /// Probability density in each bin (1/radian): 1/pi in all bins if the directions are isotropic.
   std::vector<double> all;
-  std::vector<double> strong;  ///< part of `all` that contacts with a normal force above the mean contribute
+  std::vector<double> strong;  ///< part of `all` due to contacts whose normal force is above the mean
   int n_contacts = 0;
 };
 

@@ -30,8 +30,8 @@ Coordination coordination(const Packing<Dim>& packing, double zero_force) {
   require_in_range("zero_force", zero_force, kNotNegativeNumber);
   Coordination result;
   int positive = 0, negative = 0;
-  // The coordination number z counts grains that touch, not attractions across a gap, unlike [GRC2008]
-  // (docs/physics.md, "Coordination and rattlers"). Contacts with walls count only in the search for rattlers.
+  // The coordination number z counts grains that touch. In contrast to [GRC2008], it does not count attractions across
+  // a gap (docs/physics.md, "Coordination and rattlers"). Contacts with walls count only in the search for rattlers.
   for (const Contact<Dim>& c : packing.contacts) {
     if (packing.is_wall(c.j)) continue;
     if (c.distant) {

@@ -22,7 +22,7 @@ struct Coordination {
   /// Coordination number without rattlers: twice the number of contacts between grains that are not rattlers, divided
   /// by the number of these grains.
   double z_star = 0.0;
-  double x22 = 0.0;  ///< share of the contacts whose two grains have two contacts each
+  double x22 = 0.0;  ///< share of contacts between two grains that have exactly two contacts each
 };
 
 /// Counts the contacts of a packing.

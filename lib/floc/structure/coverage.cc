@@ -97,7 +97,7 @@ class Painter {
   Vec<2> edge1_, edge2_;
   double area_;
   double circumradius_;
-  Vec<2> reach_;  // for each lattice vector: largest number of mesh cells along it that a unit length spans
+  Vec<2> reach_;  // for each lattice vector: largest number of mesh cells, counted along it, per unit length
   std::array<Vec<2>, 4> corners_;
 };
 

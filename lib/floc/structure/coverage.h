@@ -7,8 +7,9 @@
 
 namespace floc {
 
-/// Map of the share of each mesh cell that grains cover. Mesh cells are parallelograms whose sides are the
-/// lattice vectors divided by `size`. The value of mesh cell (k1, k2) is at index k1 * size[1] + k2.
+/// Map of the covered share of each mesh cell, that is, the share of its area inside grains. Mesh cells are
+/// parallelograms whose sides are the lattice vectors divided by `size`. The value of mesh cell (k1, k2) is at index k1
+/// * size[1] + k2.
 struct CoverageMap {
   Vec<2, int> size = Vec<2, int>::Zero();  ///< number of mesh cells along each lattice vector
   std::vector<double> share;               ///< solid fraction of each mesh cell; overlaps count twice
@@ -20,12 +21,12 @@ struct CoverageMap {
 /// @param corners  corners of the polygon, counter-clockwise (length); clockwise corners give the negative area
 double disk_polygon_overlap(double R, const std::vector<Vec<2>>& corners);
 
-/// Range of the number of mesh cells of a map along a lattice vector, and of their total number.
+/// Allowed number of mesh cells of a map along one lattice vector, and allowed total number of mesh cells.
 inline constexpr WholeRange kMapSide{.least = 1, .most = 10000};
 inline constexpr WholeRange kMapCells{.least = 1, .most = 10000000};
 
-/// Computes a map of the solid fraction. The map is exact in every mesh cell, because the areas shared with disks are
-/// computed in closed form. Its mean is the solid fraction of the packing.
+/// Computes a map of the solid fraction. The map is exact in every mesh cell, because the area shared by a disk and a
+/// mesh cell is computed in closed form. The mean of the map is the solid fraction of the packing.
 /// @param size  number of mesh cells along each lattice vector, >= 1
 /// @throws InputError if a number is less than 1
 CoverageMap coverage_map(const Packing<2>& packing, const Vec<2, int>& size);

@@ -7,12 +7,12 @@
 
 namespace floc {
 
-/// Returns the elastic energy of the contacts of a packing per grain (energy); 0 without grains.
+/// Returns the elastic energy of all contacts of a packing, divided by the number of grains (energy); 0 without grains.
 template <int Dim>
 double elastic_energy_per_grain(const Packing<Dim>& packing);
 
-/// Returns the largest pressure in a Hertz contact of two spheres, 3 N/(2 pi R* h) (force/length^2). It acts in the
-/// middle of the contact area, a disk of radius sqrt(R* h).
+/// Returns the largest pressure in a Hertz contact of two spheres, 3 N/(2 pi R* h) (force/length^2). This pressure acts
+/// in the middle of the contact area, which is a disk of radius sqrt(R* h).
 /// @param N  elastic normal force
 /// @param h  overlap (length), > 0
 /// @param R  reduced radius R* with 1/R* = 1/Ri + 1/Rj for spheres of radii Ri and Rj (length), > 0

@@ -30,7 +30,7 @@ double kinetic_energy_of(const Packing<Dim>& packing) {
   return mean_kinetic_energy(packing) * packing.grains.size();
 }
 
-/// Returns the sum over the grains of m v v, with mass m and velocity v.
+/// Returns the sum of the tensors m v v over the grains, where m is the mass and v the velocity of a grain.
 template <int Dim>
 Mat<Dim> momentum_flux(const Grains<Dim>& g) {
   Mat<Dim> sum = Mat<Dim>::Zero();
@@ -70,8 +70,8 @@ struct StepMotion {
     }
   }
 
-  /// Returns a tangential force of the contact, transported from the frame at the beginning of the step to the
-  /// frame at its end.
+  /// Transports a tangential force of the contact from the frame at the beginning of the step to the frame at the end
+  /// of the step.
   Shear<Dim> carried(const Shear<Dim>& force) const {
     return transport<double>(force, normal_before, normal, twist);
   }
@@ -100,8 +100,8 @@ void add_spring_losses(const Contact<Dim>& before, const Contact<Dim>& after, co
                    0.5 * (start - scaled).dot(motion.slip);
   terms.sliding += spring_loss<Shear<Dim>>(scaled, after.kt, to_shear<double>(motion.normal, after.shear_force),
                                            after.kt, motion.slip);
-  // The contact stores the moments on grain i. Here their signs are changed, because the moments on grain j have the
-  // sign of the rotation of i relative to j.
+  // The contact stores the moments on grain i. Here the signs of the moments are changed, because a positive rotation
+  // of i relative to j causes positive moments on grain j.
   terms.sliding += spring_loss<RotationVector<Dim>>(motion.carried(-before.rolling_moment), before.kr,
                                                     -after.rolling_moment, after.kr, motion.rolling);
   terms.sliding += spring_loss<Vec<1>>(Vec<1>(-before.twisting_moment), before.ktw,
@@ -133,9 +133,9 @@ double attraction_energy(const Law& law, const Packing<Dim>& packing, const Cont
                                                 acting_parameters(law, packing.grains, c));
 }
 
-/// Returns the change of the elastic energy due to changes of the volumes of liquid bridges in a step, with the grains
-/// at their positions at the end of the step. Volumes change when liquid is distributed anew, flows into new bridges,
-/// or leaves bridges that are no longer in the contact list.
+/// Returns the change of the elastic energy due to changes of the volumes of liquid bridges in a step. It is computed
+/// with the positions of the grains at the end of the step. Volumes change when liquid is distributed anew, flows into
+/// new bridges, or leaves bridges that are no longer in the contact list.
 template <int Dim>
 double energy_of_liquid(const Packing<Dim>& before, const Packing<Dim>& after,
                         const ContactChanges<Dim>& changes) {
@@ -215,20 +215,20 @@ class Step {
     viscous_virial_ += force * motion.normal * motion.branch.transpose();
   }
 
-  /// Returns the energy that the normal component of the contact law stores in a contact; 0 for a contact that does not
-  /// exist yet or any more.
+  /// Returns the energy that is stored in a contact by the normal component of the contact law; 0 for a contact that
+  /// does not exist yet or no longer exists.
   static double normal_energy(const Packing<Dim>& packing, const Contact<Dim>& c) {
     if (c.normal.isZero(0.0)) return 0.0;
     const ContactEnergy energy = contact_energy(packing, c);
     return packing.law.adheres_by_itself() ? energy.normal + energy.attraction : energy.normal;
   }
-  /// Returns the normal force that does the work stored as normal_energy() (force).
+  /// Returns the normal force (force) whose work is stored as normal_energy().
   double force_of_normal_law(const Contact<Dim>& c) const {
     return after_.law.adheres_by_itself() ? c.normal_force : c.elastic_force;
   }
 
-  /// Returns a contact at the end of the step, with the periodic image that it had at the beginning. The image changes
-  /// if a grain is moved back into the cell.
+  /// Returns a contact at the end of the step, but with the periodic image from the beginning of the step. The image
+  /// changes during the step if a grain is moved back into the cell.
   Contact<Dim> named_as_before(Contact<Dim> after) const {
     after.image += changes_.wrapped[after.j] - changes_.wrapped[after.i];
     return after;
@@ -273,8 +273,8 @@ void EnergyAccount<Dim>::advance(const Packing<Dim>& now, double time_step) {
   Step<Dim>(previous_, now, time_step).add_to(terms_);
   terms_.elastic = elastic_energy_of(now);
   terms_.kinetic = kinetic_energy_of(now);
-  // If all velocities have been set to zero, the energy removed is the change of the error of the energy balance in
-  // this step.
+  // If all velocities have been set to zero, the change of the error of the energy balance in this step is the energy
+  // that was removed.
   if (terms_.kinetic == 0.0 && kinetic_before > 0.0) terms_.removed += terms_.error() - error_before;
   previous_ = now;
 }
@@ -282,8 +282,8 @@ void EnergyAccount<Dim>::advance(const Packing<Dim>& now, double time_step) {
 template <int Dim>
 void EnergyAccount<Dim>::change_law(const Law& law) {
   previous_.law = law;
-  // When the contact law changes, springs keep their forces. Pairs that interact only by the new law are added to the
-  // contact list.
+  // If the contact law changes, the forces of the springs remain the same. Pairs that interact only in the new law are
+  // added to the contact list.
   const std::vector<Contact<Dim>> added = unlisted_pairs(previous_, interacting_pairs(previous_));
   previous_.contacts.insert(previous_.contacts.end(), added.begin(), added.end());
   std::sort(previous_.contacts.begin(), previous_.contacts.end(), precedes<Contact<Dim>>);

@@ -4,15 +4,16 @@
 
 namespace floc {
 
-/// Terms of the energy balance of a packing in motion (energy). `elastic` and `kinetic` are present values,
-/// `initial` is the value at the beginning, and all others are sums since the beginning.
+/// Terms of the energy balance of a packing in motion (energy). `elastic` and `kinetic` are values at the present time,
+/// `initial` is the energy at the beginning, and all other terms are sums since the beginning.
 struct EnergyTerms {
   double work = 0.0;     ///< work of the boundary on the packing
   double elastic = 0.0;  ///< energy stored in contacts, including the energy of attraction
   /// Kinetic energy of the grains, from their velocities relative to the deforming cell and from their spins.
   double kinetic = 0.0;
   double viscous = 0.0;  ///< energy dissipated by dashpots
-  /// Energy dissipated by the springs of friction, rolling and twisting whose forces are at their limits.
+  /// Energy dissipated by the springs of friction, rolling and twisting while their forces or moments are at their
+  /// limits.
   double sliding = 0.0;
   double scaling = 0.0;  ///< energy dissipated by tangential forces whose stiffness falls with the normal load
   double removed = 0.0;  ///< energy removed by setting all velocities to zero
@@ -22,7 +23,8 @@ struct EnergyTerms {
   double liquid = 0.0;
   /// Energy added by changes of the contact law: change of the elastic energy at fixed positions.
   double law = 0.0;
-  /// Energy dissipated by normal forces whose contact law returns less energy on unloading than loading has stored.
+  /// Energy dissipated by normal forces, if the contact law returns less energy during unloading than was stored during
+  /// loading.
   double hysteresis = 0.0;
 
   /// Returns the error of the energy balance: the energy added minus the energy stored, dissipated and removed.
@@ -32,10 +34,10 @@ struct EnergyTerms {
   }
 };
 
-/// Keeps the energy balance of a moving packing from its states after each time step: work + liquid + law = change of
-/// elastic + change of kinetic + viscous + sliding + scaling + hysteresis + removed, with the members of EnergyTerms.
-/// The error of the balance vanishes with the time step: to first order if there are dashpots, limits of forces or
-/// liquid, otherwise to second order.
+/// Computes the energy balance of a moving packing from the states after each time step: work + liquid + law = change
+/// of elastic + change of kinetic + viscous + sliding + scaling + hysteresis + removed, with the members of
+/// EnergyTerms. The error of the balance vanishes with the time step: to first order if there are dashpots, limits of
+/// forces or liquid, otherwise to second order.
 template <int Dim>
 class EnergyAccount {
  public:
@@ -46,12 +48,13 @@ class EnergyAccount {
   /// @param now  the packing after the step, with its contacts and forces
   void advance(const Packing<Dim>& now, double time_step);
 
-  /// Replaces the contact law of the present packing, for a step of the load path that has another law. Tangential and
-  /// rolling springs keep their forces, normal forces are computed by the new law, and the liquid is distributed anew.
+  /// Replaces the contact law of the present packing, for a step of the load path that has another law. The forces of
+  /// tangential springs and the moments of rolling springs remain the same, normal forces are computed by the new law,
+  /// and the liquid is distributed anew.
   void change_law(const Law& law);
   const Law& law() const { return previous_.law; }
 
-  /// Continues from the terms of an energy balance that has been kept up to the present packing.
+  /// Continues from the terms of an energy balance that has been computed up to the present packing.
   void continue_from(const EnergyTerms& terms) { terms_ = terms; }
 
   const EnergyTerms& terms() const { return terms_; }

@@ -15,7 +15,7 @@
 namespace floc {
 namespace {
 
-/// Largest share of the largest force in the packing that counts as zero, because such a force may be a rounding error.
+/// Forces up to this share of the largest force in the packing count as zero, because they may be rounding errors.
 constexpr double kRoundedForce = 1e-12;
 /// A pressure counts as zero if it is at most this share of the pressure that the contact forces would cause if all
 /// were compressive.

@@ -9,7 +9,7 @@
 namespace floc {
 
 enum class ForceKind {
-  normal,      ///< static normal force, with its sign, of every interaction, including attraction across a gap
+  normal,      ///< signed static normal force of every interaction, including attraction across a gap
   tangential,  ///< magnitude of the tangential force of contacts that touch
   rolling,     ///< magnitude of the rolling moment of contacts that touch
 };
@@ -32,13 +32,13 @@ std::vector<double> contact_forces(const Packing<Dim>& packing, ForceKind kind);
 /// Largest number of bins of a histogram on either side of zero.
 inline constexpr int kMaxBins = 100000;
 
-/// Histogram of contact forces f, or of any values, divided by `unit`. Bin b = 0, 1, ... counts the values of f/unit in
-/// [first + b, first + b + 1) * width.
+/// Histogram of contact forces, or of any other values f, divided by `unit`. Bin b = 0, 1, ... counts the values of
+/// f/unit in [first + b, first + b + 1) * width.
 struct ForceDistribution {
   /// Unit of f (force, or force * length); 0 if the unit does not exist, such as the pull-off force without adhesion.
   double unit = 0.0;
   double width = 0.0;  ///< width of a bin, in `unit`
-  /// lower edge of the first bin divided by `width`: a whole number, so no bin contains values of both signs
+  /// lower edge of the first bin divided by `width`: a whole number, so that no bin contains values of both signs
   int first = 0;
   std::vector<std::int64_t> counts;
   std::int64_t n = 0;          ///< number of values, including those in no bin
@@ -46,22 +46,24 @@ struct ForceDistribution {
 
   double low(int b) const { return (first + b) * width; }
   double middle(int b) const { return (first + b + 0.5) * width; }
-  /// Returns the probability density of f/unit in bin b; its integral is the share of the values that are in bins.
+  /// Returns the probability density of f/unit in bin b. The integral of the density is the share of the values that
+  /// are in bins.
   double density(int b) const { return static_cast<double>(counts[b]) / (static_cast<double>(n) * width); }
   /// Adds the counts of another histogram, bin by bin.
-  /// @pre Both have one width, or one of them is empty.
+  /// @pre Both histograms have the same bin width, or one of them is empty.
   void add(const ForceDistribution& other);
 };
 
-/// Returns the histogram of any values in a given unit, with bins from the smallest value to the largest, but at most
-/// kMaxBins on either side of zero. The histogram is empty if there are no values, or if the unit is zero.
+/// Returns the histogram of any values in a given unit. The bins extend from the smallest to the largest value, but
+/// there are at most kMaxBins bins on either side of zero. The histogram is empty if there are no values, or if the
+/// unit is zero.
 /// @param unit   unit of the values; a negative unit reverses their signs
 /// @param width  width of the bins, in `unit`, > 0; otherwise InputError
 ForceDistribution distribution_of(const std::vector<double>& values, double unit, double width);
 
 /// Returns a warning about values that are in no bin of their histogram.
 /// @param what    name of the values, in the plural
-/// @param remedy  option that has to be larger
+/// @param remedy  option that the user has to increase
 std::string outside_bins(const ForceDistribution& d, const std::string& what, const std::string& remedy);
 
 /// Returns the magnitudes of the values with the given sign; zeros are left out.
@@ -71,7 +73,7 @@ std::vector<double> sizes_of(const std::vector<double>& values, double sign);
 /// Returns the mean magnitude of values; 0 if there are none.
 double mean_size(const std::vector<double>& values);
 
-/// Returns the force P a^(Dim-1). P is the mean normal stress of the packing, which may have either sign, and a the
+/// Returns the force P a^(Dim-1). P is the mean normal stress of the packing, which may be negative, and a is the
 /// largest diameter.
 template <int Dim>
 double pressure_force(const Packing<Dim>& packing);
@@ -81,9 +83,9 @@ double pressure_force(const Packing<Dim>& packing);
 template <int Dim>
 bool pressure_is_noise(const Packing<Dim>& packing);
 
-/// Returns the unit of the forces of one kind (force, or force * length). The unit is 0 if it does not exist: the unit
-/// `pull_off` without adhesion, `pressure` without positive pressure, and `mean` without forces of this kind beyond
-/// rounding.
+/// Returns the unit of the forces of one kind (force, or force * length). The unit is 0 if it does not exist:
+/// `pull_off` if there is no adhesion, `pressure` if the pressure is not positive, and `mean` if all forces of this
+/// kind are zero up to rounding.
 template <int Dim>
 double force_unit(const Packing<Dim>& packing, ForceKind kind, ForceUnit unit);
 

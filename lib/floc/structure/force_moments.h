@@ -6,16 +6,16 @@
 
 namespace floc {
 
-/// Moments of the contact forces and mobilisation of friction, over contacts that touch (docs/physics.md, "Force
-/// network"). All values are zero if there are no contacts.
+/// Moments of the contact forces, and mobilisation of friction, over all contacts of grains that touch
+/// (docs/physics.md, "Force network"). All values are zero if there are no contacts.
 struct ForceMoments {
   double mean_normal = 0.0;  ///< mean `<N>` of the elastic normal force N (force)
   double largest = 0.0;      ///< largest elastic normal force N (force)
   /// Reduced moments `Z(q) = <N^q>/<N>^q` of the elastic normal force N, for q = 2, 3, 4. Without adhesion, N is the
   /// whole normal force.
   std::array<double, 3> Z{};
-  /// Mean ratio |F_T|/N of tangential to elastic normal force: M1 over the contacts with N above the mean `<N>`, M2
-  /// over the contacts with N below the mean; at most the coefficient of friction.
+  /// Mean ratio |F_T|/N of tangential to elastic normal force, at most the coefficient of friction. M1 is the mean over
+  /// the contacts with N above the mean `<N>`, M2 the mean over the contacts with N below it.
   double M1 = 0.0, M2 = 0.0;
 };
 

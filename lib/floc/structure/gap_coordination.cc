@@ -22,7 +22,7 @@ std::vector<double> gap_coordination(const Packing<Dim>& packing, const std::vec
   const Grains<Dim>& g = packing.grains;
   if (gaps.empty() || g.size() == 0) return std::vector<double>(gaps.size(), 0.0);
   std::vector<std::int64_t> n_pairs(gaps.size(), 0);
-  // The search reaches slightly further than the largest gap, so that pairs at exactly this gap are counted.
+  // The search includes gaps slightly above the largest gap, so that pairs at exactly this gap are counted.
   const double largest = 0.5 * largest_diameter(g);
   const double reach = gaps.back() * (1.0 + kTouching) + 4.0 * kTouching * largest;
   for (const NeighborPair<Dim>& pair : find_pairs(packing.cell, g, reach)) {

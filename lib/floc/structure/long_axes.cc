@@ -8,7 +8,7 @@
 namespace floc {
 namespace {
 
-/// Smallest ratio of the largest to the second largest extent of an elongated shape.
+/// A shape is elongated if the ratio of its largest to its second largest extent is at least this value.
 constexpr double kElongated = 1.05;
 
 /// Returns the second moments (in any unit) of the core of a shape, which is the shape without its rounding.

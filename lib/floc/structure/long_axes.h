@@ -6,9 +6,9 @@
 
 namespace floc {
 
-/// Orientational order of the long axes e of elongated grains. With the dimension D, the order S is the largest
-/// eigenvalue of <(D e e - 1)/(D - 1)>: 1 if all axes are parallel, 0 if their directions are isotropic. A sample of n
-/// axes with isotropic directions has an S of about 1/sqrt(n).
+/// Orientational order of the long axes of elongated grains. With the unit vectors e along the axes and the dimension
+/// D, the order S is the largest eigenvalue of the mean tensor <(D e e - 1)/(D - 1)>. S is 1 if all axes are parallel,
+/// and 0 if their directions are isotropic. For n axes with random directions, S is about 1/sqrt(n).
 template <int Dim>
 struct AxesOrder {
   int n_grains = 0;    ///< number of elongated grains
@@ -17,9 +17,9 @@ struct AxesOrder {
   Vec<Dim> direction = Vec<Dim>::Zero();
 };
 
-/// Returns the order of the long axes of the elongated grains, whose largest extent is at least 5 % larger than the
-/// second largest. The extents are the square roots of the principal second moments of the core of the shape (the shape
-/// without its rounding).
+/// Returns the order of the long axes of the elongated grains. A grain is elongated if its largest extent is at least 5
+/// % larger than its second largest extent. The extents are the square roots of the principal second moments of the
+/// core of the shape (the shape without its rounding).
 /// @return no value if no grain is elongated
 template <int Dim>
 std::optional<AxesOrder<Dim>> long_axes_order(const Packing<Dim>& packing);

@@ -4,9 +4,9 @@
 
 namespace floc {
 
-/// Mean mobilisation of friction in contacts with large and with small forces: mean ratio |F_T|/N of tangential to
-/// elastic normal force, over contacts with N above the mean and over contacts with N below the mean. Contacts are
-/// added one by one.
+/// Mean mobilisation of friction in contacts with large and with small forces. The mobilisation is the ratio |F_T|/N of
+/// tangential to elastic normal force. One mean is taken over contacts with N above the mean of N, the other over
+/// contacts with N below it. Contacts are added one by one.
 class MobilisationByForce {
  public:
   /// @param mean  mean elastic normal force of the contacts, > 0 (force)
@@ -21,11 +21,11 @@ class MobilisationByForce {
     ++side.n;
   }
 
-  /// Returns the mean of |F_T|/N over contacts with an elastic normal force N above the mean, with F_T the tangential
-  /// force; 0 if there are none.
+  /// Returns the mean of |F_T|/N over contacts whose elastic normal force N is above the mean (F_T: tangential force);
+  /// 0 if there are no such contacts.
   double M1() const { return above_.value(); }
-  /// Returns the mean of |F_T|/N over contacts with an elastic normal force N not above the mean, with F_T the
-  /// tangential force; 0 if there are none.
+  /// Returns the mean of |F_T|/N over contacts whose elastic normal force N is at most the mean (F_T: tangential
+  /// force); 0 if there are no such contacts.
   double M2() const { return below_.value(); }
 
  private:

@@ -8,13 +8,13 @@
 
 namespace floc {
 
-/// Pair correlation g(r) of the centres of grains: number of pairs at distances r in a bin, divided by the number
-/// expected for independent grains of the same number density. Bin b extends from b * width to (b + 1) * width. All
-/// periodic images are counted, for any lattice and any distance.
+/// Pair correlation g(r) of the centres of grains: number of pairs whose distance r is in a bin, divided by the number
+/// of such pairs that is expected for independent grains of the same number density. Bin b extends from b * width to (b
+/// + 1) * width. All periodic images are counted, for any lattice and any distance.
 ///
 /// Between walls, only grains that are at least the largest distance of g(r) away from every wall are counted, because
-/// all neighbours of these grains are in the packing. g(r) is then relative to the number density of these grains, and
-/// 0 if there are none.
+/// all neighbours of these grains are in the packing. The number density in g(r) is then that of the counted grains.
+/// g(r) is 0 if no grain is counted.
 struct PairCorrelation {
   double width = 0.0;     ///< width of a bin (length)
   std::vector<double> g;  ///< pair correlation g(r) of each bin, from r = 0
@@ -25,10 +25,10 @@ struct PairCorrelation {
   double middle(int b) const { return (b + 0.5) * width; }
 };
 
-/// Range of the largest distance r of g(r), in largest diameters. Up to 1000 diameters, each disk of a packing has
-/// about three million neighbours.
+/// Allowed values of the largest distance r of g(r), in units of the largest diameter. At a distance of up to 1000
+/// diameters, each disk of a packing has about three million neighbours.
 inline constexpr NumberRange kPairReach{.least = 0.0, .most = 1000.0, .without_least = true};
-/// Largest number of pairs that the pair correlation g(r) may count; they take 5 GB of memory.
+/// Largest number of pairs that may be counted for g(r). This number of pairs needs 5 GB of memory.
 inline constexpr double kMostPairs = 2.5e8;
 
 /// Computes the pair correlation g(r) of a packing.

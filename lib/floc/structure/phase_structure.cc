@@ -17,8 +17,8 @@ int sign_of(double p) {
   return (p > 0.0 ? 1 : 0) - (p < 0.0 ? 1 : 0);
 }
 
-/// Connected parts of one phase: of the grains with positive pressure, or of the grains with negative pressure. A grain
-/// without a neighbour in its phase is a part by itself.
+/// Connected parts of one phase. A phase consists of the grains with positive pressure, or of the grains with negative
+/// pressure. A grain without a neighbour in its phase is a part by itself.
 template <int Dim>
 struct PhaseParts {
   std::vector<int> sizes;
@@ -56,8 +56,9 @@ void describe(const PhaseParts<Dim>& parts, const Cell<Dim>& cell, PhaseGeometry
   }
 }
 
-/// Returns the number of bonds between two grains with nonzero pressure, and the number of these bonds that join
-/// pressures of equal sign. Bonds between a grain and its own image are left out, because their signs are always equal.
+/// Returns the number of bonds between two grains with nonzero pressure, and the number of these bonds whose two grains
+/// have pressures of equal sign. A bond between a grain and its own image is left out, because the two signs are always
+/// equal.
 template <int Dim>
 std::pair<int, int> like_bonds(const ContactNetwork<Dim>& network, const std::vector<int>& sign) {
   int n = 0, like = 0;
@@ -69,8 +70,8 @@ std::pair<int, int> like_bonds(const ContactNetwork<Dim>& network, const std::ve
   return {n, like};
 }
 
-/// Returns the mean magnitude of the pressure of the grains of one phase (positive or negative pressure), in bins of
-/// the share of their neighbours that are in this phase. Neighbours of zero pressure do not count.
+/// Sorts the grains of one phase (positive or negative pressure) into bins by the share of their neighbours that are in
+/// this phase, and returns the mean magnitude of the pressure in each bin. Neighbours with zero pressure are ignored.
 template <int Dim>
 std::vector<LikeNeighbourBin> by_share(const ContactNetwork<Dim>& network, const Adjacency& of,
                                        const std::vector<int>& sign, const std::vector<double>& pressure,
@@ -90,7 +91,8 @@ std::vector<LikeNeighbourBin> by_share(const ContactNetwork<Dim>& network, const
       like += sign[other] == phase;
     }
     if (n == 0) continue;
-    // Integer arithmetic puts a share of neighbours on the border between two bins exactly into the upper bin.
+    // If a share of neighbours is exactly on the border between two bins, it belongs to the upper bin; integer
+    // arithmetic makes this exact.
     const int b = std::min(n_bins - 1, n_bins * like / n);
     ++bins[b].n_grains;
     bins[b].mean_size += std::abs(pressure[i]);
@@ -107,8 +109,8 @@ std::vector<LikeNeighbourBin> by_share(const ContactNetwork<Dim>& network, const
   return bins;
 }
 
-/// Adds the results for random signs, to which the results for the real signs are compared: the signs of the pressures
-/// are shuffled among the grains of nonzero pressure.
+/// Adds the results for random signs, for comparison with the results for the real signs. Random signs result from
+/// shuffling the signs of the pressures among the grains with nonzero pressure.
 template <int Dim>
 void add_control(const ContactNetwork<Dim>& network, const Adjacency& of, std::vector<int> sign,
                  const PhaseOptions& options, PhaseStructure& out) {

@@ -10,21 +10,23 @@
 
 namespace floc {
 
-/// Settings of the comparison of the structure of particle pressures with that of randomly shuffled signs.
+/// Settings for the comparison of two structures: that of the particle pressures, and that of pressures with randomly
+/// shuffled signs.
 struct PhaseOptions {
-  /// Number of shuffles of the signs of particle pressure. With 20 shuffles, the share of shuffles in which a phase
-  /// percolates has an error of about 0.1. Each shuffle costs one search for connected parts in each phase.
+  /// Number of shuffles of the signs of particle pressure. With 20 shuffles, the error of shuffled_percolates is about
+  /// 0.1. Each shuffle requires a search for connected parts in each phase.
   int n_shuffles = 20;
   std::uint64_t seed = 1;
-  int n_bins = 10;  ///< number of bins for the share of neighbours whose pressure has equal sign
+  /// number of bins for the share of neighbours whose pressure has the same sign as the pressure of the grain
+  int n_bins = 10;
 
   static constexpr WholeRange kShuffles{.least = 1, .most = 100000};
   /// Returns the faults of the options, each as "name = value: requirement".
   std::vector<std::string> validate() const;
 };
 
-/// Mean pressure of the grains of one phase (positive or negative pressure) that have a similar share of neighbours in
-/// this phase.
+/// A bin of grains of one phase (positive or negative pressure), with their mean pressure. The grains of a bin have
+/// similar shares of neighbours in this phase.
 struct LikeNeighbourBin {
   /// range [low, high) of the share of neighbours in this phase; the last bin includes 1
   double low = 0.0, high = 0.0;
@@ -48,14 +50,14 @@ struct PhaseGeometry {
 };
 
 /// The two phases of grains with positive and with negative pressure, connected by bonds. Even with random signs,
-/// phases could percolate, and many neighbours would have equal signs. The phases are therefore compared with those
-/// that result if the signs are shuffled among the grains of nonzero pressure.
+/// phases could percolate, and many neighbours would have equal signs. The phases are therefore compared with the
+/// phases that result if the signs are shuffled among the grains with nonzero pressure.
 struct PhaseStructure {
   PhaseGeometry positive, negative;
   int n_bonds = 0;             ///< number of bonds between two grains of nonzero pressure
   double like_share = 0.0;     ///< share of these bonds whose two grains have pressures of equal sign
   double like_expected = 0.0;  ///< mean of like_share over all possible shuffles of the signs, in closed form
-  /// Standard deviation of like_share over the shuffles of the signs that were made.
+  /// Standard deviation of like_share over the shuffles (PhaseOptions::n_shuffles).
   double like_deviation = 0.0;
 };
 

@@ -26,15 +26,16 @@ std::vector<Edge> edges_of(const Packing<2>& packing, DisjointSets& sets) {
   for (const Contact<2>& c : packing.contacts) {
     const bool again = previous != nullptr && same_pair(*previous, c);
     previous = &c;
-    if (again) continue;  // an edge between these two grains exists already: c is another of their contacts
+    // If an edge between these two grains exists already, c is another contact of the same grains.
+    if (again) continue;
     edges.push_back({c.i, c.j, c.image, branch(packing, c)});
     sets.join(c.i, c.j);
   }
   return edges;
 }
 
-/// Joins separate parts of the network by edges across the shortest gaps between them, as in a minimal spanning tree.
-/// Such edges cross no grain and no other edge.
+/// Joins separate parts of the network by edges across the shortest gaps between the parts, as in a minimal spanning
+/// tree. These edges cross no grain and no other edge.
 void bridge(const Packing<2>& packing, DisjointSets& sets, std::vector<Edge>& edges) {
   const Grains<2>& g = packing.grains;
   struct Gap {
@@ -88,7 +89,7 @@ struct AreaMoments {
   }
 };
 
-/// Face of the network of interactions. Its moments leave out the area that disks cover.
+/// Face of the network of interactions. The area covered by disks is left out of the moments of the face.
 struct Face {
   AreaMoments moments;   // moments of area about `origin`
   double polygon = 0.0;  // signed area of the polygon of grain centres around the face
@@ -97,8 +98,8 @@ struct Face {
   bool winds = false;  // whether the face winds around the periodic cell
 };
 
-/// Finds the faces of a network of edges in the periodic cell by walking around each face. Half edge 2e runs from i to
-/// j of edge e, half edge 2e + 1 from j to i.
+/// Finds the faces of a network of edges in the periodic cell by walking around each face. Every edge e consists of two
+/// half edges: half edge 2e leads from grain i to grain j, half edge 2e + 1 from j to i.
 class FaceWalk {
  public:
   FaceWalk(const Packing<2>& packing, const std::vector<Edge>& edges)
@@ -111,8 +112,8 @@ class FaceWalk {
     }
     for (std::vector<int>& around : out) {
       std::sort(around.begin(), around.end(), [&](int p, int q) { return angle_[p] < angle_[q]; });
-      // A walk that arrives along the half edge opposite to `around[k]` leaves along the next half edge clockwise. The
-      // face thus stays on its left.
+      // A walk that arrives along the half edge opposite to `around[k]` continues along the half edge that comes next
+      // in clockwise order. The face is therefore always on the left of the walk.
       const std::size_t n = around.size();
       for (std::size_t k = 0; k < n; ++k) next_[twin(around[k])] = around[(k + n - 1) % n];
     }
@@ -148,7 +149,7 @@ class FaceWalk {
       winding += sign(h) * edges_[h / 2].image.cast<std::int64_t>();
       const int after = next_[h];
       double angle = angle_[twin(h)] - angle_[after];
-      // At a dead end the walk turns back, by the full angle.
+      // At a dead end, the walk turns back, and the angle of the sector is the full angle.
       if (angle <= 0.0) angle += 2.0 * std::numbers::pi;
       face.moments.remove_sector(to, packing_.grains.radius[origin(after)], angle_[after], angle);
       at = to;
@@ -167,8 +168,8 @@ class FaceWalk {
 };
 
 /// Removes the faces that are not bounded, and sets `unbounded` if there are any: faces that wind around the cell, or
-/// the outside of a network that does not span the cell. Euler's formula tells which of the two is present, and whether
-/// edges cross.
+/// the outside of a network that does not span the cell. Euler's formula determines which of these two is present, and
+/// whether edges cross.
 /// @return false if the edges cross
 bool remove_unbounded(double area, int n_grains, int n_edges, std::vector<Face>& faces, bool& unbounded) {
   constexpr double kWhole = 1e-6;

@@ -17,9 +17,9 @@ struct Pore {
   std::vector<int> grains;
 };
 
-/// Pores of a 2D packing: the faces of the network of its interactions, including attraction across gaps, without the
-/// area that disks cover (docs/physics.md, "Structure"). Areas are computed in closed form. Their sum is A (1 - Phi),
-/// with the area A of the cell and the solid fraction Phi, in which overlaps count twice.
+/// Pores of a 2D packing: the faces of the network of interactions, including attraction across gaps, without the area
+/// covered by disks (docs/physics.md, "Structure"). The areas of the pores are computed in closed form. Their sum is A
+/// (1 - Phi), where A is the area of the cell and Phi the solid fraction. In Phi, overlaps count twice.
 struct Pores {
   std::vector<Pore> pores;  ///< pores that do not wind around the periodic cell
   /// Whether there is also a pore that winds around the cell. Such a pore has no size.
@@ -29,13 +29,13 @@ struct Pores {
   /// pores.
   double size = 0.0;
   double mean_area = 0.0;  ///< mean area of the pores (length^2)
-  /// Reason why the pores cannot be identified; empty if they are. With large overlaps, lines between the centres of
-  /// touching grains may cross each other.
+  /// Reason why the pores could not be identified; empty if they were identified. With large overlaps, lines between
+  /// the centres of touching grains may cross each other.
   std::string failure_reason;
 };
 
-/// Finds the pores of a packing. Separate parts of the network of interactions, and single grains inside a pore, are
-/// joined to their nearest neighbour by lines, which do not change the area of the pore.
+/// Finds the pores of a packing. If the network of interactions has separate parts, or single grains lie inside a pore,
+/// lines join them to their nearest neighbours. These lines do not change the area of the pore.
 Pores find_pores(const Packing<2>& packing);
 
 }  // namespace floc

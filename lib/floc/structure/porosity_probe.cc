@@ -9,7 +9,7 @@
 namespace floc {
 namespace {
 
-/// Returns the centre of the cell. Along an axis with walls, it lies in the middle between the walls.
+/// Returns the centre of the cell. Along an axis with walls, the centre is the middle between the walls.
 template <int Dim>
 Vec<Dim> centre_of(const Packing<Dim>& packing) {
   Vec<Dim> centre = packing.cell.matrix.transpose() * Vec<Dim>::Constant(0.5);
@@ -20,8 +20,9 @@ Vec<Dim> centre_of(const Packing<Dim>& packing) {
 
 /// Calls visit(place, radius) for every periodic image of a grain that may reach into a box about the centre of the
 /// cell.
-/// @param half_width  half the sides of the box (length)
-/// @param visit       function of the vector from the centre of the cell to the centre of the image, and of its radius
+/// @param half_width  half of the length of each side of the box
+/// @param visit       function of two arguments: the vector from the centre of the cell to the centre of the image, and
+/// the radius of the grain
 template <int Dim, class Visit>
 void for_images(const Packing<Dim>& packing, const Vec<Dim>& half_width, const Visit& visit) {
   const Mat<Dim> to_reduced = packing.cell.matrix.transpose().inverse();

@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Phase of the grains whose pressures have one sign. Grains of the phase that are connected by interactions form a
-/// cluster.
+/// A phase: all grains with positive pressure, or all grains with negative pressure. Grains of a phase that are
+/// connected by interactions form a cluster.
 struct PressurePhase {
   int n_grains = 0;
   double share = 0.0;       ///< number of grains of the phase divided by the number of all grains

@@ -13,7 +13,8 @@
 namespace floc {
 namespace {
 
-/// Ball into which the centre of a rattler cannot move: a grain whose radius is enlarged by the radius of the rattler.
+/// Ball into which the centre of a rattler cannot move: another grain, with a radius increased by the radius of the
+/// rattler.
 template <int Dim>
 struct Obstacle {
   Vec<Dim> centre;
@@ -39,8 +40,8 @@ bool next_choice(std::array<int, Dim>& choice, int n) {
   return false;
 }
 
-/// Returns the corner of the intersection of half spaces that lies furthest along a direction. All corners are tried,
-/// because there are few.
+/// Returns the corner of the intersection of half spaces that lies furthest along a direction. The function tries all
+/// corners, because there are only a few.
 /// @pre The intersection is bounded and contains the origin.
 template <int Dim>
 Vec<Dim> furthest_corner(const std::vector<HalfSpace<Dim>>& spaces, const Vec<Dim>& direction, double length) {
@@ -63,10 +64,10 @@ Vec<Dim> furthest_corner(const std::vector<HalfSpace<Dim>>& spaces, const Vec<Di
   return best;
 }
 
-/// Pushes a point from the origin along a direction until the obstacles, which are balls, stop it. Each step replaces
-/// every ball by a half space that contains the ball and touches the ball at its point nearest to the moving point. The
-/// step is the longest move outside all half spaces, found by linear programming, so the point never enters a ball. The
-/// steps converge quadratically to a corner between balls.
+/// Pushes a point from the origin along a direction until it is stopped by the obstacles, which are balls. Each step
+/// replaces every ball by a half space that contains the ball and touches the ball at its point nearest to the moving
+/// point. The step is the longest move outside all half spaces, found by linear programming. The point therefore never
+/// enters a ball. The positions converge quadratically to a corner between balls.
 /// @return place where the point stops; no value if it moves further than `length`
 template <int Dim>
 std::optional<Vec<Dim>> pushed(const std::vector<Obstacle<Dim>>& obstacles, const Vec<Dim>& direction,
@@ -92,8 +93,8 @@ std::optional<Vec<Dim>> pushed(const std::vector<Obstacle<Dim>>& obstacles, cons
   return x;
 }
 
-/// Returns the direction in which a rattler is pushed: towards the nearest obstacle, plus half of the direction towards
-/// the second nearest.
+/// Returns the direction in which a rattler is pushed: the direction towards the nearest obstacle, plus half of the
+/// direction towards the second-nearest obstacle.
 template <int Dim>
 Vec<Dim> push_direction(std::vector<Obstacle<Dim>>& obstacles) {
   std::sort(obstacles.begin(), obstacles.end(), [](const Obstacle<Dim>& p, const Obstacle<Dim>& q) {

@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Returns the rotation of a grain from its orientation in the state before to its orientation in the state
+/// Returns the rotation that takes a grain from its orientation in the state before to its orientation in the state
 /// after.
 Eigen::Rotation2Dd rotation_of(double before, double after) {
   return Eigen::Rotation2Dd(after - before);

@@ -12,36 +12,37 @@ namespace floc {
 
 inline constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
-/// Scattering intensity I(k) = |chi_hat(k)|^2/V in bins of the wave number k, averaged over directions. chi is
-/// 1 inside grains and 0 outside, chi_hat its Fourier transform, and V the volume of the cell (docs/physics.md,
-/// "Structure").
+/// Scattering intensity I(k) = |chi_hat(k)|^2/V in bins of the wave number k, averaged over directions. chi is the
+/// function that is 1 inside grains and 0 outside, chi_hat is its Fourier transform, and V is the volume of the cell
+/// (docs/physics.md, "Structure").
 struct Scattering {
   std::vector<double> k;  ///< mean wave number of each bin (1/length)
   std::vector<double> I;  ///< mean intensity of each bin (length^Dim)
-  /// Number of independent wave vectors in each bin; k and -k count once. The intensities of single wave
-  /// vectors scatter by 100 %.
+  /// Number of independent wave vectors in each bin; k and -k count once. The intensity at a single wave vector has a
+  /// relative standard deviation of 100 %.
   std::vector<std::int64_t> n_vectors;
 };
 
 /// Numerical settings for the computation of a scattering intensity.
 struct ScatteringOptions {
-  /// Largest wave number k, in units of 2 pi divided by the largest diameter. The intensity shows the shape of grains
-  /// and their contacts at k above 1 in this unit, and aggregates below 1.
+  /// Largest wave number k, in units of 2 pi divided by the largest diameter. At k above 1 in this unit, the intensity
+  /// shows the shape of grains and their contacts; at k below 1, it shows aggregates.
   double largest = 2.0;
-  /// For disks, number of mesh cells per wavelength of the largest k. The values on the mesh are averages over its
-  /// cells, and the intensity is corrected for this averaging. With 8 cells, aliasing from shorter waves is below 1 %
-  /// of the intensity, and decreases as k^5 towards small k.
+  /// For disks: number of mesh cells per wavelength of the largest k. The value at each mesh cell is an average over
+  /// the mesh cell, and the intensity is corrected for this averaging. With 8 mesh cells per wavelength, aliasing from
+  /// shorter waves is below 1 % of the intensity, and decreases as k^5 towards small k.
   double cells_per_wave = 8.0;
-  /// Ratio of the upper to the lower edge of a bin of k. A bin is at least 2 pi/V^(1/Dim) wide.
+  /// Ratio of the upper to the lower edge of a bin of k. The width of a bin is at least 2 pi/V^(1/Dim), where V is the
+  /// volume of the cell.
   double bin_growth = 1.05;
   /// For spheres: largest number of wave vectors over which a bin is averaged. A bin with more wave vectors is averaged
-  /// over a random sample of this size. The relative error of the intensity is then 1/sqrt(most_vectors), 6 % for 300,
-  /// no more than in bins of small k.
+  /// over a random sample of this size. The relative error of the intensity is then 1/sqrt(most_vectors), which is 6 %
+  /// for 300 wave vectors. It is not larger than in bins of small k, which contain fewer wave vectors.
   int most_vectors = 300;
-  /// For spheres, largest total number of wave vectors from which the random samples are drawn; the largest k is
-  /// lowered to stay within this number.
+  /// For spheres: largest total number of wave vectors from which the random samples are drawn. If the number would be
+  /// larger, the largest k is lowered.
   std::int64_t most_waves = std::int64_t{1} << 24;
-  /// For disks, largest number of mesh cells; the largest k is lowered to stay within this number.
+  /// For disks: largest number of mesh cells. If the number would be larger, the largest k is lowered.
   std::int64_t most_cells = std::int64_t{1} << 26;
 
   static constexpr NumberRange kLargest{.least = 0.0, .most = 1e6, .without_least = true};
@@ -64,9 +65,9 @@ struct ScatteringMesh {
   Vec<2, int> size(const Cell<2>& cell) const;
 };
 
-/// Returns the grains of a packing in the shortest cell of its lattice. The scattering intensity depends only on the
-/// lattice. A very slanted cell, with nearly parallel sides, would need a mesh along its long sides. A cell that is
-/// already the shortest is left unchanged.
+/// Returns the grains of a packing in the cell with the shortest sides that its lattice has. The scattering intensity
+/// does not depend on the choice of the cell, but a very slanted cell, with nearly parallel sides, would need a large
+/// mesh along its long sides. A cell that already has the shortest sides is left unchanged.
 Packing<2> in_shortest_cell(const Packing<2>& packing);
 
 /// Chooses the bins of the wave number and the mesh for a packing of disks. Both depend only on the options, the area
@@ -86,9 +87,11 @@ class ScatteringAverage {
   /// @param edges  edges of the bins of the wave number k, ascending (1/length)
   explicit ScatteringAverage(std::vector<double> edges);
 
-  /// Adds a field, such as a map of the solid fraction, given by its averages over the mesh cells of a periodic cell.
+  /// Adds a field in a periodic cell, such as a map of the solid fraction. The field is given by its averages over mesh
+  /// cells.
   void add(const Cell<2>& cell, const CoverageMap& field);
-  /// Adds a packing of spheres by the sum of their Fourier transforms, without a mesh; overlaps count twice.
+  /// Adds a packing of spheres. The Fourier transforms of the spheres are added up, without a mesh; overlaps count
+  /// twice.
   /// @param most_vectors  largest number of wave vectors per bin, >= 1; a bin with more wave vectors is averaged over a
   /// random sample, with a fixed seed
   void add(const Packing<3>& packing, int most_vectors);

@@ -18,7 +18,7 @@ constexpr std::uint64_t kSeed = 1, kPurpose = 0x1e;
 
 using Wave = Vec<3, int>;
 
-/// Returns true if the first nonzero component of n is positive, which selects one of n and -n.
+/// Returns true if the first nonzero component of n is positive. This is true for exactly one of n and -n.
 bool in_half_space(const Wave& n) {
   return n[0] > 0 || (n[0] == 0 && (n[1] > 0 || (n[1] == 0 && n[2] > 0)));
 }
@@ -27,7 +27,7 @@ bool in_half_space(const Wave& n) {
 /// rows of M are the lattice vectors.
 std::vector<std::vector<Wave>> waves_in(const std::vector<double>& edges, const Cell<3>& cell) {
   const Mat<3> reciprocal = kTwoPi * cell.matrix.inverse();
-  // For each lattice vector a, the largest component k . a/(2 pi) that an integer vector n may have.
+  // Largest value of each component of an integer vector n. The component for the lattice vector a is k . a/(2 pi).
   Wave reach;
   for (int a = 0; a < 3; ++a) reach[a] = static_cast<int>(edges.back() * cell.matrix.row(a).norm() / kTwoPi);
   std::vector<std::vector<Wave>> bins(edges.size() - 1);
@@ -43,7 +43,7 @@ std::vector<std::vector<Wave>> waves_in(const std::vector<double>& edges, const 
   return bins;
 }
 
-/// Replaces the waves by a random sample of `most` of them, if there are more than `most`.
+/// If there are more than `most` waves, replaces them by a random sample of `most` waves.
 void draw(std::size_t most, RandomStream& random, std::vector<Wave>& waves) {
   if (waves.size() <= most) return;
   for (std::size_t k = 0; k < most; ++k) std::swap(waves[k], waves[k + random.below(waves.size() - k)]);
@@ -61,7 +61,7 @@ std::complex<double> amplitude(const Scatterers& grains, const Wave& n, double k
   double radius = 0.0, transform = 0.0;
   for (std::size_t i = 0; i < grains.place.size(); ++i) {
     if (grains.radius[i] != radius) radius = grains.radius[i], transform = ball_transform(k, radius);
-    // `transform` is not given to std::polar as the magnitude, because it may be negative.
+    // `transform` is not passed to std::polar as the magnitude, because `transform` may be negative.
     sum += transform * std::polar(1.0, -kTwoPi * n.cast<double>().dot(grains.place[i]));
   }
   return sum;
@@ -82,7 +82,7 @@ std::vector<double> scattering_edges(const Packing<3>& packing, const Scattering
   assert(packing.grains.size() > 0);
   refuse_faults(options.validate());
   const double volume = packing.cell.volume();
-  // There are V k^3/(12 pi^2) pairs of wave vectors k and -k up to the wave number k, with the volume V of the cell.
+  // In a cell of volume V, there are V k^3/(12 pi^2) pairs of opposite wave vectors up to the wave number k.
   const double affordable = std::cbrt(3.0 * kTwoPi * kTwoPi * static_cast<double>(options.most_waves) / volume);
   return scattering_bins(std::min(options.largest * kTwoPi / largest_diameter(packing.grains), affordable),
                          kTwoPi / std::cbrt(volume), options.bin_growth);

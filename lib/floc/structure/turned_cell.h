@@ -9,10 +9,10 @@
 namespace floc {
 
 /// A periodic cell in the form that Voro++ requires: rotated so that its lattice vectors are (bx, 0, 0), (bxy, by, 0),
-/// (bxz, byz, bz). Lengths are divided by a unit of the order of the distance between neighbours, which the absolute
-/// tolerances of Voro++ assume.
+/// (bxz, byz, bz). Lengths are divided by a unit of the order of the distance between neighbours, because Voro++ has
+/// absolute tolerances that assume distances of order one.
 struct TurnedCell {
-  Mat<3> turn = Mat<3>::Identity();  ///< rotation (or reflection): place in Voro++ = turn * place/unit
+  Mat<3> turn = Mat<3>::Identity();  ///< rotation or reflection; the position in Voro++ is turn * position/unit
   /// Rotated lattice vectors, one per row (lower triangular, with positive diagonal).
   Mat<3> lattice;
   double unit = 1.0;  ///< unit of length of the rotated cell (length)

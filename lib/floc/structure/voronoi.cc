@@ -14,8 +14,8 @@
 namespace floc {
 namespace {
 
-/// Distance below which vertices of the tessellation are merged (in largest diameters). It is larger than rounding
-/// errors, but smaller than the accuracy of the positions in packings.
+/// Distance below which vertices of the tessellation are merged (in largest diameters). This distance is larger than
+/// rounding errors, but smaller than the errors of the positions in packings.
 constexpr double kSameVertex = 1e-6;
 
 /// A vertex of the Voronoi cell of one grain.
@@ -45,7 +45,7 @@ std::vector<Corner> tessellate(const Packing<3>& packing, std::vector<double>& v
     if (!container.compute_cell(cell, loop)) continue;
     const int i = loop.pid();
     volume[i] = cell.volume() * std::pow(turned.unit, 3);
-    cell.vertices(vertices);  // these are relative to the centre of the grain
+    cell.vertices(vertices);  // positions of the vertices relative to the centre of the grain
     for (std::size_t v = 0; v + 2 < vertices.size(); v += 3) {
       const Vec<3> from = turned.here({vertices[v], vertices[v + 1], vertices[v + 2]});
       corners.push_back({packing.cell.wrapped(g.position[i] + from), from.norm() - g.radius[i]});
@@ -80,8 +80,8 @@ bool equal_sizes(const Grains<3>& grains) {
   return *least == *most;
 }
 
-/// Shrinks each ball to the nearest surface of any grain. For unequal spheres this may be the surface of a grain whose
-/// Voronoi cell does not reach the centre of the ball.
+/// Reduces the radius of each ball so that it extends to the nearest surface of any grain. For unequal spheres, this
+/// may be the surface of a grain whose Voronoi cell does not extend to the centre of the ball.
 void shrink_to_nearest(const Packing<3>& packing, std::vector<VoidBall>& voids) {
   Grains<3> all = packing.grains;
   all.position_low.clear();

@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Ball in the void space of a packing of spheres that touches the spheres around it.
+/// Ball in the void space of a packing of spheres. The ball touches the spheres around it.
 struct VoidBall {
   Vec<3> centre = Vec<3>::Zero();  ///< centre of the ball, inside the cell (length)
   double radius = 0.0;             ///< radius of the ball (length), > 0
@@ -19,14 +19,14 @@ struct VoronoiTessellation {
   std::vector<double> volume;
   /// Volume of each grain divided by the volume of its Voronoi cell; 0 if the grain has no cell.
   std::vector<double> solid_fraction;
-  /// Balls about the vertices of the tessellation that extend to the nearest surface of a grain; vertices inside a
-  /// grain have no ball. For equal spheres, each ball touches four spheres.
+  /// Balls around the vertices of the tessellation. Each ball extends to the nearest surface of a grain; vertices
+  /// inside a grain have no ball. For equal spheres, each ball touches four spheres.
   std::vector<VoidBall> voids;
 };
 
 /// Computes the radical Voronoi tessellation. The volumes of the Voronoi cells add up to the volume of the periodic
-/// cell. Vertices closer than 1e-6 largest diameters are merged, which is needed for crystals, where more than four
-/// cells meet at a vertex.
+/// cell. Vertices at distances below 1e-6 largest diameters are merged. This is necessary for crystals, in which more
+/// than four cells meet at a vertex.
 /// @pre the packing has grains and no walls
 VoronoiTessellation voronoi_tessellation(const Packing<3>& packing);
 

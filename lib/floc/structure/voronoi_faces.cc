@@ -72,8 +72,8 @@ class FaceList {
     out_.faces.push_back(out);
   }
 
-  /// Largest area of a face that exists only by rounding and is really an edge or a corner. The unit of length is such
-  /// that the mean volume of a Voronoi cell is 1.
+  /// Faces with areas up to this value exist only by rounding; they are edges or corners of the exact tessellation. The
+  /// unit of length is such that the mean volume of a Voronoi cell is 1.
   static constexpr double kNoFace = 1e-12;
 
   const Cell<3>& cell_;

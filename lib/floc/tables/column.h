@@ -10,8 +10,8 @@
 
 namespace floc {
 
-/// A column of a table: its name, and a function that computes the cell of this column from a Row, which contains all
-/// values of one table row.
+/// A column of a table: its name, and a function that computes the cell of the column from a Row. A Row contains all
+/// values of one row of the table.
 template <class Row>
 using Column = std::pair<std::string, std::function<TableValue(const Row&)>>;
 
@@ -28,8 +28,8 @@ Table to_table(const std::vector<Column<Row>>& columns, const std::vector<Row>& 
   return table;
 }
 
-/// Sets the columns of a table to `names` if it has no columns yet. Otherwise checks that the table, to which an
-/// earlier state has added rows, has these columns.
+/// Sets the columns of a table to `names` if it has no columns yet. Otherwise, an earlier state has added rows to the
+/// table, and the function checks that the table has the columns `names`.
 /// @param file  file of the state that is about to add rows, for messages
 /// @throws InputError if the table has other columns, because the earlier state has another dimension
 inline void expect_columns(const std::string& file, const std::vector<std::string>& names, Table& table) {

@@ -24,8 +24,8 @@ std::vector<std::string> split(std::string_view text, char separator) {
   return parts;
 }
 
-/// Parses docs/columns.md. Its headings are the names of tables, its lines "On a terminal: ..." list the columns that
-/// are shown on a terminal, and its rows "| name | unit | meaning |" describe the columns.
+/// Parses docs/columns.md. In this file, the headings are the names of tables, the lines "On a terminal: ..." list the
+/// columns that are shown on a terminal, and the rows "| name | unit | meaning |" describe the columns.
 std::vector<DescribedTable> parse_reference(const std::string& text) {
   std::vector<DescribedTable> tables;
   std::istringstream lines(text);

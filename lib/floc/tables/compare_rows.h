@@ -11,9 +11,9 @@ namespace floc {
 
 /// Options of the tables of `floc compare`.
 struct CompareTableOptions {
-  /// Largest relative motion of two grains in contact that still belong to one rigid cluster. It limits two numbers:
-  /// the distance between the two points at which the grains touched, in units of the largest diameter, and the
-  /// difference between the rotations of the two grains, in radians.
+  /// Two grains in contact belong to one rigid cluster if their relative motion is at most this value. Two numbers
+  /// measure the relative motion: the distance between the two material points that touched each other before, in units
+  /// of the largest diameter, and the difference between the rotations of the two grains, in radians.
   double rigid_tolerance = 0.01;
   bool displacements = false;  ///< whether the table with a row for each grain is computed
   bool contacts = false;       ///< whether the table with a row for each contact is computed

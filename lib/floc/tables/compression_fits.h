@@ -15,7 +15,8 @@ struct CompressionFitOptions {
   std::string density = "out-of-die";  ///< "out-of-die", or "in-die" for densities measured under load
   CompressionOptions fit;
 
-  /// Returns the bound of solid fractions: that of `fit`, which is lifted for densities in a die.
+  /// Returns the upper bound of solid fractions: the bound in `fit` or, for densities measured in a die, no bound
+  /// (infinity).
   double phi_limit() const;
 };
 

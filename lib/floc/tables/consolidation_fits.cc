@@ -14,7 +14,7 @@
 namespace floc {
 namespace {
 
-/// Each description completes a message that begins with "N row(s)".
+/// The descriptions are continuations of a message that begins with "N row(s)".
 constexpr LeftOutStep kLeftOut[] = {
     {PathStep::zero_pressure, "zero_pressure", "at P* = 0"},
     {PathStep::unloading, "unloading", "of unloading"},
@@ -122,7 +122,7 @@ std::vector<std::vector<double>> ConsolidationSample::loops() const {
   bool inside = false;
   for (std::size_t i = 1; i < path.size(); ++i) {
     const bool is_loop = steps[i] == PathStep::unloading || steps[i] == PathStep::reloading;
-    // A loop begins at the last row before the pressure falls.
+    // A loop begins with the last row before the pressure falls.
     if (is_loop && !inside) add(i - 1);
     if (is_loop) add(i);
     if (!is_loop && inside) points.push_back(gap);

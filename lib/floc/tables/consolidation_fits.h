@@ -18,7 +18,8 @@ struct ConsolidationFitOptions {
   std::string protocol;
   std::vector<double> window;
   double P0 = 0.0;
-  /// fitted rows, "first" or "virgin" loading; if empty, "virgin" if floc chooses the law, otherwise "first"
+  /// rows to fit: "first" (first loading) or "virgin" (first loading and virgin parts of later loadings). Empty:
+  /// "virgin" if floc chooses the law, otherwise "first"
   std::string loading;
   std::string weights;
   std::string loss = "squared";
@@ -31,8 +32,8 @@ struct ConsolidationFitOptions {
   bool chooses_law() const { return law == "auto" && protocol.empty() && P0 <= 0.0; }
 };
 
-/// Consolidation curve of a sample, with the table rows that it was read from. The mean curve of several samples has no
-/// rows.
+/// Consolidation curve of a sample, with the table rows from which it was read; or the mean curve of several samples,
+/// which has no rows.
 struct ConsolidationSample {
   std::string name;
   Loading loading;
@@ -43,8 +44,8 @@ struct ConsolidationSample {
   std::string stress = {};
   std::vector<PathRow> path = {};  ///< rows of the table; empty for the mean of several tables
 
-  /// Returns pairs (P*, 1/Phi) of the unloadings and reloadings in the table. A pair of NaN ends each unloading or
-  /// reloading.
+  /// Returns the points (P*, 1/Phi) of the unloadings and reloadings in the table. Each unloading or reloading ends
+  /// with a pair of NaN.
   std::vector<std::vector<double>> loops() const;
 };
 
@@ -57,8 +58,8 @@ struct LeftOutStep {
 /// Returns all kinds of steps whose rows are left out of fits of the consolidation law.
 std::span<const LeftOutStep> left_out_steps();
 
-/// Returns the indices of the table rows of a sample that are not fitted, because they are at the end of a step of the
-/// given kind.
+/// Returns the indices of the table rows of a sample that are not fitted because the step that leads to the row is of
+/// the given kind.
 std::vector<int> left_out(const ConsolidationSample& sample, PathStep step);
 
 /// Returns the consolidation curve of a load path. Its points are the rows of the first loading and, if the option
@@ -77,20 +78,20 @@ ConsolidationOptions consolidation_options(const ConsolidationFitOptions& asked)
 /// @param only_pooled  whether only the mean is returned, without the samples
 std::vector<ConsolidationSample> with_pooled(std::vector<ConsolidationSample> samples, bool only_pooled);
 
-/// Returns the smallest and the largest value of lambda over several fitted windows: the given one, and those that
-/// begin or end one row earlier or later. Absent if the law has no lambda, or if one of these windows contains no
+/// Returns the smallest and the largest value of lambda over several windows: the fitted window, and windows that begin
+/// or end one row earlier or later. Returns nothing if the law has no lambda, or if one of these windows contains no
 /// regime II.
 std::optional<std::pair<double, double>> range_of_lambda(const ConsolidationFit& fit);
 
 /// Fits the consolidation law to one sample.
-/// @param asked    options as keywords; only `weights` and `P0` are used here, because their effect depends on the
-/// sample
+/// @param asked    options as keywords, of which only `weights` and `P0` are used, because the effect of these two
+/// depends on the sample
 /// @param options  all other options, from consolidation_options()
 ConsolidationFit fit_of(const ConsolidationSample& sample, const ConsolidationFitOptions& asked,
                         const ConsolidationOptions& options);
 
-/// Fits the consolidation law to one or several load paths in a single call, as `floc fit consolidation` does. For
-/// several load paths, the law is fitted to their mean.
+/// Fits the consolidation law to one load path, or to the mean of several load paths, in a single call, as `floc fit
+/// consolidation` does.
 /// @param inputs   csv tables with the columns P_star and phi or void_ratio, or directories of floc run
 /// @param columns  headers of the columns P_star, phi and void_ratio, if the tables use other headers
 /// @throws InputError if an input is not a load path or an option is not valid

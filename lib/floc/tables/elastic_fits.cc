@@ -6,24 +6,25 @@
 namespace floc {
 namespace {
 
-/// Returns the moduli of the state with which the fit to a branch is compared, in the unit of the pressures of `path`.
+/// Finds the state with which the fit to a branch is compared. Returns the moduli of this state in the unit of the
+/// pressures of `path`.
 /// 1. If `state` is not empty, it is the name of the state file.
 /// 2. Otherwise row number `row` of the path names the state file. Returns nothing if this file is not in the directory
 /// of the table.
-/// @param axis  driven axis of an oedometer test, from 0; -1 for other load paths
+/// @param axis  number (from 0) of the driven axis of an oedometer test; -1 for other load paths
 std::optional<StateModuli> find_state(const std::string& state, const PathTable& path, int row, int axis) {
   const auto found = state.empty() ? moduli_of_row(path, row, axis) : std::optional(moduli_of(state, axis));
   return found ? std::optional(in_unit_of(path, *found)) : std::nullopt;
 }
 
-/// Returns the modulus K for which d ln Phi = dP/K (solid fraction Phi, mean stress P): B_uniaxial in an oedometer
-/// test, otherwise B_S.
+/// Returns the modulus K in d ln Phi = dP/K, where Phi is the solid fraction and P the mean stress: B_uniaxial in an
+/// oedometer test, otherwise B_S.
 double bulk_modulus_of(const StateModuli& state) {
   return state.B_uniaxial.value_or(state.B_S);
 }
 
-/// Returns the axis (from 0) that an oedometer test drives in all steps of a branch; -1 if the branch contains other
-/// steps or other driven axes.
+/// Returns the number (from 0) of the driven axis if all steps of a branch belong to an oedometer test along one axis;
+/// otherwise -1.
 int driven_axis_of(const PathTable& path, const Loading& branch) {
   int axis = driven_axis(path, branch.rows.back());
   for (std::size_t i = 1; i < branch.rows.size(); ++i)
@@ -31,14 +32,15 @@ int driven_axis_of(const PathTable& path, const Loading& branch) {
   return axis;
 }
 
-/// Returns a branch in which the pressures, which were mean stresses, are replaced by the stresses on the driven axis.
+/// Returns the branch with the stresses on the driven axis as pressures, in place of the mean stresses.
 Loading against_driven_stress(const PathTable& path, Loading branch) {
   for (std::size_t i = 0; i < branch.rows.size(); ++i)
     branch.curve.P_star[i] *= path.rows[static_cast<std::size_t>(branch.rows[i])].driven_over_mean;
   return branch;
 }
 
-/// Returns the points of a branch that were fitted: all points or, if the branch is curved, those of its straight part.
+/// Returns the points of a branch that were fitted: all points or, if the branch is curved, the points of its straight
+/// part.
 Loading part_fitted(const Loading& branch, const ElasticFit& fit) {
   if (fit.n_points == 0) return branch;
   const auto part = [&](const auto& all) {
@@ -114,7 +116,8 @@ Json as_json(const PathTable& path, const ElasticBranch& branch) {
   object["rms"] = branch.fit.found() ? Json(branch.fit.rms) : Json(nullptr);
   object["secant_low"] = number_or_null(branch.fit.secant_low);
   object["secant_high"] = number_or_null(branch.fit.secant_high);
-  // Every object contains every key, so that scripts can rely on them. A value that a branch does not have is null.
+  // Every object contains every key, so that scripts can rely on the keys. If a branch has no value for a key, the
+  // value is null.
   object["state"] = nullptr;
   if (branch.state)
     object["state"] = {{"file", branch.state->file},

@@ -14,7 +14,7 @@ namespace floc {
 /// An unloading branch of a load path and the elastic line fitted to it.
 struct ElasticBranch {
   Loading branch;
-  /// Points that were fitted: the whole branch or, if it is curved, its straight part.
+  /// Points that were fitted: all points of the branch or, if the branch is curved, the points of its straight part.
   Loading fitted;
   ElasticFit fit;
   std::optional<StateModuli> state;  ///< moduli of a saved state, with which the fit is compared
@@ -32,14 +32,15 @@ struct ElasticBranch {
 /// oedometer test, also the modulus M against the stress on the driven axis. Compares each fit with the moduli of a
 /// saved state.
 /// @param path   load path, read with OedometerPressure::mean
-/// @param state  file of the saved state. If it is empty, each branch is compared with the state that is named in its
-/// first row or, if the branch is curved, in the middle row of its straight part. If this file is not in the directory
-/// of the table, the branch is not compared
+/// @param state  file of the saved state. If `state` is empty, each branch is compared with the state named in the
+/// first row of the branch or, if the branch is curved, in the middle row of its straight part. If the file of that
+/// state is not in the directory of the table, the branch is not compared with a state
 std::vector<ElasticBranch> elastic_branches(const PathTable& path, const std::string& state);
 
 /// Returns the distance of an unloading branch from the elastic line of a saved state: the root mean square difference
-/// of ln Phi, where Phi is the solid fraction. The elastic line is ln Phi as a function of the mean stress. It passes
-/// through the state, and its slope is 1/B_S or, in an oedometer test, 1/B_uniaxial, from the moduli of the state.
+/// of ln Phi, where Phi is the solid fraction. The elastic line is ln Phi as a function of the mean stress. This line
+/// passes through the point of the state; its slope is 1/B_S or, in an oedometer test, 1/B_uniaxial, with the moduli of
+/// the state.
 double distance_from(const StateModuli& state, const ConsolidationCurve& branch);
 
 /// Returns the table of `floc fit elastic`, with its columns and without rows.

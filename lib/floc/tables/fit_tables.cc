@@ -19,7 +19,7 @@ namespace {
 
 /// Checks the pressures along each branch of a load path: they must all increase, all decrease, or all be equal.
 /// @param pressure  name of the column of pressures, for messages
-/// @param place     function that returns the place of a row (file and line), for messages
+/// @param place     function that returns the place (file and line) of a row, for messages
 /// @throws InputError if a pressure breaks this rule
 void require_path(const std::vector<PathRow>& rows, const std::string& pressure,
                   const std::function<std::string(int)>& place) {
@@ -63,7 +63,7 @@ class LoadColumns {
 class PressureUnit {
  public:
   /// @param name    name of the column of pressures
-  /// @param mapped  whether the user chose this column with --columns; its values are then not converted
+  /// @param mapped  whether the user chose this column with --columns; if so, its values are not converted
   PressureUnit(const CsvTable& table, const std::string& name, bool mapped) : table_(table) {
     if (mapped || name != "P_star" || !table.has("P") || !table.has("state")) return;
     reduced_ = table.column("P_star");
@@ -113,7 +113,7 @@ void require_unit_of_pressure(const CsvTable& table, const UnitColumn& pressure)
                                table.columns()[static_cast<std::size_t>(pressure.index)], pressure.unit));
 }
 
-/// Returns a summary in one line of the data that were read from a table.
+/// Returns a one-line summary of the data that were read from a table.
 std::string reading_of(const PathTable& path, const std::string& density) {
   const int n_reversals = count_reversals(path.rows);
   const std::string description = path.table.description();
@@ -122,8 +122,8 @@ std::string reading_of(const PathTable& path, const std::string& density) {
                      n_reversals == 1 ? "" : "s", description.empty() ? "" : "; ", description);
 }
 
-/// Adds notes about rows that are left out because a later row has the same pressure, and about the stress used as the
-/// pressure in rows of oedometer tests.
+/// Adds two notes to a path: which rows are left out because a later row has the same pressure, and which stress is
+/// used as the pressure in rows of oedometer tests.
 void add_notes(PathTable& path) {
   if (const std::vector<int> rows = superseded_rows(path.rows); !rows.empty())
     path.notes.push_back(
@@ -189,7 +189,7 @@ PathTable read_path(const std::string& file, const ColumnNames& columns,
     double P = table.number(i, pressure.index) * unit.factor(i, path.notes);
     double driven_over_mean = 1.0;
     if (load == PathLoad::other)
-      P = std::max(P, 0.0);  // cohesive grains may be under tension, which is treated as pressure 0
+      P = std::max(P, 0.0);  // cohesive grains may be under tension; a negative pressure is treated as 0
     if (load == PathLoad::oedometric) {
       driven_over_mean = loads.driven_over_mean(i);
       if (oedometer == OedometerPressure::driven) P *= driven_over_mean;

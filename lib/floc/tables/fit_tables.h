@@ -29,7 +29,7 @@ struct PathTable {
   std::string stress = {};
   /// Summary of the table in one line: number of rows, quantities, units and reversals of the load.
   std::string reading = {};
-  /// whether the table was written by floc run, so that `reading` contains nothing new
+  /// whether the table was written by floc run, so that its `reading` need not be printed
   bool is_of_run = false;
   std::vector<std::string> notes =
       {};  ///< messages about conversions of the pressures, and about rows that are left out
@@ -38,8 +38,8 @@ struct PathTable {
   TableValue stress_of_rows() const { return or_undefined(stress); }
 };
 
-/// Finds the column of the pressures: that which the user named, then the first of the `names` that the table has, then
-/// a column with a usual name of a pressure. @return name and column
+/// Finds the column of the pressures: the column that the user named; otherwise the first of `names` that is a column
+/// of the table; otherwise a column with another usual name of a pressure. @return name and column
 /// @throws InputError listing the columns of the table if there is none
 std::pair<std::string, UnitColumn> pressure_column(const NamedColumns& columns,
                                                    const std::vector<std::string>& names);
@@ -51,8 +51,8 @@ enum class OedometerPressure { driven, mean };
 /// the name of the branch. If successive rows have the same pressure, only the last of them is used. In rows of
 /// oedometer tests in a table of `floc run`, the pressure is the stress that `oedometer` selects. If the unit of P_star
 /// changes along a path of `floc run`, the pressures are converted to the unit of the first rows.
-/// @param columns    headers of columns whose names are neither the names that floc uses nor other usual names of the
-/// quantity
+/// @param columns    headers of those columns whose header is neither the name that floc uses nor another usual name of
+/// the quantity
 /// @param pressures  names of columns of pressures; the first of them that exists in the table is read
 /// @param phi_limit  see largest_solid_fraction()
 /// @throws InputError with file, line and value if a column is missing, if a value is not a number or is negative, or
@@ -80,7 +80,7 @@ struct PathArrays {
 /// along a branch are neither all increasing, nor all decreasing, nor all equal
 PathTable path_of_arrays(const PathArrays& arrays, double phi_limit = 1.0);
 
-/// Returns ascending row numbers as a text of ranges, such as "1-9, 12".
+/// Returns a text with the ranges of ascending row numbers, such as "1-9, 12".
 std::string ranges(const std::vector<int>& rows);
 
 }  // namespace floc

@@ -16,10 +16,11 @@
 namespace floc {
 namespace {
 
-/// Tolerance for contact forces, in units of the mean normal force. A smaller force counts as zero, and friction counts
-/// as mobilised if it is within this tolerance of its limit. Balanced forces are computed to a few digits more.
+/// Tolerance for contact forces, in units of the mean normal force. A force below the tolerance counts as zero. The
+/// friction of a contact counts as mobilised if the tangential force differs from its limit by less than the tolerance.
+/// Balanced forces are computed more accurately, by a few digits.
 constexpr double kNothing = 1e-6;
-/// If computing the ranges of all forces is predicted to take longer than this (s), a remark gives the predicted time.
+/// Predicted time for the ranges of all forces (s) above which a remark gives this time.
 constexpr double kLongSeconds = 2.0;
 
 const char* name_of(ForceSelection selection) {
@@ -37,7 +38,7 @@ std::optional<Mat<Dim>> stress_of(const std::vector<double>& components) {
   if (n == 1) return Mat<Dim>(components[0] * Mat<Dim>::Identity());
   Mat<Dim> stress = Mat<Dim>::Zero();
   for (int s = 0; s < n; ++s) {
-    // For a shear component, unit_strain() has 1/2 in each of two entries. A stress has 1 in these entries.
+    // For a shear component, two entries of unit_strain() are 1/2. The corresponding entries of a unit stress are 1.
     const Mat<Dim> unit = unit_strain<Dim>(s);
     stress += components[s] * (s < Dim ? unit : Mat<Dim>(2.0 * unit));
   }
@@ -50,7 +51,7 @@ double mean_magnitude(const std::vector<double>& forces) {
   return forces.empty() ? 0.0 : sum / static_cast<double>(forces.size());
 }
 
-/// Counts the contacts that carry a force and those whose friction is at its limit.
+/// Counts the contacts that carry a force, and the contacts whose friction is at its limit.
 template <int Dim>
 void count_contacts(const BalancedForces<Dim>& forces, ForcesRow& row) {
   const double nothing = kNothing * mean_magnitude(forces.normal_force);
@@ -100,7 +101,7 @@ std::vector<std::optional<ForceRange>> ranges_of(const std::string& file, Static
   return out;
 }
 
-/// Adds a row for each contact and its forces to a table that `floc convert --contacts` can read.
+/// Adds a row with the forces of each contact to a table that `floc convert --contacts` can read.
 template <int Dim>
 void add_contacts(const std::string& file, const Packing<Dim>& packing, const BalancedForces<Dim>& forces,
                   const std::vector<std::optional<ForceRange>>& ranges, bool with_ranges, Table& table) {
@@ -117,7 +118,7 @@ void add_contacts(const std::string& file, const Packing<Dim>& packing, const Ba
     row.emplace_back(file);
     row.push_back(count(static_cast<std::int64_t>(k)));
     row.push_back(count(packing.grains.name(c.i)));
-    // Walls have no identifiers; their indices follow those of the grains.
+    // Walls have no identifiers. Their indices come after the indices of the grains.
     row.push_back(count(body_number(packing, c.j)));
     for (int a = 0; a < Dim; ++a) row.push_back(count(c.image[a]));
     row.emplace_back(c.gap);

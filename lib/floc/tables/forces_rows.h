@@ -13,7 +13,7 @@
 
 namespace floc {
 
-/// Criterion for selecting one of the many sets of contact forces that balance a load.
+/// Criterion of selection: many sets of contact forces balance a load, and one of them is selected.
 enum class ForceSelection {
   kClosest,    ///< the set closest to the forces of the state
   kCanonical,  ///< the set of least elastic energy
@@ -22,8 +22,7 @@ enum class ForceSelection {
 /// Returns the selection with a name, "closest" or "canonical". @throws InputError for other names
 ForceSelection force_selection_named(const std::string& name);
 
-/// Range of the contact numbers that an option accepts. Whether a state has a contact with this number is checked
-/// later.
+/// Contact numbers that an option accepts. A later check ensures that the state has a contact with the given number.
 inline constexpr WholeRange kAnyContact{.least = 0, .most = std::numeric_limits<int>::max()};
 /// Range of the option `gap`, in units of the smallest diameter.
 inline constexpr NumberRange kNearGap{.least = 0.0, .most = 1.0};
@@ -32,15 +31,15 @@ inline constexpr NumberRange kNearGap{.least = 0.0, .most = 1.0};
 struct ForcesTableOptions {
   /// criterion of selection; if absent, kClosest, or kCanonical if the state has no forces
   std::optional<ForceSelection> selection;
-  std::optional<double> friction;  ///< friction coefficient; if absent, that of the contact law
-  /// Normal and tangential stiffness of all contacts (force/length). If absent, each contact has the stiffness that it
-  /// has in the state.
+  std::optional<double> friction;  ///< friction coefficient; if absent, the coefficient of the contact law
+  /// Normal and tangential stiffness of all contacts (force/length). If absent, the stiffnesses of the contacts in the
+  /// state are used.
   std::optional<double> kn, kt;
   /// Stress that the contact forces must balance (stress): the pressure, the components along the axes, or all
   /// components in Voigt order. If empty, the stress of the contact forces in the state.
   std::vector<double> stress;
-  /// Largest gap, in units of the smallest diameter, across which pairs of grains may carry a force. If absent, only
-  /// the contacts of the state carry forces.
+  /// Pairs of grains may exert forces across a gap of at most this value, in units of the smallest diameter. If absent,
+  /// forces act only at the contacts of the state.
   std::optional<double> gap;
   bool contacts = false;  ///< whether the table of the contacts and their forces is computed
   bool ranges = false;    ///< whether the smallest and largest normal force of each contact are computed
@@ -56,11 +55,11 @@ struct ForcesRow {
   int dimension = 0, n_grains = 0, n_contacts = 0, n_carrying = 0;
   ForceSelection selection = ForceSelection::kClosest;
   double friction = 0.0;
-  /// ratio of the largest net force on a grain to the mean normal force, for the contact forces in the state; absent if
-  /// the state contains no forces
+  /// largest net force on a grain, divided by the mean normal force; both computed from the contact forces in the
+  /// state. Absent if the state contains no forces
   std::optional<double> net_force_before;
   double net_force = 0.0, net_moment = 0.0, stress_error = 0.0;
-  double mean_normal_force = 0.0;  ///< mean over the contacts that carry a force (force)
+  double mean_normal_force = 0.0;  ///< mean normal force over the contacts that carry a force (force)
   double mobilised = 0.0;          ///< fraction of the force-carrying contacts whose friction is at its limit
   /// relative distance of the computed forces from the forces in the state; absent if the state contains no forces
   std::optional<double> moved;

@@ -29,9 +29,9 @@ Names column_names() {
   return names;
 }
 
-/// Number of columns that a table of force increments has for one stress increment, isotropic or deviatoric: the normal
-/// force, the shear force and the rolling moment, the elastic energy, the rank of the contact by this energy, and
-/// whether the contact is among those that store 95 % of the energy.
+/// Number of columns for each stress increment (isotropic or deviatoric) in a table of force increments. The columns
+/// are: the normal force, the shear force, the rolling moment, the elastic energy, the rank of the contact by this
+/// energy, and whether the contact is among the contacts that store 95 % of the energy.
 template <int Dim>
 constexpr int kStepColumns = 1 + Dim + kRotations<Dim> + 3;
 

@@ -8,9 +8,10 @@
 namespace floc {
 
 /// Adds a row for each contact of a state to the table of `floc moduli --increments`. The row contains the increments
-/// of the contact forces for an increase of the isotropic stress or of the deviatoric stress by 1, the elastic energy
-/// of these increments, and the rank of the contact by this energy. It also contains whether the contact is a dead end
-/// or part of a backbone. The increments of contacts of rattlers are zero.
+/// of the contact forces due to an increase of the isotropic stress by 1, and due to an increase of the deviatoric
+/// stress by 1. For both, it contains the elastic energy of the increments and the rank of the contact by this energy.
+/// It also contains whether the contact is a dead end or part of a backbone. If the contact belongs to a rattler, its
+/// increments are zero.
 /// @throws InputError if the table already contains a state of another dimension
 template <int Dim>
 void add_increments(const std::string& file, const Packing<Dim>& packing, const ContactNetwork<Dim>& network,

@@ -74,7 +74,8 @@ void add_history(const State<Dim>& state, std::vector<Entry>& entries) {
   entries.push_back({"scene_sha256", state.scene.empty() ? TableValue{} : TableValue{sha256(state.scene)}});
 }
 
-/// Adds the number of shapes, the numbers of their faces (in 2D sides), and their rounding; empty for round grains.
+/// Adds entries about the shapes of grains: number of shapes, numbers of their faces (in 2D: sides), and rounding of
+/// the shapes. The entries are empty for round grains.
 template <int Dim>
 void add_shapes(const Grains<Dim>& grains, std::vector<Entry>& entries) {
   std::optional<std::int64_t> n_shapes, least, most;

@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Adds the row of a state to the table of `floc info`: its contents, residuals of equilibrium, step of the load path,
-/// and provenance. If the table has no columns yet, the columns are added.
+/// Adds the row of a state to the table of `floc info`: contents of the state, residuals of equilibrium, step of the
+/// load path, and provenance. If the table has no columns yet, the columns are added.
 /// @param file  name of the state file, whose SHA-256 is one of the columns
 /// @throws IoError if the file cannot be read
 void add_info_row(const std::string& file, const AnyState& state, Table& table);

@@ -28,8 +28,8 @@ class Cells {
   std::vector<TableValue> values_;
 };
 
-/// Returns the names of the components of strain and stress, which consist of the numbers of their axes: "11", "22",
-/// "12" in 2D, and "11", "22", "33", "23", "13", "12" in 3D.
+/// Returns the names of the components of strain and stress. A name consists of the numbers of the two axes: "11",
+/// "22", "12" in 2D, and "11", "22", "33", "23", "13", "12" in 3D.
 std::vector<std::string> component_names(int dimension) {
   if (dimension == 2) return {"11", "22", "12"};
   return {"11", "22", "33", "23", "13", "12"};

@@ -22,7 +22,7 @@ struct LatticeRow {
   int n_bridges = 0, n_removed = 0, n_islands = 0;
   double k_grain = 0.0, k_matrix = 0.0, k_interface = 0.0, k_contact = 0.0;
   std::string load, boundary;
-  int axis = 1;  ///< axis of the load, from 0
+  int axis = 1;  ///< number (from 0) of the axis of the load
   int n_bare = 0, n_open = 0;
   SpringRelaxationReport report;
   std::vector<double> strain,

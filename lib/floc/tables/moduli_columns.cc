@@ -28,7 +28,8 @@ std::string entry_name(int a, int b) {
 }
 
 /// Returns the indices of the entries of the stiffness matrix C that follow C11, C22 and C12 in the table. These are
-/// the other entries of the upper triangle of C: first those on its diagonal, then the others row by row.
+/// the remaining entries of the upper triangle of C: first the entries on the diagonal, then the off-diagonal entries
+/// row by row.
 /// @param size  number of rows of C
 std::vector<std::pair<int, int>> further_entries(int size) {
   std::vector<std::pair<int, int>> entries;
@@ -52,8 +53,8 @@ TableValue shear_strain_modulus(const ModuliRow& r) {
 }
 
 /// Returns the compliance matrix, the inverse of the stiffness matrix C. Returns nothing if C cannot be inverted. If C
-/// was computed without shear strains, the compliance describes a cell whose shear strains are zero; otherwise, one
-/// whose shear stresses are zero.
+/// was computed without shear strains, the compliance describes a cell whose shear strains are zero; otherwise it
+/// describes a cell whose shear stresses are zero.
 std::optional<Eigen::MatrixXd> compliance(const ModuliRow& r) {
   const Eigen::FullPivLU<Eigen::MatrixXd> factor(r.moduli.C);
   if (!r.moduli.C.allFinite() || !factor.isInvertible()) return std::nullopt;
@@ -64,8 +65,8 @@ std::optional<Eigen::MatrixXd> compliance(const ModuliRow& r) {
 using ModuliColumn = Column<ModuliRow>;
 
 std::vector<ModuliColumn> contract_columns() {
-  // Only the method "factor" counts negative eigenvalues and mechanisms. With other methods the cells are empty,
-  // because a zero would mean that there are none.
+  // Only the method "factor" counts negative eigenvalues and mechanisms. With other methods the cells are empty; a zero
+  // would wrongly mean that there are no negative eigenvalues or mechanisms.
   const auto counted = [](const ModuliRow& r, int n) {
     return r.moduli.method == ModuliMethod::factor ? TableValue{std::int64_t{n}} : TableValue{};
   };
@@ -159,7 +160,7 @@ std::vector<ModuliColumn> budget_columns() {
 }
 
 /// Returns the columns of Young's modulus E_a along each axis a, and of Poisson's ratio nu_ab for each pair of axes a
-/// and b. They are needed for anisotropic states, for which B and G give only means over the axes.
+/// and b. These columns are needed for anisotropic states, because B and G are only means over the axes.
 std::vector<ModuliColumn> axis_columns(int dimension) {
   std::vector<ModuliColumn> columns;
   for (int a = 0; a < dimension; ++a)

@@ -41,13 +41,13 @@ struct ModuliRow {
   /// Error budget of the moduli; absent unless the moduli were computed by --method factor.
   std::optional<ErrorBudget> budget;
   std::optional<int> n_near_mechanisms;
-  /// Bulk modulus (stress) with prestress, that is, with the effect of the contact forces on the stiffness. Absent
-  /// unless --prestress is given or the network has near-mechanisms.
+  /// Bulk modulus (stress) with prestress, that is, with the effect of the contact forces on the stiffness. Computed
+  /// only if --prestress is given or the network has near-mechanisms; otherwise absent.
   std::optional<double> B_prestress;
   std::optional<double> G_prestress;
   std::optional<double> rolling_stiffness;
   std::optional<double> kn_named,
-      /// stiffnesses --kn and --kt that the user gave for the contacts of rigid grains (force/length)
+      /// for rigid grains: stiffnesses of the contacts that the user gave by --kn and --kt (force/length)
       kt_named;
   MeanFieldEstimates mean_field;
   double seconds;            ///< processor time for computing the moduli (s)
@@ -56,7 +56,7 @@ struct ModuliRow {
 
 /// Options that determine the columns of the table of `floc moduli`.
 struct ModuliColumnChoice {
-  /// Whether the user gave rolling stiffnesses, which replace the rolling stiffnesses in the states.
+  /// Whether the user gave rolling stiffnesses in place of the rolling stiffnesses in the states.
   bool rolling_stiffness = false;
   bool prestress = false;
 };

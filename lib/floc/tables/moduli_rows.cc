@@ -46,12 +46,12 @@ ModuliRow described(const std::string& file, const State<Dim>& state) {
   return row;
 }
 
-/// Beginning of the message for states of rigid grains for which --kn and --kt are not given, as require_elastic()
-/// expects it.
+/// Beginning of a message, for require_elastic(). The message is shown for a state of rigid grains if --kn and --kt are
+/// not given.
 const std::string kNeedsStiffness = "without named stiffnesses --kn and --kt, moduli are computed";
 
-/// Returns a state of rigid grains with the stiffnesses --kn and --kt, and warns that these are no property of the
-/// grains.
+/// Returns a state of rigid grains with the stiffnesses --kn and --kt in its contacts, and warns that these stiffnesses
+/// are not a property of the grains.
 template <int Dim>
 State<Dim> with_named_stiffness(const std::string& file, State<Dim> state, const ModuliTableOptions& options,
                                 const Remarks& remarks) {
@@ -120,7 +120,7 @@ void add_network(const State<Dim>& state, ModuliOptions options, ModuliRow& row,
                                                                options, row.moduli);
     if (with.failure.empty()) row.B_prestress = with.B, row.G_prestress = with.G;
   }
-  // frees the memory of the response, because all rows are kept until they are printed
+  // frees the memory of the response: all rows are kept until they are printed, and would need much memory
   row.moduli.response = {};
 }
 
@@ -153,7 +153,7 @@ bool by_factor(const ModuliTableOptions& options) {
 }
 
 /// Sets the memory that a Cholesky factor of the stiffness matrix may take: the value in the options or, if there is
-/// none, 70 % of the free memory. The remaining memory is needed for the matrix itself and for workspace.
+/// none, 70 % of the free memory. The rest of the memory is needed for the matrix itself and for workspace.
 ModuliTableOptions with_largest_factor(ModuliTableOptions options) {
   constexpr double kShare = 0.7;
   if (options.solver == ModuliSolver::automatic && by_factor(options))
@@ -176,9 +176,9 @@ ModuliRows::ModuliRows(const ModuliTableOptions& options)
       space_(options_.moduli),
       last_row_(processor_seconds()) {}
 
-/// Computes the moduli of a packing if the Cholesky factor of its stiffness matrix is predicted to be too large for the
-/// memory. Uses PETSc, which needs no factor. If floc was built without PETSc, tries to compute the factor
-/// nevertheless.
+/// Computes the moduli of a packing whose stiffness matrix has a Cholesky factor that is predicted to be too large for
+/// the memory. The function uses PETSc, which needs no factor. If floc was built without PETSc, it tries to compute the
+/// factor nevertheless.
 /// @param bytes  predicted size of the factor (bytes)
 template <int Dim>
 std::vector<Moduli> ModuliRows::without_factor(const std::string& file, const Packing<Dim>& packing,
@@ -370,7 +370,7 @@ void require_strains(const std::string& file, const AnyState& any, StrainSet str
   if (std::visit([](const auto& state) { return is_free_along_every_axis(state.packing.walls); }, any))
     throw InputError(file,
                      "this packing ends in free space along every axis, so it resists no strain and has no "
-                     "moduli; floc network computes its coordination, and floc forces its forces");
+                     "moduli; its coordination is computed by floc network, its contact forces by floc forces");
   if (strains == StrainSet::full &&
       std::visit([](const auto& state) { return !state.packing.walls.empty(); }, any))
     throw InputError(file, "this state has walls, which cannot shear the grains: give --strains diagonal");

@@ -27,8 +27,9 @@ struct ModuliTableOptions {
   ModuliOptions moduli;
   /// Required relative errors of the moduli. If given, the cheapest method with these errors is used.
   std::optional<ModuliAccuracy> accuracy;
-  /// Rolling stiffnesses (force * length), each of which replaces the rolling stiffness of a state in one row of the
-  /// table. If empty, the rolling stiffness of the state is used.
+  /// Rolling stiffnesses (force * length). For each of them, the table has one row per state, computed with this
+  /// rolling stiffness in place of the rolling stiffness of the state. If empty, the rolling stiffness of the state is
+  /// used.
   std::vector<double> rolling_stiffness;
   ModuliSolver solver = ModuliSolver::automatic;
   /// Memory that a Cholesky factor of the stiffness matrix may take with ModuliSolver::automatic (bytes). If absent,
@@ -39,8 +40,8 @@ struct ModuliTableOptions {
   std::optional<double> kn, kt;
   bool increments = false;  ///< whether a table of the force increments of every contact is added
 
-  /// Returns the faults of the options as texts "name of the option: requirement"; some also contain the value of the
-  /// option. Empty if there are no faults.
+  /// Returns the faults of the options as texts "name of the option: requirement", some with the value of the option.
+  /// The result is empty if there are no faults.
   std::vector<std::string> validate() const;
 };
 
@@ -95,7 +96,7 @@ std::vector<ModuliRow> parallel_moduli_rows(const std::string& file, State<Dim> 
                                             const ModuliTableOptions& options, ParallelSolver& solver,
                                             const Remarks& remarks = {});
 
-/// Checks that the boundary of a state can impose a set of strains on it. Walls cannot impose shear strains.
+/// Checks that the boundary of a state can impose a set of strains on the state. Walls cannot impose shear strains.
 /// @throws InputError if the boundary cannot impose them
 void require_strains(const std::string& file, const AnyState& any, StrainSet strains);
 

@@ -16,7 +16,7 @@
 namespace floc {
 namespace {
 
-/// Columns of a table of moduli.
+/// Columns and values that are read from a table of moduli.
 struct ModulusColumns {
   const NamedColumns& named;
   UnitColumn pressure;
@@ -53,7 +53,7 @@ ModulusColumns modulus_columns(const NamedColumns& named, const ModulusFitOption
           columns_of_moduli(named, options.moduli)};
 }
 
-/// Rows of each sample, with its name.
+/// Returns the name of each sample and its rows.
 std::vector<std::pair<std::string, std::vector<int>>> samples_of(const CsvTable& table,
                                                                  const std::string& name) {
   std::vector<std::pair<std::string, std::vector<int>>> samples;
@@ -129,8 +129,9 @@ ModulusFits modulus_fits(const std::string& file, const ColumnNames& columns,
   for (const auto& [sample, rows] : samples_of(table, file == "-" ? "stdin" : file)) {
     const std::vector<int> chosen = options.branch == "first" ? of_first_loading(all, rows) : rows;
     if (chosen.size() < rows.size())
-      result.notes.push_back(fmt::format("{}: the {} rows of the first loading of {} are fitted", sample,
-                                         chosen.size(), rows.size()));
+      result.notes.push_back(
+          fmt::format("{0}: only the {1} rows of the first loading are fitted, of {2} rows in all", sample,
+                      chosen.size(), rows.size()));
     for (const auto& modulus : all.moduli) {
       std::vector<int> positive;
       std::copy_if(chosen.begin(), chosen.end(), std::back_inserter(positive), [&](int row) {
@@ -138,9 +139,9 @@ ModulusFits modulus_fits(const std::string& file, const ColumnNames& columns,
                table.number(row, modulus.second.index) > 0.0;
       });
       if (positive.size() < chosen.size())
-        result.notes.push_back(
-            fmt::format("{}: {} rows have no pressure or no positive {} and are left out of its laws", sample,
-                        chosen.size() - positive.size(), modulus.first));
+        result.notes.push_back(fmt::format(
+            "{0}: {1} rows are left out of the laws of {2}, because the pressure or {2} is not positive",
+            sample, chosen.size() - positive.size(), modulus.first));
       for (const ModulusAgainst against : {ModulusAgainst::pressure, ModulusAgainst::fraction}) {
         if (against == ModulusAgainst::fraction && all.phi.empty()) continue;
         result.fits.push_back(fit_rows(all, modulus, against, positive));

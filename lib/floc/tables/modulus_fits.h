@@ -10,13 +10,14 @@
 namespace floc {
 
 struct ModulusFitOptions {
-  /// Headers of the columns of the moduli; empty for those of default_moduli() that the table has.
+  /// Headers of the columns of the moduli to fit. If empty, the moduli in default_moduli() that the table contains are
+  /// fitted.
   std::vector<std::string> moduli;
   std::string branch = "first";  ///< "first": the states of the first loading; "all": all states
   double phi_limit = 1.0;        ///< see largest_solid_fraction()
 };
 
-/// Names of the moduli that are fitted where the user names none.
+/// Returns the names of the moduli that are fitted if the user names no moduli.
 const std::vector<std::string>& default_moduli();
 
 /// Quantity against which a modulus is fitted.
@@ -24,30 +25,32 @@ enum class ModulusAgainst { pressure, fraction };
 
 /// Power law of one modulus of one sample.
 struct ModulusFit {
-  std::string sample;   ///< directory of the states, otherwise the table; "pooled" for the mean over samples
+  /// directory of the states or, if unknown, name of the table; "pooled" for the mean over samples
+  std::string sample;
   std::string modulus;  ///< header of the column of the modulus
   ModulusAgainst against = ModulusAgainst::pressure;
   std::string unit;              ///< unit of the modulus; empty if the table has none
   std::vector<int> rows;         ///< rows of the table that were fitted
-  double low = 0.0, high = 0.0;  ///< smallest and largest pressure or solid fraction
-  int n = 0;                     ///< number of states, or of samples
+  double low = 0.0, high = 0.0;  ///< smallest and largest of the fitted pressures or solid fractions
+  int n = 0;                     ///< number of states; for "pooled", number of samples
   ModulusLaw law;
 };
 
-/// Moduli of samples as a table of `floc moduli`, or a laboratory, gives them.
+/// Power laws of all moduli in a table of `floc moduli` or of a laboratory.
 struct ModulusFits {
   std::vector<ModulusFit> fits;
-  std::vector<std::string> notes;  ///< messages about rows that do not count
+  std::vector<std::string> notes;  ///< messages about rows that are not fitted
 };
 
-/// Fits power laws of elastic moduli against the pressure and, where the table has solid fractions, against these.
-/// Consecutive rows whose states, in the column "file", are in one directory are one sample; without this column the table
-/// is one sample. States without pressure or with a modulus that is not positive have no logarithm and are left out.
+/// Fits power laws of elastic moduli against the pressure and, if the table has solid fractions, also against the solid
+/// fraction. Consecutive rows belong to one sample if their states, in the column "file", are in the same directory;
+/// without this column, all rows belong to one sample. States are left out if the pressure or the modulus is not
+/// positive, because it has no logarithm.
 /// @throws InputError with file, line and value if a column is missing or a value is not a number
 ModulusFits modulus_fits(const std::string& file, const ColumnNames& columns, const ModulusFitOptions& options);
 
-/// Returns the means of the parameters over samples, for each modulus and each quantity, with Student's interval. There
-/// are none if there is a single sample.
+/// Returns the means of the parameters over samples, with Student's interval, for each modulus and each quantity
+/// against which it is fitted. The result is empty if there is only one sample.
 std::vector<ModulusFit> pooled_over_samples(const std::vector<ModulusFit>& fits);
 
 /// Returns the table of `floc fit moduli`, with a row for each parameter.

@@ -26,8 +26,8 @@ std::vector<double> scaled(std::vector<double> values, double unit) {
   return values;
 }
 
-/// Values of one quantity (normal force or particle pressure) in one unit, and the windows of values to which
-/// exponential distributions are fitted. All members are in this unit.
+/// Values of one quantity (normal force or particle pressure), and the windows of values to which exponential
+/// distributions are fitted. All numbers are in the unit `unit`.
 struct Measured {
   std::string quantity, unit;
   double unit_size = 0.0;
@@ -35,11 +35,12 @@ struct Measured {
   std::vector<double> from;    ///< magnitudes at which the windows begin
   /// Largest magnitude that a negative value can have. Windows of negative values end here.
   double end_of_negative = kEnd;
-  /// Ends of two additional windows, one for positive and one for negative values; absent if there is no such window.
+  /// Ends of two additional windows: `window_plus` for positive values, `window_minus` for negative values. An end is
+  /// absent if there is no such window.
   std::optional<double> window_plus, window_minus;
 };
 
-/// Returns the size of a unit as a table cell. The cell is empty in rows for all states together, because the size of
+/// Returns the size of a unit as a table cell. In rows for all states together, the cell is empty, because the size of
 /// the unit differs between states.
 TableValue size_or_none(double unit) {
   return unit > 0.0 ? TableValue{unit} : TableValue{};
@@ -136,8 +137,8 @@ void add_phase_tables(const std::string& file, const PhaseStructure& phases, Bon
   }
 }
 
-/// Returns the lattice vectors along which a phase (the grains of positive or of negative pressure) winds around the
-/// periodic cell, as a text such as "xy" or "z", or "none".
+/// Returns a text with the lattice vectors along which a phase winds around the periodic cell, such as "xy", "z" or
+/// "none". A phase consists of the grains with positive or of the grains with negative pressure.
 std::string axes_of(const PhaseGeometry& phase) {
   std::string axes;
   for (int a = 0; a < 3; ++a)

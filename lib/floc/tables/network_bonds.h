@@ -18,8 +18,10 @@ namespace floc {
 /// Options of `floc network` for columns and tables about bonds and phases. Bonds are the interactions of grains in a
 /// cohesive network. The two phases are the grains with positive and the grains with negative particle pressure.
 struct BondTableOptions {
-  bool bonds = false, phases = false;  ///< whether the columns about bonds, and those about phases, are added
-  /// Magnitude of the normal force below which a bond counts as near zero, in units of the pull-off force F0.
+  /// whether the columns about bonds and the columns about phases are added
+  bool bonds = false, phases = false;
+  /// A bond counts as near zero if the magnitude of its normal force is below this value, in units of the pull-off
+  /// force F0.
   double near = 0.02;
   PhaseOptions phase_structure;
   /// Whether each of the tables in BondTables is computed in addition to the table of states.
@@ -51,13 +53,13 @@ struct BondTables {
   Table pressures{{"file", "unit_stress", "low", "high", "count", "n", "density", "n_outside"}, {}};
   Table neighbours{{"file", "phase", "like_low", "like_high", "n_grains", "mean_size", "stderr"}, {}};
   Table clusters{{"file", "phase", "n_grains", "count"}, {}};
-  /// Values of all states together; the key is the quantity and the unit. Each value is divided by the unit of its own
-  /// state.
+  /// Values of all states together; the key consists of quantity and unit. Each value is divided by the size that the
+  /// unit has in the state of the value.
   std::map<std::pair<std::string, std::string>, std::vector<double>> pooled;
 };
 
-/// Limits below which forces in a state cannot be distinguished from zero, because the equilibrium of the state is
-/// accurate only to a tolerance.
+/// Forces below these limits cannot be distinguished from zero, because the equilibrium of a state is accurate only to
+/// a tolerance.
 struct ForceLimits {
   double zero;      ///< largest normal force that counts as zero (force)
   double pressure;  ///< largest force P a^(Dim-1) that counts as zero (force); P: pressure, a: largest diameter

@@ -145,8 +145,8 @@ std::vector<Column<NetworkRow>> anisotropy_columns() {
   return columns;
 }
 
-/// Returns the name of a column whose distribution is computed by contact points or by pairs of grains: alpha or
-/// alpha_pairs, alpha_error or alpha_pairs_error.
+/// Returns the name of a column about the distribution of forces. If the forces are counted by pairs of grains,
+/// "_pairs" is inserted: alpha becomes alpha_pairs, and alpha_error becomes alpha_pairs_error.
 std::string with_pairs(const std::string& name, bool by_pairs) {
   if (!by_pairs) return name;
   const std::size_t at = name.find("_error");

@@ -20,8 +20,8 @@ namespace {
 constexpr ForceKind kForceKinds[] = {ForceKind::normal, ForceKind::tangential, ForceKind::rolling};
 
 /// Computes the degree of hyperstaticity (number of independent self-stresses) of the force-carrying structure `held`.
-/// @param network, response  contact network with which the moduli were computed, and its elastic response. They save
-/// time if the contacts of the network are the contacts of `held`
+/// @param network, response  contact network with which the moduli were computed, and its elastic response. If the
+/// network has the same contacts as `held`, they are used again to save time
 template <int Dim>
 Indeterminacy hyperstaticity(const Packing<Dim>& packing, const CarryingStructure& held,
                              const ContactNetwork<Dim>& network, const ElasticResponse& response) {
@@ -113,8 +113,8 @@ void add_distribution(const std::string& file, ForceKind kind, const ForceDistri
         {file, name_of(kind), d.unit, d.low(b), d.low(b + 1), d.counts[b], d.n, d.density(b), d.n_outside});
 }
 
-/// Returns the largest force P a^(Dim-1) that cannot be distinguished from zero, because the equilibrium of the stress
-/// is accurate only to a tolerance (P: pressure, a: largest diameter).
+/// Returns the largest value of the force P a^(Dim-1) that cannot be distinguished from zero (P: pressure, a: largest
+/// diameter). The stress is in equilibrium only to a tolerance.
 template <int Dim>
 double least_pressure_force(const State<Dim>& state) {
   return state.tolerance.stress * force_scale(state.packing, state.target_stress).force;

@@ -72,7 +72,8 @@ struct NetworkRow {
   std::optional<ContactKinds> kinds;  ///< kinds of the contacts of grains with corners; absent for round grains
   std::optional<ContactAnisotropy> anisotropy;
   ForceShape force_by_points;
-  /// distribution of the forces by pairs of grains; absent for round grains, because their pairs have one contact point
+  /// distribution of the forces by pairs of grains; absent for round grains, because a pair of round grains has only
+  /// one contact point
   std::optional<ForceShape> force_by_pairs;
   std::optional<double> mobilisation;
   std::optional<double> long_axes_order;

@@ -45,8 +45,8 @@ struct DensityColumn {
   bool is(const char* name) const { return density.name == std::string_view(name); }
 };
 
-/// Returns the largest rounding error of a number in a text: half a unit in its last decimal place. A number with fewer
-/// than three decimals is treated as if it had three, because a number such as 0.5 may be exact.
+/// Returns the largest rounding error of a number in a text: half a unit in the last decimal place of the number. A
+/// number with fewer than three decimals, such as 0.5, is treated as if it had three decimals, because it may be exact.
 double rounding_of(std::string_view text) {
   constexpr double kThreeDecimals = 5e-4;
   const std::size_t end = std::min(text.find_first_of("eE"), text.size());
@@ -57,7 +57,7 @@ double rounding_of(std::string_view text) {
   return std::min(0.5 * std::pow(10.0, exponent), kThreeDecimals);
 }
 
-/// Smallest and largest number in a column. @pre the table has rows
+/// Returns the smallest and the largest number in a column. @pre the table has rows
 std::pair<double, double> range_of(const CsvTable& table, int column) {
   double least = table.number(0, column), most = least;
   for (int row = 1; row < table.n_rows(); ++row) {
@@ -74,12 +74,12 @@ std::string percent_question(const std::string& name, const std::string& header)
                      item, item);
 }
 
-/// Returns advice for a solid fraction that may be that of a powder in a die; empty if it cannot be.
+/// Returns advice for a solid fraction above 1 that may have been measured on a powder in a die; empty for other solid
+/// fractions.
 std::string advice_for_die(double phi) {
   if (!(phi > 1.0 && phi <= largest_solid_fraction(kInfinity))) return "";
-  return "; a density measured in a die under load, where elastic strain may take it beyond that of the solid, "
-         "is "
-         "read with --phi-limit none";
+  return "; if this density was measured in a die under load, where elastic strain may raise it above the "
+         "density of the solid, give --phi-limit none";
 }
 
 /// Reads the solid fractions of one table.
@@ -105,7 +105,7 @@ class DensityReader {
   }
 
  private:
-  /// Whether all additional numbers that are needed to convert a density to a solid fraction are given.
+  /// Returns whether all numbers that are needed to convert the density `name` to a solid fraction are given.
   bool is_complete(const std::string& name) const {
     const auto known = [this](const char* of) { return columns_.given_number(of) || columns_.has(of); };
     if (name == "dry_density" || name == "bulk_density") return known("particle_density");
@@ -134,8 +134,9 @@ class DensityReader {
                                                  fmt::join(table_.columns(), ", "), almost));
   }
 
-  /// Whether a column contains a density: the user or its header says so, or the column has a usual name of the density
-  /// and its unit, if any, fits. For example, the diameter "D [mm]" of a tablet is not a relative density.
+  /// Returns whether a column contains a density. It does if the user or the header of the column says so, or if the
+  /// header is a usual name of the density and has no unit or a unit of this density. For example, the diameter "D
+  /// [mm]" of a tablet is not a relative density.
   bool is_of(const Density& density, const UnitColumn& column) const {
     if (columns_.is_named(density.name) || columns_.find_exactly(density.name)) return true;
     return column.unit.empty() || quantity_of_unit(column.unit) == density.measures;
@@ -150,8 +151,8 @@ class DensityReader {
                        density.words, needed);
   }
 
-  /// Returns the column of void ratios beside a column of solid fractions; the two columns must agree. Nothing if the
-  /// user has named only one of the two.
+  /// If the table has a column of void ratios and a column of solid fractions, returns the column of void ratios; the
+  /// two columns must agree. Returns nothing if the user has named only one of them.
   std::optional<DensityColumn> second_column() const {
     const bool phi = columns_.is_named("phi"), void_ratio = columns_.is_named("void_ratio");
     if (!main_.is("phi") || phi != void_ratio) return std::nullopt;
@@ -186,8 +187,8 @@ class DensityReader {
     return height / (1.0 + e);
   }
 
-  /// Returns a number that is the same for all rows: the number that the user gave or, without it, the first number in
-  /// the column of this name.
+  /// Returns a number that is the same for all rows: the number given by the user or, without such a number, the first
+  /// number in the column `name`.
   GivenNumber reference(const char* name, const char* words) {
     GivenNumber number{0.0, ""};
     if (const auto given = columns_.given_number(name)) {
@@ -218,7 +219,7 @@ class DensityReader {
   }
 
   /// Returns `phi` if it is a possible solid fraction.
-  /// @throws InputError that names the cell from which it was computed if it is not
+  /// @throws InputError if `phi` is not possible; the message names the cell from which it was computed
   double in_range(int row, double phi, const char* expected) const {
     if (phi > 0.0 && phi <= largest_solid_fraction(phi_limit_)) return phi;
     throw InputError(table_.place(row), fmt::format("{} = {}: expected {}; {}{}", main_.density.name,

@@ -13,43 +13,44 @@ struct SolidFractions {
   std::string words;  ///< quantity that was read, such as "void ratio in %"
 };
 
-/// Names of the quantities from which solid_fractions() computes solid fractions, and of the reference values that it
-/// needs for some of them. A user may assign columns to these names.
+/// Returns the names of the quantities from which solid_fractions() computes solid fractions, and the names of the
+/// reference values that some of these quantities need. A user may assign columns to these names.
 std::vector<std::string> density_names();
 
-/// Reads the solid fractions Phi of a table. They are computed from a column of one of the following quantities: the
-/// one that the user named or, otherwise, the first one that the table contains.
+/// Reads the solid fractions Phi of a table. They are computed from a column with one of the following quantities: the
+/// quantity that the user named or, otherwise, the first quantity of the list that the table contains.
 ///
 ///   phi              solid fraction
-///   void_ratio       void ratio e: Phi = 1/(1 + e)
-///   porosity         porosity n: Phi = 1 - n
-///   specific_volume  ratio v of the volume of the sample to the volume of its grains: Phi = 1/v
-///   dry_density      mass of the grains per volume of the sample rho: Phi = rho/particle_density
-///   bulk_density     mass of a dry powder per volume of the sample rho: Phi = rho/particle_density
-///   axial_strain     eps, positive in compression: Phi = 1/[(1 + initial_void_ratio) (1 - eps)]
-///   height           H: Phi = H_s/H, where the height of the grains H_s is solid_height, or
-///                    initial_height/(1 + initial_void_ratio), initial_height being by default the first height
+///   void_ratio       e, void ratio: Phi = 1/(1 + e)
+///   porosity         n, porosity: Phi = 1 - n
+///   specific_volume  v, volume of the sample divided by the volume of its grains: Phi = 1/v
+///   dry_density      rho, mass of the grains per volume of the sample: Phi = rho/particle_density
+///   bulk_density     rho, mass of a dry powder per volume of the sample: Phi = rho/particle_density
+///   axial_strain     eps, strain along the axis, positive in compression: Phi = 1/[(1 + initial_void_ratio) (1 - eps)]
+///   height           H, height of the sample: Phi = H_s/H. The height of the grains H_s is solid_height, or
+///                    initial_height/(1 + initial_void_ratio); default of initial_height: the first height in the table
 ///
-/// Numbers whose unit is % are divided by 100. If the table has the columns phi and void_ratio and the user named
-/// neither, they have to agree.
+/// Numbers whose unit is % are divided by 100. If the table has the columns phi and void_ratio, and the user named
+/// neither of them, the two columns have to agree.
 /// @param phi_limit  see largest_solid_fraction()
-/// @throws InputError naming file, line and value if no such column is there, if a value is not possible, if the numbers
-/// seem to be in percent although the table does not say so, or the other way round, or if two columns contradict each
-/// other
+/// @throws InputError naming file, line and value if there is no such column, if a value is not possible, if the
+/// numbers contradict the unit (they seem to be in percent although the table does not say so, or they seem not to be
+/// although it does), or if two columns contradict each other
 SolidFractions solid_fractions(const NamedColumns& columns, double phi_limit = 1.0);
 
-/// Returns the largest solid fraction that a row of a table may have: 1, or the bound `phi_limit` if that is larger, as for
-/// powders in a die, where elastic strain makes the grains denser than the solid without load. Whatever the bound, a number
-/// of more than 1.5 is not a solid fraction, but in percent.
+/// Returns the largest solid fraction that a row of a table may have: 1 or, if `phi_limit` is larger, `phi_limit`, but
+/// at most 1.5. Solid fractions above 1 occur for powders in a die, because elastic strain makes the grains denser than
+/// the solid without load. Numbers above 1.5 are assumed to be in percent.
 double largest_solid_fraction(double phi_limit);
 
-/// Returns the factor that converts the numbers in the column `name`, a void ratio or another ratio, to plain ratios:
-/// 0.01 for percent, otherwise 1.
-/// @throws InputError with a question if the numbers seem to be in percent although the table does not say so, or if
-/// percentages are too small. No error is thrown if the user gave the unit with `--columns "NAME=COLUMN [%]"` or "[1]"
+/// Returns the factor that converts the numbers in the column `name` (a void ratio or another ratio) to plain ratios:
+/// 0.01 if they are in percent, otherwise 1.
+/// @throws InputError with a question for the user, if the numbers seem to be in percent although the table does not
+/// say so, or if they are too small for percentages although the table says that they are in percent. No error is
+/// thrown if the user gave the unit with `--columns "NAME=COLUMN [%]"` or "[1]"
 double factor_of_share(const NamedColumns& columns, const std::string& name);
 
-/// Returns a solid fraction that is given either as a solid fraction or as a void ratio.
+/// Returns the solid fraction that corresponds to a value, which is either a solid fraction or a void ratio.
 /// @param place      place of the value in messages
 /// @param phi_limit  see largest_solid_fraction()
 /// @throws InputError if the value is not possible

@@ -7,13 +7,13 @@
 namespace floc {
 
 /// Passes on the remarks that a computation makes about a file. A remark is a warning, or a note that the chosen method
-/// was replaced by another one. The program prints remarks on stderr, and the Python package turns them into Python
+/// was replaced by another method. The program prints remarks on stderr, and the Python package turns them into Python
 /// warnings.
 class Remarks {
  public:
   /// Function that receives a remark.
-  /// @param severity  number by which remarks are compared that differ only in their numbers: the remark with the
-  /// largest severity is the most serious
+  /// @param severity  measure of how serious the remark is. Of several remarks that differ only in their numbers, the
+  /// remark with the largest severity is the most serious
   using Receiver = std::function<void(const std::string& file, const std::string& text, double severity)>;
 
   /// Creates an object that ignores all remarks.
@@ -31,7 +31,7 @@ class Remarks {
   Receiver receiver_;
 };
 
-/// Returns the first number in the text of a remark, as its severity; 0 if there is no number.
+/// Returns the first number in the text of a remark, which is used as its severity; 0 if there is no number.
 double first_number(const std::string& text);
 
 }  // namespace floc

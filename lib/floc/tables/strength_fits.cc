@@ -16,8 +16,8 @@ namespace {
 struct Pool {
   int n_tests = 0;
   std::vector<FailureStress> peak, critical;
-  std::vector<PlaneStress> peak_planes, critical_planes;  ///< of tests on planes
-  /// Lateral stress, or stress across the planes, at the beginning of each test.
+  std::vector<PlaneStress> peak_planes, critical_planes;  ///< stresses in tests on planes
+  /// Lateral stress at the beginning of each test or, in tests on planes, normal stress on the planes.
   std::vector<double> imposed;
   std::map<std::string, std::vector<double>> values;  ///< values of each parameter; the key is its name
   std::vector<std::string> names;                     ///< names of the parameters, in order
@@ -31,7 +31,7 @@ struct Pool {
   }
 };
 
-/// Converts the stresses of a test to the unit of the test `to`.
+/// Converts the stresses of `test` to the unit of the stresses of `to`.
 void convert_stresses(const StrengthTest& to, StrengthTest& test) {
   const double factor = unit_factor(test.sample, test.unit, to.sample, to.unit);
   test.unit = to.unit;
@@ -45,7 +45,7 @@ void convert_stresses(const StrengthTest& to, StrengthTest& test) {
   }
 }
 
-/// Adds the states of a table in which each row is a sample at failure.
+/// Adds the states of a table to a pool. Each row of this table is a sample at failure.
 void add_failures(const StrengthTest& test, Pool& pool) {
   for (const ShearPoint& p : test.points) {
     ++pool.n_tests;
@@ -109,7 +109,7 @@ StrengthFit evaluate(const StrengthTest& test, const StrengthOptions& options, P
   return evaluate_shear(test, options, pool);
 }
 
-/// Whether all tests began under one stress, to 5 %.
+/// Returns whether all tests began under the same stress, to 5 %.
 bool have_one_stress(const std::vector<double>& imposed) {
   constexpr double kSame = 0.05;
   const auto [least, most] = std::ranges::minmax(imposed);

@@ -17,21 +17,22 @@ struct StrengthOptions {
   std::optional<std::pair<double, double>> modulus_range;
 };
 
-/// Parameters computed from one test, or from all tests of one kind together.
+/// Parameters that were computed from one test, or from all tests of one kind together.
 struct StrengthFit {
   std::string sample;  ///< name of the table; "pooled" for all tests of a kind
   std::string rows;    ///< rows of the table, as text; empty for all tests of a kind
   TestKind kind = TestKind::drained;
   std::string unit;  ///< unit of the stresses; empty if the tables have none
-  int n = 0;         ///< number of states of the test, or number of tests
+  int n = 0;         ///< number of states of the test; for all tests of a kind, number of tests
   std::vector<FittedParameter> parameters;
   std::string failure_reason;  ///< reason why there are no parameters; empty if there are parameters
   std::vector<std::string> warnings;
 };
 
-/// Evaluates every test by itself, then all tests of each kind together: Mohr-Coulomb lines of the peak and critical
-/// states of tests under different lateral stresses, and means over tests under one lateral stress. K0 and constrained
-/// modulus of oedometer tests are means over the samples.
+/// Evaluates every test by itself, then all tests of each kind together. If the tests are under different lateral
+/// stresses, Mohr-Coulomb lines are fitted to their peak and critical states. If all lateral stresses are equal, the
+/// parameters are averaged over the tests. K0 and the constrained modulus of oedometer tests are averaged over the
+/// samples.
 /// @throws InputError if the stresses of two tables are in units that cannot be converted
 std::vector<StrengthFit> strength_fits(std::vector<StrengthTest> tests, const StrengthOptions& options);
 

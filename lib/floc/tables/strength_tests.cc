@@ -39,7 +39,8 @@ class RunColumns {
     if (control == "simple_shear") return TestKind::simple_shear;
     return std::nullopt;
   }
-  /// Whether two successive rows belong to one test. Unloading and reloading in an oedometer belong to the same test.
+  /// Returns whether two successive rows belong to the same test. Unloading and reloading in an oedometer belong to the
+  /// same test as the loading.
   bool same_test(int row, int next) const {
     const auto same = [&](int column) { return table_.text(row, column) == table_.text(next, column); };
     return same(control_) && same(axis_) && (same(branch_) || kind(row) == TestKind::oedometer);
@@ -66,7 +67,8 @@ class RunColumns {
     return p;
   }
 
-  /// State of a row of simple shear; with `is_start`, of the row before, from which the shear begins.
+  /// Returns the state in a row of a test of simple shear. If `is_start` is true, the row is the one before the test;
+  /// its shear strain and shear stress are 0.
   PlaneShearPoint plane(int row, std::size_t axis, bool is_start) const {
     PlaneShearPoint p;
     p.normal_stress = table_.number(row, stress_[axis]);
@@ -97,7 +99,8 @@ void count_strains_from_start(StrengthTest& test) {
   }
 }
 
-/// Adds the state of a row to the test to which the row `of` belongs.
+/// Adds the state in the row `row` to `test`.
+/// @param of  a row of the test; `row` is this row, or the row before the test
 void add_state(const RunColumns& columns, int row, int of, StrengthTest& test) {
   if (test.kind == TestKind::simple_shear)
     test.planes.push_back(columns.plane(row, columns.axis(of), row != of));
@@ -132,7 +135,7 @@ double strain_factor(const CsvTable& table, const UnitColumn& column) {
                                table.columns()[static_cast<std::size_t>(column.index)], column.unit));
 }
 
-/// Column of strains, with the factor that makes shares of one of them.
+/// Column of strains, with the factor that converts its numbers to plain ratios.
 struct StrainColumn {
   int index;
   double factor;
@@ -143,7 +146,7 @@ StrainColumn strain_column(const NamedColumns& columns, const std::string& name)
   return {column.index, strain_factor(columns.table(), column)};
 }
 
-/// Whether a table gives stresses on planes that are sheared along each other.
+/// Returns whether the stresses in a table are stresses on planes that slide along each other.
 bool is_of_planes(const NamedColumns& columns, TestKind kind) {
   return kind == TestKind::simple_shear || (!columns.has("sigma1") && columns.has("tau"));
 }
@@ -179,7 +182,7 @@ std::vector<StrengthTest> tests_of_laboratory(const std::string& name, const Nam
   std::optional<StrainColumn> strain, volume;
   if (columns.has("strain")) {
     strain = strain_column(columns, "strain");
-    // An oedometer keeps the lateral lengths constant, so its volumetric strain equals its axial strain.
+    // In an oedometer, the lateral lengths are constant, so that the volumetric strain equals the axial strain.
     volume = kind == TestKind::oedometer ? strain : strain_column(columns, "volumetric_strain");
   }
   StrengthTest test{name, strain ? kind : TestKind::failure, {}, axial.unit, {}, {}};
@@ -216,7 +219,7 @@ const char* name_of(TestKind kind) {
 
 namespace {
 
-/// Whether a directory of a case of a campaign has the path of at least one run.
+/// Returns whether the directory of a case of a campaign contains the load path of at least one run.
 bool has_path(const std::filesystem::path& directory) {
   for (const auto& entry : std::filesystem::directory_iterator(directory))
     if (std::filesystem::exists(entry.path() / "path.csv")) return true;

@@ -9,19 +9,20 @@
 
 namespace floc {
 
-/// Kind of a mechanical test, given by the quantity that is kept constant while the sample is strained along an axis.
+/// Kind of a mechanical test. The kinds differ in the quantity that is constant while the sample is strained along an
+/// axis.
 enum class TestKind {
-  drained,       ///< the lateral stress: biaxial and triaxial tests
-  undrained,     ///< the volume, as in a saturated sample whose water cannot flow
-  oedometer,     ///< the lateral lengths
-  simple_shear,  ///< the stress across planes that are sheared along each other
-  failure,       ///< rows of a table that gives one state of failure for each test
+  drained,       ///< lateral stress constant: biaxial and triaxial tests
+  undrained,     ///< volume constant, as in a saturated sample whose water cannot flow
+  oedometer,     ///< lateral lengths constant
+  simple_shear,  ///< normal stress constant, on planes that slide along each other
+  failure,       ///< table in which each row is a test: its state at failure
 };
 
-/// Returns the name of a kind of test in tables.
+/// Returns the name that tables use for a kind of test.
 const char* name_of(TestKind kind);
 
-/// Returns the kind of test with the given word; drained tests if there is none.
+/// Returns the kind of test with the given name; TestKind::drained if no kind has this name.
 TestKind kind_of_test(const std::string& word);
 
 /// One test, whose states are consecutive rows of a table.
@@ -32,26 +33,27 @@ struct StrengthTest {
   std::string unit;       ///< unit of the stresses; empty if the header has none
   /// States of the test. The first one is the row before the test, if there is one; strains are measured from it.
   std::vector<ShearPoint> points;
-  std::vector<PlaneShearPoint>
-      planes;  ///< states of a test of simple shear, or of one whose failure is on given planes
+  /// states of a test of simple shear, or of another test in which the failure planes are given
+  std::vector<PlaneShearPoint> planes;
 
   std::size_t n_states() const { return points.size() + planes.size(); }
 };
 
-/// Returns the tables that an argument of `floc fit strength` stands for: those of tables_of() or, for the directory of a
-/// campaign, those of the runs of all of its cases.
+/// Returns the files of the tables that an argument of `floc fit strength` denotes: for the directory of a campaign,
+/// the tables of the runs of all its cases; otherwise the result of tables_of().
 std::vector<std::string> tables_of_tests(const std::string& input);
 
-/// Names of the quantities of tables of tests.
+/// Returns the names of the quantities that tables of tests may contain.
 const std::vector<std::string>& strength_names();
 
-/// Reads the tests in a table. In path.csv of `floc run` these are the consecutive rows with one driven axis and the
-/// control triaxial, constant_volume, oedometric or simple_shear. Any other table has the columns sigma1 and sigma3 (stresses along
-/// the axis and across it) and either strain (along the axis) and volumetric_strain, and is one test, or
-/// neither, and each row is a sample at failure. A table of simple shear has sigma_n and tau (stresses across and along the
-/// planes) in their place, and shear_strain in that of strain.
-/// @param kind     kind of the test in a table with strains that `floc run` has not written
-/// @param columns  headers of the columns, for quantities whose columns have other headers
+/// Reads the tests in a table. In path.csv of `floc run`, a test consists of consecutive rows with the same driven axis
+/// and the same control (triaxial, constant_volume, oedometric or simple_shear). Any other table has the columns sigma1
+/// and sigma3 (stresses along the axis and across it). If it also has the columns strain (along the axis) and
+/// volumetric_strain, it is one test; without them, each row is a sample at failure. A table of simple shear has the
+/// columns sigma_n and tau (normal and shear stress on the planes) instead of sigma1 and sigma3, and shear_strain
+/// instead of strain.
+/// @param kind     kind of the test in a table with strains that was not written by `floc run`
+/// @param columns  headers of the columns of those quantities whose header is not the name of the quantity
 /// @throws InputError with file, line and value if a column is missing or a value is not a number
 std::vector<StrengthTest> read_strength_tests(const std::string& file, const ColumnNames& columns,
                                               TestKind kind = TestKind::drained);

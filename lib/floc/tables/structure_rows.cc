@@ -64,7 +64,7 @@ void add_fit(const Scattering& s, double diameter, const StructureTableOptions& 
   report(row.file, s, *row.fit, series.intensity, remarks);
 }
 
-/// Returns the average of the scattered intensity over all states. The first call creates this average.
+/// Returns the object in `series` that averages the scattered intensity over all states. The first call creates it.
 /// @param edges     edges of the bins of wave number; those passed in the first call are used for all states
 /// @param diameter  largest diameter in the first state (length)
 ScatteringAverage& average_in(Series& series, const std::vector<double>& edges, double diameter) {
@@ -101,8 +101,8 @@ void add_scattering(const Packing<3>& packing, const StructureTableOptions& opti
   if (options.average) average_in(series, edges, diameter).add(packing, options.scattering.most_vectors);
 }
 
-/// Sets the columns of a table that has no rows yet; the columns depend on the dimension of the state. If the table has
-/// rows, checks that its columns are `names`.
+/// If a table has no rows yet, sets its columns to `names`, which depend on the dimension of the state. If the table
+/// has rows, checks that its columns are `names`.
 void choose_columns(const std::string& file, const std::vector<std::string>& names, Table& table) {
   if (table.rows.empty()) table.columns.clear();
   expect_columns(file, names, table);
@@ -184,8 +184,8 @@ void add_voronoi(const Packing<3>& packing, const StructureTableOptions& options
   }
 }
 
-/// Returns the factor by which lengths in a packing are multiplied so that it can be compared with the first packing:
-/// (Phi/Phi0)^(1/Dim), with the solid fractions Phi of the packing and Phi0 of the first packing.
+/// Returns the factor by which the lengths in a packing are multiplied to compare it with the first packing:
+/// (Phi/Phi0)^(1/Dim), where Phi is the solid fraction of the packing and Phi0 the solid fraction of the first packing.
 template <int Dim>
 double rescaling(const Packing<Dim>& packing, const Series& series) {
   return std::pow(solid_fraction(packing) / *series.reference_phi, 1.0 / Dim);
@@ -204,8 +204,8 @@ void add_pairs(const std::string& file, const Packing<Dim>& packing, const Struc
     series.pairs.rows.push_back({file, found.middle(b), found.g[b], found.n_pairs[b], scale * found.middle(b)});
 }
 
-/// Returns the gaps (length) up to which grains are counted as neighbours: 0, and ten values per decade from 1e-6 to 1
-/// times the largest diameter.
+/// Returns the list of the largest gaps (length) across which grains count as neighbours: 0, and ten values per decade
+/// from 1e-6 to 1 times the largest diameter.
 std::vector<double> gaps_of(double diameter) {
   std::vector<double> gaps = {0.0};
   for (int k = -60; k <= 0; ++k) gaps.push_back(diameter * std::pow(10.0, 0.1 * k));
@@ -269,7 +269,8 @@ void add_profile(const std::string& file, const Packing<Dim>& packing, const Str
   for (const ProfileSlice& s : axis_profile(packing, axis, options.n_slices, values)) {
     std::vector<TableValue> row = {
         file, s.low, s.high, s.solid_fraction, void_ratio(s.solid_fraction), count(s.n_grains), s.mean[0]};
-    row.resize(table.columns.size());  // cells of quantities that a packing does not have stay empty
+    // cells remain empty for quantities that are not defined for this packing
+    row.resize(table.columns.size());
     if (s.mean.size() > 1) row[7] = s.mean[1];
     for (std::size_t a = 0; a < s.stress.size(); ++a) row[8 + a] = s.stress[a];
     table.rows.push_back(std::move(row));

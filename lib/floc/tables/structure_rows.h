@@ -25,7 +25,8 @@ struct StructureTableOptions {
   /// Whether each of these tables in Series is computed in addition to the table of states.
   bool intensity = false, pairs = false, gaps = false, pores = false, map = false, prediction = false;
   bool porosity = false, profile = false;
-  /// Number of cubes of different sizes around the centre of the cell in which the porosity is computed.
+  /// Number of cubes in which the porosity is computed; the cubes have different sizes and a common centre, the centre
+  /// of the cell.
   int n_probes = 40;
   std::optional<int> profile_axis;  ///< axis of the profile, from 0; if absent, the last axis
   int n_slices = 20;                ///< number of slices of the profile
@@ -85,8 +86,8 @@ struct Series {
   int dimension = 0;                    ///< dimension of the first state
   std::string reference;                ///< file of the first state
   std::optional<double> reference_phi;  ///< solid fraction of the first state
-  /// First state, from which coordination and pressure at other solid fractions are predicted; empty unless the options
-  /// select the table `prediction`.
+  /// First state, from which coordination and pressure at other solid fractions are predicted; empty if the options do
+  /// not select the table `prediction`.
   std::variant<std::monostate, AffineReference<2>, AffineReference<3>> affine;
   std::optional<ScatteringAverage> average;
   double diameter = 0.0;  ///< largest diameter of the first state (length)

@@ -31,7 +31,7 @@ Json budget_as_json(const CompactionFit& fit) {
   return budget;
 }
 
-/// Returns the rows of a first loading up to the end of its virgin line. Beyond this end, the curve bends towards the
+/// Returns the rows of a first loading up to the end of its virgin line. Beyond this line, the curve bends towards the
 /// densest state.
 Loading up_to_virgin_line(Loading loading) {
   constexpr std::size_t kLeast = 5;

@@ -11,7 +11,8 @@
 #include "floc/tables/fit_parameters.h"
 #include "floc/tables/fit_tables.h"
 
-/// Fits of `floc fit` other than those of the consolidation law and of elastic moduli, as tables and as json objects.
+/// Results of the fits of `floc fit`, as tables and as json objects, except fits of the consolidation law and of
+/// elastic moduli.
 namespace floc {
 
 /// A reloading branch of a load path, or its first loading, and the preconsolidation pressure fitted to it.
@@ -22,8 +23,8 @@ struct ReloadingFit {
   bool is_first_loading() const { return branch.largest_before == 0.0; }
 };
 /// Fits a preconsolidation pressure to branches of a load path.
-/// @param branch  "reloading"; "first" (the first loading, up to the point at which it bends towards its densest
-/// state); "all"; or empty for the reloading branches or, if there are none, the first loading
+/// @param branch  keyword: "reloading", "first" (the first loading, up to the point at which it bends towards its
+/// densest state), or "all". Empty: the reloading branches or, if there are none, the first loading
 std::vector<ReloadingFit> preconsolidation_fits(const PathTable& path, const std::string& branch = "");
 /// Returns the table of `floc fit preconsolidation`, with its columns and without rows.
 Table preconsolidation_table();

@@ -22,7 +22,7 @@ namespace {
 struct TableKind {
   const char* words;
   std::vector<std::string> names;  ///< names of quantities that such a table may contain
-  /// names of quantities that a table must contain to be recognised as this kind
+  /// names of quantities; a table that contains all of them is recognised as a table of this kind
   std::vector<std::string> required;
 };
 
@@ -116,7 +116,7 @@ TableInfo add_table_info(const std::string& file, const ColumnNames& names, doub
   const CsvTable read = CsvTable::read(file, wanted_names(names_of_quantities(), names));
   const NamedColumns columns(read, names);
   TableInfo info;
-  // thrown after the columns were added to the table, because the user may have to choose one of them
+  // thrown only after the columns were added to the table, because the user may have to choose a column from it
   std::exception_ptr refusal;
   std::map<int, std::string> quantities;
   if (is_path(columns)) {

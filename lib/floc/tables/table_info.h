@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// Contents of a table file as floc reads them, without a fit.
+/// Summary of a table file, as floc reads it, without a fit.
 struct TableInfo {
   std::string reading;             ///< summary in one line
   std::vector<std::string> notes;  ///< messages about rows that are left out and pressures that were converted
@@ -17,11 +17,12 @@ struct TableInfo {
 /// Names of all quantities that floc reads from tables of load paths, grains, contacts, forces and compacted samples.
 std::vector<std::string> names_of_quantities();
 
-/// Reads a table as a load path, as grains or as contacts, by the columns that it has, and adds a row for each of its
-/// columns to the table of `floc info`: header, quantity, unit and range of the numbers.
+/// Reads a table as a load path, as grains or as contacts, depending on its columns. Adds a row for each of its columns
+/// to `table`, the table of `floc info`: header, quantity, unit and range of the numbers.
 /// @param names      headers of columns, as `--columns NAME=COLUMN,...` gives them
 /// @param phi_limit  see largest_solid_fraction()
-/// @throws InputError if the table cannot be read; if it is a load path whose values are refused, after its rows were added
+/// @throws InputError if the table cannot be read. If the table is a load path with values that are not possible, the
+/// error is thrown after the rows were added
 TableInfo add_table_info(const std::string& file, const ColumnNames& names, double phi_limit, Table& table);
 
 }  // namespace floc

@@ -13,11 +13,11 @@ namespace {
 
 constexpr double kQuantile = 0.95;
 constexpr double kConfidence = 0.95;
-/// A step of the load path counts as elastic if the logarithm of the solid fraction changes by at most this multiple of
+/// A step of the load path counts as elastic if the logarithm of the solid fraction changes by at most kElastic times
 /// dP/B, the change of pressure divided by the bulk modulus.
 constexpr double kElastic = 3.0;
-/// Change of the logarithm of the solid fraction below which it counts as unchanged. Newton steps alone may cause such
-/// changes.
+/// Largest change of the logarithm of the solid fraction at which the solid fraction counts as unchanged. Newton steps
+/// alone may cause such small changes.
 constexpr double kStill = 1e-5;
 
 /// Returns the probability that at most k of n independent errors lie below the 95 % quantile of their distribution.
@@ -44,8 +44,7 @@ bool is_elastic(const ObservedState& from, const ObservedState& to) {
   return change <= kStill + (modulus > 0.0 ? kElastic * step / modulus : 0.0);
 }
 
-/// Returns the mean of value(k) over all k from 0 to n - 1 for which counts(k) is true. Values that are not finite are
-/// left out.
+/// Returns the mean of value(k) over all k from 0 to n - 1 for which counts(k) is true and value(k) is finite.
 double mean_over(std::size_t n, const std::function<bool(std::size_t)>& counts,
                  const std::function<double(std::size_t)>& value) {
   double sum = 0.0;
@@ -73,8 +72,9 @@ double mean_difference(int k, const SamplePath& reference, const SamplePath& pat
 /// Index of a state of a path, and index of the state of its reference path under the same load.
 using StatePair = std::pair<std::size_t, std::size_t>;
 
-/// Returns the pairs of states under the same load of the same stage, in order. If the paths have equally many states,
-/// every state is paired with the state of the same index.
+/// Pairs the states of a path with those states of its reference path that have the same stage and load, and returns
+/// the pairs in the order of the states. If the paths have equally many states, every state is paired with the state of
+/// the same index.
 std::vector<StatePair> under_equal_loads(const SamplePath& reference, const SamplePath& path) {
   constexpr double kRounding = 1e-6;
   std::vector<StatePair> pairs;
@@ -103,8 +103,8 @@ bool is_of_path(std::size_t k) {
   return declared_observables()[k].source == ObservableSource::path;
 }
 
-/// Returns the value of an observable for one path. For an observable of single states, this is the mean over the
-/// states.
+/// Returns the value of observable number k for one path. For an observable of single states, this value is the mean
+/// over all states of the path.
 double value_of_path(std::size_t k, const SamplePath& path) {
   if (is_of_path(k)) return path_value(static_cast<int>(k), path);
   return mean_over(
@@ -112,7 +112,7 @@ double value_of_path(std::size_t k, const SamplePath& path) {
       [&](std::size_t i) { return path.states[i].observation[k]; });
 }
 
-/// Adds the errors of observables whose value describes a whole path.
+/// Adds to `out` the errors of those observables that describe a whole path.
 void add_paths(const std::vector<const SamplePath*>& references, const std::vector<const SamplePath*>& paths,
                const std::optional<PressureWindow>& window, ObservableErrors& out) {
   for (std::size_t k = 0; k < kObservables; ++k) {
@@ -129,8 +129,8 @@ void add_paths(const std::vector<const SamplePath*>& references, const std::vect
   for (std::size_t p = 0; p < fitted.size(); ++p) out[kLambda + p].mean = fitted[p];
 }
 
-/// Returns the relative deviations of samples from their mean. For an observable of single states, the deviation of a
-/// sample is averaged over its states; for an observable of a whole path, it is the deviation of the value of the path.
+/// Returns, for each sample, the relative deviation of observable number k from its mean over all samples. For an
+/// observable of single states, the deviations in all states of the sample are averaged.
 std::vector<double> deviations_of(std::size_t k, const std::vector<const SamplePath*>& paths) {
   std::vector<double> deviations;
   if (is_of_path(k)) {
@@ -140,7 +140,7 @@ std::vector<double> deviations_of(std::size_t k, const std::vector<const SampleP
     for (const double value : values) deviations.push_back(value / mean - 1.0);
     return deviations;
   }
-  // mean[i] is the mean of the observable over all samples, in state i. Each sample is compared with these means.
+  // mean[i] is the mean of the observable over all samples, in state i. Deviations are relative to these means.
   const std::size_t n_states = paths.front()->states.size();
   std::vector<double> mean(n_states);
   for (std::size_t i = 0; i < n_states; ++i)

@@ -12,8 +12,8 @@ namespace floc {
 /// Summary of the relative errors of an observable (such as the solid fraction) in single states.
 struct Spread {
   double error = 0.0;  ///< 95 % quantile of the relative errors: 95 % of them are at most this large
-  /// Upper 95 % confidence limit of the 95 % quantile. By order statistics, it is one of the sorted errors if there are
-  /// at least 59 of them; with fewer errors, it is the largest one.
+  /// Upper 95 % confidence limit of the 95 % quantile. With at least 59 errors, one of the sorted errors is such a
+  /// limit (order statistics). With fewer errors, the member contains the largest error.
   double high = 0.0;
   int n = 0;  ///< number of relative errors; 0 if no states were compared
 };
@@ -22,8 +22,9 @@ struct Spread {
 /// @param errors  relative errors >= 0; values that are not finite are left out
 Spread spread_of(std::vector<double> errors);
 
-/// Relative difference between runs with other settings but equal seeds, averaged over samples, with its standard
-/// error. For a single sample, the standard error and `error95` are NaN. Without samples, all members are zero.
+/// Mean over samples of a relative difference, with its standard error. The difference of a sample is that between two
+/// runs with equal seeds but other settings. For a single sample, the standard error and `error95` are NaN. Without
+/// samples, all members are zero.
 struct MeanDifference {
   double difference = 0.0;
   double standard_error = 0.0;
@@ -41,25 +42,25 @@ struct ObservableError {
   /// before_collapse()). Each state is compared with the state of the reference at the same step.
   Spread before;
   /// Errors of all other states: of the assembly, and of each stage from its first collapse on. Each state is compared
-  /// with the strict equilibrium to which it relaxes.
+  /// with the equilibrium to which it relaxes under the strictest settings.
   Spread after;
   /// difference of the observable from the reference, averaged over the states of the member `after`
   MeanDifference mean;
 };
 
-/// Errors with one numerical setting, for each observable in the order of `Observable`. For observables of whole paths,
-/// only the member `mean` is known.
+/// Errors with one numerical setting, for each observable in the order of `Observable`. For observables that describe a
+/// whole path, only the member `mean` is set.
 using ObservableErrors = std::array<ObservableError, kObservables>;
 
-/// Lowest and highest reduced pressure P* (pressure divided by F0/a, with the pull-off force F0 and the largest
-/// diameter a) of the states to which the consolidation law is fitted.
+/// Range of reduced pressures in which the consolidation law is fitted: the lowest and the highest P* (pressure divided
+/// by F0/a, with the pull-off force F0 and the largest diameter a).
 using PressureWindow = std::pair<double, double>;
 
 /// Returns, for each state of a path, whether it can be compared with the state of the reference path (the run with the
-/// strictest settings) at the same step. It can if no collapse has separated the two paths since the beginning of the
-/// load stage, that is, if both conditions hold:
-/// 1. On both paths the solid fraction has changed only as much as elasticity explains, at most 3 dP/B per step
-/// (pressure step dP, bulk modulus B).
+/// strictest settings) at the same step. This is possible if no collapse has separated the two paths since the
+/// beginning of the load stage, that is, if both conditions hold:
+/// 1. On both paths the solid fraction has changed by at most 3 dP/B per step (pressure step dP, bulk modulus B), which
+/// elasticity can explain.
 /// 2. The same pairs of grains touch in both states. A contact that opens or closes on only one path separates the
 /// paths as a collapse does.
 ///
@@ -75,8 +76,8 @@ ObservableErrors compare(const std::vector<const SamplePath*>& references,
                          const std::optional<PressureWindow>& window);
 
 /// Returns the errors of samples that have another number of grains or other steps of the load path than the reference
-/// paths. Their states cannot be compared one by one. Only means are compared, over samples and over the states under
-/// loads that occur on both paths.
+/// paths. Their states cannot be compared one by one. Instead, means over the samples are compared, and means over
+/// those states whose loads occur on both paths.
 /// @param references  paths (equilibria) of the runs with the strictest settings, one path for each seed
 /// @param paths  samples: as many as `references`
 /// @param window  range of pressures for the fits of the consolidation law; if absent, nothing is fitted
@@ -84,23 +85,24 @@ ObservableErrors compare_means(const std::vector<const SamplePath*>& references,
                                const std::vector<const SamplePath*>& paths,
                                const std::optional<PressureWindow>& window);
 
-/// Returns the errors of elastic moduli that are computed by another method, or with another tolerance, for the states
-/// of the reference paths.
+/// Returns the errors of elastic moduli that were computed for the states of the reference paths, but by another method
+/// or with another tolerance.
 /// @param references  paths (equilibria) of the runs with the strictest settings, one path for each seed
 /// @param observations  for each reference path, the observables of each of its states, computed with these moduli
 ObservableErrors compare_levels(const std::vector<const SamplePath*>& references,
                                 const std::vector<std::vector<Observation>>& observations);
 
 /// Returns the error that random sampling alone causes in a mean over n samples, computed from the scatter between the
-/// reference paths. In each member `mean`, the difference is 0 and the standard error is this sampling error.
+/// reference paths. In the member `mean` of each observable, the difference is 0 and the standard error is this
+/// sampling error.
 /// @param references  paths (equilibria) of the runs with the strictest settings, one path for each seed
 /// @param n  number of samples
 /// @param window  range of pressures for the fits of the consolidation law; if absent, nothing is fitted
 ObservableErrors sampling_errors(const std::vector<const SamplePath*>& references, int n,
                                  const std::optional<PressureWindow>& window);
 
-/// Returns the mean of every observable over all states and samples. For observables of whole paths, it is the mean
-/// over samples. NaN if there is no value.
+/// Returns the mean of every observable over all states and samples or, for an observable of whole paths, over the
+/// samples. A mean is NaN if there is no value.
 Observation mean_values(const std::vector<const SamplePath*>& paths,
                         const std::optional<PressureWindow>& window);
 

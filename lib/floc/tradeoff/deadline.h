@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Deadline for the work of this process, in processor time. The time during which the process waits, because it is
-/// suspended or because other processes occupy the core, does not count.
+/// Deadline for the work of this process, in processor time. While the process waits, because it is suspended or
+/// because other processes occupy the core, its processor time does not increase.
 class Deadline {
  public:
   /// @param seconds  processor time from now until the deadline (s)

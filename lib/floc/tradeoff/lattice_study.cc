@@ -19,10 +19,10 @@
 namespace floc {
 namespace {
 
-/// Fraction of the processor time of the study that making its samples may take.
+/// Largest fraction of the processor time of the study that may be spent on making samples.
 constexpr double kShareOfSamples = 0.97;
 
-/// Returns the lattice with this spacing (length) that floc lattice makes by default in the cell of a packing.
+/// Returns the lattice with this spacing (length) that `floc lattice` makes by default for the cell of a packing.
 Lattice<2> lattice_in(const Cell<2>& cell, double spacing) {
   return triangular_lattice_in(cell, spacing);
 }
@@ -33,7 +33,8 @@ Lattice<3> lattice_in(const Cell<3>& cell, double spacing) {
   return irregular_lattice(cell, options);
 }
 
-/// Returns the stress along the last axis at all nodes of the network, or only at those in one phase.
+/// Returns the stress along the last axis at the nodes of the network.
+/// @param phase  phase of the nodes to include (grain or matrix); if absent, all nodes
 template <int Dim>
 std::vector<double> axial_stresses(const CementedSample<Dim>& sample, const LatticeNetwork<Dim>& network,
                                    const std::vector<Mat<Dim>>& stress, std::optional<Phase> phase) {
@@ -48,8 +49,8 @@ double tail_rate(const std::vector<double>& values) {
   return stress_distribution(values, 1.0).loaded_1.beta.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
-/// Returns the observables of the lattice of a packing whose grains are cemented and which is loaded by a stress of 1
-/// along the last axis.
+/// Cements the grains of a packing, loads its lattice by a stress of 1 along the last axis, and returns the observables
+/// of the lattice.
 /// @throws InputError if the lattice cannot be made or cannot carry the load
 template <int Dim>
 Observation observe_lattice(const Packing<Dim>& packing, const LatticeStudyOptions& options,
@@ -60,7 +61,8 @@ Observation observe_lattice(const Packing<Dim>& packing, const LatticeStudyOptio
   const CementedSample<Dim> sample = cement(packing, lattice_in(packing.cell, spacing), cement_options);
   ElementStiffness stiffness;
   stiffness.grain = options.stiffness_ratio;
-  // With equal spring constants, the modulus of a lattice in 3D would be inversely proportional to its spacing.
+  // If all elements in 3D had the same spring constant, the modulus of the lattice would be inversely proportional to
+  // its spacing.
   stiffness.by_facet = Dim == 3;
   const LatticeNetwork<Dim> network = lattice_network(sample, stiffness);
   if (network.n_directions < Dim)
@@ -121,7 +123,7 @@ class LatticeStudy {
   void run_seed(int k) {
     const Deadline start(0.0);
     const std::uint64_t seed = scene_.seed + static_cast<std::uint64_t>(k);
-    // key: number of grains; value: path of the scene with this number of grains
+    // The key is a number of grains, and the value is the path of the scene with this number of grains.
     std::map<int, SamplePath> packings;
     for (std::size_t i = 0; i < settings_.size(); ++i) {
       if (skipped_.contains(i)) continue;

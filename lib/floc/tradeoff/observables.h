@@ -52,7 +52,8 @@ enum Observable {
 };
 
 /// Values of all observables of a state. A value is NaN if it is undefined, for example the tail of a force
-/// distribution with fewer than 10 forces above the mean. Observables of other scenes and of whole paths are NaN too.
+/// distribution with fewer than 10 forces above the mean. Observables of whole paths, and observables that the scene
+/// does not have, are NaN, too.
 using Observation = std::array<double, kObservables>;
 
 /// Data from which the value of an observable is computed.
@@ -63,12 +64,12 @@ enum class ObservableSource {
   lattice  ///< the lattice of cemented grains under a load, see lattice_study.h
 };
 
-/// Quantities of one state from which the values of observables are computed. Members that do not apply to the state
-/// are NaN, for example quantities of rigid contacts in a packing of elastic grains.
+/// Quantities of one state from which the values of observables are computed. A member is NaN if the state does not
+/// have the quantity, for example a quantity of rigid contacts in a packing of elastic grains.
 struct StateMeasures {
   double solid_fraction = 0.0;
   double z = 0.0, z_plus = 0.0, z_minus = 0.0, rattlers = 0.0;
-  /// decay forces of exponential tails, divided by the force scale F1
+  /// decay forces of the exponential tails of the compressive and the tensile forces, divided by the force scale F1
   double tail_plus = 0.0, tail_minus = 0.0;
   double force_moment = 0.0, mobilised = 0.0;
   double wall_contacts = 0.0, lateral_ratio = 0.0, stress_ratio = 0.0;
@@ -95,52 +96,52 @@ const std::array<DeclaredObservable, kObservables>& declared_observables();
 /// Returns the names of all observables.
 std::vector<std::string> observable_names();
 
-/// Subject of a study: the states of a scene, or the lattice of its grains after they have been cemented by a matrix.
+/// Subject of a study: the states of a scene, or the lattice of its grains after a matrix has cemented them.
 enum class Subject { states, lattice };
 
-/// Returns the name of the kind of a study: scene_kind() or, for cemented grains, "disks-cemented" or
-/// "spheres-cemented".
+/// Returns the kind of a study as text: scene_kind() or, for cemented grains, "disks-cemented" or "spheres-cemented".
 std::string kind_of_study(const Scene& scene, Subject subject);
 
-/// Whether an observable exists in a study of a scene.
+/// Whether a study of this scene and subject has the observable.
 bool applies(const DeclaredObservable& observable, const Scene& scene, Subject subject);
 
-/// Returns the names of the observables that exist in a study of a scene.
+/// Returns the names of the observables that a study of this scene and subject has.
 std::vector<std::string> observable_names(const Scene& scene, Subject subject);
 
 /// Returns the unit of an observable in a scene: "1", "F1" (the force scale) or, for stresses, "Pa" ("N/m" in 2D) in SI
 /// units and "reduced" in reduced units.
 std::string unit_of(const DeclaredObservable& observable, const Scene& scene);
 
-/// Requires that the observables with these names exist in a study of a scene.
-/// @throws InputError that names the first observable that does not exist, the kind of the study, and the existing
-/// observable with the most similar name
+/// Requires that a study of this scene and subject has the observables with these names.
+/// @throws InputError that names the first missing observable, the kind of the study, and the existing observable with
+/// the most similar name
 void require_observables(const std::vector<std::string>& names, const Scene& scene, Subject subject);
 
 /// Returns the observables of a state, without the elastic moduli if the grains are rigid.
 /// @param state  state with forces and residuals in its contact list
-/// @param moduli  computes the elastic moduli; its iteration may start from the solution for the previous state
+/// @param moduli  object that computes the elastic moduli; an iterative method may start from the solution for the
+/// previous state
 template <int Dim>
 Observation observe(const State<Dim>& state, ModuliSequence<Dim>& moduli);
 
-/// Returns the observables of a state. Only the elastic moduli are computed; all other values are copied from `other`.
-/// @param moduli  computes the moduli
-/// @param other  observables of this state with other moduli
+/// Returns the observables of a state. The elastic moduli are computed, and all other values are copied from `other`.
+/// @param moduli  object that computes the moduli
+/// @param other  observables of this state, with moduli that were computed in another way
 template <int Dim>
 Observation observe_moduli(const State<Dim>& state, ModuliSequence<Dim>& moduli, const Observation& other);
 
-/// Returns the stresses and strains of a state that belongs to a test that drives one axis; absent for other states.
+/// Returns the stresses and strains of a state if it belongs to a test that drives one axis; otherwise absent.
 template <int Dim>
 std::optional<ShearPoint> test_point(const State<Dim>& state);
 
-/// Returns the stresses, and zero strains, of the state from which the test of a state began; absent for states of no
-/// test.
+/// Returns the stresses at the start of the test to which a state belongs, with zero strains; absent if the state
+/// belongs to no test.
 template <int Dim>
 std::optional<ShearPoint> start_of_test(const State<Dim>& state);
 
 /// Returns the number by which a difference between two observations is divided to give a relative difference: the mean
-/// of the two absolute values. For the coordination numbers z_plus and z_minus it is the mean of their sum, because one
-/// of them may be near zero.
+/// of the two absolute values. For each of the coordination numbers z_plus and z_minus, it is the mean of the two sums
+/// z_plus + z_minus, because one of the coordination numbers may be near zero.
 /// @param k  number of the observable
 double size_of(int k, const Observation& x, const Observation& y);
 

@@ -17,9 +17,9 @@ namespace {
 
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
-/// Returns the decay force of the exponential tail of the distribution of contact forces above the mean force (force);
-/// NaN if it cannot be fitted.
-/// @param sign  1 for compressive normal forces, -1 for tensile normal forces
+/// Fits an exponential tail to the forces above their mean, and returns its decay force (force); NaN if it cannot be
+/// fitted.
+/// @param sign  1 for the tail of the compressive normal forces, -1 for that of the tensile normal forces
 template <int Dim>
 double tail_of(const Packing<Dim>& packing, double sign) {
   std::vector<double> sizes;
@@ -27,7 +27,7 @@ double tail_of(const Packing<Dim>& packing, double sign) {
     if (sign * c.normal_force > 0.0) sizes.push_back(sign * c.normal_force);
   if (sizes.empty()) return kNoValue;
   const double mean = std::accumulate(sizes.begin(), sizes.end(), 0.0) / static_cast<double>(sizes.size());
-  // The p-value of the fit is not used, so a single random draw is enough.
+  // The p-value of the fit, which random draws determine, is not used. A single draw is therefore enough.
   const ForceFit fit = fit_exponential_tail("", sizes, mean, {.n_draws = 1});
   return fit.found() ? fit.parameters.front().value.value_or(kNoValue) : kNoValue;
 }
@@ -62,7 +62,7 @@ template <int Dim>
 void measure_contacts(const State<Dim>& state, StateMeasures& m) {
   const Packing<Dim>& packing = state.packing;
   const double force = force_scale(packing, state.target_stress).force;
-  // Forces below `zero_force` count as zero. This limit does not depend on the tolerance of the run: otherwise
+  // Forces below `zero_force` count as zero. This limit is the same for every tolerance of the run: otherwise
   // coordination numbers would differ between settings even for equal packings.
   const double zero_force = EquilibriumTolerance{}.force * force;
   const Coordination c = coordination(packing, zero_force);
@@ -106,7 +106,7 @@ void measure_moduli(const State<Dim>& state, ModuliSequence<Dim>& sequence, Stat
   m.B_reuss = moduli.bounds.B_reuss;
 }
 
-/// Copies the values of all observables with this source into an observation.
+/// Copies into the observation `x` the values of all observables that are computed from this source.
 void take(const StateMeasures& m, ObservableSource source, Observation& x) {
   const auto& observables = declared_observables();
   for (std::size_t k = 0; k < observables.size(); ++k)

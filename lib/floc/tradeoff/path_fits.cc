@@ -30,7 +30,8 @@ std::vector<std::size_t> first_loading(const SamplePath& path) {
   return at;
 }
 
-/// Returns 1/Phi (inverse solid fraction), averaged over the samples, against reduced pressure in the first loading.
+/// Returns the curve of 1/Phi (inverse solid fraction, averaged over the samples) against the reduced pressure in the
+/// first loading.
 /// @param left_out  index of a sample that is left out of the mean; if absent, all samples are included
 ConsolidationCurve curve_without(const std::vector<const SamplePath*>& paths,
                                  std::optional<std::size_t> left_out) {
@@ -68,17 +69,17 @@ Fitted fit(const ConsolidationCurve& curve, const PressureWindow& window) {
   return values;
 }
 
-/// Returns the relative differences of `values` from the values `from`.
+/// Returns the relative differences between `values` and the reference values `from`.
 Fitted differences(Fitted values, const Fitted& from) {
   for (std::size_t p = 0; p < values.size(); ++p) values[p] = values[p] / from[p] - 1.0;
   return values;
 }
 
-/// Returns differences with their standard error by the jackknife. Leaving out one of n samples changes a mean by 1/(n
-/// - 1) of the deviation of this sample. The standard error is therefore n - 1 times that of the mean of the n values
-/// that leave out one sample.
-/// @param value  function that returns the values without the sample of a given index or, without an index, those of
-/// all samples
+/// Returns differences with their standard errors, which are estimated by the jackknife. Leaving out one of n samples
+/// changes a mean by 1/(n - 1) times the deviation of this sample. The standard error is therefore n - 1 times the
+/// standard error of the mean of n values, each of which leaves out another sample.
+/// @param value  function that returns the differences without the sample of a given index or, without an index, the
+/// differences of all samples
 template <class Value>
 std::array<MeanDifference, 3> jackknife(std::size_t n, const Value& value) {
   std::array<MeanDifference, 3> out;
@@ -97,8 +98,8 @@ std::array<MeanDifference, 3> jackknife(std::size_t n, const Value& value) {
   return out;
 }
 
-/// Returns the stresses and strains in the first stage with one of these controls, preceded by those of the state from
-/// which the stage began.
+/// Returns the stresses and strains along the first stage that has one of these controls. The first point is the state
+/// from which the stage began.
 std::vector<ShearPoint> points_of_test(const SamplePath& path, std::initializer_list<const char*> controls) {
   std::vector<ShearPoint> points;
   int stage = -1;
@@ -129,7 +130,7 @@ double dilatancy(const SamplePath& path) {
   return parameter(evaluate_shear_test(points, {}).parameters, "dilatancy_angle");
 }
 
-/// Returns the absolute values of the stress ratios in the states of the first shear test, in order.
+/// Returns the absolute value of the stress ratio in each state of the first shear test, in order.
 std::vector<double> stress_ratios(const SamplePath& path) {
   std::vector<double> ratios;
   int stage = -1;
@@ -147,8 +148,8 @@ double peak_ratio(const SamplePath& path) {
   return ratios.empty() ? kUndefined : *std::max_element(ratios.begin(), ratios.end());
 }
 
-/// Returns the mean stress ratio over the states of the last quarter of the first shear test; NaN if these are fewer
-/// than three.
+/// Returns the mean stress ratio over the last quarter of the states of the first shear test; NaN if this quarter has
+/// fewer than three states.
 double critical_ratio(const SamplePath& path) {
   const std::vector<double> ratios = stress_ratios(path);
   const std::size_t n = ratios.size() / 4;

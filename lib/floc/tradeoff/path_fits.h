@@ -9,7 +9,7 @@
 namespace floc {
 
 /// Returns the range of reduced pressures P* in which the full consolidation law (solid fraction against pressure) is
-/// fitted to each path. The range is chosen by the fit to the mean of all reference paths. Returns std::nullopt if the
+/// fitted to each path. The fit to the mean of all reference paths chooses this range. Returns std::nullopt if the
 /// first stage does not increase the pressure, if there are fewer than three reference paths, or if the curvature
 /// towards the maximum solid fraction Phi_max is not detectable.
 /// @param references  paths (equilibria) of the runs with the strictest settings, one path for each seed
@@ -24,10 +24,10 @@ ConsolidationValues fitted_consolidation(const std::vector<const SamplePath*>& p
                                          const PressureWindow& window);
 
 /// Returns the relative differences of the parameters lambda, alpha and Phi_max of the consolidation law between
-/// samples and reference paths. The law is fitted to the first loading, once as the mean over the samples and once as
-/// the mean over the reference paths. Standard errors are estimated by the jackknife: the fits are repeated with each
-/// pair of a sample and its reference path left out in turn. For a parameter that could not be fitted,
-/// MeanDifference::n is 0.
+/// samples and reference paths. The law is fitted twice to the first loading: to its mean over the samples and to its
+/// mean over the reference paths. Standard errors are estimated by the jackknife: the fits are repeated with each pair
+/// of a sample and its reference path left out in turn. For a parameter that could not be fitted, MeanDifference::n is
+/// 0.
 /// @param references  paths (equilibria) of the runs with the strictest settings, one path for each seed
 /// @param paths  samples from the same seeds as the reference paths
 /// @param window  range of reduced pressures P* in which the law is fitted
@@ -36,12 +36,13 @@ std::array<MeanDifference, 3> compare_fits(const std::vector<const SamplePath*>&
                                            const PressureWindow& window);
 
 /// Returns the error that random sampling causes in each parameter of the consolidation law fitted to the mean of these
-/// paths. It is the standard error by the jackknife, relative to the parameter; the member `difference` is 0.
+/// paths. The error is the standard error by the jackknife, divided by the parameter; the member `difference` is 0.
 std::array<MeanDifference, 3> sampling_errors_of_fits(const std::vector<const SamplePath*>& paths,
                                                       const PressureWindow& window);
 
-/// Returns the value of an observable of a single whole path, such as K0 of an oedometer test. NaN if the path does not
-/// have this value; also for the parameters of the consolidation law, which are fitted to the mean of several paths.
+/// Returns the value of an observable that describes a whole path, such as K0 of an oedometer test. The value is NaN if
+/// the path does not have this observable, and for the parameters of the consolidation law, which are fitted only to
+/// the mean of several paths.
 double path_value(int observable, const SamplePath& path);
 
 }  // namespace floc

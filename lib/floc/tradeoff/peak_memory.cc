@@ -10,7 +10,8 @@
 namespace floc {
 namespace {
 
-/// Returns an entry of /proc/self/status (MB), for example "VmHWM:", the largest resident memory; NaN if there is none.
+/// Returns the entry of /proc/self/status with this name (MB), such as "VmHWM:" for the largest resident memory; NaN if
+/// there is no such entry.
 double status_entry(const std::string& name) {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;)
@@ -18,7 +19,7 @@ double status_entry(const std::string& name) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Makes Linux restart the record of the largest resident memory (VmHWM) from the present memory, see proc(5).
+/// Resets the largest resident memory that Linux has recorded (VmHWM) to the present resident memory, see proc(5).
 bool reset_largest() {
   std::ofstream file("/proc/self/clear_refs");
   file << '5' << std::flush;

@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Returns the load that a step imposes on its driven axis: a stress or, if a length is imposed, a strain.
+/// Returns the load of a state on its driven axis: the imposed stress or, for an imposed length or shear, the strain.
 template <int Dim>
 double driven_load(const State<Dim>& state) {
   if (state.target_offset) return state.path.turn.shear;
@@ -37,7 +37,7 @@ ObservedState reached(int stage, State<Dim> state) {
   return s;
 }
 
-/// Continues the run until equilibrium number end - 1 is reached, and adds its equilibria to `path`. Stops earlier if
+/// Continues the run and adds its equilibria to `path`, until equilibrium number end - 1 is reached. Stops earlier if
 /// an equilibrium is not reached or the deadline has passed.
 template <int Dim>
 void run_until(Run<Dim>& run, int end, const Deadline& deadline, SamplePath& path) {
@@ -105,8 +105,8 @@ SamplePath sample_of(const RunOptions& options, const ModuliOptions& moduli, con
   return path;
 }
 
-/// Sets the member `settled` of one state. @return whether the state has reached equilibrium with the strictest
-/// settings
+/// Sets the member `settled` of one state. @return whether the state has reached equilibrium with the
+/// strictest settings
 template <int Dim>
 bool settle(const RelaxationOptions& strict, const Deadline& deadline, const State<Dim>& state,
             ObservedState& s, SamplePath& path) {
@@ -146,7 +146,8 @@ SamplePath make_sample(const RunOptions& options, const ModuliOptions& moduli, c
 
 void settle(const RelaxationOptions& strict, const Deadline& deadline, SamplePath& path) {
   RelaxationOptions options = strict;
-  // Most states are so close to an equilibrium with the strictest settings that Newton steps reach it without motion.
+  // In most states, the grains are so close to an equilibrium with the strictest settings that Newton steps find it
+  // without simulated motion.
   options.finish = Finish::statics;
   for (ObservedState& s : path.states)
     if (!std::visit([&](const auto& state) { return settle(options, deadline, state, s, path); }, s.state))

@@ -16,12 +16,12 @@ namespace floc {
 /// One equilibrium of a sample (the run from one seed), with its observables.
 struct ObservedState {
   int stage = -1;       ///< index of the stage of the load path; -1 for the assembly
-  std::string control;  ///< keyword of the stage for how the axes are loaded; empty for the assembly
-  /// mean stress over the axes; on each axis the imposed stress or, if a length is imposed, the carried stress
+  std::string control;  ///< keyword for the loading of the axes in the stage; empty for the assembly
+  /// mean over the axes of the stress: the imposed stress or, on an axis with an imposed length, the resulting stress
   double mean_stress = 0.0;
-  /// load imposed on the driven axis: a stress, a logarithmic strain or a shear strain
+  /// load that is imposed on the driven axis: a stress, a logarithmic strain or a shear strain
   double driven_load = 0.0;
-  double driven_stress = 0.0;     ///< stress on the driven axis, imposed or carried
+  double driven_stress = 0.0;     ///< stress on the driven axis, imposed or resulting
   double reduced_pressure = 0.0;  ///< reduced pressure P* that corresponds to `driven_stress`
   Observation observation;
   /// pairs of grains that touch, in the order of the contact list

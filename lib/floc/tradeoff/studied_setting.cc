@@ -37,8 +37,8 @@ bool applies_to_cells(const Scene& scene) {
   return !scene.assembly.box;
 }
 
-/// Whether the finishes by Newton steps apply: to elastic grains in periodic cells. Packings between walls always
-/// finish by motion.
+/// Whether equilibria of the scene can be finished by Newton steps, which is possible for elastic grains in periodic
+/// cells. In packings between walls, grains always move until they reach equilibrium.
 bool applies_to_newton(const Scene& scene) {
   return applies_to_elastic(scene) && applies_to_cells(scene);
 }
@@ -166,7 +166,7 @@ void add_gap_tolerance(const Scene&, const StudiedSetting& base, Settings& list)
         [&](StudiedSetting& s) { s.contact_dynamics.gap_tolerance = tolerance; }, list);
 }
 
-/// Springs that are softer in the whole run, as far as the scene allows.
+/// Adds settings with softer contact springs in the whole run, up to the largest softening that the scene allows.
 void add_softening(const Scene& scene, const StudiedSetting& base, Settings& list) {
   const Softening largest = largest_softening(scene);
   for (const double factor : {3.0, 10.0, 30.0})
@@ -179,7 +179,8 @@ void add_softening(const Scene& scene, const StudiedSetting& base, Settings& lis
           list);
 }
 
-/// Springs that are softer while the grains are put together, and as they are on the load path.
+/// Adds settings with softer contact springs during the assembly only. On the load path the springs have their own
+/// stiffness.
 void add_assembly_softening(const Scene& scene, const StudiedSetting& base, Settings& list) {
   if (scene.load.empty() || scene.starts_from_state()) return;
   for (const double factor : {10.0, 100.0})
@@ -213,8 +214,8 @@ void add_cell_mass(const Scene&, const StudiedSetting& base, Settings& list) {
         [&](StudiedSetting& s) { s.cell_mass_factor = factor; }, list);
 }
 
-/// Adds the settings of scenes with walls: the criterion that ends a compaction, and its time limit if the scene has
-/// one.
+/// Adds settings for scenes with walls: other criteria that end a compaction and, if the scene limits its duration,
+/// other time limits.
 void add_end(const Scene& scene, const StudiedSetting& base, Settings& list) {
   using Criterion = CompactionEnd::Criterion;
   if (scene.relaxation.compaction.criterion != Criterion::settled)
@@ -297,7 +298,7 @@ void keep_parameters(const std::vector<std::string>& names, std::vector<StudiedS
   for (const std::string& name : names)
     if (std::ranges::find(known, name) == known.end())
       throw InputError("--knobs " + name,
-                       fmt::format("this is no parameter that a study of this scene varies: expected some of "
+                       fmt::format("a study of this scene does not vary this parameter: expected some of "
                                    "{}; the nearest is {}",
                                    fmt::join(known, ", "), nearest_name(name, known)));
   std::erase_if(settings, [&](const StudiedSetting& s) {
@@ -393,8 +394,8 @@ RunOptions run_options(const Scene& scene, const StudiedSetting& setting, std::u
   options.seed = seed;
   options.text.clear();
   apply_settings(setting.numerical, options);
-  // A study varies one tolerance, but a scene gives four. If the setting has the tolerance of the scene, all four are
-  // kept.
+  // A scene gives four tolerances, but a study varies only that of the forces. If a setting has the force tolerance of
+  // the scene, all four tolerances of the scene are used.
   if (setting.numerical.tolerance == scene.relaxation.tolerance.force)
     options.relaxation.tolerance = scene.relaxation.tolerance;
   options.relaxation.contact_dynamics = setting.contact_dynamics;

@@ -15,16 +15,16 @@ namespace floc {
 struct LatticeSettings {
   double nodes_a_diameter = 15.0;  ///< number of lattice nodes per mean diameter of the grains
   LatticeMethod method = LatticeMethod::automatic;
-  /// largest net force on a node at which the solution counts as converged, divided by the load
+  /// tolerance of the solution: largest net force on a node, divided by the load
   double tolerance = 1e-10;
 };
 
-/// One variant of a scene that a study compares. One parameter (rarely several) has another value than in the scene;
-/// all others are as in the scene. In the reference (the strictest settings), every parameter has its strictest value.
+/// One variant of a scene that a study compares. One parameter (rarely several) differs from the scene; all others have
+/// the values of the scene. In the reference (the strictest settings), every parameter has its strictest value.
 struct StudiedSetting {
   /// name of the changed parameter: "tolerance", "time_step", ...; "together" if several are changed
   std::string parameter;
-  std::string value;  ///< value of the changed parameter, as a user would write it
+  std::string value;  ///< value of the changed parameter as text, such as "0.1" or "5 times"
   NumericalSettings numerical;
   ContactDynamicsOptions contact_dynamics;  ///< settings of rigid grains
   CompactionEnd compaction;                 ///< end of a compaction between walls
@@ -37,14 +37,14 @@ struct StudiedSetting {
   std::optional<LatticeSettings> lattice;
 
   bool is_reference() const { return parameter == "strict"; }
-  /// Whether every study has this variant: the strictest settings, or the scene as it is.
+  /// Whether every study includes this variant; true for the strictest settings and for the scene as it is.
   bool is_compared_with() const { return is_reference() || parameter == "scene"; }
-  /// Whether the variant differs from the scene only in how the elastic moduli are computed. No run is then made: the
-  /// moduli are computed for the states of the reference.
+  /// Whether the variant differs from the scene only in the method for the elastic moduli. Such a variant needs no run
+  /// of its own: its moduli are computed for the states of the reference.
   bool is_moduli_level() const { return parameter == "moduli"; }
-  /// Whether the states are those of other packings, or at other steps of the path, than with the strictest settings.
-  /// They cannot be compared one by one then, only in the mean over all states under equal loads. Soft springs put the
-  /// grains together in another way.
+  /// Whether the states are other packings than with the strictest settings, or belong to other steps of the load path.
+  /// Such states cannot be compared one by one, but only by their means over all states under equal loads. Softer
+  /// springs lead to other packings, too.
   bool has_other_states() const { return n_grains != 0 || steps_factor != 1.0 || numerical.softening.any(); }
 };
 
@@ -59,23 +59,24 @@ struct DeclaredSetting {
 /// Returns all parameters that a study varies, the most important first.
 const std::vector<DeclaredSetting>& declared_settings();
 
-/// Whether the samples of a scene may have another number of grains than the scene: its packings are made from a gas,
-/// and their diameters are not those of a list.
+/// Whether a study may change the number of grains of a scene. It may if the packings are made from a gas and the scene
+/// does not list the diameter of each grain.
 bool has_any_number_of_grains(const Scene& scene);
 
-/// Removes the variants of other parameters from the list of a study. The strictest settings and the scene as it is stay.
+/// Removes from the list of a study all variants of parameters that are not named. The strictest settings and the scene
+/// as it is are kept.
 /// @param names  parameters to keep; empty: all
-/// @throws InputError if a parameter is none of the list
+/// @throws InputError if no variant in the list belongs to one of the named parameters
 void keep_parameters(const std::vector<std::string>& names, std::vector<StudiedSetting>& settings);
 
 /// Returns the strictest numerical settings of elastic grains: a tolerance of 1e-8 (smaller forces are lost in the
-/// rounding errors of the positions), about a quarter of the default time step, and twice the default patience.
+/// rounding errors of the positions), about a quarter of the default time step, and twice the default patience
+/// (NumericalSettings::patience).
 NumericalSettings strict_settings();
 
 /// Returns all variants of a scene that a study compares: the strictest settings first, then the scene as it is, then
-/// the values of each declared parameter. Two choices are not varied separately: power control (stopping all grains
-/// when the kinetic energy falls), because the finish "dynamic" includes it; and the precision of forces, because it is
-/// always double.
+/// the values of each declared parameter. Two choices are not varied separately. Power control (stopping all grains
+/// when the kinetic energy falls) is part of the finish "dynamic". The precision of forces is always double.
 std::vector<StudiedSetting> studied_settings(const Scene& scene);
 
 /// Returns the variants in a study of the lattice of cemented grains: the finest lattice with the strictest tolerance
@@ -83,17 +84,18 @@ std::vector<StudiedSetting> studied_settings(const Scene& scene);
 /// numbers of grains.
 std::vector<StudiedSetting> lattice_settings(const Scene& scene);
 
-/// Returns the tolerance of a setting: that of equilibria or, in a study of a lattice, that of its solution.
+/// Returns the tolerance of a setting: the tolerance of equilibria or, in a study of a lattice, that of the solution of
+/// the lattice.
 double tolerance_of(const StudiedSetting& setting);
 
-/// Returns the time step of a setting in the unit of its dynamics: NumericalSettings::time_step or, for rigid grains,
-/// ContactDynamicsOptions::time_step. NaN in a study of a lattice.
+/// Returns the time step of a setting: NumericalSettings::time_step or, for rigid grains,
+/// ContactDynamicsOptions::time_step, each in its own unit. The result is NaN in a study of a lattice.
 double time_step_of(const Scene& scene, const StudiedSetting& setting);
 
 double patience_of(const StudiedSetting& setting);
 
-/// Returns the keyword for how a setting finishes equilibria: the value of equilibrium.finish; for rigid grains that of
-/// dynamics.finish; for a lattice the method of its solution.
+/// Returns the keyword for the method by which a setting finishes equilibria: the value of equilibrium.finish; for
+/// rigid grains, the value of dynamics.finish; for a lattice, the method of its solution.
 std::string finish_of(const Scene& scene, const StudiedSetting& setting);
 
 /// Returns the options for running a scene with a setting of the study, on one thread.

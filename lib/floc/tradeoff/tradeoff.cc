@@ -17,23 +17,24 @@
 namespace floc {
 namespace {
 
-/// Numbers of grains, of disks and of spheres, in the small sample whose run measures the speed of this machine. The
-/// samples of a study have at least this number of grains.
+/// Numbers of disks and of spheres in the small sample whose run measures the speed of this machine. The samples of a
+/// study have at least as many grains.
 constexpr int kMinDisks = 40;
 constexpr int kMinSpheres = 100;
-/// Number of samples that must fit into the budget with every setting; otherwise the number of grains is reduced. The
-/// error of a mean can only be estimated from two or more samples.
+/// Number of samples with every setting that must fit into the budget. If they do not fit, the number of grains is
+/// reduced. The error of a mean can only be estimated from two or more samples.
 constexpr double kSamplesWanted = 2.0;
-/// Assumed ratio of the processor time of a run with the strictest settings to that of a run with the settings of the
-/// scene, before it is measured. The strictest settings have shorter time steps, and wait longer before a packing
-/// counts as at rest.
+/// Processor time of a run with the strictest settings, divided by that of a run with the settings of the scene. This
+/// value is assumed until the ratio has been measured. The strictest settings have shorter time steps, and wait longer
+/// before a packing counts as at rest.
 constexpr double kReferenceCost = 4.0;
-/// Fraction of the processor time of the study that runs may take; comparing and fitting takes the rest.
+/// Largest fraction of the processor time of the study that may be spent on runs. The rest is left for comparisons and
+/// fits.
 constexpr double kShareOfRuns = 0.97;
-/// A run is stopped, and its setting left out, if its processor time exceeds that of the run with the strictest
-/// settings by this factor.
+/// If the processor time of a run exceeds that of the run with the strictest settings by this factor, the run is
+/// stopped and its setting is left out of the study.
 constexpr double kLongestRun = 1.5;
-/// Safety factor by which the expected processor time of a run is multiplied before it is compared with the rest of the
+/// Safety factor by which the expected processor time of a run is multiplied before it is compared with the remaining
 /// budget.
 constexpr double kMargin = 1.3;
 
@@ -63,11 +64,11 @@ class Study {
   struct Sample {
     int index;
     SamplePath path;
-    // If the setting changes only the computation of the moduli: observables of the states of the reference path with
-    // the moduli of this setting. Otherwise empty.
+    // Observables of the states of the reference path, with moduli computed by this setting. Empty unless the setting
+    // changes only the computation of the moduli.
     std::vector<Observation> levels;
-    // If the setting changes only the computation of the moduli: processor time of the run (s) without the moduli. The
-    // time of the moduli with this setting is added to it.
+    // Processor time of the run (s) without the moduli. The time of the moduli with this setting is added to it. Used
+    // only if the setting changes only the computation of the moduli.
     double base_seconds = 0.0;
   };
 
@@ -77,15 +78,15 @@ class Study {
     keep_parameters(options_.parameters, settings_);
   }
 
-  /// Returns the expected ratio of the processor time of a sample with a setting to that with the settings of the
-  /// scene.
+  /// Returns the expected processor time of a sample with a setting, divided by that of a sample with the settings of
+  /// the scene.
   double relative_cost(const StudiedSetting& s) const {
     const double steps = time_step_of(scene_, settings_[1]) / time_step_of(scene_, s);
     const double size = s.n_grains > 0 ? static_cast<double>(s.n_grains) / scene_.grains.count : 1.0;
     return steps * size * s.steps_factor;
   }
 
-  /// Returns the expected sum of the processor times of one sample with each of the settings (s).
+  /// Returns the expected processor time (s) of making one sample with every setting.
   /// @param n_grains  number of grains of the sample
   /// @param speed  ratio of the processor time measured on this machine to the time that expected_cost() predicts
   double sample_cost(int n_grains, double speed) const {
@@ -99,8 +100,8 @@ class Study {
 
   int least_grains() const { return scene_.dimension == 2 ? kMinDisks : kMinSpheres; }
 
-  /// Makes a sample. If it cannot be made, for example because its cell would be too small, the result has a reason of
-  /// failure.
+  /// Makes a sample. If this fails, for example because the cell would be too small, the member `failure` of the result
+  /// gives the reason.
   static SamplePath tried_sample(const RunOptions& options, const ModuliOptions& moduli,
                                  const SamplePath* reference, const Deadline& deadline) {
     try {
@@ -140,7 +141,7 @@ class Study {
     if (!last_seed_whole_) return false;
     if (kMargin * last_seed_seconds_ < deadline_.left()) return true;
     left_out_.push_back(fmt::format(
-        "all samples beyond {} of {}, because the next sample would take {:.0f} s, but only {:.0f} s "
+        "all samples after the first {} of {}, because the next sample would take {:.0f} s, but only {:.0f} s "
         "of the budget are left",
         k, max_samples_, last_seed_seconds_, deadline_.left()));
     return false;
@@ -194,8 +195,8 @@ class Study {
     return path;
   }
 
-  /// Returns whether one more sample with a setting fits into the budget. If even the first sample with this setting
-  /// does not fit, the setting is left out of the whole study.
+  /// Returns whether one more sample with a setting fits into the budget. If it would be the first sample with this
+  /// setting and does not fit, the setting is left out of the whole study.
   /// @param i  index of the setting
   /// @param reference  path with the strictest settings from the same seed
   bool affordable(std::size_t i, const SamplePath& reference) {
@@ -221,7 +222,7 @@ class Study {
     left_out_.push_back(
         fmt::format("{} {}, seed {}: {}", settings_[i].parameter, settings_[i].value, seed, reason));
     if (budget_is_used_up) return;
-    skipped_.insert(i);  // later samples leave this setting out too, because it may fail again
+    skipped_.insert(i);  // later samples do without this setting, because it may fail again
   }
 
   Sample moduli_level(int k, const StudiedSetting& setting, const SamplePath& reference,
@@ -239,7 +240,7 @@ class Study {
     return sample;
   }
 
-  /// Returns the observables of the states of a path with moduli computed by another method.
+  /// Returns the observables of all states of a path, with elastic moduli computed by the method in `options`.
   template <int Dim>
   static std::vector<Observation> levels_of(const ModuliOptions& options, const SamplePath& path) {
     ModuliSequence<Dim> sequence(options);

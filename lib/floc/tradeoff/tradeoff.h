@@ -42,17 +42,17 @@ struct Tradeoff {
   int n_states = 0;  ///< number of states (equilibria) of a sample
   /// Mean of each observable with the strictest settings over states and samples (in the unit that unit_of() returns).
   Observation reference;
-  /// Standard deviation, between samples, of the mean of each observable over the states of a sample, relative to the
-  /// mean over samples; NaN for a single sample.
+  /// For each observable, the standard deviation between samples of its mean over the states of a sample, divided by
+  /// the mean over all samples; NaN for a single sample.
   Observation scatter;
   std::vector<MeasuredSetting> settings;
   /// Descriptions of variants, samples or grains that did not fit into the budget, and of runs that failed.
   std::vector<std::string> left_out;
 };
 
-/// Studies how much accuracy a run loses if numerical settings save processor time. It runs a scene with its strictest
-/// settings (the reference) and with several values of each parameter, all from the same seeds, and compares the
-/// observables that are usually reported.
+/// Studies how the errors of a run grow if cheaper numerical settings save processor time. It runs a scene with its
+/// strictest settings (the reference) and with several values of each parameter, all from the same seeds, and compares
+/// the observables that are usually reported.
 ///
 /// With every setting, a packing is assembled and taken through the load path. Unless the number of grains differs,
 /// each stage starts from the state from which the reference starts this stage. States can then be compared one by one
@@ -65,20 +65,23 @@ struct Tradeoff {
 /// out of the study.
 /// 3. A run is stopped if it reaches the deadline, or if it takes more than about 1.5 times as long as the run with the
 /// strictest settings.
-/// A scene that starts from a saved packing keeps its number of grains. If seeds make no difference to it either, there
-/// is one sample, and the errors are those of its states alone.
-/// @throws InputError if the budget is not positive, if the number of samples is outside of kSamples, or if a parameter
-/// is none that a study of the scene varies
+///
+/// A scene that starts from a saved packing keeps its number of grains. If seeds do not change its states either, there
+/// is only one sample, and the errors are computed from the states of this sample alone.
+/// @throws InputError if the budget is not positive, if the number of samples is outside of kSamples, or if a study of
+/// the scene does not vary one of the given parameters
 Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options);
 
-/// Requires valid numbers in the options of a study. @throws InputError as study_tradeoff()
+/// Requires valid numbers in the options of a study. @throws InputError if the budget or the number of samples is not
+/// valid
 void require_study(const TradeoffOptions& options);
 
-/// Returns the largest number of samples of a study, and adds a reason to `left_out` if it is smaller than wanted.
+/// Returns the largest number of samples of a study. If it is smaller than the number in `options`, adds a reason to
+/// `left_out`.
 int number_of_samples(const Scene& scene, const TradeoffOptions& options, std::vector<std::string>& left_out);
 
 /// Fills the members of `out` that describe the reference paths of a study: n_states, reference and scatter.
-/// @param references  paths of the runs with the strictest settings, one for each seed, at least one
+/// @param references  paths of the runs with the strictest settings, one path for each seed; at least one path
 void describe_reference(const std::vector<const SamplePath*>& references,
                         const std::optional<PressureWindow>& window, Tradeoff& out);
 
@@ -89,14 +92,15 @@ MeasuredSetting cost_of(const Scene& scene, const StudiedSetting& setting,
                         const std::vector<const SamplePath*>& references,
                         const std::vector<const SamplePath*>& paths);
 
-/// Adds to the results, under the parameter "samples", the error of a mean over 1, 2, 4, ... samples. This error is
-/// computed from the scatter between samples with the strictest settings.
+/// Adds results for the parameter "samples": the error of a mean over 1, 2, 4, ... samples. This error is computed from
+/// the scatter between samples with the strictest settings.
 void add_sample_numbers(const Scene& scene, const StudiedSetting& strict,
                         const std::vector<const SamplePath*>& references,
                         const std::optional<PressureWindow>& window, Tradeoff& out);
 
-/// Returns, for each setting of a study, whether it is Pareto-optimal for an observable: no other setting is at least
-/// as cheap and at least as accurate, and cheaper or more accurate. The accuracy is measured by single_state_error().
+/// Returns, for each setting of a study, whether the setting is Pareto-optimal for an observable. It is Pareto-optimal
+/// unless another setting is cheaper and at least as accurate, or more accurate and at least as cheap. The accuracy is
+/// measured by single_state_error().
 /// @param observable  index of the observable in ObservableErrors
 std::vector<bool> pareto_front(const Tradeoff& tradeoff, std::size_t observable);
 

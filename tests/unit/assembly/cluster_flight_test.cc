@@ -30,8 +30,8 @@ Packing<2> disks_at(const std::vector<Vec<2>>& places) {
   return packing;
 }
 
-/// Returns two disks that stick together across the cell boundary, move and rotate about their common centre,
-/// and a third disk far away.
+/// Returns three disks: two that stick together across the cell boundary, and a third one far away. The two
+/// disks move, and rotate about their common centre.
 Packing<2> drifting_pair() {
   Packing<2> packing = disks_at({Vec<2>(9.8, 2.0), Vec<2>(0.8 - kOverlap, 2.0), Vec<2>(5.0, 7.0)});
   const double spin = 0.01, arm = 0.5 * (1.0 - kOverlap);
@@ -55,7 +55,8 @@ TEST(ClusterFlight, MovesAClusterAsItsDynamicsDo) {
   dynamics->advance(static_cast<int>(20.0 / dt), Motion::free);
   const Packing<2> moved = dynamics->packing();
   for (int i = 0; i < 3; ++i) {
-    // Positions differ by less than one time step of motion. The rotation stretches the contact by 5e-10.
+    // The final positions of both computations differ by less than the motion in one time step. In the
+    // computation with time steps, the rotation stretches the contact by 5e-10.
     EXPECT_LT((flown.cell.wrapped(flown.grains.position[i]) - moved.grains.position[i]).norm(), 0.05 * dt);
     EXPECT_LT((flown.grains.velocity[i] - moved.grains.velocity[i]).norm(), 1e-6);
     EXPECT_NEAR(flown.grains.orientation[i], moved.grains.orientation[i], 0.02 * dt);
@@ -80,8 +81,8 @@ TEST(ClusterFlight, EndsAfterTheLongestTimeWhereNothingMeets) {
   EXPECT_NEAR(packing.grains.position[0][0], 41.0, 1e-9);
 }
 
-/// A chain around the cell cannot rotate: if its grains move up on one side and down on the other, this is an
-/// internal motion.
+/// A chain that closes across the cell boundary cannot rotate. If its grains move up on one side and down on
+/// the other, they move relative to each other.
 TEST(ClusterFlight, DoesNotTurnWhatWindsAroundTheCell) {
   std::vector<Vec<2>> places;
   for (int k = 0; k < 10; ++k) places.emplace_back(k + 0.5, 2.0);
@@ -114,8 +115,8 @@ TEST(ClusterFlight, MovesSpheresThatWindAroundTheCellWithoutTurningThem) {
     EXPECT_LT((packing.grains.position[k] - (places[k] + Vec<3>(0.2, 0.0, 0.4))).norm(), 1e-12);
 }
 
-/// The springs of a tumbling cluster rotate with it, so that the forces on its spheres stay the same relative
-/// to the cluster.
+/// The springs of a tumbling cluster rotate with the cluster. The forces on its spheres therefore rotate with
+/// the cluster too, and do not change otherwise.
 TEST(ClusterFlight, TurnsWhatContactsOfSpheresRemember) {
   Packing<3> packing;
   packing.law = test::cohesive_law();
@@ -148,7 +149,7 @@ TEST(ClusterFlight, TurnsWhatContactsOfSpheresRemember) {
   for (int i = 0; i < 3; ++i) {
     const Eigen::Quaterniond& turn = packing.grains.orientation[i];
     EXPECT_GT(turn.angularDistance(Eigen::Quaterniond::Identity()), 0.5);
-    // Overlaps of 1e-5 have a rounding error of 1e-15, which is multiplied by K_N.
+    // Overlaps of 1e-5 have rounding errors of 1e-15; the errors of forces are K_N times as large.
     EXPECT_LT((after.force[i] - turn * before.force[i]).norm(), 1e-9);
     EXPECT_LT((after.moment[i] - turn * before.moment[i]).norm(), 1e-9);
     EXPECT_GT(before.moment[i].norm(), 1e-5);

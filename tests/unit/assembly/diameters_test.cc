@@ -55,8 +55,8 @@ TEST(Diameters, QuantilesInvertTheClosedFormOfTheDistribution) {
 TEST(Diameters, ByVolumeEverySizeFillsTheSameVolume) {
   constexpr int kN = 200001;
   const std::vector<double> d = equally_spaced_diameters(power_law(0.05, 1, kUniformByVolume), kN);
-  // If the interval from 1/20 to 1 is divided into 20 slices of equal width, each contains 1/20 of the volume
-  // (or of the area, for a distribution that is uniform by area).
+  // The interval from 1/20 to 1 is divided into 20 slices of equal width. Each slice contains 1/20 of the
+  // volume (or of the area, if the distribution is uniform by area).
   double all = 0.0, middle = 0.0;
   for (const double x : d) all += x * x * x, middle += x > 0.525 && x < 0.7625 ? x * x * x : 0.0;
   EXPECT_NEAR(middle / all, 0.25, 2e-4);
@@ -81,7 +81,7 @@ TEST(Diameters, ATightLognormalIsNotCutOff) {
   const DiameterDistribution d = lognormal(0.1, 10, 1, 0.1);
   EXPECT_DOUBLE_EQ(share_within_bounds(d), 1.0);
   EXPECT_NEAR(diameter_quantile(d, 0.5), 1.0, 1e-12);
-  // This is the quantile of one standard deviation above the median.
+  // With this probability, a normal variable lies less than one standard deviation above its mean.
   EXPECT_NEAR(diameter_quantile(d, 0.8413447460685429), std::exp(0.1), 1e-12);
 }
 

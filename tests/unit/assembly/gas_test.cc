@@ -29,7 +29,8 @@ TEST(Gas, LargestGrainIsTheUnitOfLength) {
 }
 
 TEST(Gas, IsNotALattice) {
-  // In a hard-disk fluid the gaps between neighbours range from zero up; on a lattice they would all be equal.
+  // In a hard-disk fluid, the gaps between neighbours range from zero upwards. On a lattice all gaps would be
+  // equal.
   const Packing<2> gas = test::gas_of(400, test::cohesive_law(), 0.36);
   const auto near = [&](double gap) { return find_pairs(gas.cell, gas.grains, gap).size(); };
   EXPECT_GT(near(0.02), 20u);

@@ -16,7 +16,7 @@ namespace {
 
 const Vec<2, int> kAlone = Vec<2, int>::Ones();
 
-/// Returns compressed disks that move and are rotated, whose springs carry forces.
+/// Returns a compressed packing of moving, rotated disks. The springs of its contacts carry forces.
 Packing<2> pressed_disks() {
   Packing<2> packing = test::agitated_gas(30, test::cohesive_law());
   const double squeeze = 0.85;

@@ -41,7 +41,7 @@ TEST(ShapedGas, HasTheSolidFractionOfTheGrainsThemselves) {
   for (const double phi : {0.05, 0.3, 0.45}) {
     const Packing<2> gas = gas_of<2>(grains_with(pentagons()), phi);
     EXPECT_NEAR(solid_fraction(gas), phi, 1e-13);
-    // Not even the circumscribed circles overlap, so that no grains overlap in any orientation.
+    // The circumscribed circles do not overlap, so the grains do not overlap in any orientation.
     EXPECT_TRUE(find_pairs(gas.cell, gas.grains, 0.0).empty()) << phi;
   }
   for (const double phi : {0.05, 0.12})
@@ -68,7 +68,8 @@ TEST(ShapedGas, MassIsDensityTimesVolume) {
   EXPECT_DOUBLE_EQ(mass_over_volume(3), 4.0 / std::numbers::pi);
   grains.density = 7.0;
   EXPECT_DOUBLE_EQ(mass_over_volume(3), 7.0);
-  // Area of a regular pentagon divided by that of its circumscribed circle: 5 sin(72 degrees)/(2 pi).
+  // The area of a regular pentagon, divided by the area of its circumscribed circle, is 5 sin(72 degrees)/(2
+  // pi).
   const Grains<2> g = gas_of<2>(grains, 0.2).grains;
   EXPECT_NEAR(share_of_bounding_balls(g), 2.5 * std::sin(0.4 * std::numbers::pi) / std::numbers::pi, 1e-14);
 }
@@ -90,8 +91,9 @@ TEST(ShapedGas, OrientationsAreUniform) {
   GrainOptions grains = grains_with(cut(1), 4000);
   const std::vector<double> diameter(4000, 1.0);
   const Grains<3> g = shaped_grains<3>(grains, diameter, 5);
-  // The image of an axis is uniformly distributed on the sphere: its mean is zero, and the mean of its dyadic
-  // product is 1/3. The standard errors are sqrt(1/3)/sqrt(4000) = 0.009 and 0.005.
+  // A rotated axis is a random unit vector with a uniform distribution on the sphere. The mean of this vector
+  // is zero, and the mean of its dyadic product is 1/3 of the unit matrix. The standard errors of the means are
+  // sqrt(1/3)/sqrt(4000) = 0.009 and 0.005.
   for (int axis = 0; axis < 3; ++axis) {
     Vec<3> mean = Vec<3>::Zero();
     Mat<3> second = Mat<3>::Zero();

@@ -46,7 +46,8 @@ TEST(SieveCurve, IsLinearInTheLogarithmOfTheSize) {
 }
 
 TEST(SieveCurve, OfTwoSievesHasTheQuantilesOfAPowerLaw) {
-  // If equal intervals of ln d contain equal masses, the number density is proportional to d^-(Dim + 1).
+  // If equal intervals of ln d contain equal masses, the number density of diameters d is proportional to
+  // d^-(Dim + 1).
   for (const int dimension : {2, 3}) {
     DiameterDistribution power;
     power.kind = Kind::power_law;

@@ -18,8 +18,8 @@ TEST(DoubleDouble, SumsKeepWhatADoubleDrops) {
   EXPECT_EQ(sum.low, 0x1p-80);
   const DoubleDouble difference =
       sum + DoubleDouble{0x1p60, 0.0} - DoubleDouble{0x1p60, 0.0} - DoubleDouble{1.0, 0.0};
-  // The largest and the smallest term differ by 140 bits, but the two parts hold only 106 bits: beside 2^60 the
-  // smallest term is lost.
+  // The smallest term, 2^-80, is 2^140 times smaller than the largest one, 2^60. The two parts of a
+  // DoubleDouble together have only 106 bits, so the smallest term is lost.
   EXPECT_NEAR(difference.rounded(), 0.0, 0x1p-40);
   EXPECT_EQ((sum - DoubleDouble{1.0, 0.0}).rounded(), 0x1p-80);
 }

@@ -9,7 +9,7 @@ namespace {
 
 using Number = Dual<2>;
 
-/// Formula that uses every operation.
+/// Formula that uses every operation of dual numbers.
 template <class T>
 T formula(const T& x, const T& y) {
   using std::cos, std::exp, std::log, std::pow, std::sin, std::sqrt;
@@ -20,7 +20,7 @@ TEST(Dual, CarriesTheDerivativesOfAFormula) {
   const double x = 1.3, y = 0.4, step = 1e-6;
   const Number f = formula(Number(x, 0), Number(y, 1));
   EXPECT_EQ(f.value, formula(x, y));
-  // The truncation error is about step^2, the rounding error 1e-16/step.
+  // The truncation error of the differences is about step^2, their rounding error 1e-16/step.
   EXPECT_NEAR(f.derivative[0], (formula(x + step, y) - formula(x - step, y)) / (2.0 * step), 1e-9);
   EXPECT_NEAR(f.derivative[1], (formula(x, y + step) - formula(x, y - step)) / (2.0 * step), 1e-9);
 }

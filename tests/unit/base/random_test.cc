@@ -47,7 +47,8 @@ TEST(RandomStream, UniformHasTheMomentsOfItsInterval) {
     sum += x;
     squares += (x - 1.0) * (x - 1.0);
   }
-  // Tolerances are five standard errors: 4/sqrt(12 n) for the mean, 4^2/sqrt(180 n) for the variance.
+  // The tolerances are five standard errors. The standard error is 4/sqrt(12 n) for the mean and 4^2/sqrt(180
+  // n) for the variance.
   EXPECT_NEAR(sum / n, 1.0, 5 * 4 / std::sqrt(12.0 * n));
   EXPECT_NEAR(squares / n, 16.0 / 12.0, 5 * 16 / std::sqrt(180.0 * n));
 }
@@ -62,7 +63,7 @@ TEST(RandomStream, NormalHasUnitVarianceAndGaussianKurtosis) {
     squares += x * x;
     fourths += x * x * x * x;
   }
-  // Tolerances are five standard errors: the variances of x, x^2 and x^4 are 1, 2 and 96.
+  // The tolerances are five standard errors. The variances of x, x^2 and x^4 are 1, 2 and 96.
   EXPECT_NEAR(sum / n, 0.0, 5 * std::sqrt(1.0 / n));
   EXPECT_NEAR(squares / n, 1.0, 5 * std::sqrt(2.0 / n));
   EXPECT_NEAR(fourths / n, 3.0, 5 * std::sqrt(96.0 / n));
@@ -72,7 +73,8 @@ TEST(RandomStream, BelowReachesEveryIntegerAndNoOther) {
   RandomStream random(5, 1);
   std::vector<int> hits(7, 0);
   for (int k = 0; k < 7000; ++k) ++hits.at(random.below(7));
-  // Counts are binomial with mean 1000 and standard deviation 29; six deviations are accepted.
+  // The counts have a binomial distribution with mean 1000 and standard deviation 29. The tolerance is six
+  // standard deviations.
   for (const int count : hits) EXPECT_NEAR(count, 1000, 6 * 29);
 }
 

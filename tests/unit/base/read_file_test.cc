@@ -13,7 +13,7 @@
 namespace floc {
 namespace {
 
-/// Returns a text that is longer than the buffer for reading files, and that gzip cannot compress much.
+/// Returns a text that is longer than the buffer for reading files. gzip cannot compress it much.
 std::string long_text() {
   std::string text;
   for (unsigned k = 0, noise = 1; k < 60'000; ++k)

@@ -10,8 +10,8 @@
 namespace floc {
 namespace {
 
-// Examples published with FIPS 180-4 (NIST, "SHA-256 examples"): the empty message, messages of one and two
-// blocks, and a million bytes.
+// The examples published with FIPS 180-4 (NIST, "SHA-256 examples"): the empty message, a message of one block,
+// a message of two blocks, and a million bytes.
 TEST(Sha256, GivesThePublishedExamples) {
   EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
   EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
@@ -21,8 +21,8 @@ TEST(Sha256, GivesThePublishedExamples) {
             "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
-/// Lengths around multiples of the block size of 64 bytes, and around 56, beyond which the length field no
-/// longer fits.
+/// The lengths are near multiples of the block size of 64 bytes, and near 56 bytes: from 56 bytes on, the
+/// length field no longer fits into the same block.
 TEST(Sha256, DoesNotDependOnThePiecesThatBytesComeIn) {
   std::string bytes;
   for (int k = 0; k < 300; ++k) bytes += static_cast<char>(37 * k);

@@ -10,9 +10,10 @@ namespace {
 
 constexpr int kPhases = 4;
 
-/// Lets some threads of a team throw their number before the barrier at the end of a phase. @param throwing
-/// bit set of these threads
-/// @return number that the team throws, -1 if none
+/// Runs a team in which some threads throw their own number, in the given phase and before the barrier at the
+/// end of this phase.
+/// @param throwing  set of the throwing threads, one bit for each
+/// @return the number that the team throws, -1 if it throws none
 int thrown_by(int n_threads, unsigned throwing, int phase) {
   std::vector<int> reached(static_cast<std::size_t>(n_threads), 0);
   try {

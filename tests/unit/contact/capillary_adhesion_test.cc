@@ -30,8 +30,8 @@ void expect_relative(double value, double expected, double tolerance = kDigits) 
   EXPECT_NEAR(value, expected, tolerance * std::abs(expected));
 }
 
-/// Reference values of a bridge: strength Gamma R, decay length l, rupture distance hm, force at a gap of l/2,
-/// exp(-hm/l) and energy.
+/// Reference values of a bridge with the decay length l and the rupture distance hm: strength, l, hm, force at
+/// a gap of l/2, exp(-hm/l), and minus the energy at a gap of zero.
 struct Expected {
   double strength, decay_length, reach, half_way, at_reach, energy;
 };
@@ -69,7 +69,8 @@ TEST(CapillaryAdhesion, RationalFormIsTheOneOfTheExactBridgesToWithinItsError) {
   for (const double x : {0.0, 0.3, 1.0, 2.0})
     expect_relative(law.force(PairGeometry<>(x / b.decay), b), -b.strength / (1.0 + 1.05 * x + 2.5 * x * x),
                     1e-15);
-  // Exact forces of Young-Laplace bridges with volume 1e-3 R^3, at gaps h/l.
+  // Exact forces of bridges with the volume 1e-3 R^3, from the Young-Laplace equation, at several ratios h/l of
+  // the gap to the decay length.
   const double l = 1.0 / kWater.bridge(1e-3, 1e-3, 1e-12).decay;
   const Bridge<> small = law.bridge(1e-3, 1e-3, 1e-12);
   for (const auto& [gap, exact] : {std::pair{0.1, 0.841}, {0.5, 0.508}, {1.0, 0.270}})
@@ -134,7 +135,7 @@ struct Doublet {
     const ContactMotion<3> motion{gap, 0.0, 0.0, Shear<3>::Zero(), RotationVector<3>::Zero()};
     return law.respond<3, double>(motion, history, law.pair_parameters<3>(1e-3, 1e-3, history)).normal.force();
   }
-  /// Work of the normal force on the pair (energy), integrated with the trapezoidal rule.
+  /// Work (energy) of the normal force on the grains between two gaps, integrated by the trapezoidal rule.
   double work(double from, double to) {
     constexpr int n = 200000;
     double sum = 0.0, before = force(from);
@@ -159,7 +160,8 @@ TEST(Doublet, RestsPullsOffAndPartsAsTheClosedFormsSay) {
   expect_relative(pair.law.energy<double>(PairGeometry<>(2.0 * b.reach), nullptr, b) -
                       pair.law.energy<double>(PairGeometry<>(-h0), nullptr, b),
                   separation, 1e-14);
-  // The error is that of the step that contains the jump at the rupture distance.
+  // The error comes from the integration step that contains the rupture distance, where the force jumps to
+  // zero.
   expect_relative(-pair.work(-h0, 1.1 * b.reach), separation, 2e-5);
 }
 

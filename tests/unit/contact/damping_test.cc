@@ -21,7 +21,8 @@ TEST(ViscousDamping, RatioInvertsTheRestitutionOfALinearOscillator) {
 }
 
 TEST(ViscousDamping, RatioIsThatOfItsRestitution) {
-  // The published values are alpha_n = 0.248 for e_n = sqrt(0.2), with three digits.
+  // The published damping ratio is alpha_n = 0.248 for the coefficient of restitution e_n = sqrt(0.2), with
+  // three digits.
   EXPECT_NEAR(damping_ratio(std::sqrt(0.2)), 0.248, 5e-4);
 }
 
@@ -60,7 +61,8 @@ TEST(ViscousDamping, GrainMassRuleGivesTwoEqualSpheresTheSmallerRestitution) {
   const double zeta_of_pair =
       grain.coefficient(CollisionMass::between(mass, mass), LinearRepulsion{stiffness}) /
       (2 * std::sqrt(mass / 2 * stiffness));
-  // Expected is the restitution of the spheres of [SVI2024], with three digits (docs/physics.md, "Damping").
+  // The expected value is the coefficient of restitution of the spheres in [SVI2024], given with three digits
+  // (docs/physics.md, "Damping").
   EXPECT_NEAR(restitution_at(zeta_of_pair), 0.308, 5e-4);
 }
 

@@ -15,8 +15,8 @@
 namespace floc {
 namespace {
 
-/// Returns spheres (disks) of diameter 1 in a cubic (square) crystal between walls, n along each axis. All
-/// contacts have the same overlap.
+/// Returns a cubic crystal of spheres (in 2D a square crystal of disks) of diameter 1 between walls, with n
+/// grains along each axis. All contacts have the same overlap.
 template <int Dim>
 Packing<Dim> crystal(int n, const Law& law, const Law& wall_law, double overlap) {
   Packing<Dim> packing;
@@ -48,8 +48,8 @@ Law linear(double kn, double kt) {
   return law;
 }
 
-/// The crystal consists of n^(Dim-1) chains of n + 1 springs between the walls: C11 = K_N n^(Dim-1)/((n + 1)
-/// L^(Dim-2)).
+/// Along each axis, the crystal consists of n^(Dim-1) chains of n + 1 springs between two walls. In a box of
+/// side L, this gives C11 = K_N n^(Dim-1)/((n + 1) L^(Dim-2)).
 template <int Dim>
 void expect_moduli_of_chains(int n) {
   const double kn = 1e4, overlap = 1e-3;
@@ -59,8 +59,8 @@ void expect_moduli_of_chains(int n) {
   const double expected = kn * std::pow(n, Dim - 1) / ((n + 1) * std::pow(side, Dim - 2));
   for (int a = 0; a < Dim; ++a)
     for (int b = 0; b < Dim; ++b) EXPECT_NEAR(m.C(a, b), a == b ? expected : 0.0, 1e-9 * expected);
-  // The springs of a chain in series carry equal forces, so B_reuss is exact. Springs at walls are shorter than
-  // others, so for n > 1 the displacements are not affine and B_voigt is larger than B.
+  // The springs of a chain in series carry equal forces, so B_reuss is exact. For n > 1 the displacements are
+  // not affine, because the springs at walls are shorter than the others; B_voigt is then larger than B.
   EXPECT_GE(m.bounds.B_voigt, n == 1 ? m.B * (1.0 - 1e-9) : 1.01 * m.B);
   EXPECT_NEAR(m.bounds.B_reuss, m.B, 1e-9 * m.B);
   EXPECT_NEAR(m.pressure, wall_pressure(packing)[0], 1e-9 * m.pressure);
@@ -101,8 +101,9 @@ Packing<Dim> chain_betweekWalls(int n, const Law& law, const Law& wall_law) {
   return packing;
 }
 
-/// Expects the modulus of springs in series with the stiffness k, 1/k = 2/k_w + (n - 1)/k_n: k times the side,
-/// divided by the area of the walls. Moduli along the other axes are zero.
+/// A chain consists of two wall contacts (k_w) and n - 1 contacts of grains (k_n) in series, so its stiffness k
+/// follows from 1/k = 2/k_w + (n - 1)/k_n. Expects the modulus k times the side, divided by the area of a wall.
+/// The moduli along the other axes are zero.
 template <int Dim>
 void expect_moduli_of_a_chain(int n, double kt) {
   const double kn = 1e4, kw = 3e4;
@@ -116,7 +117,8 @@ void expect_moduli_of_a_chain(int n, double kt) {
   EXPECT_EQ(m.n_coupled_mechanisms, Dim - 1);
   EXPECT_EQ(m.n_negative, 0);
   if (n > 1) return;
-  // On smooth walls a sphere can slide at no cost, which does not count as a mechanism; rough walls hold it.
+  // On smooth walls a sphere can slide at no cost, which does not count as a mechanism. On rough walls it
+  // cannot slide.
   EXPECT_EQ(m.response.free.count(FreeMotionKind::translation), kt == 0.0 ? Dim - 1 : 0);
   EXPECT_EQ(m.n_mechanisms, m.n_coupled_mechanisms);
 }
@@ -131,8 +133,9 @@ TEST(BoxModuli, OfAChainBetweenTwoWallsAreThoseOfSpringsInSeries) {
     }
 }
 
-/// A crystal of smooth disks buckles under its own load. With fixed walls, the displacements along an axis feel
-/// springs K_N with fixed ends along this axis and stiffnesses -F/r with free ends across it.
+/// A crystal of smooth disks may buckle under its own load, even between fixed walls. Chains along an axis
+/// resist the displacements along this axis, as springs K_N with fixed ends. Chains across the axis favour the
+/// displacements, as springs of negative stiffness -F/r with free ends (normal force F, branch length r).
 TEST(BoxModuli, CompressedCrystalBucklesInAsManyWaysAsItsChainsSay) {
   const double kn = 1e4, pi = std::acos(-1.0);
   for (const auto& [n, overlap] : {std::pair(4, 1e-3), {8, 0.03}, {8, 0.1}}) {
@@ -159,8 +162,7 @@ Packing<2> disordered() {
 
 constexpr int kWalls = 4;
 
-/// Returns the stiffness matrix of grains and walls as a dense matrix, with each of the four walls as a
-/// separate body.
+/// Returns the dense stiffness matrix of grains and walls. Each of the four walls is a separate body.
 Eigen::MatrixXd stiffness_of_bodies(const Packing<2>& packing) {
   const ContactNetwork<2> network = contact_network(packing);
   const int n = network.n_unknowns();
@@ -199,13 +201,14 @@ TEST(BoxModuli, AreTheInverseOfWhatPressuresOnFreeWallsDo) {
   const Eigen::MatrixXd C = compliance_by_bodies(packing).inverse();
   EXPECT_LT((m.C - C).cwiseAbs().maxCoeff(), 1e-8 * C(0, 0)) << m.C << "\n\n" << C;
   EXPECT_GE(m.bounds.B_voigt, m.B);
-  // both walls of an axis also move in the same direction
+  // the two walls of an axis also move together, in the same direction
   EXPECT_GT(m.response.wall_shift.cwiseAbs().maxCoeff(), 1e-6);
   EXPECT_EQ(m.response.n_free_shifts, 0);
 }
 
-/// Attractions at a distance have negative stiffness. The number of unstable modes is compared with the dense
-/// matrix of all bodies, which uses other coordinates for strains and common displacements of walls.
+/// Attractions at a distance have negative stiffness. The number of unstable modes is compared with that of the
+/// dense matrix of all bodies. This matrix contains the displacement of each wall, not the strains and the
+/// common displacements of walls.
 TEST(BoxModuli, AttractionsAcrossGapsDestabiliseInAsManyWaysAsTheMatrixOfAllBodiesSays) {
   int n_stable = 0, n_unstable = 0;
   for (const double force : {1.0, 30.0, 100.0, 300.0}) {
@@ -245,7 +248,8 @@ TEST(BoxModuli, DoNotDependOnTheUnitOfLength) {
   EXPECT_EQ(after.response.n_free_shifts, 2);
 }
 
-/// The force increments balance on every grain, and on walls they equal the increment of pressure.
+/// The force increments on every grain are in balance. The force increments on a wall add up to the increment
+/// of pressure.
 TEST(BoxModuli, IncrementsAreInBalanceWithTheStepOfPressure) {
   const Packing<2> packing = disordered();
   const ModuliOptions options;
@@ -272,7 +276,7 @@ TEST(BoxModuli, IncrementsAreInBalanceWithTheStepOfPressure) {
     EXPECT_NEAR(on_wall[w], wall_area(packing, packing.walls[w].axis), 1e-8 * largest) << w;
 }
 
-/// A disk with a single contact, with a wall, can roll there, but it is not a mechanism of the other grains.
+/// A disk whose only contact is with a wall can roll there. This motion is not a mechanism of the other grains.
 TEST(BoxModuli, DiskOnAWallAloneIsADeadEnd) {
   Packing<2> packing = crystal<2>(2, linear(1e4, 8e3), linear(1e4, 8e3), 1e-3);
   const Moduli before = elastic_moduli(packing, ModuliOptions{});

@@ -19,14 +19,14 @@ ChainStiffness stiffness(double rolling) {
   return {2.0, 1.4, rolling * 2.0 * kR * kR};
 }
 
-/// Largest effect of rounding: 8 rounding units for each of about 5 entries per contact, plus the condition
-/// number times the square of 35 rounding units.
+/// Returns the largest relative error that rounding can cause: 8 rounding units for each of about 5 entries per
+/// contact, plus the condition number times the square of 35 rounding units.
 double largest_bound(int n, double condition) {
   const double unit = std::numeric_limits<double>::epsilon();
   return 50.0 * n * unit + 1200.0 * unit * unit * condition;
 }
 
-/// @param size  largest relative size of the error bound
+/// @param size  largest accepted error bound, divided by the exact value
 void expect_within_bound(const BoundedValue& solved, double exact, double size, const char* what, int n,
                          double rolling) {
   EXPECT_LE(std::abs(solved.value - exact), solved.error) << what << " n = " << n << ", K_R = " << rolling;
@@ -63,8 +63,8 @@ TEST(Chain, BeyondDoublePrecisionTheBoundSaysThatNoDigitIsLeft) {
   EXPECT_FALSE(solve_chain(bent_chain(2000, 0.0), kR, stiffness(1e-28)).transverse.resolved());
 }
 
-/// Returns the compliance of the end of a chain whose first disk is held. The chain is statically determinate,
-/// so the compliance is the sum of the contributions of all contacts to loads at the end.
+/// Returns the compliance of the end of a chain whose first disk is fixed. The chain is statically determinate,
+/// so each contact adds its own contribution to the motion of the end under a load.
 Eigen::Matrix3d compliance_by_statics(const std::vector<Vec<2>>& branches, double R, const ChainStiffness& k) {
   Vec<2> end = Vec<2>::Zero();
   for (const Vec<2>& b : branches) end += 2.0 * R * b;

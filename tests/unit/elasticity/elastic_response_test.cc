@@ -17,7 +17,8 @@ struct DenseAnswer {
   int n_negative;
 };
 
-/// Computes the response of a network directly, with the pseudo-inverse of the block of the grains.
+/// Computes the response of a network directly, with the pseudo-inverse of the part of the stiffness matrix
+/// that belongs to the grains.
 template <int Dim>
 DenseAnswer dense_response(const ContactNetwork<Dim>& network, bool prestress) {
   const StiffnessMatrix k = stiffness_matrix(network, {StrainSet::full, prestress});
@@ -57,7 +58,7 @@ void expect_dense_answer(const ContactNetwork<Dim>& network, double tolerance) {
   EXPECT_LT(response.residual, 1e-12);
 }
 
-/// Rounding errors of the compared results, with condition numbers of up to 1e4.
+/// Tolerance for the rounding errors of the compared results; condition numbers are up to 1e4.
 constexpr double kTolerance = 1e-10;
 
 TEST(ElasticResponse, EqualsThePseudoInverseWithEveryKindOfContact) {
@@ -92,7 +93,7 @@ Eigen::MatrixXd extended_response(const ContactNetwork<Dim>& network, const std:
 }
 
 TEST(ElasticResponse, LiesWithinItsErrorBound) {
-  // rounding error of the extended-precision result when a modulus vanishes
+  // rounding error of the result in extended precision, if a modulus vanishes
   constexpr double kReference = 1e-17;
   ResponseOptions options;
   options.strains = StrainSet::full;
@@ -126,8 +127,7 @@ TEST(ElasticResponse, EqualsThePseudoInverseWithMechanismsInPlenty) {
 TEST(ElasticResponse, CountsEveryZeroModeOnceByStructureOrAsAMechanism) {
   int n_mechanisms = 0;
   for (unsigned seed = 0; seed < 30; ++seed) {
-    // If every contact has stiffness in all directions, the zero modes of the dense matrix include no dead
-    // ends.
+    // If every contact has stiffness in all directions, dead ends cause no zero modes of the dense matrix.
     for (const double kr : {0.0, 0.1}) {
       const auto network =
           contact_network(test::random_packing<2>(20, seed, test::elastic_law(1.0, 0.6, kr), 1.5));
@@ -144,8 +144,8 @@ TEST(ElasticResponse, CountsEveryZeroModeOnceByStructureOrAsAMechanism) {
   EXPECT_GT(n_mechanisms, 0);
 }
 
-/// The columns of long chains depend on each other through many others. None of their mechanisms may be
-/// mistaken for a soft spring.
+/// The matrix columns of distant disks in a long chain depend on each other through many other columns. No
+/// mechanism of the chain may be mistaken for a motion with a small stiffness.
 TEST(ElasticResponse, CountsTheMechanismsOfLongChainsWithoutRollingStiffness) {
   for (const int n : {5, 20, 40}) {
     const auto network = contact_network(test::square_frames(n, 1.0, test::elastic_law(1.0, 0.6, 0.0)));

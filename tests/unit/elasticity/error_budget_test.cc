@@ -11,8 +11,8 @@
 namespace floc {
 namespace {
 
-/// Square lattice of 2 x 2 disks under its own stress. Each of the eight contacts holds an eighth of the energy
-/// of an isotropic stress step.
+/// Square lattice of 2 x 2 disks under its own stress. In an isotropic stress step, each of the eight contacts
+/// stores an eighth of the energy.
 State<2> square() {
   State<2> state;
   state.packing = tiled<2>(test::square_frames(2, 1.0, test::elastic_law(1e3, 700.0, 1.0)), {2, 2});
@@ -44,7 +44,7 @@ TEST(ErrorBudget, CountsTheEnergyOfContactsThatMightAsWellBeOpen) {
   const ErrorBudget budget = budget_of(state);
   EXPECT_EQ(budget.n_undecided, 1);
   ASSERT_TRUE(budget.equilibrium);
-  EXPECT_NEAR(*budget.equilibrium, 500.0 / 8.0, 1e-9);  // with B = K_N/2
+  EXPECT_NEAR(*budget.equilibrium, 500.0 / 8.0, 1e-9);  // an eighth of B = K_N/2 = 500
   EXPECT_TRUE(std::string(budget.limit()) == "rounding" || std::string(budget.limit()) == "residual");
 }
 

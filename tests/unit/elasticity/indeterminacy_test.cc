@@ -9,8 +9,8 @@
 namespace floc {
 namespace {
 
-/// Returns the dimension of the null space of the equilibrium matrix, which maps contact forces to loads on the
-/// grains and the cell.
+/// Returns the dimension of the null space of the equilibrium matrix. This matrix maps contact forces to loads
+/// on the grains and the cell.
 template <int Dim>
 int self_stresses(const ContactNetwork<Dim>& network, StrainSet strains) {
   const Eigen::MatrixXd g = scaled_rigidity_matrix(network, strains);

@@ -14,7 +14,8 @@ namespace floc {
 namespace {
 
 TEST(MeanField, OfGlassBeadsHasItsPublishedNumbers) {
-  // Arguments: z = 6, Phi = 0.64, E = 70 GPa and nu = 0.3, P = 100 kPa, in MPa.
+  // Arguments: coordination number z = 6, solid fraction Phi = 0.64, E = 70 GPa, nu = 0.3 and P = 100 kPa.
+  // Stresses are in MPa.
   const double nu = 0.3;
   const HertzMeanField m =
       hertz_mean_field(6.0, 0.64, 70e3 / (1.0 - nu * nu), (2.0 - 2.0 * nu) / (2.0 - nu), 0.1);
@@ -39,7 +40,7 @@ TEST(MeanField, OfCrystalsIsTheirBulkModulusExactly) {
     const Bounds bounds = elastic_bounds(network, P, {double(crystal.z), solid_fraction(packing)});
     EXPECT_NEAR(bounds.B_voigt, B, 1e-12) << crystal.name;
     EXPECT_NEAR(bounds.B_reuss, B, 1e-12) << crystal.name;
-    // The mean field replaces the branch length r by the diameter a.
+    // Mean field theory replaces the branch length r by the diameter a.
     const MeanFieldEstimates m = mean_field_estimates(network, crystal.z, solid_fraction_at_contact(crystal));
     EXPECT_NEAR(m.B_voigt, B * r, 1e-12) << crystal.name;
     EXPECT_NEAR(m.B_reuss, B * r, 1e-12) << crystal.name;
@@ -50,8 +51,8 @@ TEST(MeanField, OfCrystalsIsTheirBulkModulusExactly) {
 }
 
 TEST(MeanField, BoundsOfShearAreTheClosedSumsOverContacts) {
-  // For any packing, the Voigt bounds are G = sum r^2 [K_N (1 - 3q) + 3 q K_T]/(6 V), with q = sum_(a<b) n_a^2
-  // n_b^2, and B = sum K_N r^2/(9 V).
+  // For any packing, the Voigt bounds are B = sum K_N r^2/(9 V) and G = sum r^2 [K_N (1 - 3q) + 3 q K_T]/(6 V),
+  // with q = sum_(a<b) n_a^2 n_b^2 for the unit normal n of a contact.
   const Packing<3> packing = test::random_packing<3>(40, 5, test::elastic_law(1.0, 0.6, 0.1));
   const ContactNetwork<3> network = contact_network(packing);
   double B = 0.0, G = 0.0;

@@ -17,8 +17,8 @@
 namespace floc {
 namespace {
 
-/// Returns all eigenvalues of K in ascending order, for the grains with contacts. Rotations are multiplied by
-/// the size of the grain.
+/// Returns all eigenvalues of the stiffness matrix K of the grains with contacts, in ascending order. Rotations
+/// are multiplied by the size of the grain.
 template <int Dim>
 Eigen::VectorXd dense_eigenvalues(const ContactNetwork<Dim>& network) {
   const int n = network.n_unknowns();
@@ -39,7 +39,7 @@ void expect_dense_eigenvalues(const ContactNetwork<Dim>& network, int count) {
   EXPECT_TRUE(soft.complete);
   ASSERT_EQ(soft.modes.size(), static_cast<std::size_t>(count));
   const Eigen::VectorXd dense = dense_eigenvalues(network);
-  // The dense spectrum also contains the free motions, as zeros after the negative eigenvalues.
+  // The dense spectrum also contains the free motions. They appear as zeros after the negative eigenvalues.
   const auto n_negative = (dense.array() < -1e-12).count();
   for (int m = 0; m < count; ++m) {
     const double expected = dense[m < n_negative ? m : m + soft.free.modes.cols()];
@@ -85,7 +85,7 @@ TEST(SoftModes, AllTogetherTakeOffWhatRelaxationDoes) {
     double G = pure_shear_modulus(affine_stiffness(network, StrainSet::diagonal)) / network.volume;
     for (const Mode<2>& m : soft.modes) B -= m.softens_B, G -= m.softens_G;
     const Eigen::MatrixXd C = elastic_response(network, {}).relaxed / network.volume;
-    // The smallest eigenvalues are about 1e-4, so errors of 1e-12 are divided by them.
+    // Errors of 1e-12 are divided by the eigenvalues, the smallest of which are about 1e-4.
     EXPECT_NEAR(B, bulk_modulus(C), 1e-9);
     EXPECT_NEAR(G, pure_shear_modulus(C), 1e-9);
     EXPECT_EQ(soft.modes.size() + soft.free.modes.cols(), static_cast<std::size_t>(network.n_unknowns()));
@@ -93,7 +93,8 @@ TEST(SoftModes, AllTogetherTakeOffWhatRelaxationDoes) {
 }
 
 TEST(SoftModes, NameANearMechanismAndWhatPrestressDoesToIt) {
-  // A chain across the cell whose disks deviate from a line by 1e-5, so that buckling needs very little energy.
+  // A chain across the cell whose disks deviate from a line by 1e-5 and 2e-5, so that buckling needs very
+  // little energy.
   Packing<2> packing = test::chain_across(4, 1.0, 4.0, test::elastic_law(1.0, 0.5, 0.0));
   packing.grains.position[1][1] += 1e-5;
   packing.grains.position[3][1] -= 2e-5;
@@ -116,17 +117,18 @@ TEST(SoftModes, NameANearMechanismAndWhatPrestressDoesToIt) {
   EXPECT_GT(stretched.modes.front().with_prestress, stretched.modes.front().eigenvalue);
 }
 
-/// Counts of the states that were tested, by their properties.
+/// Numbers of tested states that have certain properties.
 struct Met {
   int states = 0, without_any = 0, near = 0, largest = 0;
   int with_mechanisms = 0, unstable = 0, with_free_motions = 0, with_rattlers = 0, without_contacts = 0;
 };
 
-/// Sets the largest normal force between two successive eigenvalues, at several positions in the spectrum, and
-/// compares the number of smaller eigenvalues with count_near_mechanisms().
+/// Scales the normal forces so that the largest ratio of a force to its branch length lies between two
+/// successive eigenvalues, at several positions in the spectrum. Expects that count_near_mechanisms() counts
+/// the smaller eigenvalues.
 template <int Dim>
 void expect_dense_count(ContactNetwork<Dim> network, Met& met) {
-  // rounding error of the compared eigenvalues, divided by the largest stiffness
+  // rounding error of the compared eigenvalues, which are divided by the largest stiffness
   constexpr double kZero = 1e-11;
   const double unit = stiffness_scale(network);
   const ElasticResponse response = elastic_response(network, {});
@@ -221,8 +223,8 @@ TEST(NearMechanisms, AreNotCountedWhereTheFactorWouldNotFit) {
 }
 
 TEST(SoftModes, NearMechanismsKeepTheirDigitsDownToTheRoundingOfTheGeometry) {
-  // A chain that deviates from a line by `off`: one eigenvalue is proportional to off^2, and two mechanisms
-  // remain.
+  // A chain whose disks deviate from a line by `off` and 2 `off`. One eigenvalue is proportional to off^2, and
+  // two mechanisms remain.
   double ratio_before = 0.0;
   for (const double off : {1e-4, 1e-5, 1e-6, 1e-7}) {
     Packing<2> packing = test::chain_across(4, 1.0, 4.0, test::elastic_law(1.0, 0.5, 0.0));
@@ -235,8 +237,8 @@ TEST(SoftModes, NearMechanismsKeepTheirDigitsDownToTheRoundingOfTheGeometry) {
     EXPECT_EQ(soft.modes[1].kind, ModeKind::mechanism);
     EXPECT_EQ(soft.modes[2].kind, ModeKind::near_mechanism);
     const double ratio = soft.modes[2].eigenvalue / (off * off);
-    // Rounding of positions of order one causes relative errors of 1e-16/off in the distance, and twice as much
-    // in its square.
+    // Positions of order one have rounding errors of 1e-16. The relative error of the deviation is therefore
+    // 1e-16/off, and that of its square is twice as large.
     if (ratio_before > 0.0) {
       EXPECT_NEAR(ratio / ratio_before, 1.0, 1e-4) << off;
     }
@@ -261,7 +263,8 @@ TEST(SoftModes, MechanismsAreAsManyAsTheRankOfTheRigidityMatrixLeaves) {
 }
 
 TEST(SoftModes, ParticipationOfOneGrainAgainstTheOthers) {
-  // One disk of a stiff lattice has soft contacts. In the softest mode it moves by 1 - 1/n, the others by -1/n.
+  // One disk of a stiff lattice has soft contacts. In the softest mode, this disk moves by 1 - 1/n, and all
+  // others move by -1/n.
   auto network = contact_network(test::square_frames(4, 1.0, test::elastic_law(1.0, 1.0, 1.0)));
   for (NetworkContact<2>& c : network.contacts)
     if (c.i == 2 || c.j == 2) c.kn = c.kt = c.kr = 1e-8;
@@ -269,7 +272,7 @@ TEST(SoftModes, ParticipationOfOneGrainAgainstTheOthers) {
   const double n = network.n_grains;
   const double sum = (n - 1.0) / n;
   const double fourth = std::pow(sum, 4) + (n - 1.0) * std::pow(n, -4);
-  // The deformation of the other disks is of the order of the ratio of stiffnesses.
+  // The other disks move relative to each other only by about the ratio of the stiffnesses.
   EXPECT_NEAR(soft.modes.front().participation, sum * sum / (n * fourth), 1e-7);
   EXPECT_EQ(soft.modes.front().grains, std::vector<int>{2});
 }

@@ -17,7 +17,7 @@ Moduli by_method(const Packing<2>& packing, ModuliMethod method, double toleranc
   return elastic_moduli(packing, options);
 }
 
-/// Returns the packing with a few contacts removed, similar to a later state.
+/// Returns the packing without n of its contacts, as it might be in a later state.
 Packing<2> with_contacts_lost(Packing<2> packing, int n) {
   packing.contacts.erase(packing.contacts.begin() + 5, packing.contacts.begin() + 5 + n);
   return packing;
@@ -76,7 +76,7 @@ TEST(ModuliMethod, IterationFactorizesAPackingThatIsAnother) {
 TEST(ModuliMethod, TheMiddleBetweenTheBoundsIsOffByHalfTheirDistanceAtMost) {
   const Packing<2> packing = test::random_packing<2>(100, 7, test::elastic_law(1.0, 0.8, 0.01));
   const Moduli exact = by_method(packing, ModuliMethod::factor, 1e-10);
-  // Under zero stress the lower bound is zero. It holds also for unbalanced forces like these.
+  // Under zero stress the lower bound is zero. This bound also holds if the forces are not in balance, as here.
   ModuliOptions options;
   options.method = ModuliMethod::bounds;
   options.unloaded = true;
@@ -91,7 +91,7 @@ TEST(ModuliMethod, TheMiddleBetweenTheBoundsIsOffByHalfTheirDistanceAtMost) {
   EXPECT_EQ(m.method, ModuliMethod::bounds);
 }
 
-/// Computes the moduli by the method `bounds`, for a crystal after a change of one contact.
+/// Computes the moduli by the method `bounds` for a crystal in which one contact was changed.
 Moduli bounds_of_changed(void (*change)(NetworkContact<2>&)) {
   const Packing<2> packing = test::triangular_crystal(4, 0.999, test::elastic_law(1.0, 0.7, 0.03));
   ModuliOptions options;

@@ -34,9 +34,9 @@ TEST(ModuliWithin, TakeTheBoundsWhereTheyMeet) {
   expect_accuracy_met(m, elastic_moduli(crystal, {}), accuracy);
 }
 
-/// Square frames with two small disks between the large ones, all overlaps equal. The forces are proportional
-/// to those of any isotropic stress, so B_reuss = B. B_voigt is larger by the factor 3 (1 + 0.4^2 + 1)/2.4^2 =
-/// 9/8, because an affine strain stretches long branches more.
+/// Square frames: two small disks lie between neighbouring large disks. All overlaps are equal, so all forces
+/// are equal, as they are under isotropic stress, and B_reuss = B. B_voigt is larger by the factor 3 (1 + 0.4^2
+/// + 1)/2.4^2 = 9/8, because an affine strain stretches long branches more.
 Packing<2> uneven_frames() {
   Packing<2> packing = test::square_frames(4, 1.0, test::elastic_law(1.0, 0.7, 0.05));
   const double overlap = 1e-4, along[] = {0.0, 1.0, 1.4};
@@ -64,7 +64,8 @@ TEST(ModuliWithin, FallBackFromBoundsThatAreTooFarApart) {
   }
 }
 
-/// G is bounded by 0 and G_voigt only. Their middle has an error of 100 %, so the bounds cannot give G.
+/// G has only the bounds 0 and G_voigt. The middle between them has an error of 100 %, so G must be computed
+/// otherwise.
 TEST(ModuliWithin, SolveForAShearModulus) {
   const Packing<2> packing = test::random_packing<2>(100, 7, test::elastic_law(1.0, 0.8, 0.01));
   for (const ModuliAccuracy& accuracy : {ModuliAccuracy{kAny, 0.9}, ModuliAccuracy{0.9, 0.9}}) {
@@ -74,8 +75,8 @@ TEST(ModuliWithin, SolveForAShearModulus) {
   }
 }
 
-/// B_reuss <= B <= B_voigt holds only without prestress, without attractions at a distance and with equal
-/// principal stresses. Single entries of C have no such bounds.
+/// The bounds B_reuss <= B <= B_voigt hold only without prestress, without attractions at a distance and with
+/// equal principal stresses. Single entries of C have no bounds of this kind.
 TEST(ModuliWithin, TrustBoundsOnlyWhereTheyAreSome) {
   const Packing<2> crystal = test::triangular(0.999, test::elastic_law(1.0, 0.7, 0.0));
   const ModuliAccuracy accuracy{0.5, kAny};
@@ -94,8 +95,8 @@ TEST(ModuliWithin, TrustBoundsOnlyWhereTheyAreSome) {
   EXPECT_NE(moduli_within(pulled, {}, accuracy).method, ModuliMethod::bounds);
 }
 
-/// Only the factorization detects mechanisms. Then a modulus is zero, and the relative accuracy does not apply
-/// to it.
+/// A mechanism makes a modulus zero, so that a relative accuracy does not apply to this modulus. Only the
+/// factorization detects mechanisms.
 TEST(ModuliWithin, LeaveMechanismsToTheFactor) {
   const Packing<2> chain = test::chain_across(10, 0.999, 2.0, test::elastic_law(1.0, 0.7, 0.03));
   const Moduli m = moduli_within(chain, {}, {1e-6, 1e-6});

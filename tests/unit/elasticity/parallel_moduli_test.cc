@@ -7,8 +7,8 @@
 #include "floc/petsc/parallel_solver.h"
 #include "support/network_packings.h"
 
-/// Compares moduli computed with PETSc with those from CHOLMOD's factorization, in one process. tests/cli uses
-/// several processes.
+/// Compares moduli from PETSc with moduli from the factorization by CHOLMOD, in one process. tests/cli compares
+/// them with several processes.
 namespace floc {
 namespace {
 
@@ -44,8 +44,8 @@ Packing<Dim> skewed(Packing<Dim> packing) {
   return packing;
 }
 
-/// Returns the packing with its normal forces multiplied by `share`, because random packings have larger
-/// overlaps than real states.
+/// Returns the packing with its normal forces multiplied by `share`. Random packings have larger overlaps than
+/// real states.
 template <int Dim>
 Packing<Dim> pressed(Packing<Dim> packing, double share) {
   for (auto& c : packing.contacts) c.normal_force *= share;
@@ -61,7 +61,7 @@ void expect_equal(const Packing<Dim>& packing, const ModuliOptions& options) {
   const double size = exact.C.cwiseAbs().maxCoeff();
   ASSERT_GT(size, 0.0);
   EXPECT_LE((m.C - exact.C).cwiseAbs().maxCoeff(), 1e-8 * size);
-  // The error is within its estimate, and the estimate is within the requested tolerance.
+  // The error is at most its estimate, and the estimate is at most the requested tolerance.
   EXPECT_LE((m.C - exact.C).cwiseAbs().maxCoeff(), (m.C_error + exact.C_error).maxCoeff());
   EXPECT_LE(m.C_error.maxCoeff(), 1e-9 * size);
   EXPECT_EQ(m.n_coupled_mechanisms, exact.n_coupled_mechanisms);
@@ -101,8 +101,8 @@ TEST(ParallelModuli, EqualThoseOfAFactorInEveryEntry) {
   }
 }
 
-/// Without friction, such a loose random packing has floppy modes. Either strains do not couple to a mode or a
-/// modulus vanishes; all moduli must be right in both cases.
+/// Without friction, this loose random packing has floppy modes. If the strains couple to a mode, a modulus
+/// vanishes; otherwise the mode has no effect. All moduli must be right in both cases.
 TEST(ParallelModuli, OfAStateWithFloppyModesAreThoseOfTheFactor) {
   if (!has_parallel_solver()) GTEST_SKIP() << "built without PETSc";
   const auto packing = test::random_packing<2>(120, 5, test::elastic_law(1.0, 0.0, 0.0), 1.3);

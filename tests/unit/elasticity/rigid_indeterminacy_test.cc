@@ -8,8 +8,9 @@
 namespace floc::test {
 namespace {
 
-/// Computes the degree of indeterminacy from its definition: the number of force components minus the rank of
-/// the matrix that maps them to the net forces and moments of the grains and the stresses along the axes.
+/// Computes the degree of indeterminacy from its definition: the number of force components minus the rank of a
+/// matrix. The matrix maps the components to the net forces and moments of the grains and to the stresses along
+/// the axes.
 /// @param tangential  whether tangential forces are included
 template <int Dim>
 int counted(const Packing<Dim>& packing, bool tangential) {
@@ -49,8 +50,8 @@ TEST(RigidIndeterminacy, IsTheNumberOfComponentsMinusTheRankOfTheBalance) {
   }
 }
 
-/// The crystal has 27 lines of three spheres. Each line carries one force, and the three stresses along the
-/// axes are given.
+/// The crystal has 27 lines of three spheres. Each line carries one force. The three given stresses along the
+/// axes determine three of these forces.
 TEST(RigidIndeterminacy, OfACubicCrystalWithoutFrictionIsThatOfItsLines) {
   EXPECT_EQ(rigid_indeterminacy(cubic_crystal(0.7, 0.0).packing, 0.0).degree, 27 - 3);
 }

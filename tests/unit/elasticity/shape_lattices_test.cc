@@ -10,16 +10,16 @@
 #include "floc/packing/law/named_stiffness.h"
 #include "support/rigid_states.h"
 
-/// Compares moduli of lattices of grains with corners with closed forms. Each contact point is a spring with
-/// K_N and K_T, without force.
+/// Compares the moduli of lattices of angular grains with closed forms. Each contact point is a spring without
+/// force, with the stiffnesses K_N and K_T.
 namespace floc::test {
 namespace {
 
 constexpr double kNormal = 1.0, kTangential = 0.7;
 
-/// Returns a packing of one shape, with a spring at each contact point between faces. Contacts between corners
-/// (diagonal neighbours) are omitted.
-/// @param is_face  whether two grains share a face, as a function of the vector from one to the other
+/// Returns a packing of grains with the same shape, with a spring at each contact point between faces. Contacts
+/// between corners (diagonal neighbours) are omitted.
+/// @param is_face  whether two grains share a face, as a function of the vector from one grain to the other
 template <int Dim>
 Packing<Dim> face_lattice(const Mat<Dim>& cell, const std::vector<Vec<Dim>>& positions, const Shape<Dim>& shape,
                           double scale, const std::function<bool(const Vec<Dim>&)>& is_face) {
@@ -61,7 +61,8 @@ TEST(ShapeLattices, Hexagons) {
   std::vector<Vec<2>> positions;
   const double height = std::sqrt(0.75);
   for (int k = 0; k < 16; ++k) positions.emplace_back(k % 4 + 0.5 * (k / 4 % 2), height * (k / 4));
-  // Hexagons with sides of 1/sqrt(3) and centres at a distance of 1; each stands on a corner.
+  // Hexagons with sides of 1/sqrt(3) and centres at a distance of 1. Each hexagon has a corner at its top and
+  // at its bottom.
   Packing<2> turned;
   const Shape<2> hexagon = regular_polygon(6, 0.0);
   const auto lattice = [&](double angle) {

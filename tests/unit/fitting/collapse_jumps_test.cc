@@ -16,7 +16,7 @@ TEST(CollapseJumps, HaveTheDistanceWithWhichTheyWereMade) {
     RandomStream random(3, 0);
     const ConsolidationCurve mean = staircases.mean_of(200, random);
     const LawPoints points = law_points(mean, Weighting::uniform);
-    constexpr int kFirst = 14;  // beyond the first jumps
+    constexpr int kFirst = 14;  // index of the first point beyond the first jumps
     const Eigen::Index n = points.size() - kFirst;
     EXPECT_NEAR(distance_of_jumps(mean.samples.bottomRows(n), points.log_P.tail(n), staircases.lambda) / gap,
                 1.0, 0.15)
@@ -42,7 +42,7 @@ TEST(CollapseJumps, DoNotMakeABendThatTheSamplesDoNotShow) {
     const ConsolidationCurve mean = staircases.mean_of(8, random);
     const LawPoints points = law_points(mean, Weighting::uniform);
     straight += samples_bend_at(mean.samples.bottomRows(13), points.log_P.tail(13), 7);
-    // From the middle on the samples stay as they are.
+    // From the middle on, the values of all samples stay constant.
     Eigen::MatrixXd stopped = mean.samples.bottomRows(13);
     for (Eigen::Index row = 7; row < 13; ++row) stopped.row(row) = stopped.row(6);
     bent += samples_bend_at(stopped, points.log_P.tail(13), 7);

@@ -16,7 +16,7 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 
-/// Compression law with known parameters, written as in its paper.
+/// Compression law with known parameters. Its formula is written as in the original paper.
 struct KnownLaw {
   CompressionLaw law;
   std::function<double(double)> D;
@@ -120,7 +120,7 @@ TEST(CompressionLaws, ALawThatIsNotThatOfTheDataIsSaidSo) {
 }
 
 TEST(Heckel, IsFittedToTheStraightPart) {
-  // Particles rearrange at low pressures; beyond 30 the density follows Heckel's law.
+  // At low pressures, particles rearrange. Beyond 30, the density follows Heckel's law.
   std::vector<double> P, D;
   for (double p = 2; p < 300; p += 8) {
     P.push_back(p);

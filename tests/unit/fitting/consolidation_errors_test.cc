@@ -33,10 +33,11 @@ TEST(Regimes, TheEndOfThePlateauLiesInItsStatedRange) {
     ASSERT_TRUE(fit.found()) << fit.failure_reason;
     ASSERT_TRUE(fit.regimes->plateau_end);
     const ChangePoint& end = *fit.regimes->plateau_end;
-    // The point at P0* lies both on the plateau and on the law.
+    // The point at P0* belongs to both the plateau and the law.
     covered += end.low95 == 0 || curve.P_star[end.low95 - 1] <= 1.001 * kNoRolling.P0_star;
   }
-  // If an interval contains the truth with probability 0.95, fewer than 88 of 100 do with probability 1e-3.
+  // If each interval contains the truth with probability 0.95, the probability is 1e-3 that fewer than 88 of
+  // 100 contain it.
   EXPECT_GE(covered, 88);
 }
 
@@ -125,7 +126,7 @@ TEST(Profile, IntervalsAreAsymmetricWhereTheLawIs) {
   ASSERT_TRUE(fit.found()) << fit.failure_reason;
   EXPECT_THAT(fit.profiled, testing::ElementsAre("alpha", "Phi_max"));
   const FittedParameter& p = *fit.find("Phi_max");
-  // The points already rule out smaller limits, but say less about larger ones.
+  // The data rule out small limits Phi_max, but they determine the upper end of the interval less well.
   EXPECT_GT(*p.high95 - *p.value, *p.value - *p.low95);
 }
 
@@ -159,8 +160,8 @@ TEST(Samples, ErrorsOfTheirMeanAreTheScatterOfRepeatedMeans) {
     stated += std::pow(error(fit, "lambda"), 2);
   }
   const double variance = squares / kRepeats - std::pow(sum / kRepeats, 2);
-  // The variance of 200 repeats has an error of 10 % (one sigma). Weights that are estimated from the data add
-  // to it.
+  // The variance of 200 repeats has an error of 10 % (one sigma). The weights add to this error, since they are
+  // estimated from the data.
   EXPECT_NEAR(stated / kRepeats / variance, 1.0, 0.35);
 }
 
@@ -176,8 +177,8 @@ TEST(Bootstrap, AgreesWithTheCovarianceOfACurveAndOfAMean) {
     ASSERT_TRUE(fit.found()) << fit.failure_reason;
     EXPECT_EQ(fit.n_bootstrapped, 400);
     for (const FittedParameter& b : fit.bootstrap) {
-      // The standard error from 400 draws is accurate to 3.5 %. The rest of the tolerance is the error of the
-      // linear covariance.
+      // The standard error from 400 draws is accurate to 3.5 %. The rest of the tolerance allows for the error
+      // of the linearised covariance.
       EXPECT_NEAR(*b.standard_error / error(fit, b.name), 1.0, 0.25) << b.name;
       EXPECT_LT(*b.low95, value(fit, b.name)) << b.name;
       EXPECT_GT(*b.high95, value(fit, b.name)) << b.name;

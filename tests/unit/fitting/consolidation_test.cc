@@ -44,7 +44,7 @@ TEST(ConsolidationLaw, MatchesThePrintedFormWhereThatKeepsItsDigits) {
     const double printed =
         1 / kNoRolling.phi0 -
         law.lambda * std::log(P / kNoRolling.P0_star * std::pow(1 - std::exp(-u), 1 / law.alpha));
-    // The printed form subtracts large terms and loses a fraction of about P/P1* of its digits.
+    // The printed form subtracts large terms, so a fraction of about P/P1* of its digits is lost.
     EXPECT_NEAR(law.inverse_phi(P), printed, 1e-14);
   }
 }
@@ -61,7 +61,7 @@ TEST(ConsolidationLaw, TendsToRegimeTwoAndRegimeThreeOverTwentyFourDecades) {
     const double P = law.P1_star * std::pow(10.0, k);
     const double u = std::pow(10.0, -k * law.alpha);
     const double beyond = -law.lambda * consolidation_bracket(std::log(P / law.P1_star), law.alpha);
-    // The next term of the expansion is smaller by the factor u/12; pow() has rounding errors of 1e-12 at these
+    // The next term of the expansion is u/12 times this one; pow() has rounding errors of 1e-12 at these
     // arguments.
     EXPECT_NEAR(beyond / (A * std::pow(P, -law.alpha)), 1.0, u / 12 * 1.01 + 1e-12) << k;
   }
@@ -91,8 +91,8 @@ TEST(ConsolidationLaw, IsSmoothWhereItsFormsMeet) {
       const double step = 1e-9;
       const double below = consolidation_bracket(x - step, alpha);
       const double above = consolidation_bracket(x + step, alpha);
-      // The slope is at most 1, so the difference can only exceed 2 steps plus rounding if the two forms
-      // disagree.
+      // The slope of the law is at most 1. The difference can therefore exceed 2 steps plus rounding only if
+      // the two forms disagree.
       EXPECT_GE(above, below);
       EXPECT_LE(above - below, 2 * step + 1e-14);
     }
@@ -138,8 +138,9 @@ TEST(FitConsolidation, RecoversAnyIdentifiedSetExactly) {
   }
 }
 
-/// Returns the law above P0* and the constant of regime I below it, with normally distributed errors of 1/Phi.
-/// @param noise  standard deviation of these errors
+/// Returns a curve that follows the law above P0* and has the constant solid fraction of regime I below P0*.
+/// The values of 1/Phi have normally distributed errors.
+/// @param noise  standard deviation of the errors
 ConsolidationCurve with_plateau(const Published& set, double noise, RandomStream& random) {
   ConsolidationCurve curve = curve_of(set.law(), published_pressures(0.01));
   for (std::size_t i = 0; i < curve.phi.size(); ++i) {
@@ -155,21 +156,20 @@ TEST(FitConsolidation, FindsTheEndOfThePlateau) {
   for (const Published& set : {kNoRolling, kSmallRolling}) {
     const auto fit = fit_consolidation(with_plateau(set, 0.0, random), {});
     ASSERT_TRUE(fit.found()) << fit.failure_reason;
-    // P0* is 0.01 * 10^(3/8) or 0.01 * 10^(4/8), so three or four pressures lie below it. The point at P0* may
-    // count as plateau or as law.
+    // P0* is 0.01 * 10^(3/8) or 0.01 * 10^(4/8), so three or four pressures lie below it. The fit may assign
+    // the point at P0* to the plateau or to the law.
     const int before = set.P0_star < 0.03 ? 3 : 4;
     EXPECT_GE(fit.n_plateau, before);
     EXPECT_LE(fit.n_plateau, before + 1);
     EXPECT_NEAR(value(fit, "lambda"), set.lambda, 1e-8);
-    // P0* in the published table is rounded to three digits, while the plateau of the curve uses the rounded
-    // value.
+    // In the published table, P0* is rounded to three digits. The plateau of the curve uses the rounded value.
     EXPECT_NEAR(value(fit, "P0_star"), set.P0_star, 1e-3 * set.P0_star);
   }
 }
 
 TEST(FitConsolidation, ThePlateauEndsWhereTheLawReachesItsLevel) {
-  // The plateau extends too far, up to P* = 0.1. Beyond the jump the law is exact, but its line reaches the
-  // level of the plateau at a much lower pressure.
+  // In this curve the plateau extends too far, up to P* = 0.1, where Phi jumps to the exact law. The line of
+  // the law reaches the level of the plateau at a much lower pressure.
   ConsolidationCurve jump = curve_of(kNoRolling.law(), published_pressures(0.01));
   for (std::size_t i = 0; i < 9; ++i) jump.phi[i] = kNoRolling.phi0;
   const auto fit = fit_consolidation(jump, {});
@@ -210,8 +210,8 @@ TEST(FitConsolidation, StatedErrorsAreTheScatterOfRepeatedFits) {
   }
   const double mean = sum / kRepeats;
   const double scatter = std::sqrt(squares / kRepeats - mean * mean);
-  // A standard deviation from 400 repeats has an error of 3.5 % (one sigma), the fraction of covering intervals
-  // an error of 1.1 %.
+  // The standard deviation from 400 repeats has an error of 3.5 % (one sigma). The fraction of intervals that
+  // contain the truth has an error of 1.1 %.
   EXPECT_NEAR(stated / kRepeats / scatter, 1.0, 0.14);
   EXPECT_NEAR(covered / double{kRepeats}, 0.95, 0.044);
 }
@@ -238,8 +238,8 @@ TEST(FitConsolidation, DataThatEndBeforeRegimeThreeBoundItOnly) {
 }
 
 TEST(FitConsolidation, ASharpKneeLeavesAlphaOpenAndTheRestKnown) {
-  // A line that ends at a constant between two pressures agrees with the law for every large alpha, so that
-  // alpha is not determined.
+  // These data follow a line that ends in a constant, between two pressures. The law describes them with every
+  // large alpha, so alpha is not determined.
   RandomStream random(4, 0);
   ConsolidationCurve knee;
   for (const double P : published_pressures(0.01)) {
@@ -279,8 +279,8 @@ TEST(FitConsolidation, LawsOfOneRegimeStayInIt) {
   const auto log_fit = fit_consolidation(with_plateau(kNoRolling, 0.0, random), options);
   ASSERT_TRUE(log_fit.found()) << log_fit.failure_reason;
   EXPECT_LT(log_fit.window_high, law.P1_star);
-  // The line is fitted up to the pressure where a power law fits better. Its slope then agrees with lambda
-  // within a few per cent.
+  // The line is fitted up to the pressure where a power law fits better. The slope of the line then agrees with
+  // lambda within a few per cent.
   EXPECT_NEAR(value(log_fit, "lambda"), law.lambda, 0.05 * law.lambda);
   options.law = ConsolidationLaw::power;
   const auto power_fit = fit_consolidation(with_plateau(kNoRolling, 0.0, random), options);
@@ -292,8 +292,8 @@ TEST(FitConsolidation, LawsOfOneRegimeStayInIt) {
 }
 
 TEST(FitConsolidation, AFullLawWithoutRegimeTwoIsThePowerLaw) {
-  // Data of a mean of four paths, steep at the start: 1/Phi and weights at equal steps of 0.288 in ln P*. In
-  // the best full law P1* lies far below the first pressure, so that it equals a power law.
+  // Mean curve of four paths, steep at the start: values of 1/Phi and weights, at equal steps of 0.288 in ln
+  // P*. The best full law has P1* far below the first pressure, so in these data it equals a power law.
   const std::vector<double> y = {2.016, 1.933, 1.918, 1.729, 1.625, 1.483, 1.483, 1.476,
                                  1.459, 1.398, 1.380, 1.378, 1.351, 1.332, 1.327, 1.315,
                                  1.298, 1.294, 1.293, 1.285, 1.282, 1.276, 1.273};
@@ -330,7 +330,7 @@ TEST(FitConsolidation, CorrelationHasUnitDiagonalAndIsSymmetric) {
     EXPECT_NEAR(fit.correlation(i, i), 1.0, 1e-12);
     for (int j = 0; j < i; ++j) EXPECT_NEAR(fit.correlation(i, j), fit.correlation(j, i), 1e-12);
   }
-  // If the start of regime II is fixed, a larger lambda reaches the limit at a lower pressure P1*.
+  // If the start of regime II is fixed, a law with a larger lambda reaches its limit at a lower pressure P1*.
   EXPECT_LT(fit.correlation(0, 3), 0.0);
 }
 

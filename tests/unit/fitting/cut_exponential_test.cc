@@ -44,7 +44,7 @@ TEST(CutExponential, ErrorsAreTheScatterOfTheEstimates) {
     constexpr int kRepeats = 400;
     double squares = 0.0, bias = 0.0;
     for (int k = 0; k < kRepeats; ++k) {
-      // Two samples of one distribution, the second of which may be truncated at another width.
+      // Two samples of one distribution. The second sample may be truncated at another width.
       const double other = b > 0 ? kEnd : 1.5;
       const auto x = drawn(200, b, 0.5, random), y = drawn(100, b, other, random);
       const ExponentEstimate fit = fit_exponent({cut_sample(x, 0.0, 0.5), cut_sample(y, 0.0, other)});

@@ -16,8 +16,8 @@ using testing::HasSubstr;
 // Parameters of [SVI2024]: e_min, De, C, A, s_m, a, b.
 constexpr double kTruth[7] = {0.76, 1.0, 0.24, 0.475, 1.55, 0.74, 2.3};
 
-/// Returns the void ratio of the law, computed independently of the library. @param plateau_at  pressure at
-/// which the plateau is evaluated
+/// Returns the void ratio of the compaction law, computed independently of the library.
+/// @param plateau_at  pressure at which the plateau is evaluated
 double law(double plateau_at, double p, double sc, double se) {
   const double e_max = 0.76 + 1.0 / (1.0 + 0.24 * std::log(plateau_at / 0.01));
   const double x = sc / std::sqrt(p * se) / 0.045;
@@ -29,7 +29,7 @@ double printed(double p, double sc, double se) {
   return law(sc * sc / se, p, sc, se);
 }
 
-/// The published series of samples: pressures from p_0 to 100 p_0, eta* from 1e-4 to 15.
+/// The published series of samples: pressures p from p_0 to 100 p_0, and eta* = sc/sqrt(p se) from 1e-4 to 15.
 std::vector<CompactedSample> sweep(double noise, RandomStream& random) {
   std::vector<CompactedSample> samples;
   for (const double p : {0.01, 0.1, 0.5, 1.0})
@@ -41,8 +41,8 @@ std::vector<CompactedSample> sweep(double noise, RandomStream& random) {
   return samples;
 }
 
-/// Samples for which the printed form of the law holds. With pressures up to 1e4 p_0 they include dense
-/// samples.
+/// Samples for which the printed form of the law holds. The pressures extend to 1e4 p_0, so that some samples
+/// are dense.
 std::vector<CompactedSample> printed_samples(double noise, RandomStream& random) {
   std::vector<CompactedSample> samples;
   for (const double p : {1e-2, 1.0, 10.0, 100.0})
@@ -86,8 +86,7 @@ TEST(DynamicCompaction, TheReferencePressureIsFreeToChoose) {
   EXPECT_NEAR(*fit.parameters[2].value, 0.24, 1e-6);
 }
 
-/// Expects that at least 34 of 40 intervals of 95 % contain the truth. Fewer would do so with probability
-/// 1/300.
+/// Expects that at least 34 of 40 intervals of 95 % contain the truth. The probability of fewer is 1/300.
 void expect_coverage(std::vector<CompactedSample> (*draw)(double, RandomStream&),
                      const CompactionReference& reference) {
   constexpr int kRepeats = 40;
@@ -115,7 +114,7 @@ TEST(DynamicCompaction, ThePrintedFormDoesNotIdentifyTheDenseSide) {
     const auto samples = sweep(noise, random);
     const auto fit = fit_dynamic_compaction(samples, as_printed());
     ASSERT_TRUE(fit.found()) << fit.failure_reason;
-    // The samples of the series with eta* < 0.1 have p_crit < p_0, so they are not fitted.
+    // The samples of the series with eta* < 0.1 have p_crit < p_0. The fit leaves them out.
     for (const int i : fit.used) EXPECT_GE(samples[i].sc / std::sqrt(samples[i].p * samples[i].se), 0.0999);
     for (const std::size_t k : {3u, 5u}) {
       const FittedParameter& p = fit.parameters[k];
@@ -139,7 +138,7 @@ TEST(DynamicCompaction, SamplesBesideThePlateauAreFlaggedNotFitted) {
     s.e = (1.0 + s.e) * std::pow(1.0 - s.sc / s.se, 3) - 1.0;
     beside.push_back(i);
   }
-  samples.push_back({2.2, 0.1, 0.05 * std::sqrt(0.1 * 1e4), 1e4});  // above any plateau
+  samples.push_back({2.2, 0.1, 0.05 * std::sqrt(0.1 * 1e4), 1e4});  // void ratio above any plateau
   beside.push_back(static_cast<int>(samples.size()) - 1);
   const auto fit = fit_dynamic_compaction(samples, {});
   ASSERT_TRUE(fit.found()) << fit.failure_reason;
@@ -158,7 +157,7 @@ TEST(DynamicCompaction, RepeatedRunsTellTheScatterFromWhatTheLawMisses) {
   const auto fit = fit_dynamic_compaction(samples, {});
   ASSERT_TRUE(fit.errors_from_runs);
   ASSERT_EQ(fit.error_parts.size(), 7u);
-  // The samples follow the law, so the part of the error that is due to the law is small compared with the part
+  // The samples follow the law, so the error due to deviations from the law is small compared with the error
   // due to scatter. About 80 pairs of runs determine the scatter to 8 %.
   for (const CompactionErrorParts& parts : fit.error_parts) EXPECT_LT(parts.law, 0.45 * parts.scatter);
   for (CompactedSample& s : samples) s.e += 0.01 * std::sin(40 * std::log(s.se));

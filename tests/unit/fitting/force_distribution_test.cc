@@ -13,12 +13,12 @@ using testing::HasSubstr;
 
 const std::vector<const ForceLaw*> kLaws = {&power_exponential(), &quadratic_exponential()};
 
-/// Values of the parameter within the range of each law.
+/// Returns several values within the range of the parameter of a law.
 std::vector<double> parameters_of(const ForceLaw& law) {
   return &law == kLaws[0] ? std::vector<double>{-0.8, 0.0, 0.3, 0.7} : std::vector<double>{0.7, 1.0, 1.4, 2.0};
 }
 
-/// Integrates f^power P(f) by the midpoint rule in t, where f = t^4 removes the singularity at 0.
+/// Integrates f^power P(f) by the midpoint rule in t. The substitution f = t^4 removes the singularity at 0.
 double moment(const ForceLaw& law, double parameter, int power) {
   constexpr int kSteps = 400000;
   const double end = std::pow(80.0, 0.25);
@@ -35,7 +35,7 @@ double moment(const ForceLaw& law, double parameter, int power) {
 TEST(ForceLaws, NormAndMeanAreOne) {
   for (const ForceLaw* law : kLaws)
     for (const double x : parameters_of(*law)) {
-      // The rule is of second order in the step, which is 1e-5 of the range.
+      // The midpoint rule is of second order in its step, which is 2.5e-6 of the range of t.
       EXPECT_NEAR(moment(*law, x, 0), 1.0, 1e-6) << law->name << ' ' << x;
       EXPECT_NEAR(moment(*law, x, 1), 1.0, 1e-6) << law->name << ' ' << x;
     }
@@ -75,8 +75,8 @@ TEST(CompressiveForces, LikelihoodRecoversTheParameterThatDrewThem) {
       EXPECT_NEAR(*p.value, x, 4 * *p.standard_error) << law->name;
       EXPECT_LT(*p.standard_error, 0.05);
       EXPECT_NEAR(fit.mean, 3.7, 0.1);
-      // In the Kolmogorov test the distance exceeds 1.63/sqrt(n) with probability 0.01, or less if a parameter
-      // is fitted.
+      // In the Kolmogorov test, the distance of the distributions exceeds 1.63/sqrt(n) with probability 0.01.
+      // If a parameter is fitted, this probability is smaller.
       EXPECT_LT(fit.distance, 1.63 / std::sqrt(20000.0)) << law->name << ' ' << x;
     }
 }
@@ -105,8 +105,8 @@ TEST(ExponentialTail, IsTheMeanExcessWithItsError) {
     covered += *fit.parameters[0].low95 <= 2.5 && 2.5 <= *fit.parameters[0].high95;
     rejected += fit.p_value < 0.05;
   }
-  // If intervals contain the truth with probability 0.95, 180 to 198 of 200 do in all but one of two hundred
-  // cases. A true law is rejected 10 +- 3 times.
+  // If each interval contains the truth with probability 0.95, the number of these intervals among 200 is
+  // between 180 and 198 with probability 0.995. A true law is rejected 10 +- 3 times.
   EXPECT_GE(covered, 180);
   EXPECT_LE(covered, 198);
   EXPECT_LE(rejected, 20);

@@ -32,8 +32,8 @@ TEST(PathSteps, ALoopIsUnloadingReloadingAndThenVirginAgain) {
                           reloading, hold, later_virgin, unloading, zero_pressure));
 }
 
-/// Oedometer tables may have one row right after loading and one after creep. The last row at a pressure is
-/// fitted.
+/// At each pressure, an oedometer table may have one row right after loading and one row after creep. The last
+/// row at a pressure is fitted.
 TEST(PathSteps, OfSuccessiveRowsOfOnePressureTheLastCounts) {
   using enum PathStep;
   std::vector<PathRow> rows;
@@ -52,7 +52,7 @@ TEST(PathSteps, OfSuccessiveRowsOfOnePressureTheLastCounts) {
   EXPECT_EQ(reloadings(rows)[0].largest_before, 2.0);
 }
 
-/// A branch that keeps the pressure of the branch before adds no points to the curve, not even its last row.
+/// A branch that keeps the pressure of the previous branch adds no points to the curve, not even its last row.
 TEST(PathSteps, ABranchThatHoldsThePressureIsLeftOut) {
   using enum PathStep;
   const std::vector<PathRow> rows = {
@@ -95,7 +95,7 @@ TEST(MeanCurve, IsTheMeanOfInversePhiAtCommonPressures) {
   EXPECT_THAT(mean_curve({}).P_star, IsEmpty());
 }
 
-/// The stress on an axis with prescribed length may decrease along its branch. Of all tests with a driven axis,
+/// Along a branch, the stress on an axis with prescribed length may decrease. Of all tests with a driven axis,
 /// only oedometer tests are consolidations.
 TEST(LoadingPath, TestsWithADrivenAxisAreLeftOut) {
   const std::vector<PathRow> rows = {{"assembly", 1.0, 0.5},

@@ -14,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Moduli coefficient (x - start)^exponent with relative errors.
+/// Returns moduli equal to coefficient (x - start)^exponent, with random relative errors.
 std::vector<double> power_moduli(const std::vector<double>& x, double coefficient, double start,
                                  double exponent, double error, RandomStream& random) {
   std::vector<double> moduli;
@@ -70,10 +70,11 @@ TEST(ModulusLaw, ThatTheStatesDoNotTellIsSaid) {
   RandomStream random(4, 0);
   EXPECT_THAT(fit_modulus_of_pressure({1, 2, 3}, {1, 2, 3}).failure_reason, HasSubstr("there are 3 states"));
   EXPECT_THAT(fit_modulus_of_pressure({2, 2, 2, 2}, {1, 2, 3, 4}).failure_reason,
-              HasSubstr("all states have one pressure"));
+              HasSubstr("all states have the same pressure"));
   EXPECT_THAT(fit_modulus_of_fraction({0.6, 0.61, 0.62, 0.63, 0.64, 0.65}, {9, 8, 7, 6, 5, 4}).failure_reason,
               HasSubstr("does not grow"));
-  // Far from where the modulus vanishes, exponent and phi_0 cannot be told apart.
+  // The modulus vanishes at the solid fraction phi_0. Data far from phi_0 do not determine exponent and phi_0
+  // separately.
   const std::vector<double> phi = even_fractions(0.70, 0.71, 8);
   const ModulusLaw law = fit_modulus_of_fraction(phi, power_moduli(phi, 800.0, 0.6, 1.2, 0.05, random));
   EXPECT_FALSE(law.parameters[1].identified);

@@ -38,7 +38,7 @@ TEST(PhysicalRange, CutsIntervalsAndTakesBackValuesBeyond) {
   EXPECT_EQ(keep_in_range({0.0, 1.0}, none), "");
 }
 
-/// Fit in which one parameter would leave its physical range.
+/// A fit in which one parameter would leave its physical range.
 struct Beyond {
   const char* parameter;
   double low, high;  ///< physical range of the parameter
@@ -46,8 +46,8 @@ struct Beyond {
   std::vector<std::string> warnings;
 };
 
-/// Data of Heckel's law, ln[1/(1 - D)] = 0.55 + p/85 [Heckel 1961]. The full law fits them best with a limit
-/// above one.
+/// Data of Heckel's law, ln[1/(1 - D)] = 0.55 + p/85 [Heckel 1961]. In the best fit of the full law, the limit
+/// is above one.
 Beyond heckel() {
   ConsolidationCurve curve;
   for (double p = 10.0; p < 425.0; p += 10.0) {
@@ -86,7 +86,8 @@ Beyond dilating() {
   return {"kappa", 0.0, kAny, fit.parameters, fit.warnings};
 }
 
-/// The published series [SVI2024] with another e_min and C, without samples whose void ratio is negative.
+/// The published series [SVI2024] with other values of e_min and C. Samples with a negative void ratio are left
+/// out.
 Beyond compacted(const char* parameter, double e_min, double C) {
   std::vector<CompactedSample> samples;
   for (const double p : {0.01, 0.1, 0.5, 1.0})
@@ -112,8 +113,8 @@ Beyond scattered(double dF) {
   return {"dF", 0.0, 4.0, fit.parameters, fit.warnings};
 }
 
-/// In each of these fits, the parameter that would leave its physical range gets no value. All printed values
-/// are within their ranges.
+/// In each of these fits, one parameter would leave its physical range. This parameter gets no value, and all
+/// printed values are within their ranges.
 TEST(PhysicalRange, HoldsForEveryFit) {
   const std::vector<Beyond> fits = {
       heckel(),      power_law(), dilating(), compacted("e_min", -0.15, 0.24), compacted("C", 0.76, -0.05),

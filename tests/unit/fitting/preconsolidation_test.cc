@@ -57,7 +57,8 @@ TEST(Preconsolidation, IntervalsCoverTheTruth) {
       covered[i] += p.low95.value_or(0.0) <= truth[i] && truth[i] <= p.high95.value_or(1e9);
     }
   }
-  // If intervals contain the truth with probability 0.95, fewer than 52 of 60 do with probability 1/500.
+  // If each interval contains the truth with probability 0.95, the probability is 1/500 that fewer than 52 of
+  // 60 contain it.
   for (const int count : covered) EXPECT_GE(count, 52);
 }
 

@@ -66,7 +66,7 @@ TEST(PressureCycle, OfPowerLawsConvergesToTheirIntegral) {
 TEST(PressureCycle, IsFoundInEachPartOfAPath) {
   std::vector<PathRow> rows = straight_cycle();
   rows.insert(rows.begin(), {"assembly", 0.0, 0.4});
-  // the row after the hold gives Phi at P = 4
+  // the hold adds a second row at P = 4, which gives Phi there
   rows.insert(rows.begin() + 4, {"hold", 4.0, rows[3].phi + 0.01});
   rows.push_back({"reload", 2.0, 0.52});
   rows.push_back({"reload", 16.0, 0.6});

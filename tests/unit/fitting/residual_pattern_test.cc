@@ -20,7 +20,7 @@ TEST(IncompleteBeta, HasItsClosedForms) {
   }
 }
 
-/// Returns the residuals of a straight line through y.
+/// Returns the residuals of y from its best straight line. @param hat  projection on straight lines
 Eigen::VectorXd of_line(const Eigen::VectorXd& y, const Eigen::MatrixXd& hat) {
   return y - hat * y;
 }
@@ -45,8 +45,8 @@ TEST(ResidualPattern, IndependentResidualsAreSystematicInOneOfAHundred) {
       low += pattern.smoothness_p < 0.1;
     }
     EXPECT_LE(systematic, 0.013 * kDraws) << n;
-    // The probability is uniformly distributed, so 10 % of the draws are below 0.1; four standard deviations
-    // are 0.019.
+    // smoothness_p is uniformly distributed, so it is below 0.1 in 10 % of the draws. Four standard deviations
+    // of this fraction are 0.019.
     EXPECT_NEAR(low / static_cast<double>(kDraws), 0.1, 0.019) << n;
   }
 }

@@ -13,8 +13,8 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-/// Returns the intensity of the law in bins of k from 0.1 to 4. With `speckles`, each bin is the mean of n
-/// exponentially distributed intensities.
+/// Returns the intensity of the law in bins of k from 0.1 to 4. If `speckles` is given, the value of each bin
+/// is the mean of n exponentially distributed intensities.
 std::vector<ScatteredPoint> points_of(double I0, double xi, double dF, std::int64_t n, std::mt19937* speckles) {
   std::vector<ScatteredPoint> points;
   for (double k = 0.1; k < 4.0; k *= 1.1) {
@@ -27,7 +27,7 @@ std::vector<ScatteredPoint> points_of(double I0, double xi, double dF, std::int6
 }
 
 TEST(ScatteringFit, OfTheLawItselfIsItsParameters) {
-  // With so many wave vectors, the bias 1/(2n) of the logarithm of speckles is negligible.
+  // With this many wave vectors n per bin, the bias 1/(2n) of the logarithm of the intensity is negligible.
   const ScatteringFit fit = fit_scattering(points_of(2.5, 9.0, 1.6, 1000000000, nullptr), 0.0, 4.0);
   ASSERT_TRUE(fit.found());
   EXPECT_NEAR(*fit.parameters[0].value, 2.5, 1e-7);
@@ -40,8 +40,8 @@ TEST(ScatteringFit, OfTheLawItselfIsItsParameters) {
 
 TEST(ScatteringFit, ErrorsAreThoseOfSpeckles) {
   // 400 fits with few wave vectors per bin. The bias must be below its error, and 95 % intervals must contain
-  // the truth in 95 % of the fits: this fraction has a standard deviation of 0.011, and errors of first order
-  // deviate by a percent or two.
+  // the truth in about 95 % of the fits. This fraction has a standard deviation of 0.011; it may also deviate
+  // by one or two per cent, because the stated errors are linearised.
   constexpr int kFits = 400;
   std::mt19937 engine(5);
   int n_xi = 0, n_dF = 0;

@@ -24,8 +24,10 @@ const FittedParameter& of_planes(const SimpleShearTest& test, const std::string&
   throw std::runtime_error("no parameter " + name);
 }
 
-/// A test under the normal stress 100: the friction rises to 35 degrees at a shear strain of 0.05, while the sample dilates
-/// by 10 degrees from 0.03 to 0.1, and falls to 25 degrees. @param sign  1 or -1, the direction of the shear
+/// Returns a simple shear test under the normal stress 100. The friction angle rises to 35 degrees at a shear
+/// strain of 0.05 and then falls to 25 degrees. The sample dilates with an angle of 10 degrees between the
+/// strains 0.03 and 0.1.
+/// @param sign  direction of the shear, 1 or -1
 std::vector<PlaneShearPoint> planes_sheared(double sign) {
   std::vector<PlaneShearPoint> points;
   for (int k = 0; k <= 200; ++k) {

@@ -78,8 +78,8 @@ TEST(MohrCoulomb, TestsThatHaveNoLineSayWhy) {
               HasSubstr("differ by less than 5 %"));
   EXPECT_THAT(fit_mohr_coulomb({{300, 100}, {310, 200}, {305, 300}}, "").failure_reason,
               HasSubstr("no friction angle"));
-  // If the envelope bends upwards, the line through its points has a negative cohesion; an envelope that bends
-  // downwards never has one.
+  // The line through the points of an envelope that bends upwards has a negative cohesion. With an envelope
+  // that bends downwards, this never happens.
   EXPECT_THAT(fit_mohr_coulomb({{120, 50}, {300, 100}, {660, 200}, {1380, 400}}, "").warnings,
               testing::ElementsAre(HasSubstr("the cohesion of the line is negative")));
 }
@@ -90,8 +90,9 @@ TEST(MohrCoulomb, SecantAngleOfAThreefoldStressIsThirtyDegrees) {
 }
 
 /// Returns a drained test under the lateral stress 100. The sine of the mobilised friction angle rises to
-/// `peak` at a strain of 0.02 and falls to `critical`; the sample dilates with the angle psi up to a strain of
-/// 0.1. @param sign  1 for compression, -1 for extension
+/// `peak` at a strain of 0.02 and then falls to `critical`. The sample dilates with the angle psi up to a
+/// strain of 0.1.
+/// @param sign  1 for compression, -1 for extension
 std::vector<ShearPoint> drained_test(double peak, double critical, double psi, double sign = 1.0) {
   std::vector<ShearPoint> points;
   const double sine = std::sin(in_radians(psi));
@@ -120,7 +121,7 @@ TEST(ShearTest, GivesBackItsAnglesInCompressionAndExtension) {
                 std::asin(0.6) * 180 / std::numbers::pi, 1e-9);
     EXPECT_NEAR(*parameter_named(test.parameters, "strain_peak").value, 0.02, 1e-12);
     EXPECT_NEAR(*parameter_named(test.parameters, "dilatancy_angle").value, 12, 1e-9);
-    // From a strain of 0.15 on, the softening is complete up to exp(-6.5).
+    // From a strain of 0.15 on, less than exp(-6.5) of the softening remains.
     EXPECT_NEAR(*parameter_named(test.parameters, "secant_angle_critical").value,
                 std::asin(0.4) * 180 / std::numbers::pi, 0.02);
     ASSERT_TRUE(test.critical_stress.has_value());
@@ -142,8 +143,8 @@ TEST(ShearTest, StillDilatingHasNoCriticalState) {
 TEST(ShearTest, UndrainedHasItsStrengthAndPorePressure) {
   std::vector<ShearPoint> points;
   for (int k = 0; k <= 100; ++k) {
-    // Starting from an isotropic stress of 100, the lateral effective stress falls to 40 and the deviator rises
-    // to 60 at a strain of 0.1.
+    // The test starts from an isotropic stress of 100. Up to a strain of 0.1, the lateral effective stress
+    // falls to 40 and the deviator rises to 60.
     const double part = std::min(1.0, k / 50.0);
     ShearPoint p;
     p.axial_strain = 0.002 * k;

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kKappa = 0.02, kLambda = 0.2, kPc = 1.7;
 
-/// Curve with a bend that is rounded by ln[1 + (P/P_c)^sharpness]/sharpness; infinite sharpness gives a sharp
-/// bend.
+/// Curve with a bend that is rounded by ln[1 + (P/P_c)^sharpness]/sharpness. With infinite sharpness, the bend
+/// is sharp.
 struct Bent {
   std::vector<double> P, phi;
 
@@ -81,11 +81,11 @@ TEST(Yield, ByAllConstructionsIsThatOfTwoLines) {
   const PreconsolidationFit fit = fit_preconsolidation(curve.P, curve.phi);
   ASSERT_TRUE(fit.found()) << fit.failure_reason;
   EXPECT_NEAR(std::log(*find(fit, "P_c")->value / kPc), 0.0, 0.03);
-  // Butterfield's plot of ln y against ln P is straight where y is linear in ln P, up to second order of the
-  // slope. Becker's work is linear in P there, up to the step of 22 % between pressures.
+  // Butterfield's plot of ln y against ln P is straight where y is linear in ln P, except for terms of second
+  // order in the slope. Becker's work is linear in P there; it is known at pressures that differ by 22 %.
   for (const char* name : {"P_c_butterfield", "P_c_becker"})
     EXPECT_NEAR(std::log(*find(fit, name)->value / kPc), 0.0, 0.2) << name;
-  // For kappa > 0, Casagrande's bisector and Pacheco Silva's horizontal line meet the virgin line beyond the
+  // If kappa > 0, Casagrande's bisector and Pacheco Silva's horizontal line meet the virgin line beyond the
   // bend.
   for (const char* name : {"P_c_casagrande", "P_c_pacheco_silva"}) {
     EXPECT_NEAR(std::log(*find(fit, name)->value / kPc), 0.1, 0.3) << name;

@@ -14,7 +14,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 /// Integrates the areas of plane sections of the ball inside the box, separately between the corners of the
-/// box. The sine substitution removes the square roots of the area at the ends of each interval.
+/// box. At the ends of an interval, the area behaves like a square root; a sine substitution makes it smooth.
 double by_quadrature(const Vec<3>& centre, double radius, const Vec<3>& low, const Vec<3>& high) {
   const double from = std::max(low[2], centre[2] - radius), to = std::min(high[2], centre[2] + radius);
   constexpr int kSteps = 200000;
@@ -43,7 +43,7 @@ TEST(BallInBox, OctantsCapsAndTheWholeAreClosedForms) {
       EXPECT_NEAR(ball_in_box<3>(origin, 1.0, low, far), cap, 4e-15) << h;
     }
   }
-  // First a rectangle inside the disk, then the disk without four segments.
+  // The first box is a rectangle inside the disk. The second box cuts four segments off the disk.
   EXPECT_NEAR(ball_in_box<2>(Vec<2>::Zero(), 1.0, Vec<2>(-0.5, -0.6), Vec<2>(0.5, 0.6)), 1.2, 1e-15);
   const double segment = std::acos(0.9) - 0.9 * std::sqrt(0.19);
   EXPECT_NEAR(ball_in_box<2>(Vec<2>::Zero(), 1.0, Vec<2>::Constant(-0.9), Vec<2>::Constant(0.9)),

@@ -77,8 +77,8 @@ TEST(AtomicFile, LeavesNoPartWhereASignalEndsTheProgram) {
   }
 }
 
-/// Runs `work` in a process that can write files of at most `limit` bytes, as if the disk were full, and
-/// returns its exit code.
+/// Runs `work` in a process whose files can have at most `limit` bytes, as if the disk were full. Returns its
+/// exit code.
 template <class Work>
 int exit_code_with_file_limit(rlim_t limit, const Work& work) {
   const pid_t child = ::fork();

@@ -17,7 +17,7 @@ using testing::ThrowsMessage;
 
 const std::vector<std::string> kEnds = {"p", "ww", "wo", "ow", "oo"};
 
-/// Writes a packing without friction forces, which the formats do not store, and reads it back.
+/// Writes a packing and reads it back. It has no friction forces, because the formats do not store them.
 template <int Dim>
 void expect_round_trip(const std::string& keyword, const test::Ends<Dim>& ends) {
   SCOPED_TRACE(keyword + " " + testing::PrintToString(ends));

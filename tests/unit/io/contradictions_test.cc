@@ -10,8 +10,8 @@
 #include "floc/io/law_text.h"
 #include "support/run_program.h"
 
-/// Tests of contradictory files in every format of grains and contacts: the message must name the
-/// contradiction. Integers written as real numbers are accepted.
+/// Tests of contradictory files in every format of grains and contacts. The message must name the
+/// contradiction. Integers that are written as real numbers are accepted.
 namespace floc {
 namespace {
 
@@ -115,7 +115,7 @@ class Contradictions : public testing::Test {
     options_.dimension = 3;
   }
 
-  /// Reads grains; returns the error message, or an empty text if they are accepted.
+  /// Returns the message with which the reader refuses the grains, or an empty text if it accepts them.
   std::string fault_of(const std::string& keyword, const std::string& text) {
     write_text(scratch_.file("grains"), text);
     ImportOptions options = options_;
@@ -172,7 +172,7 @@ TEST_F(Contradictions, OfGrainsAreRefusedInEveryFormat) {
       refused(fault(twice),
               AllOf(HasSubstr(column.first), testing::AnyOf(HasSubstr("both named"), HasSubstr("twice"))));
     }
-    // Gives a radius and a diameter.
+    // Gives the size twice: by `radius`, and by `diameter` or `r`.
     for (const char* size : {"diameter", "r"}) {
       const bool diameter = size == std::string("diameter");
       const auto both = [&](double radius) {
@@ -232,7 +232,7 @@ TEST_F(Contradictions, OfContactsAreRefusedInEveryFormat) {
     SCOPED_TRACE(format.name);
     const bool yade = format.text == interactions_text;
     Columns right = kContacts;
-    const std::string force = "1";  // 1000 times the overlap
+    const std::string force = "1";  // K_N = 1000 times the overlap of 0.001
     if (yade)
       for (const auto& [name, value] : {std::pair{"fnx", force},
                                         {"fny", std::string("0")},

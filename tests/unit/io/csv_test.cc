@@ -106,7 +106,7 @@ TEST(Csv, FindsTheNamesBelowTitlesAndTheUnitsBelowTheNames) {
   EXPECT_THAT(t.description(),
               AllOf(HasSubstr("columns named in line 5, below a title"), HasSubstr("units in line 6")));
   EXPECT_EQ(parse("x,y\n1,2\n").description(), "");
-  // If names are in the line above, a row without any number is a row of data.
+  // Below a line of names, a row without any number is a row of data.
   EXPECT_THAT(
       [] {
         parse("p,e\nabc,def\n1,2\n", {"p", "e"}).number(0, 0);

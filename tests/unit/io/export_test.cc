@@ -57,8 +57,8 @@ TEST(ExtendedXyz, ReadsWhatItWroteToTheLastDigit) {
   expect_written_grains(written_and_read("extended-xyz", test::busy_state<3>()), test::busy_state<3>().packing);
 }
 
-/// LAMMPS requires the first lattice vector along x and small tilts. So only distances in the lattice are
-/// preserved.
+/// LAMMPS requires the first lattice vector along x, and small tilts. An export may therefore rotate the
+/// packing and describe its lattice by other vectors. Distances in the lattice stay the same.
 template <int Dim>
 void expect_same_lattice_and_distances() {
   State<Dim> state = test::busy_state<Dim>();
@@ -123,7 +123,8 @@ TEST(Vtu, DrawsContactsAndCutsThoseAcrossTheSide) {
   }
 }
 
-/// Fixture: two points as text, and as binary data after their length, in base64 and raw.
+/// Fixture: two points in the encodings of VTK, which are text and binary data (base64 or raw). The length of
+/// binary data precedes the data.
 class VtuEncodings : public testing::Test {
  protected:
   static std::string bytes_of(const std::vector<double>& values) {

@@ -14,7 +14,8 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-/// A dataset of 8e9 bytes that was never written takes no space in the file, but would need memory when read.
+/// A dataset of 8e9 bytes that was never written takes no space in the file. Reading it would need as much
+/// memory as if it had been written.
 TEST(Hdf5Reader, TakesNoMemoryForWhatIsLongerThanItsFile) {
   constexpr std::uint64_t kRows = 1'000'000'000;
   const test::ScratchDirectory scratch;

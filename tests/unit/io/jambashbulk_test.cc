@@ -58,7 +58,8 @@ TEST(Jambashbulk, CellAndGrainsAreThoseOfTheFileInsideTheCell) {
   }
 }
 
-/// Writes the text of the packing with one piece replaced to a file. @return path of the file
+/// Writes a copy of the packing file in which one piece of the text is replaced.
+/// @return path of the copy
 std::string spoiled(const test::ScratchDirectory& scratch, const std::string& piece, const std::string& by) {
   std::string text = read_file(kPacking);
   const std::size_t at = text.find(piece);

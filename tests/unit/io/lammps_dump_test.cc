@@ -14,8 +14,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-/// Returns one frame of a dump: a box of 4 x 3 with its corner at (1, 2). Of its three disks, 7 and 3 overlap
-/// by 0.1 across the side of the box.
+/// Returns one frame of a dump: a box of 4 x 3 with its corner at (1, 2), and three disks. The disks with ids 7
+/// and 3 overlap by 0.1 across the side of the box.
 std::string frame(int timestep, const std::string& columns, const std::string& rows,
                   const std::string& box = "ITEM: BOX BOUNDS pp pp pp\n1 5\n2 5\n-0.5 0.5\n") {
   const auto n = std::count(rows.begin(), rows.end(), '\n');
@@ -84,7 +84,7 @@ TEST_F(LammpsDump, MayHaveScaledOrUnwrappedPositionsAndDiameters) {
   }
 }
 
-/// LAMMPS gives the bounds of the bounding box of a triclinic box: xlo + min(0, xy, xz, xy + xz) and so on.
+/// For a triclinic box, LAMMPS gives the bounds of its bounding box: xlo + min(0, xy, xz, xy + xz) and so on.
 TEST_F(LammpsDump, OfATriclinicBoxHasTheBoundsOfItsBoundingBox) {
   grains(frame(10, "id x y z radius", "1 1 1 0 0.5\n2 2 2 1 0.5\n",
                "ITEM: BOX BOUNDS xy xz yz pp pp pp\n-1 6.5 -1\n-0.25 3 1.5\n0 2 -0.25\n"));
@@ -109,7 +109,7 @@ TEST_F(LammpsDump, TakesForcesOnTheFirstGrainFromADumpLocal) {
   contacts("3 7 -1 0 0 0 0.3\n5 3 -2 0 0 0 -0.5\n");
   const Packing<2> p = packing<2>();
   ASSERT_EQ(p.contacts.size(), 2u);
-  // between index 0 (id 7) and 1 (id 3); the file lists grain 3 first
+  // The contact joins the grains with index 0 (id 7) and 1 (id 3). The file lists grain 3 first.
   const Contact<2>& across = p.contacts[0];
   EXPECT_EQ(std::tie(across.i, across.j), std::make_tuple(0, 1));
   EXPECT_NEAR(across.gap, -0.1, 1e-14);
@@ -169,7 +169,7 @@ TEST_F(LammpsDump, NamesWhatIsWrongInItsContacts) {
   EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("the law has no friction")));
 }
 
-/// The grains are 2.9 apart in a cell of height 4. At this distance two images can be equally near.
+/// The grains are 2.9 apart in a cell of height 4. At this distance, two images of a grain can be equally near.
 TEST_F(LammpsDump, DoesNotGuessTheImageOfAContactOfHalfTheCell) {
   contacts("7 3 1 0 0 0 0\n");
   options_.cell = {{6, 0}, {0, 4}};

@@ -26,7 +26,7 @@ TEST(LawText, GivesBackEveryLawItWrites) {
   EXPECT_EQ(parse_law("", law_text(law)), law);
 }
 
-/// A friction coefficient is enough for elastic spheres, but for linear contacts a stiffness is missing.
+/// A friction coefficient is enough for elastic spheres. Linear contacts also need a tangential stiffness.
 TEST(LawText, KnowsAModelByItsNumbersAndByWhatItGoesWith) {
   Law law;
   law += test::hertz(70.0, 0.3);

@@ -45,8 +45,8 @@ std::string contactor(const Shape<3>& shape, double scale) {
   return text + faces;
 }
 
-/// Writes a packing of disks and polygons, or of spheres and polyhedra, as a directory DATBOX. DOF.INI holds
-/// the displacements and axes of the bodies; bars and plates are walls.
+/// Writes a packing of disks and polygons, or of spheres and polyhedra, as a directory DATBOX. The file DOF.INI
+/// contains the displacements and axes of the bodies. Walls are written as bars or plates.
 template <int Dim>
 void write_datbox_of_shapes(const std::string& folder, const Packing<Dim>& p) {
   std::filesystem::create_directory(folder);

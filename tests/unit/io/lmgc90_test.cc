@@ -21,8 +21,8 @@ std::string three(const char* format, const Eigen::Vector3d& v) {
                      test::fortran_number(v[2]));
 }
 
-/// Writes a packing as a directory DATBOX: bodies, numbered from 1, without displacements, bars as walls, and
-/// the forces on the candidate of each contact.
+/// Writes a packing as a directory DATBOX. The bodies are numbered from 1 and have no displacements. Walls are
+/// written as bars. The force of a contact acts on its candidate body.
 template <int Dim>
 void write_datbox(const std::string& folder, const Packing<Dim>& p) {
   std::filesystem::create_directory(folder);
@@ -68,7 +68,7 @@ void write_datbox(const std::string& folder, const Packing<Dim>& p) {
         test::fortran_number(f.dot(s)), test::fortran_number(c.gap), three("n(1)={} n(2)={} n(3)={}", n));
     if (Dim == 3) contacts += three(" t(1)={} t(2)={} t(3)={}\n", t) + three(" s(1)={} s(2)={} s(3)={}\n", s);
   }
-  // A neighbouring pair without contact, which the reader must skip.
+  // a neighbouring pair without contact; the reader must skip it
   contacts += fmt::format(
       "$icdan  DKDKx        1\n {0} 1  DISKx  1  iqsc0  {0} 3  DISKx  1  noctc\n rlt/H 0.0D+00 rln/H 0.0D+00 "
       "rls/H 0.0D+00\n gapTT 0.1D+00\n n(1)= 1.0D+00 n(2)= 0.0D+00 n(3)= 0.0D+00\n",

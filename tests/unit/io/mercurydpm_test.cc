@@ -17,7 +17,8 @@ std::string three_numbers(const Eigen::Vector3d& v) {
   return fmt::format("{} {} {}", v[0], v[1], v[2]);
 }
 
-/// Returns a wall as MercuryDPM writes it: the orientation rotates the x axis to the outward normal.
+/// Returns a wall as MercuryDPM writes it. The orientation rotates the x axis to the outward normal of the
+/// wall.
 std::string wall_line(int index, int axis, int side, double position) {
   const char* orientations[3][2] = {
       {"0 0 1 0", "1 0 0 0"},
@@ -29,7 +30,8 @@ std::string wall_line(int index, int axis, int side, double position) {
                      index, three_numbers(at), orientations[axis][side > 0]);
 }
 
-/// Writes a packing as a restart file of MercuryDPM, in which forces act on the first particle.
+/// Returns a packing as the text of a restart file of MercuryDPM. In this file, a force acts on the first
+/// particle of its contact.
 template <int Dim>
 std::string restart(const Packing<Dim>& p) {
   std::string text = "MercuryDPM 1.0 name test\nxMin 0 xMax 4 yMin 0 yMax 4 zMin 0 zMax 4\n";
@@ -65,8 +67,8 @@ std::string restart(const Packing<Dim>& p) {
   return text;
 }
 
-/// Writes the contacts as an .fstat file, with every pair of grains twice. The force on the first particle is
-/// fn n + ft t; at a wall it has the opposite sign.
+/// Returns the contacts as the text of an .fstat file, with every pair of grains twice. The force on the first
+/// particle of a pair is fn n + ft t. At a wall the force has the opposite sign.
 template <int Dim>
 std::string fstat(const Packing<Dim>& p) {
   std::string text = "# 0 0\n# 0 0 0 4 4 4\n# 0.5 0.5 0 0 0 0\n";

@@ -135,7 +135,8 @@ TYPED_TEST(StateFile, HoldsAPackingWithoutContactsOrPhysicsInItsSlots) {
   EXPECT_EQ(back.residuals.force, s.residuals.force);
 }
 
-/// Returns two glass beads. @param overlap  overlap divided by the radius
+/// Returns two glass beads in contact.
+/// @param overlap  overlap divided by the radius
 State<3> pressed_beads(double overlap) {
   State<3> s = busy_state<3>();
   s.packing.law = Law{};
@@ -232,8 +233,8 @@ TEST(StateFile, ComesThroughAPipeAsFromADisk) {
   second.join();
 }
 
-/// The system refuses to write a file beyond a given size. For any such size, the old state stays and no other
-/// file is left behind.
+/// The operating system limits the size of files. Whatever the limit, the old state file stays unchanged and no
+/// other file remains.
 TEST(StateFile, ThatDoesNotFitTheDiskLeavesTheOldOne) {
   const ScratchDirectory scratch;
   write_state(scratch.file("s.h5"), busy_state<2>());
@@ -277,7 +278,7 @@ TEST(StateFileRefuses, SealedBytesThatAreNoHdf5Inside) {
   EXPECT_THAT(refusal(scratch.file("s.h5")), HasSubstr("HDF5 library cannot open"));
 }
 
-/// The signature of the heap with the texts was overwritten before the file was sealed.
+/// The signature of the HDF5 heap that contains the texts was overwritten before the file was sealed.
 TEST(StateFileRefuses, SealedBytesThatAreDamagedInside) {
   const ScratchDirectory scratch;
   write_state(scratch.file("s.h5"), busy_state<2>(), "progress");
@@ -293,7 +294,8 @@ TEST(StateFileRefuses, SealedBytesThatAreDamagedInside) {
               ThrowsMessage<InputError>(HasSubstr("s.h5: the file is damaged although its checksum is right")));
 }
 
-/// Writes a state that no run can produce, and returns the message of the reader, which must name the dataset.
+/// Writes a state that no run can produce, and returns the message with which the reader refuses it. The
+/// message must name the dataset.
 template <class Spoil>
 std::string refusal_of_spoiled(const Spoil& spoil) {
   const ScratchDirectory scratch;
@@ -354,8 +356,8 @@ std::size_t find_integers(const std::string& bytes, const std::vector<std::int32
       std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof values[0]));
 }
 
-/// Returns the message of the reader for a state file in which the last entry of the column `good` of the
-/// contact list is replaced by `bad`.
+/// Replaces the last entry of the column `good` in the contact list of a state file by `bad`. Returns the
+/// message of the reader for this file.
 std::string refusal_of_index(const std::vector<std::int32_t>& good, std::int32_t bad) {
   const ScratchDirectory scratch;
   State<2> s = busy_state<2>();

@@ -44,7 +44,7 @@ void expect_same(const Shape<Dim>& a, const Shape<Dim>& b) {
   EXPECT_EQ(a.axes, b.axes);
 }
 
-/// Returns a state with one grain of each shape in a row. The first two grains have two contact points.
+/// Returns a state with a row of grains, one of each shape. The first two grains have two contact points.
 template <int Dim>
 State<Dim> state_of(std::vector<Shape<Dim>> shapes) {
   State<Dim> state;
@@ -253,7 +253,7 @@ TEST(StateWithShapes, IsRefusedIfAShapeIsNoConvexBody) {
 }
 
 TEST(StateWithShapes, IsRefusedIfItsPolygonIsNotConvex) {
-  // A pentagram has the vertices of a pentagon and uses each of them once.
+  // A pentagram has the vertices of a pentagon, and each vertex occurs once in its outline.
   Shape<2> star = regular_polygon(5, 0.0);
   star.corners = {0, 2, 2, 4, 4, 1, 1, 3, 3, 0};
   EXPECT_FALSE(fault_of_faces(star));

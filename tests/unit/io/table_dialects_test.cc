@@ -20,7 +20,7 @@ using Rows = std::vector<std::vector<std::string>>;
 
 enum class Encoding { utf8, utf8_with_mark, latin1, utf16_little, utf16_big };
 
-/// Way in which a table is written.
+/// The way in which a table is written.
 struct Dialect {
   char separator = ',';
   bool decimal_comma = false;
@@ -119,8 +119,8 @@ std::string encoded(const std::string& utf8, Encoding encoding) {
   return bytes;
 }
 
-/// Returns every separator with every decimal mark that it allows, in every encoding and with all line ends.
-/// The other features are drawn at random.
+/// Returns dialects with every separator, every decimal mark that the separator allows, every encoding and
+/// every line end. The other features are drawn at random.
 std::vector<Dialect> dialects() {
   std::vector<Dialect> all;
   std::mt19937 random(47);

@@ -14,7 +14,7 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-/// Two grains at x, y, z = 1 and 2.
+/// Returns two grains, one at (1, 1, 1) and one at (2, 2, 2).
 std::vector<ListedGrain> two_grains() {
   std::vector<ListedGrain> grains(2);
   for (std::size_t k = 0; k < 2; ++k) {
@@ -76,7 +76,7 @@ TEST_F(WallFile, OfLiggghtsHasPlanesAndMeshes) {
   EXPECT_EQ(walls("fix m all mesh/surface file s.stl type 1\n" + fix), "z=-1: ");
   EXPECT_EQ(walls("fix m all mesh/surface/stress file s.stl type 1 scale 2 move 0 0 6\n" + fix), "z=:4 ");
   EXPECT_EQ(in_words(ends_of_planes(read_wall_file(scratch_.file("s.stl")).planes, two_grains(), 3)), "z=-1: ");
-  // Only the innermost of two faces counts, and only a face that looks to a grain.
+  // Only the innermost of two faces counts, and only if it faces a grain.
   EXPECT_EQ(walls("fix a all wall/gran model hertz primitive type 1 zplane -0.5\nfix m all mesh/surface file "
                   "s.stl type 1\n" +
                   fix),

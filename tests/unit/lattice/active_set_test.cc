@@ -37,7 +37,8 @@ ElementStiffness random_stiffness(RandomStream& random) {
 }
 
 /// Minimises the energy under an imposed strain by moving one unknown at a time to its best value, until no
-/// move lowers the energy. This is slow and independent of the solver. @return forces of the rows
+/// move lowers the energy. This method is slow and independent of the solver.
+/// @return forces of the rows
 std::vector<double> brute_force(const SpringRows<2, 2>& springs, const Eigen::Vector3d& strain) {
   using Row = SpringRows<2, 2>::Row;
   Eigen::VectorXd u = Eigen::VectorXd::Zero(springs.n_unknowns());
@@ -121,8 +122,8 @@ TEST(ActiveSet, NeverCycles) {
   EXPECT_GT(n_held, 300);
 }
 
-/// If contacts are bilateral, the response to tension is minus the response to compression. For unilateral
-/// contacts it is not.
+/// If contacts are bilateral, the response to tension is minus the response to compression. With unilateral
+/// contacts, it is different.
 TEST(ActiveSet, TensionIsMinusCompressionOnlyWhereAllIsBilateral) {
   RandomStream random(5, 0);
   CementedSample<2> sample = random_sample(random, 12, 12);
@@ -157,7 +158,7 @@ TEST(ActiveSet, ScalesWithTheLoad) {
     EXPECT_NEAR(b.normal_force[e], 3.0 * a.normal_force[e], 1e-9);
 }
 
-/// Two halves touch but are not bonded. Nothing resists tension, and the solver must report this.
+/// Two halves touch but are not bonded, so they do not resist tension. The solver must report this.
 TEST(ActiveSet, SaysWhenNothingResists) {
   const CementedSample<2> sample =
       sample_of<2>(triangular_lattice(6, 8, 1.0), [](const Vec<2>& x) { return x[1] < 3.46 ? 0 : 1; });

@@ -41,7 +41,8 @@ LatticeNetwork<3> fcc(double second) {
       for (int n = 0; n < 27; ++n) {
         const Vec<3, int> image(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
         const Vec<3> branch = points[j] + cell.shift(image) - points[i];
-        // Each bond is visited from both ends. It is added if its first non-zero component is positive.
+        // Each bond is visited from both ends. It is added only from the end from which the first non-zero
+        // component of its branch is positive.
         int axis = 0;
         while (axis < 3 && std::abs(branch[axis]) < 1e-9) ++axis;
         if (axis == 3 || branch[axis] < 0.0) continue;
@@ -99,8 +100,8 @@ TEST(IrregularLattice, FillsTheCellAndClosesEveryVoronoiCell) {
   EXPECT_NEAR(static_cast<double>(lattice.bonds.size()) / lattice.n_nodes(), 7.77, 0.3);
 }
 
-/// If K_N = K_T = E s/l act at the centres of the faces (area s, distance l of the nodes), every lattice is a
-/// continuum with nu = 0.
+/// The springs K_N = K_T = E s/l act at the centres of the faces between cells (area s of a face, distance l of
+/// its two nodes). Then every lattice deforms like a homogeneous continuum with nu = 0.
 TEST(IrregularLattice, OfBeamsByFacetIsAHomogeneousContinuum) {
   const Lattice<3> lattice = irregular(4.0, 1.0);
   ElementStiffness stiffness;
@@ -231,7 +232,7 @@ TEST(CompositeBounds, AreClosedFormsAndVanishWithVoids) {
   EXPECT_NEAR(one.G.hashin_shtrikman_upper, 2.0, 1e-12);
 }
 
-/// A disk between two plates touches each of them with a few nodes.
+/// A disk lies between two plates and touches each plate with a few nodes.
 TEST(Disk, PressedOnADiameterHasTheStressOfTheContinuumAtItsCentre) {
   const int across = 60;
   const int rows = 2 * static_cast<int>(std::lround(across / std::numbers::sqrt3));
@@ -255,13 +256,13 @@ TEST(Disk, PressedOnADiameterHasTheStressOfTheContinuumAtItsCentre) {
   EXPECT_NEAR(mean(1, 1) / (6 * P / (std::numbers::pi * diameter)), 1.0, 0.03);
 }
 
-/// A boundary that holds the nodes makes the sample stiffer.
+/// Prescribed displacements of the nodes at the boundary make the sample stiffer than a periodic cell.
 TEST(Boundary, OfUniformStrainIsStifferThanAPeriodicCell) {
   RandomStream random(8, 0);
   const CementedSample<2> sample = sample_of<2>(triangular_lattice(14, 14, 1.0),
                                                 [&](const Vec<2>&) { return random.uniform() < 0.4 ? 0 : -1; });
-  // Moduli are divided by those of a homogeneous lattice with the same boundary, because the boundary also
-  // removes elements.
+  // The boundary also removes elements. Moduli are therefore divided by those of a homogeneous lattice with the
+  // same boundary.
   const auto relative = [&](LatticeBoundary boundary) {
     Eigen::VectorXd diagonal[2];
     for (const int uniform : {0, 1}) {

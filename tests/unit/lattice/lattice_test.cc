@@ -11,7 +11,7 @@
 namespace floc {
 namespace {
 
-/// Expects that branches agree with positions and images, that each pair occurs once, and that each node has
+/// Expects that branches agree with positions and images. Each pair must occur once, and each node must have
 /// six bonds.
 void expect_whole(const Lattice<2>& lattice) {
   std::vector<int> degree(lattice.node.size(), 0);

@@ -94,8 +94,8 @@ TEST(Laminate, OfRowsHasTheClosedFormForAnyContrastWithTheInterfaceInSeries) {
               0.005);  // the arithmetic mean of the two stiffnesses would be too stiff
 }
 
-/// Compares all entries of C with those of the elasticity commands for the same elements, with central forces
-/// alone and with shear and bending.
+/// Compares all entries of C with those that the elasticity commands give for the same elements: with central
+/// forces alone, and with shear and bending.
 TEST(LatticeModuli, AreThoseOfItsContactNetwork) {
   RandomStream random(3, 0);
   for (const double shear : {0.0, 0.5}) {

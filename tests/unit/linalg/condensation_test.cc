@@ -11,7 +11,7 @@ namespace {
 
 using Exact = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// Returns random springs, of which there should be more than unknowns.
+/// Returns a system of random springs; there should be more springs than unknowns.
 SpringSystem random_springs(int n_springs, int n_free, int n_boundary, double smallest_stiffness) {
   SpringSystem s;
   s.on_free = Eigen::MatrixXd(Eigen::MatrixXd::Random(n_springs, n_free)).sparseView();
@@ -56,8 +56,8 @@ TEST(Condensation, IsTheSchurComplementWithinItsBound) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     std::srand(seed);
     const SpringSystem s = random_springs(30, 20, 3, 0.1);
-    // Each entry has a rounding error of 8 units. This error is multiplied by the sum of a row divided by the
-    // remaining entry.
+    // Each entry has an error of 8 rounding units. The elimination multiplies this error by the ratio of the
+    // sum of a row to the entry that remains.
     expect_within_bound(condense(s, noisy_inverse(s, 0.0), {}), exact(s), 1e-12);
   }
 }

@@ -14,7 +14,8 @@ TEST(LeastSquaresFactor, SolvesWithTheSquareOfItsMatrix) {
   const LeastSquaresFactor factor(a.sparseView(), 1e-12);
   EXPECT_EQ(factor.rank(), 12);
   const Eigen::VectorXd x = Eigen::VectorXd::Random(12);
-  // Rounding errors are multiplied by the square of the condition number of a, which is about 10.
+  // Rounding errors are multiplied by the square of the condition number of a. The condition number is about
+  // 10.
   EXPECT_LT((factor.solve(a.transpose() * (a * x)) - x).norm(), 1e-12);
 }
 
@@ -40,7 +41,8 @@ TEST(LeastSquaresFactor, LeavesDependentColumnsOut) {
   a.col(4) = a.col(0) - 2.0 * a.col(1);
   const LeastSquaresFactor factor(a.sparseView(), 1e-13);
   EXPECT_EQ(factor.rank(), 5);
-  // Right-hand sides in the range of a^T a are solved, independently of the column that was left out.
+  // If the right-hand side is in the range of a^T a, the system is solved. The solution does not depend on the
+  // column that was left out.
   const Eigen::VectorXd b = a.transpose() * Eigen::VectorXd::Random(20);
   EXPECT_LT((a.transpose() * (a * factor.solve(b)) - b).norm(), 1e-12);
 }

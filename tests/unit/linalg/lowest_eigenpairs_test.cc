@@ -38,14 +38,14 @@ Eigen::SparseMatrix<double> constants(int n, int copies) {
 void expect_eigenpairs(const SymmetricFactor& factor, const Eigenpairs& pairs) {
   const Eigen::MatrixXd residual =
       factor.multiply(pairs.vectors) - pairs.vectors * pairs.values.asDiagonal().toDenseMatrix();
-  // The residual is of the order of the square root of the convergence tolerance for eigenvalues.
+  // The residual of an eigenvector is of the order of the square root of the tolerance for eigenvalues.
   EXPECT_LT(residual.cwiseAbs().maxCoeff(), 1e-7);
   const Eigen::Index k = pairs.vectors.cols();
   EXPECT_LT((pairs.vectors.transpose() * pairs.vectors - Eigen::MatrixXd::Identity(k, k)).norm(), 1e-12);
 }
 
-/// A Lanczos iteration finds one copy of an eigenvalue. Here hundreds of eigenvalues are zero; a block
-/// iteration finds them together.
+/// A Lanczos iteration finds only one vector of a multiple eigenvalue. Here hundreds of eigenvalues are zero; a
+/// block iteration finds all their vectors together.
 TEST(LowestEigenpairs, OfHundredsOfMechanismsAreFoundAtOnce) {
   constexpr int kCopies = 300;
   const Eigen::SparseMatrix<double> nothing(10 * kCopies, 0);
@@ -56,7 +56,7 @@ TEST(LowestEigenpairs, OfHundredsOfMechanismsAreFoundAtOnce) {
   EXPECT_TRUE(some.complete);
   expect_eigenpairs(factor, some);
   EXPECT_LT(some.values.cwiseAbs().maxCoeff(), 1e-14);
-  // Here only five eigenvalues are zero, and others follow.
+  // This matrix has only five zero eigenvalues, so that other eigenvalues follow.
   SymmetricFactor few;
   few.set_matrix(rings(100, 5));
   const Eigenpairs all = lowest_eigenpairs(few, Eigen::SparseMatrix<double>(500, 0), 12);

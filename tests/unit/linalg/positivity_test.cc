@@ -8,8 +8,8 @@
 namespace floc {
 namespace {
 
-/// Tests the chain matrix with 2 + shift on the diagonal and -1 beside it. Its lowest eigenvalue is 2 - 2
-/// cos(pi/(n+1)) + shift, about 1e-5 + shift for 1000 unknowns.
+/// Tests the matrix of a chain, with 2 + shift on the diagonal and -1 beside it. For 1000 unknowns, its lowest
+/// eigenvalue, 2 - 2 cos(pi/(n+1)) + shift, is about 1e-5 + shift.
 Positivity test_chain(int n, double shift, const PositivityOptions& options) {
   const auto apply = [&](const Eigen::VectorXd& x) {
     Eigen::VectorXd y = (2.0 + shift) * x;
@@ -32,7 +32,7 @@ TEST(Positivity, OfAPositiveMatrixIsKnownToTheBoundAskedFor) {
   EXPECT_FALSE(found.negative);
   EXPECT_LE(found.bound, options.bound);
   EXPECT_GT(found.bound, 0.99 * options.bound);
-  // The range of eigenvalues, 4, is an upper bound from Gershgorin circles.
+  // By Gershgorin circles, all eigenvalues lie in a range of at most 4.
   EXPECT_NEAR(found.steps, predicted_steps(kOrder, 4.0, options), 0.1 * found.steps);
 }
 

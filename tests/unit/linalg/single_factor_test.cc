@@ -22,8 +22,8 @@ TEST(SingleFactor, SolvesToTheDigitsOfSinglePrecision) {
   ASSERT_TRUE(factor.positive());
   const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(50, -1.0, 1.0);
   const Eigen::VectorXd b = a.selfadjointView<Eigen::Lower>() * x;
-  // The condition number is 5, the rounding unit 6e-8, and the shift 1e-6 of the smallest eigenvalue, which is
-  // 1.
+  // The condition number is 5, and the rounding unit is 6e-8. The shift is 1e-6 times the smallest eigenvalue,
+  // which is 1.
   EXPECT_LT((factor.solve(b) - x).lpNorm<Eigen::Infinity>(), 5e-6);
 }
 
@@ -36,7 +36,8 @@ TEST(SingleFactor, DoesNotLoseForcesBelowTheRangeOfSinglePrecision) {
 }
 
 TEST(SingleFactor, ShiftsWhatRoundingMakesIndefiniteAndSaysSo) {
-  // Both ends of the chain are free. A translation needs no energy, so rounding decides the sign of its pivot.
+  // Both ends of the chain are free, so a translation needs no energy. Rounding decides the sign of the pivot
+  // of the translation.
   Eigen::SparseMatrix<double> free = chain(50, 0.0);
   free.coeffRef(0, 0) = free.coeffRef(49, 49) = 1.0;
   const SingleFactor factor(free);

@@ -102,7 +102,8 @@ TEST(SymmetricFactor, CountsEigenvaluesBelowABound) {
 }
 
 /// Returns the lower triangle of a band matrix with a few entries far from the diagonal. Its diagonal has
-/// random signs. @param positive_share  probability of a positive diagonal entry
+/// random signs.
+/// @param positive_share  probability of a positive diagonal entry
 Eigen::SparseMatrix<double> any_signs(int n, double positive_share, std::mt19937& engine) {
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   std::vector<Eigen::Triplet<double>> t;
@@ -135,7 +136,7 @@ TEST(SymmetricFactor, CountsAndSolvesWhateverTheSigns) {
               << n << " " << bound;
         const Eigen::MatrixXd X = Eigen::MatrixXd::Random(n, 2);
         ASSERT_TRUE(factor.factorize_indefinite(0.3));
-        // Without pivoting, the growth of entries amplifies rounding errors.
+        // Without pivoting, entries of the factor grow, which amplifies rounding errors.
         EXPECT_LT((factor.solve(factor.multiply(X) + 0.3 * X, 0) - X).norm(), 1e-8)
             << n << " " << positive_share;
         EXPECT_EQ(factor.factorize_positive(), (values.array() > 0.0).all());
@@ -175,7 +176,8 @@ TEST(SymmetricFactor, ASmallShiftSolvesASingularSystemOnItsRange) {
   ASSERT_TRUE(factor.factorize_positive(1e-10));
   Eigen::MatrixXd found = factor.solve(B, 20);
   found.array() -= found.mean();
-  // Rounding adds about 1e-16/1e-10 of the null vector; subtracting the mean removes it.
+  // With the shift of 1e-10, rounding adds about 1e-16/1e-10 times the null vector to the solution. Subtracting
+  // the mean removes this error.
   EXPECT_LT((found - X).norm(), 1e-9);
   EXPECT_LT((factor.multiply(found) - B).norm(), 1e-12);
   EXPECT_EQ(factor.count_eigenvalues_below(1e-12), 1);

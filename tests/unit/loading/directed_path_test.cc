@@ -102,7 +102,7 @@ steps = 2
   EXPECT_TRUE(states[7].target_side.isZero(0.0));
 }
 
-/// The strain step is too large for Newton steps, even if they solved the step before.
+/// The strain step is too large for Newton steps, even if Newton steps solved the previous step.
 TEST(DirectedPath, LargeStrainsOfOneStepAreImposed) {
   const auto states = states_of("[[load]]\ncontrol = \"triaxial\"\nstrain = 0.08\nsteps = 1\n");
   ASSERT_EQ(states.size(), 2u);
@@ -110,7 +110,7 @@ TEST(DirectedPath, LargeStrainsOfOneStepAreImposed) {
   EXPECT_GT(states[1].path.n_steps, states[0].path.n_steps);
 }
 
-/// Shears the sample in twelve steps so far that the tilt of the lattice has to be reduced.
+/// Shears the sample in twelve steps. The shear is so large that the tilt of the lattice has to be reduced.
 TEST(DirectedPath, ASimpleShearGoesOnWhileItsLatticeIsReduced) {
   const auto states = states_of("[[load]]\ncontrol = \"simple_shear\"\nstrain = 1.2\nsteps = 12\n");
   ASSERT_EQ(states.size(), 13u);
@@ -141,8 +141,8 @@ double energy(const State<2>& state) {
   return elastic_energy_per_grain(state.packing) * state.packing.grains.size();
 }
 
-/// In each step, the work of the boundary is at least the increase of stored energy, because friction
-/// dissipates the rest.
+/// In each step, the work of the boundary is at least the increase of the stored energy. Friction dissipates
+/// the rest.
 TEST(DirectedPath, DissipatesAndNeverGains) {
   const auto states = states_of("[[load]]\ncontrol = \"triaxial\"\nstrain = 0.02\nstrain_step = 1e-3\n");
   ASSERT_EQ(states.size(), 21u);
@@ -156,7 +156,7 @@ TEST(DirectedPath, DissipatesAndNeverGains) {
               std::log(sides(from)[a] / sides(to)[a]);
     const double dissipated = work - (energy(to) - energy(from));
     // The work is computed with the mean stress of the two states. If the stress collapses in between, the
-    // error of the work is up to the change of stress.
+    // error of the work is at most half the change of stress times the strain step and the volume.
     const double open = 0.5 * (to.stress - from.stress).cwiseAbs().maxCoeff() * 1e-3 * to.packing.cell.volume();
     EXPECT_GT(dissipated, -open) << k;
     total += dissipated;

@@ -26,7 +26,8 @@ Grains<Dim> random_grains(int n, const Cell<Dim>& cell, double largest_radius, s
   return grains;
 }
 
-/// Finds all pairs by testing all images within `reach` cells. This is slow and independent of the tested code.
+/// Finds all pairs by testing all images within `reach` cells. This method is slow and independent of the
+/// tested code.
 template <int Dim>
 std::vector<NeighborPair<Dim>> by_brute_force(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap,
                                               int reach) {
@@ -38,7 +39,8 @@ std::vector<NeighborPair<Dim>> by_brute_force(const Cell<Dim>& cell, const Grain
       for (int code = 0; code < n_images; ++code) {
         Vec<Dim, int> image;
         for (int a = Dim - 1, rest = code; a >= 0; --a, rest /= per_axis) image[a] = rest % per_axis - reach;
-        // Of two opposite images of one grain, only the image whose code is in the upper half counts.
+        // A grain and its image form the same pair twice, with opposite images. Only the image whose code is in
+        // the upper half counts.
         if (i == j && code <= n_images / 2) continue;
         const Vec<Dim> r = grains.position[j] + cell.shift(image) - grains.position[i];
         if (r.norm() < grains.radius[i] + grains.radius[j] + gap) found.push_back({i, j, image});
@@ -46,8 +48,8 @@ std::vector<NeighborPair<Dim>> by_brute_force(const Cell<Dim>& cell, const Grain
   return found;
 }
 
-/// Returns grains whose radii are distributed evenly in ln r from largest_radius/ratio to largest_radius, so
-/// that every level of the search has grains.
+/// Returns grains whose radii are distributed evenly in ln r, from largest_radius/ratio to largest_radius.
+/// Every level of the search then has grains.
 template <int Dim>
 Grains<Dim> grains_of_sizes(int n, const Cell<Dim>& cell, double largest_radius, double ratio) {
   Grains<Dim> grains = random_grains(n, cell, largest_radius, 7);
@@ -118,7 +120,7 @@ TEST(Pairs, OfPointsBesideAGrainAreFound) {
 }
 
 TEST(Pairs, OfOneGrainAThousandTimesAsLargeAsManyAreFound) {
-  // All small grains are in reach of the large one. A search with a single grid would test 3e9 pairs.
+  // All small grains are within reach of the large one. A search with a single grid would test 3e9 pairs.
   constexpr int kSmall = 50000;
   Cell<2> cell;
   cell.matrix *= 2.0;
@@ -158,8 +160,8 @@ TEST(Pairs, RefuseValuesThatAreNotFinite) {
 }
 
 TEST(Pairs, OfMoreThanAThousandNeighboursAGrainAreRefused) {
-  // One disk in a cell of side 1 meets half of the pi 100^2 images of itself, about 15 700 pairs. The limit is
-  // 10 000 + 1000.
+  // A disk of radius 50 in a cell of side 1 touches all its images within a distance of 100. These are pi
+  // 100^2/2 pairs, about 15 700. The limit is 10 000 + 1000.
   Grains<2> grains = Grains<2>::with_size(1);
   grains.radius[0] = 50.0;
   EXPECT_THAT(
@@ -196,7 +198,7 @@ TEST(SpaceOrder, OfManySpheresHasNeighboursWithinAFewLayers) {
   EXPECT_THAT(place, testing::Each(testing::Ge(0)));
   int furthest = 0, n_pairs = 0;
   for (const NeighborPair<3>& pair : find_pairs(cell, grains, 0.0)) {
-    if (!pair.image.isZero()) continue;  // across the boundary the order starts again
+    if (!pair.image.isZero()) continue;  // grains on either side of the boundary are far apart in the order
     furthest = std::max(furthest, std::abs(place[pair.i] - place[pair.j]));
     ++n_pairs;
   }

@@ -23,7 +23,8 @@ Law wet_law(double water, const std::string& formation = "gap") {
   return law;
 }
 
-/// Applies the rule to every pair of grains within half a cell and returns the number of bridges.
+/// Applies the rule for liquid bridges to all pairs of grains with gaps of up to `reach`. Returns the number of
+/// bridges.
 template <int Dim>
 int bonds_over_all_pairs(const Packing<Dim>& packing, double reach) {
   std::vector<BridgeablePair> pairs;
@@ -95,7 +96,7 @@ TEST(SpreadLiquid, CountsWhatFormsAndBreaksWhenGrainsHaveMoved) {
   for (int i = 0; i < packing.grains.size(); ++i)
     packing.grains.position[i] += Vec<3>::Constant(i % 2 ? 0.03 : -0.03);
   refresh_contacts(packing);
-  EXPECT_NEAR(all_volumes(packing), liquid_of(packing), 1e-12 * liquid_of(packing));  // held
+  EXPECT_NEAR(all_volumes(packing), liquid_of(packing), 1e-12 * liquid_of(packing));  // volumes are kept
   const LiquidChange change = spread_liquid(packing);
   EXPECT_GT(change.n_formed, 0);
   EXPECT_GT(change.n_broken, 0);

@@ -12,7 +12,7 @@ using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::SizeIs;
 
-/// Two grains joined by a contact with a given normal force.
+/// Contact with a given normal force between the grains i and j.
 struct Bond {
   int i, j;
   double force;
@@ -30,8 +30,8 @@ Packing<3> bonded(int n, const std::vector<Bond>& bonds) {
 }
 
 TEST(CarryingStructure, LeavesOutWhatHangsOnWeakContacts) {
-  // Grains 0 to 2 form a ring. Grain 3 is attached to it by a strong and a weak contact, and grain 4 to grain
-  // 3.
+  // Grains 0 to 2 form a ring. Grain 3 is attached to the ring by a strong and a weak contact. Grain 4 is
+  // attached to grain 3.
   const Packing<3> packing =
       bonded(5, {{0, 1, 1.0}, {1, 2, -1.0}, {0, 2, 1.0}, {2, 3, 1.0}, {1, 3, 1e-3}, {3, 4, 1.0}});
   const CarryingStructure held = carrying_structure(packing, 1e-2, 2);
@@ -39,7 +39,7 @@ TEST(CarryingStructure, LeavesOutWhatHangsOnWeakContacts) {
   EXPECT_THAT(held.contacts, ElementsAre(0, 1, 2));
   EXPECT_THAT(held.degree, ElementsAre(2, 2, 2, 0, 0));
   EXPECT_EQ(held.n_held(), 3);
-  // With a lower threshold the weak contact carries too, so that grain 3 is held by two contacts.
+  // With a lower threshold, the weak contact carries a force too, so that two contacts hold grain 3.
   EXPECT_THAT(carrying_structure(packing, 1e-4, 2).contacts, ElementsAre(0, 1, 2, 3, 4));
 }
 

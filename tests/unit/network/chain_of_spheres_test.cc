@@ -14,7 +14,7 @@ namespace {
 constexpr double kR = 0.5;
 constexpr double kN = 3.0, kT = 2.0, kRolling = 0.7, kTwisting = 0.3;
 
-/// Returns n spheres on a line along x, in a cell in which they have no other contacts.
+/// Returns n spheres on a line along x. The cell is so large that they have no other contacts.
 Packing<3> straight_chain(int n) {
   Packing<3> packing;
   packing.law = test::elastic_law(kN, kT, kRolling);
@@ -30,7 +30,8 @@ Packing<3> straight_chain(int n) {
   return packing;
 }
 
-/// Returns the compliance of the last sphere with the first one fixed: its motion under forces and moments.
+/// Returns the compliance of the last sphere, that is its motion under forces and moments. The first sphere is
+/// fixed.
 Eigen::Matrix<double, 6, 6> end_compliance(int n) {
   const ContactNetwork<3> network = contact_network(straight_chain(n));
   EXPECT_EQ(static_cast<int>(network.contacts.size()), n - 1);
@@ -49,8 +50,8 @@ TEST(ChainOfSpheres, TwistsBendsAndShearsAsSpringsInSeries) {
     EXPECT_NEAR(c(0, 0), (n - 1) / kN, 1e-11 * n);
     EXPECT_NEAR(c(3, 3), (n - 1) / kTwisting, 1e-11 * n);
     for (const int axis : {4, 5}) EXPECT_NEAR(c(axis, axis), (n - 1) / kRolling, 1e-10 * n);
-    // A transverse force acts at the middle of the chain, so that it exerts no moment there and the ends do not
-    // rotate relative to each other.
+    // A transverse force acts at the middle of the chain. It exerts no moment there, so the ends do not rotate
+    // relative to each other.
     for (const auto& [along, about, sign] : {std::tuple(1, 5, 1.0), std::tuple(2, 4, -1.0)}) {
       Eigen::Matrix<double, 6, 1> middle = Eigen::Matrix<double, 6, 1>::Zero();
       middle[along] = 1.0;

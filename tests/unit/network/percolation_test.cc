@@ -32,7 +32,7 @@ TEST(Percolation, OfALatticeIsWhole) {
   EXPECT_EQ(count(p.dead_end), 0);
 }
 
-/// Returns a ring of n contacts, each of which leads `cells` cells further along x.
+/// Returns a ring of n contacts. Each contact crosses `cells` cells along x.
 ContactNetwork<2> ring_around_cells(int n, int cells) {
   ContactNetwork<2> network =
       contact_network(test::chain_across(n, 1.0, 9.0, test::elastic_law(1.0, 0.5, 0.1)));
@@ -40,7 +40,7 @@ ContactNetwork<2> ring_around_cells(int n, int cells) {
   return network;
 }
 
-/// The eight images of 2^29 cells add up to 2^32 cells, which overflows to 0 in an int.
+/// The eight images of 2^29 cells each add up to 2^32 cells. In an int this sum would overflow to 0.
 TEST(Percolation, AddsUpImagesThatAnIntDoesNotHold) {
   const ContactNetwork<2> network = ring_around_cells(8, 1 << 29);
   const Percolation p = find_percolation(network);
@@ -63,8 +63,8 @@ TEST(Percolation, RefusesWaysAroundThatNoContactsTake) {
 }
 
 TEST(Percolation, LeavesOutWhatHangsOnOneGrain) {
-  // A chain of 8 disks across the cell. On disk 1 stands a branch of two disks, on disk 3 another one, and a
-  // detour of three disks connects disks 5 and 7.
+  // A chain of 8 disks across the cell. Disks 1 and 3 have a side branch of two disks each, and a detour of
+  // three disks connects disks 5 and 7.
   Packing<2> packing = test::chain_across(8, 1.0, 9.0, test::elastic_law(1.0, 0.5, 0.0));
   add_grains(packing, {{1.0 - 0.5, std::sqrt(0.75)}, {1.0 + 0.5, 1.0 + 0.8}, {3, -1}, {3, -2}});
   packing.grains.position[9] = {0.5, 1.0 + std::sqrt(0.75)};
@@ -98,8 +98,8 @@ TEST(Percolation, OfGrainsInAClusterIsNone) {
   EXPECT_EQ(count(p.dead_end), 3);
 }
 
-/// Returns the currents in a network of random conductances under random gradients along the lattice vectors,
-/// from a dense solution.
+/// Returns the currents in a network of random conductances under random gradients along the lattice vectors.
+/// The currents come from a dense solution.
 template <int Dim>
 Eigen::VectorXd currents(const ContactNetwork<Dim>& network, unsigned seed) {
   std::mt19937 engine(seed);

@@ -13,9 +13,9 @@
 namespace floc {
 namespace {
 
-/// Returns the packing after a displacement of its unknowns: fluctuations and rotations of the grains, then
-/// strains (shortening positive). The springs, initially unstretched, follow the linear kinematics of
-/// docs/physics.md, "Stiffness matrix", implemented here independently.
+/// Returns the packing after a displacement u of its unknowns: first the fluctuations and rotations of the
+/// grains, then the strains (shortening positive). The springs, initially unstretched, follow the linear
+/// kinematics of docs/physics.md, "Stiffness matrix". This implementation is independent of the library.
 template <int Dim>
 Packing<Dim> displaced(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
   const int n = packing.grains.size();
@@ -46,9 +46,9 @@ Packing<Dim> displaced(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
   return out;
 }
 
-/// Returns the generalised forces that hold the packing: force and moment on every grain, then for each strain
-/// the sum of forces times the branches of the reference packing. For the packing itself these sums are the
-/// volume times the stress.
+/// Returns the generalised forces that keep the packing in balance: the force and moment on every grain, then
+/// for each strain the sum of the forces times the branches of the reference packing. If the packing is its own
+/// reference, these sums are the volume times the stress.
 template <int Dim>
 Eigen::VectorXd load(const Packing<Dim>& packing, const Packing<Dim>& reference, StrainSet strains) {
   const int n = packing.grains.size();
@@ -81,8 +81,8 @@ double difference_error(const Packing<Dim>& packing, StrainSet strains) {
   return (differences - k).cwiseAbs().maxCoeff() / k.cwiseAbs().maxCoeff();
 }
 
-/// The truncation error is (step/r)^2 = 1e-10, the rounding error 1e-16/step = 1e-11, relative to the largest
-/// entry.
+/// Tolerance of finite differences. The truncation error is (step/r)^2 = 1e-10, the rounding error 1e-16/step =
+/// 1e-11, both relative to the largest entry.
 constexpr double kDifferenceTolerance = 1e-8;
 
 Law cohesive_law() {
@@ -108,7 +108,7 @@ TEST(Stiffness, IsTheDerivativeOfTheForcesIn3D) {
   }
 }
 
-/// Checks the stiffness of liquid bridges at constant volume of each bridge.
+/// Checks the stiffness of liquid bridges if each bridge keeps its volume.
 template <int Dim>
 void expect_derivative_of_bridges(const std::string& form) {
   Law law = test::elastic_law(1.0, 0.7, 0.0);
@@ -144,7 +144,8 @@ TEST(Stiffness, HoldsForGrainsThatTouchTheirOwnImages) {
   EXPECT_LT(difference_error(three, StrainSet::full), kDifferenceTolerance);
 }
 
-/// Laws in which one term is much larger than the others, so that the largest entries of K come from this term.
+/// Returns laws in each of which one term of the stiffness is much larger than the others. The largest entries
+/// of K then come from this term.
 std::vector<Law> laws_by_term() {
   Law tails = test::elastic_law(1.0, 0.7, 0.05);
   tails += test::tail_adhesion(8.0, 0.08);  // F0/D0 = 100
@@ -167,7 +168,7 @@ TEST(Stiffness, IsTheDerivativeOfTheForcesOfSpheresThatResistTwisting) {
     EXPECT_LT(difference_error(test::random_packing<3>(8, 7, law), StrainSet::full), kDifferenceTolerance);
 }
 
-/// Returns the packing with every contact twice, like rough grains that touch at two points.
+/// Returns the packing with every contact twice. Rough grains that touch at two points are like this.
 template <int Dim>
 Packing<Dim> doubly_in_contact(Packing<Dim> packing) {
   std::vector<Contact<Dim>> twice;

@@ -16,7 +16,7 @@
 namespace floc {
 namespace {
 
-/// Law under which tangential forces and rolling moments of the springs exceed their limits by up to half, so
+/// Law under which tangential forces and rolling moments of the springs exceed their limits by up to a half, so
 /// that a third of the contacts slide.
 Law sliding_law(int dimension) {
   Law law = test::elastic_law(1.0, 0.7, 0.05);
@@ -65,8 +65,9 @@ double twist_about(const Vec<3>& normal, const RotationVector<3>& rotation) {
   return normal.dot(rotation);
 }
 
-/// Returns the packing after small displacements and rotations (times the radius) of its grains, then symmetric
-/// strains (shortening positive). Contacts move with the grains.
+/// Returns the packing after a small displacement u of its unknowns: first the displacements and rotations
+/// (times the radius) of the grains, then symmetric strains (shortening positive). Contacts move with the
+/// grains.
 template <int Dim>
 Packing<Dim> carried_along(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
   const int n = packing.grains.size();
@@ -100,8 +101,8 @@ Packing<Dim> carried_along(const Packing<Dim>& packing, const Eigen::VectorXd& u
   return out;
 }
 
-/// Returns minus the forces on grains, minus the moments divided by the radius, then for each strain the
-/// conjugate stress times the volume.
+/// Returns minus the forces on the grains, then minus their moments divided by the radius, then for each strain
+/// the conjugate stress times the volume.
 template <int Dim>
 Eigen::VectorXd load(const Packing<Dim>& packing) {
   const int n = packing.grains.size();
@@ -136,8 +137,9 @@ double difference_error(const Packing<Dim>& packing) {
   return (differences - k).cwiseAbs().maxCoeff() / k.cwiseAbs().maxCoeff();
 }
 
-/// The rounding error is 1e-16/step = 1e-10, relative to the largest entry. The truncation error is
-/// (step/spring)^2 where the direction of sliding rotates; the shortest springs at their limit are about 1e-3.
+/// Tolerance of finite differences, relative to the largest entry. The rounding error is 1e-16/step = 1e-10. If
+/// the direction of sliding rotates, the truncation error is (step/spring)^2; the shortest springs at their
+/// limit have a length of about 1e-3.
 constexpr double kTangentTolerance = 1e-7;
 
 template <int Dim>
@@ -178,7 +180,7 @@ TEST(Tangent, HoldsForGrainsThatTouchTheirOwnImages) {
   EXPECT_LT(difference_error(packing), kTangentTolerance);
 }
 
-/// Checks each contact of a packing alone, so that large terms of other contacts cannot hide an error.
+/// Checks each contact of a packing alone. Large terms of other contacts can then not hide an error.
 template <int Dim>
 void expect_each_contact(const Packing<Dim>& packing) {
   for (const Contact<Dim>& c : packing.contacts) {
@@ -200,8 +202,8 @@ TEST(Tangent, WithoutTangentialForcesIsTheSymmetricStiffness) {
   EXPECT_LT((k - k.transpose()).topLeftCorner(n, n).cwiseAbs().maxCoeff(), 1e-14);
 }
 
-/// If no contact slides, the stiffness used for stability is the symmetric part of the tangent of the forces on
-/// grains.
+/// Expects that the stiffness for stability is the symmetric part of the tangent of the forces on grains, if no
+/// contact slides.
 template <int Dim>
 void expect_symmetric_part(const Packing<Dim>& packing) {
   const ContactNetwork<Dim> network = contact_network(test::at_rest(packing));

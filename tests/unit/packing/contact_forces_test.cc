@@ -9,7 +9,8 @@ namespace floc {
 namespace {
 
 /// Disks of radii 1 and 0.5 with K_N = 100, F0 = 2 with a tail of 0.05, K_T = 80, mu = 0.5, K_R = 3 and mu_R =
-/// 0.1. The second disk is at `distance` from the first along (0.6, 0.8), across the cell boundary in x.
+/// 0.1. The second disk is at `distance` from the first one, in the direction (0.6, 0.8). The line between them
+/// crosses the cell boundary in x.
 Packing<2> pair_at(double distance) {
   Packing<2> packing;
   packing.cell.matrix *= 10.0;
@@ -38,7 +39,7 @@ TEST(RefreshContact, RecomputesForcesFromPositionsAndSprings) {
   refresh_contacts(packing);
   ASSERT_EQ(packing.contacts.size(), 1u);
   const Contact<2>& c = packing.contacts[0];
-  // Positions near 10 have rounding errors of 2e-15, which K_N multiplies.
+  // Positions near 10 have rounding errors of 2e-15; the errors of forces are K_N times as large.
   EXPECT_NEAR(c.gap, -0.1, 1e-14);
   EXPECT_NEAR((c.normal - Vec<2>(0.6, 0.8)).norm(), 0.0, 1e-14);
   EXPECT_NEAR(c.elastic_force, 10.0, 1e-12);

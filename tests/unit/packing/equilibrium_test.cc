@@ -47,8 +47,10 @@ TEST(ForceScale, In3DIsPressureOnTheSquareOfTheDiameter) {
   EXPECT_DOUBLE_EQ(force_scale(packing, Vec<3>(2.0, 2.0, 2.0)).force, 2.0 * 9.0);
 }
 
-/// Three disks with a single contact: it exerts a force of 0.5 along the normal, a tangential force of 0.1 and
-/// thereby moments.
+/// Returns the residuals of squeezed() with two more disks that share one contact. The contact exerts a normal
+/// force of 0.5 and a tangential force of 0.1, which causes moments.
+/// @param smallest  radius of the last disk
+/// @param change    change of the packing before the residuals are computed
 template <class Change>
 Residuals with_sizes(double smallest, const Change& change) {
   Packing<2> packing = squeezed();

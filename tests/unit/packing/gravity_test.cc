@@ -10,8 +10,9 @@
 namespace floc {
 namespace {
 
-/// Checks that net forces contain the weight, and that the stress summed over the boundary differs from the one
-/// summed over contacts by the net forces of the grains, whatever their values are.
+/// Checks that the net forces contain the weight. Also checks that the stress from the boundary and the stress
+/// from the contacts differ exactly by the part that the net forces of the grains cause, whatever the values of
+/// these forces.
 template <int Dim>
 void expect_identity(const test::Ends<Dim>& ends) {
   Packing<Dim> p = test::packing_with_forces<Dim>(ends).packing;

@@ -35,8 +35,9 @@ TEST(ShareLiquid, ThreeTouchingSpheresShareByTheirMeanRadii) {
   EXPECT_NEAR(shares.volume[2], 0.31390135, 5e-9);
 }
 
-/// Whether all pairs of a set touch or are within the rupture distance of their bridge if the set shares the
-/// liquid. @param margin  relative change of the volumes
+/// Whether a set of pairs can share the liquid: each pair must touch, or its gap must be within the rupture
+/// distance of the bridge that it gets.
+/// @param margin  relative change of the volumes of bridges
 bool all_in_reach(const CapillaryAdhesion& law, double liquid, const std::vector<BridgeablePair>& pairs,
                   unsigned set, double margin) {
   double sum = 0.0;
@@ -49,8 +50,8 @@ bool all_in_reach(const CapillaryAdhesion& law, double liquid, const std::vector
   return true;
 }
 
-/// Whether no pair outside a set is reached more easily than a pair inside. Touching pairs are reached first,
-/// then pairs in the order of decreasing R'/gap^3.
+/// Whether every pair inside a set is reached at least as easily as every pair outside the set. Touching pairs
+/// are reached first, then pairs in the order of decreasing R'/gap^3.
 bool leaves_out_no_closer_pair(const std::vector<BridgeablePair>& pairs, unsigned set) {
   const auto ease = [](const BridgeablePair& p) {
     return p.gap > 0.0 ? p.radius / (p.gap * p.gap * p.gap) : std::numeric_limits<double>::infinity();
@@ -118,9 +119,9 @@ TEST(ShareLiquid, NoLargerSetOfPairsOfEqualGrainsIsInReachAtAll) {
   EXPECT_GT(n_partial, 300);
 }
 
-/// share_liquid() does not accept a set of pairs if a pair outside the set is closer than a pair inside it. Here
-/// it does not accept pairs 0 and 2, because pair 1 is closer than pair 2. Pairs 0 and 1 are out of reach, so
-/// that only pair 0 gets liquid.
+/// share_liquid() does not accept a set of pairs if a pair outside the set is closer than a pair inside it. In
+/// this test, pair 1 is closer than pair 2, so pairs 0 and 2 are not accepted. Pairs 0 and 1 cannot share the
+/// liquid, because their bridges would be too small. So only pair 0 gets liquid.
 TEST(ShareLiquid, APairBehindOneThatIsNotReachedStaysDry) {
   const auto gap_of = [](double radius, double q) { return std::cbrt(radius / q); };
   const std::vector<BridgeablePair> pairs{{-0.1, 1.0}, {gap_of(10.0, 9.0), 10.0}, {gap_of(1.0, 8.0), 1.0}};

@@ -9,8 +9,8 @@
 namespace floc {
 namespace {
 
-/// Returns a large sphere in contact with small spheres of radius 1. @param overlaps  overlaps with the small
-/// spheres
+/// Returns a large sphere in contact with small spheres of radius 1.
+/// @param overlaps  overlaps of the large sphere with the small ones
 Packing<3> spheres_with(const std::vector<double>& overlaps) {
   Packing<3> packing;
   packing.law += test::hertz(1.0, 0.3);

@@ -12,8 +12,8 @@
 namespace floc {
 namespace {
 
-/// Returns a random packing in a skewed cell, with springs that carry forces. It is so small that grains touch
-/// their own images.
+/// Returns a random packing in a skewed cell. Its springs carry forces. The packing is so small that grains
+/// touch their own images.
 /// @param offset  offset of the last lattice vector along the first one, divided by the length of the first one
 template <int Dim>
 Packing<Dim> slanted_packing(double offset) {

@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Returns a square crystal of 30 x 30 disks whose net forces vanish except for rounding.
+/// Returns a square crystal of 30 x 30 disks. Except for rounding, its net forces vanish.
 Packing<2> crystal(double stiffness) {
   Packing<2> packing;
   packing.law += test::linear(stiffness);

@@ -23,8 +23,8 @@ View order_from_above() {
   return view;
 }
 
-/// Slightly shrunk Voronoi cells of random points in a box of side 4: convex bodies that nearly fill space and
-/// do not overlap.
+/// Slightly shrunk Voronoi cells of random points in a box of side 4. They are convex bodies that nearly fill
+/// space and do not overlap.
 struct Cells {
   std::vector<Shape<3>> shapes;
   std::vector<PlacedShape<3>> placed;
@@ -54,8 +54,8 @@ struct Cells {
   }
 };
 
-/// Returns the depth at which a line of sight leaves a polyhedron towards the eye; absent if it misses the
-/// polyhedron.
+/// Returns the depth at which a line of sight leaves a polyhedron towards the eye, or no value if the line
+/// misses the polyhedron.
 std::optional<double> front_depth(const PlacedShape<3>& placed, const Vec<3>& eye, const Vec<3>& on_line) {
   const Vec<3> from = placed.rotation.transpose() * (on_line - placed.position) / placed.scale;
   const Vec<3> along = placed.rotation.transpose() * eye / placed.scale;
@@ -107,7 +107,8 @@ TEST(DrawingOrder, APlankOverASphereIsDrawnLaterThoughItsCentreIsFarther) {
   };
   const auto at = [&](const Vec<3>& x) { return PlacedShape<3>{&ball, 1.0, x, Mat<3>::Identity()}; };
   for (const Shape<3>& long_one : {plank, rod}) {
-    // At x = 2, where the sphere is, the long body is at height 1.33, although its centre is at height 0.
+    // At x = 2, where the sphere is, the long body is at height 1.33. The centre of the long body is at height
+    // 0.
     EXPECT_EQ(drawing_order({tilted(long_one), at({2.0, 0.0, 0.4})}, Camera(order_from_above())),
               (std::vector<int>{1, 0}));
     EXPECT_EQ(drawing_order({at({-2.0, 0.0, -0.4}), tilted(long_one)}, Camera(order_from_above())),
@@ -116,7 +117,7 @@ TEST(DrawingOrder, APlankOverASphereIsDrawnLaterThoughItsCentreIsFarther) {
 }
 
 TEST(DrawingOrder, HoldsEachBodyOfACycleOnce) {
-  // Three sticks along the sides of a triangle. Each lies above the next one at one end.
+  // Three sticks along the sides of a triangle. At one of its ends, each stick lies above the next stick.
   const Shape<3> stick = box<3>({10.0, 1.0, 1.0}, 0.0);
   std::vector<PlacedShape<3>> sticks;
   for (int k = 0; k < 3; ++k) {
@@ -131,8 +132,8 @@ TEST(DrawingOrder, HoldsEachBodyOfACycleOnce) {
 }
 
 TEST(HiddenBodies, AreBehindASphereInsideAnother) {
-  // A wall of bodies with inscribed spheres, and three more bodies: one behind the wall, one beside it further
-  // back, and one within the wall, which may stick out in front.
+  // A wall of bodies with inscribed spheres, and three more bodies: one behind the wall, one beside the wall
+  // and further back, and one within the wall. The last one may stick out in front.
   std::vector<BodyExtent> bodies;
   for (int x = -6; x <= 6; ++x)
     for (int y = -6; y <= 6; ++y) bodies.push_back({{0.5 * x, 0.5 * y, 1.0}, 0.5, 0.8});

@@ -73,7 +73,7 @@ TEST(EquilibriumForces, WithoutAdhesionAreMeasuredInTheirMean) {
 
 TEST(PressurePhases, BondsWithinThemAreDrawnAndTheLargestPartsAreDark) {
   // Square lattice of six columns and four rows with forces along the rows. Rows 0 and 1 are under pressure,
-  // row 2 under tension. In row 3 two neighbours are under tension, and the others carry nothing.
+  // row 2 is under tension. In row 3 two neighbours are under tension; the other grains have no forces.
   Law law = elastic_law(100.0, 50.0, 0.0);
   law += test::constant_adhesion(2.0);
   Packing<2> packing = tiled<2>(test::square_frames(2, 1.0, law), {6, 4});
@@ -90,8 +90,8 @@ TEST(PressurePhases, BondsWithinThemAreDrawnAndTheLargestPartsAreDark) {
     EXPECT_TRUE(line.kind == LineKind::compression || line.kind == LineKind::tension);
     ++n[line.kind == LineKind::tension];
   }
-  // Compression: two rows and the bonds between them. Tension: one row, the bond of the two grains above it,
-  // and the two bonds that connect them to the row.
+  // Compression: two rows, and the bonds between these rows. Tension: one row, the bond between the two grains
+  // above this row, and the two bonds that connect these grains to the row.
   EXPECT_EQ(n[0], 12 + 6);
   EXPECT_EQ(n[1], 6 + 1 + 2);
   for (int i = 0; i < packing.grains.size(); ++i) {
@@ -144,8 +144,8 @@ TEST(IncrementForces, OfACubicLatticeAreTheStressTimesTheFace) {
   }
 }
 
-/// In a brick pattern all grains meet along sides. If one contact point carries no force, one pair is drawn as
-/// touching at a vertex.
+/// In a brick pattern all grains touch along sides, with two contact points per pair. If one of these points
+/// carries no force, the pair is drawn as touching at a vertex.
 TEST(ContactKindsOf, ColoursGoByCarryingPoints) {
   Packing<2> packing = test::brick_bond(1.0, 0.3).packing;
   PackingPicture<2> picture = contact_kinds_of(packing, 1e-6);

@@ -29,9 +29,9 @@ Vector3d lab(const Vector3d& rgb) {
   return {116.0 * f(xyz[1]) - 16.0, 500.0 * (f(xyz[0]) - f(xyz[1])), 200.0 * (f(xyz[1]) - f(xyz[2]))};
 }
 
-/// Returns matrices that map linear light to its perception under full protanopia, deuteranopia and tritanopia:
-/// Machado, Oliveira and Fernandes, IEEE Trans. Vis. Comput. Graph. 15, 1291 (2009), severity 1. The first
-/// matrix is normal vision.
+/// Returns matrices that map linear light to its perception with normal vision (first matrix) and with full
+/// protanopia, deuteranopia and tritanopia. The values are those of Machado, Oliveira and Fernandes, IEEE
+/// Trans. Vis. Comput. Graph. 15, 1291 (2009), for severity 1.
 std::vector<Matrix3d> sights() {
   std::vector<Matrix3d> m(4);
   m[0] = Matrix3d::Identity();
@@ -59,8 +59,7 @@ TEST(Palette, KindsOfContactsStayApartForColourBlindReaders) {
     for (std::size_t j = 0; j < i; ++j)
       EXPECT_GT(least_difference(kinds[i], kinds[j]), 20.0) << i << " and " << j;
   EXPECT_GT(least_difference(palette::kLost, palette::kGained), 20.0);
-  // This checks the measure itself: red and green of equal lightness are hard to distinguish for the
-  // colour-blind.
+  // This checks the measure itself: the colour-blind can hardly distinguish red and green of equal lightness.
   EXPECT_LT(least_difference(hex_color(0xC00000), hex_color(0x5A6E00)), 20.0);
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kBodyRounding = 1e-12;
 
-/// Returns the sum of the volumes of the pyramids from the origin to all facets.
+/// Returns the volume inside the facets, as the sum of pyramids from the origin to each facet.
 double volume_of(const Facets& facets) {
   double volume = 0.0;
   for (const Facets::Facet& facet : facets.facets)
@@ -80,8 +80,8 @@ std::vector<PlacedShape<3>> placed_shapes(const std::vector<Shape<3>>& shapes) {
   return placed;
 }
 
-/// Returns the distance (length) of a point from the core of a shape. For polyhedra, whose inside must be
-/// distinguished, it is the largest height above a face.
+/// Returns the distance (length) of a point from the core of a shape. For a polyhedron, the function returns
+/// the largest height above a face, which is negative inside the polyhedron.
 double height_above(const PlacedShape<3>& placed, const Vec<3>& point) {
   const Vec<3> x = placed.rotation.transpose() * (point - placed.position) / placed.scale;
   const Shape<3>& shape = *placed.shape;

@@ -15,8 +15,8 @@ using Part = SeenPacking::Part;
 
 constexpr double kSeenRounding = 1e-12;
 
-/// View from far up the z axis, with x to the right and y upwards, so that seen coordinates equal those of the
-/// cell.
+/// View from far up the z axis, with x to the right and y upwards. Seen coordinates therefore equal the
+/// coordinates in the cell.
 View from_above() {
   View view;
   view.azimuth = -90.0;
@@ -68,8 +68,8 @@ TEST(SeenPacking, OrderOfCentresIsRightForTangentSpheresOfAnySize) {
 }
 
 TEST(SeenPacking, SpheresBehindOthersAreLeftOut) {
-  // A wall of spheres that overlap in the picture, one sphere hidden behind it, and one that is visible beside
-  // it.
+  // A wall of spheres that overlap in the picture, and two more spheres: one is hidden behind the wall, and one
+  // is visible beside it.
   std::vector<SeenSphere> spheres;
   for (int x = -6; x <= 6; ++x)
     for (int y = -6; y <= 6; ++y) spheres.push_back({{0.5 * x, 0.5 * y, 1.0 + 1e-3 * x}, 0.5, 0});
@@ -96,8 +96,8 @@ TEST(SeenPacking, TubesReachFromSphereToSphere) {
   EXPECT_TRUE(seen.tubes[0].to.isApprox(Vec<3>(2.0 - inside, 2, 2), kSeenRounding));
   EXPECT_EQ(seen.tubes[0].from_end, TubeEnd::at_sphere);
   EXPECT_NEAR(seen.tubes[0].width, 0.3, kSeenRounding);
-  // A tube that is wider than the spheres connects their centres. Between spheres drawn at full size no tube is
-  // visible.
+  // If a tube is wider than the spheres, it ends at their centres. Between spheres drawn at full size, no tube
+  // is visible.
   view.sphere_size = 0.2;
   const auto wide = seen_packing(picture, view, scale);
   EXPECT_TRUE(wide.tubes.at(0).from.isApprox(Vec<3>(1, 2, 2), kSeenRounding));
@@ -136,12 +136,13 @@ TEST(SeenPacking, ContactsWithAWallEndFlatOnIt) {
 
 TEST(SeenPacking, ASphereHidesWhatIsInItAndBehindIt) {
   const SeenSphere sphere{{0, 0, 0}, 1.0, 0};
-  // A line at the depth of the equator or behind it is hidden over the width of the outline. A line in front of
-  // the sphere is not hidden.
+  // A line that passes the sphere at the depth of its equator, or behind it, is hidden over the width of the
+  // outline. A line in front of the sphere is not hidden.
   EXPECT_EQ(hidden_part({-2, 0, -3}, {2, 0, -3}, sphere), (std::pair{0.25, 0.75}));
   EXPECT_FALSE(hidden_part({-2, 0, 1.5}, {2, 0, 1.5}, sphere));
   EXPECT_FALSE(hidden_part({-2, 1.5, -3}, {2, 1.5, -3}, sphere));
-  // Between the equator and the front, a line is hidden over the width of the sphere at its depth.
+  // At a depth between the equator and the front of the sphere, a line is hidden over the width of the sphere
+  // at this depth.
   const auto part = hidden_part({-2, 0, 0.6}, {2, 0, 0.6}, sphere);
   ASSERT_TRUE(part);
   EXPECT_NEAR(part->first, 0.5 - 0.8 / 4.0, kSeenRounding);
@@ -182,7 +183,7 @@ TEST(SeenPacking, ThreeEdgesOfACellLieBehindAndSixAreItsOutline) {
   const auto edges = edges_of(cell, Camera(View()), Vec<3>::Zero(), Vec<3>::Ones());
   EXPECT_EQ(edges.size(), 12u);
   EXPECT_EQ(count(edges), (std::pair<std::ptrdiff_t, std::ptrdiff_t>(3, 6)));
-  // Seen along z, the far face and the four edges along the line of sight are behind, although these edges
+  // In a view along z, the far face and the four edges along the line of sight are behind, although these edges
   // appear only as corners.
   EXPECT_EQ(count(edges_of(Cell<3>(), Camera(from_above()), Vec<3>::Zero(), Vec<3>::Ones())),
             (std::pair<std::ptrdiff_t, std::ptrdiff_t>(8, 4)));
@@ -190,7 +191,7 @@ TEST(SeenPacking, ThreeEdgesOfACellLieBehindAndSixAreItsOutline) {
 
 TEST(SeenPacking, EdgesBehindASphereAreBroken) {
   // The sphere lies on the upper edge along x that is nearest to the eye. Towards x = 0 this edge recedes from
-  // the eye, so the outline of the sphere hides more of the edge than lies inside the sphere.
+  // the eye. There the outline of the sphere hides a longer part of the edge than the part inside the sphere.
   const double sine = std::cos(20.0 * std::numbers::pi / 180.0) * std::cos(65.0 * std::numbers::pi / 180.0);
   const auto seen = seen_packing(spheres_at({{2, 0, 4.0 - 1e-9}}), View(), {});
   for (const SeenEdge& edge : seen.cell_edges) {

@@ -44,7 +44,8 @@ Packing<Dim> packing_of(const std::vector<Shape<Dim>>& shapes, const std::vector
   return packing;
 }
 
-/// Returns a contact of grains i and j. @param arm  vector from the centre of i to the contact point
+/// Returns a contact of grains i and j.
+/// @param arm  vector from the centre of i to the contact point
 template <int Dim>
 Contact<Dim> contact_at(const Packing<Dim>& packing, int i, int j, const Vec<Dim>& arm) {
   Contact<Dim> c;
@@ -58,7 +59,7 @@ Contact<Dim> contact_at(const Packing<Dim>& packing, int i, int j, const Vec<Dim
   return c;
 }
 
-/// Returns two pentagons and a disk in a row, with one contact between the pentagons and one across the cell
+/// Returns two pentagons and a disk in a row. One contact is between the pentagons, and one is across the cell
 /// boundary.
 Packing<2> pentagons() {
   Packing<2> packing = packing_of<2>({regular_polygon(5, 0.0), regular_polygon(5, 0.1), round_shape<2>(0.5)},
@@ -81,8 +82,8 @@ Packing<3> cubes() {
   return packing;
 }
 
-/// Returns the area (length^2) of the last blue of the colour scale. Pixels at edges count in proportion to
-/// their blue.
+/// Returns the area (length^2) that has the blue at the end of the colour scale. Pixels at edges have mixed
+/// colours and count in part.
 double blue_area(const std::string& png, double pixels_per_length) {
   const Pixels pixels(png);
   const int red = rgb_of(palette::diverging(1.0)) >> 16;
@@ -92,7 +93,7 @@ double blue_area(const std::string& png, double pixels_per_length) {
   return n / (pixels_per_length * pixels_per_length);
 }
 
-/// Whether all pixels in a margin around the picture are white.
+/// Whether all pixels in a margin along the edges of the picture are white.
 bool is_white_outside(const Pixels& pixels, int margin) {
   for (int y = 0; y < pixels.height(); ++y)
     for (int x = 0; x < pixels.width(); ++x) {
@@ -162,7 +163,7 @@ TEST(SheetOfShapes, CornersAreAtTheirCoordinates) {
   for (const char* corner : {"155 155 ", "255 155 ", "255 255 ", "155 255 "})
     EXPECT_THAT(sharp, HasSubstr(corner));
   EXPECT_THAT(sharp, Not(HasSubstr(" C ")));
-  // After a rotation by 45 degrees, its corners lie on the axes.
+  // After a rotation by 45 degrees, the corners lie straight above, below and beside the centre of the square.
   packing.grains.orientation[0] = 0.25 * 3.14159265358979;
   const std::string turned = draw_sheet<2>({grains_of(packing)}, options);
   for (const char* corner : {"205 134.29 ", "275.71 205 "}) EXPECT_THAT(turned, HasSubstr(corner));
@@ -185,7 +186,8 @@ TEST(SheetOfShapes, LinesPassThroughTheContactPoint) {
   const auto at = [&](double x, double y) {
     return pixels.rgb(static_cast<int>(5.0 + 100.0 * x), static_cast<int>(5.0 + 100.0 * (4.0 - y)));
   };
-  // The line from (0.7, 1) to (2, 1) bends at (1.3, 1.3), the one across the cell boundary at (0.1, 1.2).
+  // The line from (0.7, 1) to (2, 1) bends at (1.3, 1.3). The line across the cell boundary bends at (0.1,
+  // 1.2).
   for (const auto& [x, y] : {std::pair(1.3, 1.3), std::pair(1.0, 1.15), std::pair(1.65, 1.15),
                              std::pair(0.1, 1.2), std::pair(3.7, 1.1)})
     EXPECT_EQ(at(x, y), rgb_of(palette::kCompression)) << x << ' ' << y;
@@ -248,8 +250,8 @@ TEST(SheetOfShapes, EveryOptionWorksForCubes) {
 TEST(SheetOfShapes, ACubeHasTheAreaOfItsProjection) {
   const Packing<3> packing = packing_of<3>({box<3>({1.0, 1.0, 1.0}, 0.0)}, {{2.0, 2.0, 2.0}}, std::sqrt(3.0));
   const auto count_grey = [](const Pixels& pixels) {
-    // The margin of 20 pixels excludes the edges of the cell, which all lie in its outline. So the pixels that
-    // are not white belong to the cube.
+    // The edges of the cell all lie in its outline, so a margin of 20 pixels excludes them. All other pixels
+    // that are not white belong to the cube.
     int n = 0;
     for (int y = 20; y < pixels.height() - 20; ++y)
       for (int x = 20; x < pixels.width() - 20; ++x) n += pixels.rgb(x, y) != 0xFFFFFF;
@@ -258,8 +260,8 @@ TEST(SheetOfShapes, ACubeHasTheAreaOfItsProjection) {
   SheetOptions options = test::plain_png();
   options.view.azimuth = -90.0;
   options.view.elevation = 90.0;
-  // Seen along an edge, a cube of side 1 is a square of 100 x 100 pixels, plus half the width of its outline on
-  // each side.
+  // In a view along one of its edges, a cube of side 1 is a square of 100 x 100 pixels. Half the width of the
+  // outline is added on each side.
   EXPECT_NEAR(count_grey(Pixels(draw_sheet<3>({grains_of(packing)}, options))), 100 * 100, 410);
 }
 

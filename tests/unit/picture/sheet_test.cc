@@ -22,8 +22,8 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-/// Four disks of diameter 1 at the corners of a square in a cell of side 4, and two lines along x: one at y = 1
-/// with force 2, one at y = 3 with force 1.
+/// Four disks of diameter 1 at the corners of a square in a cell of side 4, and two lines along x. The line at
+/// y = 1 has the force 2, the line at y = 3 the force 1.
 PackingPicture<2> two_lines() {
   PackingPicture<2> picture;
   picture.cell.matrix *= 4.0;
@@ -44,8 +44,8 @@ TEST(Sheet, WidthsOfLinesAreProportionalToForces) {
   const Pixels pixels(draw_sheet<2>({two_lines()}, test::plain_png()));
   ASSERT_EQ(pixels.width(), 410);
   ASSERT_EQ(pixels.height(), 410);
-  // A line with the r.m.s. force is 0.15 diameters wide, and a diameter is 100 pixels. Pixels at edges have
-  // mixed colours.
+  // A line with the root mean square force is 0.15 diameters wide, and a diameter is 100 pixels. Pixels at
+  // edges have mixed colours.
   const double rms = std::sqrt(2.5);
   EXPECT_NEAR(count_in_column(pixels, 205, palette::kCompression), 15.0 * 2.0 / rms, 2.0);
   EXPECT_NEAR(count_in_column(pixels, 205, palette::kTension), 15.0 * 1.0 / rms, 2.0);
@@ -113,13 +113,13 @@ TEST(Sheet, AStripHasOneLengthScale) {
   options.width = 10.0 + 2 * 400.0 + 12.0;
   const Pixels pixels(draw_sheet<2>({two_lines(), half}, options));
   EXPECT_EQ(pixels.height(), 410);
-  // The second picture, with half the side, is at the upper left of its column.
+  // The second picture has half the side. It is at the upper left of its column.
   const auto grey = rgb_of(palette::kGrain);
   EXPECT_EQ(pixels.rgb(5 + 412 + 100, 5 + 100), grey);
   EXPECT_EQ(pixels.rgb(5 + 412 + 100, 5 + 300), 0xFFFFFF);
 }
 
-/// Returns the contacts of random disks, copied periodically to about n grains.
+/// Returns the contacts of a random packing of disks that is repeated periodically, up to about n grains.
 PackingPicture<2> many(int n) {
   const Packing<2> packing = test::random_packing<2>(100, 3, test::elastic_law(1.0, 0.5, 0.0), 1.2);
   const int side = static_cast<int>(std::lround(std::sqrt(n / 100.0)));
@@ -140,7 +140,7 @@ TEST(Sheet, AHundredThousandGrainsAreNoBlackSquare) {
   options.format = PictureFormat::png;
   const Pixels dense(draw_sheet<2>({many(100'000)}, options));
   const Pixels sparse(draw_sheet<2>({many(100)}, options));
-  // The picture is as light as that of a hundred similar grains, except for the outlines.
+  // Except for the outlines, the picture is as light as a picture of a hundred similar grains.
   EXPECT_NEAR(dense.ink(), sparse.ink(), 0.05);
   EXPECT_LT(dense.ink(), 0.4);
   EXPECT_LE(std::max(dense.width(), dense.height()), 3000);
@@ -211,7 +211,7 @@ TEST(SheetOfSpheres, ManyAreAnImageUnlessOthersHideThem) {
     picture.radius.assign(picture.position.size(), radius);
     return picture;
   };
-  // Of 8000 touching spheres only those at three faces, and parts of others in between, are visible.
+  // Of 8000 touching spheres, only those at three faces are visible, and parts of other spheres between them.
   const std::string dense = draw_sheet<3>({crystal(20, 0.5)}, {});
   EXPECT_THAT(dense, Not(HasSubstr("data:image/png")));
   EXPECT_LT(count_in(dense, "<radialGradient"), 4000);

@@ -22,8 +22,8 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Price table with simple numbers. Samples of 100 grains and 10 states take 2 s with the settings of the
-/// scene. The settings "fast" are four times cheaper and have an error of 1e-3 in phi. Between samples, phi
+/// Price table with simple numbers. With the settings of the scene, a sample of 100 grains and 10 states takes
+/// 2 s. The settings "fast" are four times cheaper and have an error of 1e-3 in phi. Between samples, phi
 /// scatters by 0.02 and B by 0.1. At 25 grains, finite size changes phi by 0.02 and B by 0.4.
 PriceTable prices() {
   std::string csv =
@@ -51,7 +51,7 @@ Scene scene(const std::vector<std::string>& changes = {}) {
   return read_scene(test::source_directory() + "/data/scenes/demo.toml", changes);
 }
 
-/// Returns a scene with as many equilibria as the table: 2 of the assembly and 8 of the loading.
+/// Returns a scene with as many equilibria as the table has: 2 in the assembly and 8 in the loading.
 Scene scene_of_ten_states() {
   return scene({"assembly.pressure=0.01", "load.0.to=1", "load.0.steps_per_decade=3", "load.1.to=0.01",
                 "load.1.steps_per_decade=1"});
@@ -85,10 +85,11 @@ TEST_F(Plans, PricesFollowTheLawsOfTheModel) {
   const PricedError one = model_.error(phi, plain, 100, 1), many = model_.error(phi, plain, 400, 16);
   EXPECT_NEAR(one.scatter, student_t_95(8) * 0.02, 1e-12);
   EXPECT_NEAR(many.scatter, one.scatter / 8.0, 1e-12) << "sqrt(4 x 16) as small";
-  // The size error is c/N, with c from 0.02 = c (1/25 - 1/100). For 100 grains this is 0.02/3.
+  // The size error is c/N for N grains, where c follows from 0.02 = c (1/25 - 1/100). For 100 grains the error
+  // is 0.02/3.
   EXPECT_NEAR(one.size, 0.02 / 3.0, 1e-6);
   EXPECT_NEAR(many.size, one.size / 4.0, 1e-12);
-  // The means agree within their error, so only the error of single states counts.
+  // The means agree within their error, so the error of the settings is that of single states.
   EXPECT_DOUBLE_EQ(one.settings, 1e-5);
 }
 
@@ -97,13 +98,13 @@ TEST_F(Plans, MoreStatesAndOtherRangesOfStepsCostAccordingly) {
   const PriceModel longer(
       scene({"load.0.to=1", "load.0.steps_per_decade=8", "load.1.to=0.01", "load.1.steps_per_decade=2"}),
       prices());
-  // The path has 22 states instead of 10. Each additional state takes 0.3 times as long as each of the first
-  // 10.
+  // The path has 22 states instead of 10. Each additional state takes 0.3 times as long as one of the first 10
+  // states.
   EXPECT_NEAR(longer.core_seconds(plain, 100) / model_.core_seconds(plain, 100),
               1.0 + 0.3 * (22.0 / 10.0 - 1.0), 1e-9);
 }
 
-/// Cost and errors from the formulas of the documentation and the numbers of the table.
+/// Cost and errors of a plan, computed by the formulas of the documentation from the numbers of the table.
 struct ByHand {
   double seconds, phi, b;
 };
@@ -194,7 +195,7 @@ TEST_F(Plans, WhatCannotBeHadIsRefusedWithTheNearestThatCan) {
   dear.budget = 5.0;
   EXPECT_THAT(refusal(dear), AllOf(HasSubstr("the requested errors take "),
                                    HasSubstr("; the nearest errors that the budget allows are phi=0.0")));
-  // The nearest error that the message names can be reached.
+  // The message names the nearest error that is possible. A request for this error is accepted.
   const std::string words = refusal(below);
   const std::size_t at = words.find("at least ") + 9;
   below.wants = {{"phi", std::stod(words.substr(at))}};
@@ -211,7 +212,7 @@ TEST_F(Plans, WantsAreNamesOfObservablesOrKeysOfAccuracy) {
   EXPECT_THROW((void)wants_of({"phi=1", "phi=2"}, names), InputError);
 }
 
-/// The prices above, with a row of softer springs that take half of the time.
+/// The table of prices() with more rows: softer springs that take half of the time.
 PriceTable soft_prices() {
   PriceTable table = prices();
   for (const char* name : {"phi", "B"}) {
@@ -236,11 +237,12 @@ TEST(PriceModelOfAScene, CostsAsMuchAsItsSofteningSays) {
     return model.core_seconds(model.settings_of_scene(), 100);
   };
   EXPECT_NEAR(seconds(prices(), {}), 2.0, 1e-12);
-  // Without a row of softening, 0.7 of the time goes as 1/sqrt(softening).
+  // If the table has no row for softening, 0.7 of the time is proportional to 1/sqrt(softening).
   const double tenth = 0.3 + 0.7 / std::sqrt(10.0);
   EXPECT_NEAR(seconds(prices(), {"equilibrium.softening=10"}), 2.0 * tenth, 1e-9);
   EXPECT_NEAR(seconds(prices(), {"assembly.softening=10"}), 2.0 * (0.57 * tenth + 0.43), 1e-9);
-  // With one, its time counts, and a smaller softening takes the power of it in between.
+  // If the table has a row for softening, the time of this row counts. For smaller softenings, a power law
+  // interpolates.
   EXPECT_NEAR(seconds(soft_prices(), {"equilibrium.softening=10"}), 1.0, 1e-9);
   EXPECT_NEAR(seconds(soft_prices(), {"load.0.softening=10", "load.1.softening=10"}), 2.0 * (0.57 + 0.43 * 0.5),
               1e-9);
@@ -260,7 +262,8 @@ TEST(ChangesOfAScene, GiveItTheSofteningOfThePlan) {
   EXPECT_THAT(softened(scene(), {10.0, 1.0}),
               testing::IsSupersetOf({"equilibrium.softening=1", "assembly.softening=10"}));
   EXPECT_THAT(softened(scene(), {}), testing::Each(Not(HasSubstr("softening"))));
-  // A stage's own softening, and stages that impose a strain.
+  // The changes also replace the softening of a single stage. They are accepted by scenes with stages that
+  // impose a strain.
   EXPECT_THAT(softened(scene({"load.1.softening=3"}), {}), testing::Contains("load.1.softening=1"));
   const Scene oedometer = read_scene(test::source_directory() + "/data/scenes/oedometer.toml", {});
   const std::vector<std::string> changes = softened(oedometer, {2.0, 2.0});
@@ -285,7 +288,8 @@ TEST(PriceModelOfAScene, TakesCostAndScatterFromAPilotAndSettingsFromTheTable) {
   EXPECT_NEAR(alone.core_seconds(alone.settings_of_scene(), 200), 24.0, 1e-9);
   EXPECT_NEAR(alone.error(alone.observable("phi", ""), alone.settings_of_scene(), 50, 1).scatter,
               student_t_95(19) * 0.04, 1e-12);
-  // The scatters are pooled: 19 degrees of freedom with 0.04 at 50 grains, and 8 with 0.02 at 100 grains.
+  // The two scatters are combined: 0.04 with 19 degrees of freedom at 50 grains, and 0.02 with 8 degrees of
+  // freedom at 100 grains.
   EXPECT_NEAR(both.error(both.observable("phi", ""), both.settings_of_scene(), 100, 1).scatter,
               student_t_95(27) * std::sqrt((19 * 0.04 * 0.04 / 2.0 + 8 * 0.02 * 0.02) / 27.0), 1e-12);
   EXPECT_GT(both.error(both.observable("phi", ""), both.settings_of_scene(), 50, 1).settings, 0.0);

@@ -23,8 +23,8 @@ TEST(BlockingCriterion, EachDemandHasWordsOfItsOwn) {
   std::cout << "words of " << words.size() << " demands\n";
 }
 
-/// If a criterion compares a quantity, the message gives the quantity with its limit; if it counts, the message
-/// gives the number.
+/// If a criterion compares a quantity with a limit, the message gives both. If a criterion counts something,
+/// the message gives the count.
 TEST(BlockingCriterion, DemandsGiveTheirNumbers) {
   for (const Demand compared : {Demand::response, Demand::density, Demand::stress, Demand::rest,
                                 Demand::pressure, Demand::energy_ratio})

@@ -17,7 +17,8 @@
 namespace floc {
 namespace {
 
-/// Contact law of the published study in units of diameter, mass and pressure: sc = f_c and se = k_n.
+/// Contact law of the published study in units of diameter, mass and pressure. sc is the adhesion force f_c,
+/// and se is the stiffness k_n.
 Law sticky(double sc, double se, double friction = 0.4) {
   Law law;
   law += test::linear(se);
@@ -59,7 +60,7 @@ End run_to_end(BoxRelaxer<Dim>& relaxer) {
   return {status, relaxer.report()};
 }
 
-/// Returns n^3 frictionless spheres in a simple cubic crystal that just touch each other and the walls.
+/// Returns a simple cubic crystal of n^3 frictionless spheres that just touch each other and the walls.
 Packing<3> cubic_crystal(int n, const Law& law, const BoxOptions& box) {
   Packing<3> packing;
   packing.law = law;
@@ -76,8 +77,9 @@ Packing<3> cubic_crystal(int n, const Law& law, const BoxOptions& box) {
   return packing;
 }
 
-/// Returns the side L of the crystal at rest, from K_N D - f_c = p L^2/n^2 and L = n d - (n - 1) D - 2 D_w,
-/// with the overlap D of two spheres and the overlap D_w = D + (f_w - f_c)/K_N with a wall.
+/// Returns the side L of the crystal at rest. It follows from K_N D - f_c = p L^2/n^2 and L = n d - (n - 1) D -
+/// 2 D_w, where D is the overlap of two spheres and D_w = D + (f_w - f_c)/K_N the overlap of a sphere with a
+/// wall.
 double side_at_rest(int n, double sc, double se, double f_w, double p) {
   double side = n;
   for (int k = 0; k < 50; ++k) {
@@ -106,7 +108,7 @@ TEST_P(CubicCrystal, BetweenWallsHasTheSideOfItsEquilibrium) {
   EXPECT_EQ(end.report.ending, "dynamic");
   EXPECT_EQ(end.report.n_mechanisms, 0);
   const double side = side_at_rest(n, sc, se, f_w, p);
-  // The pressure of the walls is accurate to 1e-3 of p L^2 = n^2, which changes each overlap by 1e-3/K_N.
+  // The force p L^2 = n^2 on a wall is accurate to 1e-3 of its value, which changes each overlap by 1e-3/K_N.
   for (int a = 0; a < 3; ++a) EXPECT_NEAR(relaxer.packing().cell.matrix(a, a), side, 2e-3 * n / se);
   for (int a = 0; a < 3; ++a) EXPECT_NEAR(wall_pressure(relaxer.packing())[a], p, 1e-3 * p);
 }
@@ -124,8 +126,8 @@ TEST(CubicCrystal, OfOneAndOf64SpheresHasTheVoidRatiosOfTheSpecification) {
   EXPECT_NEAR(e(4), 0.908428, 1e-6);
 }
 
-/// The energy (3/4) m L'^2 + p L^3 is conserved. Starting at rest, the side is halved after the time 0.774155
-/// sqrt(m/(p L0)).
+/// The energy (3/4) m L'^2 + p L^3 is conserved. If the box starts at rest with the side L0, its side has
+/// halved after the time 0.774155 sqrt(m/(p L0)).
 TEST(EmptyCube, ClosesAsItsEnergySays) {
   Packing<3> packing = cubic_crystal(1, sticky(1.0, 1e4), box_of(0.0, 0.0));
   const double side = 100.0, p = 1e-2;
@@ -141,14 +143,14 @@ TEST(EmptyCube, ClosesAsItsEnergySays) {
   for (int a = 0; a < 3; ++a) EXPECT_NEAR(dynamics->packing().cell.matrix(a, a), 0.5 * side, 1e-3);
 }
 
-/// At rest, the contact stress is the pressure on the walls across an axis minus the friction that the parallel
-/// walls bear.
+/// At rest, the contact stress along an axis is the pressure on the walls across this axis, minus the stress
+/// that friction on the parallel walls carries.
 template <int Dim>
 void expect_sum_rule(const Packing<Dim>& packing, double bound) {
   const Vec<Dim> difference =
       static_stress(packing).diagonal() + stress_borne_by_friction(packing) - wall_pressure(packing);
   EXPECT_LT(difference.cwiseAbs().maxCoeff(), bound);
-  // The forces on the walls act across the faces of the box, so the boundary stress is the contact stress.
+  // The forces on the walls act on the faces of the box, so the boundary stress equals the contact stress.
   EXPECT_LT((boundary_stress(packing) - static_stress(packing)).cwiseAbs().maxCoeff(), bound);
 }
 
@@ -179,7 +181,8 @@ TYPED_TEST(SettledGasOf, BearsThePressureAndObeysTheSumRule) {
   EXPECT_EQ(end.report.n_mechanisms, 0);
   EXPECT_LT(wall_imbalance<Dim>(relaxer.packing(), Vec<Dim>::Constant(p)), 1e-3 * p);
   EXPECT_GT(stress_borne_by_friction(relaxer.packing()).norm(), 1e-3 * p);
-  // Net forces of 1e-6 F1 = 2e-7 act on 80 grains within 10 of the origin, in a volume of at least 60.
+  // Net forces of 1e-6 F1 = 2e-7 act on 80 grains within a distance of 10 from the origin, in a volume of at
+  // least 60.
   expect_sum_rule(relaxer.packing(), 3e-6);
 }
 
@@ -199,8 +202,8 @@ TEST(BoxRelaxer, ContinuedFromItsProgressGivesTheSameBits) {
   EXPECT_EQ(unbroken.progress(), second.progress());
 }
 
-/// Moving walls bear the pressure of the load, fixed walls stay where they are, and a periodic axis keeps its
-/// length.
+/// Moving walls are in balance with the pressure of the load, fixed walls stay where they are, and a periodic
+/// axis keeps its length.
 TEST(BoxRelaxer, MovesTheWallsUnderPressureAlone) {
   BoxOptions box = box_of(0.4, 0.0, 0.02);
   box.boundary = {BoxSide::walls, BoxSide::fixed, BoxSide::periodic};
@@ -228,7 +231,8 @@ TEST(BoxRelaxer, ClosesTheBoxAtTheSpeedGiven) {
   BoxRelaxer<2> relaxer(options, gas, Vec<2>(0.1, 0.1));
   (void)relaxer.advance();
   const double expected = gas.cell.matrix(0, 0) - 0.5 * relaxer.report().time;
-  // The strain rate is constant within a chunk of steps, computed from the side at its start.
+  // Within a chunk of steps, the strain rate is constant. It is computed from the side at the start of the
+  // chunk.
   EXPECT_NEAR(relaxer.packing().cell.matrix(0, 0), expected, 0.1 * (gas.cell.matrix(0, 0) - expected));
 }
 
@@ -242,7 +246,7 @@ TEST(BoxRelaxer, SaysThatWallsRunAway) {
   EXPECT_THAT(end.report.blocking, testing::HasSubstr("and no grain touches them"));
 }
 
-/// If walls would squeeze grains out of the box, the relaxer gives up with a message.
+/// If walls would push grains out of the box, the relaxer gives up with a message.
 TEST(BoxRelaxer, SaysThatGrainsLeaveTheBox) {
   const Packing<2> gas = boxed_gas<2>(30, sticky(0.0, 10.0), box_of(0.0, 0.0, 0.0), 0.5);
   BoxRelaxer<2> relaxer(RelaxationOptions{}, gas, Vec<2>(20.0, 20.0));

@@ -13,7 +13,7 @@ Cell<2> square_cell(double side) {
   return cell;
 }
 
-/// Returns one block of grains at rest whose contacts have the given virial on both axes.
+/// Returns one block of grains at rest. Its contacts have the given virial on both axes.
 std::vector<BlockSums<2>> block_with_virial(double virial) {
   BlockSums<2> sums;
   for (int a = 0; a < 2; ++a) sums.virial[a][a] = virial;
@@ -49,7 +49,8 @@ TEST(CellMotion, LatticeStaysAtRestWhereTheVirialBalancesTheStress) {
 TEST(CellMotion, LatticeIsAcceleratedByWhatTheStressDoesNotBalance) {
   CellMotion<2> motion(square_cell(10.0), {}, BoundaryControl<2>::normal_stress(Vec<2>::Constant(2.0), 5.0));
   motion.kick(0.1, block_with_virial(210.0));
-  // The change of the rate is (W - V Sigma)/(L M) dt/2, with the virial W, side L and mass M.
+  // The rate changes by (W - V Sigma)/(L M) dt/2, with the virial W, the volume V, the imposed stress Sigma,
+  // the side L and the mass M of the cell.
   EXPECT_DOUBLE_EQ(motion.cell().velocity(0, 0), 10.0 / 10.0 / 5.0 * 0.1);
   EXPECT_EQ(motion.cell().velocity(0, 1), 0.0);
 }

@@ -38,8 +38,8 @@ TEST(ContactDynamicsRelaxer, FrictionlessSpheresAreIsostatic) {
   expect_isostatic<3>(std::nullopt, 3);
 }
 
-/// Expects the same bits for several numbers of threads, and if the relaxer is created again after each chunk
-/// of steps.
+/// Expects the same bits for several numbers of threads. Also expects them if a new relaxer is created after
+/// each chunk of steps.
 template <int Dim>
 void expect_repeatable(const RigidGas& gas) {
   const Packing<Dim> start = make_rigid_gas<Dim>(gas);
@@ -69,7 +69,7 @@ TEST(ContactDynamicsRelaxer, PolyhedraRepeatTheirBits) {
   expect_repeatable<3>({.count = 20, .shape = cut_stones(), .friction = 0.5});
 }
 
-/// Removes the forces of a packing, computes canonical forces from its positions alone, and compares them with
+/// Removes the forces of a packing and computes canonical forces from its positions alone. Compares them with
 /// the forces of a relaxation, which depend on history.
 TEST(ContactDynamicsRelaxer, CanonicalForcesDependOnPositionsAlone) {
   RelaxationOptions options = rigid_options();

@@ -29,7 +29,7 @@ Law linear_law(double friction) {
 }
 
 /// Returns a load that changes the length of one axis by a logarithmic strain. The other axes keep their length
-/// (others_strained) or their stress.
+/// if `others_strained`, otherwise their stress.
 template <int Dim>
 LoadTarget<Dim> driven(const Packing<Dim>& packing, int axis, double strain, bool others_strained) {
   LoadTarget<Dim> load;
@@ -65,7 +65,7 @@ Packing<Dim> solved(const Packing<Dim>& from, const LoadTarget<Dim>& load) {
   return solution.packing;
 }
 
-/// Returns a gas that was compressed without friction and is solved again with friction, starting without
+/// Returns a gas that was compressed without friction. It is solved again with friction, starting without
 /// tangential forces.
 template <int Dim>
 Packing<Dim> dense_packing(int n, double pressure, std::uint64_t seed) {
@@ -91,7 +91,8 @@ Mat<Dim> stiffness(const Packing<Dim>& packing) {
 
 constexpr double kStrain = 3e-7;
 
-/// Half the difference between two small steps of opposite sign: changes of stress and of logarithmic strain.
+/// Half the differences between two small steps of opposite sign: changes of stress and changes of logarithmic
+/// strain.
 template <int Dim>
 struct Answer {
   Vec<Dim> stress, strain;
@@ -108,8 +109,8 @@ Answer<Dim> answer(const Packing<Dim>& packing, int axis, bool others_strained) 
           0.5 * (less.cell.matrix.diagonal().array() / more.cell.matrix.diagonal().array()).log()};
 }
 
-/// Expects for every axis d sigma_lateral/d sigma_driven = C_ld/C_dd, and E and nu that follow from the
-/// compliance.
+/// Expects d sigma_l/d sigma_d = C_ld/C_dd for every driven axis d and lateral axis l. Also expects the moduli
+/// E and nu that follow from the compliance.
 template <int Dim>
 void expect_elastic_answers(const Packing<Dim>& packing, const Mat<Dim>& C) {
   const Mat<Dim> S = C.inverse();
@@ -145,14 +146,14 @@ TEST(DirectedLoad, OfDensePackingsIsThatOfTheirModuli) {
 }
 
 /// Returns C_ab = R_ab/V + sigma_a. R is the derivative of the virial (sum of f r over contacts) with respect
-/// to the strains after relaxation of the grains, computed with the consistent tangent of all forces, including
-/// tangential ones.
+/// to the strains, after relaxation of the grains. It is computed with the consistent tangent of all forces,
+/// including tangential ones.
 template <int Dim>
 Mat<Dim> consistent_stiffness(const Packing<Dim>& packing) {
   const Eigen::MatrixXd whole = test::consistent_tangent(packing, Dim);
   const Eigen::Index n = whole.rows() - Dim;
   const Eigen::MatrixXd grains = whole.topLeftCorner(n, n), border = whole.topRightCorner(n, Dim);
-  // Translations and rattlers have no stiffness; the solution of least norm does not move them.
+  // Translations and rattlers have no stiffness. The solution of least norm sets their displacements to zero.
   const Eigen::MatrixXd followed = grains.completeOrthogonalDecomposition().solve(border);
   const Mat<Dim> relaxed = whole.bottomRightCorner<Dim, Dim>() - whole.bottomLeftCorner(Dim, n) * followed;
   const Vec<Dim> stress = static_stress(packing).diagonal();
@@ -167,9 +168,9 @@ double largest_mobilisation(const Packing<Dim>& packing) {
   return largest;
 }
 
-/// After a compression along one axis by many times its elastic strain, a packing carries tangential forces.
-/// Its response follows the consistent tangent. The moduli differ from it, because they omit the geometric
-/// terms of these forces.
+/// A packing was compressed along one axis by many times its elastic strain, so that its contacts carry
+/// tangential forces. The response of the packing follows the consistent tangent. The moduli differ from it,
+/// because they omit the geometric terms of the tangential forces.
 template <int Dim>
 void expect_answers_of_the_consistent_tangent(std::uint64_t seed) {
   Packing<Dim> packing = dense_packing<Dim>(60, 1e-2, seed);
@@ -185,7 +186,8 @@ TEST(DirectedLoad, UnderTangentialForcesIsThatOfTheConsistentTangent) {
   expect_answers_of_the_consistent_tangent<3>(4);
 }
 
-/// Returns a load that keeps all lengths and displaces the planes across `axis` along the first axis.
+/// Returns a load that keeps all lengths and displaces the planes across `axis` in the direction of the first
+/// axis.
 template <int Dim>
 LoadTarget<Dim> sheared(const Packing<Dim>& packing, int axis, double strain) {
   LoadTarget<Dim> load;
@@ -194,8 +196,8 @@ LoadTarget<Dim> sheared(const Packing<Dim>& packing, int axis, double strain) {
   return load;
 }
 
-/// Expects d tau/d gamma to equal the shear modulus. Simple shear also contains a rotation, which has no effect
-/// if the stresses on both axes are equal.
+/// Expects d tau/d gamma to equal the shear modulus. A simple shear also contains a rotation. If the stresses
+/// on both axes are equal, the rotation has no effect.
 template <int Dim>
 void expect_shear_answers(const Packing<Dim>& packing) {
   ModuliOptions options;
@@ -218,8 +220,8 @@ TEST(DirectedLoad, OfSimpleShearIsThatOfTheShearModuli) {
   expect_shear_answers(test::crystal_of(test::face_centred_cubic(), 0.99, 1.0, linear_law(0.5)));
 }
 
-/// Expects that the relaxer solves such steps statically, and that a closed cycle of strains restores the
-/// positions.
+/// Expects that the relaxer solves the steps of a closed cycle of strains statically, and that the cycle
+/// restores the positions.
 template <int Dim>
 void expect_closed_cycle(const Packing<Dim>& start) {
   Packing<Dim> packing = start;
@@ -273,11 +275,11 @@ TEST(DirectedLoad, AStrainedAxisMovesToItsLengthAndStandsStill) {
   EXPECT_NEAR(end.cell.matrix(1, 1) / load.side[1], 1.0, 1e-14);
   EXPECT_GE(shortest, load.side[1] * (1.0 - 1e-14));  // the axis never overshoots its target
   EXPECT_EQ(end.cell.velocity(1, 1), 0.0);
-  // strain rate below the cap, at a pressure close to the initial one
+  // the strain rate is below its cap; the pressure is close to the initial one
   EXPECT_LE(fastest, 1.001e-3 * std::sqrt(1e-3 / 1.0) * 1.1);
   const Mat<2> stress = static_stress(end);
-  EXPECT_NEAR(stress(0, 0), 1e-3, 1e-8);  // kept
-  EXPECT_GT(stress(1, 1), 1.05e-3);       // driven
+  EXPECT_NEAR(stress(0, 0), 1e-3, 1e-8);  // imposed
+  EXPECT_GT(stress(1, 1), 1.05e-3);       // increased by the strain
   EXPECT_LT(relaxer->report().residuals.stress, 1e-5);
 }
 
@@ -308,7 +310,7 @@ TEST(DirectedLoad, AShearedLatticeMovesToItsOffsetAndStandsStill) {
   EXPECT_NEAR(end.cell.matrix(0, 0) / load.side[0], 1.0, 1e-14);
   const Mat<2> stress = static_stress(end);
   EXPECT_NEAR(stress(1, 1), 1e-3, 2e-8);
-  EXPECT_LT(stress(0, 1), static_stress(start)(0, 1) - 1e-4);  // resists
+  EXPECT_LT(stress(0, 1), static_stress(start)(0, 1) - 1e-4);  // shear stress resists the shear
 }
 
 TEST(DirectedLoad, IsContinuedFromItsProgressBitByBit) {
@@ -328,7 +330,7 @@ TEST(DirectedLoad, IsContinuedFromItsProgressBitByBit) {
   test::expect_same_bits(whole->packing(), broken->packing());
 }
 
-/// Returns the report of a relaxation to lengths that cannot be reached.
+/// Returns the report of a relaxation whose target lengths cannot be reached.
 RelaxationReport refused(const Packing<2>& start, const LoadTarget<2>& load) {
   const auto relaxer = make_equilibrator<2>(moving(), start, load);
   RelaxationStatus status = RelaxationStatus::running;
@@ -338,7 +340,7 @@ RelaxationReport refused(const Packing<2>& start, const LoadTarget<2>& load) {
   return relaxer->report();
 }
 
-/// If every axis is extended, the grains lose contact and the packing would never come to rest.
+/// If every axis is extended, the grains lose contact, and the packing would never come to rest.
 TEST(DirectedLoad, APackingDrawnApartEndsInWords) {
   const Packing<2> start = dense_packing<2>(60, 1e-3, 3);
   LoadTarget<2> load;

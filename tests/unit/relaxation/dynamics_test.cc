@@ -47,7 +47,7 @@ double total_energy(const Packing<2>& packing, const BoundaryControl<2>& control
   return energy;
 }
 
-/// Returns the largest relative change of the energy during `n_steps` steps of dt.
+/// Returns the largest relative change of the energy during `n_steps` time steps of length dt.
 double energy_drift(double dt, int n_steps) {
   Law law;
   law += test::linear(1.0);
@@ -65,7 +65,8 @@ double energy_drift(double dt, int n_steps) {
   return largest;
 }
 
-/// Returns the gas with an equivalent lattice: `by` times the first lattice vector is added to the second.
+/// Returns the gas with other vectors of the same lattice: `by` times the first lattice vector is added to the
+/// second.
 Packing<2> leaning(Packing<2> gas, int by) {
   gas.cell.matrix(1, 0) += by * gas.cell.matrix(0, 0);
   gas.contacts.clear();
@@ -78,12 +79,12 @@ BoundaryControl<2> all_under_stress(const Packing<2>& packing, double pressure) 
   return control;
 }
 
-/// Returns the same drift as energy_drift(), for a cell that can also shear, under zero shear stress.
+/// Does the same as energy_drift() for a cell that can also shear, under zero shear stress.
 double energy_drift_of_sheared(double dt, int n_steps) {
   Law law;
   law += test::linear(1.0);
   Packing<2> gas = test::gas_of(100, law, 0.7, 3);
-  // Grains overlap along the edges of the sheared cell; this energy sets the cell in motion.
+  // Grains overlap along the edges of the sheared cell. The energy of these overlaps sets the cell in motion.
   gas.cell.matrix(1, 0) = 0.3 * gas.cell.matrix(0, 0);
   RandomStream random(4, 2);
   agitate(gas, 0.02, random);
@@ -128,7 +129,7 @@ TEST(TriangularLattice, ShearsAtTheRateGiven) {
   const Packing<2> gas = agitated_gas(60, cohesive_law());
   const double dt = time_step_of(gas, 0.2);
   BoundaryControl<2> control = pressed(gas, 0.01);
-  control.target[2] = -1e-2;  // gamma increases, so its sign is opposite to that of shortening
+  control.target[2] = -1e-2;  // gamma increases; its sign is opposite to that of shortening
   control.target[0] = 5e-3;
   control.imposed[0] = Imposed::rate;
   const auto dynamics = make_dynamics(gas, control, {dt, 0.05});
@@ -145,13 +146,14 @@ TEST(Dynamics, FrictionlessUndampedCellConservesEnergyToSecondOrder) {
   const double coarse = energy_drift(0.1, 4000);
   const double fine = energy_drift(0.025, 16000);
   EXPECT_LT(coarse, 2e-3);
-  // Ideally, the error of a method of second order falls to 1/16 with a quarter of the step. Contacts that open
+  // With a quarter of the step, the error of a method of second order ideally falls to 1/16. Contacts that open
   // and close are not smooth, so only half of this gain is required.
   EXPECT_LT(fine, coarse / 8.0);
 }
 
-/// Returns the restitution of two disks that collide head on without adhesion, with a time step for diameters
-/// in [1/2, 1]. @param phase  fraction of a step at which the first overlap occurs
+/// Returns the coefficient of restitution of two disks that collide head on without adhesion. The time step is
+/// that for diameters in [1/2, 1].
+/// @param phase  fraction of a step at which the first overlap occurs
 double measured_restitution(double diameter_i, double diameter_j, double phase) {
   Law law;
   law += test::linear(1e5);
@@ -192,8 +194,8 @@ TEST(Dynamics, RestitutionIsRightAtTheDefaultStep) {
   EXPECT_NEAR(mean_restitution(0.5, 0.5), 0.025, 0.001);
 }
 
-/// Returns a large disk from the left and one of half its size from the right that meet head on while spinning,
-/// or the mirror image with exchanged grain numbers.
+/// Returns two spinning disks that meet head on: a large disk comes from the left, and a disk of half its size
+/// from the right. If `mirrored`, returns the mirror image, with exchanged numbers of the grains.
 Packing<2> unequal_pair(const Law& law, bool mirrored) {
   const int large = mirrored ? 1 : 0, small = 1 - large;
   const double sign = mirrored ? -1.0 : 1.0;
@@ -229,8 +231,8 @@ void expect_mirror_images(const Law& law) {
   const Grains<2> m = parted(unequal_pair(law, true));
   const double restitution = (g.velocity[1][0] - g.velocity[0][0]) / 2.0;
   EXPECT_GT(restitution, 0.0);
-  EXPECT_LT(restitution, 1.01);  // one without damping, except for the error of the first step with overlap
-  // Rounding errors of positions differ by 1e-15, at overlaps of 1e-3.
+  EXPECT_LT(restitution, 1.01);  // 1 without damping; the first step with overlap adds an error
+  // The rounding errors of positions differ by 1e-15 between the two collisions; overlaps are 1e-3.
   constexpr double kRounding = 1e-9;
   EXPECT_NEAR((m.velocity[0][0] - m.velocity[1][0]) / -2.0, restitution, kRounding);
   for (const int grain : {0, 1}) {
@@ -261,7 +263,7 @@ TEST(Dynamics, CohesivePairRestsAtThePullOffOverlap) {
   dynamics->advance(2000, Motion::free);
   const Packing<2> rest = dynamics->packing();
   ASSERT_EQ(rest.contacts.size(), 1u);
-  // h0 = F0/K_N; the vibration decays to rounding errors within 2000 steps
+  // The gap at rest is -F0/K_N. The vibration decays to rounding errors within 2000 steps.
   EXPECT_NEAR(rest.contacts[0].gap, -1e-5, 1e-12);
   EXPECT_NEAR(rest.contacts[0].normal_force, 0.0, 1e-7);
 }
@@ -277,7 +279,7 @@ TEST(Dynamics, GrainTouchesItsOwnImage) {
   EXPECT_EQ(still.grains.velocity[0], Vec<2>::Zero());
 }
 
-/// Slightly agitates a crystal and returns the factor by which its kinetic energy grows in the given number of
+/// Agitates a crystal slightly. Returns the factor by which its kinetic energy grows within the given number of
 /// steps.
 double growth_in_crystal(int n_steps, double time_step, double restitution, double rolling_stiffness) {
   Law law;
@@ -295,8 +297,8 @@ double growth_in_crystal(int n_steps, double time_step, double restitution, doub
   return mean_kinetic_energy(dynamics->packing()) / mean_kinetic_energy(crystal);
 }
 
-/// The expected limits are those in the comment of RelaxationOptions::time_step. From a rolling stiffness of
-/// about 0.2 on, the step is shortened.
+/// The expected limits of the time step are those in the comment of RelaxationOptions::time_step. From a
+/// rolling stiffness of about 0.2 on, the step is shortened.
 TEST(TimeStep, LeavesCrystalsStable) {
   for (const double restitution : {0.015, 0.5}) {
     EXPECT_LT(growth_in_crystal(3000, 0.40, restitution, 0.0), 1.0);

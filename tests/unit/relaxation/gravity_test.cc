@@ -96,7 +96,8 @@ BoxOptions bed_box(BoxSide vertical, double gravity) {
   return box;
 }
 
-/// Lets grains fall onto a floor, and expects that the floor bears their weight plus the pressure on the lid.
+/// Lets grains fall onto a floor. Expects that the force on the floor is their weight plus the pressure on the
+/// lid.
 template <int Dim>
 void expect_floor_bears_weight(BoxSide vertical, int n) {
   const double gravity = 0.5, pressure = vertical == BoxSide::lid ? 3.0 : gravity;

@@ -15,7 +15,7 @@ namespace {
 
 using test::KernelPair;
 
-/// Law of glass beads in units of the diameter a, the modulus E~ = E/(1 - nu^2) and, for motion, the mass.
+/// Law of glass beads. The units are the diameter a, the modulus E~ = E/(1 - nu^2) and, for motions, the mass.
 Law glass_of_unit_modulus(double friction = 0.3) {
   Law law;
   law += test::hertz(1.0 - 0.09, 0.3);
@@ -38,7 +38,7 @@ const std::vector<InstructionSet>& instruction_sets() {
   return all;
 }
 
-/// Pair with overlap kOverlap and slip kSlip, which carries the shear force kShear.
+/// Pair with the overlap kOverlap and the slip kSlip. It carries the shear force kShear.
 struct ShearedPair : KernelPair {
   explicit ShearedPair(InstructionSet set) : KernelPair(glass_of_unit_modulus(), kOverlap, set) {
     slip(Vec<3>(0.0, kSlip, 0.0));
@@ -151,8 +151,8 @@ TEST(Hertz, ARigidTurnKeepsTheShearForce) {
   }
 }
 
-/// Returns two beads after a head-on collision. @param step  time step divided by sqrt(m/K_N) at the largest
-/// overlap
+/// Returns two beads after a head-on collision.
+/// @param step  time step divided by sqrt(m/K_N) at the largest overlap
 Packing<3> collided(double zeta, double speed, double step) {
   Packing<3> pair =
       test::unit_grains<3>({{4.0, 5.0, 5.0}, {5.0 + 1e-9, 5.0, 5.0}}, 10.0, glass_of_unit_modulus(0.0));

@@ -19,7 +19,7 @@ namespace {
 
 using test::for_each_law_and_dimension;
 
-/// Motion of a pair of grains of unit mass and diameter under a law, step by step.
+/// Moves a pair of grains of unit mass and diameter under a law, step by step.
 template <int Dim, class Law>
 class PairUnder {
  public:
@@ -44,7 +44,7 @@ class PairUnder {
   typename Law::template PairParameters<> parameters_;
 };
 
-/// Motions that lead into contact, continue in contact, lead out of it, and end exactly at zero overlap.
+/// Returns motions of a pair: into contact, within contact, out of contact, and to an overlap of exactly zero.
 template <int Dim>
 std::vector<ContactMotion<Dim>> motions() {
   std::mt19937 random(1);
@@ -134,7 +134,7 @@ Grains<Dim> row_of_grains(int n) {
   return grains;
 }
 
-/// Forces and history that a portable kernel computes for a row of grains.
+/// Forces and history of a row of grains, computed by a portable kernel.
 template <int Dim, class KernelLaw>
 struct Computed {
   PairArrays<Dim> pairs;

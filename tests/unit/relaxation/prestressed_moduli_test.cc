@@ -23,7 +23,8 @@ Law glass(double friction) {
   return law;
 }
 
-/// Returns beads of state A: assembled without friction, then given friction without tangential forces.
+/// Returns beads in state A: they are assembled without friction; then friction is switched on, without
+/// tangential forces.
 Packing<3> beads_put_together_without_friction(int n, double pressure, std::uint64_t seed) {
   RelaxationOptions options;
   options.inertial_number_cap = 1e-2;
@@ -46,8 +47,8 @@ Packing<3> solved(const Packing<3>& from, const Vec<3>& stress) {
   return solution.packing;
 }
 
-/// Returns the compliance of a packing under isotropic pressure: shortening of each side per change of a
-/// stress, by finite differences.
+/// Returns the compliance of a packing under isotropic pressure by finite differences. An entry is the
+/// shortening of a side divided by the change of a stress.
 Mat<3> compliance_by_differences(const Packing<3>& packing, double pressure) {
   const double step = 1e-4 * pressure;
   Mat<3> compliance;
@@ -63,8 +64,8 @@ Mat<3> compliance_by_differences(const Packing<3>& packing, double pressure) {
   return compliance;
 }
 
-/// Returns the largest difference between this compliance and the inverse of the moduli with prestress, divided
-/// by the largest compliance.
+/// Returns the largest difference between compliance_by_differences() and the inverse of the moduli with
+/// prestress, divided by the largest compliance.
 double error_of_moduli(const Packing<3>& start, double pressure) {
   const Packing<3> packing = solved(start, Vec<3>::Constant(pressure));
   ModuliOptions options;
@@ -82,8 +83,8 @@ TEST(PrestressedModuli, OfAnFccCrystalAreRelaxedDifferences) {
   EXPECT_LT(error_of_moduli(crystal, pressure), 1e-6);
 }
 
-/// A hexagonal close-packed crystal: its cell has two spheres that move relative to each other under load. It
-/// is stiffer along the axis of symmetry, so under pressure the tetrahedra of spheres become irregular.
+/// A hexagonal close-packed crystal. Its cell has two spheres that move relative to each other under load. The
+/// crystal is stiffer along its axis of symmetry, so under pressure the tetrahedra of spheres become irregular.
 TEST(PrestressedModuli, OfAnHcpCrystalAreRelaxedDifferences) {
   const double distance = 0.99, height = std::sqrt(8.0 / 3.0) * distance, row = std::sqrt(0.75) * distance;
   Packing<3> crystal;

@@ -8,7 +8,7 @@
 namespace floc {
 namespace {
 
-/// Closes a cell of very soft grains until each has more neighbours than a list can hold.
+/// Shrinks a cell of very soft grains until each grain has more neighbours than a list can contain.
 template <int Dim>
 void close_upon(int n_threads) {
   Law law;
@@ -20,7 +20,7 @@ void close_upon(int n_threads) {
   dynamics->advance(300, Motion::free);
 }
 
-/// An error that a thread finds while it builds neighbour lists must leave the team of threads.
+/// If a thread finds an error while it builds neighbour lists, the whole team of threads must throw this error.
 TEST(ExplicitDynamics, CarriesOutWhatListsOfNeighboursRefuseInMotion) {
   const auto refused = testing::ThrowsMessage<InputError>(
       testing::HasSubstr("the grains overlap so much, or attract each other across such wide gaps"));

@@ -50,9 +50,10 @@ TEST(Relaxer, ReachesAllFourCriteria) {
 
 TEST(Relaxer, TheForcesAcrossTheFacesOfTheCellAreTheStress) {
   const Mat<2> stress = static_stress(equilibrium());
-  // Net forces of 1e-8 on 60 grains within 5 of the centre of a cell of area 70 add up to 5e-8.
+  // Net forces of 1e-8 act on 60 grains within a distance of 5 from the centre of a cell of area 70. Their
+  // contributions to the stress add up to 5e-8.
   EXPECT_LT((boundary_stress(equilibrium()) - stress).cwiseAbs().maxCoeff(), 5e-8);
-  // residual of the Newton refinement, in F0/a
+  // error of the stress after the Newton refinement, in F0/a
   for (int a = 0; a < 2; ++a) EXPECT_NEAR(stress(a, a), 0.1, 1e-8);
 }
 
@@ -102,8 +103,8 @@ TEST(Relaxer, AStaticStepEndsWhereMotionEnds) {
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Contact<2>&p = contacts[k], &q = moved.packing().contacts[k];
     ASSERT_EQ(std::tie(p.i, p.j), std::tie(q.i, q.j));
-    // Forces are of order 1. Errors of 1e-8 on grains cause errors of about 1e-6 in contacts along the softest
-    // directions.
+    // Forces are of order 1. Errors of 1e-8 in the forces on grains cause errors of about 1e-6 in contact
+    // forces along the softest directions.
     EXPECT_NEAR(p.normal_force, q.normal_force, 1e-5);
     EXPECT_NEAR((p.shear_force - q.shear_force).norm(), 0.0, 1e-5);
     largest_change =
@@ -168,7 +169,7 @@ TEST(Relaxer, IsNotHeldUpByRattlersThatSpin) {
   Packing<2> start = equilibrium();
   Grains<2>& g = start.grains;
   g.position_low.clear();  // an added grain has only its rounded position
-  // A grain of normal size would touch others even in the largest hole. A tiny spinning one fits anywhere
+  // Even in the largest hole, a grain of normal size would touch others. A tiny spinning grain fits anywhere
   // without contacts.
   const Packing<2> rest = start;
   for (double x = 0.0; g.size() == rest.grains.size(); x += 0.01) {
@@ -184,7 +185,7 @@ TEST(Relaxer, IsNotHeldUpByRattlersThatSpin) {
   }
   EXPECT_GT(residuals(start, Vec<2>(0.1, 0.1)).energy, EquilibriumTolerance{}.energy);
   RelaxationOptions coarse = options();
-  // in units of the tiny grain's contact time; this is the usual step for the other grains
+  // unit: contact time of the tiny grain; this is the usual step for the other grains
   coarse.time_step = 2.0;
   Relaxer<2> relaxer(coarse, start, Vec<2>::Constant(0.1));
   RelaxationStatus status = RelaxationStatus::running;
@@ -204,7 +205,7 @@ TEST(StrainRateCap, FollowsTheUnitTheSceneNames) {
 }
 
 /// Returns a triangular crystal of frictionless adhesive disks with a hole. Three larger disks form a chain
-/// across the hole that is longer than its width and swings.
+/// across the hole. The chain is longer than the width of the hole, and it swings.
 Packing<2> swinging_chain(double speed) {
   Packing<2> packing;
   packing.law = test::cohesive_law();
@@ -232,8 +233,8 @@ Packing<2> swinging_chain(double speed) {
   const double x = std::sqrt(outer * outer - kRise * kRise), half = 2.0 * kDistance - x;
   const double rise = std::sqrt(inner * inner - half * half);
   const Vec<2> end(kDistance, kMiddle * kRow);
-  // Distances stay constant: the outer disks rotate about the ends of the chain, the middle one moves up and
-  // down.
+  // Distances of neighbours stay constant: the outer disks rotate about the ends of the chain, and the middle
+  // disk moves up and down.
   const double turn = speed / outer;
   const double up = turn * (x - kRise * half / rise);
   add(end + Vec<2>(x, kRise), turn * Vec<2>(-kRise, x), kLarger);
@@ -248,7 +249,7 @@ Packing<2> swinging_chain(double speed) {
   return packing;
 }
 
-/// Nothing damps the chain, so its energy alone exceeds the tolerance of an equilibrium.
+/// Nothing damps the chain. Its energy alone exceeds the tolerance for an equilibrium.
 TEST(Relaxer, EndsWhereChainsSwingForEver) {
   const Packing<2> start = swinging_chain(0.01);
   const double energy = residuals(start, Vec<2>(Vec<2>::Constant(0.1))).energy;

@@ -12,7 +12,7 @@
 #include "floc/shape/generators.h"
 #include "support/rigid_gas.h"
 
-/// Rigid grains between walls and under gravity: closed forms, and states that verify.
+/// Tests of rigid grains between walls and under gravity: closed forms, and states that pass the verification.
 namespace floc::test {
 namespace {
 
@@ -61,7 +61,7 @@ TEST(RigidWalls, PileOfDisksBearsTheWeightAbove) {
   for (int k = 0; k < kDisks; ++k) centres.emplace_back(20.0, 0.5 + k);
   Packing<2> pile = balls_in_box<2>(centres, 0.0);
   pile.gravity = {0.0, -1.0};
-  // Side walls at the disks keep the pile from falling over.
+  // Side walls that touch the disks keep the pile from falling over.
   for (Wall<2>& wall : pile.walls)
     if (wall.axis == 0) wall.position = 20.0 + 0.5 * wall.side;
   pile.cell.matrix(0, 0) = 1.0;
@@ -77,8 +77,9 @@ TEST(RigidWalls, PileOfDisksBearsTheWeightAbove) {
   EXPECT_EQ(found, kDisks);
 }
 
-// A disk in the corner of two walls. Balance gives N_1 = g_1 - t and N_2 = g_2 - t with equal friction forces t, and the
-// energy N_1^2 + N_2^2 + 2 t^2 is least at t = (g_1 + g_2)/4.
+// A disk with the weight (g_1, g_2) in the corner of two walls. Balance gives the normal forces N_1 = g_1 - t
+// and N_2 = g_2 - t, where t is the friction force on either wall. The energy N_1^2 + N_2^2 + 2 t^2 is least at
+// t = (g_1 + g_2)/4.
 TEST(RigidWalls, DiskInACornerSharesItsWeight) {
   for (const double friction : {0.0, 2.0}) {
     Packing<2> corner = balls_in_box<2>({{0.5, 0.5}}, friction);
@@ -121,7 +122,8 @@ TEST(RigidWalls, CubeDropsAndRestsOnItsFace) {
   EXPECT_EQ(end.packing.contacts.size(), 4U);
 }
 
-/// A lid of pressure 1 on a row of two spheres or disks: the floor bears the load on the lid and the weight.
+/// A lid under the pressure 1 lies on a row of two disks. The floor carries the load on the lid and the weight
+/// of the disks.
 TEST(RigidWalls, FloorBearsTheLoadOnTheLidAndTheWeight) {
   Packing<2> row = balls_in_box<2>({{10.0, 0.5}, {20.0, 0.5}}, 0.3);
   row.gravity = {0.0, -3.0};
@@ -136,7 +138,8 @@ TEST(RigidWalls, FloorBearsTheLoadOnTheLidAndTheWeight) {
   EXPECT_NEAR(force[2], 46.0, 1e-7);
 }
 
-/// Two walls that no grain touches approach each other at the speed of the load, and grains between them stay in place.
+/// Two walls that no grain touches approach each other at the speed of the load. The grains between them stay
+/// in place.
 TEST(RigidWalls, FreeWallsReachTheirSpeed) {
   Packing<2> p = balls_in_box<2>({{20.0, 20.0}}, 0.0);
   p.walls[0].mass = p.walls[1].mass = 2.0;
@@ -173,8 +176,8 @@ Packing<Dim> boxed_gas(int count, const std::optional<ShapeOptions>& shape, cons
                                     GasKind::sequential_addition);
 }
 
-/// Presses a gas together between walls on all sides, and between two walls in a box of fixed width, and expects the
-/// pressure on all walls that move.
+/// Compresses a gas of grains between moving walls, with each of the given boundaries of the lateral axes.
+/// Expects the pressure 1 on all walls that move.
 template <int Dim>
 void expect_walls_bear_pressure(int count, const std::optional<ShapeOptions>& shape,
                                 const std::vector<BoxSide>& laterals) {
@@ -210,7 +213,8 @@ TEST(RigidWalls, PressGrainsTogether) {
   expect_walls_bear_pressure<3>(8, ShapeOptions{.kind = CutOptions{}, .count = 8}, {BoxSide::fixed});
 }
 
-/// Grains that fall on a floor: its force is their weight, whatever their shape, and the open end is at the highest one.
+/// Lets grains of any shape fall on a floor. Expects that the force on the floor is their weight, and that the
+/// upper end is open.
 template <int Dim>
 void expect_bed(const std::optional<ShapeOptions>& shape, int count) {
   BoxOptions box;

@@ -13,7 +13,7 @@ namespace floc {
 namespace {
 
 TEST(RowPlace, HoldsBeyondTheRowsThatTwoGigabytesHold) {
-  constexpr int kPairs = 1 << 26;  // rows of 32 bytes: the byte offset does not fit into an int
+  constexpr int kPairs = 1 << 26;  // with rows of 32 bytes, the byte offset does not fit into an int
   EXPECT_EQ(row_place(kPairs, row_size<2>(RowKind::moments)), 4LL * kPairs);
   EXPECT_EQ(row_place(2 * kPairs, row_size<2>(RowKind::forces)), 4LL * kPairs);
 }
@@ -24,7 +24,8 @@ TEST(RowPlace, RefusesMorePairsThanItCanName) {
               testing::ThrowsMessage<InputError>(testing::HasSubstr("536870911 pairs of neighbouring grains")));
 }
 
-/// Calls visit(grain of the block, row) for each row that one side of a block's sums reads.
+/// Calls visit(grain, row) for each row that contributes to one side of the sums of a block; `grain` is the
+/// number of the grain within the block.
 template <class Visit>
 void for_each_row(const SideSumsPlan& side, const double* rows, const Visit& visit) {
   const int* place = side.row;
@@ -104,8 +105,8 @@ TEST_P(Sweeps, DriftEveryBlockOnceAndNoLaterThanPairsReadIt) {
   EXPECT_EQ(drifted.size(), static_cast<std::size_t>(gas_.n_blocks()));
 }
 
-/// No pair of another thread reads the blocks that a thread moves and sums within its sweep. Blocks that
-/// several threads read are marked as shared.
+/// A block that the pairs of several threads read is marked as shared. Every other block is moved and summed by
+/// the only thread whose pairs read it.
 TEST_P(Sweeps, ShareWhatSeveralThreadsRead) {
   EXPECT_EQ(plan_.shared_of(0).empty(), plan_.n_threads() == 1);
   EXPECT_FALSE(plan_.drifting_for(0).empty());

@@ -8,7 +8,7 @@
 namespace floc {
 namespace {
 
-/// Returns two grains with two contacts, each with its own spring, that shear relative to each other.
+/// Returns two grains that shear relative to each other. They have two contacts, each with its own spring.
 template <int Dim>
 Packing<Dim> twice_in_contact() {
   Packing<Dim> packing;
@@ -18,7 +18,7 @@ Packing<Dim> twice_in_contact() {
   packing.grains.radius = {0.5, 0.4};
   packing.grains.mass = {1.0, 0.6};
   for (Vec<Dim>& x : packing.grains.position) x.setConstant(2.0);
-  // Grain 1 lies before grain 0 along the cell, so that the sorting by position exchanges them.
+  // Grain 1 lies before grain 0 along the cell. Sorting the grains by position therefore exchanges them.
   packing.grains.position[0][0] = 2.4;
   packing.grains.position[1][0] = 1.52;
   packing.grains.velocity[0][1] = 0.02;

@@ -2,7 +2,7 @@
 
 #include "support/listed_gas.h"
 
-/// Numbers of equal grains and of their pairs are stored once, which makes steps faster.
+/// Parameters that are equal for all grains, or for all pairs, are stored only once, which makes steps faster.
 namespace floc {
 namespace {
 

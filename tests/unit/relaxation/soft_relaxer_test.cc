@@ -52,7 +52,8 @@ const Packing<3>& beads() {
   return packing;
 }
 
-/// Relative changes of forces in the contacts that two packings have in common, and number of other contacts.
+/// Relative changes of the forces in the contacts that two packings have in common, and number of the other
+/// contacts.
 struct Change {
   double normal = 0.0, shear = 0.0, rolling = 0.0;
   int n_unshared = 0;
@@ -126,8 +127,8 @@ TEST(ChangeOfSoftening, InPlaceChangesForcesByTheRatio) {
     EXPECT_EQ(softer.contacts[k].shear_force, disks().contacts[k].shear_force);
 }
 
-/// Mindlin friction keeps a force, not an elongation. Beads have more contacts than displacements can satisfy,
-/// so their normal forces change more.
+/// A change of softening keeps the tangential force of Mindlin friction, not the elongation of its spring.
+/// Beads have more contacts than displacements can satisfy, so their normal forces change more.
 TEST(ChangeOfSoftening, KeepsTangentialForcesOfBeads) {
   const Packing<3>& p = beads();
   ASSERT_GT(p.contacts.size(), 100u);
@@ -158,7 +159,7 @@ void expect_strict(const Packing<Dim>& packing, const Law& law, double pressure,
                    const EquilibriumTolerance& tolerance) {
   EXPECT_EQ(packing.law, law);
   EXPECT_TRUE(residuals(packing, Vec<Dim>(Vec<Dim>::Constant(pressure))).within(tolerance));
-  // Forces must follow from the law at the given positions and histories, and no contact may be missing.
+  // Forces must follow from the law at the given positions and histories. No contact may be missing.
   Packing<Dim> anew = packing;
   refresh_contacts(anew);
   ASSERT_EQ(anew.contacts.size(), packing.contacts.size());
@@ -197,8 +198,9 @@ TEST(SoftRelaxer, AnElasticStepIsTheOneOfTheLaw) {
   EXPECT_EQ(p.grains.position, q.grains.position);
 }
 
-/// Before every chunk the relaxer is created again from its packing and progress. It must give the same bits as
-/// one that continues, through all stages, for a gas and for a packing that collapses under a load.
+/// Before every chunk, a new relaxer is created from the packing and the progress of the old one. Through all
+/// stages, the new relaxers must give the same bits as a relaxer without interruption, for a gas and for a
+/// packing that collapses under a load.
 TEST(SoftRelaxer, ContinuedFromItsProgressGivesTheSameBits) {
   for (const Packing<2>& start : {test::gas_of(60, test::cohesive_law(), 0.5), disks()}) {
     const auto target = LoadTarget<2>::normal_stress(Vec<2>(20.0, 20.0));
@@ -240,8 +242,7 @@ TEST(SoftRelaxer, RefusesWhatCannotBeSoftened) {
   EXPECT_NE(words(2.0, disks(), strained).find("a stress is imposed on every axis"), std::string::npos);
 }
 
-/// The stiffnesses are those of soft contacts (kappa = a K_N/F0 = 100, with a large range of adhesion) and of
-/// very stiff ones.
+/// Tests soft contacts (kappa = a K_N/F0 = 100, with a large range of adhesion) and very stiff ones.
 TEST(SoftRelaxer, TakesStiffnessesOfManyDecades) {
   struct Case {
     double kappa, range, softening;

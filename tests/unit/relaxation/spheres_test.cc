@@ -35,7 +35,7 @@ TEST(Spheres, VectorInstructionsLeaveNoTraceInTheBits) {
   test::expect_no_trace_of_instructions<3>(30u);
 }
 
-/// Equivalent lattice vectors describe the same boundary, so the motion is the same.
+/// Different vectors of the same lattice describe the same boundary, so the motion is the same.
 TEST(Spheres, MoveAlikeInLatticesOfOtherVectors) {
   Packing<3> gas = agitated_gas<3>(150, cohesive_law());
   Packing<3> leaning = gas;
@@ -195,7 +195,8 @@ TEST(Spheres, TwistingResistsRotationsAboutTheNormalOnly) {
   EXPECT_LT((pair.moment_on_j() - Vec<3>(1e-4, 0.0, 0.0)).norm(), 1e-18);
 }
 
-/// Both springs rotate with the pair, so a rigid rotation keeps the magnitude of the moment.
+/// The springs for rolling and twisting rotate with the pair, so a rigid rotation does not change the magnitude
+/// of the moment.
 TEST(Spheres, ARigidTurnKeepsTheMoment) {
   Law law = frictional_law();
   law += test::rolling_spring(100.0, 0.3);
@@ -206,7 +207,7 @@ TEST(Spheres, ARigidTurnKeepsTheMoment) {
     const Vec<3> x_i = pair.position(0), x_j = pair.position(1);
     const Vec<3> rotation(0.02, -0.01, 0.03);
     pair.move({x_i, x_j}, {rotation, -rotation}, 1.0);
-    // The moment of the shear force is the same on both spheres and cancels here.
+    // The moment of the shear force is the same on both spheres, so it cancels in this difference.
     const auto of_springs = [&] { return Vec<3>(0.5 * (pair.moment_on_j() - pair.moment_on_i())); };
     const Vec<3> start = of_springs();
     EXPECT_LT((start - 2.0 * Vec<3>(0.2 * 0.02, -0.3 * 0.01, 0.3 * 0.03)).norm(), 1e-16);

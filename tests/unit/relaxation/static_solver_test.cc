@@ -21,7 +21,7 @@ namespace {
 const Vec<2> kTarget(0.5, 0.5);
 
 /// Returns an equilibrium of grains so soft that overlaps are a tenth of a diameter. The terms of the tangent
-/// of order force/branch are then as large as the stiffness terms.
+/// of order force/branch length are then as large as the stiffness terms.
 Packing<2> soft_equilibrium() {
   Law law = test::cohesive_law();
   law += test::linear(10.0);
@@ -37,9 +37,9 @@ Packing<2> soft_equilibrium() {
   return relaxer.packing();
 }
 
-/// Returns the soft equilibrium with one sliding contact and one contact at its rolling limit. The contact
-/// nearest to sliding is chosen; its spring is stretched beyond the limit, so that it slides under any
-/// displacement of the grains.
+/// Returns the soft equilibrium with one sliding contact and one contact at its rolling limit. The sliding
+/// contact is the one that was nearest to sliding. Its spring is stretched beyond the limit, so that the
+/// contact slides under any displacement of the grains.
 Packing<2> with_yielding_contacts(Packing<2> packing) {
   const auto mobilised = [](const Contact<2>& c) {
     return c.distant ? 0.0 : c.shear_force.norm() / c.elastic_force;
@@ -83,7 +83,7 @@ double residual_after_one_step(const Packing<Dim>& equilibrium, const BoundaryCo
 }
 
 /// With the exact tangent, the residual after one step is quadratic in the disturbance: a tenth of the
-/// disturbance gives a hundredth of the residual. With an inexact tangent it would give a tenth.
+/// disturbance gives a hundredth of the residual. With an inexact tangent, the residual would only be a tenth.
 template <int Dim>
 void expect_quadratic(const Packing<Dim>& equilibrium, const BoundaryControl<Dim>& control) {
   const double after_large = residual_after_one_step(equilibrium, control, 1e-4);
@@ -125,7 +125,8 @@ Law sphere_law() {
   return law;
 }
 
-/// Returns spheres on the sites of a face-centred cubic crystal of 2 x 2 x 2 cells, with overlaps of a tenth.
+/// Returns spheres on the sites of a face-centred cubic crystal of 2 x 2 x 2 cells, with overlaps of a tenth of
+/// a diameter.
 Packing<3> crystal() {
   Packing<3> cube;
   cube.law = sphere_law();
@@ -203,7 +204,7 @@ TEST(StaticSolver, AnswersAsTheModuliSayInASkewedCell) {
   options.prestress = true;
   const Mat<2> deformation = (start.cell.matrix.inverse() * solution.packing.cell.matrix).transpose();
   EXPECT_EQ(deformation(1, 0), 0.0);
-  // Shortening is positive. The error of the solution is 1e-8, compared with a load of 1e-5.
+  // Shortening is positive. The solution has an error of 1e-8, while the load is 1e-5.
   EXPECT_NEAR(-deformation(0, 1) * elastic_moduli(start, options).G / kShear, 1.0, 1e-3);
 }
 
@@ -230,14 +231,15 @@ TEST(StaticSolver, ComesToTheSameEquilibriumByEachWayOfSolving) {
     const StaticSolution<3> found = solve_statics(start, load, options);
     EXPECT_TRUE(found.converged) << found.reason;
     EXPECT_LE(found.iterations, 4);
-    // Residuals are 1e-8 of the force at an overlap of a tenth.
+    // Residuals are 1e-8 of the force at an overlap of a tenth of a diameter.
     EXPECT_LT((found.packing.cell.matrix - expected.cell.matrix).norm(), 1e-7);
     for (int i = 0; i < start.grains.size(); ++i)
       EXPECT_LT((found.packing.grains.position[i] - expected.grains.position[i]).norm(), 1e-7) << i;
   }
 }
 
-/// A gas has no contacts that could balance the pressure. A Newton step must not invert its lattice vectors.
+/// A gas has no contacts that could balance the pressure. A Newton step must not invert the lattice vectors of
+/// its cell.
 template <int Dim>
 void expect_no_equilibrium_of_a_gas() {
   for (const double pressure : {1e-3, 0.5, 10.0})

@@ -36,8 +36,8 @@ void expect_holds(const std::vector<Criterion>& criteria) {
     EXPECT_TRUE(c.holds) << c.name << " " << c.value.value_or(0.0) << " " << c.where;
 }
 
-/// Shears a packing at rest. Expects the imposed lengths, the forces of the last time step, and the same bits
-/// for several threads and after interruptions.
+/// Shears a packing at rest. Expects the imposed lengths and the forces of the last time step. Also expects the
+/// same bits with several threads and after interruptions.
 template <int Dim>
 void expect_sheared(const RigidGas& gas, double strain) {
   const RigidEnd<Dim> rest = relaxed<Dim>(make_rigid_gas<Dim>(gas));
@@ -73,7 +73,7 @@ TEST(StrainOfRigidGrains, ShearsPolyhedra) {
                     0.01);
 }
 
-/// Without contacts, grains move with the imposed strain only: their reduced coordinates are constant, and the
+/// Without contacts, grains move only with the imposed strain. Their reduced coordinates are constant, and the
 /// duration follows from the rate.
 TEST(StrainOfRigidGrains, CarriesAGasAlong) {
   Packing<2> gas = make_rigid_gas<2>({.count = 10});
@@ -95,8 +95,8 @@ TEST(StrainOfRigidGrains, CarriesAGasAlong) {
         1e-7);
 }
 
-/// Repeats the momentum balance of the recorded time step: with the recorded forces, two disks in contact
-/// neither separate nor overlap at the end of the step.
+/// Repeats the momentum balance of the recorded time step with the recorded forces: at the end of the step, two
+/// disks in contact neither separate nor overlap.
 TEST(StrainOfRigidGrains, RecordedForcesStopTheApproach) {
   const RigidEnd<2> rest = relaxed<2>(make_rigid_gas<2>({.count = 60, .friction = 0.5}));
   const LoadTarget<2> load = under_shear(rest.packing, 0.02);
@@ -156,7 +156,8 @@ TEST(StrainOfRigidGrains, VerificationFindsWrongForcesAndVelocities) {
   EXPECT_THAT(fails(spoiled), HasSubstr("length"));
 }
 
-/// Under an oedometric load, one axis keeps its length, and the balanced forces determine the stress along it.
+/// Under an oedometric load, one axis keeps its length. The balanced forces determine the stress along this
+/// axis.
 template <int Dim>
 void expect_held(const RigidGas& gas, RigidForces forces) {
   const RigidEnd<Dim> rest = relaxed<Dim>(make_rigid_gas<Dim>(gas));

@@ -20,7 +20,7 @@ namespace {
 using test::agitated_gas;
 using test::cohesive_law;
 
-/// Puts walls around a gas across the first `n_axes` axes, half the largest diameter outside its cell.
+/// Puts walls across the first `n_axes` axes of a gas, half of the largest diameter outside its cell.
 Packing<2> boxed(Packing<2> gas, int n_axes, const Law& wall_law) {
   for (int a = 0; a < n_axes; ++a) {
     gas.walls.push_back({a, -1, -0.5, 0.0, 20.0});
@@ -67,7 +67,8 @@ TEST(Walls, AroundManyGrainsLeaveTheSameBitsWhicheverRowsAreKept) {
         boxed(test::large_agitated_gas<2>(cohesive_law()), n_axes, cohesive_law()));
 }
 
-/// In an empty square box the distance of walls is L = L0 cos(t sqrt(2 p/m)).
+/// The distance of two walls of an empty square box is L = L0 cos(t sqrt(2 p/m)), with the pressure p and the
+/// mass m of a wall.
 TEST(Walls, OfAnEmptyBoxFollowTheirPressure) {
   Packing<2> box = one_disk();
   for (int a = 0; a < 2; ++a) {
@@ -93,9 +94,9 @@ TEST(Walls, ApproachEachOtherAtTheRateGiven) {
   EXPECT_NEAR(std::log(dynamics->packing().cell.matrix(0, 0) / 11.0), -0.1, 1e-5);
 }
 
-/// Returns the speed after an impact on a wall at rest divided by the speed before, in units K_N = m = F0 = 1.
-/// The contact has the adhesion F0 and a damping ratio of 0.248139. The closed form is that of a damped
-/// oscillation (Bouzid et al. 2024, corrected).
+/// Returns the ratio of the speeds after and before an impact of a disk on a wall at rest, in units K_N = m =
+/// F0 = 1; zero if the disk sticks. The contact has the adhesion F0 and a damping ratio of 0.248139. The closed
+/// form is that of a damped oscillation (Bouzid et al. 2024, corrected).
 double rebound(double speed) {
   Packing<2> packing = boxed(one_disk(), 1, {});
   packing.law += test::linear(1.0);
@@ -154,7 +155,8 @@ double total_energy(const Packing<2>& packing, const BoundaryControl<2>& control
   return energy;
 }
 
-/// Returns the largest relative change of the energy of undamped disks between walls, for time steps of dt.
+/// Returns the largest relative change of the energy of undamped disks between walls, with time steps of length
+/// dt.
 double energy_drift(int n_walled_axes, double dt, int n_steps) {
   Law law;
   law += test::linear(1.0);
@@ -189,7 +191,8 @@ TEST(Walls, ConserveEnergyToSecondOrder) {
   }
 }
 
-/// Closed form of the equilibrium: K_N D - f = p L and L = d - 2 D on each axis, with the overlap D.
+/// Closed form of the equilibrium of a disk of diameter d: K_N D - f = p L and L = d - 2 D on each axis, with
+/// the overlap D, the adhesion f, the pressure p and the side L.
 TEST(Walls, HoldADiskInTheEquilibriumOfTheirPressure) {
   Law law = cohesive_law();
   law += test::constant_adhesion(1.0);
@@ -213,7 +216,7 @@ TEST(Walls, HoldADiskInTheEquilibriumOfTheirPressure) {
   EXPECT_NEAR(net_forces(rest).force[0].norm(), 0.0, 1e-6);
 }
 
-/// Friction of two walls stops a disk that spins between them; the tangential forces form a couple.
+/// The friction of two walls stops a disk that spins between them. The two tangential forces form a couple.
 TEST(Walls, FrictionActsWithTheDistanceOfThePlaneAsItsArm) {
   Law law = cohesive_law();
   law += test::without("rolling");
@@ -226,7 +229,8 @@ TEST(Walls, FrictionActsWithTheDistanceOfThePlaneAsItsArm) {
   box.walls[0].position = 4.5 + 1e-4;
   box.walls[1].position = 5.5 - 1e-4;
   const double arm = 0.5 - 1e-4, inertia = box.grains.inertia(0);
-  // Two springs K_T act at the lever arm: I w' = -2 K_T arm^2 angle.
+  // Two springs K_T act at the lever arm: I w' = -2 K_T arm^2 angle, with the moment of inertia I and the
+  // angular velocity w.
   const double frequency = std::sqrt(2.0 * 1e5 * arm * arm / inertia);
   const double dt = 0.01 / frequency;
   const auto dynamics = make_dynamics(box, control, {dt, 0.1});
@@ -294,8 +298,8 @@ TEST(Walls, ListsThreadsAndInstructionsLeaveNoTraceInTheBits) {
   }
 }
 
-/// The packing that a run saves contains the walls and the histories of their contacts, so that it can be
-/// resumed.
+/// A run saves the packing with its walls and the histories of their contacts. The motion can therefore
+/// continue from the saved packing.
 TEST(Walls, MotionGoesOnFromThePackingThatItLeft) {
   const Packing<2> box = boxed(agitated_gas(100, cohesive_law()), 2, cohesive_law());
   const double dt = time_step_of(box, 0.2);
@@ -307,7 +311,7 @@ TEST(Walls, MotionGoesOnFromThePackingThatItLeft) {
   expect_same_bits(middle, again);
 }
 
-/// Rough walls around frictionless grains: only the friction of the walls makes the grains spin.
+/// Rough walls around frictionless grains. Only the friction at the walls can make the grains spin.
 TEST(Walls, MayHaveFrictionWhereGrainsHaveNone) {
   Law smooth;
   smooth += test::linear(1e5);

@@ -24,7 +24,7 @@ using test::all_volumes;
 using test::expect_same_bits;
 using test::liquid_of;
 
-/// Law with liquid bridges, in units of the force F0 and the diameter a of two grains of diameter one.
+/// Law with liquid bridges. The units are the force F0 and the diameter a of two grains with diameter one.
 Law wet_law(double water, const std::string& formation = "gap") {
   Law law;
   law += test::linear(1e5);
@@ -41,7 +41,7 @@ int count_distant(const Packing<Dim>& packing) {
   return n;
 }
 
-/// Returns two grains of diameter one at a gap, without damping and friction.
+/// Returns two grains of diameter one, separated by a gap, without damping and friction.
 Packing<3> doublet(double gap, double water) {
   Packing<3> pair = test::unit_grains<3>({{4.0, 4.0, 4.0}, {5.0 + gap, 4.0, 4.0}}, 10.0, wet_law(water));
   pair.law += test::without("damping");
@@ -137,8 +137,8 @@ TEST(WetGrains, ADoubletBouncesForEverWithAllOfItsEnergy) {
   }
   EXPECT_TRUE(apart);
   EXPECT_TRUE(touching);
-  // When surfaces meet, the stiffness jumps by K_N. A step across this point has an error of about K_N (v
-  // dt)^2/8.
+  // When surfaces meet, the stiffness jumps by K_N. In the step with this jump, the energy has an error of
+  // about K_N (v dt)^2/8.
   EXPECT_LT(largest, 5e-4 * std::abs(energy));
 }
 

@@ -50,7 +50,8 @@ void add_grain(Packing<Dim>& packing, const Vec<Dim>& position, double radius, d
   g.angular_velocity.push_back(RotationVector<Dim>::Zero());
 }
 
-/// Adds a grain of density 1. @param shape  index of its shape in the table of shapes
+/// Adds a grain of density 1.
+/// @param shape  index of its shape in the table of shapes
 template <int Dim>
 void add_shaped(Packing<Dim>& packing, const Vec<Dim>& position, int shape, double diameter) {
   Grains<Dim>& g = packing.grains;
@@ -60,7 +61,7 @@ void add_shaped(Packing<Dim>& packing, const Vec<Dim>& position, int shape, doub
   g.scale.push_back(diameter / own.diameter());
 }
 
-/// Returns a block with the given sides that stands on the floor; its centre is at 20 on the other axes.
+/// Returns a block with the given sides that stands on the floor. On the other axes its centre is at 20.
 template <int Dim>
 Packing<Dim> block_on_floor(const Vec<Dim>& sides, double friction) {
   Packing<Dim> packing = empty_packing<Dim>(friction);
@@ -84,7 +85,8 @@ ContactDynamics<Dim> dynamics(const Packing<Dim>& packing, const ContactDynamics
   return {std::move(heavy), {}, settings, settings.longest_step};
 }
 
-/// Returns gravity of magnitude 1 relative to an inclined plane. @param tangent  tangent of its inclination
+/// Returns gravity of magnitude 1 in axes that are aligned with an inclined plane.
+/// @param tangent  tangent of the inclination of the plane
 template <int Dim>
 Vec<Dim> slope(double tangent) {
   Vec<Dim> g = Vec<Dim>::Zero();
@@ -93,7 +95,7 @@ Vec<Dim> slope(double tangent) {
   return g;
 }
 
-// In a stack of disks, each contact carries the weight above it after the first step, for any time step.
+// A stack of disks. After the first step, each contact carries the weight above it, for any time step.
 TEST(ContactDynamics, StackOfDisksCarriesItsWeightInOneStep) {
   Packing<2> packing = empty_packing<2>(0.0);
   add_floor(packing);
@@ -109,8 +111,7 @@ TEST(ContactDynamics, StackOfDisksCarriesItsWeightInOneStep) {
   }
 }
 
-// The first ball hits a row of equal balls. Newton's law of restitution holds for all contacts at the same
-// time.
+// The first ball hits a row of equal balls. Newton's law of restitution holds for all contacts simultaneously.
 TEST(ContactDynamics, RowOfBallsSharesTheImpact) {
   for (const double e : {0.0, 0.5, 1.0}) {
     constexpr int kBalls = 3;
@@ -148,7 +149,7 @@ void slides_to_rest() {
   ContactDynamics<Dim> motion = dynamics<Dim>(packing, exact(step), down);
   for (int k = 0; k < 300; ++k) motion.step(false);
   const Grains<Dim>& g = motion.packing().grains;
-  // The sliding distance is v0^2/(2 mu g) - v0 dt/2.
+  // The sliding distance is v0^2/(2 mu g) - v0 dt/2 for the initial speed v0.
   EXPECT_NEAR(g.position[0][0] - 20.0, 0.6 - 0.5 * 0.6 * step, 1e-10);
   EXPECT_LT(g.velocity[0].norm(), 1e-12);
   EXPECT_LT(g.angular_velocity[0].norm(), 1e-12);
@@ -165,8 +166,8 @@ struct OnSlope {
   double lower, upper;  // normal forces of the lower and the upper contact point in the first step
 };
 
-// On a slope of angle a, a block of width w and height h slides if tan a > mu, tips over if min(tan a, mu) >
-// w/h, and rests otherwise.
+// On a slope of angle a, a block of width w and height h slides if tan a > mu. It tips over if min(tan a, mu) >
+// w/h, and it rests otherwise.
 TEST(ContactDynamics, BlockOnASlopeRestsSlidesOrTips) {
   const double step = 0.005;
   for (const OnSlope& c : {OnSlope{1, 1, 0.45, 0.5, 0.0, 0.66114309, 0.25077841},
@@ -208,8 +209,8 @@ double acceleration_on_slope(double tangent, double friction) {
   return motion.packing().grains.velocity[0][0] / step / slope<Dim>(tangent)[0];
 }
 
-// A disk rolls with the acceleration 2/3 g sin a up to tan a = 3 mu, a sphere with 5/7 g sin a up to tan a =
-// 7/2 mu.
+// Up to tan a = 3 mu, a disk rolls with the acceleration 2/3 g sin a. Up to tan a = 7/2 mu, a sphere rolls with
+// 5/7 g sin a.
 TEST(ContactDynamics, RoundGrainsRollOrSlideDownASlope) {
   EXPECT_NEAR(acceleration_on_slope<2>(0.5, 0.2), 2.0 / 3.0, 1e-10);
   EXPECT_NEAR(acceleration_on_slope<2>(0.5, 0.1), 0.8, 1e-10);
@@ -230,8 +231,8 @@ TEST(ContactDynamics, SpinningCubeStops) {
   EXPECT_NEAR(time, 0.9 * std::numbers::sqrt2 / (6.0 * 0.3), 2e-3);
 }
 
-// In a column of ten cubes, each is shifted by 0.04 relative to the one below. The force under a cube is the
-// weight above it, and the centre of pressure is below the centre of mass of the cubes above.
+// Column of ten cubes. Each cube is shifted by 0.04 relative to the cube below it. The force under a cube is
+// the weight above, and the centre of pressure is below the centre of mass of the cubes above.
 TEST(ContactDynamics, LeaningColumnOfCubesStands) {
   constexpr int kCubes = 10;
   constexpr double kShift = 0.04;

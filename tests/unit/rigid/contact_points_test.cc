@@ -7,7 +7,7 @@
 namespace floc {
 namespace {
 
-/// Expects no contacts of grains with images of other grains across a wall.
+/// Expects that no grain has a contact with the image of a grain across a wall.
 template <int Dim>
 void expect_no_images_between_walls(const test::Ends<Dim>& ends) {
   for (Packing<Dim> p :

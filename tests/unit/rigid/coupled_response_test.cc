@@ -16,14 +16,14 @@ namespace {
 
 constexpr int kProblems = 10'000;
 
-/// Friction coefficients of the problems, repeated periodically.
+/// Returns the friction coefficient of a problem. The coefficients repeat periodically.
 double friction_of(int n) {
   constexpr double kFrictions[] = {0.5, 0.0, 0.1, 1.5, 10.0};
   return kFrictions[n % 5];
 }
 
-/// Random problems. In every second one, slip and normal motion are coupled almost as strongly as positive
-/// definiteness allows. With a large friction coefficient the contact then acts like a steep wedge.
+/// Random problems. In every second problem, slip and normal motion are coupled almost as strongly as positive
+/// definiteness allows. With a large friction coefficient, the contact then acts like a steep wedge.
 template <int Dim>
 class Problems {
  public:
@@ -82,7 +82,7 @@ Vec<Dim> relative_velocity(const BodyMotion<Dim>& bodies, const StepContact<Dim>
   return c.frame.transpose() * (u + bodies.stretch.cwiseProduct(c.branch));
 }
 
-/// Returns the velocities after an impulse on body j and the opposite impulse on body i.
+/// Returns the velocities after an impulse acts on body j and the opposite impulse acts on body i.
 template <int Dim>
 BodyMotion<Dim> after(BodyMotion<Dim> bodies, const StepContact<Dim>& c, const Vec<Dim>& impulse) {
   const Vec<Dim> in_space = c.frame * impulse;
@@ -94,7 +94,7 @@ BodyMotion<Dim> after(BodyMotion<Dim> bodies, const StepContact<Dim>& c, const V
   return bodies;
 }
 
-/// Returns the problem of a contact, whose response is computed from unit impulses.
+/// Returns the problem of a contact. Its response is computed from unit impulses.
 template <int Dim>
 ContactProblem<Dim> problem_of(const BodyMotion<Dim>& bodies, const StepContact<Dim>& c) {
   ContactProblem<Dim> out;
@@ -108,7 +108,7 @@ ContactProblem<Dim> problem_of(const BodyMotion<Dim>& bodies, const StepContact<
   return out;
 }
 
-/// Two random bodies in contact; if the contact is not round, in a cell under stress.
+/// Two random bodies in contact. Unless the contact is round, the bodies are in a cell under stress.
 template <int Dim>
 class Pairs {
  public:
@@ -170,7 +170,8 @@ void expect_one_sweep_to_solve_a_pair(bool round) {
     const ContactProblem<Dim> problem = problem_of(bodies, contacts[0]);
     const SweepResult result = GaussSeidel<Dim>(bodies, contacts).solve(0.0, 1);
     const Vec<Dim> expected = contact_impulse(problem);
-    // Velocities are of order 1 and responses at least 0.4, so impulses have corresponding rounding errors.
+    // Velocities are of order 1, and responses are at least 0.4. The rounding errors of the impulses follow
+    // from these values.
     EXPECT_LT((contacts[0].impulse - expected).norm(), 1e-12 * expected.norm() + 1e-300) << "pair " << n;
     EXPECT_LT(result.residual, 1e-12) << "pair " << n;
     const BodyMotion<Dim> moved = after(before, contacts[0], expected);

@@ -25,7 +25,7 @@ Packing<Dim> moved(Packing<Dim> packing, const Contact<Dim>& c, const PairMotion
   return packing;
 }
 
-/// Returns the gap of the contact point between the same features, if they still form a contact.
+/// Returns the gap between the features of the contact `of`, if these features still form a contact.
 template <int Dim>
 std::optional<double> gap_of(const Packing<Dim>& packing, const Contact<Dim>& of) {
   for (const Contact<Dim>& c : ContactPoints<Dim>().find(packing, 0.2))
@@ -33,8 +33,9 @@ std::optional<double> gap_of(const Packing<Dim>& packing, const Contact<Dim>& of
   return std::nullopt;
 }
 
-/// Compares the second derivatives with second differences of the gap, for all pairs with a single contact
-/// point. @return number of comparisons
+/// Compares the second derivatives of the gap with its second differences, for all pairs with a single contact
+/// point.
+/// @return number of comparisons
 template <int Dim>
 int compare_with_differences(const Packing<Dim>& packing, RandomStream& random) {
   constexpr double kMotion = 1e-4;
@@ -44,7 +45,7 @@ int compare_with_differences(const Packing<Dim>& packing, RandomStream& random) 
     const Contact<Dim>& c = contacts[k];
     const auto same = [&](const Contact<Dim>& d) { return d.i == c.i && d.j == c.j && d.image == c.image; };
     if (c.i == c.j || std::ranges::count_if(contacts, same) > 1) continue;
-    // Deep overlaps have other features than touching surfaces.
+    // In deep overlaps, the contact is between other features than on touching surfaces.
     if (!packing.grains.are_round() && c.gap < 0.0) continue;
     const PairMatrix<Dim> curvature = gap_curvature(packing, c);
     for (int trial = 0; trial < 3; ++trial) {
@@ -57,7 +58,7 @@ int compare_with_differences(const Packing<Dim>& packing, RandomStream& random) 
         return (*ahead + *back - 2.0 * c.gap) / (part * part * kMotion * kMotion);
       };
       const auto expected = second_difference(1.0), half = second_difference(0.5);
-      // Where the closest features change within the motion, the gap has no second derivative.
+      // If the closest features change during the motion, the gap has no second derivative.
       if (!expected || !half || std::abs(*expected - *half) > 5e-3 * curvature.norm()) continue;
       const double found = motion.dot(curvature * motion) / (kMotion * kMotion);
       EXPECT_NEAR(found, *expected, 5e-3 * curvature.norm());

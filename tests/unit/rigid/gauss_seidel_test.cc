@@ -27,8 +27,8 @@ TEST(GaussSeidel, CarriesAStackOfDisksInTheFirstStep) {
       EXPECT_NEAR(contacts[k].impulse[0] / kStep, (k + 1) * kMass * kGravity, 1e-8);
     return result.n_sweeps;
   };
-  // In a stack of n disks, the slowest error decreases by exp(-pi^2/(4 n^2)) per plain sweep, or by about
-  // exp(-pi/n) with conjugate directions.
+  // In a stack of n disks, the slowest error decreases by the factor exp(-pi^2/(4 n^2)) per plain sweep. With
+  // conjugate directions, this factor is about exp(-pi/n).
   const double plain =
       4.0 / (std::numbers::pi * std::numbers::pi) * kDisks * kDisks * std::log(1.0 / kTolerance);
   EXPECT_LT(solve(), 0.15 * plain);
@@ -45,7 +45,8 @@ TEST(GaussSeidel, BallsInARowTakeTheImpulsesOfTheClosedForm) {
     std::vector<StepContact<3>> contacts;
     for (int k = 0; k + 1 < kBalls; ++k) {
       contacts.push_back(touching<3>(k, k + 1, {0.5, 0.0, 0.0}, {-0.5, 0.0, 0.0}, {1.0, 0.0, 0.0}, 0.0));
-      // Relative velocity before the step, which is reversed by the factor `restitution`.
+      // The bias is the relative velocity before the step, times `restitution`. The step reverses this part of
+      // the velocity.
       contacts.back().bias[0] = restitution * (k == 0 ? -kVelocity : 0.0);
     }
     GaussSeidel<3> solver(bodies, contacts);
@@ -59,8 +60,8 @@ TEST(GaussSeidel, BallsInARowTakeTheImpulsesOfTheClosedForm) {
   }
 }
 
-/// Block of width w, height h and weight w h on a slope, in axes along and across the slope. It has two contact
-/// points, the lower and the upper end of its base.
+/// Block of width w, height h and weight w h on a slope, in axes along and across the slope. Its two contact
+/// points are the lower and the upper end of its base.
 struct BlockOnSlope {
   double width, height, slope, friction;
   double step = 0.005;
@@ -83,8 +84,8 @@ struct BlockOnSlope {
   }
 };
 
-/// Acceleration along the slope, normal forces of the lower and the upper contact point, and spin after the
-/// first step.
+/// State after the first step: acceleration along the slope, normal forces of the lower and the upper contact
+/// point, and spin.
 struct FirstStep {
   double acceleration, lower, upper, spin;
 };
@@ -139,13 +140,14 @@ double acceleration_on_slope(double slope, double friction) {
 TEST(GaussSeidel, RoundGrainsRollDownASlopeUntilItIsTooSteep) {
   EXPECT_NEAR(acceleration_on_slope<2>(0.29, 0.1), 2.0 / 3.0, 1e-12);
   EXPECT_NEAR(acceleration_on_slope<3>(0.34, 0.1), 5.0 / 7.0, 1e-12);
-  // Beyond tan a = 3 mu (disk) and 7/2 mu (sphere) they slide, with the acceleration g (sin a - mu cos a).
+  // Beyond tan a = 3 mu a disk slides, and beyond 7/2 mu a sphere. The acceleration is then g (sin a - mu cos
+  // a).
   EXPECT_NEAR(acceleration_on_slope<2>(0.5, 0.1), 0.8, 1e-12);
   EXPECT_NEAR(acceleration_on_slope<3>(0.5, 0.1), 0.8, 1e-12);
 }
 
-// The forces of the two contacts are not unique. The balance is 2 (N cos b + T sin b) = 1, in which |T| may
-// have any value up to mu N.
+// The forces N and T of the two contacts are not unique. The only condition of balance is 2 (N cos b + T sin b)
+// = 1, so T may have any value with |T| <= mu N.
 TEST(GaussSeidel, ADiskInAGrooveRestsOnForcesWithinTheLimitOfFriction) {
   constexpr double kAngle = std::numbers::pi / 3.0, kFriction = 0.3, kStep = 0.01;
   BodyMotion<2> bodies = balls_and_ground<2>(1, 1.0, 1.0);
@@ -225,8 +227,8 @@ TEST(GaussSeidel, AnAdhesivePairPartsAboveItsAdhesion) {
 TEST(GaussSeidel, ContactsOfOneColourShareNoBodyThatMoves) {
   BodyMotion<2> bodies = balls_and_ground<2>(4, 1.0, 0.5);
   std::vector<StepContact<2>> contacts;
-  // Four disks form a ring, and each touches the ground. The ring needs two colours, the ground contacts a
-  // third one.
+  // Four disks form a ring, and each touches the ground. The contacts of the ring need two colours, and the
+  // contacts with the ground need a third one.
   for (int k = 0; k < 4; ++k)
     contacts.push_back(touching<2>(k, (k + 1) % 4, {0.0, 0.0}, {0.0, 0.0}, {1.0, 0.0}, 0.0));
   for (int k = 0; k < 4; ++k) contacts.push_back(touching<2>(k, 4, {0.0, 0.0}, {0.0, 0.0}, {0.0, -1.0}, 0.0));

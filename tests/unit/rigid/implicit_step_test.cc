@@ -38,8 +38,7 @@ TEST(ImplicitStep, ABallSlidesDownASlope) {
   EXPECT_NEAR(contacts[0].impulse[0], kStep * kMass * across, 1e-7);
 }
 
-/// Balls in a closing cell, one of whose contacts is adhesive: the solution must equal that of Gauss-Seidel
-/// sweeps.
+/// Balls in a closing cell with one adhesive contact. The solution must equal that of Gauss-Seidel sweeps.
 TEST(ImplicitStep, AgreesWithSweepsOnABallInACell) {
   BodyMotion<2> bodies = balls_and_ground<2>(2, 1.0, 0.5);
   bodies.velocity[0] = {0.3, 0.1};

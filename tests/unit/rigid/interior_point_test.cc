@@ -11,8 +11,9 @@
 namespace floc::test {
 namespace {
 
-/// Disk of radius 1 in a groove whose sides have the angle b, under a load (0, -W). Each of its two contacts is
-/// a block (P, T/mu); the rows are the forces along x and y and the moment.
+/// Disk of radius 1 in a groove whose sides have the angle b, under a load (0, -W). Each of the two contacts is
+/// a block (P, T/mu) with the normal force P and the tangential force T. The rows of the program are the forces
+/// along x and y and the moment.
 struct Groove {
   double angle = std::numbers::pi / 3.0;
   double friction = 0.3;
@@ -79,7 +80,8 @@ TEST(InteriorPoint, ProvesThatNoForceHoldsADiskThatIsPulledOut) {
   const ConeProgram<2> program = Groove{.load = -1.0}.program();
   const ConeSolution<2> found = InteriorPoint<2>(program).solve(program);
   ASSERT_EQ(found.status, ConeStatus::kInfeasible);
-  // The load does work on the motion, and the contacts open: this proves that no forces balance the load.
+  // The load does work on the motion, and the contacts open. This proves that no contact forces can balance the
+  // load.
   EXPECT_GT(program.load.dot(found.motion), 0.0);
   for (int k = 0; k < program.n_blocks(); ++k) {
     Vec<2> opening = Vec<2>::Zero();
@@ -89,8 +91,8 @@ TEST(InteriorPoint, ProvesThatNoForceHoldsADiskThatIsPulledOut) {
   }
 }
 
-/// Returns a program with random coefficients. It is feasible, because its load is A x for a given x in the
-/// cones.
+/// Returns a program with random coefficients. The program is feasible, because its load is A x for a given x
+/// in the cones.
 template <int Dim>
 ConeProgram<Dim> random_program(unsigned seed) {
   constexpr int kBlocks = 12, kRows = 8;
@@ -100,7 +102,8 @@ ConeProgram<Dim> random_program(unsigned seed) {
   out.load = Eigen::VectorXd::Zero(kRows);
   for (int r = 0; r < kRows; ++r) out.group.push_back(r);
   for (int k = 0; k < kBlocks; ++k) {
-    // Of every three blocks of x, one is zero, one lies on the surface of its cone, and one inside.
+    // Of every three blocks of x, one is zero, one lies on the surface of its cone, and one lies inside its
+    // cone.
     Vec<Dim> x = Vec<Dim>::NullaryExpr([&] { return uniform(engine); });
     x[0] = x.template tail<Dim - 1>().norm() + (k % 3 == 0 ? 1.0 : 0.0);
     if (k % 3 == 1) x.setZero();
@@ -117,7 +120,7 @@ ConeProgram<Dim> random_program(unsigned seed) {
   return out;
 }
 
-/// Expects the optimality conditions: A x = b, x and z = Q x + c - A' y in the cones, and x' z = 0.
+/// Expects the optimality conditions: A x = b; x and z = Q x + c - A' y are in the cones; x' z = 0.
 template <int Dim>
 void expect_optimal(const ConeProgram<Dim>& program, const ConeSolution<Dim>& found, double tolerance) {
   ASSERT_EQ(found.status, ConeStatus::kSolved);
@@ -151,8 +154,8 @@ TEST(InteriorPoint, NoFeasibleDirectionLowersALinearMinimum) {
     const ConeProgram<2> program = random_program<2>(seed);
     const ConeSolution<2> minimum = InteriorPoint<2>(program).minimise_linear(program, -1e9);
     ASSERT_EQ(minimum.status, ConeStatus::kSolved);
-    // At the last proximal point, the proximal term has no gradient. So the multipliers are those of the linear
-    // program.
+    // At the last proximal point, the gradient of the proximal term is zero. The multipliers are therefore
+    // those of the linear program.
     ConeProgram<2> linear = program;
     linear.compliance.assign(program.n_blocks(), Vec<2>::Zero());
     expect_optimal<2>(linear, minimum, 1e-6);
@@ -170,7 +173,7 @@ TEST(SecondOrderCone, ScalingMapsThePairToOnePoint) {
     };
     const Vec<3> x = inside(), z = inside();
     const cone::Scaling<3> scaling(x, z);
-    // Rounding errors of x and z change W by eps/margin.
+    // Rounding errors of x and z change the scaling W by eps/margin.
     EXPECT_LT((scaling.scaled(z) - scaling.unscaled(x)).norm(), 1e-14 / margin);
     EXPECT_LT((scaling.unscaled(scaling.scaled(z)) - z).norm(), 1e-14 / margin);
   }

@@ -33,8 +33,8 @@ struct PeriodicLattice {
       }
     return out;
   }
-  /// Puts the cell under pressure. @param cell_mass  mass of the cell, in units of the mass of all grains times
-  /// the squared side
+  /// Puts the cell under pressure.
+  /// @param cell_mass  mass of the cell, divided by the mass of all grains and the squared side
   void load(BodyMotion<Dim>& bodies, double pressure, double step, double cell_mass) const {
     bodies.inverse_stretch_mass.setConstant(1.0 / (cell_mass * size() * side * side));
     bodies.stretch = -step * pressure * std::pow(side, Dim) * bodies.inverse_stretch_mass;
@@ -51,7 +51,7 @@ void expect_a_cell_to_come_to_rest(int side, double cell_mass) {
   const SweepResult result = GaussSeidel<Dim>(bodies, contacts).solve(1e-12, 200'000, 10);
   EXPECT_TRUE(result.converged) << result.residual;
   EXPECT_LT(bodies.stretch.norm(), 1e-9);
-  // Rows of grains may carry different parts of the pressure, so only their mean is known.
+  // Rows of grains may carry different parts of the pressure. Only their mean is known.
   Vec<Dim> mean = Vec<Dim>::Zero();
   for (const StepContact<Dim>& c : contacts) mean += c.impulse[0] / kStep / lattice.size() * c.branch;
   for (int a = 0; a < Dim; ++a) EXPECT_NEAR(mean[a], kPressure, 1e-9);
@@ -71,7 +71,8 @@ TEST(GaussSeidel, AnImposedRateOfStretchIsPartOfTheRelativeVelocity) {
   BodyMotion<2> bodies = lattice.bodies();
   bodies.stretch = {0.3, 0.2};
   std::vector<StepContact<2>> contacts = lattice.contacts();
-  // The contacts are springs that the stretch does not close completely.
+  // The contacts are springs that close with the speed 1. The stretch of the cell cancels only a part of this
+  // speed.
   for (StepContact<2>& c : contacts) {
     c.normal_compliance = 2.0;
     c.bias[0] = -1.0;

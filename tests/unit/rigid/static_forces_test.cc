@@ -29,8 +29,8 @@ Law frictional_law(double friction = kFriction) {
   return law;
 }
 
-/// Returns a crystal of grains of diameter 1 at distances of about 0.98, slightly displaced, whose contacts
-/// carry no forces yet.
+/// Returns a crystal of slightly displaced grains of diameter 1 at distances of about 0.98. Its contacts have
+/// no forces yet.
 template <int Dim>
 Packing<Dim> packing_without_forces(unsigned seed, double friction = kFriction) {
   constexpr double kDistance = 0.98, kDisplacement = 0.005;
@@ -110,7 +110,7 @@ TYPED_TEST(StaticForcesOf, CanonicalForcesComeBackFromTheirGeometry) {
 TYPED_TEST(StaticForcesOf, ClosestForcesToBalancedOnesAreThose) {
   constexpr int Dim = TypeParam::value;
   Packing<Dim> packing = packing_without_forces<Dim>(3);
-  // Balanced forces computed with other stiffnesses, so they do not have the least energy.
+  // These balanced forces were computed with other stiffnesses, so they do not have the least energy.
   ForceBalanceOptions<Dim> options = under_pressure<Dim>(1.0);
   options.kn = 1.0;
   options.kt = 50.0;
@@ -210,7 +210,7 @@ TEST(StaticForces, RefusesInWordsWhatHasNoSuchForces) {
 TEST(NearContacts, AreThePairsCloserThanTheGapThatAreNotInContact) {
   Packing<2> packing = unit_grains<2>({{0.5, 1.5}, {1.49, 1.5}, {2.51, 1.5}}, 3.0, frictional_law());
   find_contacts(packing);
-  // an overlap of 0.01 between the first two disks, and one across the cell boundary
+  // One contact joins the first two disks, and one lies across the cell boundary. Both have an overlap of 0.01.
   ASSERT_EQ(packing.contacts.size(), 2u);
   EXPECT_EQ(add_near_contacts(packing, 0.03), 1);
   ASSERT_EQ(packing.contacts.size(), 3u);

@@ -14,8 +14,8 @@
 namespace floc {
 namespace {
 
-/// Returns a scene of disks without adhesion with the given loads, solved by motion alone, so that the run
-/// takes enough steps to be stopped.
+/// Returns a scene of disks without adhesion with the given loads. If `finish` is "dynamic", equilibria are
+/// found by motion alone, so that the run takes enough steps to be stopped.
 Scene scene_of(const std::string& loads, const std::string& finish) {
   const std::string disks = test::exchanged(test::scene_text("disks"), "count = 40", "count = 30");
   return parse_scene(disks + loads + "[equilibrium]\nfinish = \"" + finish + "\"\n", "directed.toml", ".");
@@ -84,8 +84,8 @@ TEST(DirectedDrive, MakesStatesThatVerifyAndRowsOfTheirAxes) {
   EXPECT_NEAR(at(5, "strain_2") - at(4, "strain_2"), -4e-3, 1e-12);
 }
 
-/// The tilt of the lattice is reduced before the second step of the shear. The states, also those that follow,
-/// must verify.
+/// The tilt of the lattice is reduced before the second step of the shear. All states, before and after this
+/// reduction, must pass the verification.
 TEST(DirectedDrive, ASimpleShearStoppedAnywhereVerifiesAndIsTheUnbrokenRun) {
   const test::ScratchDirectory scratch;
   const Scene scene = scene_of(
@@ -113,7 +113,7 @@ TEST(DirectedDrive, ASimpleShearStoppedAnywhereVerifiesAndIsTheUnbrokenRun) {
   EXPECT_TRUE(path.is_empty(3, path.column("shear_strain")));
 }
 
-/// A state whose offset differs from the imposed one fails verification, like one whose length differs.
+/// A state fails the verification if its offset differs from the imposed one, as it does if a length differs.
 TEST(DirectedDrive, AnOffsetThatIsOffIsFound) {
   const test::ScratchDirectory scratch;
   DriveOptions<2> driving;

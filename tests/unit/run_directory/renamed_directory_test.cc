@@ -87,8 +87,8 @@ TEST_P(RenamedDirectory, IsNoticedBeforeAnythingIsWritten) {
 
 INSTANTIATE_TEST_SUITE_P(WithAndWithoutATable, RenamedDirectory, ::testing::Bool());
 
-/// If the lock file is deleted, the process still holds the directory. If another process has replaced the lock
-/// file, it does not.
+/// If the lock file was deleted, the process still owns the directory. If another lock file has replaced it,
+/// the directory belongs to another process.
 TEST(RenamedDirectory, LocksAreToldApart) {
   const ScratchDirectory scratch;
   const std::string path = scratch.file("run");

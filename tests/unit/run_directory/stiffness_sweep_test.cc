@@ -67,8 +67,8 @@ double* stiffness(Contact<Dim>& c, std::size_t kind) {
   return members[kind];
 }
 
-/// Returns the differences that are reported for a list with the one touching contact. @param factor  factor of
-/// one of its stiffnesses
+/// Returns the differences that are reported for a contact list with only the touching contact.
+/// @param factor  factor by which one of its stiffnesses is wrong
 template <int Dim>
 std::vector<std::string> said_of_list(const Packing<Dim>& packing, std::size_t kind, double factor) {
   ListedPacking listed;

@@ -56,7 +56,7 @@ std::vector<LawPath> shipped_law_paths() {
   std::vector<LawPath> paths;
   for (const std::string& file : files) {
     const Scene scene = read_scene(file);
-    if (scene.assembly.box || scene.law.is_rigid()) continue;  // no energy account exists for these
+    if (scene.assembly.box || scene.law.is_rigid()) continue;  // boxes and rigid grains have no energy account
     LawPath path = law_path_of(scene);
     const auto same = std::find_if(paths.begin(), paths.end(), [&](const LawPath& other) {
       return other.laws == path.laws && other.dimension == path.dimension && other.pressure == path.pressure;
@@ -69,7 +69,7 @@ std::vector<LawPath> shipped_law_paths() {
   return paths;
 }
 
-/// Returns a gas under the first law of a path, compressed until the grains hold each other; it still moves.
+/// Returns a gas under the first law of a path, compressed into a dense packing that still moves.
 template <int Dim>
 Packing<Dim> pressed_packing(const LawPath& path, std::uint64_t seed) {
   RandomStream random(seed, 1);
@@ -88,7 +88,7 @@ Packing<Dim> pressed_packing(const LawPath& path, std::uint64_t seed) {
   return packing;
 }
 
-/// Returns random strain rates that deform a packing by about its mean overlap (length) within `time`.
+/// Returns random strain rates. Within `time`, they deform a packing by a length of about its mean overlap.
 template <int Dim>
 BoundaryControl<Dim> straining(double overlap, double size, double time, RandomStream& random) {
   BoundaryControl<Dim> control = BoundaryControl<Dim>::fixed();
@@ -97,7 +97,7 @@ BoundaryControl<Dim> straining(double overlap, double size, double time, RandomS
   return control;
 }
 
-/// Returns a load of the present stress plus half the pressure on each axis.
+/// Returns a load with the present stress of the packing plus half the pressure, on each axis.
 template <int Dim>
 BoundaryControl<Dim> pressing(const Packing<Dim>& packing, double pressure) {
   const Vec<Dim> carried = static_stress(packing).diagonal();
@@ -105,8 +105,9 @@ BoundaryControl<Dim> pressing(const Packing<Dim>& packing, double pressure) {
                                              0.1 * test::total_mass(packing));
 }
 
-/// Returns the energy account of a packing under all laws of a path, each first with imposed strain rates and
-/// then with imposed stresses. @param share  time step divided by that of runs
+/// Returns the energy account of a packing under all laws of a path. Under each law, strain rates are imposed
+/// first, then stresses.
+/// @param share  time step divided by that of runs
 template <int Dim>
 EnergyTerms account_of(const LawPath& path, Packing<Dim> packing, std::uint64_t seed, double share) {
   constexpr double kCoarsest = 0.2;
@@ -139,13 +140,13 @@ EnergyTerms account_of(const LawPath& path, Packing<Dim> packing, std::uint64_t 
   return account.terms();
 }
 
-/// Returns the sum of all energies that entered or left the motion, without signs.
+/// Returns the sum of the magnitudes of all energies that entered or left the motion.
 double throughput(const EnergyTerms& t) {
   return std::abs(t.work) + t.viscous + t.sliding + t.scaling;
 }
 
-/// Returns the errors divided by the throughput, averaged over samples, at 0.2, 0.1 and 0.05 of the time step
-/// of runs.
+/// Returns the errors of the energy balance divided by the throughput, as means over samples. The three values
+/// are for 0.2, 0.1 and 0.05 of the time step of runs.
 template <int Dim>
 std::array<double, 3> errors_of(const LawPath& path, EnergyTerms& last) {
   constexpr int kSamples = 2;

@@ -146,8 +146,8 @@ TEST(ReadLoad, StrainsTogetherDoNotCloseTheCell) {
   EXPECT_EQ(faults(2, thinner), "");
 }
 
-/// A stress of zero cannot be kept if the adhesion is removed in the same stage. The grains were unloaded
-/// before.
+/// The sample is unloaded to zero stress. A later stage cannot keep zero stress on an axis and also remove the
+/// adhesion.
 TEST(ReadLoad, AStressOfZeroIsNotKeptWithoutAdhesion) {
   std::string cohesive =
       scene_of(2, "[[load]]\nto = 0\n[[load]]\ncontrol = \"triaxial\"\nstrain = 0.1\nsteps = 2\n");
@@ -165,7 +165,8 @@ TEST(ReadLoad, AStressOfZeroIsNotKeptWithoutAdhesion) {
   }
 }
 
-/// The stress on a strained axis is known only during the run.
+/// Steps per decade need a known stress at the start. The stress on a strained axis becomes known only during
+/// the run.
 TEST(ReadLoad, StepsADecadeNeedAStressThatIsKnown) {
   const std::string first = "[[load]]\ncontrol = \"triaxial\"\nstrain = 0.1\nsteps = 2\n";
   EXPECT_THAT(faults(2, first + "[[load]]\nto = 2\nsteps_per_decade = 4\n"), HasSubstr("expected steps"));

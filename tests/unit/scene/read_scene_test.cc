@@ -363,8 +363,8 @@ TEST(ReadScene, LiquidThatCannotBeIsRefusedInWords) {
               HasSubstr("form = 'linear'"));
 }
 
-/// A cap in units of the pressure is zero at zero pressure, so that grains could not move, whatever the kind of
-/// their adhesion.
+/// A cap on strain rates in units of the pressure is zero at zero pressure, so that nothing could move. This
+/// holds for every kind of adhesion.
 TEST(ReadScene, ZeroPressureIsRefusedWhereTheCapOnRatesVanishes) {
   std::string text = wet_scene(
       "law = \"capillary\", surface_tension = 0.072, contact_angle = 10, water_content = 0, density_ratio = "

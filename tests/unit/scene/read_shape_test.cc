@@ -192,7 +192,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(ReadShape, AGasDenserThanItsCircumscribedBallsAllowIsRefused) {
   const std::string pentagon = "{kind = \"polygon\", sides = 5}";
-  // A pentagon fills 0.757 of its circumscribed circle, and circles may fill at most 0.6 of the cell.
+  // A pentagon fills 0.757 of its circumscribed circle, and these circles may fill at most 0.6 of the cell.
   EXPECT_NO_THROW(parse_scene(text_with_shape(pentagon, 2, 0.45), "s.toml", "."));
   EXPECT_THAT([&] { parse_scene(text_with_shape(pentagon, 2, 0.46), "s.toml", "."); },
               testing::ThrowsMessage<InputError>(
@@ -206,7 +206,7 @@ TEST(ReadShape, AFileIsFoundBesideTheSceneAndItsRemarksAreWarnings) {
   const Scene scene = shaped(shape, 2, scratch.path());
   EXPECT_THAT(scene_warnings(scene), testing::ElementsAre(AllOf(HasSubstr("square.csv: "),
                                                                 HasSubstr("1 of 5 points are not vertices"))));
-  // The stored text of the scene contains a hash of the file, so that changed content is refused.
+  // The stored text of the scene contains a hash of the file. A file with changed content is therefore refused.
   const std::string sha256 = sha256_of_file(scratch.file("square.csv"));
   EXPECT_THAT(scene.text, HasSubstr(sha256));
   EXPECT_NO_THROW(parse_scene(scene.text, "s.toml", scratch.path()));

@@ -68,8 +68,8 @@ class SceneOfAState : public testing::Test {
   test::ScratchDirectory scratch_;
 };
 
-/// The first pressure has the default cell mass of a loading stage. With vibration, the sample is assembled
-/// again and has the default of the assembly.
+/// For the first pressure, the default mass of the cell is that of a loading stage. With vibration, the sample
+/// is assembled again, so the default is that of the assembly.
 TEST_F(SceneOfAState, TakesTheResponseOfLoadsWhereNoneIsSaid) {
   const std::string cell = "[cell]\nmass = 1\nstrain_rate_cap = 0.05\n";
   std::string text = kSavedStartScene;

@@ -14,7 +14,8 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Scene of disks. @param diameter  value of the key grains.diameter
+/// Returns a scene of disks.
+/// @param diameter  value of the key grains.diameter
 std::string scene_of_sizes(const std::string& diameter) {
   return "[scene]\ndimension = 2\nunits = \"reduced\"\n[grains]\ncount = 40\ndiameter = " + diameter +
          "\n[contact]\nnormal = {law = \"linear\", stiffness = 1e4}\ndamping = {restitution = 0.1}\n"
@@ -148,7 +149,7 @@ TEST(LognormalKeys, ByMassTheMedianIsByMass) {
   EXPECT_EQ(parsed_sizes(scene_of_sizes(keys + ", by = \"number\"}")).grains.diameter.median, 1.0);
   const DiameterDistribution d =
       parsed_sizes(scene_of_sizes(keys + ", by = \"mass\", quantiles = \"middle\"}")).grains.diameter;
-  // In a large sample, disks below the median have half of the mass.
+  // In a large sample, half of the mass is in disks that are smaller than the median diameter.
   double below = 0.0, all = 0.0;
   for (const double x : equally_spaced_diameters(d, 200'000)) all += x * x, below += x < 1.0 ? x * x : 0.0;
   EXPECT_NEAR(below / all, 0.5, 1e-4);

@@ -28,7 +28,8 @@ TEST(SceneSoftening, IsThatOfItsParts) {
 }
 
 TEST(SceneSoftening, TheLargestCanBeGivenAndAnyLargerIsRefused) {
-  // Disks with kappa = 1e5 and D0 = 1e-3 a: a tenth of D0 is the overlap on springs softer by 10.
+  // Disks with kappa = 1e5 and D0 = 1e-3 a. On springs that are softer by a factor of 10, the overlap is a
+  // tenth of D0.
   EXPECT_NEAR(largest_softening(softened_scene("demo")).load, 10.0, 1e-9);
   for (const char* name : {"demo", "cohesionless_cycle", "spheres_demo", "powder3d", "oedometer"}) {
     const Softening largest = largest_softening(softened_scene(name));

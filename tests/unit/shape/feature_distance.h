@@ -7,20 +7,21 @@
 
 #include "unit/shape/pairs.h"
 
-/// Computes distance and overlap depth of two shapes from all pairs of their features. It uses only the lists
-/// of vertices, faces and edges of the library, no search, filter or other code.
+/// Computes the distance and the overlap depth of two shapes from all pairs of their features. From the library
+/// it uses only the lists of vertices, faces and edges; it does not use the search, the filters or other code.
 namespace floc::test {
 
-/// Distance between the cores (shapes without rounding) of two separate shapes, and kind of the closest
+/// Distance between the cores (shapes without rounding) of two separate shapes, and the kind of their closest
 /// features.
 struct FeatureDistance {
   double distance = std::numeric_limits<double>::max();
   /// Whether the closest points are a vertex and a point inside a face, or lie inside two edges (in 2D: a
-  /// vertex and a point inside a side). Then separating_axis() also examines the line between them.
+  /// vertex and a point inside a side). In these cases separating_axis() also examines the line between the
+  /// points.
   bool is_axis = false;
 };
 
-/// Returns the vertices of the core of a shape in space.
+/// Returns the positions in space of the vertices of the core of a shape.
 template <int Dim>
 std::vector<Vec<Dim>> vertices_in_space(const PlacedShape<Dim>& one) {
   if (one.shape->is_round()) return {one.position};
@@ -29,7 +30,7 @@ std::vector<Vec<Dim>> vertices_in_space(const PlacedShape<Dim>& one) {
   return found;
 }
 
-/// Returns the edges of the core of a shape as pairs of vertices; in 2D its sides.
+/// Returns the edges of the core of a shape as pairs of vertices. In 2D these are its sides.
 template <int Dim>
 std::vector<std::array<int, 2>> edges_of(const Shape<Dim>& shape) {
   std::vector<std::array<int, 2>> found;
@@ -44,7 +45,7 @@ std::vector<std::array<int, 2>> edges_of(const Shape<Dim>& shape) {
 
 template <int Dim>
 void take(FeatureDistance& least, const Vec<Dim>& between, bool is_axis) {
-  // If two distances are equal up to rounding, the one along an axis is taken.
+  // If two distances are equal up to rounding, the distance along an axis is taken.
   const double distance = between.norm();
   if (distance < least.distance - 1e-13 || (distance < least.distance + 1e-13 && is_axis))
     least.is_axis = is_axis;
@@ -107,7 +108,8 @@ FeatureDistance distance_of_cores(const PlacedShape<Dim>& first, const PlacedSha
 }
 
 /// Returns the largest separation of the cores of two shapes over the normals of all faces and, in 3D, over all
-/// pairs of edges. For overlapping cores this is minus the depth; for separate ones it is at most the distance.
+/// pairs of edges. If the cores overlap, this is minus the depth. If the cores are separate, it is at most the
+/// distance.
 template <int Dim>
 double separation_over_axes(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second) {
   const std::vector<Vec<Dim>> a = vertices_in_space<Dim>(first), b = vertices_in_space<Dim>(second);

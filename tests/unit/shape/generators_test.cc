@@ -59,7 +59,7 @@ TEST(Generators, PolygonsBoxesAndCapsulesHaveTheirClosedForms) {
   EXPECT_NEAR(capsule<2>(3.0).diameter(), 1.0, 1e-15);
 }
 
-// The expected counts come from other samples of these generators. The mean of 300 shapes has an error of a
+// The expected counts are from other samples of these generators. The mean of 300 shapes has an error of a
 // fifth of a face.
 TEST(Generators, HullsAndCutsHaveTheFacesOfTheDesign) {
   double faces = 0.0, vertices = 0.0;

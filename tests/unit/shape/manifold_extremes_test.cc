@@ -40,8 +40,8 @@ struct ExtremePair {
   double inner_radius() const { return std::min(first.inner_radius(), second.inner_radius()); }
 };
 
-/// Calls check(rounding, scale, shapes) for sharp, hardly rounded and rounded shapes, of equal size and of size
-/// ratio 49.
+/// Calls check(rounding, scale, shapes) for sharp, slightly rounded and strongly rounded shapes. The two shapes
+/// have equal sizes or the size ratio 49.
 template <int Dim>
 void for_extremes(const auto& check) {
   for (const double rounding : {0.0, 1e-6, 0.05}) {
@@ -103,7 +103,7 @@ void expect_exchange_to_keep_gaps() {
       EXPECT_NEAR(one.least_gap(), other.least_gap(), 1.01e-4 * pair.inner_radius() + 1e-13 * scale);
       n_opposite += (one.normal + other.normal).norm() < 1e-9 && one.n == other.n ? 1 : 0;
     }
-    // If two axes tie within the margin, the choice depends on the order of the shapes.
+    // If two axes are equal within the margin, the choice depends on the order of the shapes.
     EXPECT_GE(n_opposite, 140);
   });
 }
@@ -114,8 +114,8 @@ TEST(ManifoldExtremes, KeepTheirGapsOnExchange) {
 }
 
 /// The smallest gap changes by at most the motion plus the margins. The margin is 1e-4 of the inner radius for
-/// edges, and 1e-6 for faces and for rounded shapes that touch with a face. For the latter, half of 1e-6 of the
-/// distance of the cores is added.
+/// edges, and 1e-6 for faces and for rounded shapes that touch with a face. If a rounded shape touches with a
+/// face, half of 1e-6 of the distance of the cores is added.
 template <int Dim>
 void expect_small_motions_to_change_gaps_little() {
   RandomStream random(63, 1);
@@ -215,8 +215,8 @@ TEST(ManifoldExtremes, ApartHaveNoContactWithinReach0) {
   expect_no_contact_of_shapes_apart<3>();
 }
 
-/// Compares with closed forms at size ratio 49: a small cube on a large one, and a needle along and across a
-/// plate.
+/// Compares contacts with closed forms at the size ratio 49: a small cube on a large cube, and a needle along
+/// and across a plate.
 TEST(ManifoldExtremes, OnAPlateHaveTheirClosedForms) {
   const Shape<3> plate = shape_of<3>(box_points(20, 20, 1)), needle = shape_of<3>(box_points(20, 1, 1)),
                  cube = shape_of<3>(box_points(1, 1, 1));

@@ -43,7 +43,7 @@ TEST(Manifold, OfCubesTurnedBy45DegreesHasFourCornersOfTheOctagon) {
     EXPECT_NEAR(p[2], 0.4995, kExact);
     angles.push_back(std::atan2(p[1], p[0]));
   }
-  // Every second corner of the octagon of intersection is a contact point: together they form a square.
+  // Every second corner of the octagon of intersection is a contact point. Together these points form a square.
   std::sort(angles.begin(), angles.end());
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(angles[k + 1] - angles[k], 0.5 * std::numbers::pi, 1e-12);
 }
@@ -54,7 +54,7 @@ TEST(Manifold, OfCrossedEdgesIsOnePoint) {
   for (const double z : {1.41, std::numbers::sqrt2, 1.42})
     for (const double degrees : {0.0, 30.0})
       for (int trial = 0; trial < 10; ++trial) {
-        // The upper edge lies along y, or at an angle of 60 degrees to the lower one.
+        // The upper edge lies along y, or at an angle of 60 degrees to the lower edge.
         const Mat<3> all = trial == 0 ? kNoTurn : random_turn<3>(random);
         const Mat<3> upper = turn_about(Vec<3>::UnitZ(), -degrees) * turn_about(Vec<3>::UnitY(), 45.0);
         const Vec<3> centre(0.1, 0.2, z);
@@ -136,8 +136,8 @@ void expect_exchange_and_rigid_motions_to_change_nothing(double rounding) {
     n_touching += contact.n > 0 ? 1 : 0;
     ASSERT_EQ(contact.n, exchanged.n) << trial;
     if (contact.n == 0) continue;
-    // If two axes tie within the margin, the first shape decides, and the exchange could change the normal.
-    // These pairs have no ties.
+    // If two axes are equal within the margin, the first shape decides. An exchange of the shapes could then
+    // change the normal. These pairs have no equal axes.
     EXPECT_NEAR((contact.normal + exchanged.normal).norm(), 0.0, 1e-11) << trial;
     EXPECT_NEAR(contact.least_gap(), exchanged.least_gap(), 1e-12) << trial;
     const Mat<Dim> turn = random_turn<Dim>(random);
@@ -172,7 +172,8 @@ TEST(Manifold, IsUnchangedByExchangeAndRigidMotions) {
   }
 }
 
-/// Compares gaps with the largest separation over all directions, which is found without using faces and edges.
+/// Compares gaps with the largest separation over all directions. The search for this separation does not use
+/// faces and edges.
 template <int Dim>
 void expect_gaps_of_a_search_over_directions(double rounding) {
   RandomStream random(22, 1);
@@ -207,7 +208,7 @@ TEST(Manifold, HasTheDepthOfASearchOverDirections) {
   }
 }
 
-/// Overlapping polyhedra have the depth found over all axes; most of them agree up to rounding.
+/// The depth of overlapping polyhedra is the depth over all axes. For most pairs, both agree up to rounding.
 TEST(Manifold, OfPolyhedraHasTheDepthOfAllAxes) {
   RandomStream random(28, 1);
   int n_overlapping = 0, n_exact = 0, n_edges = 0;
@@ -237,13 +238,13 @@ TEST(Manifold, OfRoundedShapesApartHasTheirDistance) {
     const PlacedShape<3> a = pair.first(), b = pair.second();
     const ClosestPoints<3> closest =
         closest_points<3>(*a.shape, *b.shape, RelativePlace<3>(a, b), Vec<3>::UnitX());
-    // The separation along any direction is at most the distance, and the distance is at most that of any two
-    // points. Here both bounds are equal.
+    // The separation along any direction is at most the distance of the shapes. This distance is at most that
+    // of any two of their points. Here both bounds are equal.
     const double expected = a.scale * closest.distance - a.rounding() - b.rounding();
     EXPECT_NEAR(separation_along<3>(a, b, a.rotation * closest.normal), expected, 1e-14) << trial;
     EXPECT_NEAR((closest.on_second - closest.on_first - closest.distance * closest.normal).norm(), 0.0, 1e-13);
-    // If a face is chosen, its normal may deviate by 1e-3, which changes the gap by half the square of this
-    // times the distance of the cores. Points may lie 1e-6 of the inner radius further away.
+    // If a face is chosen, its normal may deviate by 1e-3 radians. This changes the gap by half of the squared
+    // deviation times the distance of the cores. Points may lie 1e-6 of the inner radius further away.
     const Manifold<3> contact = contact_manifold<3>(a, b, 0.1);
     ASSERT_GT(contact.n, 0);
     EXPECT_NEAR(contact.least_gap(), expected, 6e-7) << trial;
@@ -311,8 +312,8 @@ TEST(Manifold, OfCapsulesHasOnePointOrTwoSideBySide) {
   EXPECT_NEAR(in_line.points[0].gap, -0.01, kExact);
 }
 
-/// The edge of the upper cube rotates through the direction of the lower edge. Gaps must stay continuous, and
-/// points must stay on the edge.
+/// The edge of the upper cube rotates and becomes parallel to the lower edge for a moment. Gaps must stay
+/// continuous, and points must stay on the edge.
 TEST(Manifold, OfEdgesThatTurnThroughParallelIsContinuous) {
   const Shape<3> cube = shape_of<3>(box_points(1, 1, 1));
   const auto below = placed<3>(cube, Vec<3>::Zero(), turn_about(Vec<3>::UnitX(), 45.0));
@@ -341,8 +342,8 @@ TEST(Manifold, OfEdgesThatTurnThroughParallelIsContinuous) {
 }
 
 TEST(Manifold, KeepsTheFeaturesOfTheStepBeforeWithinTheMargin) {
-  // The corners of two squares overlap along their diagonals, so that two faces tie, and noise would decide
-  // between them.
+  // The corners of two squares overlap along their diagonals. Two faces then have the same depth, and noise
+  // would decide between them.
   const Shape<2> square = shape_of<2>({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
   const PlacedShape<2> one{&square, 1.0, {0, 0}, Mat<2>::Identity()};
   RandomStream random(2, 1);
@@ -358,7 +359,8 @@ TEST(Manifold, KeepsTheFeaturesOfTheStepBeforeWithinTheMargin) {
   EXPECT_EQ(keys.size(), 1u);
 }
 
-/// The features of the previous step save time; they change the gap by at most the margin.
+/// The contact remembers the features of the previous step to save time. They change the gap by at most the
+/// margin.
 TEST(Manifold, WithFeaturesOfTheStepBeforeIsThatWithout) {
   RandomStream random(24, 1);
   for (int trial = 0; trial < 200; ++trial) {

@@ -7,11 +7,11 @@
 #include "floc/shape/placed_shape.h"
 #include "unit/shape/solids.h"
 
-/// Random pairs of shapes, and their separation from a search that does not use faces and edges.
+/// Random pairs of shapes. Their separation is found by a search that does not use faces and edges.
 namespace floc::test {
 
-/// Returns the distance of the two planes normal to n that touch the shapes. @param n  direction from the first
-/// shape to the second
+/// Returns the distance of the two planes that are normal to n and touch the shapes.
+/// @param n  direction from the first shape to the second
 template <int Dim>
 double separation_along(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, const Vec<Dim>& n) {
   const auto extent = [&](const PlacedShape<Dim>& one, const Vec<Dim>& direction) {
@@ -22,8 +22,8 @@ double separation_along(const PlacedShape<Dim>& first, const PlacedShape<Dim>& s
   return extent(second, n) + extent(first, -n);
 }
 
-/// Returns the largest separation over all directions: distance of separate shapes, minus the depth of
-/// overlapping ones. The search climbs from many directions with decreasing steps.
+/// Returns the largest separation over all directions. It is the distance of separate shapes, or minus the
+/// depth of overlapping shapes. The search climbs from many directions, with decreasing steps.
 template <int Dim>
 double separation_by_search(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second,
                             Vec<Dim>* normal = nullptr) {
@@ -52,8 +52,8 @@ double separation_by_search(const PlacedShape<Dim>& first, const PlacedShape<Dim
   return best;
 }
 
-/// Returns the largest separation of two sharp polyhedra over the normals of all faces and all pairs of edges,
-/// without a check of the arcs.
+/// Returns the largest separation of two sharp polyhedra over the normals of all faces and the common normals
+/// of all pairs of edges, including pairs that cannot touch each other.
 inline double separation_by_all_axes(const PlacedShape<3>& first, const PlacedShape<3>& second) {
   double most = -1e9;
   const auto try_axis = [&](const Vec<3>& n) { most = std::max(most, separation_along<3>(first, second, n)); };

@@ -24,7 +24,7 @@ inline Mat<2> turn_by(double degrees) {
   return Eigen::Rotation2Dd(degrees * std::numbers::pi / 180.0).toRotationMatrix();
 }
 
-/// Returns a shape placed so that the points from which it was made are rotated by `turn` and then shifted by
+/// Returns a shape in space. The points from which it was made are rotated by `turn` and then shifted by
 /// `position`.
 template <int Dim>
 PlacedShape<Dim> placed(const Shape<Dim>& shape, const Vec<Dim>& position, const Mat<Dim>& turn) {

@@ -22,8 +22,8 @@ Vec<3> sorted(Vec<3> v) {
   return v;
 }
 
-/// Returns the distance of an outside point from a core, by alternating projections on its half-spaces (Dykstra
-/// 1983).
+/// Returns the distance of a point outside a core from the core, by alternating projections on its half-spaces
+/// (Dykstra 1983).
 template <int Dim>
 double distance_to_core(const Shape<Dim>& shape, const Vec<Dim>& point) {
   std::vector<Vec<Dim>> correction(shape.n_faces(), Vec<Dim>::Zero());
@@ -37,7 +37,8 @@ double distance_to_core(const Shape<Dim>& shape, const Vec<Dim>& point) {
   return (point - x).norm();
 }
 
-// Expected values with a closed form are compared up to rounding, printed decimals up to their last digit.
+// Expected values with a closed form are compared up to rounding. Printed decimals are compared up to their
+// last digit.
 TEST(MassProperties, BoxAndRegularSolidsHaveTheirClosedForms) {
   const Shape<3> box = shape_of<3>(box_points(1, 2, 3));
   EXPECT_NEAR(box.volume, 6.0, 1e-14);
@@ -101,15 +102,14 @@ TEST(MassProperties, RoundOnesAndCapsulesHaveTheirClosedForms) {
 }
 
 TEST(MassProperties, RoundedBoxHasItsClosedForm) {
-  // The rounded box consists of boxes a x b x c, quarter cylinders and eighths of a ball. Their moments of x^2
-  // are added.
+  // The rounded box consists of a box a x b x c, slabs on its faces, quarter cylinders and eighths of a ball.
   const double a = 1.0, b = 0.7, c = 0.4, r = 0.3;
   const Shape<3> box = shape_of<3>(box_points(a, b, c), r);
   const double volume =
       a * b * c + 2.0 * r * (a * b + b * c + c * a) + kPi * r * r * (a + b + c) + 4.0 / 3.0 * kPi * r * r * r;
   EXPECT_NEAR(box.volume, volume, 1e-14);
-  // The moment of x^2 is integrated over slices. For |x| < a/2 a slice is the rectangle b x c rounded by r;
-  // beyond, at a distance s from it, the rounding is sqrt(r^2 - s^2).
+  // The moment of x^2 is integrated over slices. For |x| < a/2 a slice is the rectangle b x c rounded by r. At
+  // a distance s beyond the core, the rectangle is rounded by sqrt(r^2 - s^2).
   const auto area = [&](double rho) { return b * c + 2.0 * (b + c) * rho + kPi * rho * rho; };
   double xx = a * a * a / 12.0 * area(r);
   constexpr int kSlices = 2000;
@@ -158,7 +158,7 @@ TEST(MassProperties, AgreeWithRandomPointsSharpAndRounded) {
   }
 }
 
-/// A rounded shape is the limit of the hull of many points on its rounded corners.
+/// A rounded shape is the limit of convex hulls of more and more points on its rounded corners.
 TEST(MassProperties, RoundedOnesAreTheLimitOfFineHulls) {
   const std::vector<Vec<2>> core = {{0, 0}, {1, 0.1}, {0.3, 0.8}};
   const double rho = 0.2;

@@ -14,7 +14,8 @@ namespace floc::test {
 namespace {
 
 TEST(AffinePrediction, OfCrystalsIsTheirLawAtEveryDensity) {
-  // In units of a = 1, P = z N/(6 c r^2) and Phi = pi/(6 c r^3).
+  // With a = 1, normal force N, branch length r and volume c r^3 per sphere, the pressure is P = z N/(6 c r^2)
+  // and the solid fraction Phi = pi/(6 c r^3).
   for (const CubicCrystal& crystal : cubic_crystals()) {
     const Packing<3> packing = crystal_of(crystal, 0.999, 1.0, elastic_law(2.0, 0.0, 0.0));
     const AffineReference<3> reference(packing, std::vector<bool>(packing.grains.size(), false));
@@ -32,8 +33,8 @@ TEST(AffinePrediction, OfCrystalsIsTheirLawAtEveryDensity) {
 }
 
 TEST(AffinePrediction, CountsTheNeighboursAtSmallGaps) {
-  // For equal spheres of diameter a, the prediction at a linear compression s is the number of neighbours with
-  // gaps up to a/s - a, z_I(a/s - a).
+  // For equal spheres of diameter a, the prediction at a linear compression s is z_I(a/s - a), the number of
+  // neighbours with gaps of up to a/s - a.
   Packing<3> packing = random_packing<3>(60, 11, elastic_law(1.0, 0.0, 0.0), 0.9);
   packing.grains.radius.assign(packing.grains.radius.size(), 0.45);
   const AffineReference<3> reference(packing, std::vector<bool>(packing.grains.size(), false));
@@ -53,7 +54,8 @@ TEST(AffinePrediction, OfTheSameDensityIsTheStateItself) {
 }
 
 TEST(AffinePrediction, WithPushedRattlersCountsTheirContacts) {
-  // A frame of unit squares with a rattler inside. Pushed against the frame, the rattler touches two grains.
+  // A frame of unit squares with a rattler inside. If the rattler is pushed against the frame, it touches two
+  // grains.
   Packing<2> packing = square_frames(5, 1.0, elastic_law(1.0, 0.0, 0.0));
   packing.grains.position.emplace_back(2.0, 2.1);
   packing.grains.radius.push_back(0.4);

@@ -29,8 +29,8 @@ TEST(CarryingForces, OfCrystalsAreAllAlikeAndIsotropic) {
 }
 
 TEST(CarryingForces, CountRattlersAndGrainsOfTwoContacts) {
-  // A simple cubic crystal of 27 spheres. The middle one keeps only its two contacts along x, the first one
-  // none.
+  // A simple cubic crystal of 27 spheres. The sphere in the middle keeps only its two contacts along x, and the
+  // first sphere has no contacts.
   Packing<3> packing =
       tiled<3>(test::crystal_of(test::simple_cubic(), 0.99, 1.0, test::elastic_law(1.0, 0.5, 0.0)), {3, 3, 3});
   ASSERT_EQ(packing.contacts.size(), 81u);

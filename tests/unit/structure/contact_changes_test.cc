@@ -19,8 +19,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// Returns touching disks in rows and columns of a square lattice, in a cell with empty space around them, so
-/// that none touch across its sides.
+/// Returns touching disks in rows and columns of a square lattice. There is empty space around them, so that no
+/// disks touch across the sides of the cell.
 Packing<2> block(int columns, int rows) {
   std::vector<Vec<2>> places;
   for (int y = 0; y < rows; ++y)
@@ -85,15 +85,16 @@ TEST(ContactChanges, NameWhatWasLostAndGained) {
   EXPECT_EQ(before.contacts[found.lost[0]].i, 1);
   EXPECT_EQ(after.contacts[found.gained[0]].i, 0);
   EXPECT_EQ(after.contacts[found.gained[0]].j, 2);
-  // One of three grains moved by (-2, 1). Relative to the mean displacement, the others moved by -1/3 of it.
+  // One of three grains moved by (-2, 1). Relative to the mean displacement, this grain moved by 2/3 of this
+  // vector, and the other two moved by -1/3 of it.
   EXPECT_LT((found.displacement[2] - 2.0 / 3.0 * Vec<2>(-2, 1)).norm(), 1e-13);
   EXPECT_LT((found.displacement[0] + 1.0 / 3.0 * Vec<2>(-2, 1)).norm(), 1e-13);
   EXPECT_NEAR(found.rms_displacement(), std::sqrt(5.0 * (4.0 + 1.0 + 1.0) / 9.0 / 3.0), 1e-13);
 }
 
 TEST(ContactChanges, TellContactsOfOnePairThroughDifferentSidesApart) {
-  // Two disks in a narrow cell touch on both sides, directly and through the periodic boundary; afterwards on
-  // one side only.
+  // Two disks in a narrow cell touch on both sides, directly and through the periodic boundary. Afterwards they
+  // touch on one side only.
   Mat<2> cell;
   cell << 2.0, 0.0, 0.0, 5.0;
   const Packing<2> before = disks(cell, {{0.1, 1}, {1.1, 1}}, 1.0, elastic_law(1.0, 0.0, 0.0));

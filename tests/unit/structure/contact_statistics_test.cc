@@ -11,7 +11,7 @@
 namespace floc::test {
 namespace {
 
-/// Returns the argument in [0, 1] at which an increasing function has a value.
+/// Returns the argument in [0, 1] at which an increasing function has the given value.
 template <class Function>
 double argument_of(const Function& f, double value) {
   double low = 0.0, high = 1.0;
@@ -50,8 +50,8 @@ Packing<2> anisotropic(double a, double b, double c) {
   return packing;
 }
 
-/// Directions have the density 1 + a cos 2t, normal forces are 1 + b cos 2t and tangential forces c sin 2t.
-/// Sums over contacts then become integrals, with <f_n> = 1 + ab/2.
+/// Contact directions t have the density 1 + a cos 2t. Normal forces are 1 + b cos 2t, and tangential forces
+/// are c sin 2t. Sums over contacts then become integrals, with <f_n> = 1 + ab/2.
 TEST(ContactStatistics, AnisotropiesOfKnownDensities) {
   const double a = 0.4, b = 0.3, c = 0.2, mean = 1.0 + 0.5 * a * b;
   const Packing<2> packing = anisotropic(a, b, c);
@@ -62,8 +62,8 @@ TEST(ContactStatistics, AnisotropiesOfKnownDensities) {
   EXPECT_NEAR(found->tangential_force, c / mean, 1e-6);
   EXPECT_NEAR(found->branch_normal, 0.0, 1e-12);
   EXPECT_NEAR(found->branch_tangential, 0.0, 1e-12);
-  // For branches of equal length, the prediction is exact except for products of the anisotropies of tangential
-  // forces and directions.
+  // For branches of equal length, the prediction neglects only products of two anisotropies: that of tangential
+  // forces and that of directions.
   EXPECT_NEAR(found->stress_ratio, 0.5 * (a + b + c) / mean, 1e-6);
   EXPECT_NEAR(found->predicted_ratio, found->stress_ratio, 1e-6);
 }
@@ -73,7 +73,8 @@ TEST(ContactStatistics, IsotropicForcesHaveNoDirection) {
   EXPECT_FALSE(contact_anisotropy(packing, all_of(packing)));
 }
 
-/// The contacts of spheres have the density 1 + a (3 cos^2 t - 1) about the last axis.
+/// The contact directions of spheres have the density 1 + a (3 cos^2 t - 1), where t is the angle to the last
+/// axis.
 TEST(ContactStatistics, AxialAnisotropyInSpace) {
   const double a = 0.2;
   Packing<3> packing;
@@ -96,12 +97,13 @@ TEST(ContactStatistics, AxialAnisotropyInSpace) {
   const auto found = contact_anisotropy(packing, all_of(packing));
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->normals, a, 1e-4);
-  // The difference of the principal stresses divided by their mean is 6/5 a, and q is a third of it.
+  // The difference of the principal stresses divided by their mean is 6/5 a. The stress ratio is a third of
+  // this value.
   EXPECT_NEAR(found->stress_ratio, 0.4 * a, 1e-4);
   EXPECT_NEAR(found->predicted_ratio, found->stress_ratio, 1e-12);
 }
 
-/// Forces are quantiles of the joined power law and exponential with alpha = 0.3.
+/// The forces are quantiles of the joined form (power law and exponential) with alpha = 0.3.
 TEST(ContactStatistics, RecoversTheJoinedForm) {
   const double alpha = 0.3, beta = std::sqrt((1.0 - alpha) * (2.0 - alpha));
   const double k = 1.0 / (1.0 / (1.0 - alpha) + 1.0 / beta), below = k / (1.0 - alpha);
@@ -127,8 +129,8 @@ TEST(ContactStatistics, FewForcesHaveNoShape) {
   EXPECT_FALSE(force_shape(std::vector<double>(50, 1.0)).alpha);
 }
 
-/// In a brick pattern each square touches its six neighbours along sides. Neighbours in its row carry half of
-/// the pressure each, those of other rows a quarter for each half of a side.
+/// In a brick pattern each square touches its six neighbours along sides. Each neighbour in the same row
+/// carries half of the pressure. Each neighbour in another row, which shares half of a side, carries a quarter.
 TEST(ContactStatistics, BricksMeetAlongSides) {
   const State<2> state = brick_bond(0.7, 0.3);
   const CarryingStructure held = carrying_structure(state.packing, 1e-6, 2);
@@ -139,7 +141,8 @@ TEST(ContactStatistics, BricksMeetAlongSides) {
   EXPECT_NEAR(*mean_mobilisation(state.packing, held), 0.0, 1e-15);
 }
 
-/// If one of the two points between two sides carries no force, the pair counts as a contact of a vertex.
+/// If one of the two contact points between two sides carries no force, the pair counts as a contact with a
+/// vertex.
 TEST(ContactStatistics, KindsGoByCarryingPoints) {
   State<2> state = brick_bond(0.7, 0.3);
   state.packing.contacts[0].normal_force = state.packing.contacts[0].elastic_force = 0.0;

@@ -45,7 +45,7 @@ TEST(Coordination, LeavesRattlersOutAndCountsPairsOfTwo) {
   EXPECT_EQ(c.n_rattlers, 1);
   EXPECT_DOUBLE_EQ(c.z_star, 10.0 / 5.0);
   EXPECT_DOUBLE_EQ(c.x22, 2.0 / 5.0);  // contacts 12 and 23
-  // Without adhesion grain 4 is a rattler too, and its contact does not count in z*.
+  // Without adhesion, grain 4 is a rattler too. Its contact does not count in z*.
   packing.law += test::without("adhesion");
   const Coordination bare = coordination(packing, 0.0);
   EXPECT_EQ(bare.n_rattlers, 2);

@@ -33,7 +33,7 @@ TEST(ElasticEnergy, OfHertzContactsIsTwoFifthsOfForceTimesOverlap) {
 }
 
 TEST(ElasticEnergy, IsTheIntegralOfTheForceOverTheOverlap) {
-  // The integral holds for N = h^q with any power q.
+  // The formula must hold for every power q of N = h^q.
   for (const double q : {1.0, 1.5, 2.0, 3.0}) {
     Packing<3> pair;
     pair.grains = Grains<3>::with_size(2);

@@ -76,7 +76,7 @@ TEST(ForceDistribution, OfAnyValuesIsInTheirUnit) {
 }
 
 TEST(ForceDistribution, CountsWhatLiesBeyondItsBinsAndPutsItInNone) {
-  // There are at most 1e5 bins on each side of zero, here up to +-1e4. The upper end belongs to no bin.
+  // There are at most 1e5 bins on each side of zero, here from -1e4 to 1e4. The upper end belongs to no bin.
   const ForceDistribution d =
       distribution_of({-2e4, -1e4, -0.05, 0.0, 9999.95, 1e4, 3e7, std::nan("")}, 1.0, 0.1);
   EXPECT_EQ(d.n, 8);
@@ -101,7 +101,7 @@ TEST(ForceDistribution, CountsWhatLiesBeyondItsBinsAndPutsItInNone) {
 }
 
 TEST(ForceDistribution, HasNoUnitOfRounding) {
-  // Elastic forces cancel the adhesion except for rounding, and the pressure consists of this rounding error.
+  // Elastic forces cancel the adhesion except for rounding, so the pressure consists of rounding errors only.
   Packing<2> packing = with_forces({1e-16, -1e-16}, 1.0);
   packing.cell.matrix.setIdentity();
   EXPECT_EQ(force_unit(packing, ForceKind::normal, ForceUnit::mean), 0.0);

@@ -44,8 +44,8 @@ TEST(PairCorrelation, OfIndependentGrainsIsOne) {
 }
 
 TEST(PairCorrelation, BetweenWallsIsThatOfGrainsAwayFromThem) {
-  // A square lattice of 6 x 8 disks between two walls. Only rows at least 2.5 from both walls have complete
-  // shells.
+  // A square lattice of 6 x 8 disks between two walls. Only rows at a distance of at least 2.5 from both walls
+  // have complete shells of neighbours.
   Packing<2> packing = tiled<2>(square_frames(2, 1.0, elastic_law(1.0, 0.0, 0.0)), {6, 8});
   for (Vec<2>& x : packing.grains.position) x[1] += 0.5;
   packing.walls = {{1, -1, 0.0}, {1, 1, 8.0}};

@@ -40,7 +40,8 @@ TEST(PhaseStructure, OfColumnsIsCountedByHand) {
   EXPECT_EQ(phases.n_bonds, 20);
   EXPECT_DOUBLE_EQ(phases.like_share, 11.0 / 20.0);
   EXPECT_DOUBLE_EQ(phases.like_expected, (8.0 * 7.0 + 3.0 * 2.0) / (11.0 * 10.0));
-  // The single grain under tension has no neighbour of its own sign; each of the other two has one among four.
+  // The single grain under tension has no neighbour under tension. Each of the other two has one such neighbour
+  // among four.
   EXPECT_EQ(phases.negative.by_share[0].n_grains, 1);
   EXPECT_DOUBLE_EQ(phases.negative.by_share[0].mean_size, 3.0);
   EXPECT_EQ(phases.negative.by_share[2].n_grains, 2);
@@ -57,8 +58,8 @@ TEST(PhaseStructure, ShuffledSignsHaveTheShareOfTheClosedForm) {
   const PhaseStructure phases = phase_structure(contact_network(packing), packing.cell, pressure, options);
   EXPECT_DOUBLE_EQ(phases.like_share, 760.0 / 800.0);
   EXPECT_DOUBLE_EQ(phases.like_expected, (300.0 * 299.0 + 100.0 * 99.0) / (400.0 * 399.0));
-  // If signs are shuffled, bonds are nearly independent, so the standard deviation is that of 800 independent
-  // bonds.
+  // If the signs are shuffled, the bonds are nearly independent of each other. The standard deviation is
+  // therefore that of 800 independent bonds.
   const double q = phases.like_expected;
   EXPECT_NEAR(phases.like_deviation, std::sqrt(q * (1 - q) / 800.0), 0.5 * std::sqrt(q * (1 - q) / 800.0));
   // Site percolation on the square lattice starts at a fraction of 0.593: three quarters of the sites

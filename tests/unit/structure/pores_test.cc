@@ -58,9 +58,9 @@ TEST(Pores, OfASquareLatticeAreExact) {
 TEST(Pores, OfATriangularLatticeAreTwoOfAKind) {
   const Pores found = find_pores(of_radius(triangular(2.0, elastic_law(1.0, 0.0, 0.0)), 1.0));
   ASSERT_THAT(found.pores, SizeIs(2));
-  // The second moment of a triangle of side 2 about its centre is side^2 area/12. Each 60-degree sector is
-  // subtracted, with its own second moment, its first moment 2 sin(30 deg) R^3/3 towards the centre, and its
-  // corner at the distance 2/sqrt 3 from the centre.
+  // The second moment of a triangle of side 2 about its centre is side^2 area/12. Three sectors of 60 degrees
+  // are subtracted. Each has its own second moment, the first moment 2 sin(30 deg) R^3/3 towards the centre,
+  // and its corner at the distance 2/sqrt 3 from the centre.
   const double area = std::sqrt(3.0) - std::numbers::pi / 2.0;
   const double sector = std::numbers::pi / 6.0;
   const double second = sector / 2.0 + sector * 4.0 / 3.0 - 2.0 * (1.0 / 3.0) * 2.0 / std::sqrt(3.0);
@@ -73,8 +73,8 @@ TEST(Pores, OfATriangularLatticeAreTwoOfAKind) {
 }
 
 TEST(Pores, OfDifferentSizesCountByTheirArea) {
-  // A frame of 5 disks per side has one large pore. The packing has two frames in one cell, one of them with a
-  // disk in the middle.
+  // A frame of 5 disks per side has one large pore. The packing consists of two frames in one cell. One of the
+  // frames has a disk in its middle.
   const Packing<2> packing = square_frames(5, 1.0, elastic_law(1.0, 0.0, 0.0));
   const double large = find_pores(of_radius(packing, 0.5)).pores.at(0).gyration_radius;
   Packing<2> two = packing;
@@ -107,7 +107,8 @@ TEST(Pores, HoldIslandsAndDeadEnds) {
   const Pores found = find_pores(packing);
   ASSERT_THAT(found.pores, SizeIs(1));
   EXPECT_NEAR(found.pores[0].area, packing.cell.volume() * (1.0 - solid_fraction(packing)), 1e-11);
-  // The expected value is the pore of the empty frame minus each disk, shifted by the parallel axis theorem.
+  // The expected radius of gyration follows from the pore of the empty frame by subtracting the disks, whose
+  // moments are shifted by the parallel axis theorem.
   const Pores bare = find_pores(of_radius(square_frames(9, 1.0, elastic_law(1.0, 0.0, 0.0)), 0.5));
   const double disk = std::numbers::pi / 4.0;
   double area = bare.pores[0].area, second = area * std::pow(bare.pores[0].gyration_radius, 2);
@@ -121,8 +122,8 @@ TEST(Pores, HoldIslandsAndDeadEnds) {
   EXPECT_NEAR(found.pores[0].gyration_radius, std::sqrt(second / area - (first / area).squaredNorm()), 1e-11);
 }
 
-/// Returns a distorted triangular net in which some edges are missing. Contacts follow the edges, and disks do
-/// not overlap.
+/// Returns a distorted triangular net in which some edges are missing. The contacts of the packing are the
+/// edges of the net. Disks do not overlap.
 Packing<2> net(int side, unsigned seed) {
   std::mt19937 engine(seed);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);

@@ -79,7 +79,7 @@ TEST(PorosityProbe, BetweenWallsHasNoImages) {
   Packing<3> packing = one_sphere(Vec<3>(0.5, 1.0, 1.0), 2.0);
   packing.walls = {{0, -1, 0.0}, {0, 1, 2.0}};
   EXPECT_NEAR(*porosity_probes(packing, 1)[0].in_cell, kPi / 6.0 / 8.0, 1e-13);
-  // half the radius lies in the wall; this part is missing and does not reappear on the other side
+  // A cap of the height R/2 lies in the wall. It is missing and does not reappear at the opposite wall.
   packing.grains.position[0][0] = 0.25;
   const double cap = kPi * 0.25 * 0.25 * (1.5 - 0.25) / 3.0;
   EXPECT_NEAR(*porosity_probes(packing, 1)[0].in_cell, (kPi / 6.0 - cap) / 8.0, 1e-13);
@@ -89,8 +89,8 @@ TEST(AxisProfile, OfALayerIsCapsAndMeans) {
   Packing<3> packing = one_sphere(Vec<3>(1.0, 1.0, 0.1), 2.0);
   const auto slices = axis_profile(packing, 2, 4, {{7.0}});
   ASSERT_EQ(slices.size(), 4u);
-  // The sphere extends from -0.4 to 0.6. The last slice contains a cap of height 0.4, the second one a cap of
-  // height 0.1.
+  // The sphere extends from -0.4 to 0.6. The last slice contains a cap of height 0.4, and the second one a cap
+  // of height 0.1.
   const auto cap = [](double h) { return kPi * h * h * (1.5 - h) / 3.0; };
   EXPECT_NEAR(slices[3].solid_fraction, cap(0.4) / 2.0, 1e-14);
   EXPECT_NEAR(slices[1].solid_fraction, cap(0.1) / 2.0, 1e-14);

@@ -28,13 +28,13 @@ TEST(BallTransform, IsTheIntegralOfItsShells) {
       }
       EXPECT_NEAR(ball_transform(k, R), sum, 1e-5 * R * R * R) << k;
     }
-  // The two forms of the function agree where they meet.
+  // ball_transform() has two forms. They agree at k R = 0.02, where one form replaces the other.
   EXPECT_NEAR(ball_transform(0.02 - 1e-12, 1.0) / ball_transform(0.02, 1.0), 1.0, 1e-11);
 }
 
 TEST(Scattering, OfOneSphereIsItsFormFactor) {
-  // The first bin contains 3 waves (1,0,0) and 6 waves (1,1,0); the second one 4 (1,1,1), 3 (2,0,0), 12 (2,1,0)
-  // and 12 (2,1,1).
+  // The first bin contains the wave vectors (1,0,0), 3 of them, and (1,1,0), 6 of them. The second bin contains
+  // 4 of the kind (1,1,1), 3 (2,0,0), 12 (2,1,0) and 12 (2,1,1). Opposite vectors count once.
   const double R = 0.3;
   const Packing<3> packing = crystal_of(simple_cubic(), 1.0, 2.0 * R, elastic_law(1.0, 0.0, 0.0));
   const Scattering s = scattering(packing);
@@ -48,8 +48,8 @@ TEST(Scattering, OfOneSphereIsItsFormFactor) {
 }
 
 TEST(Scattering, OfACrystalIsAtItsReciprocalLattice) {
-  // A body-centred cubic crystal has two spheres in a cubic cell of side L. Only waves with an even sum of
-  // indices scatter, with I = 4 f^2/L^3.
+  // A body-centred cubic crystal has two spheres in a cubic cell of side L. Only wave vectors with an even sum
+  // of indices scatter, with the intensity I = 4 f^2/L^3 (form factor f of a sphere).
   const Packing<3> packing = crystal_of(body_centred_cubic(), 1.0, 0.9, elastic_law(1.0, 0.0, 0.0));
   const double L = packing.cell.matrix(0, 0);
   const auto I = [&](double n2) {
@@ -58,7 +58,8 @@ TEST(Scattering, OfACrystalIsAtItsReciprocalLattice) {
   const Scattering s = scattering(packing);
   EXPECT_NEAR(s.I[0], 6.0 * I(2.0) / 9.0, 1e-14);
   EXPECT_NEAR(s.I[1], (3.0 * I(4.0) + 12.0 * I(6.0)) / 31.0, 1e-14);
-  // In a cell twice as large, only the waves of the crystal scatter; all others vanish.
+  // In a cell with twice the side, only the wave vectors of the reciprocal lattice of the crystal scatter. At
+  // all others the intensity is zero.
   const Packing<3> large = tiled<3>(packing, {2, 2, 2});
   ScatteringAverage peak({kTau / L * 1.4, kTau / L * 1.42});
   peak.add(large, 1000);

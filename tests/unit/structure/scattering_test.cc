@@ -16,12 +16,12 @@ namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
-/// Returns the Fourier transform of a disk.
+/// Returns the Fourier transform of a disk of radius R at the wave number k.
 double form_factor(double k, double R) {
   return kTwoPi * R * std::cyl_bessel_j(1.0, k * R) / k;
 }
 
-/// Closed form of I(k) for disks, in each bin averaged over the same wave vectors.
+/// Closed form of I(k) for disks. The mean of each bin is taken over the same wave vectors as in scattering().
 struct Exact {
   std::vector<double> I, envelope;
 };
@@ -115,8 +115,8 @@ TEST(Scattering, OfASquareLatticeIsInItsBraggPeaks) {
   EXPECT_NEAR(expected.envelope[3], peak(std::sqrt(2.0) * kTwoPi), 1e-9 * peak(kTwoPi));
 }
 
-/// Equivalent lattice vectors must give equal results. A mesh along a vector of a million cells would never
-/// finish.
+/// Different vectors of the same lattice must give equal results. A mesh along a lattice vector that spans a
+/// million cells would take forever.
 TEST(Scattering, OfALatticeDoesNotDependOnItsCell) {
   Packing<2> packing = one_disk(0.4, Mat<2>::Identity() * 3.0);
   const Scattering straight = scattering(packing);
@@ -127,9 +127,9 @@ TEST(Scattering, OfALatticeDoesNotDependOnItsCell) {
 }
 
 TEST(Scattering, OfUncorrelatedDisksIsThatOfEachOfThem) {
-  // The first state is compared with the closed form for its positions, and the mean of all states with rho
-  // <f^2>, where rho is the number density and f the form factor of a disk. Beyond the sixth bin, 30 states
-  // have about 1e4 independent speckles, whose mean has an error of 1 %.
+  // The first state is compared with the closed form for its positions. The mean of all states is compared with
+  // rho <f^2>, with the number density rho and the form factor f of a disk. Beyond the sixth bin, 30 states
+  // have about 1e4 independent speckles; their mean has an error of 1 %.
   constexpr int kStates = 30, kGrains = 60;
   const Packing<2> first = uncorrelated(kGrains, 14.0, 0);
   const ScatteringMesh mesh = scattering_mesh(first, {});
@@ -162,13 +162,14 @@ TEST(Scattering, MeshesAreNoLargerThanAllowed) {
   options.most_cells = 10000;
   const Packing<2> packing = uncorrelated(10, 100.0, 1);
   const ScatteringMesh mesh = scattering_mesh(packing, options);
-  // Lattice vectors are longer than the cell is wide, and mesh sizes are rounded up to products of small
+  // The lattice vectors are longer than the width of the cell. Mesh sizes are rounded up to products of small
   // primes.
   EXPECT_LT(mesh.size(packing.cell).prod(), 1.3 * 10000);
   EXPECT_NEAR(mesh.edges.back(), kTwoPi / (8.0 * mesh.spacing), 1e-12);
 }
 
-/// Returns a random Gaussian field on a mesh whose mean I(k) follows the law of aggregates.
+/// Returns a random Gaussian field on a mesh. The mean intensity I(k) of such fields follows the law of
+/// aggregates.
 CoverageMap aggregate_field(int n, double side, double xi, double dF, unsigned seed) {
   std::mt19937 engine(seed);
   std::normal_distribution<double> normal;

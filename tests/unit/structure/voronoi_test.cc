@@ -22,8 +22,8 @@ std::map<long, int> voids_by_radius(const VoronoiTessellation& found) {
 }
 
 TEST(Voronoi, OfCubicCrystalsHasTheirCellsAndHoles) {
-  // For each crystal: radius of the holes divided by that of the spheres, and number of holes per sphere. The
-  // holes are cubic (sc), tetrahedral (bcc), and tetrahedral and octahedral (fcc).
+  // For each crystal: the radius of the holes divided by the radius of the spheres, and the number of holes per
+  // sphere. The holes are cubic (sc), tetrahedral (bcc), and tetrahedral and octahedral (fcc).
   const std::vector<std::vector<std::pair<double, int>>> holes = {
       {{std::sqrt(3.0) - 1.0, 1}},
       {{std::sqrt(5.0 / 3.0) - 1.0, 6}},
@@ -46,8 +46,8 @@ TEST(Voronoi, OfCubicCrystalsHasTheirCellsAndHoles) {
 }
 
 TEST(Voronoi, OfAnyPackingFillsTheCell) {
-  // Cells are skewed, with lattice vectors of both orientations; spheres have many sizes, and the unit of
-  // length varies widely.
+  // Cells are skewed, with right-handed and left-handed lattice vectors. Spheres have many sizes, and the unit
+  // of length varies widely.
   for (const unsigned seed : {1u, 2u, 3u})
     for (const double unit : {1.0, 1e-30, 1e12}) {
       Packing<3> packing = random_packing<3>(60, seed, elastic_law(1.0, 0.0, 0.0), 0.7);
@@ -99,8 +99,8 @@ TEST(Voronoi, HasVoidBallsUpToTheNearestOfUnequalSpheres) {
 }
 
 TEST(Voronoi, OfUnequalSpheresIsRadical) {
-  // Two spheres of radii R and S at a distance d along z, in a cell of height 2 d. The dividing plane is at d/2
-  // + (R^2 - S^2)/(2 d) from the first centre.
+  // Two spheres of radii R and S at a distance d along z, in a cell of height 2 d. The dividing plane is at the
+  // distance d/2 + (R^2 - S^2)/(2 d) from the first centre.
   Packing<3> packing;
   packing.cell.matrix = Vec<3>(1.0, 1.0, 2.0).asDiagonal();
   packing.grains = Grains<3>::with_size(2);

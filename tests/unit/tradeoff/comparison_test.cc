@@ -26,7 +26,7 @@ ObservedState state(int stage, double pressure, double phi, double B) {
   return s;
 }
 
-/// Returns a path with the assembled state and three loading steps, the second of which is a collapse.
+/// Returns a path with the assembled state and three loading steps. The second loading step is a collapse.
 SamplePath path(double shift) {
   SamplePath p;
   p.states = {state(-1, 0.01, 0.5, 1000.0), state(0, 0.02, 0.50001 + shift, 1000.0),
@@ -40,8 +40,8 @@ TEST(Comparison, QuantileOfErrorsAndItsConfidenceLimitAreOrderStatistics) {
   const Spread spread = spread_of(errors);
   EXPECT_EQ(spread.n, 100);
   EXPECT_EQ(spread.error, 95.0);
-  // For 100 errors, the number below the 95 % quantile is binomial: at most 97 with probability 0.882, at most
-  // 98 with 0.963.
+  // Of 100 errors, the number below the 95 % quantile has a binomial distribution. It is at most 97 with
+  // probability 0.882, and at most 98 with probability 0.963.
   EXPECT_EQ(spread.high, 99.0);
 }
 
@@ -71,7 +71,7 @@ TEST(Comparison, StatesAreComparedUntilTheFirstCollapseOfEither) {
 TEST(Comparison, ANewTurnStartsFromTheReferenceAgain) {
   SamplePath reference = path(0.0), other = path(0.01);
   reference.states.push_back(state(1, 0.04, 0.6, 2000.0));
-  other.states.push_back(state(1, 0.04, 0.6, 2000.0));  // differs by 0.01 from its predecessor in the same path
+  other.states.push_back(state(1, 0.04, 0.6, 2000.0));  // Phi is 0.01 below the previous state of this path
   EXPECT_TRUE(before_collapse(reference, other).back());
 }
 
@@ -86,11 +86,12 @@ TEST(Comparison, ErrorsAreAgainstTheReferenceBeforeACollapseAndTheSettledStateAf
   EXPECT_NEAR(e.before.high, 1e-6, 1e-12);
   EXPECT_EQ(e.after.n, 3);
   EXPECT_NEAR(e.after.high, 1e-3, 1e-6);
-  // Mean over the assembled state and the two states at and after the collapse: 0.1/0.65, 1e-3 and 0.
+  // Mean over three states: the assembled state, the state at the collapse and the state after it. Their
+  // differences are 0, 0.1/0.65 and 1e-3.
   EXPECT_NEAR(e.mean.difference, (0.1 / 0.65 + 1e-3) / 3.0, 1e-6);
 }
 
-/// Paths with different steps are compared at the loads that both have.
+/// Paths with different steps are compared only at the loads that both paths have.
 TEST(Comparison, MeansOfOtherStepsAreOverEqualLoads) {
   const SamplePath reference = path(0.0);
   SamplePath coarse;
@@ -124,8 +125,8 @@ TEST(Comparison, ShearTestsHaveTheirPeakAndTheirCriticalState) {
 TEST(Comparison, SamplingErrorFallsWithTheRootOfTheirNumber) {
   const SamplePath a = path(0.0), b = path(0.02);
   const double one = sampling_errors({&a, &b}, 1, std::nullopt)[kPhi].mean.standard_error;
-  // The relative standard deviation of two samples is sqrt(2) times the mean over all states of 0.02/(Phi_a +
-  // Phi_b).
+  // The relative standard deviation of two samples a and b is sqrt(2) times the mean over all states of
+  // 0.02/(Phi_a + Phi_b).
   EXPECT_NEAR(one, std::sqrt(2.0) * 0.25 * (0.02 / 1.02002 + 0.02 / 1.22 + 0.02 / 1.22002), 1e-9);
   EXPECT_DOUBLE_EQ(sampling_errors({&a, &b}, 4, std::nullopt)[kPhi].mean.standard_error, 0.5 * one);
 }

@@ -82,7 +82,8 @@ TEST_P(EveryKind, HasItsName) {
 
 TEST_P(EveryKind, HasAValueOfEachObservableAndNoErrorAgainstItself) {
   SamplePath path = sample();
-  // A small sample may lack tensile forces, enough forces for a tail, or a bend in its consolidation curve.
+  // A small sample may have no tensile forces, too few forces for a tail, or no bend in its consolidation
+  // curve.
   const std::set<std::string> rare = {"tail_plus", "tail_minus", "lambda", "alpha", "Phi_max", "M_oedometer"};
   const Observation mean = mean_values({&path}, std::nullopt);
   for (std::size_t k = 0; k < kObservables; ++k) {

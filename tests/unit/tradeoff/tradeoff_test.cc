@@ -26,8 +26,8 @@ TEST(Tradeoff, KeepsItsBudgetAndSaysWhatItLeftOut) {
     options.budget = budget;
     const double start = processor_seconds();
     const Tradeoff tradeoff = study_tradeoff(small_scene(60), options);
-    // A run can be interrupted only between chunks of 500 steps (a few ms here). Then the moduli of a sample
-    // are computed.
+    // A run can be interrupted only between chunks of 500 steps, which take a few ms here. After that, the
+    // moduli of a sample still have to be computed.
     EXPECT_LT(processor_seconds() - start, budget + 0.2);
     EXPECT_FALSE(tradeoff.left_out.empty());
   }

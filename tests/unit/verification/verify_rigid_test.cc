@@ -50,7 +50,7 @@ TEST(VerifyRigid, AcceptsCrystalsUnderPressure) {
   EXPECT_EQ(brick_bond(0.7, 0.3).packing.contacts.size(), 12u * 6u);
 }
 
-/// Three disks in a triangle, without contacts to images. Without pressure they carry no forces.
+/// Three disks in a triangle, without contacts to images. They carry no forces, because there is no pressure.
 TEST(VerifyRigid, AcceptsThreeDisksThatTouchWithoutForces) {
   State<2> state = triangular_crystal(0.7, 0.3);
   Grains<2>& g = state.packing.grains;
@@ -71,8 +71,8 @@ TEST(VerifyRigid, NamesTheGrainOutOfBalance) {
   EXPECT_THAT(failed(state), testing::IsSupersetOf({"force", "stress"}));
   EXPECT_THAT(where(state, "force"), HasSubstr("grain " + std::to_string(c.i)));
   State<2> turning = brick_bond(0.7, 0.3);
-  // One of the two points of a side carries more, the other less: the net force is right, but the moment is
-  // not.
+  // One of the two points of a side carries more than before, the other one less. The net force is right, but
+  // the moment is wrong.
   Contact<2>&one = turning.packing.contacts[0], &other = turning.packing.contacts[1];
   ASSERT_TRUE(one.i == other.i && one.j == other.j && one.image == other.image);
   one.normal_force = one.elastic_force += 0.1;
@@ -92,7 +92,7 @@ TEST(VerifyRigid, NamesTheGrainThatMoves) {
 
 TEST(VerifyRigid, RefusesForcesThatDriveTheMotion) {
   State<3> state = cubic_crystal(0.7, 0.3);
-  // The cell expands under pressure, so its contact forces do work.
+  // The cell expands under pressure, so the contact forces do work on its motion.
   state.packing.cell.velocity = 1e-3 * state.packing.cell.matrix;
   EXPECT_THAT(failed(state), ElementsAre("power", "boundary_motion"));
   state.packing.cell.velocity *= -1.0;
@@ -189,8 +189,8 @@ TEST(VerifyRigid, RefusesAnotherRecord) {
 }
 
 TEST(VerifyRigid, AcceptsWhatWasRecordedWithinTheMarginsOfTheSearch) {
-  // A square touches its neighbour with either of two equivalent faces as the reference. Both records must be
-  // accepted.
+  // A square touches its neighbour, and either of two equivalent faces can be the reference. Records with
+  // either face must be accepted.
   const State<2> state = brick_bond(0.7, 0.3);
   ContactPoints<2> points;
   State<2> turned = state;

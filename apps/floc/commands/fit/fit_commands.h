@@ -4,7 +4,7 @@
 
 namespace floc {
 
-// Each of the following functions adds one subcommand of `floc fit`, which is defined in a source file of its own.
+// Each of the following functions adds one subcommand of `floc fit`. Each subcommand has its own source file.
 Command add_fit_consolidation(CommandLine fit);
 Command add_fit_compression(CommandLine fit);
 Command add_fit_preconsolidation(CommandLine fit);

@@ -24,7 +24,7 @@ struct ConsolidationArguments {
   Printing printing;
 };
 
-/// Reads the load path of a sample from a table, and prints on stderr which of its rows are not fitted, and why.
+/// Reads the load path of a sample from a table, and prints on stderr which rows are not fitted and for what reason.
 /// @param columns  headers of the columns to read, for columns that do not have the usual names
 /// @param first    table of the first sample. It is set by the first call; the pressures of all later samples are
 /// converted to its unit
@@ -64,7 +64,7 @@ bool is_recompressed(const ConsolidationFit& fit) {
   return kappa && kappa->low95.value_or(0.0) > 0.0;
 }
 
-/// Returns a parameter with its 95 % interval as text; empty if the fit has no value of it.
+/// Returns a parameter with its 95 % interval as text; empty if the fit has no value for this parameter.
 std::string quoted(const ConsolidationFit& fit, const char* name, const char* symbol) {
   const FittedParameter* p = fit.find(name);
   if (!p || !p->value) return "";
@@ -72,8 +72,8 @@ std::string quoted(const ConsolidationFit& fit, const char* name, const char* sy
   return p->low95 && p->high95 ? text + fmt::format(" ({:.4g} to {:.4g})", *p->low95, *p->high95) : text;
 }
 
-/// Returns the main results of a fit as text: the slopes, the yield pressure, the window, and the range of
-/// lambda if the window is shifted by one row.
+/// Returns the main results of a fit as text: the slopes, the yield pressure, the window, and the range of values that
+/// lambda takes if the window is shifted by one row.
 std::string headline(const ConsolidationFit& fit) {
   std::vector<std::string> parts;
   const bool yields = fit.n_plateau > 0;
@@ -104,7 +104,7 @@ const char* law_in_words(const ConsolidationFit& fit) {
 }
 
 /// Prints on stderr a summary of a fit and the warnings about it.
-/// @param n_asked  number of resampled fits that --bootstrap requires; 0 without bootstrap
+/// @param n_asked  number of resampled fits (option --bootstrap); 0 without bootstrap
 void log_fit(const ConsolidationSample& sample, const ConsolidationFit& fit, int n_asked) {
   if (!fit.found()) {
     spdlog::warn("{}: the consolidation law cannot be fitted: {}", sample.name, fit.failure_reason);
@@ -135,9 +135,9 @@ void log_fit(const ConsolidationSample& sample, const ConsolidationFit& fit, int
   }
   if (fit.regimes && fit.law == ConsolidationLaw::log && fit.regimes->jump_distance > 0.0)
     spdlog::info(
-        "{}: the samples collapse in jumps, {:.2g} of ln P* apart on average; {} pressures at the beginning of "
-        "regime II, "
-        "in which samples that have not collapsed yet lie above its line, are left out of it",
+        "{}: the samples collapse in jumps, at distances of {:.2g} in ln P* on average; {} pressures at the "
+        "beginning of regime II are not fitted, because samples that have not collapsed yet lie above its line "
+        "there",
         sample.name, fit.regimes->jump_distance, fit.regimes->n_lagging);
   std::vector<std::string> budget;
   for (const ErrorParts& parts : fit.error_parts)
@@ -164,7 +164,7 @@ void log_fit(const ConsolidationSample& sample, const ConsolidationFit& fit, int
   for (const std::string& warning : fit.warnings) spdlog::warn("{}: warning: {}", sample.name, warning);
 }
 
-/// Warns if some pressures are left out of the mean of the samples, because they do not occur in all samples.
+/// Warns if some pressures do not occur in all samples and are therefore left out of the mean of the samples.
 /// @param read    samples that were read
 /// @param fitted  result of with_pooled() for these samples; its last element is their mean
 void warn_of_missing_pressures(const std::vector<ConsolidationSample>& read,
@@ -200,9 +200,8 @@ int fit_tables(ConsolidationArguments arguments) {
   for (const ConsolidationSample& sample : samples) {
     if (arguments.fit.weights == "scatter" && sample.loading.curve.samples.cols() < 2)
       spdlog::info(
-          "{}: --weights scatter needs the scatter between several samples, but this is a single sample: it is "
-          "fitted with the weights of --weights "
-          "relative",
+          "{}: --weights scatter needs the scatter between several samples: this single sample is fitted with "
+          "--weights relative instead",
           sample.name);
     fit = fit_of(sample, arguments.fit, options);
     log_fit(sample, fit, arguments.fit.n_bootstrap);
@@ -232,7 +231,7 @@ Command add_fit_consolidation(CommandLine fit) {
       .required();
   app.add_option(
          "--law", arguments->fit.law,
-         "law to fit: auto (the one that the data support), log (the line of regime II), power (the power "
+         "law to fit: auto (the law that the data support), log (the line of regime II), power (the power "
          "law of regime III) or full (both regimes) [auto; with --protocol or --P0 full]")
       .one_of({"auto", "log", "power", "full"});
   app.add_option("--window", arguments->fit.window,
@@ -241,8 +240,8 @@ Command add_fit_consolidation(CommandLine fit) {
       .delimiter(',')
       .expected(2);
   app.add_option("--protocol", arguments->fit.protocol,
-                 "published: fit as in the published work, only the mean of the samples and with P0* fixed at "
-                 "the first fitted pressure "
+                 "published: fit as in the published work: only the mean of the samples is fitted, with P0* "
+                 "fixed at the first fitted pressure "
                  "[P0* is the pressure at which the plateau of regime I meets the line of regime II]")
       .one_of({"published"});
   // The option --P0 excludes --window, because each of them selects the pressures that are fitted.
@@ -258,9 +257,8 @@ Command add_fit_consolidation(CommandLine fit) {
   app.add_option("--weights", arguments->fit.weights,
                  "assumed errors of the inverse solid fraction 1/Phi, which determine the weights: uniform "
                  "(equal), relative (proportional to 1/Phi) or scatter (from the scatter between samples) "
-                 "[scatter for a mean of three samples or more, otherwise relative; with --law auto weights "
-                 "between uniform "
-                 "and relative for a single curve and for the line of regime II]")
+                 "[scatter for a mean of three or more samples, otherwise relative; with --law auto, a single "
+                 "curve and the line of regime II have weights between uniform and relative]")
       .one_of({"uniform", "relative", "scatter"});
   app.add_option("--loss", arguments->fit.loss,
                  "loss function, which sets the weight of outliers: squared, huber or cauchy [squared]")

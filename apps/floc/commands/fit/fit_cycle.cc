@@ -30,8 +30,7 @@ int run_cycles(const CycleArguments& arguments) {
     log_notes(path);
     if (add_cycles(path, table) > 0) return int{kDone};
     spdlog::warn(
-        "{}: the load path contains no pressure cycle: there is no pressure that it reaches both on loading "
-        "and on the "
+        "{}: the load path contains no pressure cycle: no pressure is reached both on loading and on the "
         "unloading that follows",
         path.name);
     return int{kNotConverged};

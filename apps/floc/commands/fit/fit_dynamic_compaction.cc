@@ -39,7 +39,7 @@ std::vector<CompactedSample> read_samples(const CsvTable& table, const ColumnNam
   return samples;
 }
 
-/// Prints on stderr which samples were fitted, and the parts of the standard error of each parameter.
+/// Prints on stderr which samples were fitted, and for each parameter the parts of its standard error.
 void log_fit(const std::string& name, const CompactionFit& fit) {
   for (const std::string& warning : fit.warnings) spdlog::warn("{}: warning: {}", name, warning);
   if (!fit.found()) {

@@ -28,17 +28,17 @@ int fit_tables(const ElasticArguments& arguments) {
   Json array = Json::array();
   Table table = elastic_table();
   const int code = for_each_table(arguments.inputs, [&](const std::string& file) {
-    // The path is read with the mean stress as pressure, also for oedometer tests, because the bulk modulus B is fitted
-    // against the mean stress. For an oedometer test, elastic_branches() also fits the modulus M, against the stress on
-    // the driven axis.
+    // The mean stress is read as the pressure, even for oedometer tests, because the bulk modulus B is fitted against
+    // the mean stress. For an oedometer test, elastic_branches() also fits the modulus M, against the stress on the
+    // driven axis.
     const PathTable path = read_path(file, columns, {"P", "P_star"}, OedometerPressure::mean, phi_limit);
     log_notes(path);
     const std::vector<ElasticBranch> branches = elastic_branches(path, arguments.state);
     if (branches.empty()) {
       spdlog::warn("{}: no modulus can be fitted: the pressure never falls, so there is no unloading branch",
                    path.name);
-      // The exit code is kNotConverged instead of kBadInput, because the table is valid, although it contains no
-      // unloading branch.
+      // The table is valid, although it contains no unloading branch. The exit code is therefore kNotConverged, not
+      // kBadInput.
       return static_cast<int>(kNotConverged);
     }
     int worst = kDone;
@@ -75,8 +75,8 @@ Command add_fit_elastic(CommandLine fit) {
       .required();
   app.add_option(
       "--state", arguments->state,
-      "state file whose computed moduli are printed for comparison [if its file exists, the state of the first "
-      "row of the branch or, for a curved branch, of the middle row of its straight part]");
+      "state file whose computed moduli are printed for comparison [the state of the first row of the branch "
+      "or, for a curved branch, of the middle row of its straight part, if the file of this state exists]");
   add_phi_limit_option(app, arguments->phi_limit);
   add_columns_option(app, arguments->columns, "P, P_star, phi, void_ratio or another density, branch");
   add_printing_options(app, arguments->printing);

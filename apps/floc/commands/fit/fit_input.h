@@ -11,8 +11,8 @@
 /// Functions that the subcommands of `floc fit` share: options, reading of input tables, and printing of fits.
 namespace floc {
 
-/// Adds the option `--columns`. It has two uses: it says which columns of the input table contain the quantities to
-/// read, and which columns of the output table are printed.
+/// Adds the option `--columns`. The option assigns columns of the input table to the quantities to read, and selects
+/// the columns of the output table to print.
 /// @param text   receives the value of the option
 /// @param names  names of the quantities, as the help lists them
 void add_columns_option(CommandLine app, std::string& text, const std::string& names);
@@ -20,19 +20,20 @@ void add_columns_option(CommandLine app, std::string& text, const std::string& n
 /// Adds the option `--phi-limit`. @param text  receives the value of the option, which phi_limit_of() reads
 void add_phi_limit_option(CommandLine app, std::string& text);
 
-/// Parses the value of `--columns`, a list of items separated by commas. An item NAME=COLUMN says that COLUMN of the
-/// input table contains the quantity NAME; these items are returned. Any other item is the name of a column to print
-/// and is added to `printing`.
+/// Parses the value of `--columns`, a list of items separated by commas, and returns the items NAME=COLUMN. An item
+/// NAME=COLUMN means that the column COLUMN of the input table contains the quantity NAME. Any other item is the name
+/// of a column to print and is added to `printing`.
 /// @param names  names of the quantities to which columns may be assigned
 /// @throws InputError if an item is not valid, or if its NAME is not in `names`
 ColumnNames parse_column_names(const std::string& text, const std::vector<std::string>& names,
                                Printing& printing);
 
-/// Returns `names` and the names of the quantities from which solid fractions are computed (density_names()).
+/// Returns `names`, followed by the names of all quantities from which solid fractions can be computed
+/// (density_names()).
 std::vector<std::string> names_with_densities(std::vector<std::string> names);
 
-/// Prints on stderr what was read from the table of a load path, how its pressures were converted to another unit, and
-/// which of its rows do not count.
+/// Prints on stderr the quantities that were read from the table of a load path, the conversion of its pressures to
+/// another unit, and the rows that are ignored.
 void log_notes(const PathTable& path);
 
 /// Prints the format of a table on stderr, unless it is a plain csv table.
@@ -41,13 +42,13 @@ void log_description(const CsvTable& table);
 /// Calls `work` for every table that the inputs name; `work` returns an exit code. If an input cannot be read, an error
 /// with the name of this input is printed on stderr, and the other inputs are still processed.
 /// @param inputs  csv files, or directories of `floc run` or of an ensemble
-/// @param tables  function that returns the tables that an input stands for
+/// @param tables  function that returns the tables of an input
 /// @return the worst of the exit codes, by the order of worse()
 int for_each_table(const std::vector<std::string>& inputs,
                    const std::function<int(const std::string& file)>& work,
                    const std::function<std::vector<std::string>(const std::string& input)>& tables = tables_of);
 
-/// Prints a fit on stdout: as `json` if this is the chosen format, otherwise as `table`. On a terminal only the first
+/// Prints a fit on stdout: `json` if the chosen format is json, otherwise `table`. On a terminal only the first
 /// `n_short` columns of the table are printed, because the summary on stderr contains the values of the other columns.
 /// @throws IoError if stdout cannot be written
 void print_fit(const Json& json, Table table, std::size_t n_short, const Printing& printing);

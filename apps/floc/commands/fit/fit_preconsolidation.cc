@@ -37,8 +37,8 @@ int fit_tables(const PreconsolidationArguments& arguments) {
           "{}: no preconsolidation pressure can be fitted: the pressure does not rise again after it has "
           "fallen, so there is no reloading branch",
           path.name);
-      // The exit code is kNotConverged instead of kBadInput, because the table is valid, although it contains no
-      // reloading branch.
+      // The table is valid, although it contains no reloading branch. The exit code is therefore kNotConverged, not
+      // kBadInput.
       return static_cast<int>(kNotConverged);
     }
     int worst = kDone;
@@ -80,7 +80,7 @@ Command add_fit_preconsolidation(CommandLine fit) {
       .required();
   app.add_option("--branch", arguments->branch,
                  "branches to fit: reloading, first (the first loading of a sample that was loaded "
-                 "before the test) or all [reloading; without a reloading branch, first]")
+                 "before the test) or all [reloading if the table has a reloading branch, otherwise first]")
       .one_of({"reloading", "first", "all"});
   add_phi_limit_option(app, arguments->phi_limit);
   add_columns_option(app, arguments->columns, "P_star, phi, void_ratio or another density, branch");

@@ -20,7 +20,7 @@ namespace {
 struct StrengthArguments {
   std::vector<std::string> inputs;
   std::string columns, kind;
-  std::vector<double> modulus;  ///< two axial stresses, or empty
+  std::vector<double> modulus;  ///< two axial stresses; empty if --modulus is not given
   std::optional<double> critical_from;
   Printing printing;
 };
@@ -41,12 +41,13 @@ std::optional<std::pair<double, double>> modulus_range(const std::vector<double>
   return std::pair(stresses[0], stresses[1]);
 }
 
-/// Prints on stderr the reasons why tests have no parameters, and the warnings. @return exit code
+/// Prints on stderr the reasons why parameters of tests could not be computed, and the warnings about the tests.
+/// @return exit code
 int log_fits(const std::vector<StrengthFit>& fits) {
   int code = kDone;
   for (const StrengthFit& fit : fits) {
     if (!fit.failure_reason.empty())
-      spdlog::warn("{}: nothing can be computed: {}", described(fit), fit.failure_reason);
+      spdlog::warn("{}: no parameters can be computed: {}", described(fit), fit.failure_reason);
     if (fit.parameters.empty()) code = kNotConverged;
     for (const std::string& warning : fit.warnings) spdlog::warn("{}: warning: {}", described(fit), warning);
   }
@@ -64,9 +65,8 @@ int fit_strength(const StrengthArguments& arguments) {
     std::vector<StrengthTest> found = read_strength_tests(file, columns, kind_of_test(arguments.kind));
     if (found.empty()) {
       spdlog::warn(
-          "{}: the table has no test that strains the sample along one axis or shears it: no rows with the "
-          "control "
-          "triaxial, constant_volume, oedometric or simple_shear",
+          "{}: the table contains no test with axial strain or simple shear: no row has the control triaxial, "
+          "constant_volume, oedometric or simple_shear",
           file);
       return static_cast<int>(kNotConverged);
     }
@@ -106,9 +106,9 @@ Command add_fit_strength(CommandLine fit) {
                  "sample at failure in each row; - for a table on stdin")
       .required();
   app.add_option("--kind", arguments->kind,
-                 "kind of the test in tables that `floc run` has not written: drained, undrained (sigma1 and "
-                 "sigma3 are "
-                 "effective stresses), oedometer or simple-shear [drained; with sigma_n and tau simple-shear]")
+                 "kind of the test in tables that were not written by `floc run`: drained, undrained (sigma1 "
+                 "and sigma3 are effective stresses), oedometer or simple-shear [simple-shear for tables with "
+                 "sigma_n and tau, otherwise drained]")
       .one_of({"drained", "undrained", "oedometer", "simple-shear"});
   app.add_option("--critical-from", arguments->critical_from,
                  "axial strain at which the critical state begins [three quarters of the strain of "

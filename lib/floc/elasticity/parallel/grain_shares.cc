@@ -7,7 +7,7 @@
 namespace floc {
 namespace {
 
-/// Number of grains up to which their order does not matter, because their data fit into a cache.
+/// Groups of at most this number of grains are not sorted, because the data of so few grains fit into a cache.
 constexpr std::size_t kLeaf = 32;
 
 /// Moves the `n_low` grains with the lowest coordinates to the front. The coordinates are those along the longest side
@@ -29,8 +29,8 @@ void split(const std::vector<Vec<Dim>>& centres, std::span<int> grains, std::siz
   std::nth_element(grains.begin(), grains.begin() + static_cast<std::ptrdiff_t>(n_low), grains.end(), is_lower);
 }
 
-/// Sorts grains by recursive bisection of space: first the processes get their grains, then the grains of each process
-/// are halved until few are left.
+/// Sorts grains by recursive bisection of space: first each process gets its grains, then the grains of each process
+/// are halved until the groups have at most kLeaf grains.
 /// @param first  receives the index of the first grain of each process
 template <int Dim>
 void divide(const std::vector<Vec<Dim>>& centres, std::span<int> grains, std::span<int> first) {

@@ -18,8 +18,8 @@ struct GrainShares {
 };
 
 /// Distributes grains over processes by recursive bisection across the longest side of the box around them. Each half
-/// gets a number of grains proportional to its number of processes. All processes compute the same distribution, since
-/// grains with equal coordinates are sorted by their numbers.
+/// gets a number of grains proportional to its number of processes. All processes compute the same distribution,
+/// because grains with equal coordinates are sorted by their numbers.
 /// @param centres      centres of all grains, inside or outside the cell (length)
 /// @param taken        for each grain, whether it gets a block
 /// @param n_processes  number of processes, >= 1

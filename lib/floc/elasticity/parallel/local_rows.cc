@@ -11,8 +11,8 @@ namespace {
 /// of a spring's length per unit of an unknown.
 constexpr double kEntryRounding = 8.0 * std::numeric_limits<double>::epsilon();
 
-/// Shift added to the diagonal of the stiffness matrix, whose entries are of order one. The shift is below the
-/// stiffness of the softest motions that matter and above rounding errors.
+/// Shift that is added to the diagonal of the stiffness matrix. The entries of the matrix are of order one. The shift
+/// is below the stiffness of the softest motions that influence the response, and above rounding errors.
 constexpr double kShift = 1e-11;
 
 template <int Dim>
@@ -60,9 +60,9 @@ void LocalRows<Dim>::gather(int process) {
     return block >= first_ && block < first_ + n_grains_;
   };
   of_start_.assign(n_grains_ + 1, 0);
-  // `at_hand_` first lists the grains of this process, in the order of their rows, and then the grains of other
-  // processes that touch them. A counting sort then lists the contacts of each grain of this process; a contact between
-  // two grains of this process is listed for both.
+  // `at_hand_` first lists the grains of this process, in the order of their rows, and then those grains of other
+  // processes that touch a grain of this process. A counting sort then lists the contacts of each grain of this
+  // process; a contact between two grains of this process is listed for both.
   for (int k = 0; k < static_cast<int>(network_.contacts.size()); ++k) {
     const NetworkContact<Dim>& c = network_.contacts[k];
     if (!is_own(c.i) && !is_own(c.j)) continue;

@@ -13,9 +13,9 @@ namespace floc {
 /// divided by the stiffness `unit`, and rotations are multiplied by the grain's size (see ReducedUnknowns). To give all
 /// blocks the same size, unknowns that are not solved for have rows with a one on the diagonal and zeros elsewhere.
 ///
-/// Mechanisms carry no load, but would make K singular. If K cannot have negative eigenvalues, a shift is therefore
-/// added to its diagonal. The shift is far below any stiffness that resists a strain, and refinement by balance()
-/// removes its effect.
+/// Mechanisms have no influence on the response, but would make K singular. If K cannot have negative eigenvalues, a
+/// shift is therefore added to its diagonal. The shift is far below any stiffness that resists a strain, and refinement
+/// by balance() removes its effect.
 template <int Dim>
 class LocalRows {
  public:
@@ -25,14 +25,15 @@ class LocalRows {
   LocalRows(const ContactNetwork<Dim>& network, const std::vector<bool>& kept, const GrainShares& shares,
             int process, double unit, const ResponseOptions& options);
 
-  /// Passes these rows of K to the solver. It also passes the rigid motions of the grains, which the coarse grids of
-  /// the solver have to represent.
+  /// Passes the rows of K to the solver, together with the rigid motions of the grains. The coarse grids of the solver
+  /// have to represent these motions.
   /// @param centres  centres of all grains (length)
   /// @return largest diagonal entry of these rows
   double assemble(const std::vector<Vec<Dim>>& centres, ParallelSolver& solver) const;
 
-  /// n_own() is the number of unknowns of the grains of this process. n_at_hand() also counts the unknowns of the
-  /// grains of other processes that touch them; it is the size of u in balance() and energies().
+  /// n_own() is the number of unknowns of the grains of this process. n_at_hand() also counts the unknowns of those
+  /// grains of other processes that touch a grain of this process; n_at_hand() is the size of u in balance() and
+  /// energies().
   Eigen::Index n_own() const { return kDofs<Dim> * static_cast<Eigen::Index>(n_grains_); }
   Eigen::Index n_at_hand() const { return kDofs<Dim> * static_cast<Eigen::Index>(at_hand_.size()); }
 
@@ -81,13 +82,14 @@ class LocalRows {
   double shift_;      // value added to the diagonal of K
   int first_ = 0;     // first block of this process
   int n_grains_ = 0;  // number of grains of this process
-  // grains of this process in the order of their rows, then the grains of other processes that touch them
+  // first the grains of this process in the order of their rows, then those grains of other processes that touch a
+  // grain of this process
   std::vector<int> at_hand_;
   std::vector<int> place_;     // for each grain, its index in `at_hand_`; -1 if it is not there
   std::vector<int> contacts_;  // contacts of the grains of this process
   std::vector<int> of_start_,
-      // contacts of the grains of this process, listed grain by grain; `of_start_` holds the index in `of_` at which
-      // the list of each grain begins
+      // contacts of the grains of this process, listed grain by grain; `of_start_` contains, for each grain, the index
+      // in `of_` at which its list begins
       of_;
 };
 

@@ -12,7 +12,7 @@ namespace floc {
 /// processes have to call this function with the same arguments, and all obtain the same response. In the response,
 /// `error` is an estimate from the residual forces and the lowest Ritz value of the iteration, mechanisms and negative
 /// eigenvalues are not counted, and `fluctuation` is empty. If the iteration does not converge, for example because the
-/// stiffness matrix is not positive definite, `failure` holds the reason.
+/// stiffness matrix is not positive definite, `failure` contains the reason.
 /// @param centres  centres of all grains, inside or outside the cell (length)
 template <int Dim>
 [[nodiscard]] ElasticResponse elastic_response(const ContactNetwork<Dim>& network,

@@ -12,10 +12,11 @@ inline double spring_energy(double squared_force, double stiffness) {
 /// Potential energy of a contact (energy).
 struct ContactEnergy {
   /// Elastic energy of the normal force and of the springs: N^2 h/(N + K_N h) + T^2/(2 K_T) + M^2/(2 K_R), plus an
-  /// analogous term for the twisting spring. N is the elastic normal force at the overlap h, T the tangential force and
-  /// M the moment of the rolling spring; K_N, K_T and K_R are the stiffnesses. If N is proportional to a power of h,
-  /// the first term is the integral of N over h: N h/2 for linear contacts, (2/5) N h for Hertz contacts. Other laws
-  /// compute this term from the gap and the history. The elastic energy of a distant attraction is zero.
+  /// analogous term for the twisting spring. Here N is the elastic normal force at the overlap h, T the tangential
+  /// force and M the moment of the rolling spring; K_N, K_T and K_R are the normal, tangential and rolling stiffness.
+  /// If N is proportional to a power of h, the first term is the integral of N over h: N h/2 for linear contacts, (2/5)
+  /// N h for Hertz contacts. Other laws compute this term from the gap and the history. The elastic energy of a distant
+  /// attraction is zero.
   double elastic = 0.0;
   double normal = 0.0;  ///< elastic energy of the normal force, the first term of `elastic`
   /// Energy of the adhesion, negative where the surfaces attract each other.
@@ -31,8 +32,8 @@ ContactEnergy contact_energy(const Packing<Dim>& packing, const Contact<Dim>& co
 template <int Dim>
 ContactEnergy contact_energy(const Packing<Dim>& packing);
 
-/// Returns the kinetic energy of the translations of the grains divided by the elastic energy of all contacts;
-/// infinite if grains move and no contact is loaded, zero if nothing moves.
+/// Returns the kinetic energy of the translations of the grains divided by the elastic energy of all contacts; infinite
+/// if grains move and no contact has elastic energy, zero if no grain moves.
 template <int Dim>
 double kinetic_over_elastic_energy(const Packing<Dim>& packing);
 

@@ -22,8 +22,8 @@ bool interacts_at(const Law& law, const Grains<Dim>& grains, const Contact<Dim>&
   return law.template interacts<Dim>(pair_geometry(grains, c), packed_history<Law, Dim>(c.history));
 }
 
-/// Recomputes all contacts with walls (if `with_walls` is true) or all contacts between grains, and removes contacts
-/// whose surfaces are too far apart to interact.
+/// Recomputes either all contacts with walls (if `with_walls` is true) or all contacts between grains. Contacts whose
+/// surfaces are too far apart to interact are removed.
 template <int Dim>
 void refresh_kind(Packing<Dim>& packing, bool with_walls) {
   if (packing.law.is_rigid()) {
@@ -62,8 +62,8 @@ void set_forces(const Law& law, double pull_off_force, const Grains<Dim>& grains
   c.history = unpacked_history<Law, Dim>(history);
   c.distant = !touches(law, grains, c) && interacts_at(law, grains, c);
   if (c.distant) {
-    // Under a normal law with a history, surfaces may count as separated although they overlap. The law then determines
-    // their forces.
+    // Under a normal law with a history, surfaces may count as separated although they overlap. In this case the law
+    // determines the forces between them.
     if constexpr (Law::kKeepsOverlap) respond_to_motion<Law, Dim>(law, grains, SurfaceMotion<Dim>{}, c);
     return;
   }
@@ -73,8 +73,8 @@ void set_forces(const Law& law, double pull_off_force, const Grains<Dim>& grains
   c.kt = Law::kHasFriction ? kt.value_or(k.tangential) : 0.0;
   c.kr = k.rolling;
   c.ktw = k.twisting;
-  // The springs are those of the law, also if the contact has stiffnesses of its own, so that the law gives the forces that are
-  // given, and their limits.
+  // The springs get the stiffnesses of the law, even if other stiffnesses are given for the contact. The law then
+  // reproduces the given forces and their limits.
   law.template set_force<Dim>(to_shear<double>(c.normal, c.shear_force), -c.rolling_moment, -c.twisting_moment,
                               k, history);
   set_mobilised(law, history, tolerance, c);

@@ -7,11 +7,11 @@
 
 namespace floc {
 
-/// Recomputes the gap, normal, static forces, stiffnesses and flags of one contact from the positions of its grains and
-/// its history, by the contact law of the packing. Bonds and rigid contacts keep their forces, which do not follow from
-/// the positions. Springs whose forces exceed their caps are shortened. If the surfaces have separated, or if the law
-/// lacks the model of a spring, the spring is set to zero. The members i, j, image, key and history of `contact` have
-/// to be set before the call; all other members are overwritten.
+/// Recomputes the gap, normal, static forces, stiffnesses and flags of one contact by the contact law of the packing.
+/// They follow from the positions of the grains and from the history of the contact. Bonds and rigid contacts keep
+/// their forces, which do not follow from the positions. Springs whose forces exceed their caps are shortened. A spring
+/// is set to zero if the surfaces have separated or if the law has no model for this spring. The members i, j, image,
+/// key and history of `contact` have to be set before the call; all other members are overwritten.
 template <int Dim>
 void refresh_contact(const Packing<Dim>& packing, Contact<Dim>& contact);
 
@@ -25,8 +25,8 @@ void refresh_contacts(Packing<Dim>& packing);
 template <int Dim>
 bool touches(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
-/// Returns which springs of a contact have forces at their caps, from its elastic force and its history. The springs of
-/// a distant attraction carry no force and do not count.
+/// Returns which springs of a contact have forces at their caps. The result follows from the elastic force and the
+/// history of the contact. The springs of a distant attraction carry no force and do not count.
 /// @param tolerance  largest accepted difference between a force and its cap, as a fraction of the cap
 template <int Dim>
 Mobilised mobilised(const Law& law, const Contact<Dim>& contact, double tolerance);

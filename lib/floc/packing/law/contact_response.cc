@@ -9,12 +9,12 @@
 namespace floc {
 namespace {
 
-/// Factor by which springs are lengthened when derivatives are computed. A spring whose force is at its cap up to
-/// rounding then exceeds the cap and counts as sliding.
+/// Factor by which springs are lengthened when derivatives are computed. After lengthening, a spring whose force equals
+/// its cap up to rounding errors exceeds the cap and counts as sliding.
 constexpr double kBeyondCap = 1.0 + 2e-12;
-/// Motion of the surfaces (length or radians) that is added when derivatives are computed. A spring of zero length then
-/// exceeds a cap of zero, for example between surfaces that have separated. The motion is negligible compared with any
-/// other motion, and its square does not underflow.
+/// Motion of the surfaces (length or radians) that is added when derivatives are computed. With this motion, a spring
+/// of zero length exceeds a cap of zero, for example between surfaces that have separated. The motion is negligible
+/// compared with any other motion, and its square does not underflow.
 constexpr double kTinyMotion = 1e-150;
 
 /// Returns the factor by which each number in the history of a contact is multiplied when derivatives are computed:
@@ -47,8 +47,9 @@ typename Law::template PairParameters<T> constant(
     return {};
 }
 
-/// Returns the axes of the rotations in `ContactRows`, as the columns of a matrix: the axes about which the grains of a
-/// contact roll on each other. In 3D the columns are zero in place of the normal, and the two tangents.
+/// Returns the axes of the rotations in `ContactRows` about which the grains of a contact roll on each other, as the
+/// columns of a matrix. In 3D the first column belongs to the normal and is zero; the other columns are the two
+/// tangents.
 Mat<1> rolling_axes(const Mat<2>&) {
   return Mat<1>::Identity();
 }

@@ -7,18 +7,19 @@
 
 namespace floc {
 
-/// Relative motion of the surfaces of the two grains of a contact since the history of the contact was last updated, in
-/// the frame of the contact normal.
+/// Relative motion of the two surfaces in a contact since the last update of the history of the contact, in the frame
+/// of the contact normal.
 template <int Dim>
 struct SurfaceMotion {
   Shear<Dim> slip = Shear<Dim>::Zero();  ///< tangential displacement of grain j relative to grain i (length)
-  /// Rotation of grain i relative to grain j (radians); in 3D only about axes in the tangent plane.
+  /// Rotation of grain i relative to grain j (radians). In 3D it contains only the rotation about axes in the tangent
+  /// plane.
   RotationVector<Dim> relative_rotation = RotationVector<Dim>::Zero();
   double twist = 0.0;  ///< in 3D, rotation of grain i relative to grain j about the normal (radians)
 };
 
-/// Replaces the normal of a contact by a new normal. Rotates with it the history of the contact, and the motion of the
-/// contact since the history was updated. If the old normal is zero, nothing is rotated.
+/// Replaces the normal of a contact by a new normal, and rotates the history of the contact and its motion since the
+/// last update of the history in the same way. If the old normal is zero, nothing is rotated.
 /// @param remembered  quantities in the history of the contact, from history_quantities()
 /// @param normal  the new normal (unit vector)
 /// @param twist  mean rotation of the two grains about the normal (radians; ignored in 2D)
@@ -38,14 +39,14 @@ void respond(const Packing<Dim>& packing, std::span<const SurfaceMotion<Dim>> mo
 /// Derivatives of the forces of one contact with respect to the relative motion of its surfaces. The rows are the
 /// normal force, the tangential force on grain i along each tangent, and the moment on grain i about each axis. The
 /// columns are the overlap, the tangential displacement of grain j relative to grain i along each tangent, and the
-/// rotation of grain j relative to grain i about each axis. Both are in the order of `ContactRows`.
+/// rotation of grain j relative to grain i about each axis. Rows and columns are in the order of `ContactRows`.
 template <int Dim>
 using ContactTangent = Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>>;
 
 /// Computes the consistent tangent matrix of respond() for each contact: the derivatives of the forces of the contact
 /// law, in the frame that rotates with the contact. The derivatives include the shortening of springs whose forces
-/// exceed their caps; a spring whose force is at its cap up to rounding is treated as sliding. The matrix is not
-/// symmetric if one force depends on another, for example if the contact slides.
+/// exceed their caps; a spring whose force equals its cap up to rounding errors is treated as sliding. The matrix is
+/// not symmetric if one force depends on another, for example if the contact slides.
 /// @param start  contacts with the present gap and normal, and with the history before the motion
 /// @param frame  frame of each contact: a matrix whose columns are the normal, then the tangents
 /// @param tangent  output: tangent matrix of each contact

@@ -6,11 +6,11 @@
 #include "floc/packing/packing.h"
 
 /// Functions that evaluate a composed contact law for one contact. All code except the force loop of the dynamics uses
-/// them.
+/// these functions.
 namespace floc {
 
-/// Largest difference between the force of a spring and its cap, as a fraction of the cap, at which the force counts as
-/// being at the cap. It allows for rounding.
+/// The force of a spring counts as being at its cap if it differs from the cap by at most this fraction of the cap. The
+/// fraction allows for rounding errors.
 inline constexpr double kCapTolerance = 1e-12;
 
 /// Returns the gap, reduced radius and reduced mass of the two grains of a contact. A wall is flat and infinitely
@@ -21,8 +21,8 @@ PairGeometry<> pair_geometry(const Grains<Dim>& grains, const Contact<Dim>& c) {
   return {c.gap, reduced(grains.radius[c.i], grains.radius[c.j]), reduced(grains.mass[c.i], grains.mass[c.j])};
 }
 
-/// Returns the parameters of the two grains of a contact under a contact law, such as those of their liquid bridge. A
-/// contact with a wall has no liquid bridge.
+/// Returns the parameters of a contact law that depend on the two grains of a contact, for example those of a liquid
+/// bridge. A contact with a wall has no liquid bridge.
 template <class Law, int Dim>
 typename Law::template PairParameters<> pair_parameters(
     const Law& law, const Grains<Dim>& grains, const Contact<Dim>& c,
@@ -30,8 +30,8 @@ typename Law::template PairParameters<> pair_parameters(
   if (c.j >= grains.size()) return {};
   return law.template pair_parameters<Dim>(grains.radius[c.i], grains.radius[c.j], history);
 }
-/// Returns the parameters of the two grains of a contact that are in effect at the present history of the contact:
-/// those of pair_parameters(), but with zero strength if their liquid bridge has broken.
+/// Returns the parameters that are in effect at the present history of a contact. They are those of pair_parameters(),
+/// but with zero strength if the liquid bridge has broken.
 template <class Law, int Dim>
 typename Law::template PairParameters<> acting_parameters(const Law& law, const Grains<Dim>& grains,
                                                           const Contact<Dim>& c) {

@@ -12,9 +12,9 @@ namespace floc {
 using Stiffnesses = std::array<double, 4>;
 inline constexpr std::array<const char*, 4> kStiffnessNames = {"kn", "kt", "kr", "ktw"};
 
-/// Relative tolerance of the comparison of stiffnesses from another program with the stiffnesses of the contact law. It
-/// allows for the rounding in files, which contain at least six digits of a stiffness and of the force from which the
-/// law computes it.
+/// Relative tolerance for the comparison between stiffnesses from another program and stiffnesses of the contact law.
+/// It allows for rounding in files: they contain at least six digits of a stiffness, and of the force from which the
+/// law computes the stiffness.
 inline constexpr double kForeignStiffness = 1e-5;
 
 template <int Dim>
@@ -28,19 +28,21 @@ Stiffnesses stiffnesses(const Contact<Dim>& contact) {
 template <int Dim>
 Stiffnesses law_stiffnesses(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
-/// Returns whether a stiffness differs from that of the contact law, `by_law`, by more than `tolerance` times `by_law`.
+/// Returns whether a stiffness differs from the stiffness `by_law` of the contact law by more than `tolerance` times
+/// `by_law`.
 bool differ(double found, double by_law, double tolerance);
 
-/// Comparison of given stiffnesses of contacts with those that follow from their contact law.
+/// Comparison of given stiffnesses of contacts with the stiffnesses that follow from the contact law.
 class StiffnessComparison {
  public:
   /// Adds the stiffnesses of one contact to the comparison.
   /// @param names  names of the two grains of the contact in messages, such as "0-4"
   void add(const Stiffnesses& found, const Stiffnesses& by_law, const std::string& names);
 
-  /// Returns one message for each of the four stiffnesses that differs from the contact law, with the number of
-  /// contacts, the ratio to the stiffness of the law, and the contact with the largest difference: "kn of 24 contacts
-  /// is 10 times the value of the contact law (grains 0-4: 1.2e+07, by the law 1.2e+06)".
+  /// Returns one message for each kind of stiffness (of the four) that differs from the contact law. The message
+  /// contains the number of contacts, the ratio to the stiffness of the law, and the contact with the largest
+  /// difference: "kn of 24 contacts is 10 times the value of the contact law (grains 0-4: 1.2e+07, by the law
+  /// 1.2e+06)".
   /// @param force_exponent  exponent of the overlap in the elastic force of the law. If it is not 1, messages point out
   /// a common mistake: kn is given as the normal force N divided by the overlap delta, which is only two thirds of the
   /// stiffness of Hertz contacts.
@@ -52,7 +54,7 @@ class StiffnessComparison {
     /// Smallest and largest ratio of the given stiffness to the stiffness of the law over all contacts; infinite if the
     /// stiffness of the law is 0.
     double least = 0.0, largest = 0.0;
-    /// largest relative difference; the next members belong to the contact with this difference
+    /// largest relative difference; the following members describe the contact with this difference
     double worst = 0.0;
     double found = 0.0, by_law = 0.0;
     std::string names;

@@ -57,8 +57,9 @@ double BridgeSearch::first_reach() const {
   return radius_sum_ > 0.0 ? bridges_.reach(liquid_ * (largest_radius_ / radius_sum_)) : 0.0;
 }
 
-/// Returns the reach of a bridge between two grains of the largest radius, which holds the most liquid. More bridges
-/// would reduce the volume of each bridge. A single bridge holds all the liquid.
+/// The bound is the reach of a bridge between two grains of the largest radius, because this bridge has the largest
+/// volume. If more bridges form, the volume of each bridge decreases. If there is a single bridge, it has the volume of
+/// all the liquid.
 double BridgeSearch::reach_bound(const LiquidShares& shares) const {
   return bridges_.reach(liquid_ *
                         std::min(1.0, shares.n_bonds > 0 ? largest_radius_ / shares.radius_sum : 1.0));

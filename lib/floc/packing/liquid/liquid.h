@@ -7,8 +7,8 @@
 
 #include "floc/packing/packing.h"
 
-/// Liquid of a packing whose contact law has liquid bridges: which pairs of grains have a bridge, and the volumes of
-/// the bridges.
+/// Liquid of a packing whose contact law has liquid bridges: these functions find the pairs of grains that have a
+/// bridge, and the volumes of the bridges.
 namespace floc {
 
 /// Estimated number of liquid bridges in a dense packing divided by the number of grains. The search for bridges begins
@@ -21,7 +21,7 @@ struct BridgeablePair {
   double radius;  ///< mean radius R' = 2 Ri Rj/(Ri + Rj) of the two grains (length)
 };
 
-/// Distribution of the liquid of a packing over a list of pairs of grains.
+/// Distribution of the liquid in a packing over a list of pairs of grains.
 struct LiquidShares {
   std::vector<double> volume;  ///< volume V_b of the bridge of each pair (length^3), 0 without a bridge
   int n_bonds = 0;             ///< number of pairs with a bridge
@@ -36,10 +36,10 @@ struct LiquidShares {
 ///   q = R' (1 + th/2)^3/h^3 (infinite if the surfaces touch), the largest first.
 ///
 /// Let S_k be the sum of R' over the first k pairs. The first k pairs have bridges, where k is the largest number with
-/// S_k <= V_l q_k (S_k rises with k, and q_k falls). All of these pairs are within the reach of their bridges, which is
-/// not the case for any larger k. (If the R' differ, another choice of pairs, which leaves out a pair with a larger q,
-/// may contain more pairs.) Pairs of equal q keep their order. The volumes add up to V_l, up to rounding; if no pair is
-/// within reach, all volumes are zero.
+/// S_k <= V_l q_k (S_k rises with k, and q_k falls). The gap of each of these pairs is within the reach of its bridge;
+/// with any larger k, the gap of some pair would be too wide. (If the values R' differ, there may be other choices with
+/// more pairs, which leave out a pair with a larger q.) Pairs of equal q keep their order. The volumes add up to V_l,
+/// up to rounding; if no pair is within reach, all volumes are zero.
 ///
 /// @param liquid  volume V_l of the liquid (length^3), > 0
 LiquidShares share_liquid(const CapillaryAdhesion& bridges, double liquid,
@@ -51,8 +51,8 @@ LiquidShares share_liquid(const CapillaryAdhesion& bridges, double liquid,
 /// @param volume  volume of their bridge (length^3)
 bool may_hold_liquid(const CapillaryAdhesion& bridges, double gap, double volume);
 
-/// Distributes the volume `liquid` (length^3) over the pairs of grains that may hold liquid, out of n pairs.
-/// @param pair  function of k that returns the k-th pair; no value if this pair gets no liquid
+/// Distributes the volume `liquid` (length^3) over those of n pairs of grains that may get liquid.
+/// @param pair  function that returns the pair number k; it returns no value if this pair gets no liquid
 /// @return distribution with the volumes of all n pairs
 template <class PairAt>
 LiquidShares share_liquid_among(const CapillaryAdhesion& bridges, double liquid, int n, const PairAt& pair) {
@@ -79,24 +79,24 @@ class BridgeSearch {
 
   /// Returns the total volume of liquid (length^3).
   double liquid() const { return liquid_; }
-  /// Returns the first gap up to which pairs are searched (length): the largest reach that bridges would have if there
-  /// were kBridgesPerGrain bridges per grain.
+  /// Returns the gap up to which pairs are searched first (length): the largest reach of a bridge if there were
+  /// kBridgesPerGrain bridges per grain.
   double first_reach() const;
   /// Returns an upper bound on the reach (length) of each bridge in the distribution `shares`.
   double reach_bound(const LiquidShares& shares) const;
-  /// Returns the next gap up to which pairs are searched (length), where `shares` is the distribution over all
-  /// pairs closer than `reach`. It is wider than `reach`, or equal to `reach` if the distribution is final.
+  /// Returns the next gap up to which pairs are searched (length), where `shares` is the distribution over all pairs
+  /// closer than `reach`. The next gap is wider than `reach`, or equal to `reach` if the distribution is final.
   double wider(double reach, const LiquidShares& shares) const;
 
  private:
   const CapillaryAdhesion& bridges_;
   double liquid_, largest_radius_;
-  /// Sum that the mean radii R' of all bridges would have if there were kBridgesPerGrain bridges per grain (length).
+  /// Estimated sum of the mean radii R' of all bridges, for kBridgesPerGrain bridges per grain (length).
   double radius_sum_;
 };
 
-/// Returns whether the contact law of a packing has liquid, so that the history of contacts holds the volumes
-/// of bridges.
+/// Returns whether the contact law of a packing has liquid. If so, the history of the contacts contains the volumes of
+/// the bridges.
 template <int Dim>
 bool holds_liquid(const Packing<Dim>& packing) {
   return packing.law.liquid() != nullptr;
@@ -111,8 +111,8 @@ double bridge_volume(const Packing<Dim>& packing, const Contact<Dim>& contact);
 template <int Dim>
 void set_bridge_volume(double volume, Contact<Dim>& contact);
 
-/// Returns whether a pair of grains belongs in the list of contacts: its surfaces touch, attract each other across a
-/// gap or hold liquid.
+/// Returns whether a pair of grains belongs in the list of contacts: the surfaces touch or attract each other across a
+/// gap, or there is liquid between them.
 /// @pre contact.distant is set: whether the surfaces attract each other across a gap
 template <int Dim>
 bool interacts(const Packing<Dim>& packing, const Contact<Dim>& contact) {
@@ -125,11 +125,11 @@ template <int Dim>
 double range_of(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
 /// Returns the largest gap (length) at which any contact of a packing acts. It is the largest of three lengths: the
-/// reach of the contact law, the reach of each liquid bridge, and the gap of each contact that holds liquid.
+/// reach of the contact law, the reach of each liquid bridge, and the gap of each contact that has liquid.
 template <int Dim>
 double interaction_range(const Packing<Dim>& packing);
 
-/// Returns the pull-off force F0 of two grains of the largest radius of a packing (force); 0 without adhesion.
+/// Returns the pull-off force F0 of two grains that have the largest radius in a packing (force); 0 without adhesion.
 template <int Dim>
 double pull_off_force(const Packing<Dim>& packing);
 
@@ -137,7 +137,7 @@ double pull_off_force(const Packing<Dim>& packing);
 template <int Dim>
 double pull_off_force(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
-/// Returns the total volume of spheres with these radii (length^3). In 2D, the disks stand for a layer of spheres.
+/// Returns the total volume of spheres with these radii (length^3). In 2D, the disks represent a layer of spheres.
 double volume_of_spheres(std::span<const double> radius);
 
 }  // namespace floc

@@ -327,9 +327,7 @@ Plot moduli_plot(const std::vector<ModuliPoint>& points, const std::string& unit
   // that do not hold are NaN, which gnuplot does not draw.
   const std::string curves = plot_command(
       plot,
-      {{0,
-        "using 1:5:6 with filledcurves fillcolor rgb '#e3eef6' title 'bounds of B, where they hold: Reuss to "
-        "Voigt'"},
+      {{0, "using 1:5:6 with filledcurves fillcolor rgb '#e3eef6' title 'Reuss and Voigt bounds of B'"},
        {0, "using 1:5 with lines linecolor rgb '#9cc3de' notitle"},
        {0, "using 1:6 with lines linecolor rgb '#9cc3de' notitle"},
        {0, "using 1:7 with lines dashtype 3 linecolor rgb '#d55e00' title 'Voigt bound of G'"},
@@ -347,7 +345,7 @@ Plot moduli_plot(const std::vector<ModuliPoint>& points, const std::string& unit
 set format y '10^{{%T}}'
 set xlabel '{xlabel}'
 set ylabel {ylabel}
-set key bottom right
+set key bottom right font ',16'
 {curves})",
                   fmt::arg("range", range_script(plot, "x", {0, 1}, 0, true)), fmt::arg("curves", curves),
                   fmt::arg("xlabel", mean_pressure_label(std::ranges::any_of(points, &ModuliPoint::is_driven))),

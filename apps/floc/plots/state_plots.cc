@@ -215,7 +215,7 @@ set bars 0.4
 {axes}set format y '10^{{%T}}'
 set xlabel {xlabel}
 set ylabel 'probability density'
-set key top right
+set key tmargin center vertical font ',16'
 {colors}{curves})",
                   fmt::arg("axes", density_axes(plot, all, shown)), fmt::arg("xlabel", gnuplot_quoted(xlabel)),
                   fmt::arg("colors", kColors), fmt::arg("curves", plot_command(plot, curves)));
@@ -348,7 +348,7 @@ set bars 0.4
 set format y '10^{{%T}}'
 set xlabel 'k a/2π'
 set ylabel 'I(k)/a^{dimension}'
-set key bottom left
+set key tmargin center vertical font ',16'
 {colors}{curves})",
                             fmt::arg("range", range_script(plot, "x", all, 0, true)),
                             fmt::arg("dimension", samples.front().dimension), fmt::arg("colors", kColors),

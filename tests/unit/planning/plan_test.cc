@@ -309,8 +309,8 @@ TEST(PriceModelOfAScene, TakesTheExponentFromWhicheverHasTheLargerSamples) {
 }
 
 TEST(Pilot, MeasuresTheExponentOnAsManyGrainsAsItsTimeAllows) {
-  const Scene here = scene({"grains.count=20", "load=[]"});
-  const PilotResult pilot = run_pilot(here, 60.0);
+  const Scene here = scene({"grains.count=20", "load.0.steps_per_decade=1", "load.1.steps_per_decade=1"});
+  const PilotResult pilot = run_pilot(here, 4.0);
   EXPECT_EQ(pilot.n_grains, 20);
   EXPECT_GE(pilot.largest_grains, 40);
   EXPECT_LE(pilot.largest_grains, 400);

@@ -7,12 +7,12 @@
 namespace floc {
 namespace {
 
-/// Tolerance for rounding errors when the length of a stage is divided into steps. A remainder below this fraction of a
-/// step does not get a step of its own.
+/// Tolerance for rounding errors in the number of steps of a stage. A last step that would be shorter than this
+/// fraction of the other steps is not made.
 constexpr double kRoundingPerStep = 1e-6;
 
-/// Returns n pressures that form a geometric sequence. The pressure `from`, from which they start, is not included; the
-/// last one is exactly `to`.
+/// Returns n pressures in geometric progression after the pressure `from`, which is not one of them. The last pressure
+/// is exactly `to`.
 /// @param log10_factor  decimal logarithm of the ratio of two successive pressures; the last ratio may be closer to 1
 std::vector<double> geometric(double from, double to, double log10_factor, int n) {
   std::vector<double> pressures;

@@ -24,11 +24,11 @@ struct AxisLoad {
   bool operator==(const AxisLoad&) const = default;
 };
 
-/// One stage of a load path: it leads the packing in steps from the present load to another load, with an equilibrium
-/// after each step. By default the pressure on every axis changes to `to`, by an equal factor in each step. If the
-/// pressure is already `to`, the stage makes one new equilibrium, for example after `set` has changed the contact law.
+/// One stage of a load path. It changes the present load to another load in steps, with an equilibrium after each step.
+/// By default the pressure on every axis changes to `to`, by an equal factor in each step. If the pressure already
+/// equals `to`, the stage consists of one new equilibrium, for example after `set` has changed the contact law.
 struct LoadStage {
-  std::string name;  ///< name of the stage ("load", "unload", ...), recorded in the states that it makes
+  std::string name;  ///< name of the stage ("load", "unload", ...), which its states record
   /// pressure on every axis at the end of the stage (stress unit of the scene), >= 0; unused if `axes` is not empty
   double to = 0.0;
   /// Number of steps per decade of pressure: each step multiplies or divides the pressure by 10^(1/steps_per_decade).
@@ -39,13 +39,13 @@ struct LoadStage {
   /// [contact], e.g. "adhesion.force", and its new value, e.g. 0.
   std::vector<std::pair<std::string, double>> set;
   CellResponse cell;    ///< mass of the periodic cell and caps on its strain rate during the stage
-  std::string control;  ///< keyword for how the axes are loaded: "oedometric", "triaxial", ...
-  int axis = 0;         ///< axis along which the stage drives the packing, counted from 0
+  std::string control;  ///< keyword for the kind of loading: "oedometric", "triaxial", ...
+  int axis = 0;         ///< axis that the stage drives, counted from 0
   /// load on each axis at the end of the stage; empty if the pressure `to` acts on all axes
   std::vector<AxisLoad> axes = {};
   /// Shear strain at the end of a stage of simple shear; 0 in other stages. The planes perpendicular to `axis` move
-  /// along the first axis. The shear strain is the displacement of such a plane divided by its distance from the plane
-  /// that stays in place; both are measured from the start of the stage.
+  /// along the first axis. The shear strain is the displacement of a plane since the start of the stage, divided by the
+  /// distance of the plane from the plane at rest.
   double shear = 0.0;
 
   bool is_isotropic() const { return axes.empty(); }
@@ -56,7 +56,7 @@ struct LoadStage {
 
 /// Returns the pressure at each step of a stage that imposes equal pressures on all axes and starts at the pressure
 /// `from`. The last pressure is exactly `stage.to`. If `from` or `stage.to` is zero, the stage has only one step,
-/// because no finite factor leads from or to zero.
+/// because the ratio of two pressures is not finite or zero if one of them is zero.
 std::vector<double> stage_pressures(double from, const LoadStage& stage);
 
 /// Load that one step of a stage imposes on an axis.
@@ -66,21 +66,21 @@ struct AxisStep {
   double share = 1.0;
 };
 
-/// Stress on each axis at a point of the load path, compression positive. It is absent for an axis on which a strain is
-/// imposed: the stress then depends on the packing, so it is unknown before the run.
+/// Stress on each axis at a point of the load path, compression positive. No value is given for an axis with an imposed
+/// strain: the stress on this axis depends on the packing and is unknown before the run.
 using KnownStress = std::vector<std::optional<double>>;
 
 /// Whether the stresses on all axes are known and equal.
 bool is_isotropic(const KnownStress& stress);
 
-/// Returns the stress on each axis at the end of a stage, as far as it is known before the run.
+/// Returns the stress on each axis at the end of a stage; no value for an axis whose stress is unknown before the run.
 /// @param from  stress on each axis at the start of the stage
 KnownStress after_stage(const KnownStress& from, const LoadStage& stage);
 
-/// Returns the number of steps of a stage that imposes different loads on its axes, or that starts from different
-/// stresses on its axes.
-/// @param from  stress on each axis at the start of the stage, as far as it is known before the run
-/// @pre stage.steps is given, unless steps_per_decade and the stresses determine the number of steps
+/// Returns the number of steps of a stage with different loads, or with different initial stresses, on its axes.
+/// @param from  stress on each axis at the start of the stage; no value for an axis whose stress is unknown before the
+/// run
+/// @pre stage.steps is set, or stage.steps_per_decade and the stresses determine the number of steps
 int number_of_steps(const KnownStress& from, const LoadStage& stage);
 
 /// Returns the stresses and lengths that a step of a stage imposes on the axes. From one step to the next, a stress

@@ -23,8 +23,8 @@ namespace floc {
 namespace {
 
 /// Gives the walls of a saved packing the masses and the contact law of the scene. The walls keep their positions.
-/// @throws InputError if the packing and the scene do not have walls and free ends along the same axes, or if only the
-/// packing has gravity
+/// @throws InputError if the packing and the scene differ in the axes that have walls, or in the axes that have an open
+/// end; also if the packing has gravity but the scene has none
 template <int Dim>
 void take_walls(const BoxOptions& box, const Law& law, Packing<Dim>& packing) {
   Vec<Dim> lowest = Vec<Dim>::Zero();
@@ -37,8 +37,8 @@ void take_walls(const BoxOptions& box, const Law& law, Packing<Dim>& packing) {
       throw InputError(
           "box.boundary",
           fmt::format(
-              "the saved state has {} along axis {}: expected box.boundary to give this axis a boundary of "
-              "that kind",
+              "the saved state has {0} along axis {1}: expected a value of box.boundary with {0} along this "
+              "axis",
               between_walls(saved, a) ? "walls" : "no walls", a + 1));
   for (std::size_t w = 0; w < saved.size(); ++w)
     if (saved[w].open != packing.walls[w].open)
@@ -55,8 +55,8 @@ void take_walls(const BoxOptions& box, const Law& law, Packing<Dim>& packing) {
   refresh_contacts(packing);
 }
 
-/// Checks the number of threads and returns the options unchanged. @throws InputError if this number is out of its
-/// range
+/// Checks the number of threads and returns the options unchanged.
+/// @throws InputError if the number of threads is out of its range
 RunOptions checked(RunOptions options) {
   require_in_range("threads", options.relaxation.threads, RunOptions::kThreads);
   return options;
@@ -110,7 +110,7 @@ Run<Dim>::Run(RunOptions options, RunPoint point, Packing<Dim> packing)
 namespace {
 
 /// Returns the point of a run just after an equilibrium was saved.
-/// @param state  the saved equilibrium; its packing may have been moved out of it
+/// @param state the saved equilibrium, whose packing is not read
 /// @param cell  matrix of the lattice vectors of the packing
 /// @param sha256  SHA-256 checksum of the file in which the state was saved
 template <int Dim>
@@ -165,8 +165,8 @@ void Run<Dim>::take_packing_back() {
   equilibrator_.reset();
 }
 
-/// Starts the step to the equilibrium that is computed next. If the plan of the run has a vibration before this
-/// equilibrium, the packing is vibrated first.
+/// Starts the computation of the next equilibrium. Before that, vibrates the packing if the plan of the run has a
+/// vibration at this equilibrium.
 /// @pre this object holds the packing (packing_)
 template <int Dim>
 void Run<Dim>::shake_and_start_step() {
@@ -179,9 +179,9 @@ void Run<Dim>::shake_and_start_step() {
   start_step();
 }
 
-/// Prepares a step of a stage that imposes different loads on its axes. At the first step of the stage, records the
-/// last saved state, from which the strains of the stage are measured. In a simple shear, replaces the lattice vectors
-/// before each step by equivalent vectors that are tilted less.
+/// Prepares the next step of a stage with different loads on its axes. At the first step of the stage, records the last
+/// saved state, from which the strains of the stage are measured. In a simple shear, replaces the lattice vectors
+/// before each step by less tilted vectors that span the same lattice.
 /// @pre this object holds the packing (packing_)
 template <int Dim>
 void Run<Dim>::begin_stage() {
@@ -266,8 +266,9 @@ void Run<Dim>::set_observer(MotionObserver<Dim> observer) {
   pass_observer();
 }
 
-/// Passes the observer on to the object that moves the packing (aggregation_ or equilibrator_). That object counts time
-/// from the beginning of the present chunk or step, so the earlier time of the run is added.
+/// Passes the observer on to the object that moves the packing: aggregation_ counts time from the beginning of the
+/// present chunk of time steps, equilibrator_ from the beginning of the relaxation. The earlier time of the run is
+/// added to their time.
 template <int Dim>
 void Run<Dim>::pass_observer() {
   if (!observer_.callback || finished()) return;
@@ -338,9 +339,9 @@ State<Dim> Run<Dim>::release_state() {
   return state;
 }
 
-/// Takes the packing back and continues the present step. The object that moves the packing is constructed anew. This
-/// changes no results, because between two chunks of time steps point_ and the packing determine everything that
-/// follows.
+/// Moves the packing back into this object and continues the present step. The object that moved the packing
+/// (aggregation_ or equilibrator_) is constructed anew. Results do not change, because between two chunks of time steps
+/// all that follows is determined by point_ and the packing.
 template <int Dim>
 void Run<Dim>::restore_packing(Packing<Dim> packing) {
   packing_ = std::move(packing);

@@ -13,49 +13,51 @@
 
 namespace floc {
 
-/// Point that a run has reached between two chunks of time steps. Together with the options of the run and its packing,
-/// it determines how the run continues. Checkpoints store it.
+/// Point that a run has reached between two chunks of time steps, as stored in checkpoints. The continuation of the run
+/// is determined by this point, the options of the run and its packing.
 struct RunPoint {
-  int step = 0;  ///< number of the equilibrium that is being computed, from 0
-  /// whether moving grains are still being aggregated into one cluster (protocol "aggregation")
+  int step = 0;  ///< number of the equilibrium that is computed at present, from 0
+  /// whether the grains still move to form one cluster (protocol "aggregation")
   bool aggregating = false;
-  bool shaken = false;  ///< whether the packing has already been vibrated before this step
-  /// progress of the relaxation in this step, as text; empty when the step begins
+  bool shaken = false;  ///< whether the packing has already been vibrated before this equilibrium
+  /// progress of the relaxation to this equilibrium, as text; empty before the first chunk of time steps
   std::string equilibration;
-  double equilibration_time = 0.0;       ///< simulated time since this step began (time unit of the scene)
-  std::int64_t equilibration_steps = 0;  ///< number of time steps since this step began
+  double equilibration_time = 0.0;       ///< simulated time of this relaxation so far (time)
+  std::int64_t equilibration_steps = 0;  ///< number of time steps of this relaxation so far
   std::uint64_t stream_state = 0;        ///< state of the random number generator
-  double time = 0.0;  ///< simulated time from the start of the run to the beginning of this step (time unit)
-  std::int64_t n_steps = 0;  ///< number of time steps from the start of the run to the beginning of this step
+  double time = 0.0;                     ///< simulated time of the run before this relaxation (time)
+  std::int64_t n_steps = 0;              ///< number of time steps of the run before this relaxation
   double aggregation_skin = 0.0;  ///< skin of the Verlet lists of neighbours during the aggregation (length)
-  std::string parent_sha256;      ///< SHA-256 checksum of the state file that was saved last
-  /// sides of the cell, and stress on each axis, in the state that was saved last
+  std::string parent_sha256;      ///< SHA-256 checksum of the last saved state file
+  /// sides of the cell, and stress on each axis, in the last saved state
   std::vector<double> last_sides, last_stress;
-  /// offset of the lattice vector that a simple shear tilts, at the beginning of this step (length)
+  /// offset of the lattice vector that a simple shear tilts, before this relaxation (length)
   double last_offset = 0.0;
-  /// load stage of this step, with the sides and stresses at its start; empty if the stage loads all axes equally
+  /// load stage of this equilibrium, with the sides and stresses at the start of the stage; empty if the stage loads
+  /// all axes equally
   StageReference turn;
 };
 
-/// Returns the point of a run just after an equilibrium was saved. From this point and the packing of the state, the
-/// run can continue without a checkpoint.
+/// Returns the point of a run just after an equilibrium was saved. This point and the packing of the state suffice to
+/// continue the run without a checkpoint.
 /// @param sha256  SHA-256 checksum of the file in which the state was saved
 template <int Dim>
 RunPoint point_after(const State<Dim>& state, const std::string& sha256);
 
 /// Returns the stress of a state as text for messages: "P = 1" or, if the load path drives one axis, "P = 1 (mean), 2
-/// (driven)". It is the imposed stress or, on an axis whose length is imposed, the stress that the packing carries.
+/// (driven)". For an axis with an imposed stress, P is the imposed stress; for an axis with an imposed length, P is the
+/// stress in the packing.
 template <int Dim>
 std::string imposed_pressure_text(const State<Dim>& state);
 
 /// Outcome of one chunk of time steps.
 enum class RunEvent {
   chunk,        ///< no equilibrium yet; the run may be stopped here and continued later, with identical results
-  equilibrium,  ///< the next equilibrium is reached: save state(), then call saved()
+  equilibrium,  ///< the next equilibrium is reached; the caller then saves state() and calls saved()
   gave_up,      ///< the packing does not come to equilibrium under the present load; report() gives the reason
 };
 
-/// A whole run: the assembly of a packing, then every equilibrium of the load path. This class writes no files; its
+/// A whole run: the assembly of a packing, then every equilibrium of the load path. This class writes no files: the
 /// caller saves the states.
 template <int Dim>
 class Run {
@@ -71,9 +73,10 @@ class Run {
   const std::vector<PlannedEquilibrium>& plan() const { return plan_; }
   bool finished() const { return point_.step == static_cast<int>(plan_.size()); }
 
-  /// Sets a function that is called while the packing moves, with the packing and the time since the beginning of the
-  /// run.
-  /// @pre this object is not moved or copied afterwards, because the function refers to it
+  /// Sets a function that is called while the packing moves. It gets the packing and the time since the beginning of
+  /// the run.
+  /// @pre this object is not moved or copied afterwards, because it passes its own address on to the object that moves
+  /// the packing
   void set_observer(MotionObserver<Dim> observer);
 
   /// Advances the run by one chunk of time steps.
@@ -86,17 +89,17 @@ class Run {
   /// restore_packing() before this object is used again.
   State<Dim> release_state();
   void restore_packing(Packing<Dim> packing);
-  /// Starts the step to the next equilibrium. The caller has saved the last one.
+  /// Starts the computation of the next equilibrium, after the caller has saved the last one.
   /// @param sha256  SHA-256 checksum of the file in which the last equilibrium was saved
   void saved(const std::string& sha256);
 
   const RunPoint& point() const { return point_; }
   const Packing<Dim>& packing() const;
   const PlannedEquilibrium& target() const { return plan_[point_.step]; }
-  /// Returns the mean over all axes of the imposed stress (force/length^(Dim-1)). For an axis on which a length is
-  /// imposed, the mean contains the stress that the packing carries there.
+  /// Returns the mean stress over all axes (force/length^(Dim-1)): for an axis with an imposed stress the imposed
+  /// value, for an axis with an imposed length the stress in the packing.
   double pressure() const;
-  /// Returns the stress under which the packing moves as text for messages, in the form of imposed_pressure_text().
+  /// Returns the stress on the moving packing as text for messages, in the form of imposed_pressure_text().
   std::string pressure_text() const;
   /// Returns a report on how far the packing is from equilibrium under the present load.
   RelaxationReport report() const;

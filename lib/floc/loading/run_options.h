@@ -12,8 +12,8 @@
 
 namespace floc {
 
-/// Options of one run: how a packing of grains is made, and how it is then loaded. Runs with equal options give
-/// identical results, bit for bit.
+/// Options of one run: how a packing of grains is made, and how it is then loaded. Runs with equal options give bitwise
+/// identical results.
 struct RunOptions {
   int dimension = 2;
   std::string units = "reduced";  ///< system of units, "reduced" or "SI"

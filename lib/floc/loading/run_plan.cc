@@ -12,10 +12,9 @@
 namespace floc {
 namespace {
 
-/// Adds to the plan the steps of a stage that imposes different loads on its axes, or that starts from different
-/// stresses on its axes.
-/// @param from  stress on each axis before the stage, as far as it is known
-/// @param step  equilibrium with the values that are equal in all steps of the stage
+/// Adds to the plan the steps of a stage with different loads, or with different initial stresses, on its axes.
+/// @param from  stress on each axis before the stage; no value for an axis whose stress is unknown before the run
+/// @param step  equilibrium whose values apply to all steps of the stage
 void plan_axes(const KnownStress& from, const LoadStage& stage, PlannedEquilibrium step,
                std::vector<PlannedEquilibrium>& plan) {
   step.control = stage.is_isotropic() ? "isotropic" : stage.control;
@@ -33,8 +32,8 @@ void plan_axes(const KnownStress& from, const LoadStage& stage, PlannedEquilibri
   }
 }
 
-/// Checks that a stage has one load for each axis of the scene, and that the axis that it drives exists. Later code
-/// uses axis numbers as indices without checking them.
+/// Checks that a stage has one load for each axis of the scene, and that the driven axis exists. Later code uses axis
+/// numbers as indices without checking them.
 void check_axes(const LoadStage& stage, int dimension) {
   if (stage.is_isotropic()) return;
   if (std::ssize(stage.axes) != dimension)
@@ -47,7 +46,7 @@ void check_axes(const LoadStage& stage, int dimension) {
                                          stage.name, stage.axis + 1, dimension));
 }
 
-/// Whether an equilibrium is impossible because the load on an axis is zero and no adhesion holds the grains together.
+/// Whether a planned equilibrium cannot exist, because the load on an axis is zero and the grains do not adhere.
 bool has_nothing_to_hold_it(const PlannedEquilibrium& e) {
   if (e.law.adheres()) return false;
   if (e.is_isotropic()) return e.pressure == 0.0;
@@ -56,7 +55,7 @@ bool has_nothing_to_hold_it(const PlannedEquilibrium& e) {
   });
 }
 
-/// Returns the planned equilibrium of a saved packing that keeps its stresses.
+/// Returns the planned equilibrium of a saved packing under the stresses with which it was saved.
 PlannedEquilibrium kept_equilibrium(const AssemblyOptions& assembly, const Law& law) {
   PlannedEquilibrium kept{"assembly", assembly.pressure, law, assembly.cell, {}};
   kept.control = "axes";

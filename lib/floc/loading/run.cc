@@ -110,7 +110,7 @@ Run<Dim>::Run(RunOptions options, RunPoint point, Packing<Dim> packing)
 namespace {
 
 /// Returns the point of a run just after an equilibrium was saved.
-/// @param state the saved equilibrium, whose packing is not read
+/// @param state  the saved equilibrium, whose packing is not read
 /// @param cell  matrix of the lattice vectors of the packing
 /// @param sha256  SHA-256 checksum of the file in which the state was saved
 template <int Dim>

@@ -46,7 +46,7 @@ std::string in_words(const Unmet& unmet) {
           "the packing is at rest but not stable: its stiffness matrix has {:.0f} negative eigenvalues",
           unmet.value);
     case Demand::liquid:
-      // If no bridge forms or breaks, the volumes of the bridges may still change.
+      // A value of zero means that no bridge forms or breaks, but that volumes of bridges change.
       return unmet.value > 0.0 ? fmt::format(
                                      "liquid still moves: {:.0f} bridges would form or break if the liquid "
                                      "were shared out once more",

@@ -10,23 +10,24 @@
 
 namespace floc {
 
-/// Kind of control of one strain component of the boundary (lattice and walls) of a packing.
+/// Control of one strain component of the boundary (lattice and walls) of a packing.
 enum class Imposed {
-  stress,  ///< the strain component follows the stress that acts on it
-  rate,    ///< the strain component changes at a given rate; at rate zero it is fixed
+  /// the strain component changes under the difference between the stress in the packing and an imposed stress
+  stress,
+  rate,  ///< the strain component changes at an imposed rate, which is zero for a fixed component
 };
 
 /// Strain ramp: smooth change of the lengths of some axes of the cell, with zero rate at the beginning and at the end.
 /// With t = time/duration, the logarithmic strain of an axis is proportional to 3 t^2 - 2 t^3 (docs/physics.md,
-/// "Boundary control"). A lattice vector may be sheared: its offset (component along the first axis) is then a linear
-/// function of 3 t^2 - 2 t^3, too.
+/// "Boundary control"). The ramp may also shear a lattice vector: the change of its offset (component along the first
+/// axis) is then proportional to 3 t^2 - 2 t^3, too.
 template <int Dim>
 struct StrainRamp {
   static constexpr double kPeak = 1.5;  ///< ratio of the largest strain rate on a ramp to the mean strain rate
 
-  /// Lengths of the axes before and after the ramp (length); axes with equal lengths do not move.
+  /// Lengths of the axes before and after the ramp (length); equal for axes that do not move.
   Vec<Dim> from = Vec<Dim>::Zero(), to = Vec<Dim>::Zero();
-  double begun = 0.0;     ///< time that has passed since the ramp began (time)
+  double begun = 0.0;     ///< time since the ramp began (time)
   double duration = 0.0;  ///< duration of the ramp (time)
   /// Index of the axis whose lattice vector is displaced along the first axis; 0 if there is no shear.
   int sheared_axis = 0;
@@ -37,13 +38,13 @@ struct StrainRamp {
   bool any() const { return from != to || shears(); }
   bool shears() const { return offset_from != offset_to; }
   bool over(double since) const { return begun + since >= duration; }
-  /// Returns the length of an axis when a time `since` from now has passed (length).
+  /// Returns the length of an axis after a further time `since` (length).
   double length(int axis, double since) const {
     if (over(since)) return to[axis];
     return from[axis] * std::pow(to[axis] / from[axis], share(since));
   }
-  /// Returns the offset (component along the first axis) of the sheared lattice vector when a time `since` from now has
-  /// passed (length).
+  /// Returns the offset (component along the first axis) of the sheared lattice vector after a further time `since`
+  /// (length).
   double offset(double since) const {
     return over(since) ? offset_to : offset_from + share(since) * (offset_to - offset_from);
   }
@@ -56,30 +57,31 @@ struct StrainRamp {
   }
 
  private:
-  /// Returns the share of the total strain, from 0 to 1, that is reached when a time `since` from now has passed.
+  /// Returns the share (0 to 1) of the total strain that is reached after a further time `since`.
   double share(double since) const {
     const double t = (begun + since) / duration;
     return t * t * (3.0 - 2.0 * t);
   }
 };
 
-/// Control of the boundary of a packing (docs/physics.md, "Boundary control"): each strain component follows a stress
-/// or moves at a strain rate. The lattice is kept lower triangular (its first vector along the first axis), so that it
-/// shears but does not turn. The components are in the order of StrainSet::full: 11, 22, 12 in 2D, and 11, 22, 33, 23,
-/// 13, 12 in 3D.
+/// Control of the boundary of a packing (docs/physics.md, "Boundary control"): each strain component follows an imposed
+/// stress or has an imposed strain rate. The matrix of the lattice vectors stays lower triangular (the first vector is
+/// along the first axis), so that the lattice is sheared but not rotated. The components are in the order of
+/// StrainSet::full: 11, 22, 12 in 2D, and 11, 22, 33, 23, 13, 12 in 3D.
 template <int Dim>
 struct BoundaryControl {
   std::array<Imposed, kSymmetric<Dim>> imposed;
-  /// For each component that follows a stress: the imposed stress, compression positive (force/length^(Dim-1)). For
-  /// each component that moves at a strain rate: the strain rate, shortening positive (1/time); for a shear component
-  /// it is the rate of the engineering shear strain gamma.
+  /// Target of each component. For a component that follows a stress: the imposed stress, compression positive
+  /// (force/length^(Dim-1)). For a component with an imposed strain rate: this rate, shortening positive (1/time); for
+  /// shear the rate of the engineering strain gamma.
   Eigen::Matrix<double, kSymmetric<Dim>, 1> target = Eigen::Matrix<double, kSymmetric<Dim>, 1>::Zero();
-  /// inertia M of each component of the lattice vectors, when it is accelerated by a stress (mass)
+  /// inertia M of each component of the lattice vectors that a stress accelerates (mass)
   double mass = 0.0;
   /// Largest strain rate of components that follow a stress (1/time).
   double rate_cap = std::numeric_limits<double>::infinity();
   StrainRamp<Dim> ramp;  ///< strain ramp of some axes; for these axes it replaces `target`
-  /// Mean stress that sets the scale of forces; if absent, the mean of the imposed stresses (force/length^(Dim-1)).
+  /// Mean stress from which the scale of forces follows (force/length^(Dim-1)); if absent, the mean of the imposed
+  /// stresses.
   std::optional<double> reference_stress;
 
   /// Returns a control that fixes all components of the boundary.
@@ -99,9 +101,10 @@ struct BoundaryControl {
     return control;
   }
 
-  /// Returns a control that imposes a stress on some axes, and fixes the shear components and the axes whose length is
-  /// imposed.
-  /// @param stress  stress on each axis: imposed, or carried if the length is imposed
+  /// Returns a control that imposes the stresses of a load. The shear components and the axes with an imposed length
+  /// are fixed.
+  /// @param stress  stress on each axis: the imposed stress or, for an axis with an imposed length, the stress in the
+  /// packing
   static BoundaryControl imposing(const LoadTarget<Dim>& load, const Vec<Dim>& stress, double mass,
                                   double rate_cap = std::numeric_limits<double>::infinity()) {
     BoundaryControl control = normal_stress(stress, mass, rate_cap);
@@ -132,8 +135,8 @@ struct BoundaryControl {
       if (what == Imposed::stress) return true;
     return false;
   }
-  /// Returns the reference stress if there is one, otherwise the mean of the stresses imposed on axes; zero if no
-  /// stress is imposed.
+  /// Returns the reference stress if it is set, otherwise the mean of the stresses imposed on axes; zero if no stress
+  /// is imposed.
   double mean_stress() const {
     if (reference_stress) return *reference_stress;
     double sum = 0.0;
@@ -144,8 +147,8 @@ struct BoundaryControl {
   }
 };
 
-/// Returns the axes (a, b), with a <= b, of component k of a strain or stress, in the order 11, 22, 12 in 2D, and 11,
-/// 22, 33, 23, 13, 12 in 3D.
+/// Returns the two axes a <= b of component k of a strain or stress. The order of the components is 11, 22, 12 in 2D,
+/// and 11, 22, 33, 23, 13, 12 in 3D.
 template <int Dim>
 constexpr std::array<int, 2> component_axes(int k) {
   if (k < Dim) return {k, k};

@@ -20,14 +20,14 @@
 namespace floc {
 namespace {
 
-/// Largest change of the void ratio during the final phase of a relaxation (power control). After a larger change, the
-/// packing moves freely again.
+/// Largest change of the void ratio during the final phase of a relaxation (power control). If the void ratio changes
+/// by more than this, the packing moves freely again.
 constexpr double kFinishVoidRatio = 1e-3;
 /// Longest duration of the final phase of a relaxation (power control), in time units T (compaction_time()). If the
-/// scene accepts states that are not equilibria, the state at that time is recorded as it is.
+/// scene accepts states that are not equilibria, the state after this duration is recorded as it is.
 constexpr double kLongestFinish = 60.0;
-/// Largest ratio of the distance between two walls to their distance at the start. Beyond this ratio, the walls count
-/// as lost if no grain touches them.
+/// Ratio of the distance between two walls to their initial distance, above which walls that no grain touches count as
+/// lost.
 constexpr double kLargestExpansion = 4.0;
 /// Distance between two walls below which a box counts as closed, in largest diameters. Overlaps are small, so that
 /// grains do not fit into a smaller box.
@@ -56,8 +56,8 @@ CompactionProgress parsed(const std::string& text) {
       kBoxMembers);
 }
 
-/// Returns twice the height of the centre of mass of the grains above the floor (length), which is the height of a
-/// homogeneous bed with this centre of mass.
+/// Returns twice the height of the centre of mass of the grains above the floor (length). A homogeneous bed of this
+/// height would have the same centre of mass.
 template <int Dim>
 double height_of_bed(const Packing<Dim>& packing, const Wall<Dim>& floor) {
   const Grains<Dim>& g = packing.grains;
@@ -67,7 +67,7 @@ double height_of_bed(const Packing<Dim>& packing, const Wall<Dim>& floor) {
 }
 
 /// Returns the void ratio of a packing. A bed with a free surface counts as a homogeneous bed with the same centre of
-/// mass, so that single grains above the bed have little influence.
+/// mass, so that single grains high above the bed have little influence.
 template <int Dim>
 double void_ratio(const Packing<Dim>& packing) {
   double volume = packing.cell.volume();
@@ -132,8 +132,8 @@ bool BoxRelaxer<Dim>::under_pressure(int axis) const {
                      [axis](const Wall<Dim>& w) { return w.axis == axis && follows_forces(w); });
 }
 
-/// Returns the control of the walls for the next chunk of time steps: a strain rate for walls that still move at the
-/// speed given by the scene, and the imposed pressure for all other walls. Walls of infinite mass stay at rest.
+/// Returns the control of the walls for the next chunk of time steps: a strain rate for axes whose walls still move at
+/// the speed given by the scene, and the imposed pressure for all other axes. Walls of infinite mass stay at rest.
 template <int Dim>
 BoundaryControl<Dim> BoxRelaxer<Dim>::control() {
   BoundaryControl<Dim> control = BoundaryControl<Dim>::fixed();
@@ -157,8 +157,8 @@ RelaxationStatus BoxRelaxer<Dim>::advance() {
   advance_observed(*dynamics, kStepsPerChunk, finishing ? Motion::power_control : Motion::free, observer_,
                    progress_.time, time_step_);
   if (!dynamics->finite()) {
-    // The packing still has its state from the beginning of the chunk of time steps, but its contacts have been moved
-    // into the object `dynamics` and have to be found again.
+    // The packing is unchanged since the beginning of the chunk of time steps, except that its contacts were moved into
+    // the object `dynamics`. They have to be found again.
     find_contacts(packing_);
     measure();
     return give_up(
@@ -177,8 +177,8 @@ RelaxationStatus BoxRelaxer<Dim>::advance() {
   if (std::string words = lost(); !words.empty()) return give_up("lost", std::move(words));
   const RelaxationStatus status = finishing ? check_finish() : check_motion();
   if (status != RelaxationStatus::running) return status;
-  // If the scene sets a longest time, the state at that time is recorded as it is. A final phase of the relaxation
-  // (power control) that has begun by then continues; check_finish() limits its duration.
+  // If the scene sets a longest time, the state at that time is recorded as it is. If the final phase of the relaxation
+  // (power control) has begun before that time, it continues for the duration that check_finish() allows.
   if (options_.compaction.longest) {
     if (finishing || progress_.time <= *options_.compaction.longest * time_unit_) return status;
     return stop_here();
@@ -203,7 +203,7 @@ RelaxationStatus BoxRelaxer<Dim>::give_up(const char* ending, std::string words)
   return RelaxationStatus::gave_up;
 }
 
-/// Returns the reason why grains and walls no longer form a packing; empty if they do.
+/// Returns the reason why grains and walls no longer form a packing; empty if they still form a packing.
 template <int Dim>
 std::string BoxRelaxer<Dim>::lost() const {
   const Grains<Dim>& g = packing_.grains;
@@ -217,7 +217,7 @@ std::string BoxRelaxer<Dim>::lost() const {
             g.name(i), wall.axis + 1);
   const double a = largest_diameter(g);
   const std::vector<double> force = wall_forces(packing_);
-  // Walls move under the forces on them. If the grains cannot bear the pressure, the walls close the box; if no grain
+  // Forces and pressures move the walls. If the grains cannot bear the pressure, the walls close the box; if no grain
   // touches the walls, they move away without end.
   for (std::size_t w = 0; w < packing_.walls.size(); ++w) {
     const int axis = packing_.walls[w].axis;
@@ -238,7 +238,8 @@ std::string BoxRelaxer<Dim>::lost() const {
   return "";
 }
 
-/// Whether every wall has borne half of its pressure at some time. Before that, a compaction cannot end.
+/// Whether at some time all walls have borne at least half of their pressures and, with gravity, at least half of the
+/// weight. A compaction cannot end before that time.
 template <int Dim>
 bool BoxRelaxer<Dim>::is_armed() {
   if (progress_.armed) return true;
@@ -254,7 +255,7 @@ bool BoxRelaxer<Dim>::is_armed() {
   return progress_.armed = all;
 }
 
-/// Whether the void ratio has been steady over the time required by [SVI2024] (docs/physics.md, "Boxes with walls").
+/// Whether the void ratio has been steady for the time that [SVI2024] requires (docs/physics.md, "Boxes with walls").
 template <int Dim>
 bool BoxRelaxer<Dim>::void_ratio_is_steady() {
   std::vector<double>& recent = progress_.void_ratio;
@@ -287,8 +288,8 @@ bool BoxRelaxer<Dim>::has_ended() {
 }
 
 /// Begins the final phase of the relaxation (power control) once the compaction has ended and no mechanism is left. A
-/// packing with mechanisms (motions without stiffness) moves on until more contacts support it, since power control
-/// would stop its motion in an unsupported state. If the ratio of energies ends the compaction, a state with mechanisms
+/// packing with mechanisms (motions without stiffness) first moves on until more contacts support it: power control
+/// would stop the motion too early. If the scene ends the compaction by the ratio of energies, a state with mechanisms
 /// is recorded as it is.
 template <int Dim>
 RelaxationStatus BoxRelaxer<Dim>::check_motion() {
@@ -319,7 +320,7 @@ RelaxationStatus BoxRelaxer<Dim>::check_finish() {
     if (!stability_.may_be_stable()) {
       unmet_ = {Demand::stability, static_cast<double>(*stability_.n_negative)};
     } else if (const LiquidChange change = share_liquid_once_more(); !change.nothing()) {
-      // The liquid has been shared out anew. If this has changed bridges, the packing is not yet in equilibrium.
+      // Sharing out the liquid once more would change bridges, so the packing is not yet in equilibrium.
       unmet_ = {Demand::liquid, static_cast<double>(change.n_changed())};
     } else {
       n_mechanisms_ = least_mechanisms(packing_);
@@ -331,8 +332,8 @@ RelaxationStatus BoxRelaxer<Dim>::check_finish() {
   return long_enough && may_stop() ? stop_here() : RelaxationStatus::running;
 }
 
-/// Returns the changes of the liquid bridges that another sharing of the liquid among the pairs of grains would cause.
-/// The packing itself is not changed. Without liquid, all changes are zero.
+/// Returns the changes of the liquid bridges if the liquid were shared out once more among the pairs of grains. The
+/// packing itself is not changed. Without liquid, all changes are zero.
 template <int Dim>
 LiquidChange BoxRelaxer<Dim>::share_liquid_once_more() {
   if (!holds_liquid(packing_)) return {};
@@ -343,7 +344,7 @@ LiquidChange BoxRelaxer<Dim>::share_liquid_once_more() {
 }
 
 /// Ends the relaxation with the present state, which need not be an equilibrium. The report contains the stability of
-/// this state if check_finish() has determined it at rest.
+/// this state if check_finish() has determined the stability.
 template <int Dim>
 RelaxationStatus BoxRelaxer<Dim>::stop_here() {
   n_mechanisms_ = least_mechanisms(packing_);

@@ -10,35 +10,36 @@
 
 namespace floc {
 
-/// Progress of the compaction of a packing between walls. Together with the packing it determines how the compaction
-/// continues.
+/// Progress of the compaction of a packing between walls. The rest of the compaction is determined by the progress and
+/// the packing.
 struct CompactionProgress {
   enum Phase { moving, finishing };
   int phase = moving;
   std::int64_t n_steps = 0;  ///< number of time steps of this relaxation so far
   double time = 0.0;         ///< simulated time of this relaxation so far (time)
-  /// Skin (extra distance up to which pairs are listed) of the Verlet lists (length); 0 before the first chunk of time
-  /// steps.
+  /// Skin of the Verlet lists, that is, extra distance up to which pairs are listed (length); 0 before the first chunk
+  /// of time steps.
   double skin = 0.0;
   std::vector<double> start_side;  ///< sides of the box when the relaxation began (length)
   /// Void ratio at the end of each recent chunk of time steps, the oldest first.
   std::vector<double> void_ratio;
-  /// For each axis: sign of (pressure - imposed pressure) while its walls move at their given speed; 0 once the walls
-  /// bear their imposed pressure.
+  /// For each axis: sign of (pressure - imposed pressure) while its walls move at the speed given by the scene; 0 once
+  /// the walls bear their imposed pressure.
   std::vector<double> closing_sign;
-  /// Whether every wall has borne half of its pressure at some time, so that the compaction may end.
+  /// Whether at some time all walls have borne at least half of their pressures, so that the compaction may end.
   bool armed = false;
   /// Void ratio at the beginning of the final phase of the relaxation (power control).
   double finishing_since = 0.0;
-  /// Simulated time at the beginning of the final phase of the relaxation, which uses power control (time).
+  /// Simulated time at the beginning of the final phase of the relaxation (time).
   double finishing_time = 0.0;
 };
 
 /// Relaxer of a packing between walls under pressure. The packing moves freely until the criterion of the options
 /// (CompactionEnd) is met and the structure that carries the load has no mechanism (motion without stiffness). Power
-/// control then takes the packing to equilibrium. If the options end the compaction at a given time or a given ratio of
-/// energies, the state at that point is recorded with the ending "stopped" and the number of its mechanisms. Otherwise
-/// the relaxation is given up at RelaxationOptions::max_time. Walls of infinite mass and periodic axes do not move.
+/// control (all velocities are set to zero whenever the kinetic energy falls) then brings the packing to equilibrium.
+/// If the options accept a state at a given time or at a given ratio of energies, a state without equilibrium is
+/// recorded with the ending "stopped" and the number of its mechanisms. Without a given time, the relaxation is given
+/// up at RelaxationOptions::max_time. Walls of infinite mass and periodic axes do not move.
 template <int Dim>
 class BoxRelaxer final : public Equilibrator<Dim> {
  public:
@@ -52,8 +53,8 @@ class BoxRelaxer final : public Equilibrator<Dim> {
              const std::string& progress = "")
       : BoxRelaxer(options, std::move(packing), LoadTarget<Dim>::normal_stress(target_stress), progress) {}
 
-  /// Advances the relaxation by one chunk of time steps. The relaxation is given up if a wall loses contact with the
-  /// packing, a grain passes a wall or the box closes.
+  /// Advances the relaxation by one chunk of time steps. The relaxation is given up if the motion diverges, a wall
+  /// moves far away from the grains, a grain passes a wall or the box closes.
   RelaxationStatus advance() override;
   void set_observer(MotionObserver<Dim> observer) override { observer_ = std::move(observer); }
 
@@ -87,7 +88,7 @@ class BoxRelaxer final : public Equilibrator<Dim> {
   Residuals residuals_;
   double energy_ratio_ = 0.0;
   Stability stability_;  ///< stability of the packing, determined once the residuals are within tolerance
-  Unmet unmet_;          ///< first criterion of equilibrium, other than the residuals, that is not met
+  Unmet unmet_;  ///< first criterion of equilibrium that is not met, apart from the tolerances of the residuals
   int n_mechanisms_ = -1, n_bridges_unsettled_ = -1;
   std::string ending_, words_;
   double time_step_;
@@ -95,8 +96,8 @@ class BoxRelaxer final : public Equilibrator<Dim> {
   MotionObserver<Dim> observer_;
 };
 
-/// Returns the time unit of a compaction, T = sqrt(m/(P a^(Dim-2))), with m the mass and a the diameter of the largest
-/// grain and P the pressure (time); inertial_time() if the pressure is zero.
+/// Returns the time unit of a compaction (time), T = sqrt(m/(P a^(Dim-2))), with the mass m and the diameter a of the
+/// largest grain and the pressure P. If the pressure is zero, returns inertial_time().
 template <int Dim>
 double compaction_time(const Packing<Dim>& packing, double pressure);
 

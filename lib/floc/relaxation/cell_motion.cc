@@ -25,8 +25,8 @@ CellMotion<Dim>::CellMotion(const Cell<Dim>& cell, std::vector<Wall<Dim>> walls,
   strain_rate_ = right_quotient<Dim>(lattice_rate_, lattice_);
 }
 
-/// Returns the sides of the boundary (length): for an axis between two walls the distance between the walls, otherwise
-/// the diagonal component of the lattice matrix.
+/// Returns the sides of the boundary (length): the distance between the walls for an axis between walls, the diagonal
+/// component of the lattice matrix for any other axis.
 template <int Dim>
 Vec<Dim> CellMotion<Dim>::sides() const {
   Vec<Dim> sides = lattice_.diagonal();
@@ -64,7 +64,7 @@ Vec<Dim> CellMotion<Dim>::image_shift(const Vec<Dim, int>& image) const {
 template <int Dim>
 Vec<Dim, int> CellMotion<Dim>::wrap(Vec<Dim>& position) const {
   Vec<Dim, int> image = Vec<Dim, int>::Zero();
-  // The loop begins with the last axis, since only the last lattice vector has a component along the last axis.
+  // The last axis comes first, since only the last lattice vector has a component along it.
   for (int b = Dim - 1; b >= 0; --b) {
     if (walls_.bounds(b)) continue;
     const double cells = std::floor(position[b] / lattice_(b, b));
@@ -101,10 +101,10 @@ void CellMotion<Dim>::kick_walls(double half_step) {
   walls_.kick(half_step, control_, area);
 }
 
-/// Returns the generalised forces that accelerate the components of the lattice that follow a stress. Their work in a
-/// small strain of these components is the work of W - V Sigma, where W is the sum of the momentum fluxes and of forces
-/// times branch vectors, V the volume and Sigma the imposed stress. If all components follow a stress, the force is the
-/// upper part of (W - V Sigma) h^-T, with h the lattice matrix.
+/// Returns the generalised forces that accelerate those components of the lattice that follow a stress. In a small
+/// strain of the lattice, the forces do the work of the matrix W - V Sigma, where W is the sum of the momentum flux and
+/// the virial (sum of force times branch vector), V the volume and Sigma the imposed stress. If all components follow a
+/// stress, the force is the upper part of (W - V Sigma) h^-T, with h the lattice matrix.
 template <int Dim>
 Mat<Dim> CellMotion<Dim>::lattice_force(const std::vector<BlockSums<Dim>>& sums) const {
   Mat<Dim> work = Mat<Dim>::Zero();
@@ -130,8 +130,8 @@ Mat<Dim> CellMotion<Dim>::lattice_force(const std::vector<BlockSums<Dim>>& sums)
 }
 
 /// Accelerates the lattice over half a time step by M h'' = (W - V Sigma) h^-T, and then caps its strain rates. Here h
-/// is the lattice matrix, M its inertia, W the sum of momentum fluxes and of forces times branch vectors, V the volume
-/// and Sigma the imposed stress.
+/// is the lattice matrix, M its inertia, W the sum of the momentum flux and the virial (sum of force times branch
+/// vector), V the volume and Sigma the imposed stress.
 template <int Dim>
 void CellMotion<Dim>::kick_lattice(double half_step, const std::vector<BlockSums<Dim>>& sums) {
   if (control_.any_stress()) {
@@ -164,8 +164,8 @@ void CellMotion<Dim>::advance_strain_ramp(double time_step) {
       ramp.over(time_) ? 0.0 : -missing / (time_step * lattice_(axis, axis));
 }
 
-/// Sets the imposed components of the velocity gradient h' h^-1 of the lattice, with h the lattice matrix. An imposed
-/// strain rate is positive for shortening.
+/// Sets those components of the velocity gradient h' h^-1 of the lattice whose strain rate is imposed; h is the lattice
+/// matrix. A positive imposed strain rate shortens the lattice.
 template <int Dim>
 void CellMotion<Dim>::impose_rates() {
   if (control_.is_fixed()) return;
@@ -182,8 +182,9 @@ void CellMotion<Dim>::impose_rates() {
   if (any) lattice_rate_ = upper_product<Dim>(gradient, lattice_);
 }
 
-/// Moves the boundary over a time step. The reduced coordinates s of a grain change by s' = h^-1 v, with v the peculiar
-/// velocity and h the lattice matrix in the middle of the step, which keeps the scheme symmetric in time.
+/// Moves the boundary over a time step. The reduced coordinates s of a grain change by s' = h^-1 v, with the peculiar
+/// velocity v and the lattice matrix h. The matrix is taken in the middle of the step, so that the scheme is symmetric
+/// in time.
 template <int Dim>
 Drift<Dim> CellMotion<Dim>::drift(double time_step) {
   const Mat<Dim> middle = lattice_ + 0.5 * time_step * lattice_rate_;

@@ -10,12 +10,12 @@
 
 namespace floc {
 
-/// Boundary of a packing in motion: the lattice and the walls, moved by the velocity Verlet scheme that moves the
-/// grains. Each component of the boundary follows a stress or a strain rate (BoundaryControl).
+/// Boundary of a packing in motion: the lattice and the walls, moved by velocity Verlet steps, like the grains. Each
+/// component of the boundary follows an imposed stress or has an imposed strain rate (BoundaryControl).
 ///
 /// The columns of the lattice matrix are the lattice vectors. This matrix and all other matrices of this class are
 /// upper triangular, and diagonal for a rectangular cell. Along an axis between walls, the lattice does not move, so
-/// that the grains do not follow a deformation of the lattice there.
+/// that it does not carry the grains along.
 template <int Dim>
 class CellMotion {
  public:
@@ -34,14 +34,14 @@ class CellMotion {
   /// For each component (a, b) of the lattice matrix: whether it follows a stress.
   const Mat<Dim, bool>& follows_stress() const { return follows_stress_; }
 
-  /// Returns the displacement of a periodic image of a grain from the grain (length).
+  /// Returns the vector from a grain to its periodic image (length).
   /// @param image  number of each lattice vector by which the image is displaced
   Vec<Dim> image_shift(const Vec<Dim, int>& image) const;
   /// Moves a position into the cell by lattice vectors, except along axes between walls.
   /// @return the number of lattice vectors along each axis by which the position was moved
   Vec<Dim, int> wrap(Vec<Dim>& position) const;
-  /// Returns the boundary in the form that force kernels (compiled loops over pairs) read. It contains pointers to the
-  /// arrays of the walls, which are valid for the lifetime of this object.
+  /// Returns the boundary in the form in which the force kernels (compiled loops over pairs) read it. It contains
+  /// pointers to the arrays of the walls, which are valid for the lifetime of this object.
   /// @param slip_time  time for which the contact springs are stretched at the present relative velocities (time)
   PairCell<Dim> pair_cell(double slip_time) const;
 
@@ -50,17 +50,17 @@ class CellMotion {
   /// Sums the forces on each wall; to be called after the forces of the pairs of grains with walls have been computed.
   void sum_forces_on_walls(const Interaction<Dim>& interaction) { walls_.sum_forces(interaction); }
 
-  /// Sets the strain rates of the axes whose lengths change along a strain ramp (StrainRamp), so that the next drift
-  /// over `time_step` takes these axes to the lengths that the ramp has at the end of the step.
+  /// Sets the strain rates of the axes whose lengths change along a strain ramp (StrainRamp), so that these axes have
+  /// the lengths of the ramp after the next drift over `time_step`.
   void advance_strain_ramp(double time_step);
   /// Accelerates the lattice and the walls over half a time step.
   /// @param sums  contributions of the blocks of grains to the virial and the momentum flux
   void kick(double half_step, const std::vector<BlockSums<Dim>>& sums);
-  /// Moves the lattice and the walls over a time step, and returns the coefficients by which this step changes the
-  /// positions of the grains.
+  /// Moves the lattice and the walls over a time step. Returns the coefficients of the change of the positions of
+  /// grains in this step.
   Drift<Dim> drift(double time_step);
-  /// Returns the coefficients of the acceleration of the grains over half a step. They include the drag on peculiar
-  /// velocities that the deformation of the lattice causes.
+  /// Returns the coefficients of the acceleration of the grains over half a step. The coefficients include the drag on
+  /// the peculiar velocities that results from the deformation of the lattice.
   Kick<Dim> kick_of_grains(double half_step) const;
 
   /// Returns twice the kinetic energy of the components of the lattice that follow a stress; 0 if no component follows
@@ -71,7 +71,7 @@ class CellMotion {
 
  private:
   Vec<Dim> sides() const;
-  /// Whether component (a, b) of the boundary belongs to the lattice, and not to a wall.
+  /// Whether component (a, b) of the boundary belongs to the lattice; otherwise it belongs to a wall.
   bool belongs_to_lattice(int a, int b) const { return !walls_.bounds(a) && !walls_.bounds(b); }
   Mat<Dim> lattice_force(const std::vector<BlockSums<Dim>>& sums) const;
   void kick_lattice(double half_step, const std::vector<BlockSums<Dim>>& sums);

@@ -6,14 +6,14 @@
 
 namespace floc {
 
-/// Options for one stage of a run (such as the assembly or a stage of the load path) that change how the packing
-/// responds to its load. Members that are set replace the members of RelaxationOptions during that stage.
+/// Options for the response of the packing to its load during one stage of a run (the assembly or a stage of the load
+/// path). During that stage, each member that is set replaces the corresponding member of RelaxationOptions.
 struct CellResponse {
   std::optional<double> inertial_number_cap;
   std::optional<double> cell_mass;
   std::optional<double> wall_speed = {};
-  /// Cap on the strain rate |L'/L| of the cell, in 1/T0 (RelaxationOptions::strain_rate_cap); at most one of
-  /// inertial_number_cap and this cap is set.
+  /// Cap on the strain rate |L'/L| of the cell, in 1/T0 (RelaxationOptions::strain_rate_cap); not set together with
+  /// inertial_number_cap.
   std::optional<double> strain_rate_cap = {};
   /// Value that replaces RelaxationOptions::softening during this stage.
   std::optional<double> softening = {};
@@ -22,8 +22,8 @@ struct CellResponse {
 
   bool has_cap() const { return inertial_number_cap || strain_rate_cap; }
 
-  /// Returns this response with its unset members taken from `other`. If this response sets either of the two caps, no
-  /// cap is taken from `other`.
+  /// Returns this response with its unset members taken from `other`. If this response sets inertial_number_cap or
+  /// strain_rate_cap, neither is taken from `other`.
   CellResponse or_else(const CellResponse& other) const {
     CellResponse out = *this;
     if (!has_cap()) {

@@ -9,7 +9,7 @@ namespace floc {
 struct CompactionEnd {
   enum class Criterion {
     /// The void ratio has changed by less than kSettledVoidRatio during the time kSettledTime (in units of T), every
-    /// wall bears its pressure, and the structure that carries the pressure has no mechanism (motion without
+    /// wall bears its imposed pressure, and the structure that carries the load has no mechanism (motion without
     /// stiffness).
     settled,
     /// The ratio of the kinetic energy of translations to the elastic energy is at most the number
@@ -18,8 +18,8 @@ struct CompactionEnd {
   };
   Criterion criterion = Criterion::settled;
   double energy_ratio = 2e-7;  ///< ratio of kinetic to elastic energy that ends a compaction [SVI2024]
-  /// Longest duration of the compaction (in units of T), after which the state is recorded as it is; if absent, the
-  /// relaxation is given up after RelaxationOptions::max_time.
+  /// Duration of the compaction (in units of T) after which the state is recorded as it is; if absent, the relaxation
+  /// is given up after RelaxationOptions::max_time.
   std::optional<double> longest;
   /// Speed at which the walls of an axis move towards or away from each other until they bear their pressure
   /// (length/time); if absent, the pressure acts from the beginning.
@@ -27,7 +27,7 @@ struct CompactionEnd {
 
   static constexpr double kSettledVoidRatio = 1e-4;
   static constexpr double kSettledTime = 3.0;
-  /// Relative difference between the measured and the imposed pressure up to which a wall counts as bearing its
+  /// Largest relative difference between the measured and the imposed pressure of a wall that counts as bearing its
   /// pressure.
   static constexpr double kSettledPressure = 1e-3;
 };

@@ -20,60 +20,65 @@ namespace {
 
 /// Number of time steps in one call of advance().
 constexpr int kSteps = 20;
-/// Number of successive calm steps after which the motion counts as ended. T is the time unit, d the largest diameter.
-/// In a calm step the root mean square velocity is at most kCalmVelocity d/T, and the strain rate of the cell at most
-/// kCalmRate times its cap; the relative error of the stress is then at most kCalmRate, too.
+/// Number of successive calm steps after which the motion counts as ended. In a calm step, the root mean square
+/// velocity is below kCalmVelocity d/T, with the largest diameter d and the time unit T, and the strain rate of the
+/// cell is below kCalmRate times its cap. The relative error of the stress is then below kCalmRate, too.
 constexpr int kCalmSteps = 40;
 constexpr double kCalmRate = 0.03;
 constexpr double kCalmVelocity = 6e-3;
 /// Factor by which kCalmRate and kCalmVelocity are larger for frictionless polyhedra, whose motion decays slowly
 /// because their corners alternate in contact.
 constexpr double kJitter = 4.0;
-/// Rate of approach below which impacts are inelastic, in units of a dt/T^2, the velocity that the pressure gives to a
-/// grain in a time step dt, with a the largest diameter and T the time unit.
+/// Rate of approach below which impacts are inelastic, in units of a dt/T^2, with the largest diameter a, the time step
+/// dt and the time unit T. This unit is the velocity that the pressure gives to a grain in one time step.
 constexpr double kSlowImpact = 2.0;
-/// Factor by which the tolerance of the sweeps is larger while a gas is compressed.
+/// Factor by which the tolerance of the sweeps is larger while the packing counts as a gas.
 constexpr double kGasTolerance = 10.0;
 /// Largest mean stress of a packing that counts as a gas, divided by the mean imposed stress.
 constexpr double kGasStress = 0.3;
 /// Longest and shortest time step of the phase `resting`, in units of T.
 constexpr double kLongestRest = 0.5;
 constexpr double kShortestRest = 1e-3;
-/// Largest number of sweeps in a time step of the phase `resting`: its first value, and its upper bound.
+/// Largest number of sweeps in a time step of the phase `resting`: at the beginning of the phase (kRestingSweeps), and
+/// after all increases (kMostRestingSweeps).
 constexpr int kRestingSweeps = 300;
 constexpr int kMostRestingSweeps = 9600;
 /// Number of steps of the phase `resting` after which the contacts of a step are solved all at once instead of by
 /// sweeps.
 constexpr int kSweptSteps = 2600;
-/// Largest number of grains of a packing with friction, or with round grains, whose contacts are solved all at once.
+/// Largest number of grains for which contacts are solved all at once; grains with corners and without friction have no
+/// such limit.
 constexpr int kMostGrainsAtOnce = 1000;
-/// Longest time step that is solved all at once, in units of T, without and with separating plates.
+/// Longest time step for which contacts are solved all at once, in units of T: without separating plates and with them
+/// (separating_plates.h).
 constexpr double kLongestAtOnce = 3.0;
 constexpr double kLongestWithPlates = 30.0;
-/// Largest gap of a contact that carries a force after steps that are solved all at once, divided by the diameter of
-/// the smaller grain.
+/// Largest gap of a contact that carries a force if contacts are solved all at once, divided by the diameter of the
+/// smaller grain.
 constexpr double kGapAtOnce = 1e-6;
-/// Error of the impulses at which the sweeps of a step of the phase `resting` end, divided by the mean normal impulse.
+/// Tolerance of the impulses in the phase `resting`, divided by the mean normal impulse: the sweeps of a step end when
+/// the error is below this tolerance.
 constexpr double kRestingTolerance = 1e-8;
-/// Largest net force on a grain up to which balanced forces are sought, divided by the mean normal force: for round
-/// grains and for grains with corners.
+/// Largest net force on a grain for which balanced forces are sought, divided by the mean normal force: for round
+/// grains, and for grains with corners.
 constexpr double kNearBalanceRound = 1e-3;
 constexpr double kNearBalanceAngular = 3e-2;
-/// Number of steps of the phase `resting` between two searches for balanced forces. After another such number of steps,
-/// they are sought even if the net forces are large.
+/// Number of steps of the phase `resting` between two searches for balanced forces. If the net forces are large, the
+/// next search begins only after twice this number of steps.
 constexpr int kStepsBetweenTrials = 50;
 /// Number of steps of the phase `resting` after which the relaxation is given up.
 constexpr int kMostRestingSteps = 3000;
-/// Default value of ContactDynamicsOptions::gap_tolerance for round grains and for grains with corners.
+/// Default values of ContactDynamicsOptions::gap_tolerance: for round grains, and for grains with corners.
 constexpr double kGapToleranceRound = 1e-4;
 constexpr double kGapToleranceAngular = 1e-3;
-/// Number of steps in which a packing with balanced forces moves freely to test whether it is stable.
+/// Number of steps of the test whether a packing with balanced forces is stable: in these steps the packing moves
+/// freely.
 constexpr int kFreeSteps = 50;
-/// Largest displacement of a grain in these steps, divided by its diameter and by the gap tolerance.
+/// Largest displacement of a grain in this test, divided by its diameter and by the gap tolerance.
 constexpr double kStaysWithin = 10.0;
-/// Largest force of a contact that counts as carrying no force, divided by the mean normal force.
+/// Largest force of a contact that counts as force-free, divided by the mean normal force.
 constexpr double kCarries = 1e-9;
-/// Largest difference of a sliding tangential force from Coulomb's limit, divided by this limit.
+/// Largest difference between the tangential force of a sliding contact and its Coulomb limit, divided by the limit.
 constexpr double kAtLimit = 1e-9;
 
 /// Function that calls visit(name, member) for every member of a ContactDynamicsProgress, with the name that the member
@@ -97,8 +102,8 @@ constexpr auto kMembers = [](auto& p, const auto& visit) {
   visit("obstacle", p.obstacle);
 };
 
-/// Returns the root mean square velocity, weighted with the masses of the grains, since light grains may fly about in
-/// voids for a long time.
+/// Returns the root mean square velocity of the grains. The mean is weighted with the masses, since light grains may
+/// fly about in voids for a long time.
 template <int Dim>
 double rms_velocity(const Grains<Dim>& grains) {
   double sum = 0.0, mass = 0.0;
@@ -123,8 +128,9 @@ void stop(Packing<Dim>& packing) {
   for (Wall<Dim>& wall : packing.walls) wall.velocity = 0.0;
 }
 
-/// Returns the stress on each axis that sets the scales of time and force: the imposed stress or, on an axis with an
-/// imposed length, the mean of the imposed stresses. The stress carried by such an axis fluctuates during motion.
+/// Returns the stress on each axis from which the scales of time and force follow: the imposed stress or, on an axis
+/// with an imposed length, the mean of the imposed stresses. The stress in the packing does not serve as a scale, since
+/// it fluctuates during motion.
 /// @throws InputError if no stress is imposed, or an imposed stress is not positive
 template <int Dim>
 Vec<Dim> imposed_stress(const LoadTarget<Dim>& load) {
@@ -149,8 +155,8 @@ Vec<Dim> imposed_stress(const LoadTarget<Dim>& load) {
   return out;
 }
 
-/// Gives all contacts the adhesion of the law, and removes contacts that have a gap and have not adhered, since they
-/// carry no force.
+/// Subtracts the adhesion of the contact law from the normal forces of all contacts, and removes contacts that have a
+/// gap and have not adhered, since they carry no force.
 template <int Dim>
 void hold_adhesion(Packing<Dim>& packing) {
   std::erase_if(packing.contacts, [&](const Contact<Dim>& c) {
@@ -181,8 +187,9 @@ ContactDynamicsRelaxer<Dim>::ContactDynamicsRelaxer(const RelaxationOptions& opt
   measure();
 }
 
-/// Returns whether the contacts of a step of the phase `resting` are solved all at once: from the start for
-/// frictionless grains with corners, otherwise after kSweptSteps steps with sweeps that have not led to balance.
+/// Returns whether the contacts of a step of the phase `resting` are solved all at once. For frictionless grains with
+/// corners this holds from the start. For other packings it holds if kSweptSteps steps with sweeps have not led to
+/// balance and there are at most kMostGrainsAtOnce grains.
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::solves_at_once() const {
   if (progress_.phase != ContactDynamicsProgress::resting) return false;
@@ -226,11 +233,12 @@ BoundaryLoad<Dim> ContactDynamicsRelaxer<Dim>::boundary_load() const {
   // In a box, periodic axes keep their lengths.
   for (int a = 0; a < Dim; ++a) load.under_stress[a] = packing_.walls.empty() && !load_.strained(a);
   load.cell_mass = options_.cell_mass;
-  // At rest, a drag would only make walls heavier than all grains, for which sweeps converge slowly.
+  // A cap on the rate makes the walls heavier than all grains together, so that sweeps converge slowly. At rest it is
+  // not needed.
   if (!packing_.walls.empty() && progress_.phase == ContactDynamicsProgress::resting) return load;
   load.wall_speed = options_.compaction.wall_speed;
-  // While the cell is strained there is no cap, since the drag of a cap would bear a part of the stress on sides that
-  // dilate.
+  // A strained cell has no cap on its strain rate: the drag of a cap would bear a part of the stress on sides that
+  // grow.
   if (progress_.phase != ContactDynamicsProgress::straining)
     load.strain_rate_cap = strain_rate_cap(options_, packing_, imposed_);
   return load;
@@ -242,13 +250,13 @@ double ContactDynamicsRelaxer<Dim>::gap_tolerance() const {
                                                                                       : kGapToleranceAngular);
 }
 
-/// Returns the largest rate at which a side of the cell or the distance of two walls changes (1/time).
+/// Returns the largest relative rate |L'/L| of a side of the cell, or of the distance between two walls (1/time).
 template <int Dim>
 double ContactDynamicsRelaxer<Dim>::boundary_rate(const Packing<Dim>& packing) const {
   return packing.cell.rate().diagonal().cwiseAbs().maxCoeff();
 }
 
-/// Returns the rate at which the boundary closes without contacts, at most 1/T (1/time).
+/// Returns the rate at which the boundary would close without contacts, but at most 1/T (1/time).
 template <int Dim>
 double ContactDynamicsRelaxer<Dim>::rate_cap(const Packing<Dim>& packing) const {
   double cap = strain_rate_cap(options_, packing, imposed_);
@@ -257,9 +265,9 @@ double ContactDynamicsRelaxer<Dim>::rate_cap(const Packing<Dim>& packing) const 
   return std::min(cap, 1.0 / time_unit_);
 }
 
-/// Returns whether the motion of the packing has nearly ended. The strain rate of the cell shows whether the stress is
-/// balanced: it is proportional to the difference between the stress and the imposed stress, and errors of single
-/// impulses cancel in it.
+/// Returns whether the motion of the packing has nearly ended. Whether the stress is balanced is judged from the strain
+/// rate of the cell. This rate is proportional to the difference between the stress and the imposed stress, and the
+/// errors of single impulses cancel in it.
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::is_calm(const Packing<Dim>& packing) const {
   const double jitter = are_smooth_polyhedra(packing) ? kJitter : 1.0;
@@ -268,8 +276,8 @@ bool ContactDynamicsRelaxer<Dim>::is_calm(const Packing<Dim>& packing) const {
          boundary_rate(packing) < jitter * kCalmRate * rate_cap(packing);
 }
 
-/// Makes time steps and then moves the grains into the cell, so that a relaxation that was interrupted continues from
-/// the same positions.
+/// Makes time steps and then moves the grains into the cell, so that an interrupted relaxation continues from identical
+/// positions.
 template <int Dim>
 void ContactDynamicsRelaxer<Dim>::make_steps(int n_steps) {
   const ContactDynamicsSettings chosen = settings();
@@ -287,8 +295,8 @@ void ContactDynamicsRelaxer<Dim>::make_steps(int n_steps) {
   }
   progress_.n_steps += motion.counts().n_steps;
   progress_.n_sweeps += motion.counts().n_sweeps;
-  // The number of sweeps in steps of the phase `resting` is limited on purpose, since the next step starts from their
-  // impulses. These steps therefore do not count as unfinished.
+  // The small number of sweeps in a step of the phase `resting` is intended, since the next step starts from the
+  // impulses of the last one. These steps therefore do not count as unfinished.
   if (!at_rest) progress_.n_unfinished += motion.counts().n_unfinished;
   progress_.deepest_overlap = std::max(progress_.deepest_overlap, motion.counts().deepest_overlap);
   progress_.time_step = motion.time_step();
@@ -315,8 +323,8 @@ RelaxationStatus ContactDynamicsRelaxer<Dim>::advance() {
                                                          : RelaxationStatus::running;
 }
 
-/// Makes steps of the phase `resting`. Then seeks balanced forces, if the net forces are small or have not been tried
-/// for many steps.
+/// Makes steps of the phase `resting`, then seeks balanced forces if the net forces are small or if the last search was
+/// many steps ago.
 template <int Dim>
 RelaxationStatus ContactDynamicsRelaxer<Dim>::rest() {
   make_steps(kSteps);
@@ -343,8 +351,8 @@ double ContactDynamicsRelaxer<Dim>::near_balance() const {
   return packing_.grains.are_round() ? kNearBalanceRound : kNearBalanceAngular;
 }
 
-/// Returns the largest gap of a contact that carries a force, or the deepest overlap of any contact if that is larger,
-/// divided by the diameter of the smaller grain. A force counts if it exceeds the errors of the balance.
+/// Returns the largest gap or overlap of the contacts, divided by the diameter of the smaller grain. A gap counts only
+/// if the contact carries a force that exceeds the errors of the balance.
 template <int Dim>
 double ContactDynamicsRelaxer<Dim>::largest_gap() const {
   const double least = near_balance() * mean_repulsive_force(packing_);
@@ -366,7 +374,7 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
         "a contact that carries a force has a gap of {:.2g} smaller diameters, or two grains overlap by "
         "this much, but the tolerance is {:.2g}",
         gap, reached_gap);
-    // Errors of the impulses move the grains by distances proportional to the square of the time step.
+    // Errors of the impulses displace grains in proportion to the square of the time step, so the steps become shorter.
     if (!solves_at_once()) progress_.rest_length = std::max(0.5 * progress_.rest_length, kShortestRest);
     return false;
   }
@@ -407,8 +415,8 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
   return true;
 }
 
-/// Returns whether the grains that carry forces stay in place when the packing is free to move for some steps. This
-/// test is needed because a packing with balanced forces may be unstable.
+/// Returns whether the grains with contacts stay in place when the packing is free to move for some steps. The test
+/// finds packings whose forces are balanced, but whose equilibrium is unstable.
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::stays_in_place(const Packing<Dim>& rested) const {
   std::vector<bool> carries(rested.grains.size(), false);
@@ -420,7 +428,7 @@ bool ContactDynamicsRelaxer<Dim>::stays_in_place(const Packing<Dim>& rested) con
   chosen.longest_step = options_.contact_dynamics.time_step * time_unit_;
   ContactDynamics<Dim> motion(rested, boundary_load(), chosen, chosen.longest_step);
   for (int k = 0; k < kFreeSteps; ++k) motion.step(false);
-  // Walls may drift with all grains between them.
+  // A drift of the walls together with all grains between them is allowed.
   const Packing<Dim> before = with_walls_at_cell(rested), now = with_walls_at_cell(motion.packing());
   const double allowed = kStaysWithin * gap_tolerance();
   for (int i = 0; i < rested.grains.size(); ++i) {
@@ -431,9 +439,9 @@ bool ContactDynamicsRelaxer<Dim>::stays_in_place(const Packing<Dim>& rested) con
   return true;
 }
 
-/// Replaces the forces of a packing at rest by forces that balance all grains and the load, and removes contacts
-/// without a force.
-/// @throws NoResult if there are no such forces
+/// Replaces the forces of a packing at rest by forces that balance all grains and the load, and removes contacts that
+/// then carry no force.
+/// @throws NoResult if no forces balance the grains and the load
 template <int Dim>
 void ContactDynamicsRelaxer<Dim>::set_balanced_forces(Packing<Dim>& packing) const {
   ForceBalanceOptions<Dim> options;

@@ -13,7 +13,8 @@
 
 namespace floc {
 
-/// Progress of the relaxation of rigid grains. Together with the packing it determines how the relaxation continues.
+/// Progress of the relaxation of rigid grains. The rest of the relaxation is determined by the progress and the
+/// packing.
 struct ContactDynamicsProgress {
   enum Phase {
     moving,     ///< the grains move under the load
@@ -23,15 +24,15 @@ struct ContactDynamicsProgress {
   int phase = moving;
   std::int64_t n_steps = 0;   ///< number of time steps so far
   std::int64_t n_sweeps = 0;  ///< number of sweeps over all contacts so far
-  /// number of time steps that ended before their impulses were within tolerance
+  /// number of time steps whose sweeps ended before the impulses were within tolerance
   std::int64_t n_unfinished = 0;
   double time = 0.0;             ///< simulated time so far (time)
   double time_step = 0.0;        ///< next time step (time); 0 before the first step
   double last_step = 0.0;        ///< last time step (time); 0 before the first step
   double deepest_overlap = 0.0;  ///< deepest overlap so far, divided by the diameter of the smaller grain
-  int calm_steps = 0;            ///< number of time steps since the packing last moved or was out of balance
+  int calm_steps = 0;            ///< number of successive calm time steps up to the present (kCalmSteps)
   int resting_steps = 0;         ///< number of time steps of the phase `resting`
-  int next_trial = 0;            ///< value of resting_steps from which on balanced forces are sought again
+  int next_trial = 0;            ///< value of resting_steps from which on balanced forces may be sought again
   double rest_length = 0.0;      ///< longest time step of the phase `resting`, in units of T
   int rest_sweeps = 0;           ///< largest number of sweeps in a time step of the phase `resting`
   /// Sides of the cell before the strain (length).
@@ -40,21 +41,21 @@ struct ContactDynamicsProgress {
   std::string obstacle;  ///< reason why the last search found no balanced forces; empty before the first search
 };
 
-/// Brings a packing of rigid grains to equilibrium under a stress on each axis of its cell or on its walls, and under its
-/// weight, in three phases:
-/// 1. The grains move under the load (contact_dynamics.h) until, for 40 steps, the root mean square velocity is below
-/// 6e-3 d/T and the strain rates of the cell and of the box below 3 % of their cap, with the largest diameter d and the time unit T =
-/// sqrt(m/(P d^(Dim-2))).
-/// 2. All velocities are set to zero before each step, until the net forces are small. Steps of frictionless grains with
-/// corners, and of all grains that sweeps have not brought to rest, are solved at once (rigid/implicit_step.h).
-/// 3. With the grains held, forces are sought that balance all grains and the stress and satisfy Coulomb's conditions
-/// (rigid/static_forces.h). If there are no such forces, some grain still moves, and phase 2 continues.
-/// Sides of the cell whose imposed length equals their present length do not move; the stress on them results from the
-/// forces.
+/// Brings a packing of rigid grains to equilibrium under a stress on each axis of its cell or on its walls, and under
+/// its weight, in three phases:
+/// 1. The grains move under the load (contact_dynamics.h) until they have been calm for 40 steps: the root mean square
+/// velocity is below 6e-3 d/T and the strain rate of the cell or box is below 3 % of its cap, with the largest diameter
+/// d and the time unit T = sqrt(m/(P d^(Dim-2))).
+/// 2. All velocities are set to zero before each step, until the net forces are small. The contacts of frictionless
+/// grains with corners are solved all at once in each step (rigid/implicit_step.h), and so are those of other packings
+/// if sweeps have not brought them to rest.
+/// 3. Without motion of the grains, forces are sought that satisfy Coulomb's conditions and balance all grains and the
+/// imposed stress (rigid/static_forces.h). If there are none, some grain still moves, and phase 2 continues. Sides of
+/// the cell with an imposed length do not move during these phases; the stress on them results from the forces.
 ///
 /// If the load changes a length or shears the cell, the relaxation is a motion instead: the cell is strained at a
-/// constant rate (ContactDynamicsOptions::inertial_number), and the packing is recorded in motion at the imposed
-/// strain, with the forces of the time step that begins in this state (MotionRecord).
+/// constant rate (ContactDynamicsOptions::inertial_number), and the packing is recorded in motion when it reaches the
+/// imposed strain. The recorded forces are those of the time step that begins in this state (MotionRecord).
 template <int Dim>
 class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
  public:
@@ -100,10 +101,12 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
   RelaxationOptions options_;
   Packing<Dim> packing_;
   LoadTarget<Dim> load_;
-  /// Stress on each axis that sets the scales of time and force: the imposed stress or, on axes with an imposed length,
-  /// the mean of the imposed stresses (force/length^(Dim-1)).
+  /// Stress on each axis from which the scales of time and force follow: the imposed stress or, on axes with an imposed
+  /// length, the mean of the imposed stresses (force/length^(Dim-1)).
   Vec<Dim> imposed_;
-  Vec<Dim> target_;  ///< stress on each axis, imposed or carried (force/length^(Dim-1))
+  /// stress on each axis: the imposed stress or, for an imposed length, the stress in the packing
+  /// (force/length^(Dim-1))
+  Vec<Dim> target_;
   ContactDynamicsProgress progress_;
   Mat<Dim> stress_;  ///< static stress of the packing (force/length^(Dim-1))
   Residuals residuals_;

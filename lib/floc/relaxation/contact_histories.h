@@ -8,8 +8,8 @@
 
 namespace floc {
 
-/// History variables of the contacts of a packing that is set in motion. They are stored here until lists of
-/// neighbouring pairs exist, into which they are copied.
+/// History variables of the contacts of a packing that is set in motion. This object stores them until the lists of
+/// neighbouring pairs have been built, and then copies them into these lists.
 template <int Dim>
 class ContactHistories {
  public:
@@ -17,8 +17,8 @@ class ContactHistories {
   /// @param grains  arrays of the grains of the packing
   ContactHistories(Packing<Dim>& packing, const GrainArrays<Dim>& grains);
 
-  /// Returns the contacts of pairs of bodies with several contacts, except the first contact of each pair: first the
-  /// contacts between grains, then the contacts with walls.
+  /// Returns the second and later contacts of any two bodies with several contacts: first the contacts between grains,
+  /// then the contacts with walls.
   PairLists<Dim> further_contacts() const;
   /// Copies the stored history variables of the contacts into the lists of pairs, and computes the parameters of their
   /// liquid bridges.

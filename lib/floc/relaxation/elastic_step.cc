@@ -9,8 +9,7 @@
 namespace floc {
 namespace {
 
-/// Ratio of the largest elongation of an undamped spring under a suddenly applied load to its elongation in
-/// equilibrium.
+/// Largest elongation of an undamped spring under a suddenly applied load, divided by its elongation in equilibrium.
 constexpr double kOvershoot = 2.0;
 
 template <class T>
@@ -18,8 +17,8 @@ T extrapolated(const T& start, const T& end) {
   return start + kOvershoot * (end - start);
 }
 
-/// Whether all springs of a contact stay below their caps on the straight path from one state to another, extended
-/// beyond the second state by its own length (kOvershoot).
+/// Whether all springs of a contact stay below their caps on the straight path from one state to another and on an
+/// equally long extension beyond the second state (kOvershoot).
 /// @pre the surfaces touch
 template <int Dim>
 bool sticks(const Law& law, const Contact<Dim>& from, const Contact<Dim>& to) {
@@ -29,8 +28,8 @@ bool sticks(const Law& law, const Contact<Dim>& from, const Contact<Dim>& to) {
   return !mobilised(law, beyond, 0.0).any() && !to.is_mobilised();
 }
 
-/// Whether the history variables of the law of the normal force are equal in two states of a contact. The law has then
-/// dissipated no energy between the two states.
+/// Whether the history variables of the law of the normal force are equal in two states of a contact. If they are
+/// equal, the law has dissipated no energy between the two states.
 template <int Dim>
 bool remembers_same_overlap(const Contact<Dim>& from, const Contact<Dim>& to) {
   constexpr int n = HistoryLayout<Dim>::kNormalRoom;

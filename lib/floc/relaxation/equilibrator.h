@@ -21,21 +21,22 @@ enum class RelaxationStatus { running, converged, gave_up };
 /// Report of a relaxation: its result, or its progress so far.
 struct RelaxationReport {
   Residuals residuals;
-  Stability stability;  ///< stability of the equilibrium; not determined before the relaxation ends
+  Stability stability;  ///< stability of the equilibrium; unknown before the relaxation ends
   /// Number of liquid bridges that would form or break if the liquid of the equilibrium were shared out once more; -1
   /// before an equilibrium is found and in packings without liquid.
   int n_bridges_unsettled = -1;
-  /// Number of mechanisms (motions without stiffness) of the structure that carries the load between walls; -1 if
-  /// mechanisms were not counted. A state with mechanisms is not an equilibrium.
+  /// Number of mechanisms (motions without stiffness) of the structure that carries the load between walls; -1 before
+  /// mechanisms are counted. A state with mechanisms is not an equilibrium.
   int n_mechanisms = -1;
-  /// Keyword for the end of the relaxation. After a success: "polished" (equilibrium by Newton steps after dynamics),
-  /// "dynamic" (by dynamics alone), "static" (by Newton steps alone) or "stopped" (packing between walls, recorded
-  /// without equilibrium); for rigid grains "closest", "canonical" or "stepped" (RigidForces), or "moving" (recorded in
-  /// motion at an imposed strain). After a failure: "diverged" (the time step was too large), "lost" (grains and walls
-  /// no longer form a packing), "unloaded" (at its imposed lengths the packing carries no stress) or "closed" (the
-  /// imposed lengths are too short). Empty while the relaxation runs, and if it was given up because it took too long.
+  /// Keyword for the end of the relaxation. After a success: "polished" (equilibrium found by dynamics and then Newton
+  /// steps), "dynamic" (by dynamics alone), "static" (by Newton steps alone) or "stopped" (packing between walls that
+  /// is recorded without being in equilibrium). After a success with rigid grains: "closest", "canonical" or "stepped"
+  /// (RigidForces), or "moving" (recorded in motion at an imposed strain). After a failure: "diverged" (the time step
+  /// was too large), "lost" (grains and walls no longer form a packing), "unloaded" (at its imposed lengths the packing
+  /// carries no stress) or "closed" (the imposed lengths are too short). Empty while the relaxation runs, and after a
+  /// relaxation that took too long.
   std::string ending;
-  std::string blocking;  ///< description of a criterion of equilibrium that the packing does not meet
+  std::string blocking;  ///< description of the first criterion of equilibrium that the packing does not meet
   /// Decay rate of the force residual (1/time), positive if the residual falls; computed only while the residual is
   /// above its tolerance.
   double decay_rate = 0.0;
@@ -44,12 +45,12 @@ struct RelaxationReport {
   std::int64_t n_steps = 0;  ///< number of time steps of this relaxation so far
   /// record of a packing in motion: the time step that begins in the recorded state
   std::optional<MotionRecord> motion = {};
-  /// counts of the time steps of contact dynamics in this relaxation so far; all zero for elastic contacts
+  /// counts of the time steps of contact dynamics in this relaxation so far; all zero if the contacts are elastic
   StepCounts counts;
 };
 
-/// Takes a packing to equilibrium under a load, in chunks of time steps. Between two chunks, the packing and progress()
-/// are its whole state: an equilibrator that is made from them continues with identical results.
+/// Takes a packing to equilibrium under a load, in chunks of time steps. Between two chunks, its whole state consists
+/// of the packing and progress(): an equilibrator that is made from both continues with identical results.
 template <int Dim>
 class Equilibrator {
  public:
@@ -66,16 +67,17 @@ class Equilibrator {
   virtual Packing<Dim> release_packing() = 0;
   /// Returns the static stress of the packing in its present state (force/length^(Dim-1)).
   virtual const Mat<Dim>& stress() const = 0;
-  /// Returns the stress on each axis, compression positive (force/length^(Dim-1)): the stress imposed or, if a length
-  /// is imposed, the stress carried at present.
+  /// Returns the stress on each axis, compression positive (force/length^(Dim-1)): the imposed stress or, for an axis
+  /// with an imposed length, the present stress in the packing.
   virtual const Vec<Dim>& target_stress() const = 0;
   virtual RelaxationReport report() const = 0;
-  /// Returns the progress as text, which an equilibrator of the same kind can read.
+  /// Returns the progress as text, from which an equilibrator of an equal kind can be made.
   virtual std::string progress() const = 0;
 };
 
 /// Makes the equilibrator of a packing: a ContactDynamicsRelaxer if its contacts are rigid, otherwise a BoxRelaxer if
-/// the packing has walls, otherwise a SoftRelaxer if the options soften its springs, otherwise a Relaxer.
+/// the packing has walls, otherwise a SoftRelaxer if the options contain a softening of the springs, otherwise a
+/// Relaxer.
 /// @param load  stress or length imposed on each axis
 /// @param progress  text from progress() of an equilibrator that was stopped; if empty, the relaxation starts from the
 /// beginning

@@ -12,7 +12,7 @@ namespace floc {
 namespace {
 
 /// Coordinate of a grain beyond which the motion counts as diverged, in units of the shortest side of the cell. The
-/// search for neighbours can represent coordinates ten times as large.
+/// search for neighbours works for coordinates up to ten times as large.
 constexpr double kFurthest = 1e8;
 
 template <int Dim>
@@ -25,8 +25,8 @@ LatticeShape shape_of(const Cell<Dim>& cell, const BoundaryControl<Dim>& control
 template <int Dim>
 SkinRule skin_rule(const Packing<Dim>& packing, const DynamicsSettings& settings) {
   // If the liquid is shared out whenever lists of neighbours are built, the skin (extra distance up to which pairs are
-  // listed) determines the times at which this happens. The skin then must not depend on the measured computing time of
-  // the lists.
+  // listed) determines when the liquid is shared out. To keep results reproducible, this skin must not follow from
+  // measured computing times.
   return packing.law.liquid() && !settings.holds_liquid ? SkinRule::follows_reach : SkinRule::balances_costs;
 }
 
@@ -60,7 +60,7 @@ void ExplicitDynamics<Dim>::advance(int n_steps, Motion motion) {
   run_in_team(sweep_.n_threads(), [&](int thread, Barrier& barrier) {
     Rotation from = Rotation::at_end;
     for (int k = 0; k < n_steps; ++k) {
-      // Spins at the end of a step are needed only after the last step and by power control.
+      // Spins at the end of a step are needed only for power control, and after the last step.
       const Rotation to = k + 1 < n_steps && motion == Motion::free ? Rotation::in_middle : Rotation::at_end;
       step(thread, barrier, motion, from, to);
       from = to;
@@ -78,7 +78,7 @@ void ExplicitDynamics<Dim>::step(int thread, Barrier& barrier, Motion motion, Ro
   if (has_gravity()) fall(thread), barrier.wait();
   std::optional<Rotation> undrifted;
   if (lists_.stale(cell_, range())) {
-    // New lists are built for the positions of the grains at the end of the step.
+    // All grains are moved first, since the new lists are built for the positions at the end of the step.
     sweep_.drift_all(thread, interactions_, step_, from);
     measure_motion(thread);
     barrier.wait();
@@ -106,8 +106,9 @@ void ExplicitDynamics<Dim>::begin_step() {
   lists_.add_step(cell_, sweep_.sums(), step_.kick, step_.drift, 0.5 * dt_ * gravity_.norm());
 }
 
-// The weight changes the velocities and is not one of the forces, so that the loops over pairs need no term for it.
-// Along axes with gravity the boundary is at rest or consists of walls, and its kick does not change velocities.
+// Gravity changes the velocities directly and is not added to the forces, so that the loops over pairs need no term for
+// it. Along axes with gravity, the boundary is at rest or consists of walls, so the kick of the boundary does not
+// change velocities of grains.
 template <int Dim>
 void ExplicitDynamics<Dim>::fall(int thread) {
   sweep_.for_each_block(thread, [&](int block) {
@@ -126,8 +127,9 @@ void ExplicitDynamics<Dim>::end_step(Motion motion) {
   if (motion == Motion::power_control) stop_if_slowing();
 }
 
-/// Returns twice the kinetic energy of the grains (energy). With gravity it is computed from the velocities, since the
-/// sums of the sweep lack the change of velocity by gravity in the last half step.
+/// Returns twice the kinetic energy of the grains (energy). With gravity, the energy is computed from the velocities:
+/// the sums of class ForceSweep are too old, since they do not contain the change of velocity by gravity in the last
+/// half step.
 template <int Dim>
 double ExplicitDynamics<Dim>::twice_kinetic_energy_of_grains() const {
   if (!has_gravity()) return sweep_.twice_kinetic_energy();
@@ -163,7 +165,7 @@ void ExplicitDynamics<Dim>::measure_motion(int thread) {
 }
 
 /// Computes the forces for the present positions and velocities, without a time step. Contact springs are not
-/// stretched; a history variable changes only if it is beyond its cap.
+/// stretched; only history variables beyond their caps change.
 template <int Dim>
 void ExplicitDynamics<Dim>::refresh_forces() {
   step_.kick = cell_.kick_of_grains(0.0);
@@ -172,12 +174,13 @@ void ExplicitDynamics<Dim>::refresh_forces() {
     sweep_.compute(thread, interactions_, step_, std::nullopt, Rotation::at_end);
   for (int thread = 0; thread < sweep_.n_threads(); ++thread)
     sweep_.sum_shared(thread, interactions_, step_, Rotation::at_end);
-  // This kick had a time step of zero and has given no upper bound of the speeds in the next step.
+  // The kick that has just been made had a time step of zero, so it gives no upper bound of the speeds in the next
+  // step.
   lists_.motion().forget();
   if (interactions_.with_walls()) cell_.sum_forces_on_walls(interactions_.on_walls());
 }
 
-/// Builds new lists of neighbours if the motion since the last lists requires it.
+/// Builds new lists of neighbours if the measured motion makes the present lists stale (NeighborLists::stale()).
 /// @pre the motion of all blocks has been measured
 template <int Dim>
 void ExplicitDynamics<Dim>::renew_stale_lists() {
@@ -193,7 +196,8 @@ void ExplicitDynamics<Dim>::renew_stale_lists() {
 template <int Dim>
 void ExplicitDynamics<Dim>::build_lists(const PairLists<Dim>& further) {
   if (!finite()) return;
-  sweep_.drop_rows();  // frees the memory of the rows (forces and moments of the pairs) for the new pairs
+  // frees the memory of the rows (forces and moments of the pairs), so that the new pairs can use it
+  sweep_.drop_rows();
   interactions_.set_pairs(lists_.find(grains_, cell_, interactions_), further, grains_, dt_,
                           sweep_.blocks_of_group());
   sweep_.plan(interactions_);
@@ -201,8 +205,8 @@ void ExplicitDynamics<Dim>::build_lists(const PairLists<Dim>& further) {
   step_.grains = lists_.motion().view_of(grains_);
 }
 
-/// Shares the liquid out among the pairs of grains, unless the bridges keep their volumes. Lists of pairs are built
-/// anew until they contain all pairs that get liquid.
+/// Shares the liquid out among the pairs of grains, unless the bridges keep their volumes. Builds new lists of pairs
+/// until the lists contain all pairs that get liquid.
 template <int Dim>
 void ExplicitDynamics<Dim>::share_liquid() {
   if (!liquid_ || liquid_->keeps_shares()) return;

@@ -13,10 +13,11 @@
 
 namespace floc {
 
-/// Time integration of a packing by velocity Verlet steps (class Dynamics). A step kicks and drifts the boundary
-/// (CellMotion) and the grains, builds new lists of pairs if bodies have moved too far (NeighborLists), computes the
-/// forces and kicks the grains again (ForceSweep), and ends with the second kick of the boundary. The loops over grains
-/// and pairs are in the folder kernels/ and are compiled for each contact law and instruction set.
+/// Time integration of a packing by velocity Verlet steps (class Dynamics). In a step, the boundary (CellMotion) and
+/// the grains are kicked (accelerated over half a step) and moved; new lists of pairs are built if bodies have moved
+/// too far (NeighborLists); the forces are computed and the grains kicked again (ForceSweep); last comes the second
+/// kick of the boundary. The loops over grains and pairs are in the folder kernels/ and are compiled for each contact
+/// law and instruction set.
 template <int Dim>
 class ExplicitDynamics final : public Dynamics<Dim> {
  public:
@@ -31,25 +32,24 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   double skin() const override;
 
  private:
-  /// Makes one thread's part of a time step.
-  /// @param from, to  stages of the time integration (enum Rotation) at which the rotation of the grains is before and
-  /// after the step
+  /// Makes the part of a time step that is assigned to one thread.
+  /// @param from, to  stages of the time integration (enum Rotation) that the rotation of the grains has reached before
+  /// and after the step
   void step(int thread, Barrier& barrier, Motion motion, Rotation from, Rotation to);
   void begin_step();
   void end_step(Motion motion);
   void stop_if_slowing();
-  /// Adds to the velocities of the grains of one thread the change by gravity in half a time step.
+  /// Changes the velocities of the grains of one thread by gravity during half a time step.
   void fall(int thread);
   bool has_gravity() const { return !gravity_.isZero(0.0); }
   double twice_kinetic_energy_of_grains() const;
-  /// Measures how far grains have moved since the neighbour lists were built, for the blocks of grains of one thread.
+  /// Measures how far the grains of one thread have moved since the neighbour lists were built.
   void measure_motion(int thread);
   void refresh_forces();
 
   void renew_stale_lists();
   /// Builds new lists of pairs.
-  /// @param further  for each interaction, the contacts of bodies with several contacts, except the first contact of
-  /// each pair of bodies
+  /// @param further  for each interaction, the second and later contacts of any two bodies with several contacts
   void build_lists(const PairLists<Dim>& further);
   void share_liquid();
   /// Returns the largest gap across which grains interact (length).

@@ -7,9 +7,10 @@
 namespace floc {
 namespace {
 
-/// Largest number of blocks of grains whose pairs a thread computes before it sums their forces. A pass over pairs has
-/// a fixed cost, so very small groups of blocks are slower. With 4000 spheres, groups of 16 blocks are 4 % faster than
-/// single blocks and as fast as groups of 4 blocks; one group of all blocks is slower.
+/// Largest number of blocks of grains in a group. A thread computes all pairs of a group before it sums the forces on
+/// the grains of the group. A pass over pairs has a fixed cost, so very small groups of blocks are slower. With 4000
+/// spheres, groups of 16 blocks are 4 % faster than single blocks and as fast as groups of 4 blocks; one group of all
+/// blocks is slower.
 constexpr int kMaxBlocksOfGroup = 16;
 
 template <int Dim>
@@ -28,7 +29,8 @@ ForceSweep<Dim>::ForceSweep(const GrainArrays<Dim>& grains, int n_threads, const
       needs_virial_(needs_virial),
       sums_(grains.n_blocks()) {}
 
-/// Returns the number of blocks per group for which all threads have equally many groups, of nearly equal size.
+/// Returns the number of blocks per group for which every thread has equally many groups, and all groups have about
+/// equally many blocks.
 template <int Dim>
 int ForceSweep<Dim>::blocks_of_group() const {
   const auto parts = [](int all, int most) { return (all + most - 1) / most; };
@@ -100,8 +102,8 @@ void ForceSweep<Dim>::sum_and_kick(int block, const Interactions<Dim>& interacti
 }
 
 /// Removes the contribution of wall friction to the virial along the periodic axes, which are parallel to the walls.
-/// The kernel has summed the net force on each grain times its position, and this net force includes the forces that
-/// walls exert.
+/// The kernel has computed the virial as the sum of net force times position over the grains, and the net forces
+/// include the forces of the walls.
 template <int Dim>
 void ForceSweep<Dim>::add_wall_virial(int block, const Interaction<Dim>& on_walls,
                                       const GrainView<Dim>& grains) {

@@ -21,25 +21,25 @@ struct GrainStep {
 
 /// Passes of a time step over blocks of grains, which are shared out among threads (SweepPlan). A pair belongs to the
 /// block of its first grain. Each thread computes the rows (forces and moments) of the pairs of its blocks. Once all
-/// rows that a block needs are computed, the rows of each of its grains are summed and the grains are kicked.
-/// Contributions to sums over the packing are stored for each block, so that the order of additions does not depend on
+/// rows that a block needs are computed, the rows of each of its grains are summed and the grains are kicked. Sums over
+/// the packing (virial, energies) are first computed for each block, so that the order of additions does not depend on
 /// the number of threads.
 ///
-/// All threads call the methods that have the parameter `thread`, with a barrier after each of the drift, compute() and
-/// sum_shared().
+/// All threads call the methods with the parameter `thread`. They wait at a barrier after drift_all() or
+/// drift_shared(), after compute() and after sum_shared().
 template <int Dim>
 class ForceSweep {
  public:
-  /// @param needs_virial  for each component of the virial: whether it has to be computed because it accelerates the
-  /// lattice
+  /// @param needs_virial  for each component of the virial: whether it has to be computed, because the lattice is
+  /// accelerated by it
   ForceSweep(const GrainArrays<Dim>& grains, int n_threads, const Mat<Dim, bool>& needs_virial);
 
   int n_threads() const { return plan_.n_threads(); }
   /// Returns the number of blocks in a group. The pairs of a group are computed in one pass and padded to whole vector
   /// registers.
   int blocks_of_group() const;
-  /// Frees the memory of the rows (forces and moments of the pairs), which is large. @pre plan() is called before the
-  /// next step
+  /// Frees the memory of the rows (forces and moments of the pairs), which is large.
+  /// @pre plan() is called before the next step
   void drop_rows() { rows_ = RowSums<Dim>(); }
   /// Plans the passes over newly built lists of pairs.
   void plan(Interactions<Dim>& interactions);
@@ -51,31 +51,30 @@ class ForceSweep {
     for (int b = plan_.first_block(plan_.first_group(thread)); b < last; ++b) visit(b);
   }
   /// Kicks and moves the grains of all blocks that belong to a thread.
-  /// @param stands  stage (Rotation) at which the previous step has left the rotation of the grains
+  /// @param stands  stage (Rotation) that the rotation of the grains has reached in the previous step
   void drift_all(int thread, const Interactions<Dim>& interactions, const GrainStep<Dim>& step,
                  Rotation stands) const;
-  /// Kicks and moves the grains of the shared blocks (blocks that pairs of several threads read) that are assigned to a
+  /// Kicks and moves those shared blocks of grains (blocks that pairs of several threads read) that are assigned to a
   /// thread.
   void drift_shared(int thread, const Interactions<Dim>& interactions, const GrainStep<Dim>& step,
                     Rotation stands) const;
-  /// Computes the forces of the pairs of all blocks that belong to a thread. For blocks of this thread that are not
-  /// shared (that pairs of this thread alone read), it also sums the forces on each grain and kicks the grain.
-  /// @param undrifted  set if the blocks that are not shared have not yet drifted in this step: the stage at which the
-  /// previous step has left the rotation of their grains. Each of these blocks then drifts just before the first pairs
-  /// read it.
-  /// @param to  stage at which this step leaves the rotation of the grains
+  /// Computes the forces of the pairs of all blocks that belong to a thread. For blocks that only pairs of this thread
+  /// read (blocks that are not shared), also sums the forces on each grain and kicks the grain.
+  /// @param undrifted  stage (Rotation) that the rotation of the grains has reached in the previous step, if the blocks
+  /// that are not shared have not yet drifted in this step; otherwise empty. If it is set, each of these blocks drifts
+  /// just before the first pairs read it.
+  /// @param to  stage (Rotation) that the rotation of the grains has to reach in this step
   void compute(int thread, const Interactions<Dim>& interactions, const GrainStep<Dim>& step,
                std::optional<Rotation> undrifted, Rotation to);
-  /// Sums the forces on each grain of the shared blocks (blocks that pairs of several threads read) that are assigned
+  /// Sums the forces on each grain of those shared blocks (blocks that pairs of several threads read) that are assigned
   /// to a thread, and kicks the grain.
   /// @pre all threads have computed the forces of their pairs
   void sum_shared(int thread, const Interactions<Dim>& interactions, const GrainStep<Dim>& step, Rotation to);
 
-  /// Returns the contribution of each block of grains to the sums over the packing (virial, kinetic energy, largest
-  /// speed).
+  /// Returns the sums over the grains or pairs of each block (virial, kinetic energy, largest speed).
   const std::vector<BlockSums<Dim>>& sums() const { return sums_; }
   double twice_kinetic_energy() const;
-  /// Sets the sums that contain velocities and spins to zero; to be called after the grains have been stopped.
+  /// Sets the sums that contain velocities or spins to zero; to be called after the grains have been stopped.
   void stop();
 
  private:

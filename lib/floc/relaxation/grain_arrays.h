@@ -18,15 +18,15 @@ inline bool all_equal(std::span<const double> numbers) {
 }
 
 /// Grains in the form that the loop over pairs reads: one array per component of each quantity, with the grains in the
-/// order of space_order(). The arrays are padded with zeros to whole blocks of kGrainBlock grains, and by another
-/// kWindow entries, so that a window of kWindow entries that begins at the last grain lies inside the array.
+/// order of space_order(). The arrays are padded with zeros to whole blocks of kGrainBlock grains and then with kWindow
+/// more entries, so that kWindow entries can be read from any grain on.
 template <int Dim>
 struct GrainArrays {
   using Component = AlignedVector<double>;
 
   std::vector<int> index;        ///< index in the packing of the k-th grain of these arrays
   std::array<Component, Dim> x;  ///< position of each grain (length), which may be outside the cell
-  /// Peculiar velocity of each grain, which excludes the affine motion of the lattice (length/time).
+  /// Peculiar velocity of each grain, that is, the velocity without the affine motion of the lattice (length/time).
   std::array<Component, Dim> v;
   std::array<Component, Dim> force;
   std::array<Component, kRotations<Dim>> spin;

@@ -12,8 +12,8 @@ namespace floc {
 namespace {
 
 /// Largest strain rate |L'/L| of the axes with an imposed length L, times sqrt(a m/F1), with a the largest diameter, m
-/// the largest mass and F1 the force scale. At this rate, a strain of 1e-3 takes a short time compared with the time in
-/// which a packing settles. If the scene sets a lower cap on the strain rate, that cap applies.
+/// the largest mass and F1 the force scale. At this rate, a strain of 1e-3 takes less time than the packing then takes
+/// to settle. If the scene sets a lower cap on the strain rate, that cap applies.
 constexpr double kRampInertialNumber = 1e-3;
 /// Reduced pressure (reduced_pressure()) below which axes with an imposed length count as carrying no stress. No
 /// packing is in equilibrium at so small a pressure.

@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Strain of a cell at a constant rate: the logarithmic strains of sides and the offset of a sheared lattice vector
-/// (its component along the first axis) are proportional to time.
+/// Strain of a cell at a constant rate. Logarithmic strains of the sides are proportional to time, and so is the change
+/// of the offset (component along the first axis) of a sheared lattice vector.
 template <int Dim>
 struct ImposedStrain {
   /// sides of the cell before and after the strain (length)
@@ -18,18 +18,18 @@ struct ImposedStrain {
   double offset_from = 0.0, offset_to = 0.0;
   double duration = 0.0;  ///< duration of the strain (time)
 
-  /// Returns the largest strain: of the logarithmic strains of the imposed lengths and the shear strain.
+  /// Returns the largest of all strains: the logarithmic strains of the imposed lengths, and the shear strain.
   double size() const {
     double largest = sheared_axis > 0 ? std::abs(offset_to - offset_from) / from[sheared_axis] : 0.0;
     for (int a = 0; a < Dim; ++a)
       if (is_imposed[a] && from[a] != to[a]) largest = std::max(largest, std::abs(std::log(to[a] / from[a])));
     return largest;
   }
-  /// Whether the strain is complete, up to rounding, after `time` has passed since its beginning.
+  /// Whether the strain is complete, up to rounding, at `time` since its beginning.
   bool over(double time) const { return duration - time <= 1e-12 * duration; }
 
-  /// Sets the lattice vectors (rows of `matrix`) to the lengths and the offset that are imposed after `time` has passed
-  /// since the beginning of the strain.
+  /// Gives the lattice vectors (rows of `matrix`) the imposed lengths and the imposed offset at `time` since the
+  /// beginning of the strain.
   void set_lattice(double time, Mat<Dim>& matrix) const {
     const bool at_end = over(time);
     const double share = at_end ? 1.0 : time / duration;

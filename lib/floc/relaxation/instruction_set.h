@@ -2,7 +2,7 @@
 
 namespace floc {
 
-/// Number of doubles that a register of the widest instruction set holds.
+/// Number of doubles in a register of the widest instruction set.
 inline constexpr int kWindow = 8;
 
 /// Instruction sets for which the force loop is compiled. All of them give bitwise identical results: the lanes of a
@@ -13,7 +13,8 @@ enum class InstructionSet {
   avx512,    ///< AVX-512, registers of eight doubles
 };
 
-/// Whether floc was compiled for an instruction set (CMake option FLOC_INSTRUCTION_SETS) and this processor has it.
+/// Whether floc was compiled for an instruction set (CMake option FLOC_INSTRUCTION_SETS) and this processor supports
+/// it.
 bool supported(InstructionSet set);
 
 /// Returns the widest instruction set that is supported().

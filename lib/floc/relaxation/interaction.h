@@ -12,9 +12,9 @@ namespace floc {
 template <int Dim>
 class Interaction {
  public:
-  /// @param law  contact law as composed for the kernels (laws_of_same_rows())
-  /// @param rows  layout of the rows (force and moments of a pair) that kernels write; it is common to all interactions
-  /// of the packing and follows from the law between grains
+  /// @param law  contact law in the form that the kernels use (laws_of_same_rows())
+  /// @param rows  layout of the rows (force and moments of a pair) that kernels write. All interactions of the packing
+  /// use the layout for the law between grains.
   /// @param largest_radius  largest radius of a grain (length)
   Interaction(Partner partner, const Law& parameters, std::shared_ptr<const ComposedLaw> law, RowKind rows,
               double largest_radius, InstructionSet instructions, LatticeShape shape);
@@ -34,9 +34,10 @@ class Interaction {
   typename PairArrays<Dim>::Component& bridge_volume() { return pairs_.bridge_volume(); }
   void refresh_bridges() { pairs_.refresh_bridges(*law_); }
   const PairView<Dim>& view() const { return arrays_; }
-  /// Returns pointers to the arrays of the pairs, for kernels that write the rows (force and moments) of the pairs to
-  /// an address other than that of set_rows().
-  /// @param row  address of the row of the pair with index `with_row`, followed by the rows of later pairs
+  /// Returns pointers to the arrays of the pairs, for kernels that do not write the rows (force and moments) of the
+  /// pairs to the address set by set_rows().
+  /// @param row  address to which the row of the pair with index `with_row` is written, followed by the rows of later
+  /// pairs
   PairView<Dim> view(double* row, int with_row) const {
     PairView<Dim> pairs = arrays_;
     pairs.row = row;
@@ -44,9 +45,9 @@ class Interaction {
     return pairs;
   }
 
-  /// Replaces the list of pairs. The new pairs inherit the history variables of the old ones.
+  /// Replaces the list of pairs. New pairs that the old list contained keep their history variables.
   void set_pairs(PairArrays<Dim> pairs);
-  /// Frees the arrays that the next list of pairs does not inherit (PairArrays::drop_numbers()).
+  /// Frees the arrays that are not copied into the next list of pairs (PairArrays::drop_numbers()).
   void drop_numbers() { pairs_.drop_numbers(); }
   /// Frees all data except the history of the pairs (PairArrays::keep_history_alone()).
   void keep_history_alone() { pairs_.keep_history_alone(); }
@@ -58,7 +59,8 @@ class Interaction {
   void compute(const PairView<Dim>& pairs, int first, int last, const GrainView<Dim>& grains,
                const PairCell<Dim>& cell) const;
 
-  /// Copies the history variables of a contact into those of its pair (load_history()), or back (history()).
+  /// Copies the history variables of a contact to its pair (load_history()), or returns those of a pair as variables of
+  /// its contact (history()).
   /// @param swapped  whether the first grain of the pair is the second grain of the contact
   void load_history(int pair, const ContactHistory<Dim>& history, bool swapped);
   ContactHistory<Dim> history(int pair, bool swapped) const;
@@ -81,13 +83,13 @@ class Interaction {
   PairView<Dim> arrays_;
 };
 
-/// Makes the contact laws of the interactions of a packing from their parameters. For each pair, kernels write a row of
-/// numbers: the force and, with friction, the moments. All rows must have one layout, so if any law has friction, each
-/// law without friction gets a friction spring with a coefficient of zero.
-/// @param parameters  parameters of the law between grains, then of the law between grains and walls if there are any
+/// Makes the contact laws of the interactions of a packing from their parameters. Kernels write a row of numbers for
+/// each pair: the force and, with friction, the moments. All rows must have one layout. Therefore, if any law has
+/// friction, each law without friction gets a friction spring with a coefficient of zero.
+/// @param parameters  parameters of the law between grains, then of the law between grains and walls if there are walls
 std::vector<std::shared_ptr<const ComposedLaw>> laws_of_same_rows(const std::vector<Law>& parameters);
 
-/// Returns the layout of the rows (forces and moments) that pairs of grains write under a contact law.
+/// Returns the layout of the rows (forces and moments) of pairs of grains under a contact law.
 template <int Dim>
 RowKind row_kind(const ComposedLaw& law);
 

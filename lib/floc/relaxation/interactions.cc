@@ -8,8 +8,8 @@
 namespace floc {
 namespace {
 
-/// Adds second and later contacts of two bodies to a list that has one pair for any two bodies that are close. Contacts
-/// between bodies that are no longer close are left out.
+/// Adds the second and later contacts of two bodies to a list with one pair for any two bodies that are close. Contacts
+/// of bodies that are not in the list are left out.
 template <int Dim>
 void add_further(std::vector<NeighborPair<Dim>> further, std::vector<NeighborPair<Dim>>& pairs) {
   if (further.empty()) return;
@@ -46,8 +46,8 @@ void Interactions<Dim>::set_pairs(PairLists<Dim> close, const PairLists<Dim>& fu
   for (std::size_t k = 0; k < list_.size(); ++k) {
     Interaction<Dim>& interaction = list_[k];
     add_further(further[k], close[k]);
-    // Lists of pairs are large, so memory is freed early: first the force data of the old list, then the new pairs
-    // after they have been copied.
+    // Lists of pairs are large, so memory is freed early: the force data of the old list before the new list is made,
+    // the new pairs after they have been copied.
     interaction.drop_numbers();
     interaction.set_pairs(
         {close[k], interaction.partner(), grains, interaction.law(), time_step, blocks_of_group});

@@ -29,14 +29,12 @@ class Interactions {
   auto begin() const { return list_.begin(); }
   auto end() const { return list_.end(); }
 
-  /// Returns, for each interaction, the contacts of bodies with several contacts, except the first contact of each pair
-  /// of bodies. The contacts of two bodies have different keys (NeighborPair::key), which they keep as long as the
-  /// bodies are close.
+  /// Returns, for each interaction, the second and later contacts of any two bodies with several contacts. The contacts
+  /// of two bodies have different keys (NeighborPair::key), which do not change as long as the bodies are close.
   PairLists<Dim> further_contacts() const;
-  /// Replaces the lists of pairs. The new pairs inherit the history variables of the old ones.
-  /// @param close  pairs of bodies that are close, for each interaction
-  /// @param further  for each interaction, the contacts of bodies with several contacts, except the first contact of
-  /// each pair of bodies
+  /// Replaces the lists of pairs. New pairs that the old lists contained keep their history variables.
+  /// @param close  for each interaction, pairs of bodies that are close
+  /// @param further  for each interaction, the second and later contacts of any two bodies with several contacts
   /// @param blocks_of_group  number of consecutive blocks of grains whose pairs are computed together
   void set_pairs(PairLists<Dim> close, const PairLists<Dim>& further, const GrainArrays<Dim>& grains,
                  double time_step, int blocks_of_group);

@@ -4,7 +4,7 @@
 
 namespace floc {
 
-/// Copies a matrix into a plain array, which is the form in which kernels read matrices.
+/// Copies a matrix into a plain array, since kernels read matrices as plain arrays.
 template <int Dim>
 void copy_matrix(const Mat<Dim>& from, double (&to)[Dim][Dim]) {
   for (int a = 0; a < Dim; ++a)

@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Loops over the grains of a block. Like all kernel code, this class is a template on the instruction set, and it
-/// calls no inline function that is not such a template.
+/// Loops over the grains of a block. Like all kernel code, this class has the instruction set as a template argument,
+/// and all inline functions that it calls have this argument, too.
 template <class Isa, int Dim, LatticeShape kShape, RowKind kRows>
 struct GrainKernels {
   using Layout = RowLayout<Dim, kRows>;
@@ -16,8 +16,7 @@ struct GrainKernels {
   static constexpr bool kTriangular = kShape == LatticeShape::triangular;
   using P = Pack<Isa>;
   /// Number of vector registers that hold the sum of the rows (forces and moments) of all pairs of a grain: one for
-  /// forces and, in 3D, one for moments. Other entries of a row that fall into these registers are summed, too, but not
-  /// used.
+  /// forces and, in 3D, one for moments. A register may contain further entries of a row; their sums are not used.
   static constexpr int kParts = Dim == 3 && kRotates ? 2 : 1;
   using Part = typename VectorOf<row_sum_size<Dim>(kRows) / kParts>::Type;
   struct Sum {
@@ -28,7 +27,8 @@ struct GrainKernels {
 
   [[gnu::flatten]] static void kick_and_drift(const GrainView<Dim>& grains, int begin, const Kick<Dim>& kick,
                                               const Drift<Dim>& drift, Rotation stands) {
-    // In a triangular lattice, the drift along an axis depends on the velocities along later axes, after their kick.
+    // In a triangular lattice, the drift along an axis depends on the kicked velocities along later axes, so all axes
+    // are kicked first.
     if constexpr (kTriangular)
       for (int a = 0; a < Dim; ++a) accelerate(grains, begin, kick, a);
     for (int a = 0; a < Dim; ++a) {
@@ -60,7 +60,7 @@ struct GrainKernels {
     alignas(64) Torques torque;
     sum_forces(grains, plan, begin, torque);
     // For the virial, the sum over pairs of force times branch vector equals the sum over grains of net force times
-    // position, plus a contribution of the pairs whose grains are joined across the periodic boundary.
+    // position, plus a contribution of the pairs that interact across the periodic boundary.
     crossing_virial(pairs, plan, cell, sums.virial);
     for (int a = 0; a < Dim; ++a)
       for (int b = a; b < (kTriangular ? Dim : a + 1); ++b)
@@ -87,16 +87,17 @@ struct GrainKernels {
     return pairs.row + static_cast<std::ptrdiff_t>(Layout::kSize) * (p - pairs.with_row);
   }
 
-  /// Returns the address of the values (mass, moment of inertia, or an inverse of one of them) of the block that begins
-  /// at grain `begin`.
+  /// Returns the address of the masses of the grains of a block; also of their moments of inertia, or of the inverse of
+  /// either quantity.
   /// @param of_grains  array with the value of each grain; if all grains are equal, every block uses the values of the
   /// first block (GrainView::own_masses)
+  /// @param begin  first grain of the block
   static const double* masses(const GrainView<Dim>& grains, const double* of_grains, int begin) {
     return of_grains + (begin & grains.own_masses);
   }
 
   /// Kicks the grains of a block along axis a. The axes have to be kicked in ascending order, because the kick along an
-  /// axis reads the velocities along later axes before their own kick.
+  /// axis reads the velocities along later axes, which must not have been kicked yet.
   static void accelerate(const GrainView<Dim>& grains, int begin, const Kick<Dim>& kick, int a) {
     double* const v = grains.v[a] + begin;
     const double* const force = grains.force[a] + begin;
@@ -162,9 +163,9 @@ struct GrainKernels {
     }
   }
 
-  /// Returns an upper bound of the squared speed of any grain of a block after its next kick, where each speed is
-  /// divided by the skin of the grain (BlockSums::next_speed_squared). The bound is (p + q)^2 <= 1.2 p^2 + 6 q^2, where
-  /// p is the speed of a grain and q its change by the kick, which is usually small compared with the speed.
+  /// Returns an upper bound of the squared speeds of the grains of a block after their next kick, where each speed is
+  /// divided by the skin of its grain (BlockSums::next_speed_squared). The bound is (p + q)^2 <= 1.2 p^2 + 6 q^2, where
+  /// p is the speed of a grain and q the change of its speed by the kick, which is usually small compared with p.
   static double next_speed_squared(const GrainView<Dim>& grains, int begin, double half_step) {
     const double* const inverse_mass = masses(grains, grains.inverse_mass, begin);
     P largest(0.0);
@@ -194,8 +195,8 @@ struct GrainKernels {
     return largest;
   }
 
-  /// Computes the contribution to the virial of the pairs whose grains are joined across the periodic boundary: the
-  /// force on the second grain j times the displacement of its periodic image.
+  /// Computes the contribution of the pairs that interact across the periodic boundary to the virial: the force on the
+  /// second grain j times the vector from j to its periodic image.
   static void crossing_virial(const PairView<Dim>& pairs, const BlockSumsPlan& plan, const PairCell<Dim>& cell,
                               double (&virial)[Dim][Dim]) {
     double sum[Dim][Dim] = {};
@@ -213,7 +214,7 @@ struct GrainKernels {
       for (int b = a; b < (kTriangular ? Dim : a + 1); ++b) virial[a][b] = sum[a][b];
   }
 
-  /// Kicks the spins of the grains of a block about axis a, `kHalves` times over half a time step, with unchanged
+  /// Kicks the spins of the grains of a block about axis a, over a time of `kHalves` half steps, with unchanged
   /// torques.
   template <int kHalves>
   static void kick_rotation(const GrainView<Dim>& grains, int begin, double half_step, int a,
@@ -228,8 +229,8 @@ struct GrainKernels {
     }
   }
 
-  /// Sets the sum of I w^2 over the grains of the block, with moment of inertia I and spin w, and stores their torques,
-  /// which the first half kick of the next step reads.
+  /// Sets BlockSums::rotation, the sum of I w^2 over the grains of the block, with moment of inertia I and spin w.
+  /// Stores the torques, which the first half kick of the next step reads.
   static void end_rotation(const GrainView<Dim>& grains, int begin, const Torques& torque,
                            BlockSums<Dim>& sums) {
     sums.rotation = 0.0;
@@ -240,9 +241,9 @@ struct GrainKernels {
     }
   }
 
-  /// Rotates the grains of a block by their spins over a whole time step dt. No force depends on the orientations. In
-  /// 3D the quaternion q of the orientation becomes (1, spin dt/2) q, where the real part 1 is reduced so that the
-  /// length of q does not grow. The rotation is accurate to second order.
+  /// Rotates the grains of a block by their spins over a whole time step dt. In 3D the quaternion q of the orientation
+  /// becomes (1, spin dt/2) q, where the real part 1 is reduced so that the length of q does not grow. The rotation is
+  /// accurate to second order in dt. Forces do not depend on the orientations.
   static void turn(const GrainView<Dim>& grains, int begin, double half_step) {
     if constexpr (Dim == 2) {
       const double time_step = 2.0 * half_step;
@@ -269,8 +270,8 @@ struct GrainKernels {
   }
 
   /// Returns the sum of the products p[k] q[k] over the grains k of a block, computed as eight interleaved partial
-  /// sums. This order of additions does not depend on the width of the registers and avoids a long chain of dependent
-  /// additions.
+  /// sums. The order of additions is therefore independent of the width of the registers, and there is no long chain of
+  /// dependent additions.
   /// @param weight  factors of the products; null stands for factors of 1
   static double block_sum(const double* p, const double* q, const double* weight) {
     P part[8 / P::kWidth];
@@ -303,7 +304,7 @@ struct GrainKernels {
 
   /// Sums the rows (forces and moments) of the pairs of each grain of the block. The rows of pairs that do not interact
   /// are zero, so the result does not depend on how many such pairs are listed.
-  /// @param first  address to which the places of rows are relative
+  /// @param first  address from which the places of rows are counted
   template <Side side>
   static void sum_rows(const double* first, const SideSumsPlan& plan, Sum (&total)[kGrainBlock]) {
     const int* row = plan.row;

@@ -5,8 +5,8 @@
 namespace floc {
 namespace {
 
-/// Converts a contact model, such as the friction of the contact law of a scene, to the model type `Completed` of the
-/// kernel law, which has an equal effect.
+/// Converts a contact model of the scene, such as its friction, to the model type `Completed` of the kernel law. Both
+/// models have the same effect.
 template <class Completed, class Model>
 Completed completed_model(const Model& model) {
   if constexpr (std::is_same_v<Completed, Model>)

@@ -11,15 +11,14 @@
 
 /// Kernel laws: the contact laws for which kernels (compiled loops over pairs that compute forces) exist. A kernel
 /// takes long to compile, so not every combination of contact models has its own kernel. A law without its own kernel
-/// is completed to a *kernel law*: models without effect take the place of absent models, and the results are identical
-/// to those that a kernel of its own would give. KernelLawOf chooses the kernel law by these rules:
-///   - All kernels have damping, with the exception below. For a law without damping, the damping coefficients are zero
-///     and no dashpot forces are stored.
+/// is completed to a *kernel law*, in which models without effect replace the absent models. Results are identical to
+/// those of a kernel made for the law alone. KernelLawOf chooses the kernel law by these rules:
+///   - All kernels have damping, except some kernels for pairs of grains (third rule). For a law without damping, the
+///     damping coefficients are zero and no dashpot forces are stored.
 ///   - Constant adhesion, adhesion with a tail and no adhesion are represented by one model, DryAttraction.
-///   - For laws without adhesion, the kernels for pairs of grains have no adhesion, because computing an attraction of
-///     zero would take up to a tenth of the time of the loop over pairs. If the law has no friction and no damping
-///     either, these kernels also have no damping, because computing dashpot forces of zero would take half of the time
-///     of the loop.
+///   - For laws without adhesion, the kernels for pairs of grains have no adhesion, because an attraction of zero would
+///     take up to a tenth of the computing time of the loop over pairs. If the law also has neither friction nor
+///     damping, these kernels have no damping, because dashpot forces of zero would take half of this computing time.
 ///   - For pairs of grains there are kernels without friction, with friction, and with friction, rolling and twisting
 ///     resistance.
 ///   - Contacts with walls are dry. Their kernels have damping and DryAttraction.
@@ -27,13 +26,12 @@
 /// These rules apply to laws of the normal force with special kernels (kHasSpecialKernels). Every other law of the
 /// normal force has only general kernels, which contain all models that can be combined with that law and serve
 /// lattices of any shape. A new law of the normal force thus adds few kernels; special kernels can be added if its
-/// speed matters. If the kernel law has history variables that the contact law of the scene lacks, these variables are
-/// not stored (PairKernel).
+/// computing time matters. If the kernel law has history variables that the contact law of the scene lacks, these
+/// variables are not stored (PairKernel).
 namespace floc {
 
-/// Whether a law of the normal force has special kernels in addition to its general kernels. Special kernels are
-/// faster, because they leave out contact models that the law of the scene lacks, or are restricted to rectangular
-/// lattices.
+/// Whether a law of the normal force has special kernels in addition to its general kernels. Special kernels leave out
+/// contact models that the law of the scene lacks, or work for rectangular lattices only; both make kernels faster.
 template <class Normal>
 inline constexpr bool kHasSpecialKernels = false;
 template <>
@@ -41,12 +39,14 @@ inline constexpr bool kHasSpecialKernels<LinearRepulsion> = true;
 template <>
 inline constexpr bool kHasSpecialKernels<HertzRepulsion> = true;
 
-/// Adhesion whose force depends only on the gap, or no adhesion. In contact the force is -F0, with F0 the pull-off
-/// force. With a tail of range D0, the attraction falls linearly to zero as the gap grows from 0 to D0.
+/// Adhesion with a force that depends only on the gap, or no adhesion. In contact the force is -F0, with F0 the
+/// pull-off force (zero without adhesion). An adhesion with a tail of range D0 also acts across gaps: the attraction
+/// falls linearly from F0 at a gap of 0 to zero at a gap of D0.
 struct DryAttraction {
   double in_contact = 0.0;  ///< pull-off force F0 (force)
-  double slope = 0.0;       ///< F0/D0, slope of the tail, with D0 its range (force/length); 0 without a tail
-  double at_touch = 0.0;    ///< attraction at a gap of zero: F0 with a tail, 0 without a tail (force)
+  /// slope of the tail: F0/D0, with the range D0 of the tail (force/length); 0 without a tail
+  double slope = 0.0;
+  double at_touch = 0.0;  ///< attraction at a gap of zero: F0 with a tail, 0 without a tail (force)
 
   DryAttraction() = default;
   explicit DryAttraction(const NoAdhesion&) {}
@@ -61,8 +61,8 @@ struct DryAttraction {
     const T tail = lanes::min(T(0), T(slope * pair.gap - at_touch));
     return lanes::select(pair.gap < T(0), T(-in_contact), tail);
   }
-  /// Returns zero, which is the stiffness of the adhesion in contact. Kernels use the stiffness only to compute
-  /// damping, which acts only in contact.
+  /// Returns zero, the stiffness of the adhesion in contact. Kernels need the stiffness only for damping, which acts
+  /// only in contact.
   template <class T>
   T stiffness(const PairGeometry<T>&) const {
     return T(0);
@@ -71,7 +71,7 @@ struct DryAttraction {
 
 namespace detail {
 
-/// Contact model type `Model`, or the model type `Neutral`, which has no effect, if `Model` stands for no model.
+/// `Model`, or if `Model` stands for an absent model: the model type `Neutral`, which has no effect.
 template <class Model, class Neutral>
 using Present = std::conditional_t<kIsAbsent<Model>, Neutral, Model>;
 
@@ -87,9 +87,9 @@ struct KernelLawOf<ContactLaw<Normal, Adhesion, Damping, Friction, Rolling, Twis
       kIsAbsent<Adhesion> && kIsAbsent<Friction> && kIsAbsent<Damping> && partner == Partner::grain;
   static constexpr bool kIsDryAttraction =
       kHoldsLiquid<Adhesion> || std::is_constructible_v<DryAttraction, Adhesion>;
-  // Models are combined by the rules of kIsCompiled (law_table.h): elastic spheres have no adhesion except by liquid;
-  // neither elastic spheres nor grains with liquid bridges resist rolling; a law of the normal force that includes
-  // adhesion has no separate adhesion model.
+  // Models are combined by the rules of kIsCompiled (law_table.h): elastic spheres have no adhesion other than liquid
+  // bridges; elastic spheres and grains with liquid bridges have no rolling resistance; a law of the normal force that
+  // includes adhesion has no separate adhesion model.
   using Dry = std::conditional_t<kElasticSpheres || kAdheresByItself<Normal>, NoAdhesion,
                                  std::conditional_t<kIsDryAttraction, DryAttraction, Adhesion>>;
   using SomeAdhesion = std::conditional_t<kWet, Adhesion, Dry>;
@@ -106,7 +106,7 @@ struct KernelLawOf<ContactLaw<Normal, Adhesion, Damping, Friction, Rolling, Twis
   using Type = std::conditional_t<kHasSpecialKernels<Normal>, Special, General>;
 };
 
-/// Variant type `List` of contact laws with `Law` appended as its last alternative, or `List` itself if it already
+/// Variant type `List` with the contact law `Law` appended as its last alternative; `List` itself if it already
 /// contains `Law`.
 template <class List, class Law>
 struct With;
@@ -116,8 +116,8 @@ struct With<std::variant<Laws...>, Law> {
       std::conditional_t<(std::is_same_v<Laws, Law> || ...), std::variant<Laws...>, std::variant<Laws..., Law>>;
 };
 
-/// Variant type `List`, extended by the kernel laws of those contact laws among `Laws` that exist in this dimension.
-/// Each kernel law is listed once.
+/// Variant type `List`, extended by the kernel laws of the contact laws `Laws`. Laws that do not exist in this
+/// dimension are left out, and each kernel law is listed once.
 template <int Dim, class List, class... Laws>
 struct KernelLaws {
   using Type = List;
@@ -150,14 +150,13 @@ using AnyKernelLaw = typename detail::KernelLawsOf<Dim, AnyContactLaw>::Type;
 template <class KernelLaw, int Dim>
 inline constexpr bool kServesWalls = std::is_same_v<KernelLaw, KernelLawOf<KernelLaw, Dim, Partner::wall>>;
 
-/// Completes a contact law to its kernel law, for which a force kernel is compiled and in which models without effect
-/// take the place of absent models.
+/// Completes a contact law to its kernel law, in which models without effect replace absent models and for which a
+/// force kernel is compiled.
 /// @pre the law exists in this dimension
 template <int Dim>
 AnyKernelLaw<Dim> kernel_law(const AnyContactLaw& law, Partner partner);
 
-/// Returns the address of the contact law that a variant of contact laws holds. Kernels receive their law by this
-/// address.
+/// Returns the address of the contact law inside a variant. Kernels receive their law by this address.
 template <class AnyLaw>
 const void* address_of_alternative(const AnyLaw& any_law) {
   return std::visit([](const auto& law) { return static_cast<const void*>(&law); }, any_law);

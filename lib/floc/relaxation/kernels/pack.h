@@ -13,9 +13,9 @@
 
 namespace floc {
 
-/// Tags of the instruction sets, which are template arguments of all code that is compiled for one instruction set.
-/// Because of these tags, translation units with different compiler flags share no symbol, so that no processor runs
-/// instructions that it lacks.
+/// Tags of the instruction sets. Each tag is a template argument of all code that is compiled for its instruction set,
+/// so that translation units with different compiler flags share no symbol. (Otherwise a processor might run code with
+/// instructions that it lacks.)
 struct Portable {
   static constexpr int kWidth = 2;
 };
@@ -26,8 +26,8 @@ struct Avx512 {
   static constexpr int kWidth = 8;
 };
 
-/// Vector types of the compiler: `Type` of N doubles, and `Bits` of N 64-bit integers, which comparisons of such
-/// vectors return.
+/// Vector types of the compiler: `Type` is a vector of N doubles, `Bits` a vector of N 64-bit integers, the result of
+/// comparing two vectors of type `Type`.
 template <int N>
 struct VectorOf;
 template <>
@@ -53,7 +53,7 @@ auto widened(const Numbers& numbers) {
   constexpr bool kFloats = std::is_floating_point_v<std::remove_cvref_t<decltype(numbers[0])>>;
   using Wide = std::conditional_t<kFloats, typename Vector::Type, typename Vector::Bits>;
 #if defined(__x86_64__)
-  // Without these intrinsics, GCC converts the vector in two halves.
+  // GCC converts the vector in two halves unless these intrinsics are used.
   if constexpr (Isa::kWidth == 8 && kFloats)
     return Wide(_mm512_cvtps_pd(__m256(numbers)));
   else if constexpr (Isa::kWidth == 8)
@@ -78,8 +78,8 @@ struct Pack {
   Vector v;
 
   Pack() = default;
-  /// Sets every lane to `value`. The conversion is implicit, because contact laws combine their parameters, which are
-  /// doubles, with packs.
+  /// Sets every lane to `value`. The conversion is implicit, because contact laws combine packs with their parameters,
+  /// which are doubles.
   Pack(double value) : v(value - Vector{}) {}  // NOLINT(google-explicit-constructor)
   explicit Pack(const Vector& vector) : v(vector) {}
 
@@ -114,15 +114,15 @@ struct Pack {
     for (int l = 0; l < kWidth; ++l) root.v[l] = __builtin_sqrt(a.v[l]);
     return root;
   }
-  /// Returns p 2^n, where `shifted` is the number n + 1.5 * 2^52 (see lanes::exp_of_negative()).
+  /// Returns p 2^n. The parameter `shifted` is the number n + 1.5 * 2^52 (see lanes::exp_of_negative()).
   friend Pack times_power_of_two(const Pack& p, const Pack& shifted) {
     return Pack(Vector((Bits)p.v + ((Bits)shifted.v << 52)));
   }
 };
 
-/// Functions that read numbers from scattered places of an array, and that write records (the consecutive doubles of
-/// one pair). They are always inlined, not only into flattened kernels, so that GCC's use of registers does not depend
-/// on the number of contact laws that it compiles. This makes time steps of spheres 3 to 6 % faster.
+/// Functions that read numbers from scattered places of an array, and functions that write records (the consecutive
+/// doubles of one pair). They are always inlined, so that the registers that GCC chooses do not depend on the number of
+/// compiled contact laws. Inlining makes time steps of spheres 3 to 6 % faster.
 template <class Isa>
 struct Records {
   using P = Pack<Isa>;
@@ -149,8 +149,9 @@ struct Records {
     return out;
   }
 
-  /// Returns base[place[l]] in lane l of a pack, like gather(), but with one load and a shuffle instead of one load per
-  /// lane. @pre the places ascend, and the last place exceeds the first by less than kWindow
+  /// Returns base[place[l]] in lane l of a pack, like gather(), but with one load and one shuffle instead of one load
+  /// per lane.
+  /// @pre the places ascend, and the last place exceeds the first by less than kWindow
   [[gnu::always_inline]] static P gather_window(const double* base, const int* place) {
 #if !defined(__clang__)  // Clang has no shuffle whose indices are known only at run time.
     if constexpr (P::kWidth == kWindow) {
@@ -163,7 +164,7 @@ struct Records {
     return gather(base, place);
   }
 
-  /// Writes the records of all lanes one after another: the record of lane l, row[0][l], row[1][l], ..., is written to
+  /// Writes the records of all lanes one after another: the numbers row[0][l], row[1][l], ... of lane l are written to
   /// base[size * l] and the following places.
   template <std::size_t size>
   [[gnu::always_inline]] static void store_rows(double* base, const P (&row)[size]) {
@@ -173,8 +174,8 @@ struct Records {
     for (std::size_t k = 8 * kEights; k < size; k += 2) store_two(base + k, size, row[k], row[k + 1]);
   }
 
-  /// Calls take(l, column) for each column l of the matrix whose rows are a(0) to a(7), with 8 numbers each. Two
-  /// neighbouring numbers are moved together, since this costs as much as moving one number.
+  /// Calls take(l, column) for each column l of the matrix whose rows are a(0) to a(7), with 8 numbers each.
+  /// Neighbouring numbers are moved in twos, since moving two numbers takes as long as moving one.
   template <class Rows, class Take>
   [[gnu::always_inline]] static void transpose([[maybe_unused]] Rows a, [[maybe_unused]] Take take) {
     if constexpr (P::kWidth == 8) {

@@ -13,7 +13,7 @@
 
 namespace floc {
 
-/// Template arguments that tell a kernel the kind of the second body of its pairs: a grain in a rectangular lattice, a
+/// Template arguments for the kind of the second body of the pairs of a kernel: a grain in a rectangular lattice, a
 /// grain in a triangular lattice, or a wall.
 struct GrainsInRectangularLattice {
   static constexpr bool kWall = false, kTriangular = false;
@@ -25,9 +25,9 @@ struct Walls {
   static constexpr bool kWall = true, kTriangular = false;
 };
 
-/// Loop over pairs that computes their forces, for one kernel law (contact law for which kernels are compiled,
-/// kernel_law.h). Like all kernel code, this class is a template on the instruction set, and it calls no inline
-/// function that is not such a template.
+/// Loop that computes the forces of pairs for one kernel law (contact law for which kernels are compiled,
+/// kernel_law.h). Like all kernel code, this class has the instruction set as a template argument, and all inline
+/// functions that it calls have this argument, too.
 template <class Isa, int Dim, class Second, class Law>
 struct PairKernel {
   static constexpr bool kRotates = Law::kHasFriction;
@@ -38,7 +38,8 @@ struct PairKernel {
                                        const PairView<Dim>& pairs_given, int first, int last,
                                        const PairCell<Dim>& cell_given) {
     if (first == last) return;
-    // Local copies let the compiler assume that writing results in the loop does not change these values.
+    // Because of these local copies, the compiler may assume that the results written in the loop do not change the law
+    // or the arrays.
     const Law law = *static_cast<const Law*>(any_law);
     const GrainView<Dim> grains = grains_given;
     WithoutHistory without_history;
@@ -56,26 +57,28 @@ struct PairKernel {
   }
 
  private:
-  /// Whether the history of a contact may hold vectors in its tangent plane, which have to be rotated with the plane.
+  /// Whether the history of a contact may contain vectors in its tangent plane. Such vectors have to be rotated with
+  /// the plane.
   static constexpr bool kTurns = Dim == 3 && kRotates;
   struct NoTurn {};
   using Turn = std::conditional_t<kTurns, FrameTurn<P>, NoTurn>;
 
-  /// Whether the contact law of a scene may lack some of the history variables that `Law` has, the law for which this
-  /// kernel is compiled. Dashpot forces are not counted as history variables here.
+  /// Whether the contact law of the scene may lack history variables of `Law`, for which this kernel is compiled.
+  /// Dashpot forces do not count as history variables here.
   static constexpr bool kMayLackHistory = !kHasSpecialKernels<typename Law::NormalModel>;
   static constexpr int kHistorySize = Law::template kHistorySize<Dim>;
 
-  /// Memory for the history variables that the law of this kernel has but the contact law of the scene lacks, for one
-  /// pack of pairs (as many as fit a vector register). The variables are zero, and the models without effect that use
-  /// them keep them zero.
+  /// Memory for history variables that exist in the law of this kernel but not in the contact law of the scene, for one
+  /// pack of pairs (as many as fit a vector register). The variables are zero and stay zero, since they belong to
+  /// models without effect.
   struct WithoutHistory {
     alignas(64) double viscous[P::kWidth] = {};
     alignas(64) double history[kMayLackHistory ? HistoryLayout<Dim>::kSize : 1][P::kWidth] = {};
   };
 
-  /// Integer type of the bit masks that are applied to indices of pairs. With the other of the two types, GCC 12 orders
-  /// the instructions differently, and time steps of disks with friction and of elastic spheres take a tenth longer.
+  /// Integer type of the bit masks that are applied to indices of pairs: std::ptrdiff_t in 2D, int in 3D. With the
+  /// types exchanged, GCC 12 orders the instructions differently, and time steps of disks with friction and of elastic
+  /// spheres take a tenth longer.
   using Own = std::conditional_t<Dim == 2, std::ptrdiff_t, int>;
 
   /// Arrays of the pairs, with memory for every history variable of the law for which this kernel is compiled, even if
@@ -143,7 +146,7 @@ struct PairKernel {
     return gathered;
   }
   /// Gathers the components of a vector, such as the velocity, for the grains of a pack of pairs. The loop over axes is
-  /// unrolled, because in a loop the gathered numbers would be stored in memory and not kept in registers.
+  /// unrolled, because a loop would store the gathered numbers in memory instead of registers.
   template <class Arrays, class Gather, class Vectors, int... axis>
   static void gather_axes(const Arrays& from, const int* grain, Gather gather, Vectors& to,
                           std::integer_sequence<int, axis...>) {
@@ -167,8 +170,8 @@ struct PairKernel {
     }
     const P squared = r.squaredNorm();
     const P distance = sqrt(squared);
-    // In 3D the square root and the division are independent and can overlap. In 2D the division follows the root: this
-    // order gives the results of earlier versions of floc, bit for bit.
+    // In 3D the square root and the division do not depend on each other and can overlap. In 2D the division needs the
+    // root; this formula is kept, because it reproduces the results of earlier versions of floc bit for bit.
     const P inverse = Dim == 3 ? distance * (P(1.0) / squared) : P(1.0) / distance;
     const V n = r * inverse;
     const V centres = (j.v - i.v) + affine;
@@ -179,15 +182,15 @@ struct PairKernel {
       const P time(cell.slip_time), per_length = time * inverse;
       const P along = per_length * a.motion.gap_rate;
       a.turn = {n, along, V(per_length * centres - along * n), RotationVector<Dim, P>(i.spin + j.spin), time};
-      // `middle` is the time step times the length of the branch vector in the middle of the step, the time to which
-      // the velocities of the grains belong.
+      // `middle` is the time step times the length of the branch vector in the middle of the step. The velocities of
+      // the grains are those at this time.
       const P middle = distance * (time - P(0.5 * cell.slip_time) * along);
       const P arm_i = number(pairs.share_i, pairs, p) * middle;
       a.motion.slip = a.turn.slip(distance, RotationVector<Dim, P>(arm_i * i.spin + (middle - arm_i) * j.spin));
       add_rotation(a, RotationVector<Dim, P>(i.spin - j.spin), cell);
     } else if constexpr (kRotates) {
-      // Equal spins of the two grains move their surfaces in opposite directions at the contact, so the slips caused by
-      // the two spins add up.
+      // Equal spins of the two grains move their surfaces in opposite directions at the contact, so the contributions
+      // of the two spins to the slip have equal signs.
       add_slip(a, centres, RotationVector<Dim, P>(a.arm_i * i.spin + a.arm_j * j.spin), cell);
       add_rotation(a, RotationVector<Dim, P>(i.spin - j.spin), cell);
     }
@@ -195,8 +198,8 @@ struct PairKernel {
   }
 
   /// Computes the kinematics of pairs of a grain and a wall. The point of the wall nearest to the centre of the grain
-  /// moves with the wall along the normal. In the plane of the wall the peculiar velocity of this point is zero, which
-  /// is the mean of the peculiar velocities of the grains around it.
+  /// moves with the wall along the normal. In the plane of the wall the peculiar velocity of this point is zero, like
+  /// the mean peculiar velocity of the grains nearby.
   static PairKinematics wall_kinematics(const GrainView<Dim>& grains, const PairView<Dim>& pairs, int p,
                                         const PairCell<Dim>& cell) {
     const GrainKinematics i = gather_grains(grains, pairs.i + p, Records<Isa>::gather);
@@ -208,8 +211,8 @@ struct PairKernel {
     PairKinematics a = normal_kinematics(n, distance, foot, pairs, p);
     a.arm_i = distance;
     a.arm_j = P(0.0);
-    // The normal of a wall does not rotate. The contact frame rotates about the normal by the mean of the spin of the
-    // grain and the spin of the wall, which is zero.
+    // The normal of a wall does not rotate. The contact frame rotates about the normal by the mean of the spins of the
+    // two bodies; the spin of the wall is zero.
     if constexpr (kTurns) a.turn = {n, P(0.0), V(V::Zero()), i.spin, P(cell.slip_time)};
     if constexpr (kRotates) {
       add_slip(a, foot, RotationVector<Dim, P>(distance * i.spin), cell);
@@ -218,8 +221,8 @@ struct PairKernel {
     return a;
   }
 
-  /// Returns the entries of the array `numbers` for the pack of pairs (as many as fit a vector register) that begins at
-  /// pair p. If all pairs are equal, the array has entries for only one pack (PairView::own_numbers).
+  /// Returns the entries of the array `numbers` for one pack of pairs (as many as fit a vector register), whose first
+  /// pair is p. If all pairs are equal, the array has entries for only one pack (PairView::own_numbers).
   static P number(const double* numbers, const PairView<Dim>& pairs, int p) {
     return P::load(numbers + (p & pairs.own_numbers));
   }
@@ -239,20 +242,20 @@ struct PairKernel {
     return a;
   }
 
-  /// Sets the slip of the two surfaces in this time step in the cases in which it does not depend on the rotation of
-  /// the normal: in 2D and at walls.
+  /// Sets the slip of the two surfaces in this time step, in 2D and at walls. (In other cases the slip depends on the
+  /// rotation of the normal.)
   /// @param velocity  velocity of the centre of grain j (or of the nearest point of the wall) relative to the centre of
   /// grain i
-  /// @param surfaces  sum over both bodies of lever arm times spin, from which the relative velocity of the surfaces
-  /// due to rotation follows
+  /// @param surfaces  lever arm times spin, summed over both bodies; the velocity of the surfaces relative to each other
+  /// follows from it
   static void add_slip(PairKinematics& a, const V& velocity, const RotationVector<Dim, P>& surfaces,
                        const PairCell<Dim>& cell) {
     a.motion.slip = P(cell.slip_time) * to_shear<P>(a.n, V(velocity - cross<P>(surfaces, a.n)));
   }
 
-  /// Sets the rolling and twisting rotations of the two bodies in this time step. In 3D they are the components of the
-  /// relative rotation perpendicular to the contact normal, and along it. The normal in the middle of the step is used,
-  /// which makes them accurate to second order.
+  /// Sets the rolling and twisting rotations of the two bodies in this time step. In 3D the rolling rotation is the
+  /// component of the relative rotation perpendicular to the contact normal, the twisting rotation the component along
+  /// the normal. The normal is taken in the middle of the step, so that both are accurate to second order.
   static void add_rotation(PairKinematics& a, const RotationVector<Dim, P>& rotation,
                            const PairCell<Dim>& cell) {
     if constexpr (kTurns) {
@@ -278,8 +281,8 @@ struct PairKernel {
     store(history, pairs, p, std::make_integer_sequence<int, kHistorySize>());
 
     V on_j = f.normal.force() * a.n;
-    // If the contact law of the scene has no damping, the dashpot force added here is zero. The addition may change the
-    // sign of a component that is zero, which has no effect on the sums of the forces.
+    // If the contact law of the scene has no damping, the dashpot force added here is zero. The addition may turn a
+    // component of -0 into +0, which has no effect on the sums of the forces.
     if constexpr (Law::kHasDamping) on_j += viscous(f.viscous, pairs.viscous_of(p)) * a.n;
     Moments moments;
     if constexpr (kRotates) {
@@ -313,8 +316,8 @@ struct PairKernel {
     for (P& number : row) number = P(0.0);
     for (int b = 0; b < Dim; ++b) row[Layout::kForce + b] = on_j[b];
     if constexpr (kKind == RowKind::levers && Second::kWall) {
-      // The moment on the wall is not used. The row therefore holds the whole moment on grain i, with a lever arm of 1,
-      // in place of the moment of a unit lever arm.
+      // The moment on the wall is not used. The row therefore contains the whole moment on grain i instead of the
+      // moment for a lever arm of unit length, together with a lever arm of 1.
       row[Layout::kArmI] = P(1.0);
       for (int b = 0; b < kRotations<Dim>; ++b)
         row[Layout::kUnitMoment + b] = a.arm_i * moments.of_unit_arm[b] - moments.of_springs[b];
@@ -332,8 +335,7 @@ struct PairKernel {
     Records<Isa>::store_rows(to, row);
   }
 
-  /// Rotates the tangential vectors of the history from the old tangent plane of the contact to the present tangent
-  /// plane.
+  /// Rotates the tangential vectors of the history from the previous to the present tangent plane of the contact.
   template <class History, int... k>
   static void turn(const Turn& turn, History& history, std::integer_sequence<int, k...>) {
     ((turn_number<k>(turn, history)), ...);
@@ -357,9 +359,9 @@ struct PairKernel {
     (history.value[k].store(pairs.template history_of<k>(p)), ...);
   }
 
-  /// Returns the dashpot forces that act in this time step: the weighted mean (kDashpotShare) of the present dashpot
-  /// forces `now` and those of the previous step, `last`, which are then replaced by the present ones. If either of the
-  /// two is zero, because the surfaces do not touch or the contact is new, the present force is returned.
+  /// Returns the dashpot forces that act in this time step: the weighted mean (kDashpotShare) of the present forces
+  /// `now` and the forces of the previous step in `last`. If one of the two forces of a pair is zero (no contact, or a
+  /// new contact), the present force is returned. The present forces are then stored in `last`.
   static P viscous(const P& now, double* last) {
     const P before = P::load(last);
     now.store(last);

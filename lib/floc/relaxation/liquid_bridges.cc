@@ -8,8 +8,8 @@
 namespace floc {
 namespace {
 
-/// Ratio of the gap up to which pairs are put on the lists of neighbours to the largest gap that a liquid bridge spans
-/// at present. The margin makes it unlikely that the next search for neighbours has to be repeated.
+/// Gap up to which pairs are put on the lists of neighbours, divided by the largest gap that a liquid bridge spans at
+/// present. The margin makes it unlikely that the search for neighbours has to be repeated.
 constexpr double kReachMargin = 1.05;
 
 template <int Dim>

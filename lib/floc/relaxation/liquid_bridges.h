@@ -10,27 +10,27 @@
 
 namespace floc {
 
-/// Liquid bridges of a packing in motion. This class computes the gap up to which pairs of grains have to be put on the
-/// lists of neighbours, and shares the liquid out among the listed pairs.
+/// Liquid bridges of a packing in motion. This class computes up to which gap the lists of neighbours have to contain
+/// pairs of grains, and shares the liquid out among the listed pairs.
 template <int Dim>
 class LiquidBridges {
  public:
-  /// @param law           contact law between grains. @pre law.liquid() is not null
-  /// @param keeps_shares  whether bridges keep their volumes; otherwise the liquid is shared out whenever new lists of
+  /// @param law           contact law between grains; law.liquid() is not null
+  /// @param keeps_shares  whether bridges keep their volumes; if not, the liquid is shared out whenever new lists of
   /// pairs are built
   LiquidBridges(const Law& law, const GrainArrays<Dim>& grains, bool keeps_shares);
 
   bool keeps_shares() const { return keeps_shares_; }
-  /// Returns the gap up to which pairs have to be put on the first lists of neighbours, so that these lists contain
-  /// every pair that has liquid or may get some (length).
+  /// Returns the gap up to which the first lists of neighbours have to contain pairs (length). With this gap, they
+  /// contain every pair that has liquid or may get some.
   double first_reach(const Packing<Dim>& packing) const;
-  /// Returns the gap up to which pairs have to be put on new lists of neighbours, so that these lists contain every
-  /// pair that has liquid (length).
+  /// Returns the gap up to which new lists of neighbours have to contain pairs (length). With this gap, they contain
+  /// every pair that has liquid.
   double reach(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
                const Interaction<Dim>& between_grains) const;
   /// Shares the liquid out among the listed pairs of grains.
-  /// @return false if pairs that are too far apart to be listed might get liquid. The range of `between_grains` has
-  /// then been widened; new lists have to be built and the liquid shared out again.
+  /// @return false if pairs that are too far apart to be listed might get liquid. In this case, the range of
+  /// `between_grains` has been widened: new lists have to be built, and the liquid has to be shared out again.
   [[nodiscard]] bool share_out(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
                                Interaction<Dim>& between_grains) const;
 

@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Writes a structure as one line of JSON, from which its numbers can be read back without loss.
-/// @param for_each_member  function that calls visit(name, member) for every member; it serves both writing and
+/// Writes a structure as one line of JSON. Numbers that are read back from this text are unchanged.
+/// @param for_each_member  function that calls visit(name, member) for every member; it is used for both writing and
 /// reading, so the two formats cannot differ
 template <class Structure, class ForEachMember>
 std::string members_as_json(const Structure& structure, const ForEachMember& for_each_member) {
@@ -19,7 +19,7 @@ std::string members_as_json(const Structure& structure, const ForEachMember& for
 
 /// Reads a structure that members_as_json() wrote.
 /// @param place  place of the text, named in the error message
-/// @param problem  beginning of the error message if the text does not hold the structure
+/// @param problem  beginning of the error message about a text that does not contain the structure
 /// @throws InputError(place) if a member is missing or has another type
 template <class Structure, class ForEachMember>
 Structure members_from_json(const std::string& text, const std::string& place, const std::string& problem,

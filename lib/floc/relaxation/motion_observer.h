@@ -8,10 +8,10 @@
 
 namespace floc {
 
-/// Observer that is called at regular intervals with a packing in motion. It does not change the results of a run.
+/// Function that is called at regular intervals with a packing in motion. Observers do not change the results of a run.
 template <int Dim>
 struct MotionObserver {
-  /// Simulated time between two calls of the observer, at most the duration of a chunk of time steps (time).
+  /// Simulated time between two calls of the observer (time), at most the duration of a chunk of time steps.
   double interval = 0.0;
   /// Function that is called with the packing; empty if there is no observer.
   /// @param time  simulated time since the beginning of the relaxation or, while grains aggregate, since the beginning
@@ -19,8 +19,8 @@ struct MotionObserver {
   std::function<void(const Packing<Dim>& packing, double time)> callback;
 };
 
-/// Advances a packing by a chunk of time steps. The chunk is divided into equal parts that last about as long as the
-/// interval of the observer, which is called after each part, and thus also at the end of the chunk.
+/// Advances a packing by a chunk of time steps. The chunk is divided into equal parts, each of which lasts about one
+/// interval of the observer. The observer is called after each part, so the last call is at the end of the chunk.
 /// @param start  simulated time at the beginning of the chunk (time)
 template <int Dim>
 void advance_observed(Dynamics<Dim>& dynamics, int n_steps, Motion motion, const MotionObserver<Dim>& observer,

@@ -10,8 +10,7 @@
 namespace floc {
 namespace {
 
-/// Upper bound of the rounding error that one step adds to a displacement, divided by the largest coordinate of any
-/// grain.
+/// Upper bound of the rounding error of a displacement in one step, divided by the largest coordinate of any grain.
 constexpr double kRoundings = 32.0 * std::numeric_limits<double>::epsilon();
 
 template <std::size_t n>
@@ -49,11 +48,12 @@ void MotionSinceList<Dim>::begin(const GrainArrays<Dim>& grains, const CellMotio
   rounding_ = kRoundings * furthest(x_) / shortest_skin;
 }
 
-/// Updates the upper bound of the motion of the grains. With x the position of a grain, x_list its position when the
-/// lists were built, and L the deformation of the lattice since then, the displacement of the grain is x - L x_list. A
-/// step with the deformation S of the lattice and the drift matrix D changes it to x' - L' x_list = S (x - L x_list) +
-/// D v'. The velocity after the kick is bounded by |v'| <= max(|keep|, |gain|) (|v| + |dt F/2m|), with v the velocity
-/// before the kick, F the force, m the mass, dt the time step, and keep and gain the matrices of the kick.
+/// Updates the upper bound of the motion of the grains. Let x be the position of a grain, x_list its position when the
+/// lists were built, and L the deformation of the lattice since then. The displacement of the grain is x - L x_list.
+/// After one more step (x', L'), in which the lattice is deformed by S and the velocity v' is multiplied by the drift
+/// matrix D, the displacement is x' - L' x_list = S (x - L x_list) + D v'. The velocity v' after the kick is bounded by
+/// |v'| <= max(|keep|, |gain|) (|v| + |dt F/2m|), with the velocity v before the kick, the force F, the mass m, the
+/// time step dt, and the matrices `keep` and `gain` of the kick.
 template <int Dim>
 void MotionSinceList<Dim>::add_step(const CellMotion<Dim>& cell, const std::vector<BlockSums<Dim>>& sums,
                                     const Kick<Dim>& kick, const Drift<Dim>& drift, double fall) {
@@ -85,8 +85,8 @@ void MotionSinceList<Dim>::forget() {
 template <int Dim>
 double MotionSinceList<Dim>::shrinking() const {
   if (stretch_.isDiagonal(0.0)) return std::max(0.0, 1.0 - stretch_.diagonal().minCoeff());
-  // Let F be the deformation gradient of the lattice. A line r becomes F r, with |F r| >= |r| - |(F - 1) r|, and |(F -
-  // 1) r| is at most |r| times the Frobenius norm of F - 1.
+  // With the deformation gradient F of the lattice, a line r becomes F r, and |F r| >= |r| - |(F - 1) r|. The last term
+  // is at most |r| times the Frobenius norm of F - 1.
   return (stretch_ - Mat<Dim>::Identity()).norm();
 }
 

@@ -8,16 +8,17 @@
 namespace floc {
 namespace {
 
-/// Computing time that it takes to build a new list of pairs, divided by that of a time step (measured with 1400 and
+/// Computing time for building new lists of pairs, divided by the computing time of a time step (measured with 1400 and
 /// 100 000 grains).
 constexpr double kListCost = 23.0;
-/// Smallest ratio of the skin of a grain to the skin of the fastest grains. (The skin of a grain is the distance that
-/// it may move before new neighbour lists are built.) Grains at rest need a skin, too, since other grains may hit them.
+/// Smallest skin of a grain, divided by the skin of the fastest grains. (The skin of a grain is the distance that the
+/// grain may move before new neighbour lists are built.) Grains at rest need a skin, too, since other grains may hit
+/// them.
 constexpr double kMinSkinShare = 0.25;
 /// Smallest skin (extra distance up to which pairs are listed) of a neighbour list, in units of skin_length_unit().
 constexpr double kMinSkin = 1e-4;
-/// Ratio of the skin (extra distance up to which pairs are listed) to the range of the interaction, under
-/// SkinRule::follows_reach. It limits how far two surfaces may approach each other before new lists are built.
+/// Skin (extra distance up to which pairs are listed) divided by the range of the interaction, under
+/// SkinRule::follows_reach. The skin limits how far two surfaces may approach each other before new lists are built.
 constexpr double kSkinOfReach = 0.25;
 /// Smallest skin of a neighbour list under SkinRule::follows_reach, in units of skin_length_unit().
 constexpr double kMinSkinOfReach = 1e-3;
@@ -39,16 +40,16 @@ double NeighborLists<Dim>::min_skin() const {
   return kMinSkin * skin_unit_;
 }
 
-/// Returns the time spent on building the present lists, divided by the time of all steps made with them. The skin is
-/// optimal if this ratio equals the share of the time of a step that is spent on listed pairs that are too far apart to
-/// interact.
+/// Returns the computing time of building the present lists, divided by the computing time of all steps made with them.
+/// A part of the time of each step is spent on listed pairs that are too far apart to interact. The skin is optimal if
+/// the returned ratio equals the share of this part.
 template <int Dim>
 double NeighborLists<Dim>::cost_share() const {
   return kListCost / steps_;
 }
 
-/// Returns an upper bound of the part of the skin that the motion has used up since the lists were built (length): the
-/// largest displacement of a body and the affine shortening of distances.
+/// Returns an upper bound of the part of the skin that the motion has used up since the lists were built (length). It
+/// is the sum of the largest displacement of a body and the affine shortening of distances.
 template <int Dim>
 double NeighborLists<Dim>::consumed_skin(const CellMotion<Dim>& cell, double range) const {
   return std::max(motion_.of_grains() * skin_, 2.0 * motion_.of_walls(cell.walls())) +
@@ -65,8 +66,8 @@ bool NeighborLists<Dim>::stale(const CellMotion<Dim>& cell, double range) const 
 template <int Dim>
 double NeighborLists<Dim>::skin_to_continue_with(const CellMotion<Dim>& cell, double range) const {
   if (!first_ || steps_ == 0) return skin_;
-  // The first lists were valid during the whole motion. A skin twice as wide as the distance by which bodies have moved
-  // is wide enough for the next lists.
+  // The first lists were valid during the whole motion. For the next lists it suffices that the skin is twice the
+  // distance that bodies have moved.
   return std::min(skin_, std::max(2.0 * consumed_skin(cell, range), min_skin()));
 }
 
@@ -89,8 +90,8 @@ void NeighborLists<Dim>::adapt_skin(const CellMotion<Dim>& cell, const Interacti
   const double cost = cost_share();
   if (cost > share_out_of_range_)
     skin_ = std::min((cost > 4.0 * share_out_of_range_ ? 2.0 : 1.25) * skin_, 0.5 * largest_diameter_);
-  // A skin twice as wide as the distance by which bodies have moved is wide enough for lists that are used for as many
-  // steps as the present lists.
+  // If lists are used for as many steps as the present lists, it suffices that the skin is twice the distance that
+  // bodies have moved.
   if (cost < 0.5 * share_out_of_range_)
     skin_ = std::max(std::min(0.8 * skin_, 2.0 * consumed_skin(cell, between_grains.range())), min_skin());
 }
@@ -125,8 +126,8 @@ std::vector<NeighborPair<Dim>> NeighborLists<Dim>::find(const Interaction<Dim>& 
   return find_pairs(search_cell(cell.cell(), walls, largest_diameter_ + range + skin_), with_skins, range);
 }
 
-/// Returns the skin of each grain, the distance that it may move before new lists are built (length). All grains use a
-/// list for the same time, so that faster grains get a wider skin.
+/// Returns the skin of each grain, the distance that it may move before new lists are built (length). All lists are
+/// replaced at the same time, so faster grains get a wider skin.
 template <int Dim>
 std::vector<double> NeighborLists<Dim>::skins_of_grains(const GrainArrays<Dim>& grains) const {
   std::vector<double> speed(grains.size());

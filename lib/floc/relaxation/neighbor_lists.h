@@ -12,30 +12,29 @@ namespace floc {
 /// Rule for the width of the skin, the extra distance up to which pairs are put on the lists of neighbours (Verlet
 /// lists).
 enum class SkinRule {
-  /// The skin is chosen to make the time of building the lists about equal to the time spent on listed pairs that are
+  /// The skin is chosen so that building the lists takes about as much time as computing those listed pairs that are
   /// too far apart to interact.
   balances_costs,
   follows_reach,  ///< the skin is a fixed share of the range of the interaction between grains
 };
 
 /// Verlet lists of the neighbours of grains in motion. This class finds the pairs that may interact before the next
-/// lists are built, and chooses the time and the skin of the next lists. The pairs that it finds are stored in the
-/// interactions.
+/// lists are built, and chooses the time and the skin of the next lists. Its lists are stored in the interactions.
 template <int Dim>
 class NeighborLists {
  public:
   /// @param skin  first guess of the skin, the extra distance up to which pairs are listed (length)
   NeighborLists(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell, double skin, SkinRule rule);
 
-  /// Adapts the skin (extra distance up to which pairs are listed) to the computing time that the lists have cost so
-  /// far, and finds the pairs of each interaction anew. Each list contains one pair for any two bodies that are close.
+  /// Adapts the skin (extra distance up to which pairs are listed), so that the lists cost less computing time, and
+  /// finds the pairs of each interaction anew. Each list contains one pair for any two bodies that are close.
   PairLists<Dim> find(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
                       const Interactions<Dim>& interactions);
-  /// Whether the lists have to be built anew: because a pair that is not listed may interact, according to the upper
-  /// bound of the motion, or because the lists contain too many pairs that are too far apart to interact.
+  /// Whether new lists have to be built. There are two reasons: by the upper bound of the motion, a pair that is not
+  /// listed may interact; or the lists contain too many pairs that are too far apart to interact.
   /// @param range  gap across which grains interact (length)
   bool stale(const CellMotion<Dim>& cell, double range) const;
-  /// Returns a first guess of the skin for another object of this class that continues the present motion (length).
+  /// Returns a first guess of the skin (length) for another object of this class that takes over during the motion.
   double skin_to_continue_with(const CellMotion<Dim>& cell, double range) const;
 
   const MotionSinceList<Dim>& motion() const { return motion_; }
@@ -55,10 +54,10 @@ class NeighborLists {
   double share_out_of_range(const std::vector<NeighborPair<Dim>>& pairs, const GrainArrays<Dim>& grains,
                             const CellMotion<Dim>& cell, double range) const;
 
-  double skin_;  ///< skin of a pair if both of its grains are among the fastest grains (length)
+  double skin_;  ///< skin of a pair, if both grains are among the fastest (length)
   SkinRule rule_;
   double largest_diameter_;
-  double skin_unit_;  ///< unit in which limits of the skin are given, from skin_length_unit() (length)
+  double skin_unit_;  ///< unit of the limits of the skin, from skin_length_unit() (length)
   MotionSinceList<Dim> motion_;
   int steps_ = 0;      ///< number of time steps since the lists were built
   bool first_ = true;  ///< whether all time steps so far have been made with the first lists

@@ -34,7 +34,7 @@ std::vector<Vec<Dim, int>> copy_grains(const GrainArrays<Dim>& grains, const Cel
   return wrap;
 }
 
-/// Whether the two bodies of a pair are close enough to interact, or joined by liquid, at their present positions.
+/// Whether the two bodies of a pair, at their present positions, are close enough to interact or have a liquid bridge.
 /// @param key  bodies and periodic image of the pair
 template <int Dim>
 bool is_contact(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
@@ -52,8 +52,8 @@ bool is_contact(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
   return !(r.squaredNorm() >= reach * reach) || wet;
 }
 
-/// Adds the pairs of an interaction that interact or hold liquid as contacts of a packing, with their history
-/// variables.
+/// Adds contacts to a packing: the pairs of an interaction that are close enough to interact or have a liquid bridge,
+/// with their history variables.
 /// @param wrap  number of lattice vectors by which each grain was moved into the cell
 template <int Dim>
 void append_contacts(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,

@@ -56,8 +56,8 @@ PairArrays<Dim>::PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner
       composed.any);
 }
 
-/// Reserves memory for the pairs. Without this, an array that grows while it is filled would for a moment take twice
-/// its final memory.
+/// Reserves memory for the pairs. Otherwise the arrays would grow while they are filled, and would for a moment take
+/// twice their final memory.
 template <int Dim>
 void PairArrays<Dim>::reserve(std::size_t n_pairs) {
   i_.reserve(n_pairs), j_.reserve(n_pairs);
@@ -82,9 +82,9 @@ void PairArrays<Dim>::add_numbers(double radius_i, double radius_j, double dampi
   damping_.push_back(damping);
 }
 
-/// Returns the reduced quantity p q/(p + q) of each pair, where p and q are the values of a quantity, such as the
-/// radius or the mass, for its two bodies. For a wall q is infinite; for padding pairs p = q.
-/// @param of_grain  value of the quantity for each grain
+/// Returns the reduced radius or mass p q/(p + q) of each pair, where p and q are the radii or masses of the two
+/// bodies. For a wall q is infinite; for padding pairs p = q.
+/// @param of_grain  radius or mass of each grain
 template <int Dim>
 typename PairArrays<Dim>::Component PairArrays<Dim>::reduced(std::span<const double> of_grain) const {
   if (own_numbers_ == 0) return Component(kPairPadding, floc::reduced(of_grain[0], of_grain[0]));
@@ -94,8 +94,8 @@ typename PairArrays<Dim>::Component PairArrays<Dim>::reduced(std::span<const dou
   return values;
 }
 
-/// Stores the radii of the two grains of each pair, which liquid bridges need. Pairs with walls store none, since
-/// contacts with walls are dry.
+/// Stores the radii of the two grains of each pair, which liquid bridges need. For pairs with walls no radii are
+/// stored, since contacts with walls are dry.
 template <int Dim>
 void PairArrays<Dim>::keep_radii(std::span<const double> radius) {
   for (Component* component : {&radius_i_, &radius_j_, &strength_, &decay_, &reach_})
@@ -135,7 +135,7 @@ const typename PairArrays<Dim>::Component& PairArrays<Dim>::bridge_volume() cons
   return history[HistoryLayout<Dim>::kAdhesion];
 }
 
-/// Adds pairs that do not interact until the last pack of pairs is full.
+/// Adds padding pairs, which do not interact, until the last pack of pairs is full.
 template <int Dim>
 void PairArrays<Dim>::fill_pack() {
   while (size() % kPairPadding != 0) {

@@ -2,7 +2,7 @@
 
 namespace floc {
 
-/// Kind of the second body of each pair in a list of pairs; the first body is a grain.
+/// Kind of the second body of all pairs in a list. (The first body of a pair is always a grain.)
 enum class Partner { grain, wall };
 
 }  // namespace floc

@@ -10,36 +10,36 @@ namespace floc {
 
 /// Method by which a relaxation finds the equilibrium.
 enum class Finish {
-  /// Newton steps from the previous state, if dynamics (time integration of the motion) would end in the same state.
-  /// Otherwise dynamics until motion has stopped, then power control (Motion::power_control) and, where they succeed,
-  /// Newton steps.
+  /// Newton steps from the previous state, if dynamics (time integration of the motion) would end in the state that the
+  /// Newton steps find. Otherwise dynamics until motion has stopped, then power control (Motion::power_control), and
+  /// Newton steps where they succeed.
   automatic,
   dynamic,  ///< time integration of the motion and power control only, without Newton steps
-  /// Like `automatic`, but any equilibrium that the first Newton steps find is accepted, even if dynamics would end in
-  /// another state.
+  /// Like `automatic`, but an equilibrium that the first Newton steps find is always accepted, even if dynamics would
+  /// end in another state.
   statics,
 };
 
-/// Kinetic energy, in units of its tolerance, up to which a packing counts as being at rest if only its mechanisms
-/// (motions without stiffness) move. Without load, a packing with soft modes keeps moving, since nothing dissipates its
-/// energy, while hardly any contact closes or opens. In an observed case the energy was 70 times the tolerance, and 6
-/// contacts were added to 2200 in 400 time units.
+/// Largest kinetic energy, in units of its tolerance, with which a packing counts as being at rest if only its
+/// mechanisms (motions without stiffness) move. Without load, soft modes of a packing keep moving, since hardly any
+/// contact closes or opens and nothing dissipates the energy. In an observed case the energy was 70 times the
+/// tolerance, and only 6 contacts were added to 2200 in 400 time units.
 inline constexpr double kMechanismEnergy = 100.0;
 
-/// Numerical settings of a relaxation. Unless stated otherwise, stresses, rates and masses are in the units of the
-/// scene (input file of the run).
+/// Numerical settings of a relaxation. Stresses, rates and masses are in the units of the scene (input file of the
+/// run), unless another unit is given.
 struct RelaxationOptions {
   EquilibriumTolerance tolerance;
   Finish finish = Finish::automatic;
-  /// Time step in units of sqrt(m_min/K_N), with m_min the smallest mass of a grain and K_N the normal stiffness. A
-  /// triangular crystal of equal disks whose tangential stiffness equals K_N is unstable from 2/sqrt(24) = 0.408 on, at
-  /// any restitution, because of its rolling modes. All other modes are stable up to longer steps. The time step
-  /// changes the restitution of impacts: with the default step and grains of diameters from 1 to 2, a nominal
-  /// restitution of 0.015 becomes on average 0.015 for two of the largest grains, 0.018 for a largest and a smallest
-  /// grain, and 0.025 for two of the smallest.
+  /// Time step in units of sqrt(m_min/K_N), with m_min the smallest mass of a grain and K_N the normal stiffness. The
+  /// upper limit is 2/sqrt(24) = 0.408: with longer steps, the rolling modes of a triangular crystal of equal disks
+  /// with the tangential stiffness K_N are unstable at any restitution. All other modes are stable up to longer steps.
+  /// The time step changes the restitution of impacts: with the default step and grains of diameters from 1 to 2, a
+  /// nominal restitution of 0.015 becomes on average 0.015 for two of the largest grains, 0.018 for a largest and a
+  /// smallest grain, and 0.025 for two of the smallest.
   double time_step = 0.36;
-  /// Mass M with which the sides of the cell resist acceleration by stresses, divided by the total mass of the grains.
-  /// It influences the density of packings that are assembled.
+  /// Inertia M of the sides of the cell, which are accelerated by stresses, divided by the total mass of the grains.
+  /// This inertia influences the density of assembled packings.
   double cell_mass = 1.0;
   /// Cap on the strain rate |L'/L| of the cell in scenes with adhesion, in units of 1/T0, with L a side of the cell, T0
   /// = sqrt(a m/F0), a the largest diameter, m the largest mass and F0 the pull-off force.
@@ -48,18 +48,18 @@ struct RelaxationOptions {
   /// the largest mass and P the pressure.
   std::optional<double> inertial_number_cap;
   /// Skin of the Verlet lists (lists of neighbouring pairs): extra distance up to which pairs are listed, in units of
-  /// the largest diameter. If absent, it is adapted to the motion.
+  /// the largest diameter. If absent, the skin is adapted to the motion.
   std::optional<double> skin;
-  /// Longest duration of a relaxation in time units sqrt(a m/F1), with a the largest diameter, m the largest mass and
-  /// F1 the force scale; a relaxation that takes longer is given up. The slowest relaxation seen without load took 1600
-  /// of these units.
+  /// Longest duration of a relaxation, in time units sqrt(a m/F1) with the largest diameter a, the largest mass m and
+  /// the force scale F1. A longer relaxation is given up. The slowest relaxation seen without load took 1600 time
+  /// units.
   double max_time = 1e4;
   int threads = 1;
   /// Factor that multiplies the durations for which a packing has to be steady before its motion counts as stopped. A
-  /// smaller factor saves time, but a collapse that only pauses may then count as ended.
+  /// smaller factor saves time, but a mere pause in a collapse may then count as its end.
   double patience = 1.0;
-  /// Factor by which the stiffness of the contact springs is reduced while the grains rearrange, >= 1 (SoftRelaxer).
-  /// Every equilibrium is found with the springs of the contact law itself.
+  /// Factor by which the stiffness of the contact springs is reduced while the grains rearrange, >= 1 (SoftRelaxer). In
+  /// every equilibrium, the springs have the stiffness of the contact law again.
   double softening = 1.0;
   ContactDynamicsOptions contact_dynamics;  ///< settings for rigid contacts
   CompactionEnd compaction;                 ///< criterion that ends the compaction of a packing between walls

@@ -28,7 +28,8 @@ constexpr auto kProgressMembers = [](auto& p, const auto& visit) {
 };
 
 /// Function that calls visit(name, member) for members of a RelaxationProgress that checkpoints contain only if they
-/// are not zero. They were added in later versions of floc, and checkpoints without them keep the old format.
+/// are not zero. These members were added in later versions of floc; if all are zero, a checkpoint has the format of
+/// earlier versions.
 constexpr auto kLaterMembers = [](auto& p, const auto& visit) {
   visit("liquid_trials", p.liquid_trials);
   visit("steady_stretches", p.steady_chunks);

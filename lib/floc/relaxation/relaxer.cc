@@ -22,39 +22,42 @@ namespace {
 
 /// Criteria by which the motion of a packing counts as stopped: its kinetic energy is within the tolerance, and either
 /// its solid fraction has changed by less than kSteadyPhi over kSteadyWindow time units, or no contact has opened or
-/// closed over kSteadyContactsWindow time units. (Power control at an earlier time would change the rearrangements.)
+/// closed over kSteadyContactsWindow time units. (If power control began earlier, it would change the rearrangements of
+/// the grains.)
 constexpr double kSteadyPhi = 2e-5;
 constexpr double kSteadyWindow = 5.0;
 constexpr double kSteadyContactsWindow = 20.0;
-/// Criterion by which grains count as vibrating only, so that their kinetic energy need not be within the tolerance: no
-/// contact has opened or closed while the grains, at their r.m.s. speed, have covered a path of kVibrationPath largest
-/// diameters, over at least kVibrationWindows times kSteadyContactsWindow time units. Contact springs below their caps
-/// vibrate without end, since nothing dissipates their energy. Grains that move freely meet another grain earlier: in
-/// five shipped scenes of 200 and 400 grains whose energy was above its tolerance, the longest path was half a
-/// diameter, and the longest time under load was two times kSteadyContactsWindow.
+/// Criterion by which the motion of the grains counts as vibration, so that their kinetic energy may be above its
+/// tolerance. No contact may have opened or closed while the grains, at their r.m.s. speed, have covered a path of
+/// kVibrationPath largest diameters, and for at least kVibrationWindows times kSteadyContactsWindow time units.
+/// Vibrations of contact springs below their caps do not end, since nothing dissipates their energy. Grains that move
+/// freely meet another grain earlier: in five example scenes with 200 or 400 grains and an energy above its tolerance,
+/// the longest path was half a diameter, and the longest time under load was twice kSteadyContactsWindow.
 constexpr double kVibrationPath = 2.0;
 constexpr double kVibrationWindows = 5.0;
-/// Duration, in time units, of a steady density after which only chains of freely rolling grains can still move. Such
-/// chains swing between their ends without damping, with a kinetic energy above its tolerance. The duration is twice
-/// that of the longest load step in the shipped scenes. Meanwhile the solid fraction may drift by kFinishPhi.
+/// Time (in time units) for which the density has to be steady, until it is concluded that only chains of freely
+/// rolling grains still move. Such chains swing between their ends without damping, with a kinetic energy above its
+/// tolerance. The time is twice the duration of the longest load step in the example scenes. During this time the solid
+/// fraction may change by kFinishPhi.
 constexpr double kMechanismWindow = 200.0;
-/// Number of Newton iterations after which it is decided whether a load step is elastic. The first iteration gives the
+/// Number of Newton iterations before the decision whether a load step is elastic. The first iteration gives the
 /// elastic response.
 constexpr int kTrialIterations = 2;
-/// Largest change of the solid fraction during the final phase of a relaxation (power control and Newton steps). Beyond
-/// it, the packing has rearranged, and it moves freely again.
+/// Largest change of the solid fraction during the final phase of a relaxation (power control and Newton steps). A
+/// packing with a larger change has rearranged and then moves freely again.
 constexpr double kFinishPhi = 1e-4;
-/// Largest changes of the stress that axes with an imposed length carry, in F1/a^(D-1): kSteadyStress over the time
-/// window in which a packing has to be steady, kFinishStress during the final phase of the relaxation (power control
-/// and Newton steps). F1 is the force scale, a the largest diameter and D the dimension.
+/// Largest changes of the stress on axes with an imposed length, in units of F1/a^(D-1): kSteadyStress in the time
+/// window in which a packing has to be steady, and kFinishStress during the final phase of the relaxation (power
+/// control and Newton steps). F1 is the force scale, a the largest diameter and D the dimension.
 constexpr double kSteadyStress = 1e-3;
 constexpr double kFinishStress = 1e-2;
 /// Cap on the inertial number |L'/L| sqrt(m/P) of the cell in scenes without adhesion that set no cap.
 constexpr double kDefaultInertialNumber = 1e-3;
-/// Largest number of times that an equilibrium is given up because its liquid bridges change when the liquid is shared
-/// out once more.
+/// Largest number of equilibria that are rejected in one relaxation because sharing out the liquid once more would
+/// change the liquid bridges.
 constexpr int kLiquidTrials = 20;
-/// Force residual below which Newton refinement of the packing is tried, because it is known to succeed there.
+/// Force residual below which Newton refinement of the packing is tried, because the refinement is known to succeed
+/// below this residual.
 constexpr double kRefinementResidual = 5e-3;
 /// Shortest pause after a failed Newton refinement, in chunks of time steps. The pause grows with the duration of the
 /// final phase of the relaxation.
@@ -65,11 +68,10 @@ double first_skin(const RelaxationOptions& options, const Grains<Dim>& grains) {
   return options.skin ? *options.skin * largest_diameter(grains) : 0.05 * skin_length_unit(grains.radius);
 }
 
-/// Returns the mean kinetic energy per grain, to which only grains with contacts contribute (energy). The energy of
-/// each grain is divided by the energy scale of the grain, relative to the scale of the packing. The energy of a grain
-/// without contacts is left out, since it does not belong to the packing. The rotation of a sphere with fewer than
-/// three contacts is left out, too: nothing damps its spin about a single contact, or about the line through two
-/// contacts.
+/// Returns the mean kinetic energy per grain (energy). The energy of each grain is divided by the ratio of its own
+/// energy scale to that of the packing. Grains without contacts contribute nothing, since they do not belong to the
+/// structure that carries forces. The rotation of a sphere with fewer than three contacts is left out, too: nothing
+/// damps its spin about a single contact, or about the line through two contacts.
 template <int Dim>
 double energy_of_connected_grains(const Packing<Dim>& packing, const GrainScales<Dim>& scales) {
   std::vector<int> n_contacts(packing.grains.size(), 0);
@@ -146,8 +148,8 @@ Relaxer<Dim>::Relaxer(const RelaxationOptions& options, Packing<Dim> packing, co
   if (progress_.imbalance_sign.empty() && !strain_ramp().any()) begin_response();
 }
 
-/// Records, for each axis with an imposed stress, the sign of the difference between the stress and its target;
-/// responded_to_load() later tests whether the sign has changed. For axes with an imposed length, 0 is recorded.
+/// Records the sign of the difference between the stress and its target for each axis with an imposed stress. Later,
+/// responded_to_load() tests whether the sign has changed. For axes with an imposed length, 0 is recorded.
 template <int Dim>
 void Relaxer<Dim>::begin_response() {
   const Vec<Dim> imbalance = stress_.diagonal() - target_;
@@ -226,7 +228,7 @@ bool Relaxer<Dim>::density_is_steady() {
   std::vector<double>& phi = progress_.solid_fraction;
   phi.push_back(solid_fraction(packing_));
   const std::size_t window = chunks_in(kSteadyWindow) + 1;
-  // More than one entry is removed if the time step has grown, since fewer chunks of time steps then fill the window.
+  // If the time step has grown, fewer chunks of time steps fill the window, and more than one entry is removed.
   while (phi.size() > window) phi.erase(phi.begin());
   const auto [low, high] = std::minmax_element(phi.begin(), phi.end());
   return phi.size() == window && *high - *low < kSteadyPhi && carried_stress_is_steady(window);
@@ -244,8 +246,8 @@ bool Relaxer<Dim>::carried_stress_is_steady(std::size_t window) {
   return carried.size() == window && *high - *low < kSteadyStress * stress_scale();
 }
 
-/// Returns the unit in which changes of the carried stress are measured, F1/a^(D-1) (force/length^(Dim-1)), with F1 the
-/// force scale, a the largest diameter and D the dimension.
+/// Returns F1/a^(D-1), the unit for changes of the stress on axes with an imposed length (force/length^(Dim-1)), with
+/// the force scale F1, the largest diameter a and the dimension D.
 template <int Dim>
 double Relaxer<Dim>::stress_scale() const {
   const ForceScale scale = force_scale(packing_, target_);
@@ -253,8 +255,8 @@ double Relaxer<Dim>::stress_scale() const {
 }
 
 /// Whether no contact has opened or closed for so long that the packing has stopped rearranging. This test is needed
-/// because undamped vibrations, and the free motion of a floppy packing without load, may change the density without
-/// end.
+/// where the density never becomes steady, because of undamped vibrations or because a floppy packing without load
+/// moves freely.
 template <int Dim>
 bool Relaxer<Dim>::contacts_are_steady() {
   const std::uint64_t set = contact_fingerprint(packing_);
@@ -263,8 +265,8 @@ bool Relaxer<Dim>::contacts_are_steady() {
   return progress_.unchanged_chunks >= static_cast<int>(chunks_in(kSteadyContactsWindow));
 }
 
-/// Whether grains with this mean kinetic energy can only be vibrating about their positions, because no contact has
-/// opened or closed for long enough (kVibrationPath).
+/// Whether no contact has opened or closed for so long that grains with this mean kinetic energy can only be vibrating
+/// (kVibrationPath).
 /// @param energy  mean kinetic energy of a grain (energy)
 template <int Dim>
 bool Relaxer<Dim>::vibrates(double energy) const {
@@ -293,8 +295,9 @@ std::size_t Relaxer<Dim>::chunks_in(double time_units) const {
       std::ceil(options_.patience * time_units * time_unit_ / (kStepsPerChunk * time_step_)));
 }
 
-/// Begins the final phase of the relaxation (power control and Newton steps) once motion has stopped: the packing is
-/// steady, the stress has responded to the load, and the kinetic energy is small or belongs to vibrations alone.
+/// Begins the final phase of the relaxation (power control and Newton steps) once motion has stopped, that is, once the
+/// packing is steady, the stress has responded to the load, and the kinetic energy is small or belongs to vibrations or
+/// mechanisms alone.
 template <int Dim>
 RelaxationStatus Relaxer<Dim>::check_motion() {
   unmet_ = {Demand::lengths};
@@ -330,7 +333,8 @@ RelaxationStatus Relaxer<Dim>::check_motion() {
   return RelaxationStatus::running;
 }
 
-/// Returns the first criterion of a steady packing that the moving packing does not meet; Demand::none if it is steady.
+/// Returns the first criterion of a steady packing that this packing does not meet while it moves; Demand::none if it
+/// meets all.
 template <int Dim>
 Unmet Relaxer<Dim>::unsteadiness(bool responded) const {
   if (!responded) return {Demand::response, residuals_.stress, options_.tolerance.stress};
@@ -350,8 +354,8 @@ RelaxationStatus Relaxer<Dim>::check_finish() {
   unmet_ = {};
   ++progress_.finishing_chunks;
   // The final phase of the relaxation (power control and Newton steps) is only meant to remove the rest of the motion.
-  // If density or stress change by more than their limits, the packing has rearranged. It then moves freely until its
-  // motion has stopped once more.
+  // If the density or the stress changes by more than its limit, the packing has rearranged. The packing then moves
+  // freely until its motion has stopped once more.
   const bool other_stress =
       load_.any_strained() &&
       std::abs(mean_carried_stress() - progress_.finishing_since_stress) > kFinishStress * stress_scale();
@@ -361,9 +365,9 @@ RelaxationStatus Relaxer<Dim>::check_finish() {
     progress_.carried_stress.clear();
     return RelaxationStatus::running;
   }
-  // Newton steps are tried once the force residual is so small that they are known to succeed. After a failure, the
-  // pause before the next attempt grows with the time since the beginning of power control, because an attempt may take
-  // longer than the dynamics.
+  // Newton steps are tried once the force residual is so small that they are known to succeed. After a failure there is
+  // a pause before the next attempt, because attempts may take longer than the dynamics. The pause grows with the time
+  // since the beginning of power control.
   const bool within = residuals_.within(options_.tolerance);
   const bool may_refine = options_.finish != Finish::dynamic && residuals_.force < kRefinementResidual;
   const bool due = progress_.finishing_chunks >= progress_.next_refinement;
@@ -390,8 +394,8 @@ bool Relaxer<Dim>::is_stable(const Packing<Dim>& packing, Stability& found) {
   return found.may_be_stable();
 }
 
-/// Whether Newton steps are expected to take no more computing time than the dynamics of this relaxation has taken, or
-/// is expected to take. In 2D this is always the case.
+/// Whether Newton steps are expected to take at most as much computing time as the dynamics of this relaxation: the
+/// time taken so far or, if this is longer, an estimate for the whole relaxation. In 2D the answer is always yes.
 template <int Dim>
 bool Relaxer<Dim>::newton_is_cheaper() const {
   if (Dim == 2) return true;
@@ -401,9 +405,8 @@ bool Relaxer<Dim>::newton_is_cheaper() const {
 }
 
 /// Returns whether Newton refinement of a packing whose residuals are within tolerance may be tried at every check. In
-/// 3D an attempt may take minutes. Once an attempt has failed although the residuals were within tolerance, further
-/// attempts are therefore made only after a pause: for a packing at rest on a saddle of the energy, every attempt would
-/// fail.
+/// 3D an attempt may take minutes. After a failure with residuals within tolerance, further attempts are therefore made
+/// only after a pause. (If a packing is at rest on a saddle of the energy, every attempt fails.)
 template <int Dim>
 bool Relaxer<Dim>::may_repeat_refinement() const {
   return Dim == 2 || !progress_.refused_within;
@@ -424,13 +427,13 @@ StaticSolution<Dim> Relaxer<Dim>::solve_from(const Packing<Dim>& start, const St
   return solve_statics(start, control, options);
 }
 
-/// Finds the equilibrium under a new load by Newton iterations without dynamics, if dynamics would end in the same
-/// state or the scene accepts any equilibrium.
+/// Finds the equilibrium under a new load by Newton iterations without dynamics. The result is accepted only if
+/// dynamics would end in the same state, or if the scene accepts any equilibrium.
 template <int Dim>
 bool Relaxer<Dim>::solve_without_motion() {
   const bool any = options_.finish == Finish::statics;
-  // If the tangential stiffness depends on the load, the tangential forces depend on the whole loading path, not only
-  // on its end, and Newton steps may give other forces than dynamics.
+  // If the tangential stiffness depends on the load, the tangential forces depend on the whole loading path. Newton
+  // steps may then give other forces than dynamics.
   if (!any && packing_.law.friction_follows_load()) return false;
   if (!any && !newton_is_cheaper()) return false;
   StaticSolverOptions trial;
@@ -447,7 +450,7 @@ bool Relaxer<Dim>::solve_without_motion() {
 }
 
 /// Whether no liquid bridge of an equilibrium changes when the liquid is shared out once more. If bridges change and
-/// `go_on` is set, the relaxation continues with the new volumes; once this has happened kLiquidTrials times, the
+/// `go_on` is set, the relaxation continues with the new volumes of the bridges. After kLiquidTrials continuations, the
 /// present volumes are accepted.
 template <int Dim>
 bool Relaxer<Dim>::liquid_rests(const Packing<Dim>& equilibrium, bool go_on) {
@@ -465,8 +468,8 @@ bool Relaxer<Dim>::liquid_rests(const Packing<Dim>& equilibrium, bool go_on) {
 }
 
 /// Accepts a static solution as the equilibrium if it is within tolerance and stable (docs/physics.md, "Equilibrium").
-/// A static solution may be unstable: with a long-range adhesion, a grain that could roll onto its neighbour may be at
-/// a saddle of the energy.
+/// A static solution may be unstable: with a long-range adhesion, it may be a saddle of the energy, from which a grain
+/// would roll onto its neighbour.
 template <int Dim>
 bool Relaxer<Dim>::accept_if_equilibrium(StaticSolution<Dim> solution, const char* ending, bool go_on) {
   if (!solution.converged) return false;

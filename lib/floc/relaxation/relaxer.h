@@ -37,7 +37,7 @@ class Relaxer final : public Equilibrator<Dim> {
   /// Advances the relaxation by one chunk of time steps. If the motion diverges, the packing is reset to its state at
   /// the beginning of the chunk, with unloaded springs.
   RelaxationStatus advance() override;
-  /// Whether motion has stopped, so that the final phase of the relaxation (power control and Newton steps) has begun.
+  /// Whether motion has stopped, so that the relaxation is in its final phase (power control and Newton steps).
   bool has_stopped() const { return progress_.phase == RelaxationProgress::finishing; }
   void set_observer(MotionObserver<Dim> observer) override { observer_ = std::move(observer); }
 
@@ -80,13 +80,14 @@ class Relaxer final : public Equilibrator<Dim> {
   RelaxationOptions options_;
   Packing<Dim> packing_;
   LoadTarget<Dim> load_;
-  Vec<Dim> target_;  ///< stress imposed on each axis or, if a length is imposed, carried by it
+  Vec<Dim>
+      target_;  ///< stress on each axis: the imposed stress or, for an imposed length, the stress in the packing
   RelaxationProgress progress_;
   Mat<Dim> stress_;  ///< static stress of the packing (force/length^(Dim-1))
   Residuals residuals_;
   Stability stability_;           ///< stability of the equilibrium that was found
   int n_bridges_unsettled_ = -1;  ///< value of RelaxationReport::n_bridges_unsettled
-  /// First criterion of equilibrium, other than the residuals, that was not met at the end of the last chunk of time
+  /// First criterion of equilibrium (other than the residuals) that was not met at the end of the last chunk of time
   /// steps.
   Unmet unmet_;
   std::string ending_;
@@ -103,9 +104,9 @@ class Relaxer final : public Equilibrator<Dim> {
 template <int Dim>
 double inertial_time(const Packing<Dim>& packing, const Vec<Dim>& target_stress);
 
-/// Returns the largest strain rate |L'/L| of the cell (1/time) that the options allow under this stress, with L a side
-/// of the cell. If the options set no cap, the rate is infinite with adhesion; without adhesion it is 1e-3 times sqrt(P
-/// a^(D-2)/m), with P the mean stress, a the largest diameter, m the largest mass and D the dimension.
+/// Returns the largest strain rate |L'/L| that the options allow for a side L of the cell under this stress (1/time).
+/// If the options set no cap, the rate is infinite with adhesion. Without adhesion it is then 1e-3 times sqrt(P
+/// a^(D-2)/m), with the mean stress P, the largest diameter a, the largest mass m and the dimension D.
 template <int Dim>
 double strain_rate_cap(const RelaxationOptions& options, const Packing<Dim>& packing,
                        const Vec<Dim>& target_stress);

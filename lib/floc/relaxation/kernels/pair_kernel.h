@@ -246,8 +246,8 @@ struct PairKernel {
   /// rotation of the normal.)
   /// @param velocity  velocity of the centre of grain j (or of the nearest point of the wall) relative to the centre of
   /// grain i
-  /// @param surfaces  lever arm times spin, summed over both bodies; the velocity of the surfaces relative to each other
-  /// follows from it
+  /// @param surfaces  lever arm times spin, summed over both bodies, from which the relative velocity of the surfaces
+  /// follows
   static void add_slip(PairKinematics& a, const V& velocity, const RotationVector<Dim, P>& surfaces,
                        const PairCell<Dim>& cell) {
     a.motion.slip = P(cell.slip_time) * to_shear<P>(a.n, V(velocity - cross<P>(surfaces, a.n)));

@@ -6,8 +6,8 @@
 #include "floc/contact/history.h"
 #include "floc/relaxation/instruction_set.h"
 
-/// Data of the kernels, the compiled loops over all grains or all pairs in a time step. The data are plain arrays,
-/// because code compiled for one instruction set must not share inline functions with the rest of the program.
+/// Data of the kernels, the compiled loops over all grains or all pairs in a time step. The data are plain arrays and
+/// not containers: code compiled for one instruction set must not share inline functions with the rest of the program.
 namespace floc {
 
 /// Number of grains in a block, the unit of work of the passes over grains. All arrays of grains are padded to whole
@@ -21,21 +21,22 @@ inline constexpr int kSumGroup = 8;
 
 /// The dashpot force that acts in a time step is a weighted mean of the dashpot forces computed in this step (weight
 /// kDashpotShare) and in the previous step (weight 1 - kDashpotShare). If grains vibrate at the frequency w and are
-/// damped at the rate g, time steps dt with (w dt)^2 + 2 (2 kDashpotShare - 1) g dt < 4 are stable. The weighted mean
-/// thus allows longer steps. The dashpot force of a step is computed with the velocities of half a step earlier. The
-/// acting force therefore lags by kDashpotLag steps in total; lagging_damping() corrects the damping coefficient for
-/// this lag.
+/// damped at the rate g, time steps dt with (w dt)^2 + 2 (2 kDashpotShare - 1) g dt < 4 are stable, so the weighted
+/// mean allows longer steps. The computed dashpot force belongs to the velocities of half a step earlier. With the lag
+/// of the weighted mean, the acting force lags by kDashpotLag steps; lagging_damping() corrects the damping coefficient
+/// for this lag.
 inline constexpr double kDashpotShare = 0.8;
 inline constexpr double kDashpotLag = 0.5 + (1.0 - kDashpotShare);
 
-/// Kind of the row that the force kernel writes for each pair. A row consists of the force on the second grain j and,
-/// depending on the kind, of the moments on both grains i and j, as consecutive doubles.
+/// Kind of the rows that force kernels write. The row of a pair consists of consecutive doubles: the force on the
+/// second grain j and, depending on the kind, the moments on the grains i and j.
 enum class RowKind {
-  forces,  ///< the row of a pair holds no moments: grains do not rotate
-  /// The row of a pair of spheres without rolling and twisting resistance: it holds the moment of the tangential force
-  /// for a lever arm of unit length, and the lengths of the lever arms of i and j, by which that moment is multiplied.
+  forces,  ///< rows without moments, for grains that do not rotate
+  /// rows of spheres without rolling and twisting resistance. Such a row contains the moment that the tangential force
+  /// would have with a lever arm of unit length, and the lengths of the lever arms of i and j. The moment on a grain is
+  /// the product of the two.
   levers,
-  moments,  ///< the row of a pair holds the moments on i and on j
+  moments,  ///< rows with the moment on i and the moment on j
 };
 
 /// Layout of the row of a pair (force and moments): its size and the places of its components, in doubles from the
@@ -78,8 +79,8 @@ template <int Dim>
 constexpr int force_in_row(RowKind kind) {
   return kind == RowKind::moments ? RowLayout<Dim, RowKind::moments>::kForce : 0;
 }
-/// Returns the number of doubles in the sum of the rows of all pairs of a grain: forces and moments, padded to whole
-/// vector registers.
+/// Returns the number of doubles in a sum of rows over the pairs of a grain. The sum contains force and moment and is
+/// padded to whole vector registers.
 template <int Dim>
 constexpr int row_sum_size(RowKind kind) {
   return (Dim == 2 ? 2 : 4) * (kind == RowKind::forces ? 1 : 2);
@@ -96,28 +97,28 @@ struct GrainView {
   double *spin[kRotations<Dim>], *torque[kRotations<Dim>];
   double* orientation[kOrientationNumbers<Dim>];
   /// Bit mask applied to the index of a block before `mass`, `inverse_mass`, `inertia` and `inverse_inertia` are read:
-  /// -1 if grains differ in mass or moment of inertia; 0 if all grains are equal, so that every block reads the numbers
-  /// of the first block.
+  /// -1 if grains differ in mass or moment of inertia; 0 if all grains are equal, so that the values of the first block
+  /// are read for every block.
   int own_masses;
   const double *mass, *inverse_mass, *inertia, *inverse_inertia;
   const double* x_list[Dim];  ///< positions of the grains when the neighbour lists were built (length)
-  /// One over the square of the distance (skin) that each grain may move before new neighbour lists are built
-  /// (1/length^2).
+  /// The number 1/s^2 for each grain, where s is its skin: the distance that the grain may move before new neighbour
+  /// lists are built (1/length^2).
   const double* inverse_skin_squared;
 };
 
-/// Pairs of all blocks in the form that kernels read: pointers to the arrays of all pairs, which are padded with pairs
-/// that do not interact.
+/// Pairs of all blocks in the form that kernels read: pointers to the arrays of all pairs. The arrays are padded with
+/// pairs that do not interact.
 template <int Dim>
 struct PairView {
-  /// Indices of the two grains of each pair. The indices i ascend, and within kPairPadding consecutive pairs they
-  /// differ by less than kWindow. For pairs with walls, j is the index of the wall, and the indices i may differ by
-  /// more.
+  /// Indices of the two grains of each pair. The indices i ascend. Within kPairPadding consecutive pairs of grains,
+  /// they differ by less than kWindow; for pairs with walls they may differ by more. For pairs with walls, j is the
+  /// index of the wall.
   const int *i, *j;
-  const float* image[Dim];  ///< periodic image of j, as a whole number of each lattice vector
+  const float* image[Dim];  ///< periodic image of j: number of lattice vectors along each axis (whole numbers)
   /// Bit mask applied to the index of a pair before the arrays from `radii` to `reduced_mass` are read: -1 if every
-  /// pair has its own entries; 0 if all pairs have equal entries, which are stored only once, for one pack of pairs (as
-  /// many as fit a vector register).
+  /// pair has its own entries; 0 if all pairs have equal entries. Equal entries are stored for one pack of pairs only
+  /// (as many as fit a vector register).
   int own_numbers;
   const double* radii;    ///< Ri + Rj, sum of the radii of grains i and j (length)
   const double* share_i;  ///< Ri/(Ri + Rj), lever arm of grain i divided by the distance of the centres
@@ -133,27 +134,29 @@ struct PairView {
   double*
       row;  ///< row (force and moments) of the pair with index `with_row`, followed by the rows of later pairs
   int with_row;
-  /// Kind of the rows of all pairs, which follows from the law between grains; pairs with walls write rows of this
+  /// Kind of the rows of all pairs. It follows from the law between grains, and pairs with walls write rows of this
   /// kind, too.
   RowKind rows;
 };
 
-/// Plan by which rows (force and moments of a pair) are summed for each grain of a block: the rows of the pairs in
-/// which it is the first grain, or of the pairs in which it is the second grain. A row is given by its place, in
-/// doubles from BlockSumsPlan::rows on; the rows of a grain are in the order of its pairs.
-/// 1. Grains with similar numbers of rows form groups of kSumGroup grains. The sums of a group are computed side by
-/// side, without branches, up to a number of rows per grain called the depth of the group. The plan lists depth x
-/// kSumGroup places for the group; where a grain has too few rows, it lists the place of a row that stays zero.
+/// Plan by which the rows (force and moments) of the pairs of each grain of a block are summed. There is one plan for
+/// the pairs in which the grain is the first grain, and one for the pairs in which it is the second grain. A row is
+/// given by its place, that is, by the number of doubles from BlockSumsPlan::rows to its beginning. The rows of a grain
+/// are in the order of its pairs.
+/// 1. Grains with similar numbers of rows form groups of kSumGroup grains. The depth of a group is a number of rows per
+/// grain: up to this number, the sums of the group are computed side by side, without branches. The plan lists depth x
+/// kSumGroup places for a group; for missing rows of a grain, it lists the place of a row that stays zero.
 /// 2. If a grain has more rows than the depth of its group, its remaining rows are added afterwards, one by one.
 struct SideSumsPlan {
   static constexpr int kGroups = kGrainBlock / kSumGroup;
-  /// Indices of the grains, counted from the first grain of the block, in the order of falling numbers of pairs.
+  /// Indices of the grains, counted from the first grain of the block, from the largest to the smallest number of
+  /// pairs.
   int grain[kGrainBlock];
   /// Depth of each group: number of pairs per grain whose rows are summed side by side.
   int depth[kGroups];
-  /// Number of pairs of grain[k] beyond the depth of its group, whose rows are added one by one.
+  /// Number of rows of grain[k] beyond the depth of its group; they are added one by one.
   int n_beyond[kGrainBlock];
-  int n_deep;  ///< number of leading entries of `grain` that may have pairs beyond the depth of their group
+  int n_deep;  ///< number of leading entries of `grain` up to the last grain with rows beyond the depth of its group
   /// Places of the rows (forces and moments) of the pairs up to the depth of each group, group by group, followed by
   /// the places of the rows beyond the depth, grain by grain.
   const int* row;
@@ -163,23 +166,22 @@ struct BlockSumsPlan {
   SideSumsPlan as_i, as_j;
   const double* rows;
   int n_crossing;
-  /// Indices of the pairs of the block whose grains are joined across the periodic boundary, ascending.
+  /// Indices of the pairs of the block that interact across the periodic boundary, in ascending order.
   const int* crossing;
 };
 
-/// Contribution of one block of grains to sums over the whole packing.
+/// Sums over the grains and pairs of one block of grains, from which the sums over the whole packing are computed.
 template <int Dim>
 struct alignas(64) BlockSums {
   /// Sum over the pairs of the force on the second grain j times the branch vector from i to j (energy). For a
   /// triangular lattice only the upper part of the matrix is set, for a rectangular lattice only the diagonal.
   double virial[Dim][Dim] = {};
-  /// Sum over the grains of m v_a v_b, with mass m and velocity v (energy); the components that are set in `virial` are
-  /// set here, too.
+  /// Sum over the grains of m v_a v_b, with mass m and velocity v (energy); components are set as in `virial`.
   double momentum_flux[Dim][Dim] = {};
   double rotation = 0.0;  ///< sum over the grains of I w^2, with moment of inertia I and spin w (energy)
-  /// Upper bound, over the grains of the block, of the squared speed after the next kick, (|v| + |F half_step/m|)^2,
-  /// with the velocity v, force F and mass m of the grain. Each speed is divided by the skin of the grain, the distance
-  /// that it may move before new neighbour lists are built.
+  /// Upper bound of (|v| + |F half_step/m|)^2/s^2 over the grains of the block, with the velocity v, force F, mass m
+  /// and skin s of a grain. It bounds the speeds after the next kick. The skin is the distance that a grain may move
+  /// before new neighbour lists are built.
   double next_speed_squared = 0.0;
 };
 
@@ -192,10 +194,10 @@ struct Kick {
   double keep[Dim][Dim], gain[Dim][Dim];
 };
 
-/// Stage of the time integration at which the rotation of the grains stands between two time steps. Unlike velocities,
-/// spins do not depend on the motion of the boundary, so they may be advanced early: if no spins are needed at the end
-/// of a step, the next half kick of the spins and the next rotation of the grains are made in that step. Each torque
-/// and spin is then read only once per step.
+/// Stage of the time integration that the rotation of the grains has reached between two time steps. Spins do not
+/// depend on the motion of the boundary, unlike velocities, so they may be advanced early. If no spins are needed at
+/// the end of a step, this step also makes the next half kick of the spins and the next rotation of the grains. Each
+/// torque and spin is then read only once per step.
 enum class Rotation {
   at_end,  ///< spins are those at the end of the step, like positions and forces
   /// Spins are those in the middle of the next step: the next half kick of the spins and the next rotation of the
@@ -210,8 +212,8 @@ struct Drift {
   double stretch[Dim][Dim], drift[Dim][Dim];
 };
 
-/// Walls in the form that force kernels read, with one array entry per wall. A wall is the plane n . x = level, where n
-/// is its unit normal, which points from the grains to the wall.
+/// Walls in the form that force kernels read, with one array entry per wall. A wall is the plane n . x = level; its
+/// unit normal n points from the grains to the wall.
 template <int Dim>
 struct WallView {
   const double* normal[Dim];
@@ -223,7 +225,8 @@ template <int Dim>
 struct PairCell {
   double lattice[Dim][Dim];      ///< lattice matrix, whose columns are the lattice vectors (length)
   double strain_rate[Dim][Dim];  ///< velocity gradient of the lattice (1/time)
-  double slip_time;     ///< time over which the present relative velocities stretch contact springs (time)
+  double
+      slip_time;  ///< time over which contact springs are stretched at the present relative velocities (time)
   WallView<Dim> walls;  ///< pointers to the arrays of the walls; null if there are none
 };
 
@@ -231,17 +234,17 @@ struct PairCell {
 /// kernel_law.h) and one instruction set.
 template <int Dim>
 struct StepKernels {
-  /// Kicks a block of grains over half a step and moves it over a step.
-  /// @param stands  stage (Rotation) at which the previous step has left the rotation of the grains; at
-  /// Rotation::in_middle, the grains have been turned already and are not turned again
+  /// Kicks a block of grains over half a step and moves the grains over a whole step.
+  /// @param stands  stage (Rotation) that the rotation of the grains has reached in the previous step; at
+  /// Rotation::in_middle, the grains have already been turned and are not turned again
   void (*kick_and_drift)(const GrainView<Dim>&, int first_grain, const Kick<Dim>&, const Drift<Dim>&,
                          Rotation stands);
-  /// Returns the square of the largest displacement of a grain of a block since the neighbour lists were built, where
-  /// the displacement of each grain is divided by its skin (distance that it may move before new lists are built).
+  /// Returns the largest value of d^2/s^2 over the grains of a block, where d is the displacement of a grain since the
+  /// neighbour lists were built, and s its skin (distance that the grain may move before new lists are built).
   /// @param list_stretch  deformation gradient of the lattice since the neighbour lists were built
   double (*motion_squared)(const GrainView<Dim>&, int first_grain, const double (&list_stretch)[Dim][Dim]);
   /// Computes the rows (forces and moments) of the pairs of grains [first, last) and updates their springs.
-  /// @param law  address of the contact law of this kernel, which must be of the type for which this kernel is compiled
+  /// @param law  address of a contact law of the type for which this kernel is compiled
   void (*compute_pairs)(const void* law, const GrainView<Dim>&, const PairView<Dim>&, int first, int last,
                         const PairCell<Dim>&);
   /// Computes the rows (forces and moments) of the pairs [first, last) of grains with walls and updates their springs;
@@ -249,14 +252,14 @@ struct StepKernels {
   void (*compute_wall_pairs)(const void* law, const GrainView<Dim>&, const PairView<Dim>&, int first, int last,
                              const PairCell<Dim>&);
   /// Sums the rows (forces and moments) of the pairs of each grain of a block, and kicks the grains over half a step.
-  /// @param to  stage (Rotation) at which the rotation of the grains is left; at Rotation::at_end the torques are
+  /// @param to  stage (Rotation) that the rotation of the grains has to reach; for Rotation::at_end, the torques are
   /// stored, too
   void (*sum_and_kick)(const GrainView<Dim>&, const PairView<Dim>&, const BlockSumsPlan&, int first_grain,
                        const PairCell<Dim>&, const Kick<Dim>&, Rotation to, BlockSums<Dim>&);
 };
 
-/// Shape of the lattice for which a kernel is compiled; the shape is chosen once per run. Kernels for the general,
-/// triangular shape are slower by a tenth for laws without friction.
+/// Shape of the lattice for which a kernel is compiled; the shape is chosen once per run. Kernels for the triangular
+/// shape work for every lattice, but for laws without friction they are slower by a tenth.
 enum class LatticeShape { rectangular, triangular };
 
 /// Returns the kernels for the contact law with index `law_index` in AnyKernelLaw.

@@ -17,12 +17,12 @@ struct StepKernelTable<Isa, Dim, kShape, std::variant<Law...>> {
   static constexpr bool kTriangular = kShape == LatticeShape::triangular;
   template <class L>
   static constexpr StepKernels<Dim> kernels_of() {
-    // A law of the normal force without special kernels has only the kernel for triangular lattices, which also serves
-    // rectangular lattices.
+    // A law of the normal force without special kernels has only a kernel for triangular lattices, which is used for
+    // rectangular lattices, too.
     using Grains = std::conditional_t<kTriangular || !kHasSpecialKernels<typename L::NormalModel>,
                                       GrainsInTriangularLattice, GrainsInRectangularLattice>;
-    // The drift of the grains depends on whether they rotate, but not on the layout of the moments in the rows of
-    // pairs.
+    // The kernel that moves the grains depends on whether they rotate, but not on the layout of the moments in the rows
+    // of pairs.
     using Drift = GrainKernels<Isa, Dim, kShape, L::kHasFriction ? RowKind::moments : RowKind::forces>;
     using Sums = GrainKernels<Isa, Dim, kShape, kRowKind<L, Dim>>;
     StepKernels<Dim> kernels{&Drift::kick_and_drift, &Drift::motion_squared,

@@ -10,12 +10,14 @@
 namespace floc {
 namespace {
 
-/// Cost of adding a row (force and moments of a pair) to a single sum, relative to its cost if the sums of several
-/// grains are computed side by side. A single sum is slower, since each addition waits for the previous addition.
+/// Computing time of adding a row (force and moments of a pair) to a single sum, divided by the time per row if the
+/// sums of several grains are computed side by side. A single sum is slower, since each addition waits for the previous
+/// addition.
 constexpr int kAlone = 3;
 
-/// Returns the depth of a group of grains: the number of pairs per grain up to which it is fastest to sum the forces on
-/// these grains side by side. The grains are sorted by falling numbers of pairs.
+/// Returns the depth of a group of grains: up to this number of pairs per grain, the forces on the grains are summed
+/// side by side. The depth is chosen for the shortest computing time. The grains are sorted from the largest to the
+/// smallest number of pairs.
 template <class Count>
 int depth_of_group(const Count& count) {
   int best = 0, least = std::numeric_limits<int>::max();
@@ -32,13 +34,13 @@ int first_pair(const PairArrays<Dim>& pairs, const SweepPlan& plan, int group) {
   return pairs.first_of_block(plan.first_block(group));
 }
 
-/// Assigns a slot of memory to each group of blocks, for the rows (forces and moments) of its pairs. A group takes the
-/// slot of the latest group of its thread whose rows have all been summed, or a new slot.
+/// Assigns a slot of memory to each group of blocks, for the rows (forces and moments) of its pairs. A group reuses the
+/// slot of an earlier group of its thread whose rows have all been summed; if there is none, it gets a new slot.
 /// @return number of the slot of each group
 template <int Dim>
 std::vector<int> slots_of_groups(const PairArrays<Dim>& pairs, const SweepPlan& plan) {
   std::vector<int> slots;
-  // For each group of blocks: memory slots that become free after the forces on the blocks of this group have been
+  // For each group of blocks: the memory slots that are free once the forces on the blocks of this group have been
   // summed.
   std::vector<std::vector<int>> left(plan.n_groups());
   int n_slots = 0;
@@ -49,7 +51,7 @@ std::vector<int> slots_of_groups(const PairArrays<Dim>& pairs, const SweepPlan& 
       slots.push_back(free.back());
       free.pop_back();
       int last = g;
-      // True if the rows (forces and moments) of this group are summed only after all pairs have been computed.
+      // Whether the rows (forces and moments) of this group are summed only after all pairs have been computed.
       bool kept = false;
       for (int p = first_pair(pairs, plan, g); p < first_pair(pairs, plan, g + 1); ++p) {
         const int i = pairs.i(p) / kGrainBlock, j = pairs.j(p) / kGrainBlock;
@@ -93,7 +95,7 @@ RowSums<Dim>::RowSums(const Lists& lists, RowKind rows, int n_grains, const Swee
     plan_side(plans_[b].as_j, begin, as_j);
     plans_[b].rows = rows_.data();
   }
-  // The list listed_rows_ is complete, so that its memory does not move any more and pointers into it stay valid.
+  // From here on the list listed_rows_ is complete: its memory does not move any more, so pointers into it stay valid.
   for (std::size_t b = 0; b < plans_.size(); ++b) {
     plans_[b].as_i.row = listed_rows_.data() + first[2 * b];
     plans_[b].as_j.row = listed_rows_.data() + first[2 * b + 1];
@@ -127,9 +129,9 @@ int RowSums<Dim>::place_of_row(const Lists& lists, const SweepPlan& plan, std::s
 }
 
 /// Returns the places of the rows (forces and moments) of the pairs of each grain, in the order of the pairs. The
-/// grains that pad the last block have no pairs.
-/// @param grain_of  function that returns the grain to which a pair is assigned, from a list of pairs and the index of
-/// the pair in this list
+/// padding grains of the last block have no pairs.
+/// @param grain_of  function that takes a list of pairs and the index of a pair in this list, and returns the grain to
+/// which the pair is assigned
 template <int Dim>
 template <class GrainOf>
 typename RowSums<Dim>::RowsOfGrains RowSums<Dim>::rows_of(const Lists& lists, const SweepPlan& plan,
@@ -147,12 +149,13 @@ typename RowSums<Dim>::RowsOfGrains RowSums<Dim>::rows_of(const Lists& lists, co
   return rows;
 }
 
-/// Sorts the grains of a block by falling numbers of pairs, divides them into groups, and lists the rows (forces and
-/// moments) that are summed side by side in each group, then the rows that are summed one by one.
+/// Sorts the grains of a block from the largest to the smallest number of pairs and divides the grains into groups.
+/// Lists the rows (forces and moments) that are summed side by side, group by group, and then the rows that are summed
+/// one by one.
 template <int Dim>
 void RowSums<Dim>::plan_side(SideSumsPlan& plan, int begin, const RowsOfGrains& rows) {
-  // Sort keys: by falling number of pairs, then by index of the grain, which is the remainder of the key modulo
-  // kGrainBlock.
+  // Sort keys, which order the grains by falling number of pairs, then by index. The index of a grain is the remainder
+  // of its key modulo kGrainBlock.
   std::int64_t falling[kGrainBlock];
   for (int k = 0; k < kGrainBlock; ++k) falling[k] = -std::int64_t{rows.count(begin + k)} * kGrainBlock + k;
   std::sort(std::begin(falling), std::end(falling));

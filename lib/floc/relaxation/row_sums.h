@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// Returns the place of the row (force and moments) of a pair in the array of all rows, counted in doubles from the
+/// Returns the place of the row (force and moments) of a pair in the array of all rows: the number of doubles from the
 /// beginning of that array.
 /// @param pair  number of rows before this row
 /// @param row_size  number of doubles in a row
@@ -16,11 +16,11 @@ namespace floc {
 /// pairs
 int row_place(std::int64_t pair, int row_size);
 
-/// Memory for the rows (force and moments of each pair) that the passes over pairs write, and plans by which the rows
-/// are summed for each grain. The rows of a grain are summed in this order: first those of the pairs in which it is the
-/// first grain, then those of the pairs in which it is the second grain, each in the order of the lists and of the
-/// pairs in a list. The rows of pairs of grains are kept until they are summed; then their memory is reused for a later
-/// group of pairs of the same thread, which keeps the memory small and in the caches.
+/// Memory for the rows (force and moments of each pair) that force kernels write, and plans by which the rows are
+/// summed for each grain. For each grain, the rows of the pairs in which it is the first grain are summed first, then
+/// the rows of the pairs in which it is the second grain; both in the order of the lists and of the pairs in a list.
+/// After the rows of a group of pairs of grains have been summed, their memory is reused for a later group of the same
+/// thread. The memory thus stays small enough for the caches.
 template <int Dim>
 class RowSums {
  public:
@@ -28,8 +28,8 @@ class RowSums {
   // The object cannot be copied, because the plans contain pointers to its arrays.
   RowSums(RowSums&&) noexcept = default;
   RowSums& operator=(RowSums&&) noexcept = default;
-  /// @param lists  pairs of grains, then pairs of grains with walls if there are any; the rows of pairs with walls are
-  /// never overwritten
+  /// @param lists  list of the pairs of grains and, if there are walls, list of the pairs of grains with walls; the
+  /// memory of the latter rows is not reused
   /// @param plan  order in which the forces of pairs are computed and the forces on blocks of grains are summed
   RowSums(const std::vector<const PairArrays<Dim>*>& lists, RowKind rows, int n_grains, const SweepPlan& plan);
 
@@ -40,8 +40,8 @@ class RowSums {
 
  private:
   using Lists = std::vector<const PairArrays<Dim>*>;
-  /// For each grain: places of the rows (force and moments) of the pairs in which it is the first grain, or of the
-  /// pairs in which it is the second grain.
+  /// Places of the rows (forces and moments) of each grain, either for the pairs in which the grain is the first grain,
+  /// or for the pairs in which it is the second grain.
   struct RowsOfGrains {
     /// Index in `row` of the first entry of each grain; the last entry of `first` is the size of `row`.
     std::vector<int> first;
@@ -64,8 +64,8 @@ class RowSums {
   std::vector<int> first_row_;
   AlignedVector<double> rows_;
   std::vector<BlockSumsPlan> plans_;
-  /// Lists into which the plans point: places of the rows (force and moments of a pair) to be summed, and indices of
-  /// the pairs whose grains are joined across the periodic boundary.
+  /// Lists to which the pointers in the plans refer: places of the rows (force and moments of a pair) to be summed, and
+  /// indices of the pairs whose grains are joined across the periodic boundary.
   std::vector<int> listed_rows_, crossing_;
 };
 

@@ -18,11 +18,12 @@ namespace {
 constexpr double kLevelRatio = 4.0;
 /// Number of time steps under power control after each step of the stage `restoring`.
 constexpr int kStepsOfLevel = 500;
-/// Skin of the neighbour lists in the stage `restoring`, in units of skin_length_unit(): the largest diameter or, if
-/// grains differ much in size, the smallest.
+/// Skin of the neighbour lists in the stage `restoring`, in units of skin_length_unit(), which is the largest diameter
+/// or, if grains differ much in size, the smallest diameter.
 constexpr double kSkin = 0.02;
-/// A packing collapses if the relative change of its solid fraction exceeds kCollapse plus kElasticStrains times the
-/// mean relative overlap of its contacts, to which elastic strains are proportional.
+/// A packing is judged to collapse if the relative change of its solid fraction exceeds kCollapse + kElasticStrains
+/// times the mean relative overlap of its contacts. The second term allows for elastic strains, which are proportional
+/// to the overlaps.
 constexpr double kCollapse = 1e-3;
 constexpr double kElasticStrains = 10.0;
 /// Largest number of collapses on soft springs in one relaxation. Later collapses happen with the springs of the
@@ -49,7 +50,8 @@ SoftProgress soft_progress(const std::string& text) {
                                          kSoftMembers);
 }
 
-/// Returns the mean overlap of the contacts of a packing divided by the mean sum of the two radii.
+/// Returns the mean overlap of the contacts of a packing, divided by the mean distance of two touching centres (the sum
+/// of the radii).
 template <int Dim>
 double mean_overlap(const Packing<Dim>& packing) {
   double overlap = 0.0, distance = 0.0;
@@ -97,7 +99,7 @@ int SoftRelaxer<Dim>::n_levels() const {
   return std::max(1, static_cast<int>(std::ceil(std::log(options_.softening) / std::log(kLevelRatio))));
 }
 
-/// Returns the stiffness of the springs of the contact law divided by that of the present springs.
+/// Returns the stiffness of the springs of the contact law, divided by the stiffness of the present springs.
 template <int Dim>
 double SoftRelaxer<Dim>::softening() const {
   if (progress_.stage == SoftProgress::stiff || progress_.level == n_levels()) return 1.0;
@@ -105,7 +107,7 @@ double SoftRelaxer<Dim>::softening() const {
   return std::pow(options_.softening, 1.0 - static_cast<double>(progress_.level) / n_levels());
 }
 
-/// Makes a relaxer for the packing with its present springs. The packing is moved out of this object.
+/// Makes a relaxer for the packing with its present springs, and moves the packing into the relaxer.
 template <int Dim>
 Relaxer<Dim> SoftRelaxer<Dim>::relaxer() {
   RelaxationProgress progress;
@@ -119,7 +121,7 @@ Relaxer<Dim> SoftRelaxer<Dim>::relaxer() {
   if (progress_.stage != SoftProgress::stiff) {
     options.finish = Finish::dynamic;  // Newton steps would solve for an equilibrium of the soft springs
   } else if (progress_.n_collapses > 0 && progress_.relaxation.empty()) {
-    // Power control removes the motion that remains after the springs have been restored.
+    // Power control removes the motion that is left after the springs have regained their stiffness.
     progress.phase = RelaxationProgress::finishing;
     progress.finishing_since_phi = progress_.begun_phi;
     progress.next_refinement = 1;
@@ -131,7 +133,7 @@ Relaxer<Dim> SoftRelaxer<Dim>::relaxer() {
   return out;
 }
 
-/// Takes the packing and the results back from a relaxer that relaxer() made.
+/// Takes the packing and the results back from a relaxer that was made by relaxer().
 template <int Dim>
 void SoftRelaxer<Dim>::keep(Relaxer<Dim> relaxer) {
   report_ = relaxer.report();
@@ -155,7 +157,7 @@ RelaxationStatus SoftRelaxer<Dim>::advance() {
 }
 
 /// Whether the density of a packing with the springs of its contact law has changed by more than elastic strains can
-/// explain.
+/// cause.
 template <int Dim>
 bool SoftRelaxer<Dim>::collapses() const {
   const double change = std::abs(solid_fraction(packing_) / progress_.begun_phi - 1.0);
@@ -171,7 +173,8 @@ void SoftRelaxer<Dim>::soften() {
   enter(SoftProgress::moving);
 }
 
-/// Makes the springs stiffer by one step, and moves the packing until it has nearly come to rest.
+/// Makes the springs stiffer by one step of the stage `restoring`, and moves the packing until it has nearly come to
+/// rest.
 template <int Dim>
 RelaxationStatus SoftRelaxer<Dim>::restore() {
   const double from = softening();
@@ -213,8 +216,8 @@ bool SoftRelaxer<Dim>::come_to_rest() {
   return true;
 }
 
-/// Advances the relaxer of the stages `moving` and `stiff` by a chunk of time steps. The stage `moving` ends when the
-/// motion has stopped.
+/// Advances the relaxation by a chunk of time steps in the stages `moving` and `stiff`. The stage `moving` ends when
+/// the motion has stopped.
 template <int Dim>
 RelaxationStatus SoftRelaxer<Dim>::move() {
   Relaxer<Dim> moving = relaxer();

@@ -10,36 +10,38 @@
 
 namespace floc {
 
-/// Progress of a relaxation with soft springs. Together with the packing it determines how the relaxation continues.
+/// Progress of a relaxation with soft springs. The rest of the relaxation is determined by the progress and the
+/// packing.
 struct SoftProgress {
   enum Stage {
     stiff,      ///< the packing has the springs of its contact law
     moving,     ///< the grains rearrange on soft springs
-    restoring,  ///< the springs regain their stiffness in a few steps, and keep their forces
+    restoring,  ///< the springs regain their stiffness in a few steps, in which their forces do not change
   };
   int stage = stiff;
   int level = 0;             ///< number of steps of the stage `restoring` so far
-  int n_collapses = 0;       ///< number of times that the springs have been softened
+  int n_collapses = 0;       ///< number of collapses so far, for each of which the springs were softened
   double begun_phi = 0.0;    ///< solid fraction at the beginning of the stage `stiff`
   std::int64_t n_steps = 0;  ///< number of time steps of this relaxation so far
   double time = 0.0;         ///< simulated time of this relaxation so far (time)
-  /// progress of the Relaxer of stage `stiff` or `moving`; empty before its first chunk
+  /// progress of the Relaxer that is used in the stages `stiff` and `moving`; empty before its first chunk
   std::string relaxation;
 };
 
-/// Relaxer of a periodic packing that collapses on soft springs: their stiffness is divided by
-/// RelaxationOptions::softening, and time steps are longer by the square root of this factor (docs/numerics.md, "Soft
-/// collapse"). A Relaxer takes the packing towards its equilibrium. If the solid fraction changes by more than elastic
-/// strains can explain, the springs become soft, and the grains move until they stop. The springs then become stiff
-/// again, and a Relaxer brings the packing to equilibrium. A packing without contacts moves on soft springs from the
-/// start.
+/// Relaxer of a periodic packing that uses soft springs while the packing collapses. The stiffness of soft springs is
+/// divided by RelaxationOptions::softening, and time steps are longer by the square root of this factor
+/// (docs/numerics.md, "Soft collapse"). At first, a Relaxer moves the packing towards equilibrium with the springs of
+/// the contact law. If the solid fraction changes by more than elastic strains can cause, the springs become soft, and
+/// the grains move until they stop. The springs then regain their stiffness, and a Relaxer brings the packing to
+/// equilibrium. A packing without contacts moves on soft springs from the start.
 ///
-/// Between two chunks of time steps the packing has its own contact law, with the overlaps and elongations of the soft
-/// springs. Its forces are then those of the soft springs times the softening.
+/// Between two chunks of time steps the packing has its own contact law with full stiffness, together with the overlaps
+/// and elongations of the soft springs. Its forces are then larger than those of the soft springs by the factor of the
+/// softening.
 template <int Dim>
 class SoftRelaxer final : public Equilibrator<Dim> {
  public:
-  /// @throws InputError if the contact law, the pressure or an imposed length forbids the softening
+  /// @throws InputError if the contact law, the pressure or an imposed length does not allow the softening
   SoftRelaxer(const RelaxationOptions& options, Packing<Dim> packing, const LoadTarget<Dim>& load,
               const std::string& progress = "");
 
@@ -76,8 +78,8 @@ class SoftRelaxer final : public Equilibrator<Dim> {
   MotionObserver<Dim> observer_;
 };
 
-/// Returns the text of SoftRelaxer::progress() at the beginning of a relaxation whose packing already moves on soft
-/// springs.
+/// Returns the text of SoftRelaxer::progress() for the beginning of a relaxation in which the packing moves on soft
+/// springs from the start.
 std::string progress_on_soft_springs();
 
 }  // namespace floc

@@ -12,15 +12,15 @@
 namespace floc {
 namespace {
 
-/// Weight of the squared relative displacement of two grains perpendicular to the normal of their contact, divided by
-/// the weight of the displacement along the normal.
+/// Weight of displacements across a contact, divided by the weight of displacements along its normal. The weights
+/// multiply the squared relative displacements of the two grains.
 constexpr double kAcross = 1e-4;
 /// Relative accuracy of the computed displacements of the grains.
 constexpr double kGapAccuracy = 1e-4;
 /// Largest number of iterations that compute these displacements.
 constexpr int kMostIterations = 5000;
 
-/// Multiplies the numbers in the histories of all contacts by a factor that depends on the unit of the number.
+/// Multiplies the numbers in the histories of all contacts by factors that depend on the units of the numbers.
 template <int Dim, class FactorOfUnit>
 void multiply_histories(Packing<Dim>& packing, const Law& law, const FactorOfUnit& factor) {
   for (const HistoryQuantity& q : history_quantities(law, Dim))
@@ -32,7 +32,7 @@ template <int Dim>
 struct GapChange {
   int i, j;
   Vec<Dim> normal, branch;
-  double weight;  ///< weight of the squared error of the change: stiffness of the contact (force/length)
+  double weight;  ///< weight of the squared error of the gap: stiffness of the contact (force/length)
   double change;  ///< required change of the gap (length)
 };
 
@@ -53,9 +53,9 @@ struct Displacement {
   }
 };
 
-/// Least squares problem for the displacements that change the gaps of all contacts by required lengths. If many
-/// displacements do, the relative displacements perpendicular to the normals, whose squares have the weight kAcross,
-/// are least.
+/// Least squares problem for the displacements that change the gaps of all contacts by required lengths. Among all
+/// displacements with this effect, the solution has the smallest relative displacements perpendicular to the normals
+/// (weight kAcross).
 template <int Dim>
 class GapChanges {
  public:
@@ -149,7 +149,8 @@ template <int Dim>
 void soften_in_place(Packing<Dim>& packing, const Law& law, double from, double to) {
   if (from == to) return;
   packing.law = to == 1.0 ? law : softened(law, to);
-  // A history variable that is a force or a stiffness, and not an elongation, changes in proportion to the stiffness.
+  // Elongations do not change. History variables that are forces or stiffnesses change in proportion to the stiffness
+  // of the springs.
   multiply_histories(packing, law, [&](Unit unit) {
     return unit == Unit::force || unit == Unit::stiffness ? from / to : 1.0;
   });
@@ -161,8 +162,8 @@ void change_softening(Packing<Dim>& packing, const Law& law, double from, double
   const Displacement<Dim> displacement =
       GapChanges<Dim>(packing, std::pow(to / from, 1.0 / law.force_exponent())).solve();
   packing.law = to == 1.0 ? law : softened(law, to);
-  // A friction model whose history is a force also stores the stiffness of its last update. If this stiffness is zero,
-  // the next update does not change the force (MindlinFriction::set_force()).
+  // Friction models with a force as history also store the stiffness at the last update. This stiffness is set to zero,
+  // so that the next update does not change the force (MindlinFriction::set_force()).
   multiply_histories(packing, law, [&](Unit unit) {
     return unit == Unit::length || unit == Unit::angle ? to / from : unit == Unit::stiffness ? 0.0 : 1.0;
   });

@@ -27,13 +27,14 @@ namespace floc {
 namespace {
 
 /// Regularisation: stiffness that is added on the diagonal of the tangent matrix, divided by the stiffness of the
-/// stiffest contact. It keeps motions without stiffness from making the matrix singular. It is far below the stiffness
-/// of the softest mode of a packing (5e-6) and far above rounding errors.
+/// stiffest contact. Without this term, motions without stiffness would make the matrix singular. Its value is far
+/// below the relative stiffness of the softest mode of a packing (5e-6) and far above rounding errors.
 constexpr double kRegularisation = 1e-10;
 
 /// State of the packing in a Newton iteration: the cell, the positions of the grains, and the residuals of the
-/// equations of equilibrium. For each candidate contact (contact, or pair that may come into contact) the configuration
-/// holds the relative motion of the two surfaces since the start of the iterations, and the forces that result from it.
+/// equations of equilibrium. For each candidate contact (contact, or pair that may come into contact), the
+/// configuration also contains the relative motion of the two surfaces since the start of the iterations, and the
+/// resulting forces.
 template <int Dim>
 struct Configuration {
   std::vector<DoubleDoubleVec<Dim>> centre;
@@ -49,14 +50,14 @@ struct Configuration {
   /// result from `motion`.
   std::vector<Contact<Dim>> contacts;
   Eigen::VectorXd residual;
-  double worst = 0.0;  ///< largest residual, in the units of StaticSolverOptions::target
+  double worst = 0.0;  ///< largest of all residuals, in the units of StaticSolverOptions::target
   int n_contacts = 0;
   int n_mobilised = 0;
 };
 
-/// Returns the reduced coordinates s of a point x = s * lattice vectors. The function divides by the lattice components
-/// and does not multiply by an inverse matrix, so that a point inside a rectangular cell gives s < 1 in spite of
-/// rounding.
+/// Returns the reduced coordinates s of a point x = s * lattice vectors. The coordinates result from divisions by the
+/// lattice components and not from an inverse matrix. In spite of rounding, s is therefore below 1 for all points
+/// inside a rectangular cell.
 /// @param lower  lattice vectors, as the rows of a lower triangular matrix (length)
 template <int Dim>
 Vec<Dim> cell_coordinates(const Mat<Dim>& lower, const Vec<Dim>& x) {
@@ -88,9 +89,9 @@ double twist_about(const Vec<3>& normal, const RotationVector<3>& rotation_i,
 
 /// Equations of the static equilibrium of a packing. The unknowns are the displacement and the rotation (times the
 /// radius) of each grain, followed by the free strains (times the largest diameter). Strain (a, b) displaces grains
-/// along axis a in proportion to their coordinate along axis b. The equations are the balance of the force and of the
-/// moment (divided by the radius) on each grain, and the balance of stresses: the virial minus V Sigma (divided by the
-/// largest diameter), with V the volume and Sigma the imposed stress. All residuals are forces.
+/// along axis a in proportion to their coordinate along axis b. The equations are the balances of the force and of the
+/// moment (divided by the radius) on each grain, and the balance of the virial with V Sigma (divided by the largest
+/// diameter), where V is the volume and Sigma the imposed stress. The residuals of all equations are thus forces.
 template <int Dim>
 class StaticProblem {
  public:
@@ -118,9 +119,10 @@ class StaticProblem {
 
   TangentLayout layout() const { return {kDofs<Dim>, n_strains()}; }
 
-  /// Returns the stress residual that rounding leaves, because each component of the lattice vectors is rounded to a
-  /// double (in the units of StaticSolverOptions::target). It is the stress caused by a strain of one rounding error.
-  /// The elastic modulus is estimated as two normal stiffnesses K_N, its upper bound in a packing of disks.
+  /// Returns the smallest stress residual that can be reached, since each component of the lattice vectors is rounded
+  /// to a double (in the units of StaticSolverOptions::target). It is the stress caused by a strain of one rounding
+  /// error. The elastic modulus is estimated by its upper bound in a packing of disks, which is twice the normal
+  /// stiffness K_N.
   double rounding_of_stress() const {
     return 2.0 * std::numeric_limits<double>::epsilon() * stiffness_ * scale_.length / scale_.force;
   }
@@ -131,7 +133,7 @@ class StaticProblem {
   }
 
   /// Returns the configuration at the end of a strain ramp: the cell has its final lengths and offset, and the grains
-  /// have been moved affinely with it.
+  /// have been moved affinely with the cell.
   Configuration<Dim> strained(const Configuration<Dim>& from, const StrainRamp<Dim>& ramp) const {
     Mat<Dim> strain = Mat<Dim>::Zero();
     for (int a = 0; a < Dim; ++a)
@@ -142,17 +144,17 @@ class StaticProblem {
 
   /// Returns the configuration after a displacement of the grains and a strain of the lattice.
   /// @param step  changes of all unknowns, of which only those of the grains are used
-  /// @param wanted  strain of the lattice, which deforms the positions affinely in addition to the displacements
+  /// @param wanted  strain of the lattice, which also moves the grains affinely
   Configuration<Dim> moved(const Configuration<Dim>& from, const Eigen::VectorXd& step,
                            const Mat<Dim>& wanted) const {
     Configuration<Dim> to = from;
     const Mat<Dim> lattice = from.cell.matrix;
     to.cell.matrix = lattice + lattice * wanted.transpose();
-    // Strain of the lattice between its old and its new components. It differs slightly from `wanted`, since the new
+    // Strain from the old to the new components of the lattice. It differs slightly from `wanted`, since the new
     // components are rounded to doubles.
     const Mat<Dim> strain = strain_between(lattice, to.cell.matrix);
-    // The unknown of the equations is the strain times the largest diameter. Multiplying and dividing by this diameter
-    // gives the strain the rounding error of the unknown.
+    // The unknown of the equations is the strain times the largest diameter. The strain is multiplied and divided by
+    // this diameter, so that it contains the rounding error of the unknown.
     const Mat<Dim> unknown = strain * scale_.length;
     const Mat<Dim> applied = (wanted.array() != 0.0).select(unknown / scale_.length, Mat<Dim>::Zero());
     for (int i = 0; i < n_grains(); ++i) {
@@ -205,10 +207,10 @@ class StaticProblem {
     matrix.add_boundary(load);
   }
 
-  /// Whether two grains interact that are not a candidate contact. The candidates are all pairs that displacements
-  /// within the limits of the solver can bring together. However, parts of the packing that no contact joins have no
-  /// stiffness against each other, and a step may move them by any distance. Without stress, this happens between a
-  /// cluster of grains and its own periodic images.
+  /// Whether any two grains interact although they are not a candidate contact. The candidates are all pairs that
+  /// displacements within the limits of the solver can bring together. However, if no contact joins two parts of the
+  /// packing, their relative motion has no stiffness, and a step may move them by any distance. Without stress, this
+  /// happens between a cluster of grains and its own periodic images.
   bool meets_others(const Configuration<Dim>& at) const {
     Packing<Dim> here;
     here.contacts = at.remembered;
@@ -222,8 +224,8 @@ class StaticProblem {
     }
   }
 
-  /// Returns the packing of a configuration: at rest, with updated history variables, and with the grains inside the
-  /// cell.
+  /// Returns the packing of a configuration. It is at rest, its history variables are updated, and its grains are
+  /// inside the cell.
   Packing<Dim> packing(const Configuration<Dim>& at) const {
     Packing<Dim> out = start_;
     out.cell = at.cell;
@@ -305,7 +307,7 @@ class StaticProblem {
     return found.normal;
   }
 
-  /// Returns the number of lattice vectors along each axis by which grain i has to be moved to lie in the cell.
+  /// Returns the number of lattice vectors along each axis by which grain i has to be moved into the cell.
   Vec<Dim, int> image_into_cell(const Configuration<Dim>& at, int i) const {
     Vec<Dim> high;
     for (int a = 0; a < Dim; ++a) high[a] = at.centre[i][a].high;
@@ -352,8 +354,8 @@ class StaticProblem {
       const Vec<Dim> on_i = force_on_i(c);
       at.residual.template segment<Dim>(first_i) += on_i;
       at.residual.template segment<Dim>(first_j) -= on_i;
-      // The lever arms are proportional to the radii, so that the moment of the shear force divided by the radius is
-      // equal for both grains.
+      // The lever arms are proportional to the radii. The moment of the shear force, divided by the radius, is
+      // therefore equal for both grains.
       const RotationVector<Dim> shear_moment = moment<double>(at.branch[k], c.shear_force) / radii(c);
       const RotationVector<Dim> of_springs = spring_moment(c);
       at.residual.template segment<kRotationDofs>(first_i + Dim) += shear_moment + of_springs / radius[c.i];
@@ -366,8 +368,8 @@ class StaticProblem {
     measure(at);
   }
 
-  /// Sets the largest residual of a configuration (Configuration::worst). For an inverted lattice it is set to
-  /// infinity, so that a step to an inverted lattice is rejected even if there are no contacts.
+  /// Sets the largest residual of a configuration (Configuration::worst). For an inverted lattice this residual is set
+  /// to infinity, so that a step to such a lattice is rejected even without contacts.
   void measure(Configuration<Dim>& at) const {
     if (!(at.cell.matrix.diagonal().minCoeff() > 0.0)) {
       at.worst = std::numeric_limits<double>::infinity();
@@ -423,8 +425,8 @@ class StaticProblem {
   double stiffness_;  // normal stiffness of the stiffest contact (force/length)
 };
 
-/// Returns the method by which linear systems with the tangent matrix are solved. In 2D it is always a factorization,
-/// because the triangular factors of the matrix of a 2D packing need little memory for any number of grains.
+/// Returns the method by which linear systems with the tangent matrix are solved. In 2D the method is always a
+/// factorization, because the triangular factors need little memory for any number of grains.
 template <int Dim>
 TangentPlan plan_of(const StaticProblem<Dim>& problem, const TangentMatrix<Dim>& tangent) {
   return Dim == 2 ? TangentPlan{} : plan_tangent(tangent.matrix(), problem.layout());

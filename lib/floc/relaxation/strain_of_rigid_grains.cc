@@ -14,18 +14,19 @@ namespace {
 
 /// Number of time steps of a strain in one call of advance().
 constexpr int kStrainingSteps = 20;
-/// Factor by which the largest number of sweeps is higher in the step whose forces are recorded in motion than in other
+/// Largest number of sweeps in the step whose forces are recorded in motion, divided by the largest number in other
 /// steps.
 constexpr int kSweepsOfRecord = 50;
-/// Largest repulsive force of a contact that counts as carrying no force in a recorded motion, divided by the mean
-/// repulsive force.
+/// Largest repulsive force of a contact that counts as force-free in a recorded motion, divided by the mean repulsive
+/// force.
 constexpr double kIdle = 1e-9;
 /// Side below which a cell counts as closed, in largest diameters.
 constexpr double kClosedSide = 0.5;
 
 }  // namespace
 
-/// Records the lengths of the cell before the strain, and sets the rates of sides with an imposed length to zero.
+/// Records the lengths of the cell before the strain. Sets the rates of change of sides with an imposed length, and all
+/// shear rates, to zero.
 template <int Dim>
 void ContactDynamicsRelaxer<Dim>::begin_strain() {
   const Mat<Dim>& matrix = packing_.cell.matrix;
@@ -58,8 +59,8 @@ ImposedStrain<Dim> ContactDynamicsRelaxer<Dim>::imposed_strain() const {
   return strain;
 }
 
-/// Sets the velocity of the cell for the next step of the imposed strain, and shortens this step so that the last step
-/// ends at the full strain.
+/// Sets the velocity of the cell for the next step of the imposed strain. Shortens this step so that a whole number of
+/// steps is left until the full strain.
 /// @return false if the strain is already complete
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::impose_strain(ContactDynamics<Dim>& motion) const {
@@ -69,8 +70,8 @@ bool ContactDynamicsRelaxer<Dim>::impose_strain(ContactDynamics<Dim>& motion) co
   motion.shorten_next_step(left / std::ceil(left / motion.time_step()));
   const double dt = motion.time_step();
   const Cell<Dim>& cell = motion.packing().cell;
-  // A step multiplies the matrix Q, whose rows are the lattice vectors, by 1 + dt L^T, with L the velocity gradient and
-  // dt the time step.
+  // The rows of the matrix Q are the lattice vectors. A step of length dt multiplies Q by 1 + dt L^T, with the velocity
+  // gradient L.
   Mat<Dim> next = cell.matrix;
   strain.set_lattice(progress_.time + dt, next);
   const Vec<Dim> before = cell.rate().diagonal();
@@ -97,7 +98,7 @@ std::string ContactDynamicsRelaxer<Dim>::closed_cell() const {
   return "";
 }
 
-/// Strains the cell in the next kStrainingSteps time steps, and records the motion at the end of the strain.
+/// Makes the next kStrainingSteps time steps of the strain, and records the motion when the strain is complete.
 template <int Dim>
 RelaxationStatus ContactDynamicsRelaxer<Dim>::strain() {
   if (!closed_cell().empty()) {
@@ -113,7 +114,7 @@ RelaxationStatus ContactDynamicsRelaxer<Dim>::strain() {
 /// Gives the contacts the forces of the time step that begins at the present positions and velocities.
 template <int Dim>
 void ContactDynamicsRelaxer<Dim>::record_motion() {
-  // exact: without the rounding errors of the steps
+  // The lengths are set once more to remove the rounding errors of the steps.
   imposed_strain().set_lattice(progress_.time, packing_.cell.matrix);
   ContactDynamicsSettings chosen = settings();
   chosen.longest_step = progress_.time_step;

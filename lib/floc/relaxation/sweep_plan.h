@@ -10,7 +10,7 @@ namespace floc {
 
 /// Order in which threads process the blocks of grains in a time step. A pair belongs to the block of its first grain.
 /// Each thread owns consecutive groups of blocks and processes one group after the other:
-/// 1. It moves (drifts) the blocks that the pairs of the group read and that have not yet moved in this step.
+/// 1. It moves (drifts) those blocks that are read by the pairs of the group and have not yet moved in this step.
 /// 2. It computes the forces of the pairs of the group.
 /// 3. It sums the forces on the grains of the group. The grains of a large packing are thus read from memory once per
 /// step. Blocks that pairs of another thread also read are called shared. They drift before all other blocks, and the
@@ -26,21 +26,21 @@ class SweepPlan {
   int n_threads() const { return n_threads_; }
   int n_groups() const { return (n_blocks_ + blocks_of_group_ - 1) / blocks_of_group_; }
   int group_of(int block) const { return block / blocks_of_group_; }
-  /// Returns the index of the first block of a group. For the number of groups as argument, returns the number of
+  /// Returns the index of the first block of a group. If `group` equals the number of groups, returns the number of
   /// blocks.
   int first_block(int group) const { return std::min(group * blocks_of_group_, n_blocks_); }
-  /// Returns the index of the first group of a thread. For the number of threads as argument, returns the number of
+  /// Returns the index of the first group of a thread. If `thread` equals the number of threads, returns the number of
   /// groups.
   int first_group(int thread) const { return n_groups() * thread / n_threads_; }
   bool is_shared(int block) const { return is_shared_[block]; }
-  /// Returns the shared blocks (blocks that pairs of several threads read) that are assigned to this thread, which
-  /// moves their grains and sums the forces on them. Every thread gets about equally many shared blocks.
+  /// Returns those shared blocks (blocks that pairs of several threads read) that are assigned to a thread. This thread
+  /// moves their grains and sums the forces on the grains. Every thread gets about equally many shared blocks.
   std::span<const int> shared_of(int thread) const {
     const auto first = [&](std::size_t t) { return shared_.size() * t / n_threads_; };
     return std::span(shared_).subspan(first(thread), first(thread + 1) - first(thread));
   }
-  /// Returns the blocks that drift just before the forces of the pairs of this group are computed: blocks that are not
-  /// shared and that the pairs of no earlier group read.
+  /// Returns the blocks that drift just before the forces of the pairs of this group are computed. They are the blocks
+  /// that are not shared, are read by pairs of this group and are read by no earlier group.
   std::span<const int> drifting_for(int group) const {
     return std::span(drifting_).subspan(first_drifting_[group],
                                         first_drifting_[group + 1] - first_drifting_[group]);
@@ -50,8 +50,7 @@ class SweepPlan {
   int n_blocks_ = 0, n_threads_ = 1, blocks_of_group_ = 1;
   std::vector<bool> is_shared_;
   std::vector<int> shared_, drifting_;
-  /// Index in drifting_ of the first entry of each group of blocks; the last entry of first_drifting_ is the size of
-  /// drifting_.
+  /// For each group of blocks: index of its first entry in drifting_. The last entry is the size of drifting_.
   std::vector<int> first_drifting_;
 };
 
@@ -67,12 +66,12 @@ SweepPlan::SweepPlan(const PairArrays<Dim>& pairs, int n_blocks, int n_threads, 
   for (int t = 0; t < n_threads_; ++t)
     for (int g = first_group(t); g < first_group(t + 1); ++g)
       for_each_second_block(g, [&](int b) {
-        // The second grain of a pair comes after the first grain. Its block therefore belongs to this thread or to a
-        // thread with a higher number.
+        // The second grain of a pair comes after the first grain. The block of the second grain therefore belongs to
+        // this thread or to a thread with a higher number.
         if (group_of(b) >= first_group(t + 1)) is_shared_[b] = true;
       });
-  // A block is shared if pairs of threads with lower numbers read it, so no block of the first thread is shared. With
-  // many shared blocks, the first thread would have more to do than the others.
+  // A block is shared if pairs of threads with lower numbers read it. No block of the first thread is shared, so with
+  // many shared blocks the first thread would have more work than the others.
   if (std::count(is_shared_.begin(), is_shared_.end(), true) > n_blocks / 8) is_shared_.assign(n_blocks, true);
   for (int b = 0; b < n_blocks; ++b)
     if (is_shared_[b]) shared_.push_back(b);

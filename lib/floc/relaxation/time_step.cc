@@ -11,23 +11,22 @@
 namespace floc {
 namespace {
 
-/// Longest stable time step of an undamped crystal of equal grains with equal normal and tangential stiffness K_N, in
-/// units of sqrt(m/K_N): of a triangular crystal of disks in 2D, of close-packed spheres in 3D. In both crystals, the
-/// mode that becomes unstable first is a rotation of all grains in phase.
+/// Longest stable time step of an undamped crystal of equal grains (in 2D a triangular crystal of disks, in 3D
+/// close-packed spheres), in units of sqrt(m/K_N). The normal and the tangential stiffness are both K_N, and m is the
+/// mass of a grain. In both crystals, the mode that becomes unstable first is a rotation of all grains in phase.
 template <int Dim>
 constexpr double kCrystalLimit = 2.0 / (Dim == 2 ? 4.898979485566356 : 6.324555320336759);
 
-/// Assumed ratio of the largest overlap during a chunk of time steps to the largest overlap at the beginning of the
-/// chunk.
+/// Assumed largest overlap during a chunk of time steps, divided by the largest overlap at the beginning of the chunk.
 constexpr double kDeeper = 1.3;
-/// Assumed ratio of the largest to the mean contact force in a packing under pressure. A Hertz contact has twice the
-/// stiffness under the largest force that it has under the mean force.
+/// Assumed ratio of the largest to the mean contact force in a packing under pressure. The stiffness of a Hertz contact
+/// under this largest force is twice its stiffness under the mean force.
 constexpr double kLargestForce = 8.0;
-/// Product z Phi of the coordination number z and the solid fraction Phi in a packing with few contacts. It serves to
-/// estimate the mean contact force under a pressure.
+/// Product z Phi of the coordination number z and the solid fraction Phi in a packing with few contacts. The mean
+/// contact force under a pressure is estimated with this product.
 constexpr double kFewContacts = 4.0;
 
-/// Solid fraction of the closest packing. It serves to estimate the largest frequency at which the cell vibrates.
+/// Solid fraction of the closest packing, from which the largest frequency at which the cell vibrates is estimated.
 template <int Dim>
 constexpr double kClosePacked = Dim == 2 ? 0.9069 : 0.7405;
 
@@ -91,8 +90,8 @@ double time_step_of(const Packing<Dim>& packing, double time_step_in_contact_tim
             // If tangential springs are stiffer than normal springs, they vibrate faster.
             const double stiffest = std::max(bound.normal, bound.tangential);
             shortest = std::min(shortest, std::sqrt(g.mass[i] / stiffest));
-            // The longest stable time step of rolling motions, in units of sqrt(inertia/rolling stiffness), is 1.45
-            // times that of vibrations, in units of sqrt(mass/stiffness) (measured in crystals).
+            // Rolling motions are stable up to a time step of x sqrt(inertia/rolling stiffness), vibrations up to y
+            // sqrt(mass/stiffness), with x = 1.45 y (measured in crystals).
             const double turning = std::max(bound.rolling, bound.twisting);
             if (turning > 0.0) shortest = std::min(shortest, 1.45 * std::sqrt(g.inertia(i) / turning));
           }
@@ -113,8 +112,8 @@ double cell_time_step_of(const Packing<Dim>& packing, double cell_mass, double t
   for (const double r : g.radius) squared_diameters += 4.0 * r * r;
   const double shrinks = std::min(1.0, std::pow(solid_fraction(packing) / kClosePacked<Dim>, 1.0 / Dim));
   const double side = shrinks * packing.cell.matrix.diagonal().minCoeff();
-  // In a close packing, a grain has 6 (2D) or 12 (3D) neighbours, and half of each contact belongs to it. The mean of
-  // n_a^2 over the contacts is 1/Dim, with n_a a component of the normal of a contact.
+  // In a close packing, a grain has 6 (2D) or 12 (3D) neighbours, so there are 3 or 6 contacts per grain. The mean of
+  // n_a^2 over the contacts is 1/Dim, where n_a is a component of the normal of a contact.
   constexpr double kContactsAlong = Dim == 2 ? 3.0 / 2.0 : 6.0 / 3.0;
   const double stiffness = stiffest_contact(g, packing.law, load_on(packing, pressure), false);
   const double frequency = std::sqrt(kContactsAlong * stiffness * squared_diameters / cell_mass) / side;

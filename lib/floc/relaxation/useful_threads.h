@@ -5,8 +5,8 @@
 namespace floc {
 
 /// Returns the number of threads that shorten the time steps of a packing: at most `asked`, at most one per 1400 disks
-/// or 500 spheres, and at least one. With fewer grains per thread, waiting for other threads takes more time than the
-/// additional thread saves. The time of a step with two threads, divided by its time with one thread, was measured as
+/// or 500 spheres, and at least one. With fewer grains per thread, an additional thread saves less time than it adds by
+/// waiting for other threads. The time of a step with two threads, divided by its time with one thread, was measured as
 /// 1.6 for 1400 disks, 0.8 for 2800 disks, 0.85 for 1400 spheres and 0.75 for 2800 spheres. Results do not depend on
 /// the number of threads.
 /// @param n_grains   number of grains, >= 0

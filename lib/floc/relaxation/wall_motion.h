@@ -10,10 +10,10 @@
 
 namespace floc {
 
-/// Walls of a packing in motion, moved by the velocity Verlet scheme that moves the grains. The load of an axis between
-/// walls acts on both walls: a stress p exerts an inward force p S on each wall, with S the area of the wall. The
-/// potential energy of the load is then p V, with V the volume of the box [SVI2024]. If a strain rate is imposed on the
-/// axis, each of its two walls moves with half of their relative velocity.
+/// Walls of a packing in motion, moved by velocity Verlet steps, like the grains. A stress p imposed on an axis between
+/// two walls exerts an inward force p S on each wall, with the area S of a wall. The potential energy of this load is
+/// p V, with the volume V of the box [SVI2024]. If a strain rate is imposed on the axis, the two walls move in opposite
+/// directions at equal speeds.
 template <int Dim>
 class WallMotion {
  public:
@@ -23,7 +23,8 @@ class WallMotion {
   int size() const { return static_cast<int>(walls_.size()); }
   const std::vector<Wall<Dim>>& walls() const { return walls_; }
   bool bounds(int axis) const { return between_[axis]; }
-  /// Distance between the two walls of an axis (length), and its rate of change (length/time). @pre bounds(axis)
+  /// Distance between the two walls of an axis (length), and rate of change of this distance (length/time).
+  /// @pre bounds(axis)
   double distance(int axis) const { return gap_of(axis, &Wall<Dim>::position); }
   double distance_rate(int axis) const { return gap_of(axis, &Wall<Dim>::velocity); }
 
@@ -36,7 +37,7 @@ class WallMotion {
   /// Sums the forces with which grains push each wall outwards, in the order of the pairs that list_pairs() has listed.
   void sum_forces(const Interaction<Dim>& interaction);
 
-  /// Accelerates the walls over half a time step by the forces that sum_forces() has summed last.
+  /// Accelerates the walls over half a time step by the forces of the last call of sum_forces().
   /// @param area  area of the walls of each axis (length^(Dim-1))
   void kick(double half_step, const BoundaryControl<Dim>& control, const Vec<Dim>& area);
   void drift(double time_step);

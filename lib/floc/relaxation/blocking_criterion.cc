@@ -11,14 +11,15 @@ std::string in_words(const Unmet& unmet) {
   const auto against = [&unmet](const char* what) {
     return fmt::format("{} {:.2e} (limit {:.0e})", what, unmet.value, unmet.limit);
   };
-  // // The switch has no default case, so the compiler warns if a criterion has no text.
+  // The switch has no default case, so that the compiler warns if a criterion has no text.
   switch (unmet.demand) {
     case Demand::none:
       return "";
     case Demand::lengths:
       return "the axes have not yet reached their imposed lengths";
     case Demand::response:
-      return against("the stress has not yet responded to the load of this step: its residual is");
+      return against(
+          "the stress has not yet responded to the load of this step: the residual of the stress is");
     case Demand::density:
       return against("the density is not steady: it changes by");
     case Demand::stress:
@@ -32,7 +33,7 @@ std::string in_words(const Unmet& unmet) {
           "the grains still move: their mean kinetic energy, in units of force scale times largest diameter, "
           "is");
     case Demand::wall_load:
-      return "a wall has never yet borne half of its imposed pressure";
+      return "the walls have not yet borne half of their load (imposed pressures and weight)";
     case Demand::pressure:
       return against("walls do not yet bear their imposed pressure: the largest relative difference is");
     case Demand::energy_ratio:

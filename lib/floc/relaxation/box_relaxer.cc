@@ -50,10 +50,10 @@ constexpr auto kBoxMembers = [](auto& p, const auto& visit) {
 
 CompactionProgress parsed(const std::string& text) {
   if (text.empty()) return {};
-  return members_from_json<CompactionProgress>(
-      text, "progress",
-      "the text does not hold the progress of a compaction between walls in the format of this version of floc",
-      kBoxMembers);
+  return members_from_json<CompactionProgress>(text, "progress",
+                                               "the text does not contain the progress of a compaction between "
+                                               "walls in the format of this version of floc",
+                                               kBoxMembers);
 }
 
 /// Returns twice the height of the centre of mass of the grains above the floor (length). A homogeneous bed of this
@@ -212,8 +212,8 @@ std::string BoxRelaxer<Dim>::lost() const {
     for (int i = 0; i < g.size() && !wall.open; ++i)
       if (!(wall.side * (wall.position - g.position[i][wall.axis]) > 0.0))
         return fmt::format(
-            "grain {} has its centre on or beyond a wall of axis {}: the walls are too fast, or the "
-            "pressure too high for the stiffness of the grains",
+            "grain {} has its centre on or beyond a wall of axis {}: the walls move too fast, or the "
+            "pressure is too high for the stiffness of the grains",
             g.name(i), wall.axis + 1);
   const double a = largest_diameter(g);
   const std::vector<double> force = wall_forces(packing_);
@@ -230,9 +230,8 @@ std::string BoxRelaxer<Dim>::lost() const {
     if (follows_forces(packing_.walls[w]) && force[w] == 0.0 &&
         side > kLargestExpansion * progress_.start_side[axis])
       return fmt::format(
-          "the walls across axis {} move apart without end: their distance is {:.4g}, at the beginning it was "
-          "{:.4g}, and no grain touches them; choose a higher pressure, or grains that move less at the "
-          "beginning",
+          "the walls across axis {} move apart without end: their distance is {:.4g} (at the beginning {:.4g}) "
+          "and no grain touches them; choose a higher pressure, or slower grains at the beginning",
           axis + 1, side, progress_.start_side[axis]);
   }
   return "";

@@ -17,7 +17,7 @@ struct CellResponse {
   std::optional<double> strain_rate_cap = {};
   /// Value that replaces RelaxationOptions::softening during this stage.
   std::optional<double> softening = {};
-  /// Rate at which rigid grains are strained (ContactDynamicsOptions::inertial_number).
+  /// Strain rate of a packing of rigid grains (ContactDynamicsOptions::inertial_number).
   std::optional<double> inertial_number = {};
 
   bool has_cap() const { return inertial_number_cap || strain_rate_cap; }

@@ -141,14 +141,14 @@ Vec<Dim> imposed_stress(const LoadTarget<Dim>& load) {
     if (!(load.stress[a] > 0.0))
       throw InputError("load",
                        "rigid grains need a positive stress on every axis without an imposed length, because "
-                       "it sets the scale of their forces");
+                       "this stress sets the scale of forces");
     sum += load.stress[a], ++n;
   }
   if (n == 0)
     throw InputError(
         "load",
         "the lengths of all axes are imposed, but rigid grains need a stress on at least one axis, because "
-        "it sets the scale of their forces");
+        "this stress sets the scale of forces");
   Vec<Dim> out = load.stress;
   for (int a = 0; a < Dim; ++a)
     if (load.strained(a)) out[a] = sum / n;
@@ -179,7 +179,7 @@ ContactDynamicsRelaxer<Dim>::ContactDynamicsRelaxer(const RelaxationOptions& opt
   if (!progress.empty())
     progress_ =
         members_from_json<ContactDynamicsProgress>(progress, "progress",
-                                                   "the text does not hold the progress of a relaxation of "
+                                                   "the text does not contain the progress of a relaxation of "
                                                    "rigid grains in the format of this version of floc",
                                                    kMembers);
   time_unit_ = inertial_time(packing_, imposed_);
@@ -371,8 +371,8 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
   const double reached_gap = solves_at_once() ? std::min(tolerance, kGapAtOnce) : tolerance;
   if (const double gap = largest_gap(); gap > reached_gap) {
     progress_.obstacle = fmt::format(
-        "a contact that carries a force has a gap of {:.2g} smaller diameters, or two grains overlap by "
-        "this much, but the tolerance is {:.2g}",
+        "the largest gap of a contact with a force, or the largest overlap, is {:.2g} times the diameter of "
+        "the smaller grain, but the tolerance is {:.2g}",
         gap, reached_gap);
     // Errors of the impulses displace grains in proportion to the square of the time step, so the steps become shorter.
     if (!solves_at_once()) progress_.rest_length = std::max(0.5 * progress_.rest_length, kShortestRest);
@@ -497,7 +497,7 @@ RelaxationReport ContactDynamicsRelaxer<Dim>::report() const {
   else
     report.blocking = fmt::format(
         "the grains still move: their root mean square velocity is {:.2g} of the largest diameter per time "
-        "unit T, and the largest strain rate of the {} {:.2g} per T",
+        "unit T, and the largest strain rate of the {} is {:.2g} per T",
         rms_velocity(packing_.grains) * time_unit_ / largest_diameter(packing_.grains),
         packing_.walls.empty() ? "cell" : "box", boundary_rate(packing_) * time_unit_);
   return report;

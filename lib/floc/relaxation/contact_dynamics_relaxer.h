@@ -41,8 +41,8 @@ struct ContactDynamicsProgress {
   std::string obstacle;  ///< reason why the last search found no balanced forces; empty before the first search
 };
 
-/// Brings a packing of rigid grains to equilibrium under a stress on each axis of its cell or on its walls, and under
-/// its weight, in three phases:
+/// Brings a packing of rigid grains to equilibrium under its weight and under stresses imposed on the axes of its cell
+/// or on its walls. There are three phases:
 /// 1. The grains move under the load (contact_dynamics.h) until they have been calm for 40 steps: the root mean square
 /// velocity is below 6e-3 d/T and the strain rate of the cell or box is below 3 % of its cap, with the largest diameter
 /// d and the time unit T = sqrt(m/(P d^(Dim-2))).
@@ -50,8 +50,9 @@ struct ContactDynamicsProgress {
 /// grains with corners are solved all at once in each step (rigid/implicit_step.h), and so are those of other packings
 /// if sweeps have not brought them to rest.
 /// 3. Without motion of the grains, forces are sought that satisfy Coulomb's conditions and balance all grains and the
-/// imposed stress (rigid/static_forces.h). If there are none, some grain still moves, and phase 2 continues. Sides of
-/// the cell with an imposed length do not move during these phases; the stress on them results from the forces.
+/// imposed stress (rigid/static_forces.h). If there are none, some grain still moves, and phase 2 continues.
+///
+/// Sides of the cell with an imposed length do not move during these phases; the stress on them results from the forces.
 ///
 /// If the load changes a length or shears the cell, the relaxation is a motion instead: the cell is strained at a
 /// constant rate (ContactDynamicsOptions::inertial_number), and the packing is recorded in motion when it reaches the
@@ -59,7 +60,7 @@ struct ContactDynamicsProgress {
 template <int Dim>
 class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
  public:
-  /// @throws InputError if the load imposes no positive stress on any axis
+  /// @throws InputError if the load imposes no stress on any axis, or a stress that is not positive
   ContactDynamicsRelaxer(const RelaxationOptions& options, Packing<Dim> packing, const LoadTarget<Dim>& load,
                          const std::string& progress = "");
 

@@ -50,7 +50,7 @@ std::string as_text(const RelaxationProgress& progress) {
 RelaxationProgress relaxation_progress(const std::string& text) {
   auto progress = members_from_json<RelaxationProgress>(
       text, "progress",
-      "the text does not hold the progress of a relaxation in the format of this version of floc",
+      "the text does not contain the progress of a relaxation in the format of this version of floc",
       kProgressMembers);
   const nlohmann::json json = nlohmann::json::parse(text);
   kLaterMembers(progress, [&json](const char* name, auto& value) {

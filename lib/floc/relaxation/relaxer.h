@@ -20,8 +20,9 @@ namespace floc {
 /// 1. Newton steps alone, if the packing does not rearrange under the load.
 /// 2. Otherwise time integration of the motion (dynamics) until the motion has stopped; then power control, which sets
 /// all velocities to zero whenever the kinetic energy falls, and Newton steps.
-/// The relaxer advances in chunks of a fixed number of time steps; a run that is stopped between two chunks and
-/// continued gives identical results.
+///
+/// The relaxer advances in chunks of a fixed number of time steps. If a run is stopped between two chunks and continued
+/// later, the results are identical.
 template <int Dim>
 class Relaxer final : public Equilibrator<Dim> {
  public:

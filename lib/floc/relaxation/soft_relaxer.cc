@@ -14,7 +14,7 @@
 namespace floc {
 namespace {
 
-/// Largest ratio by which the stiffness changes in one step of the stage `restoring`.
+/// Largest factor by which the stiffness increases in one step of the stage `restoring`.
 constexpr double kLevelRatio = 4.0;
 /// Number of time steps under power control after each step of the stage `restoring`.
 constexpr int kStepsOfLevel = 500;
@@ -45,7 +45,7 @@ constexpr auto kSoftMembers = [](auto& p, const auto& visit) {
 SoftProgress soft_progress(const std::string& text) {
   if (text.empty()) return {};
   return members_from_json<SoftProgress>(text, "progress",
-                                         "the text does not hold the progress of a relaxation with soft "
+                                         "the text does not contain the progress of a relaxation with soft "
                                          "springs in the format of this version of floc",
                                          kSoftMembers);
 }

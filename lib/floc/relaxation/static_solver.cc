@@ -511,7 +511,7 @@ StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryContr
   solution.converged = now.worst <= target_residual;
   if (solution.converged && problem.meets_others(now)) {
     solution.converged = false;
-    solution.reason = "grains come into contact that were too far apart to be candidate contacts";
+    solution.reason = "grains come into contact that were too far apart at the start of the iterations";
   }
   solution.residual = now.worst;
   solution.packing = problem.packing(now);

@@ -12,14 +12,16 @@ namespace floc {
 /// Each thread owns consecutive groups of blocks and processes one group after the other:
 /// 1. It moves (drifts) those blocks that are read by the pairs of the group and have not yet moved in this step.
 /// 2. It computes the forces of the pairs of the group.
-/// 3. It sums the forces on the grains of the group. The grains of a large packing are thus read from memory once per
-/// step. Blocks that pairs of another thread also read are called shared. They drift before all other blocks, and the
-/// forces on their grains are summed after the forces of all pairs have been computed. If there are many shared blocks,
-/// all blocks are treated as shared.
+/// 3. It sums the forces on the grains of the group.
+///
+/// In this order, the grains of a large packing are read from memory only once per step. Blocks that are also read by
+/// pairs of another thread are called shared. Shared blocks drift before all other blocks, and the forces on their
+/// grains are summed after the forces of all pairs have been computed. If there are many shared blocks, all blocks are
+/// treated as shared.
 class SweepPlan {
  public:
   SweepPlan() = default;
-  /// @param blocks_of_group  number of blocks per group: the number with which `pairs` was padded, or a multiple of it
+  /// @param blocks_of_group  number of blocks per group, a multiple of the number with which `pairs` was padded
   template <int Dim>
   SweepPlan(const PairArrays<Dim>& pairs, int n_blocks, int n_threads, int blocks_of_group);
 

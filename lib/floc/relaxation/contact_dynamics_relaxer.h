@@ -52,7 +52,8 @@ struct ContactDynamicsProgress {
 /// 3. Without motion of the grains, forces are sought that satisfy Coulomb's conditions and balance all grains and the
 /// imposed stress (rigid/static_forces.h). If there are none, some grain still moves, and phase 2 continues.
 ///
-/// Sides of the cell with an imposed length do not move during these phases; the stress on them results from the forces.
+/// Sides of the cell with an imposed length do not move during these phases. The stress on them results from the
+/// forces.
 ///
 /// If the load changes a length or shears the cell, the relaxation is a motion instead: the cell is strained at a
 /// constant rate (ContactDynamicsOptions::inertial_number), and the packing is recorded in motion when it reaches the

@@ -25,8 +25,8 @@ struct RelaxationReport {
   /// Number of liquid bridges that would form or break if the liquid of the equilibrium were shared out once more; -1
   /// before an equilibrium is found and in packings without liquid.
   int n_bridges_unsettled = -1;
-  /// Number of mechanisms (motions without stiffness) of the structure that carries the load between walls; -1 before
-  /// mechanisms are counted. A state with mechanisms is not an equilibrium.
+  /// Number of mechanisms (motions without stiffness) of the structure that carries the load between walls; -1 if
+  /// mechanisms have not been counted. A state with mechanisms is not an equilibrium.
   int n_mechanisms = -1;
   /// Keyword for the end of the relaxation. After a success: "polished" (equilibrium found by dynamics and then Newton
   /// steps), "dynamic" (by dynamics alone), "static" (by Newton steps alone) or "stopped" (packing between walls that

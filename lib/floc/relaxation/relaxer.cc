@@ -35,10 +35,10 @@ constexpr double kSteadyContactsWindow = 20.0;
 /// the longest path was half a diameter, and the longest time under load was twice kSteadyContactsWindow.
 constexpr double kVibrationPath = 2.0;
 constexpr double kVibrationWindows = 5.0;
-/// Time (in time units) for which the density has to be steady, until it is concluded that only chains of freely
-/// rolling grains still move. Such chains swing between their ends without damping, with a kinetic energy above its
-/// tolerance. The time is twice the duration of the longest load step in the example scenes. During this time the solid
-/// fraction may change by kFinishPhi.
+/// Time (in time units) after which a steady density means that only chains of freely rolling grains still move. Such
+/// chains swing between their ends without damping, with a kinetic energy above its tolerance. The time is twice the
+/// duration of the longest load step in the example scenes. During this time the solid fraction may change by
+/// kFinishPhi.
 constexpr double kMechanismWindow = 200.0;
 /// Number of Newton iterations before the decision whether a load step is elastic. The first iteration gives the
 /// elastic response.

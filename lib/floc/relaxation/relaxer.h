@@ -81,8 +81,8 @@ class Relaxer final : public Equilibrator<Dim> {
   RelaxationOptions options_;
   Packing<Dim> packing_;
   LoadTarget<Dim> load_;
-  Vec<Dim>
-      target_;  ///< stress on each axis: the imposed stress or, for an imposed length, the stress in the packing
+  /// stress on each axis: the imposed stress or, for an imposed length, the stress in the packing
+  Vec<Dim> target_;
   RelaxationProgress progress_;
   Mat<Dim> stress_;  ///< static stress of the packing (force/length^(Dim-1))
   Residuals residuals_;

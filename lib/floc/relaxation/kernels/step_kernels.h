@@ -176,7 +176,8 @@ struct alignas(64) BlockSums {
   /// Sum over the pairs of the force on the second grain j times the branch vector from i to j (energy). For a
   /// triangular lattice only the upper part of the matrix is set, for a rectangular lattice only the diagonal.
   double virial[Dim][Dim] = {};
-  /// Sum over the grains of m v_a v_b, with mass m and velocity v (energy); components are set as in `virial`.
+  /// Sum over the grains of m v_a v_b, with mass m and velocity v (energy). The components that are not set in
+  /// `virial` are not set here either.
   double momentum_flux[Dim][Dim] = {};
   double rotation = 0.0;  ///< sum over the grains of I w^2, with moment of inertia I and spin w (energy)
   /// Upper bound of (|v| + |F half_step/m|)^2/s^2 over the grains of the block, with the velocity v, force F, mass m
@@ -225,8 +226,8 @@ template <int Dim>
 struct PairCell {
   double lattice[Dim][Dim];      ///< lattice matrix, whose columns are the lattice vectors (length)
   double strain_rate[Dim][Dim];  ///< velocity gradient of the lattice (1/time)
-  double
-      slip_time;  ///< time over which contact springs are stretched at the present relative velocities (time)
+  /// time over which contact springs are stretched at the present relative velocities (time)
+  double slip_time;
   WallView<Dim> walls;  ///< pointers to the arrays of the walls; null if there are none
 };
 

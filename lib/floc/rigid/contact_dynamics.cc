@@ -183,9 +183,9 @@ void ContactDynamics<Dim>::add_walls(double dt, bool at_rest, BodyMotion<Dim>& b
   }
 }
 
-/// Sets the rate of stretch of the cell in the bodies of a step. A side under stress has the equation of motion M_a L'
-/// = V (sigma_a - P_a) - (V P_a/E) L, with the inertia M_a, the rate of stretch L, the volume V, the stress sigma_a of
-/// the contacts, the imposed stress P_a and the cap E on the strain rate. Without contacts, L tends to -E.
+/// Sets the rate of stretch of the cell in the bodies of a step. For a side under stress, the equation of motion is M_a
+/// L' = V (sigma_a - P_a) - (V P_a/E) L, with the inertia M_a, the rate of stretch L, the volume V, the stress sigma_a
+/// of the contacts, the imposed stress P_a and the cap E on the strain rate. Without contacts, L tends to -E.
 template <int Dim>
 void ContactDynamics<Dim>::add_cell(double dt, bool at_rest, BodyMotion<Dim>& bodies) const {
   const double volume = packing_.cell.volume();

@@ -20,7 +20,8 @@ constexpr double kConvexShare = 1.0 - 1e-6;
 
 /// Requires that the faces of a mesh form a closed surface.
 void require_closed(const std::string& place, const Mesh<3>& mesh) {
-  // For each pair of vertices (from, to), the number of faces that list `to` directly after `from`.
+  // For each pair of vertices (from, to), the number of faces in whose list of vertices `to` follows directly after
+  // `from`.
   std::map<std::pair<int, int>, int> along;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     const std::vector<int>& face = mesh.faces[f];
@@ -52,7 +53,7 @@ void require_closed(const std::string& place, const Mesh<3>& mesh) {
 }
 void require_closed(const std::string&, const Mesh<2>&) {}
 
-/// Returns the vertices of a mesh that belong to a face; all vertices if the mesh has no faces.
+/// Returns the vertices of a mesh that belong to any face; all vertices if the mesh has no faces.
 template <int Dim>
 std::vector<Vec<Dim>> used_vertices(const Mesh<Dim>& mesh) {
   if (mesh.faces.empty()) return mesh.vertices;
@@ -65,8 +66,8 @@ std::vector<Vec<Dim>> used_vertices(const Mesh<Dim>& mesh) {
   return used;
 }
 
-/// Chooses n of the given points that are far from each other. The first is the point furthest from the mean of all
-/// points; each further point is the point with the largest distance to the nearest point chosen before.
+/// Chooses n of the given points that are far from each other. The first chosen point is furthest from the mean of all
+/// points. Each next chosen point has the largest distance from the nearest of the points chosen before.
 template <int Dim>
 std::vector<Vec<Dim>> spread_points(const std::vector<Vec<Dim>>& points, int n) {
   Vec<Dim> mean = Vec<Dim>::Zero();
@@ -84,8 +85,8 @@ std::vector<Vec<Dim>> spread_points(const std::vector<Vec<Dim>>& points, int n) 
   return chosen;
 }
 
-/// Returns the volume enclosed by a surface. The origin is first moved to a vertex of the surface to keep all digits if
-/// the surface is far from the origin.
+/// Returns the volume enclosed by a surface. The origin is first moved to a vertex of the surface, so that no digits
+/// are lost if the surface is far from the origin.
 template <int Dim>
 double volume_of(Polytope<Dim> surface) {
   const Vec<Dim> origin = surface.vertices[0];

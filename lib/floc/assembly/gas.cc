@@ -295,8 +295,8 @@ void equilibrate(HardGrains<Dim>& hard, const std::vector<double>& diameter, dou
     if (sweep > kMaxSweeps)
       throw InputError("assembly",
                        fmt::format("solid_fraction is too large: the grains grow from smaller sizes, and "
-                                   "cannot be kept from overlapping when they have grown "
-                                   "to {:.3f} of their diameters; expected a smaller solid_fraction",
+                                   "overlaps remain when their diameters are {:.3f} of the "
+                                   "final diameters; expected a smaller solid_fraction",
                                    scale));
     shuffle(hard, diameter, scale, (sweep % 2 ? 0.5 : 0.1) * mean_diameter, random);
     const bool grown = at_size > 0 || all_free(hard, static_cast<int>(diameter.size()), scale);

@@ -193,8 +193,8 @@ void require_balance(const std::string& place, const Packing<Dim>& packing,
                                         options.wall_force->size(), packing.walls.size()));
   if (options.stress && !packing.walls.empty())
     throw InputError(place,
-                     "a stress cannot be given for a packing between walls: its forces balance the forces "
-                     "that the walls carry in the file");
+                     "a stress cannot be given for a packing between walls: the contact forces have to "
+                     "balance the forces on the walls in the file");
 }
 
 }  // namespace
@@ -209,9 +209,10 @@ std::vector<std::string> ForceBalanceOptions<Dim>::validate() const {
       faults.push_back(fmt::format("{} = {}: expected a positive stiffness (force/length)", name, *value));
   if (axis_stress && !axis_stress->allFinite()) faults.emplace_back("axis_stress: expected finite components");
   if (!axis_stress && std::ranges::count(open_axis, true) > 0)
-    faults.emplace_back("open_axis: expected a stress on the other axes beside it");
-  if (wall_force && (stress || axis_stress)) faults.emplace_back("wall_force: expected no stress beside it");
-  if (stress && axis_stress) faults.emplace_back("axis_stress: expected no stress beside it");
+    faults.emplace_back("open_axis: expected axis_stress to be given, too");
+  if (wall_force && (stress || axis_stress))
+    faults.emplace_back("wall_force: expected that neither stress nor axis_stress is given");
+  if (stress && axis_stress) faults.emplace_back("axis_stress: expected that stress is not given, too");
   if (stress && !stress->allFinite()) faults.emplace_back("stress: expected finite components");
   return faults;
 }

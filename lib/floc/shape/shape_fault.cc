@@ -137,7 +137,8 @@ std::optional<ShapeFault> fault_of_faces(const Shape<Dim>& shape) {
       return fault(fmt::format("it has {} vertices, expected {}", loop.size(), Dim == 2 ? "2" : "3 or more"));
     for (const int v : loop)
       if (v < 0 || v >= shape.n_vertices())
-        return fault(fmt::format("it has the vertex {}, expected 0 to {}", v, shape.n_vertices() - 1));
+        return fault(
+            fmt::format("it has the vertex {}: expected vertices from 0 to {}", v, shape.n_vertices() - 1));
     if (std::set<int>(loop.begin(), loop.end()).size() != loop.size()) return fault("it has a vertex twice");
     for (std::size_t k = 0; k < (Dim == 2 ? 1 : loop.size()); ++k) {
       const int from = loop[k], to = loop[(k + 1) % loop.size()];

@@ -105,7 +105,7 @@ Mesh<3> parse_text(const std::string& place, std::string_view text) {
     require("endfacet", "");
   }
   if (lines.next())
-    lines.refuse("expected the end of the file after endsolid, because a file may hold only one solid");
+    lines.refuse("expected the end of the file after endsolid, because a file may have only one solid");
   return mesh;
 }
 

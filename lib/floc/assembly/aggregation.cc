@@ -65,7 +65,7 @@ bool Aggregation<Dim>::advance() {
 }
 
 /// Moves the clusters as rigid bodies until two of them are about to meet. This replaces many time steps in which the
-/// clusters only drift. Without it, most steps of an aggregation may be of this kind.
+/// clusters only drift; these may be most of the steps of an aggregation.
 /// @return skipped time; 0 if the grains of a cluster still move relative to each other
 template <int Dim>
 double Aggregation<Dim>::fly() {

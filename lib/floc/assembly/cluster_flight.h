@@ -15,7 +15,8 @@ class ClusterFlight {
   /// gets no spin.
   explicit ClusterFlight(const Packing<Dim>& packing);
 
-  /// Returns the mean kinetic energy of a grain due to its motion relative to the rigid motion of its cluster (energy).
+  /// Returns the mean kinetic energy per grain of the motion inside the clusters: the motion of the grains relative to
+  /// the rigid motion of their cluster (energy).
   double inner_energy() const { return inner_energy_; }
 
   /// Moves all clusters as rigid bodies until the surfaces of two clusters are within the distance `nearest` of each

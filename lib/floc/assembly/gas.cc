@@ -67,8 +67,8 @@ class HardGrains {
 
   const Room<Dim>& room() const { return room_; }
 
-  /// Returns whether grain i would overlap no other placed grain if its centre were at x and all diameters were
-  /// multiplied by `scale`: clearance(i, x, scale) >= 1.
+  /// Returns true if grain i, with its centre at x and all diameters multiplied by `scale`, overlaps no other placed
+  /// grain: clearance(i, x, scale) >= 1.
   bool free_at(int i, const Vec<Dim>& x, double scale) const {
     bool free = true;
     visit_near(i, x, [&](int j, const Vec<Dim>& r) {
@@ -228,7 +228,8 @@ void place_at_random(HardGrains<Dim>& grains, const std::vector<double>& diamete
   }
 }
 
-/// Returns the coordinate x along a periodic axis, shifted by a multiple of the period `side` into [0, side).
+/// Returns a coordinate x along a periodic axis, shifted into the interval [0, side) by a multiple of the period
+/// `side`.
 double wrapped(double x, double side) {
   x -= side * std::floor(x / side);
   return x < side ? x : 0.0;
@@ -452,8 +453,8 @@ void agitate(Packing<Dim>& packing, double rms_speed, RandomStream& random) {
   Vec<Dim> momentum = Vec<Dim>::Zero();
   double mass = 0.0;
   for (int i = 0; i < g.size(); ++i) {
-    // In Maxwell's distribution, all grains have the same mean kinetic energy. Each mass is divided by the largest
-    // mass, which makes the result independent of the unit of mass.
+    // In Maxwell's distribution, the mean kinetic energy of all grains is equal. Each mass is divided by the largest
+    // mass, so the result does not depend on the unit of mass.
     for (int a = 0; a < Dim; ++a) g.velocity[i][a] = random.normal() / std::sqrt(g.mass[i] / heaviest);
     momentum += g.mass[i] * g.velocity[i];
     mass += g.mass[i];

@@ -17,7 +17,7 @@ struct KeptStress {
   int axis = 0;  ///< axis along which the packing was driven, counted from 0
 };
 
-/// Saved packing from which a run starts. It replaces the gas from which other runs start.
+/// Saved packing from which a run starts instead of from a gas.
 struct SavedStart {
   /// Function that reads the packing from its file. It is called only when the run begins, so that a large packing is
   /// in memory only once.

@@ -9,7 +9,7 @@ namespace floc {
 /// grain: equal intervals of ln d contain equal masses. The mass of a grain is proportional to d^Dim, so the number of
 /// grains of diameter d is proportional to d^-(Dim + 1).
 struct SieveCurve {
-  std::vector<double> sizes;    ///< sizes of the openings, increasing (length)
+  std::vector<double> sizes;    ///< sizes of the openings of the sieves, increasing (length)
   std::vector<double> passing;  ///< percentage of the mass finer than each size, from 0 to 100, not decreasing
 };
 

@@ -69,7 +69,8 @@ class HardFlight {
     int i, j;
     int n_i, n_j;  ///< numbers of collisions of grains i and j when this event was predicted
     Vec<Dim> shift;
-    bool operator<(const Event& other) const { return time > other.time; }  // the earliest event comes first
+    // the priority queue then gives the earliest event first
+    bool operator<(const Event& other) const { return time > other.time; }
   };
 
   Vec<Dim> place(int i) const { return grains_.position[i] + (now_ - time_of_[i]) * grains_.velocity[i]; }
@@ -109,7 +110,7 @@ class HardFlight {
     return squared < 0.0 ? kNever : std::max(0.0, beyond / (approach + std::sqrt(squared)));
   }
 
-  /// Predicts the next collision of grain i with one of its neighbours, and adds this event to the list of events.
+  /// Predicts the next collision of grain i with one of its neighbours, and adds this event to the queue of events.
   void predict(int i) {
     Event next{kNever, i, i, n_events_of_[i], 0, {}};
     const Vec<Dim> x = place(i);

@@ -33,7 +33,7 @@ constexpr double kDeepestAtRest = 5e-2;
 constexpr int kMostHalvings = 5;
 /// Shortest step that is still halved if overlaps after it are too deep, divided by the longest step.
 constexpr double kShortestStep = 1e-3;
-/// Share of an overlap that a step removes.
+/// Share of an overlap that a step removes if the step is solved by sweeps.
 constexpr double kStabilisation = 0.1;
 /// Overlap that is not removed if impacts are elastic, divided by the diameter of the smaller grain. Its removal would
 /// add energy.
@@ -139,8 +139,8 @@ BodyMotion<Dim> ContactDynamics<Dim>::free_motion(double dt, bool at_rest) const
     v += dt * packing_.gravity;
     const Mat<kRotations<Dim>> inertia = g.inertia_tensor(i);
     const Mat<kRotations<Dim>> inverse = inertia.inverse();
-    // Even if no moment acts on a body, its spin changes by Euler's equations if its principal moments of inertia
-    // differ.
+    // By Euler's equations, the spin of a body with different principal moments of inertia changes even without a
+    // moment.
     if constexpr (Dim == 3)
       if (!g.are_round()) w -= dt * inverse * w.cross(inertia * w);
     out.velocity.push_back(v);
@@ -215,7 +215,7 @@ double ContactDynamics<Dim>::gap_rate(const Contact<Dim>& c) const {
   return u.dot(c.normal);
 }
 
-/// Returns the coefficient of restitution of a contact that closes at its present rate.
+/// Returns the coefficient of restitution of a contact for its present rate of approach.
 template <int Dim>
 double ContactDynamics<Dim>::restitution(const Contact<Dim>& c) const {
   return -gap_rate(c) > settings_.slow_impact ? settings_.restitution : 0.0;

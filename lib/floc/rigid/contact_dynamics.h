@@ -98,7 +98,7 @@ class ContactDynamics {
   struct Method {
     bool at_rest;          ///< whether all velocities are set to zero before the step
     bool at_once;          ///< whether the contacts are solved all at once (ContactDynamicsSettings::at_once)
-    double removed = 1.0;  ///< share of each overlap that a step solved at once removes
+    double removed = 1.0;  ///< share of each overlap that is removed if the step is solved at once
   };
   struct Trial {
     BodyMotion<Dim> motion;

@@ -10,7 +10,7 @@ namespace floc {
 
 /// Search for the contact points of a packing. A pair of round grains has one point; a pair of grains with corners has
 /// up to two (2D) or four (3D). For each pair, the object stores the features that defined the separating axis in the
-/// last search, and the next search begins with these features. The stored features change the points found only within
+/// last search, and the next search begins with these features. The result depends on the stored features only within
 /// the margins of contact_manifold().
 template <int Dim>
 class ContactPoints {
@@ -31,7 +31,7 @@ class ContactPoints {
   };
   std::vector<Contact<Dim>> find(const Packing<Dim>& packing, double reach, double share);
 
-  std::vector<KnownPair> known_;  ///< pairs of the last search, in its order
+  std::vector<KnownPair> known_;  ///< pairs of the last search, in the order in which they were found
 };
 
 /// Gives contact points the forces of earlier contact points. A point gets the forces of the earlier point with the

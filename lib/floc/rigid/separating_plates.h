@@ -41,7 +41,7 @@ class SeparatingPlates {
   bool solve(double dt, BodyMotion<3>& bodies, std::vector<StepContact<3>>& contacts);
 
  private:
-  /// A pair of bodies.
+  /// Pair of two bodies in contact: two grains, or a grain and a wall.
   struct Pair {
     bool has_wall;
     /// index of the first contact of the pair in the contacts of the step, and index after its last contact
@@ -62,7 +62,7 @@ class SeparatingPlates {
   std::vector<double> gaps_;
   double reach_;
   Rates rates_;
-  BodyMotion<3> motion_;                  ///< motion of the bodies, followed by the plates
+  BodyMotion<3> motion_;                  ///< motion of the bodies and, after them, of the plates
   std::vector<StepContact<3>> contacts_;  ///< contacts with plates and walls
   std::vector<Pair> pairs_;
 };

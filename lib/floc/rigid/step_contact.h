@@ -46,8 +46,8 @@ struct StepContact {
   /// (1/mass)
   double normal_compliance = 0.0;
   double tangential_compliance = 0.0;  ///< tangential component of the compliance C (1/mass)
-  /// Bias b (length/time): for a rigid contact with the gap g > 0, g/dt; for springs of stiffness K, K g dt C in the
-  /// normal direction and s/dt in the tangential directions, with the elongation s.
+  /// Bias b (length/time). For a rigid contact with the gap g > 0, the normal component is g/dt. For springs of
+  /// stiffness K, the normal component is K g dt C, and the tangential components are s/dt, with the elongation s.
   Vec<Dim> bias = Vec<Dim>::Zero();
   double adhesion = 0.0;  ///< impulse dt F_a of the adhesion F_a, >= 0
   /// Impulse (P, p_t): the repulsive part P of the normal impulse, and the tangential impulse p_t.

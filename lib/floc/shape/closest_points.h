@@ -10,8 +10,9 @@ template <int Dim>
 struct ClosestPoints {
   /// whether the two cores overlap; if so, the other members are not set
   bool overlap = false;
-  double distance = 0.0;               ///< distance of the closest points (length), > 0
-  Vec<Dim> normal = Vec<Dim>::Zero();  ///< unit vector from the first core to the second
+  double distance = 0.0;  ///< distance of the closest points (length), > 0
+  /// unit vector from the closest point of the first core to that of the second core
+  Vec<Dim> normal = Vec<Dim>::Zero();
   Vec<Dim> on_first = Vec<Dim>::Zero(), on_second = Vec<Dim>::Zero();
   /// Kind of feature on which the closest point of the first core lies, as a number of vertices: 1 for a vertex, 2 for
   /// an edge, 3 for a face.

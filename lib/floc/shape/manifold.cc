@@ -129,8 +129,8 @@ class PairSearch {
     return of_closest_points(closest);
   }
 
-  /// Returns the closest points of the cores (the shapes without rounding) if the cores are separated along an axis;
-  /// otherwise no value.
+  /// Returns the closest points of the cores (the shapes without rounding) if the cores are apart along the separating
+  /// axis; otherwise no value.
   std::optional<ClosestPoints<Dim>> closest_if_apart(const SeparatingAxis<Dim>& axis) const {
     if (!(axis.separation > 0.0)) return std::nullopt;
     const ClosestPoints<Dim> closest = closest_points<Dim>(a_, b_, place_, guess(axis));

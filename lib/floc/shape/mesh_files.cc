@@ -15,7 +15,7 @@ namespace {
 
 constexpr WholeRange kVertexCount{.least = 1, .most = kMostHullPoints};
 constexpr NumberRange kRadius{.least = kLeastLength, .most = kLargestLength};
-/// Allowed number of faces: twice the number of triangles of a closed surface with kMostHullPoints vertices.
+/// Allowed number of faces: at most twice the number of triangles of a closed surface with kMostHullPoints vertices.
 constexpr WholeRange kFaceCount{.least = 0, .most = 4 * std::int64_t{kMostHullPoints}};
 
 template <int Dim>

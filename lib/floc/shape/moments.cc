@@ -195,9 +195,9 @@ Moments<3> rounding_moments(const Polytope<3>& polytope, double rounding) {
     for (std::size_t k = 0; k < loop.size(); ++k)
       face_left_of[{loop[k], loop[(k + 1) % loop.size()]}] = static_cast<int>(f);
   }
-  // The normals of the faces at a vertex enclose a convex polygon on the unit sphere, whose sides are the arcs of the
-  // edges at the vertex. The solid angle of the polygon is the sum of the solid angles of the triangles that each arc
-  // forms with one fixed normal.
+  // The normals of the faces at a vertex are the corners of a convex polygon on the unit sphere. The sides of the
+  // polygon are the arcs of the edges at the vertex. The solid angle of the polygon is a sum over triangles: each
+  // triangle has one arc as a side and one fixed normal as the opposite corner.
   std::vector<NormalCone> cones(polytope.vertices.size());
   std::vector<int> any_face(polytope.vertices.size(), -1);
   for (const auto& [ends, left] : face_left_of) {

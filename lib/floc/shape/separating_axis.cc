@@ -101,7 +101,7 @@ class FaceSearch {
   /// Lowest points of the other shape above the faces examined so far; at most kMostPoints points are stored.
   std::array<Vec<Dim>, kMostPoints> points_;
   int n_points_ = 0;
-  int vertex_ = 0;  ///< vertex of the other shape that is lowest above the last face examined
+  int vertex_ = 0;  ///< lowest vertex of the other shape above the last face examined
 };
 
 /// Edge of a shape and the normals of the two faces that meet at the edge, in the coordinates of the first shape of the
@@ -122,8 +122,9 @@ PlacedEdge edge_of(const Shape<3>& shape, int edge, const RelativePlace<3>& plac
           place.direction(own.right)};
 }
 
-/// Returns whether the arc of edge `a` on the Gauss sphere, which connects the normals of its two faces, crosses the
-/// reversed arc of edge `b`. If so, the two edges form a face of the Minkowski difference of the two shapes.
+/// Returns whether the arc of edge `a` crosses the reversed arc of edge `b` on the Gauss sphere. The arc of an edge
+/// connects the normals of the two faces at the edge. If the arcs cross, the two edges form a face of the Minkowski
+/// difference of the two shapes.
 bool arcs_cross(const PlacedEdge& a, const PlacedEdge& b) {
   const double c = b.left.dot(a.along), d = b.right.dot(a.along);
   if (!(c * d < 0.0)) return false;

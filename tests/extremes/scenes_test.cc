@@ -259,8 +259,8 @@ const Refusal kRefusals[] = {
     {"box_too_small_for_two_spheres",
      {"grains.count=2"},
      4,
-     "assembly: solid_fraction is too large: the grains grow from smaller sizes, and cannot be kept from "
-     "overlapping when they have grown to",
+     "assembly: solid_fraction is too large: the grains grow from smaller sizes, and overlaps remain when "
+     "their diameters are",
      box_scene(3)},
 };
 INSTANTIATE_TEST_SUITE_P(AtTheEnds, Refused, ::testing::ValuesIn(kRefusals),

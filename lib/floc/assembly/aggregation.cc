@@ -12,15 +12,15 @@
 namespace floc {
 namespace {
 
-/// Smallest number of time steps in which the fastest grain may cross the range of the adhesion. With fewer steps, the
-/// grain could pass another grain without being attracted.
+/// Smallest allowed number of time steps that the fastest grain takes to cross the range of the adhesion. With fewer
+/// steps, the grain could pass another grain without being attracted.
 constexpr double kStepsAcrossTail = 3.0;
-/// Distance between the surfaces of two clusters, beyond the range of the contact law, at which their free flight ends
-/// (in largest diameters). Time steps then move the clusters again.
+/// The free flight of clusters ends when the distance between the surfaces of two clusters is the range of the contact
+/// law plus this length (in largest diameters). After the flight, time steps move the clusters again.
 constexpr double kFlightClearance = 1e-3;
 
-/// Returns the time step that the options give, shortened if the fastest grain would otherwise pass through the range
-/// of the adhesion in too few steps (time).
+/// Returns the time step of the options (time). It is shortened if the fastest grain would otherwise cross the range of
+/// the adhesion in too few steps.
 template <int Dim>
 double step_across_tail(const RelaxationOptions& options, const Packing<Dim>& packing) {
   const double step = time_step_of(packing, options.time_step);
@@ -64,9 +64,9 @@ bool Aggregation<Dim>::advance() {
   return n_clusters_ == 1;
 }
 
-/// Moves the clusters as rigid bodies until they are about to meet. This replaces many time steps in which the clusters
-/// only drift towards each other, and which may be most of the steps of an aggregation.
-/// @return time that was skipped; 0 if the grains of a cluster still move relative to each other
+/// Moves the clusters as rigid bodies until two of them are about to meet. This replaces many time steps in which the
+/// clusters only drift; these may be most of the steps of an aggregation.
+/// @return skipped time; 0 if the grains of a cluster still move relative to each other
 template <int Dim>
 double Aggregation<Dim>::fly() {
   if (n_clusters_ == 1) return 0.0;

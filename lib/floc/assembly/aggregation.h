@@ -15,17 +15,18 @@ template <int Dim>
 int count_clusters(const Packing<Dim>& packing);
 
 /// Aggregation of a gas of grains: in a fixed cell the moving grains collide and stick together until they form one
-/// cluster. It is the second stage of an assembly of type 2 (docs/physics.md, "Assembly and loading"). Like Relaxer,
-/// this class advances in chunks of time steps. If the options soften the springs, they are soft within each chunk;
-/// between chunks the packing has its own contact law, with the overlaps and elongations of the soft springs.
+/// cluster. An aggregation is the second stage of an assembly of type 2 (docs/physics.md, "Assembly and loading"). Like
+/// Relaxer, this class advances in chunks of time steps. If the options ask for soft springs, the springs are soft
+/// within each chunk. Between two chunks the packing has its own contact law, with the overlaps and elongations of the
+/// soft springs.
 template <int Dim>
 class Aggregation {
  public:
   /// @param skin  first guess of the skin of the Verlet lists of neighbours (length); 0 if there is no guess
   Aggregation(const RelaxationOptions& options, Packing<Dim> packing, double skin);
 
-  /// Advances by one chunk of time steps. If the clusters only drift until they meet, the time of the drift is skipped
-  /// first (see ClusterFlight).
+  /// Advances by one chunk of time steps. If the clusters only drift at first, the time until two clusters meet is
+  /// skipped (see ClusterFlight).
   /// @return true when all grains form one cluster
   bool advance();
   /// Sets the observer, a function that is called while the packing moves.
@@ -35,8 +36,8 @@ class Aggregation {
   Packing<Dim> packing() && { return std::move(packing_); }
   int n_clusters() const { return n_clusters_; }
   double skin() const { return skin_; }
-  /// Returns the simulated time that the last call of advance() covered: the skipped drift of clusters and the chunk of
-  /// time steps after it (time).
+  /// Returns the simulated time of the last call of advance(): the sum of the skipped time and the time of the chunk
+  /// (time).
   double chunk_time() const;
 
  private:
@@ -45,7 +46,7 @@ class Aggregation {
   RelaxationOptions options_;
   Packing<Dim> packing_;
   double time_step_ = 0.0;    ///< time step in the last chunk of time steps (time)
-  double flight_time_ = 0.0;  ///< time of drifting clusters that was skipped before the last chunk (time)
+  double flight_time_ = 0.0;  ///< time skipped before the last chunk, while the clusters drifted (time)
   double skin_;
   int n_clusters_;
   MotionObserver<Dim> observer_;

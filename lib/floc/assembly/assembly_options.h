@@ -17,8 +17,8 @@ namespace floc {
 struct GrainOptions {
   int count = 0;
   DiameterDistribution diameter;
-  /// Mass of the grains per area (2D) or volume (3D). It may be absent in reduced units: a grain of diameter d then has
-  /// the mass d^Dim, so that a grain of diameter 1 has mass 1.
+  /// Mass of a grain divided by its area (2D) or volume (3D). The density may be absent in reduced units: a grain of
+  /// diameter d then has the mass d^Dim, so that a grain of diameter 1 has mass 1.
   std::optional<double> density;
   std::optional<ShapeOptions> shape;  ///< shapes of the grains; absent for disks and spheres
 
@@ -37,33 +37,34 @@ enum class GasKind {
 /// Options of the assembly of a packing (docs/physics.md, "Assembly and loading").
 struct AssemblyOptions {
   enum class Protocol {
-    /// Starts from a gas at rest and compresses it under controlled stress from the beginning (assembly of type 1; also
-    /// for grains without cohesion).
+    /// Starts from a gas at rest and compresses it, from the beginning, under controlled stress (assembly of type 1;
+    /// also possible for grains without cohesion).
     direct,
-    /// Starts from a moving gas in a fixed cell. Its grains collide and stick together until they form one cluster,
-    /// which is then brought to equilibrium, first at zero pressure and then at the first pressure (assembly of type
+    /// Starts from a moving gas in a fixed cell. Its grains collide and stick together until they form one cluster. The
+    /// cluster is then brought to equilibrium, first at zero pressure and then at the first pressure (assembly of type
     /// 2).
     aggregation,
-    /// starts from a saved packing, or from copies of it side by side, and brings it to the first pressure
+    /// starts from a saved packing, or from copies of it joined side by side, and brings the packing to the first
+    /// pressure
     state,
   };
   Protocol protocol = Protocol::direct;
   GasKind gas = GasKind::equilibrated;
-  double solid_fraction = 0.0;  ///< solid fraction at the start, of the gas or of the saved packing
+  double solid_fraction = 0.0;  ///< solid fraction of the gas or of the saved packing at the start
   /// Root mean square speed of the grains at the start, in units of V*; zero if the grains are at rest. V* = sqrt(F0
   /// D0/m), with the pull-off force F0, the range D0 of the adhesion and the mass m of the largest grain. If no
   /// adhesion acts across a gap, V* = sqrt(P a^Dim/m), with the first pressure P and the largest diameter a.
   double agitation = 0.0;
-  /// first pressure of the run, at which the assembly ends (stress unit of the scene)
+  /// first pressure of the run; the assembly ends at this pressure (stress unit of the scene)
   double pressure = 0.0;
-  /// Friction coefficient during the assembly; absent if it is that of the contact law.
+  /// Friction coefficient during the assembly; absent if the coefficient of the contact law is used.
   std::optional<double> friction;
   CellResponse cell;  ///< mass of the cell and caps on its strain rate during the assembly
   /// vibration of the saved packing, or of the packing made from a gas; absent if there is none
   std::optional<Vibration> vibration;
   SavedStart saved;  ///< saved packing from which the protocol `state` starts
-  /// Box with walls around the grains; absent if the cell is periodic. If `solid_fraction` is zero, the sides of the
-  /// box are lengths; otherwise they only give the proportions of the box.
+  /// Box with walls around the grains; absent if the cell is periodic. If `solid_fraction` is zero, the sides in the
+  /// options of the box are lengths; otherwise they only give its proportions.
   std::optional<BoxOptions> box;
 };
 

@@ -12,7 +12,7 @@ namespace floc {
 Law wall_law(const Law& grains, const BoxOptions& box) {
   LawParameters law = grains;
   if (box.adhesion == 0.0) law.adhesion.reset();
-  // the wall has no liquid bridges, but it may attract grains with a constant force
+  // liquid bridges do not form at walls; the wall may attract grains with a constant force instead
   else if (!law.adhesion || law.adhesion.holds<CapillaryAdhesion>())
     law.adhesion = ConstantAdhesion{box.adhesion};
   if (box.friction == 0.0) {

@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Kind of the two faces of a box that are perpendicular to one axis.
+/// Kind of boundary along one axis of a box: of the two faces perpendicular to this axis.
 enum class BoxSide {
   walls,     ///< two walls that move under the imposed pressure
   fixed,     ///< two walls that do not move
@@ -18,15 +18,15 @@ enum class BoxSide {
 
 /// Box with walls in which grains are packed. It replaces the periodic cell.
 struct BoxOptions {
-  /// Sides of the box at the start (length). If the solid fraction of the gas is given, it determines the size of the
-  /// box, and only the ratios of these sides matter.
+  /// Sides of the box at the start (length). If the solid fraction of the gas is given, the solid fraction determines
+  /// the size of the box, and only the ratios of these numbers matter.
   Vec<3> sides = Vec<3>::Ones();
   std::array<BoxSide, 3> boundary = {BoxSide::walls, BoxSide::walls, BoxSide::walls};
   Vec<3> gravity = Vec<3>::Zero();  ///< acceleration due to gravity (length/time^2)
   double mass = 1.0;                ///< mass of a wall divided by the mass of the largest grain
   double friction = 0.0;            ///< friction coefficient between grains and walls
   double adhesion = 0.0;            ///< pull-off force between grains and walls (force)
-  /// mass density of the gas at the start times the mean squared speed of its grains (pressure)
+  /// mass density of the gas at the start, multiplied by the mean squared speed of its grains (pressure)
   double kinetic_pressure = 0.0;
 };
 
@@ -34,19 +34,19 @@ struct BoxOptions {
 /// the pull-off force of the walls. Walls without friction do not resist rolling or twisting. There are no liquid
 /// bridges to walls.
 /// @param grains  contact law between two grains
-/// @pre the contact law between two grains has friction if the walls have friction, or the contacts are rigid
+/// @pre if the walls have friction, the law between two grains has friction, too, or it is the law of rigid contacts
 Law wall_law(const Law& grains, const BoxOptions& box);
 
-/// Returns whether a face across an axis is a wall that moves under the imposed pressure.
+/// Returns whether a wall of the box moves under the imposed pressure along an axis with this kind of boundary.
 inline bool moves(BoxSide side) {
   return side == BoxSide::walls || side == BoxSide::lid;
 }
-/// Returns whether any face of a box moves under the imposed pressure.
+/// Returns whether any wall of a box moves under the imposed pressure.
 /// @param dimension  number of axes
 bool any_wall_moves(const BoxOptions& box, int dimension);
 
 /// Returns walls at rest around a packing. The distance between opposite walls is the side of the cell of the packing.
-/// @param lowest  for each axis, the coordinate of the wall with the smaller coordinate (length)
+/// @param lowest  for each axis, the position of the wall at the lower end of the axis (length)
 template <int Dim>
 std::vector<Wall<Dim>> walls_around(const Packing<Dim>& packing, const BoxOptions& box, const Vec<Dim>& lowest);
 

@@ -12,17 +12,18 @@
 namespace floc {
 namespace {
 
-/// Distance up to which pairs of grains of different clusters are searched, in addition to the distance at which the
-/// flight ends (in largest diameters). The surfaces of all other pairs are farther apart.
+/// Pairs of grains of different clusters are searched up to a distance that exceeds, by this length, the distance at
+/// which the flight ends (in largest diameters). The surfaces of all other pairs are farther apart.
 constexpr double kSearchDistance = 0.1;
-/// Largest number of intervals into which one call of fly() divides the flight. An interval ends before the earliest
-/// time at which two clusters could meet.
+/// Largest number of intervals in one call of fly(). Each interval ends before the earliest time at which two clusters
+/// could meet.
 constexpr int kMaxFlights = 1000;
 
 /// Largest angle by which a tumbling cluster may turn in one step of the time integration (radians).
 constexpr double kTumblingStep = 0.02;
 
-/// Neighbour of a grain: the index of another grain, and its periodic image that touches or attracts the first grain.
+/// Neighbour of a grain: the index of another grain, and the periodic image of this other grain that touches or
+/// attracts the first grain.
 template <int Dim>
 struct Neighbor {
   int grain;
@@ -45,8 +46,8 @@ RotationVector<3> spin_of(const Mat<3>& inertia, const RotationVector<3>& angula
   return inertia.ldlt().solve(angular_momentum);
 }
 
-/// Returns an upper bound on the spin of a freely rotating body. In 3D the spin changes while the body tumbles, but its
-/// rotational energy is constant.
+/// Returns an upper bound on the spin of a freely rotating body at any time. In 3D the spin changes while the body
+/// tumbles, but the rotational energy of the body is constant.
 /// @param spin  present spin of the body
 double fastest_spin(const Mat<1>&, const RotationVector<2>& spin) {
   return std::abs(spin[0]);
@@ -79,7 +80,7 @@ struct Attitude<3> {
   /// Integrates Euler's equations for the rotation of a rigid body over `time`, by the Runge-Kutta method of fourth
   /// order. The angular momentum is constant, and the tensor of inertia rotates with the body.
   void advance(const Mat<3>& inertia, const RotationVector<3>& spin_at_start, double time, double /*flown*/) {
-    // Clusters that touch their own periodic image have a spin of 0, and no moment of inertia is defined for them.
+    // A cluster that touches its own periodic image has no moment of inertia; its spin is 0.
     if (spin_at_start.isZero(0.0)) return;
     const Vec<3> angular_momentum = inertia * spin_at_start;
     const Mat<3> inverse = inertia.inverse();
@@ -107,9 +108,9 @@ struct Attitude<3> {
   void turn(Eigen::Quaterniond& orientation) const { orientation = rotation * orientation; }
 };
 
-/// Rotates the tangential vectors that every contact stores, such as the elongations of its springs, with the cluster
-/// of the contact. Contact normals are not rotated, because they are computed anew before they are used.
-/// @param turned  function that rotates a vector with the cluster of a grain
+/// Rotates the tangential vectors that each contact stores, such as the elongations of its springs, by the rotation of
+/// the cluster. Contact normals are not rotated, because they are computed anew before their next use.
+/// @param turned  function that rotates a vector as the cluster of a given grain has rotated
 template <class Turned>
 void turn_history(Packing<3>& packing, const Turned& turned) {
   for (const HistoryQuantity& q : history_quantities(packing.law, 3)) {
@@ -127,8 +128,8 @@ ClusterFlight<Dim>::ClusterFlight(const Packing<Dim>& packing) {
   find_motions(packing);
 }
 
-/// Finds the clusters by a search along contacts, which starts from the first grain of each cluster. Also finds
-/// positions of the grains that are connected without crossing a periodic boundary within each cluster.
+/// Finds the clusters by a search along contacts, which starts from the first grain of each cluster. Also chooses a
+/// periodic image of each grain, so that the grains of each cluster form one connected body.
 template <int Dim>
 void ClusterFlight<Dim>::unwrap(const Packing<Dim>& packing) {
   const int n = packing.grains.size();
@@ -148,8 +149,8 @@ void ClusterFlight<Dim>::unwrap(const Packing<Dim>& packing) {
     std::vector<int> reached{first};
     for (std::size_t next = 0; next < reached.size(); ++next) {
       const int i = reached[next];
-      // The grain is placed at the periodic image at which the search first reached it. The grains of a cluster then
-      // form one connected body, even if a face of the cell cuts the cluster.
+      // The position of the grain is that of the periodic image which the search reached first. With these positions,
+      // the grains of a cluster form one connected body, even if a face of the cell cuts the cluster.
       place_[i] = packing.grains.position[i] + packing.cell.shift(image[i]);
       for (const Neighbor<Dim>& neighbor : neighbors[i]) {
         const int j = neighbor.grain;
@@ -159,8 +160,8 @@ void ClusterFlight<Dim>::unwrap(const Packing<Dim>& packing) {
           image[j] = there;
           reached.push_back(j);
         } else if (image[j] != there) {
-          // Contacts connect the cluster to its own periodic image. The cluster then has neither a centre nor a moment
-          // of inertia.
+          // Contacts connect the cluster to its own periodic image. Such a cluster has neither a centre nor a moment of
+          // inertia.
           cluster.winds = true;
         }
       }
@@ -206,9 +207,9 @@ void ClusterFlight<Dim>::find_motions(const Packing<Dim>& packing) {
   inner_energy_ = 0.5 * twice_energy / g.size();
 }
 
-/// Returns a lower bound on the time until the surfaces of two clusters are within the distance `nearest` (length). The
-/// rate at which two surfaces approach is at most the relative speed of the centres of their clusters, plus, for each
-/// cluster, the product of its largest spin and the distance of its farthest grain from its centre.
+/// Returns a lower bound on the time until the surfaces of two clusters are within the distance `nearest` (length). Two
+/// surfaces approach each other at most with the relative speed of the centres of their clusters, plus, for each of the
+/// two clusters, its largest spin times the distance from its centre to its farthest grain.
 template <int Dim>
 double ClusterFlight<Dim>::time_to_meet(const Packing<Dim>& packing, double nearest) const {
   const std::vector<double>& radius = packing.grains.radius;
@@ -255,7 +256,7 @@ double ClusterFlight<Dim>::fly(Packing<Dim>& packing, double nearest, double lon
     const Attitude<Dim>& now = attitude[cluster_of_[i]];
     g.velocity[i] = cluster.velocity + now.turned(Vec<Dim>(g.velocity[i] - cluster.velocity));
     if constexpr (Dim == 3) {
-      // Change of the spin relative to the axes of the cluster; it is zero unless the cluster tumbles.
+      // Change of the spin relative to the rotating cluster; it is zero unless the cluster tumbles.
       const RotationVector<Dim> change = now.spin - now.turned(cluster.spin);
       g.velocity[i] += cross<double>(change, now.turned(Vec<Dim>(place_[i] - cluster.centre)));
       g.angular_velocity[i] = now.turned(g.angular_velocity[i]) + change;

@@ -4,22 +4,23 @@
 
 namespace floc {
 
-/// Free flight of clusters, which are sets of grains that touch or attract each other. Until two clusters meet, no
-/// force acts between them, and each cluster moves as a rigid body (in 3D it tumbles). Once the motion inside each
-/// cluster has died out, the time until the next meeting can therefore be skipped.
+/// Free flight of clusters. A cluster is a set of grains that touch or attract each other. Until two clusters meet, no
+/// force acts between them. Once the motion inside each cluster has died out, each cluster moves as a rigid body (in 3D
+/// it tumbles), and the time until the next meeting of two clusters can be skipped.
 template <int Dim>
 class ClusterFlight {
  public:
-  /// Finds the clusters of a packing (see count_clusters()) and the rigid motion of each cluster. The velocity of a
-  /// cluster follows from its momentum, and its spin from its angular momentum. A cluster that touches its own periodic
-  /// image gets no spin.
+  /// Finds the clusters of a packing (see count_clusters()) and the rigid motion of each cluster. The momentum of a
+  /// cluster gives its velocity, and the angular momentum gives its spin. A cluster that touches its own periodic image
+  /// gets no spin.
   explicit ClusterFlight(const Packing<Dim>& packing);
 
-  /// Returns the mean kinetic energy of a grain due to its motion relative to the rigid motion of its cluster (energy).
+  /// Returns the mean kinetic energy per grain of the motion inside the clusters: the motion of the grains relative to
+  /// the rigid motion of their cluster (energy).
   double inner_energy() const { return inner_energy_; }
 
   /// Moves all clusters as rigid bodies until the surfaces of two clusters are within the distance `nearest` of each
-  /// other, or until the time `longest` has passed. The cell does not move; positions of grains may end outside of it.
+  /// other, or until the time `longest` has passed. The cell does not move; grains may be outside the cell afterwards.
   /// @param nearest  distance between two surfaces at which the flight ends (length)
   /// @param longest  longest duration of the flight (time)
   /// @return duration of the flight (time)
@@ -33,7 +34,7 @@ class ClusterFlight {
     RotationVector<Dim> spin = RotationVector<Dim>::Zero();
     /// moment of inertia about the centre of mass
     Mat<kRotations<Dim>> inertia = Mat<kRotations<Dim>>::Zero();
-    /// Upper bound on the spin of the cluster at any time of its flight; in 3D the spin changes.
+    /// Upper bound on the spin of the cluster at any time of its flight (in 3D the spin changes).
     double fastest_spin = 0.0;
     double reach = 0.0;  ///< largest distance from the centre of mass to the centre of a grain (length)
     bool winds = false;  ///< whether contacts connect the cluster to its own periodic image
@@ -44,8 +45,8 @@ class ClusterFlight {
   double time_to_meet(const Packing<Dim>& packing, double nearest) const;
 
   std::vector<int> cluster_of_;  ///< for each grain, the index of its cluster
-  /// Position of each grain, such that the grains of a cluster are connected directly and not across a periodic
-  /// boundary (length). It may lie outside of the cell.
+  /// Position of the chosen periodic image of each grain (length). With these positions, the grains of each cluster
+  /// form one connected body, and some grains may be outside the cell.
   std::vector<Vec<Dim>> place_;
   std::vector<Cluster> clusters_;
   double inner_energy_ = 0.0;

@@ -9,25 +9,26 @@ namespace floc {
 namespace {
 
 /// Returns the diameter d at which (d^s - min^s)/(max^s - min^s) = share, with s = 1 - exponent. To avoid overflow of
-/// powers, the formula is expressed relative to min or max.
+/// the powers, d is computed as a multiple of min or max.
 double power_law_quantile(const DiameterDistribution& d, double share) {
   const double s = 1.0 - d.exponent, range = std::log(d.max / d.min);
-  // If s is this small, d^s is linear in ln d up to rounding errors.
+  // For s close to zero, d^s is linear in ln d up to rounding errors.
   if (std::abs(s * range) < 1e-9) return d.min * std::exp(share * range);
   if (s > 0.0) return d.max * std::exp(std::log1p((1.0 - share) * std::expm1(-s * range)) / s);
   return d.min * std::exp(std::log1p(share * std::expm1(s * range)) / s);
 }
 
 /// Returns the probability that a standard normal variable lies between x and y, x <= y. If both are positive, the
-/// mirrored interval is used, because the difference of two numbers close to 1 would lose digits.
+/// interval from -y to -x is used instead: it has the same probability, and no digits are lost in a difference of two
+/// numbers close to 1.
 double normal_share(double x, double y) {
   if (x > 0.0) return normal_share(-y, -x);
   const auto below = [](double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); };
   return below(y) - below(x);
 }
 
-/// Returns the value y between low and high at which normal_share(low, y) is `share` times normal_share(low, high). It
-/// is found by bisection, exactly up to rounding.
+/// Returns the value y between low and high at which normal_share(low, y) is `share` times normal_share(low, high). The
+/// value is found by bisection, exactly up to rounding.
 double normal_quantile(double low, double high, double share) {
   const double all = normal_share(low, high);
   double inside = low, outside = high;
@@ -48,8 +49,9 @@ double lognormal_quantile(const DiameterDistribution& d, double share) {
          std::exp(d.sigma * normal_quantile(in_deviations(d, d.min), in_deviations(d, d.max), share));
 }
 
-/// Returns the share of the volume of grains between min and a diameter, if the number of grains is proportional to
-/// d^-exponent: (d^s - min^s)/(max^s - min^s), with s = Dim + 1 - exponent. No power overflows.
+/// Returns the volume of the grains between min and a diameter d, divided by the volume of all grains, if the number of
+/// grains is proportional to d^-exponent: (d^s - min^s)/(max^s - min^s), with s = Dim + 1 - exponent. The computation
+/// avoids overflow of the powers.
 double power_law_volume_share(const DiameterDistribution& d, int dimension, double diameter) {
   const double s = dimension + 1.0 - d.exponent, range = std::log(d.max / d.min);
   if (std::abs(s * range) < 1e-9) return std::log(diameter / d.min) / range;
@@ -59,8 +61,9 @@ double power_law_volume_share(const DiameterDistribution& d, int dimension, doub
   return s > 0.0 ? 1.0 - part : part;
 }
 
-/// Returns the share of the volume of grains between min and a diameter. If the numbers of grains are lognormal, the
-/// volumes are lognormal with the same sigma, and the logarithm of their median is larger by Dim sigma^2 [HC1929].
+/// Returns the volume of the grains between min and a diameter, divided by the volume of all grains. If the number of
+/// grains of diameter d has a lognormal distribution, their volume has a lognormal distribution with the same sigma,
+/// whose ln median is larger by Dim sigma^2 [HC1929].
 double lognormal_volume_share(const DiameterDistribution& d, int dimension, double diameter) {
   const double shift = dimension * d.sigma;
   const auto share_below = [&](double x) {
@@ -119,7 +122,7 @@ std::optional<double> volume_share_below(const DiameterDistribution& d, int dime
   if (!is_continuous || !(d.min < d.max)) return std::nullopt;
   if (diameter <= d.min) return 0.0;
   if (diameter >= d.max) return 1.0;
-  // A uniform distribution is a power law with the default exponent, 0.
+  // A uniform distribution is a power law with the exponent 0, the default.
   const double share = d.kind == Kind::sieve       ? passing_at(d.curve, diameter)
                        : d.kind == Kind::lognormal ? lognormal_volume_share(d, dimension, diameter)
                                                    : power_law_volume_share(d, dimension, diameter);

@@ -8,8 +8,8 @@
 
 namespace floc {
 
-/// Distribution of the diameters of grains (length). It gives the number of grains of each diameter, not their volume;
-/// only sieve curves give masses.
+/// Distribution of the diameters of grains (length). All kinds give the number of grains of each diameter, except sieve
+/// curves, which give the mass of these grains.
 struct DiameterDistribution {
   enum class Kind {
     uniform,     ///< probability density P(d) of the diameter d is constant from min to max
@@ -17,19 +17,20 @@ struct DiameterDistribution {
     bidisperse,  ///< grains have one of two diameters
     list,        ///< the diameter of each grain is given
     power_law,   ///< probability density P(d) ~ d^-exponent from min to max
-    /// ln d is normally distributed about ln median; diameters below min and above max are cut off
+    /// ln d is normally distributed with the mean ln median; diameters below min and above max do not occur
     lognormal,
-    sieve,  ///< fractions of the mass of the grains that are finer than given sizes (SieveCurve)
+    sieve,  ///< for some sizes, the mass fraction of the grains finer than the size is given (SieveCurve)
   };
-  /// Fractions of the number of grains at which the quantiles are taken as the diameters of N grains i = 0 ... N - 1.
+  /// Choice of the diameters of N grains with the numbers i = 0 ... N - 1. The diameter of grain i is the quantile of
+  /// the distribution at the fraction given below.
   enum class Quantiles {
     ends,    ///< i/(N - 1): there is one grain of the smallest and one of the largest diameter
     middle,  ///< (i + 1/2)/N: each grain stands for an equal share of the number of grains
   };
   Kind kind = Kind::uniform;
   Quantiles quantiles = Quantiles::ends;
-  double min = 0.0;  ///< smallest diameter; the smaller of two if bidisperse, the only diameter if constant
-  double max = 0.0;  ///< largest diameter: the larger of two if bidisperse
+  double min = 0.0;  ///< smallest diameter; the only diameter if constant
+  double max = 0.0;  ///< largest diameter
   /// number of grains with the larger diameter divided by the number of all grains (bidisperse)
   double share_of_large = 0.5;
   std::vector<double> values;  ///< diameter of each grain (list)
@@ -37,8 +38,8 @@ struct DiameterDistribution {
   double median = 0.0;  ///< median diameter before the distribution is cut off at min and max (lognormal)
   /// standard deviation of ln d before the distribution is cut off at min and max (lognormal)
   double sigma = 0.0;
-  SieveCurve curve;   ///< mass fractions below sizes from min to max (sieve)
-  int dimension = 3;  ///< dimension of the grains, 2 or 3, by which numbers follow from masses (sieve)
+  SieveCurve curve;   ///< mass fraction below each size; the sizes range from min to max (sieve)
+  int dimension = 3;  ///< dimension of the grains, 2 or 3, to convert masses to numbers of grains (sieve)
 };
 
 /// Exponent of the power law P(d) ~ d^-3 for the number of spheres of diameter d. Equal intervals of diameter between
@@ -54,20 +55,21 @@ inline constexpr double kUniformByArea = 2.0;
 /// @param share  fraction of the number of grains, 0 to 1
 double diameter_quantile(const DiameterDistribution& distribution, double share);
 
-/// Returns n diameters that represent a distribution without random scatter (length): its quantiles at equally spaced
-/// fractions of the grains, see DiameterDistribution::Quantiles. With the ends included, the largest diameter is
-/// exactly max. A list of diameters is returned unchanged.
+/// Returns n diameters that represent a distribution without random scatter (length). They are the quantiles of the
+/// distribution at equally spaced fractions of the grains (DiameterDistribution::Quantiles). With Quantiles::ends, the
+/// largest diameter is exactly max. A list of diameters is returned unchanged.
 std::vector<double> equally_spaced_diameters(const DiameterDistribution& distribution, int n);
 
 /// Returns the smallest and the largest of equally_spaced_diameters() (length); min and max if n < 1.
 std::pair<double, double> smallest_and_largest(const DiameterDistribution& distribution, int n);
 
-/// Returns the fraction of a complete lognormal distribution that lies between its cut-offs min and max.
+/// Returns the fraction of the grains of a lognormal distribution without cut-offs whose diameters are between min and
+/// max.
 double share_within_bounds(const DiameterDistribution& lognormal);
 
-/// Returns the fraction of the volume (area in 2D) of all grains that a continuous distribution assigns to the grains
-/// below a diameter. The result is std::nullopt for distributions of single diameters (constant, bidisperse, list), and
-/// for lognormal distributions that are too wide for the computation.
+/// Returns the volume (area in 2D) of the grains below a diameter, divided by the volume of all grains, for a
+/// continuous distribution. The result is std::nullopt for distributions of single diameters (constant, bidisperse,
+/// list), and for lognormal distributions that are too wide for the computation.
 /// @param dimension  2 for disks, 3 for spheres
 std::optional<double> volume_share_below(const DiameterDistribution& distribution, int dimension,
                                          double diameter);

@@ -9,7 +9,8 @@
 namespace floc {
 namespace {
 
-/// Function object that makes the shapes of each kind. The remarks about a file are added to `remarks`.
+/// Function object that makes the shapes, with one overload for each kind of options. Remarks about the file of the
+/// shapes are added to `remarks`.
 template <int Dim>
 struct Drawing {
   using Shapes = std::vector<Shape<Dim>>;

@@ -17,16 +17,16 @@ namespace {
 /// finding free places would take too long; grains are then placed with smaller diameters and grow afterwards.
 template <int Dim>
 constexpr double kRandomPlacingLimit = Dim == 2 ? 0.4 : 0.3;
-/// Number of Monte Carlo moves of each grain after all grains have their final diameters. In these moves a grain
-/// travels several mean free paths, and its first position has no effect on the gas.
+/// Mean number of Monte Carlo moves of a grain after all grains have reached their final diameters. In these moves a
+/// grain travels several mean free paths, so the positions at which the grains were placed have no effect on the gas.
 constexpr int kShuffleSweeps = 200;
-/// number of Monte Carlo sweeps after which growing the grains counts as failed
+/// largest number of Monte Carlo sweeps in which the grains have to reach their final diameters
 constexpr int kMaxSweeps = 20000;
-constexpr double kGrowth = 1.01;  ///< factor by which all diameters grow whenever no grains overlap
+constexpr double kGrowth = 1.01;  ///< factor by which all diameters are multiplied whenever no grains overlap
 /// Overlapping grains are pushed apart until the distance between their centres is this multiple of the sum of their
 /// radii.
 constexpr double kParted = 1.001;
-/// number of passes over all grains after which pushing them apart counts as failed
+/// largest number of passes over all grains in which they are pushed apart
 constexpr int kMaxPartings = 1000;
 
 template <int Dim>
@@ -45,9 +45,9 @@ struct Room {
 };
 
 /// Hard grains in a rectangular region. To find close grains fast, the region is divided into a grid of bins, and each
-/// bin lists the grains in it. If the largest diameter is much larger than the smallest, there are several grids: one
-/// for the grains of each factor of two in diameter. The bins of a grid are at least as long as the diameter of its
-/// largest grain, unless the region is shorter.
+/// bin lists the grains in it. If the largest diameter is much larger than the smallest, there are several grids. The
+/// diameters of the grains in one grid then differ by less than a factor of two. The bins of a grid are at least as
+/// long as the diameter of its largest grain, unless the region is shorter.
 template <int Dim>
 class HardGrains {
  public:
@@ -67,22 +67,22 @@ class HardGrains {
 
   const Room<Dim>& room() const { return room_; }
 
-  /// Returns whether grain i would overlap no other placed grain if its centre were at x and all diameters were
-  /// multiplied by `scale`: clearance(i, x, scale) >= 1.
+  /// Returns true if grain i, with its centre at x and all diameters multiplied by `scale`, overlaps no other placed
+  /// grain: clearance(i, x, scale) >= 1.
   bool free_at(int i, const Vec<Dim>& x, double scale) const {
     bool free = true;
     visit_near(i, x, [&](int j, const Vec<Dim>& r) {
       const double touching = 0.5 * scale * (diameter_[i] + diameter_[j]);
-      // Most grains are so far away that their distance need not be known exactly.
+      // Most grains are far apart, and the square root for their exact distance is not needed.
       if (r.squaredNorm() < kSurelyApart * touching * touching) free = r.norm() / touching >= 1.0;
       return free;
     });
     return free;
   }
 
-  /// Returns the distance of grain i from the nearest other grain, with the centre of i at x and all diameters
-  /// multiplied by `scale` <= 1. It is the distance between the centres divided by the sum of the radii. A result above
-  /// 1 may be inexact and only means that no grains overlap.
+  /// Returns the smallest ratio of the distance between the centres of grain i and another grain to the sum of their
+  /// radii, with the centre of i at x and all diameters multiplied by `scale` <= 1. A result above 1 may be inexact and
+  /// only means that grain i overlaps no other grain.
   double clearance(int i, const Vec<Dim>& x, double scale) const {
     double least = 2.0;
     visit_near(i, x, [&](int j, const Vec<Dim>& r) {
@@ -92,8 +92,8 @@ class HardGrains {
     return least;
   }
 
-  /// Calls visit(j, r) for every grain j that grain i might touch with its centre at x, and for some grains farther
-  /// away, until it returns false. The vector r leads from x to the centre of grain j.
+  /// Calls visit(j, r) for every grain j that grain i, with its centre at x, might touch, and for some grains farther
+  /// away. The calls end when `visit` returns false. The vector r leads from x to the centre of grain j.
   template <typename Visit>
   void visit_near(int i, const Vec<Dim>& x, Visit&& visit) const {
     for (const Grid& grid : grids_) {
@@ -101,11 +101,11 @@ class HardGrains {
       const double reach = 0.5 * (diameter_[i] + grid.largest);
       const Vec<Dim, int> centre = bin_of(x, grid);
       Vec<Dim, int> most;
-      // If `reach` is at least half of a side of the region, all bins of the grid along this side are visited.
+      // If `reach` is at least half of a side of the region, all bins along this side are visited.
       for (int a = 0; a < Dim; ++a)
         most[a] = std::min(grid.bins[a] / 2, static_cast<int>(std::ceil(reach / room_.side[a] * grid.bins[a])));
-      // The order of the offsets along an axis is 0, 1, -1, 2, -2, ..., because the nearest bins hold the grains that most
-      // often end the search.
+      // The order of the offsets along an axis is 0, 1, -1, 2, -2, ...: a grain that ends the search is most often in
+      // one of the nearest bins.
       Vec<Dim, int> offset = Vec<Dim, int>::Zero();
       int a = 0;
       while (a < Dim) {
@@ -120,7 +120,7 @@ class HardGrains {
   }
 
   Vec<Dim> nearest_image(Vec<Dim> r) const {
-    // Most vectors are shorter than half of the region, so that no division and rounding is needed.
+    // Most components are shorter than half of the side of the region; no division is needed for them.
     for (int a = 0; a < Dim; ++a)
       if (!room_.walled[a] && std::abs(r[a]) > kSurelyNearest * room_.side[a])
         r[a] -= room_.side[a] * std::round(r[a] / room_.side[a]);
@@ -141,8 +141,9 @@ class HardGrains {
   const std::vector<Vec<Dim>>& position() const { return position_; }
 
  private:
-  /// Squared distance over the squared sum of the radii from which on grains do not overlap, whatever the rounding
-  /// errors are, and length over the side of the region below which no image of a vector is shorter.
+  /// kSurelyApart: two grains do not overlap, in spite of rounding errors, if the squared distance of their centres
+  /// divided by the squared sum of their radii is at least this number. kSurelyNearest: a component of a vector,
+  /// divided by the side of the region, up to which no periodic image of the vector is shorter.
   static constexpr double kSurelyApart = 1.0 + 1e-9, kSurelyNearest = 0.499;
 
   struct Grid {
@@ -169,8 +170,8 @@ class HardGrains {
       bin[a] = std::min(grid.bins[a] - 1, static_cast<int>(x[a] / room_.side[a] * grid.bins[a]));
     return bin;
   }
-  /// Returns the place of a bin in Grid::members. A number beyond the bins of an axis, by at most as many as there are,
-  /// is that of a bin at the other end.
+  /// Returns the index of a bin in Grid::members. The numbers in `bin` are periodic: along an axis with n bins, the
+  /// bins -1 and n are the bins n - 1 and 0. Numbers from -n to 2 n - 1 are allowed.
   std::size_t flat(const Vec<Dim, int>& bin, const Grid& grid) const {
     std::size_t index = 0;
     for (int a = 0; a < Dim; ++a) {
@@ -192,8 +193,8 @@ class HardGrains {
   std::vector<Vec<Dim>> position_;
 };
 
-/// Returns a random point for the centre of a grain with the given diameter. The point is at least the radius of the
-/// grain away from walls.
+/// Returns a random point for the centre of a grain with the given diameter. The distance of the point from walls is at
+/// least the radius of the grain.
 template <int Dim>
 Vec<Dim> random_point(const Room<Dim>& room, double diameter, RandomStream& random) {
   Vec<Dim> x;
@@ -204,7 +205,7 @@ Vec<Dim> random_point(const Room<Dim>& room, double diameter, RandomStream& rand
   return x;
 }
 
-/// Places the grains one by one at random without overlap, in descending order of diameter. All diameters are
+/// Places the grains one by one at random positions without overlap, the largest grains first. All diameters are
 /// multiplied by `scale`.
 template <int Dim>
 void place_at_random(HardGrains<Dim>& grains, const std::vector<double>& diameter, double scale,
@@ -227,7 +228,8 @@ void place_at_random(HardGrains<Dim>& grains, const std::vector<double>& diamete
   }
 }
 
-/// Returns the coordinate x along a periodic axis, shifted by a multiple of the period `side` into [0, side).
+/// Returns a coordinate x along a periodic axis, shifted into the interval [0, side) by a multiple of the period
+/// `side`.
 double wrapped(double x, double side) {
   x -= side * std::floor(x / side);
   return x < side ? x : 0.0;
@@ -255,14 +257,15 @@ void shuffle(HardGrains<Dim>& grains, const std::vector<double>& diameter, doubl
     }
     if (!inside) continue;
     const Vec<Dim>& now = grains.position()[i];
-    // A grain that overlaps another grain after all grains have grown may also move to a place where it overlaps less.
+    // If a grain overlaps another grain after all grains have grown, it may also move to a position with a smaller
+    // overlap.
     if (grains.free_at(i, x, scale) ||
         (!grains.free_at(i, now, scale) && grains.clearance(i, x, scale) > grains.clearance(i, now, scale)))
       grains.move(i, x);
   }
 }
 
-/// Returns whether no two of the n grains overlap if all diameters are multiplied by `scale`.
+/// Returns true if no two of the n grains overlap with all diameters multiplied by `scale`.
 template <int Dim>
 bool all_free(const HardGrains<Dim>& grains, int n, double scale) {
   for (int i = 0; i < n; ++i)
@@ -281,8 +284,8 @@ std::vector<double> draw_diameters(const GrainOptions& options, RandomStream& ra
 
 namespace {
 
-/// Grows the grains to their final diameters while Monte Carlo moves shuffle them, and then shuffles them until their
-/// first positions have no effect.
+/// Grows the grains to their final diameters during Monte Carlo moves. The moves then continue until the positions at
+/// which the grains were placed have no effect.
 /// @param scale  initial factor by which all diameters are multiplied
 template <int Dim>
 void equilibrate(HardGrains<Dim>& hard, const std::vector<double>& diameter, double scale,
@@ -293,8 +296,8 @@ void equilibrate(HardGrains<Dim>& hard, const std::vector<double>& diameter, dou
     if (sweep > kMaxSweeps)
       throw InputError("assembly",
                        fmt::format("solid_fraction is too large: the grains grow from smaller sizes, and "
-                                   "cannot be kept from overlapping when they have grown "
-                                   "to {:.3f} of their diameters; expected a smaller solid_fraction",
+                                   "overlaps remain when their diameters are {:.3f} of the "
+                                   "final diameters; expected a smaller solid_fraction",
                                    scale));
     shuffle(hard, diameter, scale, (sweep % 2 ? 0.5 : 0.1) * mean_diameter, random);
     const bool grown = at_size > 0 || all_free(hard, static_cast<int>(diameter.size()), scale);
@@ -303,8 +306,8 @@ void equilibrate(HardGrains<Dim>& hard, const std::vector<double>& diameter, dou
   }
 }
 
-/// Returns the position of a grain with the given diameter that is moved to x: x is wrapped along periodic axes, and
-/// moved away from walls so that the grain does not overlap them.
+/// Returns x, changed to an allowed position of a grain with the given diameter: along periodic axes, x is shifted into
+/// the region; along axes with walls, x is moved until the grain does not overlap a wall.
 template <int Dim>
 Vec<Dim> kept_inside(const Room<Dim>& room, double diameter, Vec<Dim> x) {
   for (int a = 0; a < Dim; ++a) {
@@ -348,8 +351,8 @@ void part(HardGrains<Dim>& hard, const std::vector<double>& diameter) {
 }
 
 /// Returns random positions, without overlap, of hard grains with the given diameters in a region.
-/// @param solid_fraction  volume of the grains divided by the volume of the part of the region in which their centres
-/// may lie
+/// @param solid_fraction  volume of the grains divided by the volume of the part of the region that is allowed for
+/// their centres
 template <int Dim>
 std::vector<Vec<Dim>> place_hard_grains(const Room<Dim>& room, const std::vector<double>& diameter,
                                         GasKind kind, double solid_fraction, RandomStream& random) {
@@ -363,7 +366,8 @@ std::vector<Vec<Dim>> place_hard_grains(const Room<Dim>& room, const std::vector
   return hard.position();
 }
 
-/// Returns a packing of grains with the given diameters and their masses, at rest and without positions.
+/// Returns a packing of grains at rest with the given diameters and the masses that follow from them. Positions are not
+/// set.
 template <int Dim>
 Packing<Dim> grains_of(const GrainOptions& options, const Law& law, const std::vector<double>& diameter) {
   Packing<Dim> gas;
@@ -449,8 +453,8 @@ void agitate(Packing<Dim>& packing, double rms_speed, RandomStream& random) {
   Vec<Dim> momentum = Vec<Dim>::Zero();
   double mass = 0.0;
   for (int i = 0; i < g.size(); ++i) {
-    // In Maxwell's distribution, all grains have the same mean kinetic energy. Each mass is divided by the largest
-    // mass, which makes the result independent of the unit of mass.
+    // In Maxwell's distribution, the mean kinetic energy of all grains is equal. Each mass is divided by the largest
+    // mass, so the result does not depend on the unit of mass.
     for (int a = 0; a < Dim; ++a) g.velocity[i][a] = random.normal() / std::sqrt(g.mass[i] / heaviest);
     momentum += g.mass[i] * g.velocity[i];
     mass += g.mass[i];

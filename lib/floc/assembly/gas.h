@@ -15,13 +15,14 @@ inline constexpr double kDensestGasOfSpheres = 0.49;
 /// in random order. A list of diameters keeps its order.
 std::vector<double> draw_diameters(const GrainOptions& options, RandomStream& random);
 
-/// Makes a gas: grains at rest in a square (in 3D cubic) cell, at random positions without overlap.
-/// 1. The grains are placed one by one. If the solid fraction is above about 0.4 (0.3 in 3D), they are placed with
-///    smaller diameters and then grow to their final diameters.
+/// Makes a gas: grains at rest in a square (3D: cubic) cell, at random positions without overlap.
+/// 1. The grains are placed one by one. If the solid fraction is above about 0.4 (3D: 0.3), the grains get smaller
+///    diameters first and then grow to their final diameters.
 /// 2. In a gas of kind `equilibrated`, the grains grow while they make random Monte Carlo moves as hard spheres. The
-///    moves continue until the positions of the grains have no correlation with their first positions.
-/// 3. In a gas of kind `sequential_addition`, the grains grow in one step. Pairs of grains that then overlap are pushed
-///    apart to a distance of 1.001 times the sum of their radii.
+///    moves continue until the positions of the grains have no correlation with the positions at which they were
+///    placed.
+/// 3. In a gas of kind `sequential_addition`, the grains grow in one step. If two grains overlap after this step, they
+///    are pushed apart until their centres have a distance of 1.001 times the sum of the radii.
 ///
 /// @throws InputError if the solid fraction is so high that the grains cannot grow to their final diameters without
 /// overlap
@@ -29,11 +30,11 @@ template <int Dim>
 Packing<Dim> make_gas(const GrainOptions& options, const Law& law, double solid_fraction, RandomStream& random,
                       GasKind kind = GasKind::equilibrated);
 
-/// Makes a gas in a box with walls, by the method of make_gas(). The centres of grains are at least their radius away
-/// from the walls. The grains move: they get velocities of equal magnitudes and random directions, from which the mean
-/// velocity is subtracted. The total momentum is then zero, and the speeds differ slightly. Finally all velocities are
-/// scaled to make the mass density times the mean squared speed equal to the kinetic pressure of the box.
-/// @param solid_fraction  solid fraction of the gas in the box; if it is 0, `box.sides` are lengths
+/// Makes a gas in a box with walls, by the method of make_gas(). Grains do not overlap walls. The grains move: they get
+/// velocities of equal magnitude and random direction, from which the mean velocity is subtracted; the speeds then
+/// differ slightly. Finally all velocities are multiplied by one factor, such that the mass density times the mean
+/// squared speed equals the kinetic pressure of the box.
+/// @param solid_fraction  solid fraction of the gas in the box; if it is 0, the numbers in `box.sides` are lengths
 /// @throws InputError if the box is too small for the largest grain, or if the grains cannot be placed without overlap
 template <int Dim>
 Packing<Dim> make_boxed_gas(const GrainOptions& options, const Law& law, const BoxOptions& box,

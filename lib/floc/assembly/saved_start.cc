@@ -35,8 +35,8 @@ Packing<Dim> start_from(Packing<Dim> saved, const Law& law, const Vec<Dim, int>&
   saved.law = law;
   const std::vector<Contact<Dim>> before = std::move(saved.contacts);
   find_contacts(saved);
-  // Two grains that touched under the old law may still stick together across a gap that is too wide for
-  // find_contacts() to search. Such contacts are kept.
+  // Two grains that touched under the old law may still stick together although their gap is wider than the gaps that
+  // find_contacts() searches. Contacts of this kind are kept.
   std::vector<Contact<Dim>> held;
   auto found = saved.contacts.begin();
   for (const Contact<Dim>& old : before) {

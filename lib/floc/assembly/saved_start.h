@@ -12,16 +12,18 @@ namespace floc {
 
 /// Stresses of a saved packing that a run imposes at its start.
 struct KeptStress {
-  std::vector<double> stress;  ///< stress on each axis, imposed or carried (force/length^(Dim-1))
-  int axis = 0;                ///< axis along which the packing was driven, counted from 0
+  /// stress on each axis, whether it was imposed or resulted from an imposed strain (force/length^(Dim-1))
+  std::vector<double> stress;
+  int axis = 0;  ///< axis along which the packing was driven, counted from 0
 };
 
-/// Saved packing from which a run starts. It replaces the gas from which other runs start.
+/// Saved packing from which a run starts instead of from a gas.
 struct SavedStart {
-  /// Function that reads the packing from its file. It is called only when the run begins, to hold a large packing in
-  /// memory only once.
+  /// Function that reads the packing from its file. It is called only when the run begins, so that a large packing is
+  /// in memory only once.
   std::function<std::variant<Packing<2>, Packing<3>>()> read;
-  /// SHA-256 checksum of the file of the packing. The first state of the run records it as the checksum of its parent.
+  /// SHA-256 checksum of the file of the packing. The first state of the run records this checksum as that of its
+  /// parent state.
   std::string sha256;
   /// number of copies of the packing that are joined side by side along each axis
   Vec<3, int> copies = Vec<3, int>::Ones();
@@ -42,10 +44,10 @@ struct SavedStart {
 
 /// Prepares the start of a run from a saved packing: sets the grains to rest, replaces the contact law, and joins
 /// copies of the packing side by side. The grains keep their positions and orientations. Contacts are found anew from
-/// the positions, under the new law. Each contact keeps the elongations of its springs (not their forces), shortened if
-/// they exceed the limits of the new law. Springs that the new law lacks are dropped; springs that only the new law has
-/// start with zero elongation. If the saved packing is in equilibrium and the law does not change, the result is in
-/// equilibrium, too.
+/// the positions, under the new law. Each contact keeps the elongations of its springs (not their forces); elongations
+/// that exceed the limits of the new law are shortened. Springs that only the old law has are removed; springs that
+/// only the new law has start with zero elongation. If the saved packing is in equilibrium and the law does not change,
+/// the result is in equilibrium, too.
 /// @param law  contact law of the run
 /// @param copies  number of copies along each lattice vector, >= 1
 /// @throws InputError if find_contacts() throws it

@@ -12,7 +12,8 @@ namespace floc {
 struct PolygonOptions {
   int sides = 5;
 };
-/// Shape of rectangles or cuboids. `sides` has one number per dimension; only the ratios of these numbers matter.
+/// Shape of rectangles or cuboids. The member `sides` has one number for each dimension; only the ratios of the numbers
+/// matter.
 struct BoxShapeOptions {
   std::vector<double> sides;
 };
@@ -27,14 +28,14 @@ struct FileShapeOptions {
   std::string sha256;  ///< SHA-256 checksum that the file must have; empty if the content is not checked
 };
 
-/// Shapes of the grains of a scene (table grains.shape). All shapes have the diameter 1 and are magnified to the
-/// diameters of the grains.
+/// Shapes of the grains of a scene (table grains.shape). All shapes have the diameter 1; each grain has a shape that is
+/// scaled to the diameter of the grain.
 struct ShapeOptions {
   std::variant<PolygonOptions, BoxShapeOptions, HullOptions, CutOptions, VoronoiOptions, CapsuleOptions,
                FileShapeOptions>
       kind;
   double rounding = 0.0;  ///< radius of rounding divided by the diameter, from 0 to 0.45
-  int count = 60;         ///< number of different shapes that are drawn
+  int count = 60;         ///< number of different shapes that are drawn at random
 };
 
 }  // namespace floc

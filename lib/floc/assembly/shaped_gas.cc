@@ -83,13 +83,13 @@ double densest_gas(const Grains<Dim>& grains) {
 
 namespace {
 
-/// Makes a gas of grains with shapes, whose circumscribed circles or spheres are placed by place_balls(). This function gets
-/// options with these balls and their solid fraction.
-/// @param key  key of a scene that gives the solid fraction
+/// Makes a gas of grains with shapes. The function place_balls() places their circumscribed circles or spheres (balls);
+/// its arguments are options with the diameters of the balls, and the solid fraction of the balls.
+/// @param key  key of the solid fraction in a scene, for messages
 template <int Dim>
 Packing<Dim> shaped_gas(const GrainOptions& options, double solid_fraction, const char* key, std::uint64_t seed,
                         RandomStream& random, const auto& place_balls) {
-  // The diameters are drawn here, and place_balls() takes them as a list, which it does not draw from.
+  // The diameters are drawn here; place_balls() gets them as a list and does not draw diameters again.
   GrainOptions balls = options;
   balls.diameter.values = draw_diameters(options, random);
   balls.diameter.kind = DiameterDistribution::Kind::list;
@@ -125,7 +125,8 @@ Packing<Dim> make_boxed_shaped_gas(const GrainOptions& options, const Law& law, 
                                        return make_boxed_gas<Dim>(balls, law, box, fraction, random, kind);
                                      });
   send_off(gas, box.kinetic_pressure, random);
-  // Walls are as heavy as the scene gives them in masses of the largest grain, and not of its ball.
+  // The scene gives the mass of a wall as a multiple of the mass of the largest grain; make_boxed_gas() has used the
+  // mass of the largest ball instead.
   for (Wall<Dim>& wall : gas.walls)
     if (std::isfinite(wall.mass)) wall.mass = box.mass * largest_mass(gas.grains);
   return gas;

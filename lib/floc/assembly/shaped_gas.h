@@ -8,9 +8,10 @@
 namespace floc {
 
 /// Returns grains with the shapes of a scene, at the origin and at rest, with random orientations. The shapes are
-/// assigned to the grains in random order; the numbers of grains of two shapes differ by at most one. The radius of a
-/// grain, that of its circumscribed circle or sphere, is half its diameter. Its mass is its volume times the density of
-/// the scene; without a density, a disk or sphere of diameter 1 would have mass 1.
+/// assigned to the grains in random order, each shape to equally many grains (the numbers may differ by one). The
+/// radius of a grain is that of its circumscribed circle or sphere: half the diameter of the grain. The mass is the
+/// volume of the grain times the density of the scene; if the scene has no density, it is the density at which a disk
+/// or sphere of diameter 1 has mass 1.
 /// @param options  grains of a scene that gives their shapes
 /// @param diameter  diameter of each grain (length)
 /// @param seed  seed of the run, which determines the shapes and the orientations
@@ -27,8 +28,8 @@ double share_of_bounding_balls(const Grains<Dim>& grains);
 template <int Dim>
 double densest_gas(const Grains<Dim>& grains);
 
-/// Makes a gas of grains with shapes in a square (in 3D cubic) cell. Their circumscribed circles or spheres are placed
-/// by make_gas(); the grains then do not overlap in any orientation.
+/// Makes a gas of grains with shapes in a square (3D: cubic) cell. The circumscribed circles or spheres of the grains
+/// are placed by make_gas(), so the grains do not overlap in any orientation.
 /// @param options  grains of a scene that gives their shapes
 /// @param solid_fraction  volume of the grains divided by the volume of the cell
 /// @param seed  seed of the run, which determines the shapes and the orientations
@@ -38,10 +39,11 @@ template <int Dim>
 Packing<Dim> make_shaped_gas(const GrainOptions& options, const Law& law, double solid_fraction,
                              std::uint64_t seed, RandomStream& random, GasKind kind);
 
-/// Makes a gas of grains with shapes in a box with walls, of circumscribed circles or spheres placed by
-/// make_boxed_gas(). The grains have its velocities.
-/// @param solid_fraction  volume of the grains over that of the box; if it is 0, `box.sides` are lengths
-/// @throws InputError as make_shaped_gas() and make_boxed_gas()
+/// Makes a gas of grains with shapes in a box with walls. The circumscribed circles or spheres of the grains are placed
+/// by make_boxed_gas(); the grains get velocities from send_off().
+/// @param solid_fraction  volume of the grains divided by the volume of the box; if it is 0, the numbers in `box.sides`
+/// are lengths
+/// @throws InputError if the solid fraction is above densest_gas(), or if shaped_grains() or make_boxed_gas() throws it
 template <int Dim>
 Packing<Dim> make_boxed_shaped_gas(const GrainOptions& options, const Law& law, const BoxOptions& box,
                                    double solid_fraction, std::uint64_t seed, RandomStream& random,

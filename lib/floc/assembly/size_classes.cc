@@ -12,7 +12,7 @@ std::vector<SizeClass> classes_between(const std::vector<double>& limits,
                                        const DiameterDistribution& distribution, std::vector<double> diameters,
                                        int dimension) {
   if (limits.empty()) return {};
-  // The sums are independent of the order of the grains.
+  // The diameters are sorted so that rounding errors of the sums do not depend on the order of the grains.
   std::sort(diameters.begin(), diameters.end());
   std::vector<SizeClass> classes(limits.size() - 1);
   double all = 0.0;
@@ -40,7 +40,8 @@ std::vector<SizeClass> classes_between(const std::vector<double>& limits,
   return classes;
 }
 
-/// Returns the ends of the four equal parts of the range of diameters; no ends if there is only one diameter.
+/// Returns the ends of the four equal parts of the range of diameters; the result is empty if there is only one
+/// diameter.
 std::vector<double> quarters_of(const DiameterDistribution& d) {
   constexpr int kQuarters = 4;
   if (!(d.min < d.max)) return {};
@@ -50,7 +51,7 @@ std::vector<double> quarters_of(const DiameterDistribution& d) {
   return limits;
 }
 
-/// Returns the smallest diameter and all larger sieve sizes.
+/// Returns the smallest diameter and all sieve sizes above it.
 std::vector<double> sieves_of(const DiameterDistribution& d) {
   std::vector<double> limits{d.min};
   for (const double size : d.curve.sizes)

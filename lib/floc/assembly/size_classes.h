@@ -7,31 +7,33 @@
 
 namespace floc {
 
-/// Interval of diameters, with the shares of the grains of a scene in this interval and the shares according to the
-/// distribution. All shares are fractions of the volume (area in 2D) of all grains; for grains with corners, of the
-/// volume of their circumscribed spheres (circles).
+/// Interval of diameters, with the shares of the grains of a scene in this interval, and the shares that the
+/// distribution of diameters assigns to it. A share is a volume (area in 2D) divided by the volume of all grains. For
+/// grains with corners, the volumes are those of the circumscribed spheres (circles).
 struct SizeClass {
-  /// Ends of the interval (length). It contains `to`; the first interval also contains `from`.
+  /// Ends of the interval (length). The end `to` belongs to the interval; the end `from` belongs only to the first
+  /// interval.
   double from = 0.0, to = 0.0;
   int n_grains = 0;
   double share = 0.0;    ///< share of the grains in the interval
-  double passing = 0.0;  ///< share of all grains with diameters up to `to`
-  /// both shares according to the distribution; absent for distributions of single diameters
+  double passing = 0.0;  ///< share of the grains with diameters up to `to`
+  /// values of `share` and `passing` according to the distribution; absent for distributions of single diameters
   std::optional<double> share_asked, passing_asked;
 };
 
 /// Returns the size classes of grains: the intervals between the sieves of a sieve curve or, for other distributions,
-/// the four equal parts of their range of diameters. Grains of one size have no classes.
+/// the four equal parts of their range of diameters. If all grains have one size, there are no classes.
 /// @param distribution  distribution from which the grains were drawn
 /// @param diameters  diameters of the grains (length)
 /// @param dimension  2 for disks, 3 for spheres
 std::vector<SizeClass> size_classes(const DiameterDistribution& distribution,
                                     const std::vector<double>& diameters, int dimension);
 
-/// Returns the size classes of the grains that a scene draws.
+/// Returns the size classes of the grains of a scene.
 std::vector<SizeClass> size_classes(const GrainOptions& grains, int dimension);
 
-/// Returns the four equal parts of the range of diameters of the grains that a scene draws, as size classes.
+/// Returns size classes of the grains of a scene: the four equal parts of their range of diameters, also for a sieve
+/// curve.
 std::vector<SizeClass> size_quarters(const GrainOptions& grains, int dimension);
 
 }  // namespace floc

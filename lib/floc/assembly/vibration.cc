@@ -17,8 +17,8 @@
 namespace floc {
 namespace {
 
-/// Largest distance between the surfaces of two neighbours (in largest diameters). Collisions are predicted only
-/// between neighbours.
+/// Two grains count as neighbours up to this distance between their surfaces (in largest diameters). Collisions are
+/// predicted only between neighbours.
 constexpr double kPairDistance = 0.4;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
@@ -40,7 +40,7 @@ class HardFlight {
     for (std::int64_t done = 0; done < n_collisions && !events_.empty();) {
       const Event next = events_.top();
       events_.pop();
-      // Grain i has collided since this event was predicted, so the event is void.
+      // Grain i has collided since this event was predicted; the event will not happen.
       if (n_events_of_[next.i] != next.n_i) continue;
       if (n_events_of_[next.j] != next.n_j) {
         predict(next.i);
@@ -67,9 +67,10 @@ class HardFlight {
   struct Event {
     double time;
     int i, j;
-    int n_i, n_j;  ///< numbers of collisions of grains i and j up to the prediction of this event
+    int n_i, n_j;  ///< numbers of collisions of grains i and j when this event was predicted
     Vec<Dim> shift;
-    bool operator<(const Event& other) const { return time > other.time; }  // the earliest event comes first
+    // the priority queue then gives the earliest event first
+    bool operator<(const Event& other) const { return time > other.time; }
   };
 
   Vec<Dim> place(int i) const { return grains_.position[i] + (now_ - time_of_[i]) * grains_.velocity[i]; }
@@ -109,7 +110,7 @@ class HardFlight {
     return squared < 0.0 ? kNever : std::max(0.0, beyond / (approach + std::sqrt(squared)));
   }
 
-  /// Predicts the next collision of grain i with its neighbours, and adds it to the list of events.
+  /// Predicts the next collision of grain i with one of its neighbours, and adds this event to the queue of events.
   void predict(int i) {
     Event next{kNever, i, i, n_events_of_[i], 0, {}};
     const Vec<Dim> x = place(i);

@@ -12,24 +12,26 @@ namespace floc {
 ///     minimise  1/2 x' Q x + c' x + 1/2 y' S y    subject to    A x + S y = b,    x_k in K for each block k,
 ///
 /// where block x_k of x has Dim entries and K = {v : |(v_1, ..)| <= v_0} is the second-order cone. Two problems have
-/// this form. For the forces of rigid grains at rest, S = 0 and x_k = (P, t/mu) for contact k, with the repulsive
-/// normal force P, the tangential force t and the friction coefficient mu; A x = b is the balance of every grain and of
-/// the cell. For a time step, S contains the masses, and A x + S y = b is the balance of momentum (implicit_step.h).
+/// this form. The first problem is to find the forces of rigid grains at rest: S = 0, and x_k = (P, t/mu) for contact
+/// k, with the repulsive normal force P, the tangential force t and the friction coefficient mu; A x = b is the balance
+/// of forces and moments of every grain and of the stress of the cell. The second problem is to find the impulses of a
+/// time step: S contains the masses, and A x + S y = b is the balance of momentum (implicit_step.h).
 ///
-/// A is stored by blocks: the entries of block k in `row` and `coefficient` have the indices first[k] to first[k + 1] -
-/// 1. The entries of one block have different rows.
+/// A is stored block by block: `row` and `coefficient` list the entries of block k, which have the indices first[k] to
+/// first[k + 1] - 1. The entries of one block have different rows.
 template <int Dim>
 struct ConeProgram {
   std::vector<int> first{0};
   std::vector<int> row;
-  /// coefficients of the entries of A: each entry holds the Dim coefficients of one block in one row
+  /// coefficients of the entries of A; an entry has the Dim coefficients of one block in one row
   std::vector<Vec<Dim>> coefficient;
-  /// group (grain) of each row, ascending; the rows of a group are eliminated together
+  /// number of the group (grain) of each row, ascending; the rows of a group are eliminated together
   std::vector<int> group;
   Eigen::VectorXd load;      ///< right-hand side b
-  Eigen::VectorXd softness;  ///< diagonal of S, >= 0; empty for zeros
-  /// Symmetric matrices that are added to S: one for each block, over the rows of its entries. Each is stored by the
-  /// rows of its lower triangle, one block after the other. Empty if there are none.
+  Eigen::VectorXd softness;  ///< diagonal of S, >= 0; empty if all its elements are zero
+  /// Symmetric matrices that are added to S, one for each block. The rows and columns of the matrix of a block are the
+  /// rows of A in which the block has entries. The matrices are stored one after the other, each as the rows of its
+  /// lower triangle. The list is empty if there are no matrices.
   std::vector<double> block_softness;
   std::vector<Vec<Dim>> compliance;  ///< diagonal of Q, >= 0
   std::vector<Vec<Dim>> linear;      ///< linear part c of the objective
@@ -82,11 +84,11 @@ struct ConeProgram {
 /// Outcome of the solution of a cone program.
 enum class ConeStatus {
   kSolved,
-  /// No x satisfies the constraints. The vector y in ConeSolution::motion proves this: b' y > 0, while -A' y lies in
-  /// the cones.
+  /// No x satisfies the constraints. The vector y in ConeSolution::motion proves this: b' y > 0, and -A' y lies in the
+  /// cones.
   kInfeasible,
   kUnbounded,  ///< the linear objective has no lower bound
-  kFailed,     ///< rounding errors ended the iteration before another outcome was certain
+  kFailed,     ///< rounding errors ended the iteration before one of the other outcomes was certain
 };
 
 template <int Dim>
@@ -96,12 +98,12 @@ struct ConeSolution {
   Eigen::VectorXd motion;  ///< dual unknown y
   double objective = 0.0;  ///< 1/2 x' Q x + c' x + 1/2 y' S y
   double residual = 0.0;   ///< largest |A x + S y - b|
-  /// duality gap x' z, with z the slack of the cones: upper bound of the difference between the objective and its
-  /// minimum
+  /// duality gap x' z, with z = Q x + c - A' y: an upper bound of the objective minus its minimum
   double gap = 0.0;
   int n_factorizations = 0;
 
-  /// Whether the program was solved, or rounding ended the iteration at a residual and a gap below `nearly`.
+  /// Returns whether the program was solved, or rounding ended the iteration when the residual and the gap were below
+  /// `nearly`.
   bool is_solved(double nearly) const {
     return status == ConeStatus::kSolved ||
            (status == ConeStatus::kFailed && residual < nearly && gap < nearly);

@@ -18,35 +18,36 @@
 namespace floc {
 namespace {
 
-/// Largest displacement of a grain in a time step, divided by its diameter.
+/// Largest allowed displacement of a grain in a time step, divided by the diameter of the grain.
 constexpr double kLongestMove = 2e-2;
-/// Largest displacement for grains with corners that carry a force, because their closest features may change within a
-/// step.
+/// Largest allowed displacement, divided by the diameter, of a grain with corners on which a contact force acts. It is
+/// smaller because the closest features of two grains may change within a step.
 constexpr double kCarryingMove = 5e-3;
-/// Deepest overlap that a step may cause, divided by the diameter of the smaller grain.
+/// Deepest overlap of two grains that is allowed after a step, divided by the diameter of the smaller grain.
 constexpr double kDeepest = 1e-2;
-/// Deepest overlap, divided by the diameter of the smaller grain, that may remain after a step that starts from rest
-/// and removes overlaps which shorter steps have not avoided. For example, two nearly parallel faces meet at another
-/// corner in each step.
+/// Deepest allowed overlap, divided by the diameter of the smaller grain, after a step from rest that is made because
+/// shorter steps did not avoid overlaps. Shorter steps fail, for example, if two nearly parallel faces meet at a
+/// different corner in each step.
 constexpr double kDeepestAtRest = 5e-2;
-/// Largest number of times that a step is halved because of its overlaps.
+/// Largest number of times that a step is halved because overlaps after it are too deep.
 constexpr int kMostHalvings = 5;
-/// Shortest step that is still halved because of its overlaps, divided by the longest step.
+/// Shortest step that is still halved if overlaps after it are too deep, divided by the longest step.
 constexpr double kShortestStep = 1e-3;
-/// Share of an overlap that a step removes.
+/// Share of an overlap that a step removes if the step is solved by sweeps.
 constexpr double kStabilisation = 0.1;
-/// Overlap that is not removed if impacts are elastic, because its removal would add energy, divided by the diameter of
-/// the smaller grain.
+/// Overlap that is not removed if impacts are elastic, divided by the diameter of the smaller grain. Its removal would
+/// add energy.
 constexpr double kElasticOverlap = 5e-3;
 /// Shortest time over which an overlap is removed, divided by the longest time step.
 constexpr double kShortestRemoval = 0.125;
 /// If the largest displacement in a step is less than this share of its limit, the next time step is doubled.
 constexpr double kTimid = 0.4;
-/// Largest difference of a sliding tangential impulse from Coulomb's limit, divided by this limit.
+/// A contact slides if its tangential impulse differs from Coulomb's limit by less than this number, as a fraction of
+/// the limit.
 constexpr double kAtLimit = 1e-9;
 
-/// Whether the adhesion of a contact acts in a step: its surfaces touch, or a repulsive force acted between them in the
-/// last step.
+/// Returns whether the adhesion of a contact acts in a step: the surfaces touch, or a repulsive force acted between
+/// them in the last step.
 template <int Dim>
 bool sticks(const Contact<Dim>& c) {
   return c.gap <= 0.0 || c.elastic_force > 0.0;
@@ -63,7 +64,7 @@ Orientation<Dim> turned(const Orientation<Dim>& orientation, const RotationVecto
   }
 }
 
-/// Stops all grains, the cell, and the walls that follow forces.
+/// Stops all grains, the cell, and the walls that move under a force.
 template <int Dim>
 void stop_all(Packing<Dim>& packing) {
   stop_grains(packing);
@@ -71,8 +72,9 @@ void stop_all(Packing<Dim>& packing) {
     if (follows_forces(wall)) wall.velocity = 0.0;
 }
 
-/// Returns whether the grains, as a whole, move backwards: the scalar product of their present and earlier velocities
-/// and spins, weighted with the masses, is negative.
+/// Returns whether the grains, as a whole, move backwards: the sum of m (v . v' + R^2 w . w') over the grains is
+/// negative, with the mass m, the radius R, the present and earlier velocities v and v', and the present and earlier
+/// spins w and w'.
 template <int Dim>
 bool turns_back(const Packing<Dim>& before, const Packing<Dim>& now) {
   double product = 0.0;
@@ -108,16 +110,16 @@ void ContactDynamics<Dim>::find_contacts(Packing<Dim>& packing) {
   packing.contacts = std::move(contacts);
 }
 
-/// Returns the largest gap of contact points that take part in a step: the largest distance by which two grains can
-/// approach each other.
+/// Returns the largest gap of contact points that take part in a step: two grains can approach each other by at most
+/// this distance in a step.
 template <int Dim>
 double ContactDynamics<Dim>::reach() const {
   const double largest = *std::max_element(packing_.grains.radius.begin(), packing_.grains.radius.end());
   return 2.0 * kLongestMove * 2.0 * largest;
 }
 
-/// Returns the velocity gradient with which the grains are carried along (1/time). Along axes between walls, grains move
-/// relative to space and not to the box.
+/// Returns the velocity gradient of the cell that is added to the velocities of the grains (1/time). It has no
+/// component along an axis with walls: along this axis, the velocities of the grains are relative to space.
 template <int Dim>
 Mat<Dim> ContactDynamics<Dim>::cell_rate() const {
   Mat<Dim> rate = packing_.cell.rate();
@@ -126,7 +128,7 @@ Mat<Dim> ContactDynamics<Dim>::cell_rate() const {
   return rate;
 }
 
-/// Returns the motion of the grains, the walls and the cell at the end of a step without contacts.
+/// Returns the velocities that the grains, the walls and the cell would have at the end of a step without contacts.
 template <int Dim>
 BodyMotion<Dim> ContactDynamics<Dim>::free_motion(double dt, bool at_rest) const {
   const Grains<Dim>& g = packing_.grains;
@@ -137,8 +139,8 @@ BodyMotion<Dim> ContactDynamics<Dim>::free_motion(double dt, bool at_rest) const
     v += dt * packing_.gravity;
     const Mat<kRotations<Dim>> inertia = g.inertia_tensor(i);
     const Mat<kRotations<Dim>> inverse = inertia.inverse();
-    // Even if no moment acts on a body, its spin changes by Euler's equations if its principal moments of inertia
-    // differ.
+    // By Euler's equations, the spin of a body with different principal moments of inertia changes even without a
+    // moment.
     if constexpr (Dim == 3)
       if (!g.are_round()) w -= dt * inverse * w.cross(inertia * w);
     out.velocity.push_back(v);
@@ -151,7 +153,8 @@ BodyMotion<Dim> ContactDynamics<Dim>::free_motion(double dt, bool at_rest) const
   return out;
 }
 
-/// Returns the speed at which a wall that grains do not touch moves inwards in the end (length/time).
+/// Returns the terminal speed of a wall that no grain touches: the speed at which it finally moves inwards
+/// (length/time).
 template <int Dim>
 double ContactDynamics<Dim>::terminal_speed(const Wall<Dim>& wall) const {
   const double closing =
@@ -160,8 +163,9 @@ double ContactDynamics<Dim>::terminal_speed(const Wall<Dim>& wall) const {
   return closing / static_cast<double>(std::ranges::count_if(packing_.walls, shares));
 }
 
-/// Adds the walls to the bodies of a step. A wall of mass M and area A moves by M v' = F - P A - (P A/V) v, with the force
-/// F of the grains and the terminal speed V; the last term is a drag. Velocities are counted outwards here.
+/// Adds the walls to the bodies of a step. The equation of motion of a wall is M v' = F - P A - (P A/V) v, with its
+/// mass M, its area A, its outward velocity v, the force F of the grains, the imposed pressure P and the terminal speed
+/// V. The last term is a drag.
 template <int Dim>
 void ContactDynamics<Dim>::add_walls(double dt, bool at_rest, BodyMotion<Dim>& bodies) const {
   for (const Wall<Dim>& wall : packing_.walls) {
@@ -179,8 +183,9 @@ void ContactDynamics<Dim>::add_walls(double dt, bool at_rest, BodyMotion<Dim>& b
   }
 }
 
-/// Gives the bodies of a step the stretch of the cell. A side moves by M_a L' = V (sigma_a - P_a) - (V P_a/E) L, with the
-/// rate cap E: without contacts its rate ends at -E.
+/// Sets the rate of stretch of the cell in the bodies of a step. For a side under stress, the equation of motion is M_a
+/// L' = V (sigma_a - P_a) - (V P_a/E) L, with the inertia M_a, the rate of stretch L, the volume V, the stress sigma_a
+/// of the contacts, the imposed stress P_a and the cap E on the strain rate. Without contacts, L tends to -E.
 template <int Dim>
 void ContactDynamics<Dim>::add_cell(double dt, bool at_rest, BodyMotion<Dim>& bodies) const {
   const double volume = packing_.cell.volume();
@@ -210,22 +215,22 @@ double ContactDynamics<Dim>::gap_rate(const Contact<Dim>& c) const {
   return u.dot(c.normal);
 }
 
-/// Returns the coefficient of restitution of a contact that closes at its present rate.
+/// Returns the coefficient of restitution of a contact for its present rate of approach.
 template <int Dim>
 double ContactDynamics<Dim>::restitution(const Contact<Dim>& c) const {
   return -gap_rate(c) > settings_.slow_impact ? settings_.restitution : 0.0;
 }
 
-/// Returns the time over which an overlap is removed. It is the time step, but not shorter than a minimum, because a
-/// fast removal would give the grains high velocities, which would shorten the steps further.
+/// Returns the time over which an overlap is removed: the time step, but not less than a minimum. In a shorter time the
+/// grains would get high velocities, which would shorten the next steps.
 template <int Dim>
 double ContactDynamics<Dim>::removal_time(double dt) const {
   return std::max(dt, kShortestRemoval * settings_.longest_step);
 }
 
 /// Returns the contact points as contacts of a step, with the impulses of the last step as initial values. If impacts
-/// are elastic, points with a gap do not take part: they would close to a gap of zero within the step, and the approach
-/// speed of the impact would be lost.
+/// are elastic, points with a gap are left out unless they stick. Otherwise the step would reduce the velocity of
+/// approach until the gap just closes, and the restitution could no longer use the original velocity.
 template <int Dim>
 std::vector<StepContact<Dim>> ContactDynamics<Dim>::step_contacts(double dt, double removed,
                                                                   std::vector<int>& source) const {
@@ -255,7 +260,8 @@ std::vector<StepContact<Dim>> ContactDynamics<Dim>::step_contacts(double dt, dou
           kStabilisation * std::min(0.0, c.gap + kElasticOverlap * 2.0 * smaller_radius(packing_, c)) / removal;
     else
       k.bias[0] += c.gap > 0.0 ? c.gap / dt : removed * c.gap / removal;
-    // After an impact in a short step, the recorded forces are too large for a longer step.
+    // The forces of an impact in a short step are too large for a longer step, so the impulses are those of the shorter
+    // of the two steps.
     const double known = std::min(dt, last_step_);
     k.impulse = -known * (k.frame.transpose() * c.shear_force);
     k.impulse[0] = known * c.elastic_force;
@@ -263,8 +269,8 @@ std::vector<StepContact<Dim>> ContactDynamics<Dim>::step_contacts(double dt, dou
   return out;
 }
 
-/// Returns, for each contact of a step, the change of the momenta of its two grains due to the rotation of its normal
-/// impulse.
+/// Returns, for each contact of a step, the matrix that gives the change of the momenta of its two grains due to the
+/// rotation of its normal impulse (convex_stiffness()).
 template <int Dim>
 std::vector<PairMatrix<Dim>> ContactDynamics<Dim>::stiffnesses(const Trial& trial, double dt) const {
   std::vector<PairMatrix<Dim>> out;
@@ -290,7 +296,7 @@ bool ContactDynamics<3>::solve_with_plates(double dt, const Method& method, Tria
   trial.sweeps.converged = plates.solve(dt, trial.motion, trial.contacts);
   return trial.sweeps.converged;
 }
-/// Polygons need no plates, because the sides of two polygons have at most two closest points.
+/// Polygons need no plates, because two sides that face each other have at most two contact points.
 template <>
 bool ContactDynamics<2>::solve_with_plates(double, const Method&, Trial&) const {
   return false;
@@ -311,7 +317,7 @@ auto ContactDynamics<Dim>::solve(double dt, const Method& method) const -> Trial
   return trial;
 }
 
-/// Returns the largest displacement of a grain in a step, divided by its allowed displacement.
+/// Returns the largest ratio of the displacement of a grain or a wall in a step to its allowed displacement.
 template <int Dim>
 double ContactDynamics<Dim>::largest_share_moved(const Trial& trial, double dt, const Method& method) const {
   const Grains<Dim>& g = packing_.grains;
@@ -333,8 +339,8 @@ double ContactDynamics<Dim>::largest_share_moved(const Trial& trial, double dt, 
   return largest;
 }
 
-/// Returns the packing at the end of a step. Its contacts are those at the beginning of the step, with the forces of
-/// the step.
+/// Returns the packing at the end of a step. The contacts are those at the start of the step, with the forces of the
+/// step.
 template <int Dim>
 Packing<Dim> ContactDynamics<Dim>::moved(const Trial& trial, double dt) const {
   Packing<Dim> out = packing_;
@@ -362,7 +368,7 @@ Packing<Dim> ContactDynamics<Dim>::moved(const Trial& trial, double dt) const {
   return out;
 }
 
-/// Gives the contacts of a packing the forces of a step.
+/// Sets the forces of the contacts of a packing to those of a step.
 template <int Dim>
 void ContactDynamics<Dim>::set_forces(const Trial& trial, double dt, Packing<Dim>& packing) const {
   for (Contact<Dim>& c : packing.contacts) c.normal_force = c.elastic_force = 0.0, c.shear_force.setZero();
@@ -396,7 +402,8 @@ double ContactDynamics<Dim>::error_of_forces() const {
   BodyMotion<Dim> motion = free_motion(time_step_, false);
   std::vector<int> source;
   std::vector<StepContact<Dim>> contacts = step_contacts(time_step_, kStabilisation, source);
-  // The adhesion is taken from the recorded forces, because its action across a gap depends on the previous step.
+  // The recorded forces tell whether the adhesion of a contact acts. It cannot be computed anew: across a gap it
+  // depends on the forces of the previous step.
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Contact<Dim>& c = packing_.contacts[static_cast<std::size_t>(source[k])];
     contacts[k].adhesion = time_step_ * std::max(0.0, c.elastic_force - c.normal_force);
@@ -404,8 +411,8 @@ double ContactDynamics<Dim>::error_of_forces() const {
   return GaussSeidel<Dim>(motion, contacts).residual();
 }
 
-/// Returns the deepest overlap of any contact, divided by the diameter of the smaller grain, and sets `where` to that
-/// contact.
+/// Returns the deepest overlap of the contacts, divided by the diameter of the smaller grain, and sets `where` to the
+/// contact with this overlap.
 template <int Dim>
 double ContactDynamics<Dim>::deepest_overlap(const Packing<Dim>& packing, const Contact<Dim>*& where) const {
   double deepest = 0.0;
@@ -428,7 +435,8 @@ void ContactDynamics<Dim>::step(bool at_rest) {
     const double share = largest_share_moved(trial, dt, method);
     if (share > 1.0) {
       dt *= 0.5;
-      // Half a step allows half the displacement, so only half of each overlap is removed.
+      // A shorter step alone does not reduce the displacements that remove overlaps, so only half of each overlap is
+      // removed.
       if (method.at_once) method.removed *= 0.5;
       continue;
     }
@@ -443,8 +451,8 @@ void ContactDynamics<Dim>::step(bool at_rest) {
             fmt::format("{} would overlap by {:.2g} of the smaller diameter in a time step, even after "
                         "the step was halved {} times; the largest overlap allowed is {:.2g}",
                         pair_name(next, *where), deepest, kMostHalvings, allowed));
-      // The errors at which sweeps end may cause overlaps that shorter steps do not remove. The step is therefore
-      // solved at once, from rest.
+      // Sweeps leave errors in the impulses, which may cause overlaps that shorter steps do not remove. The step is
+      // therefore solved at once and from rest.
       rescues = true;
       method = {.at_rest = true, .at_once = true};
       allowed = std::max(allowed, kDeepestAtRest);

@@ -14,75 +14,77 @@
 
 namespace floc {
 
-/// Load on the boundary of a packing in contact dynamics. On a periodic axis under stress the side of the cell moves;
-/// other sides keep their rate of change Cell::velocity. Every wall of finite mass moves under the stress on its axis.
+/// Load on the boundary of a packing in contact dynamics. On a periodic axis under stress, the side of the cell moves
+/// under the stress; every other side changes at the constant rate in Cell::velocity. Every wall of finite mass moves
+/// under the stress on its axis.
 template <int Dim>
 struct BoundaryLoad {
   Vec<Dim> stress = Vec<Dim>::Zero();  ///< stress on each axis, compression positive (force/length^(Dim-1))
-  /// Whether the side of the cell follows the stress on this axis; not used on axes between walls.
+  /// For each axis, whether the side of the cell moves under the stress; not used for axes with walls.
   std::array<bool, Dim> under_stress = {};
-  double cell_mass = 1.0;  ///< mass of a side of the cell over the mass of all grains
-  /// Rate |L'/L| at which a side of the cell, or the distance of two walls, shrinks in the end without contacts (1/time):
-  /// a drag acts on the side or the walls.
+  double cell_mass = 1.0;  ///< mass of a side of the cell divided by the mass of all grains
+  /// Terminal strain rate |L'/L|, where L is a side of the cell or the distance of two walls (1/time). Without
+  /// contacts, the length L finally shrinks at this rate, because a drag acts on the side or on the walls.
   double strain_rate_cap = std::numeric_limits<double>::infinity();
-  /// Speed at which two walls approach each other in the end without contacts (length/time); absent: it follows from
-  /// strain_rate_cap.
+  /// Terminal speed at which two walls finally approach each other without contacts (length/time). If it is absent, the
+  /// speed is strain_rate_cap times the distance of the walls.
   std::optional<double> wall_speed = {};
 };
 
 /// Settings of the time steps of contact dynamics.
 struct ContactDynamicsSettings {
   double longest_step;  ///< longest time step (time)
-  /// error of the impulses at which the sweeps of a step end, divided by the mean normal impulse
+  /// tolerance of the impulses, divided by the mean normal impulse: the sweeps of a step end when the error is smaller
   double sweep_tolerance;
   int max_sweeps;  ///< largest number of sweeps in a step
   double restitution = 0.0;
-  /// Rate of approach below which impacts are inelastic (length/time). Without this limit, grains that fall onto other
-  /// grains within a step would never come to rest.
+  /// Impacts with a smaller rate of approach are inelastic (length/time). Without this limit, grains that gravity moves
+  /// towards other grains within each step would never come to rest.
   double slow_impact = 0.0;
   int threads = 1;
-  /// Whether the contacts of a step are solved all at once (implicit_step.h) and not by sweeps. Overlaps are then
-  /// removed in one step, and the velocities of all grains are set to zero when the grains, as a whole, move backwards.
-  /// This leads the grains to rest faster than setting their velocities to zero before each step.
+  /// Whether the contacts of a step are solved all at once (implicit_step.h) and not by sweeps. If so, overlaps are
+  /// removed in one step, and the velocities of all grains are set to zero whenever the grains, as a whole, move
+  /// backwards. The grains come to rest faster in this way than if their velocities are set to zero before each step.
   bool at_once = false;
-  /// Whether steps in 3D that are solved at once have separating plates (separating_plates.h). Grains must be
-  /// without friction and adhesion, and have corners.
+  /// Whether steps in 3D that are solved at once use separating plates (separating_plates.h). The grains must have
+  /// corners, and neither friction nor adhesion.
   bool plates = false;
 };
 
-/// Motion of rigid grains in implicit time steps (contact dynamics; Moreau 1988, Jean 1999). The impulses of all
-/// contacts in a step solve Signorini's and Coulomb's conditions for the velocities at the end of the step
-/// (gauss_seidel.h). The time step is halved until no grain moves more than 2e-2 of its diameter (5e-3 for grains with
-/// corners that carry a force) and no overlap is deeper than 1e-2 of the diameter of the smaller grain.
+/// Motion of rigid grains in implicit time steps (contact dynamics; Moreau 1988, Jean 1999). In each step, the impulses
+/// of all contacts are such that the velocities at the end of the step satisfy Signorini's and Coulomb's conditions
+/// (gauss_seidel.h). The time step is halved until no grain moves by more than 2e-2 of its diameter (5e-3 for grains
+/// with corners on which a contact force acts) and no overlap is deeper than 1e-2 of the diameter of the smaller grain.
 ///
-/// The contacts of the packing are all contact points closer than the reach of a step. They carry the forces of the
-/// last step (its impulses divided by the time step), which give the initial impulses of the next step.
+/// The contacts of the packing are all contact points whose gap could close within one step. Their forces are those of
+/// the last step (impulses divided by the time step), and give the initial impulses of the next step.
 template <int Dim>
 class ContactDynamics {
  public:
-  /// @param time_step  time step to begin with (time)
+  /// @param time_step  length of the first time step (time)
   /// @param last_step  length of the step that gave the forces of the packing (time); 0 if it is not known
   /// @throws InputError if find_pairs() throws it
   ContactDynamics(Packing<Dim> packing, const BoundaryLoad<Dim>& load, const ContactDynamicsSettings& settings,
                   double time_step, double last_step = 0.0);
 
-  /// Makes one time step. If overlaps remain too deep even after the step has been halved several times, the grains are
-  /// stopped, and a step that is solved at once removes the overlaps.
+  /// Makes one time step. If overlaps are too deep even after the step has been halved several times, the grains are
+  /// stopped, and a step that is solved at once (ContactDynamicsSettings::at_once) removes the overlaps.
   /// @param at_rest  whether all velocities are set to zero before the step
-  /// @throws NoResult if the overlaps are too deep after that step, too
+  /// @throws NoResult if overlaps are too deep even after this last step
   void step(bool at_rest);
 
-  /// Sets the velocity of the cell (length/time). Sides under stress begin the next step with this velocity; all other
-  /// sides keep it.
+  /// Sets the velocity of the cell (length/time). For sides under stress, it is the velocity at the start of the next
+  /// step; all other sides keep it in later steps.
   void set_cell_velocity(const Mat<Dim>& velocity) { packing_.cell.velocity = velocity; }
-  /// Shortens the next step to a length (time).
+  /// Limits the length of the next step (time).
   void shorten_next_step(double longest) { time_step_ = std::min(time_step_, longest); }
 
-  /// Finds the forces of the next step without moving the grains. The contacts then carry these forces, and time_step()
-  /// is the length of that step.
+  /// Finds the forces of the next step without moving the grains. Afterwards the contacts of the packing have these
+  /// forces, and time_step() is the length of the step.
   SweepResult find_forces();
-  /// Returns the error of the present forces of the contacts as forces of the next step (SweepResult::residual). The
-  /// velocities at the end of that step are computed from these forces.
+  /// Returns the error that the present forces of the contacts would have as the forces of the next step
+  /// (SweepResult::residual). The error is computed from the velocities that these forces would cause at the end of the
+  /// next step.
   double error_of_forces() const;
 
   const Packing<Dim>& packing() const { return packing_; }
@@ -95,13 +97,13 @@ class ContactDynamics {
   /// Method by which a step is solved.
   struct Method {
     bool at_rest;          ///< whether all velocities are set to zero before the step
-    bool at_once;          ///< see ContactDynamicsSettings::at_once
-    double removed = 1.0;  ///< share of each overlap that a step solved at once removes
+    bool at_once;          ///< whether the contacts are solved all at once (ContactDynamicsSettings::at_once)
+    double removed = 1.0;  ///< share of each overlap that is removed if the step is solved at once
   };
   struct Trial {
     BodyMotion<Dim> motion;
     std::vector<StepContact<Dim>> contacts;
-    std::vector<int> source;  ///< for each contact of the step: its index in the contacts of the packing
+    std::vector<int> source;  ///< index of each contact of the step in the contacts of the packing
     SweepResult sweeps;
   };
 

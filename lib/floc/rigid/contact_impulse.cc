@@ -8,7 +8,7 @@
 namespace floc {
 namespace {
 
-/// Limit on the number of steps of an iteration, which normally converges much earlier.
+/// Largest number of steps of an iteration. The iterations normally converge much earlier.
 constexpr int kMostSteps = 100;
 
 /// Returns the impulse that makes the relative velocity zero.
@@ -30,12 +30,13 @@ Vec<2> sliding_impulse(const ContactProblem<2>& problem, const Vec<2>& sticking)
     return Vec<2>(p, sign * mu * p);
   };
   const double sign = sticking[1] > 0.0 ? 1.0 : -1.0;
-  // In a steep wedge, friction towards one side would pull the bodies together. The other side is taken then.
+  // In a steep wedge, friction in one direction would pull the bodies together. The impulse then has the other
+  // direction.
   return a(0, 0) + sign * mu * a(0, 1) > 0.0 ? along(sign) : along(-sign);
 }
 
-/// Tangential impulse that minimises |A_t p + q_t| (in the norm of A_tt^-1) within a disk of radius r. It is the
-/// solution of a trust-region problem, computed in the axes in which A_tt is diagonal.
+/// Tangential impulse p_t with |p_t| <= r that minimises the tangential velocity |A_t p + q_t| in the norm of A_tt^-1
+/// (see ContactProblem). This is a trust-region problem. It is solved in the axes in which A_tt is diagonal.
 struct Slip {
   Vec<2> eigenvalue;
   Mat<2> axes;
@@ -52,7 +53,7 @@ struct Slip {
     Vec<2> p = at(0.0);
     if (p.norm() <= radius) return axes * p;
     if (radius == 0.0) return Vec<2>::Zero();
-    // Newton's method for the shift at which 1/|p| = 1/radius. It converges from one side, without overshooting the
+    // Newton's method finds the shift at which 1/|p| = 1/radius. It converges from one side and does not overshoot the
     // root.
     double shift = 0.0;
     for (int n = 0; n < kMostSteps; ++n) {
@@ -77,8 +78,8 @@ Vec<3> sliding_impulse(const ContactProblem<3>& problem, const Vec<3>& /*stickin
     return out;
   };
   const auto normal_velocity = [&](const Vec<3>& p) { return a.row(0).dot(p) + problem.velocity[0]; };
-  // At P = 0 the bodies approach, and at a large enough P they part. The root between these values is found by the
-  // Illinois method (modified regula falsi).
+  // At P = 0 the bodies approach each other; at a large enough P they move apart. The root between these two values is
+  // found by the Illinois method (modified regula falsi).
   double low = 0.0, f_low = problem.velocity[0], high = -problem.velocity[0] / a(0, 0);
   Vec<3> p = impulse_at(high);
   double f_high = normal_velocity(p);

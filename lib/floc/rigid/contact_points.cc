@@ -11,8 +11,8 @@
 namespace floc {
 namespace {
 
-/// Largest distance, divided by the smaller radius, at which two points of a pair of shapes match although their keys
-/// differ.
+/// Largest distance of an earlier and a new contact point that match although their keys differ, divided by the smaller
+/// radius.
 constexpr double kMatchingShare = 0.25;
 
 template <int Dim>

@@ -8,19 +8,20 @@
 
 namespace floc {
 
-/// Search for the contact points of a packing. Round grains have one point per pair, grains with corners up to two (2D)
-/// or four (3D). The object remembers the features of each pair that defined the last separating axis, and the next
-/// search begins with them; they change the points only within the margins of contact_manifold().
+/// Search for the contact points of a packing. A pair of round grains has one point; a pair of grains with corners has
+/// up to two (2D) or four (3D). For each pair, the object stores the features that defined the separating axis in the
+/// last search, and the next search begins with these features. The result depends on the stored features only within
+/// the margins of contact_manifold().
 template <int Dim>
 class ContactPoints {
  public:
-  /// Returns the contact points whose gap is smaller than `reach` (length), in the order of the contacts of a packing,
-  /// without forces.
+  /// Returns the contact points whose gap is smaller than `reach` (length), sorted like the contacts of a packing. The
+  /// forces of the points are zero.
   /// @throws InputError if find_pairs() throws it
   std::vector<Contact<Dim>> find(const Packing<Dim>& packing, double reach);
 
-  /// Returns the contact points whose gap is smaller than `share` times the diameter of the smaller grain. For a face
-  /// with many corners, find() with a larger reach may return other points.
+  /// Returns the contact points whose gap is smaller than `share` times the diameter of the smaller grain. If a face
+  /// has many corners, the points may differ from those that find() returns for a larger reach.
   std::vector<Contact<Dim>> find_touching(const Packing<Dim>& packing, double share);
 
  private:
@@ -30,13 +31,13 @@ class ContactPoints {
   };
   std::vector<Contact<Dim>> find(const Packing<Dim>& packing, double reach, double share);
 
-  std::vector<KnownPair> known_;  ///< pairs of the last search, in its order
+  std::vector<KnownPair> known_;  ///< pairs of the last search, in the order in which they were found
 };
 
-/// Gives contact points the forces of earlier contact points. A point takes the forces of the earlier point with the
-/// same key. Each remaining point of a pair of shapes takes the forces of the nearest earlier point of the pair
-/// (matched_points()). Tangential forces are projected onto the new tangent planes.
-/// @param before, now  contacts sorted like those of a packing
+/// Gives contact points the forces of earlier contact points. A point gets the forces of the earlier point with the
+/// same key. Each remaining point of a pair of shapes gets the forces of the nearest earlier point of the pair that is
+/// not used yet (matched_points()). Tangential forces are projected onto the new tangent planes.
+/// @param before, now  contacts, sorted like those of a packing
 template <int Dim>
 void carry_forces(const Packing<Dim>& packing, const std::vector<Contact<Dim>>& before,
                   std::vector<Contact<Dim>>& now);

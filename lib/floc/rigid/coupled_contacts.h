@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// Symmetric matrix, of which only the independent components are stored.
+/// Inverse inertia tensor, a symmetric matrix, stored without its repeated components.
 template <int Dim>
 struct PackedInertia;
 
@@ -32,8 +32,8 @@ struct PackedInertia<3> {
   }
 };
 
-/// Contacts of bodies of any shape, at any points. In 3D the tangents of a record are the axes in which the response to
-/// tangential impulses is diagonal.
+/// Contacts of bodies of any shape, at any points of their surfaces. In 3D the tangents of a record are the axes in
+/// which the matrix of the response to tangential impulses is diagonal.
 template <int Dim, bool Cell>
 struct CoupledContacts {
   static constexpr int kDim = Dim;
@@ -90,7 +90,7 @@ struct CoupledContacts {
 
   static void apply(const Contact& c, const Impulse& impulse, Body* bodies, Vec<Dim>& gain) {
     const Vec<Dim> in_space = c.frame * impulse;
-    // A body that does not move may belong to contacts of several threads, so no thread may write to it.
+    // Several threads may solve contacts of a body that does not move, so no thread may change this body.
     if (Body& i = bodies[c.i]; i.moves) {
       i.velocity -= i.inverse_mass.cwiseProduct(in_space);
       i.angular_velocity -= i.inverse_inertia * moment<double>(c.arm_i, in_space);
@@ -109,7 +109,7 @@ struct CoupledContacts {
     apply(c, change, bodies, gain);
   }
 
-  /// Returns contact_error() of a contact, with the response in its record.
+  /// Returns contact_error() of a contact, computed with the response in its record.
   static double error(const Contact& c, const Body* bodies, const Vec<Dim>& stretch) {
     return contact_error<Dim>(
         {c.response.response(), velocity_without_impulse(c, bodies, stretch), c.response.friction()},
@@ -135,7 +135,8 @@ struct CoupledContacts {
     u -= cross<double>(i.angular_velocity, c.arm_i);
     c.add_velocity(stretch, u);
     Vec<Dim> q = c.frame.transpose() * u;
-    // The velocity contains the effect of the present impulse on the bodies, but not that of its compliance.
+    // The velocity of the bodies contains the effect of the present impulse, but not the term of the impulse due to the
+    // compliance.
     q += c.bias - c.response.times(c.impulse) + c.tangential_compliance * c.impulse;
     q[0] += (c.normal_compliance - c.tangential_compliance) * c.impulse[0];
     return q;

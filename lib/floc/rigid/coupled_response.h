@@ -7,22 +7,22 @@
 
 namespace floc {
 
-/// Solution of ContactProblem for one response A and many velocities q. Everything that depends on A alone is computed
-/// once. The impulses agree with contact_impulse().
+/// Solution of ContactProblem for one response A and many velocities q. All quantities that depend only on A are
+/// computed once. The impulses agree with those of contact_impulse().
 template <int Dim>
 class CoupledResponse;
 
 template <>
 class CoupledResponse<2> {
  public:
-  /// @param response  A, symmetric and positive definite
+  /// @param response  matrix A, symmetric and positive definite
   /// @param friction  friction coefficient mu >= 0
   CoupledResponse(const Mat<2>& response, double friction) : response_(response), friction_(friction) {
     stick_ = -response.inverse();
     const double nn = response(0, 0), nt = response(0, 1);
     for (const int up : {0, 1}) {
       double sign = up == 1 ? 1.0 : -1.0;
-      // Friction towards this side would pull the bodies together. An impulse on this side is never needed.
+      // Friction in this direction would pull the bodies together. The impulse then has the other direction.
       if (nn + sign * friction * nt <= 0.0) sign = -sign;
       slide_normal_[up] = -1.0 / (nn + sign * friction * nt);
       slide_tangent_[up] = sign * friction * slide_normal_[up];
@@ -33,15 +33,15 @@ class CoupledResponse<2> {
   double friction() const { return friction_; }
   Vec<2> times(const Vec<2>& impulse) const { return response_ * impulse; }
 
-  /// Returns the impulse that solves the problem with velocity q. The function selects between numbers instead of
-  /// branching, since processors cannot predict which contacts slide.
+  /// Returns the impulse that solves the problem with velocity q. The function computes all cases and selects one
+  /// without a branch, since processors cannot predict which contacts slide.
   Vec<2> impulse(const Vec<2>& q) const {
     const double stick_n = stick_(0, 0) * q[0] + stick_(0, 1) * q[1];
     const double stick_t = stick_(1, 0) * q[0] + stick_(1, 1) * q[1];
     const int up = stick_t > 0.0;
     const double slide_n = q[0] * slide_normal_[up], slide_t = q[0] * slide_tangent_[up];
-    // The value is positive outside the cone, even if stick_n is negative: stick_t is then not zero, because q[0] is
-    // negative, too.
+    // `outside` is positive if the sticking impulse is outside Coulomb's cone, also for a negative stick_n: q[0] is
+    // then negative, too, so stick_t is not zero.
     const double outside = std::abs(stick_t) - friction_ * stick_n;
     const double p_n = outside > 0.0 ? slide_n : stick_n, p_t = outside > 0.0 ? slide_t : stick_t;
     return {q[0] < 0.0 ? p_n : 0.0, q[0] < 0.0 ? p_t : 0.0};
@@ -50,17 +50,17 @@ class CoupledResponse<2> {
  private:
   Mat<2> response_, stick_;
   double friction_;
-  // impulse per normal velocity of a sliding contact, for negative and positive tangential impulse
+  // impulse of a sliding contact divided by q[0], for a negative and a positive tangential impulse
   double slide_normal_[2], slide_tangent_[2];
 };
 
-/// Contact problem in 3D, with the axes in which A_tt is diagonal as tangents: A = (a, c'; c, diag(l)).
+/// Contact problem in 3D. The tangents are the axes in which A_tt is diagonal: A = (a, c'; c, diag(l)).
 ///
 /// An impulse with slip u_t = -s p_t, s >= 0, solves (A + diag(0, s, s)) p = -q. By Cramer's rule its components are P
-/// = N_n(s)/D(s) and p_t = N_t(s)/D(s), where D is positive, N_n is quadratic and N_t is linear in s. Sticking is the
-/// case s = 0, and sliding is the root of h(s) = mu N_n/|N_t| = 1. If A is isotropic in the tangents and does not
-/// couple them to the normal, h is linear in s. In general Newton's method therefore takes few steps. It starts from
-/// the s of the previous call.
+/// = N_n(s)/D(s) and p_t = N_t(s)/D(s), where D is positive, N_n is quadratic and N_t is linear in s. A contact sticks
+/// if s = 0. It slides if s is the root of h(s) = 1 with h = mu N_n/|N_t|. If A is isotropic in the tangents and does
+/// not couple the tangents to the normal, h is linear in s; in other cases Newton's method usually takes few steps. The
+/// method starts from the s of the previous call.
 template <>
 class CoupledResponse<3> {
  public:
@@ -137,12 +137,13 @@ class CoupledResponse<3> {
                            h * (direction[0] * of.x1 + direction[1] * of.y1) * inverse;
       (h < 1.0 ? low : high) = s;
       double next = s + (1.0 - h) / slope;
-      // Newton's step would leave the interval, or it is not a number: the interval is halved, or s doubled.
+      // If Newton's step leaves the interval or is not a number, the interval is halved; if the interval has no upper
+      // end, s is doubled.
       if (!(next >= low && next <= high))
         next = high < kUnbounded ? 0.5 * (low + high) : 2.0 * s + tangential_[0];
       const double change = std::abs(next - s);
       s = next;
-      // Newton's method converges quadratically: the error after a step is of the order of the square of the step.
+      // Newton's method converges quadratically: the remaining error is about the square of the last step.
       if (change <= kSmallStep * (s + tangential_[0])) break;
     }
     slip_ = s;

@@ -12,11 +12,11 @@
 namespace floc {
 namespace {
 
-/// Coefficients below this value count as rounding errors, in units in which the coefficients of translations are one.
-/// An example is the moment of a normal force on a round grain.
+/// Coefficients below this value count as rounding errors, in units in which the coefficients of the balance of forces
+/// are one. For example, the moment of a normal force on a round grain is not exactly zero.
 constexpr double kNoCoefficient = 1e-12;
 
-/// Rows of the balance and their loads, before rows without coefficients are left out.
+/// All rows of the balance and their loads. Rows without coefficients are left out later.
 template <int Dim>
 class BalanceRows {
  public:
@@ -44,15 +44,16 @@ class BalanceRows {
   int n_boundary() const { return n_boundary_; }
   Eigen::VectorXd& load() { return load_; }
 
-  /// Returns the sum of normal forces times branches that the load asks for, which is the mean stress times the volume;
-  /// of a packing whose walls have given forces, the sum of these forces and of the weights of the grains.
+  /// Returns the sum over the contacts of normal force times length of the branch vector that the load requires: the
+  /// trace of the stress times the volume. If the forces on walls are given, returns the sum of these forces and of the
+  /// weights of the grains.
   double sum_of_loads() const {
     if (by_wall_) return load_.cwiseAbs().sum();
     return std::abs(load_.segment(first_of_boundary(), Dim).sum());
   }
 
-  /// Calls visit(row, coefficient) for each row of the balance in which a contact appears. The contact contributes to
-  /// the row the scalar product of `coefficient` and its force (F_N, T).
+  /// Calls visit(row, coefficient) for each row of the balance to which a contact contributes. The contribution is the
+  /// scalar product of `coefficient` and the force (F_N, T) of the contact.
   void for_each_row(const NetworkContact<Dim>& c, const auto& visit) const {
     const ContactRows<Dim> rows = contact_rows(c);
     for (int a = 0; a < kDofs<Dim>; ++a) {
@@ -77,7 +78,7 @@ class BalanceRows {
   double boundary_scale() const {
     return unit_length() * std::sqrt(static_cast<double>(std::max<std::size_t>(1, network_.contacts.size())));
   }
-  /// Typical coefficient of a row of the boundary: the length of a branch, or 1 for the force on a wall.
+  /// Typical coefficient in a row of the boundary: the length of a branch vector; 1 if the row is the force on a wall.
   double unit_length() const {
     return by_wall_ ? 1.0 : std::pow(network_.volume / std::max(1, network_.n_grains), 1.0 / Dim);
   }
@@ -85,20 +86,20 @@ class BalanceRows {
  private:
   ContactNetwork<Dim> network_;
   StrainSet strains_;
-  bool by_wall_;  ///< whether the rows of the boundary are the forces on single walls
+  bool by_wall_;  ///< whether each row of the boundary is the force on one wall
   int n_boundary_;
   Eigen::VectorXd load_;
 };
 
-/// Returns whether the forces may give any value to a row of the boundary.
-/// @param s  number of the row, counted from the first of the boundary
+/// Returns whether the load in a row of the boundary is arbitrary.
+/// @param s  number of the row among the rows of the boundary, counted from 0
 template <int Dim>
 bool is_free(const ForceBalanceOptions<Dim>& options, int s) {
   if (options.wall_force) return !(*options.wall_force)[static_cast<std::size_t>(s)];
   return s < Dim && options.open_axis[static_cast<std::size_t>(s)];
 }
 
-/// Returns the force (F_N, T) of a contact in its frame.
+/// Returns the present force (F_N, T) of a contact in the frame of the contact.
 template <int Dim>
 Vec<Dim> present_force(const NetworkContact<Dim>& c) {
   Vec<Dim> f = c.frame.transpose() * c.shear_force;
@@ -106,8 +107,9 @@ Vec<Dim> present_force(const NetworkContact<Dim>& c) {
   return f;
 }
 
-/// Marks the contacts that can carry no force: those that do not adhere, of grains on which no other force acts.
-/// Their grains may leave others with one contact. The weight of a grain may act on any contact.
+/// Marks the contacts whose force must be zero in equilibrium: contacts without adhesion of a grain on which no other
+/// force acts. After such a contact is removed, another grain may have only one contact left, and the search continues
+/// with this grain. With gravity, no contact is marked.
 template <int Dim>
 std::vector<bool> idle_contacts(const Packing<Dim>& packing) {
   if (!packing.gravity.isZero(0.0)) return std::vector<bool>(packing.contacts.size(), false);
@@ -154,7 +156,7 @@ std::vector<UnknownForce<Dim>> unknown_forces(const Packing<Dim>& packing, const
   const std::vector<bool> idle = idle_contacts(packing);
   const double mean_kn = mean_stiffness(network.contacts, &NetworkContact<Dim>::kn);
   const double mean_kt = mean_stiffness(network.contacts, &NetworkContact<Dim>::kt);
-  // Contacts without a stiffness, such as Hertz contacts of spheres that just touch, get the mean stiffness.
+  // A contact with zero stiffness, such as the Hertz contact of two spheres that just touch, gets the mean stiffness.
   const auto stiffness = [](const std::optional<double>& given, double own, double mean) {
     return given ? *given : own > 0.0 ? own : mean;
   };
@@ -191,8 +193,8 @@ void require_balance(const std::string& place, const Packing<Dim>& packing,
                                         options.wall_force->size(), packing.walls.size()));
   if (options.stress && !packing.walls.empty())
     throw InputError(place,
-                     "a stress cannot be given for a packing between walls: its forces balance the forces "
-                     "that the walls carry in the file");
+                     "a stress cannot be given for a packing between walls: the contact forces have to "
+                     "balance the forces on the walls in the file");
 }
 
 }  // namespace
@@ -207,9 +209,10 @@ std::vector<std::string> ForceBalanceOptions<Dim>::validate() const {
       faults.push_back(fmt::format("{} = {}: expected a positive stiffness (force/length)", name, *value));
   if (axis_stress && !axis_stress->allFinite()) faults.emplace_back("axis_stress: expected finite components");
   if (!axis_stress && std::ranges::count(open_axis, true) > 0)
-    faults.emplace_back("open_axis: expected a stress on the other axes beside it");
-  if (wall_force && (stress || axis_stress)) faults.emplace_back("wall_force: expected no stress beside it");
-  if (stress && axis_stress) faults.emplace_back("axis_stress: expected no stress beside it");
+    faults.emplace_back("open_axis: expected axis_stress to be given, too");
+  if (wall_force && (stress || axis_stress))
+    faults.emplace_back("wall_force: expected that neither stress nor axis_stress is given");
+  if (stress && axis_stress) faults.emplace_back("axis_stress: expected that stress is not given, too");
   if (stress && !stress->allFinite()) faults.emplace_back("stress: expected finite components");
   return faults;
 }
@@ -225,7 +228,7 @@ ForceBalance<Dim> force_balance(const std::string& place, const Packing<Dim>& pa
   if (out.unknowns.empty())
     throw InputError(place, "no contact can carry a force, so there are no forces to balance");
 
-  // The boundary transmits the load of all present forces, unless a stress is given.
+  // Unless a stress is given, the load in the rows of the boundary is that of the present forces.
   Eigen::VectorXd& load = rows.load();
   const auto add = [&](const NetworkContact<Dim>& c, const Vec<Dim>& force, double sign, int from) {
     rows.for_each_row(c, [&](int row, const Vec<Dim>& coefficient) {
@@ -247,7 +250,7 @@ ForceBalance<Dim> force_balance(const std::string& place, const Packing<Dim>& pa
   if (!(out.unit > 0.0))
     throw InputError(place, "its contacts carry no force: give the stress that their forces have to transmit");
 
-  // Only rows on which some contact acts get numbers.
+  // Only rows to which at least one contact contributes get numbers.
   std::vector<int> number(rows.n_rows(), -1);
   for (const UnknownForce<Dim>& u : out.unknowns)
     rows.for_each_row(contacts[u.contact], [&](int row, Vec<Dim> coefficient) {
@@ -262,8 +265,8 @@ ForceBalance<Dim> force_balance(const std::string& place, const Packing<Dim>& pa
   for (int row = 0; row < rows.n_rows(); ++row) {
     const bool inside = row < rows.first_of_boundary();
     const int grain = inside ? row / kDofs<Dim> : -1;
-    // A row on which no contact acts is left out if its load is zero. If it has a load, the row stays, and the balance
-    // has no solution.
+    // A row to which no contact contributes is left out if its load is zero. If its load is not zero, the row stays,
+    // and the balance has no solution.
     if (number[row] < 0 && std::abs(load[row]) <= kNoCoefficient * rows.scale(row) * out.unit) continue;
     number[row] = static_cast<int>(scaled_load.size());
     scaled_load.push_back(load[row] / (rows.scale(row) * out.unit));

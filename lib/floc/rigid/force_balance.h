@@ -10,68 +10,75 @@
 
 namespace floc {
 
-/// Conditions on static forces in addition to those of the packing.
+/// Options of a balance of static forces.
 template <int Dim>
 struct ForceBalanceOptions {
-  std::optional<double> friction;  ///< friction coefficient; if absent, that of the contact law
-  std::optional<double> kn, kt;    ///< stiffnesses K_N and K_T (force/length); if absent, those of each contact
-  /// Stress that the forces transmit, symmetric (force/length^(Dim-1)); if absent, the stress of the present forces.
+  /// friction coefficient; if absent, the coefficient of the contact law is used
+  std::optional<double> friction;
+  /// stiffnesses K_N and K_T (force/length); if absent, each contact has its own
+  std::optional<double> kn, kt;
+  /// Stress that the forces have to give, symmetric (force/length^(Dim-1)); if absent, it is the stress of the present
+  /// forces.
   std::optional<Mat<Dim>> stress;
-  /// Stress on each axis that the forces transmit, compression positive (force/length^(Dim-1)), while shear stresses
-  /// are arbitrary. If absent, `stress` applies. Only one of the two may be given.
+  /// Stress on each axis that the forces have to give, compression positive (force/length^(Dim-1)); shear stresses are
+  /// then arbitrary. If it is absent, `stress` is used. At most one of the two may be given.
   std::optional<Vec<Dim>> axis_stress;
-  /// With `axis_stress`: axes whose length is fixed. The forces may transmit any stress along these axes.
+  /// Axes along which the length of the cell is fixed; used only with `axis_stress`. The stress on these axes is
+  /// arbitrary.
   std::array<bool, Dim> open_axis = {};
-  /// Force of the grains on each wall, in the order of Packing::walls (force); absent for a wall that bears any force.
-  /// Without this list, the force on each pair of walls is that of the present forces.
+  /// Force of the grains on each wall, in the order of Packing::walls (force); absent for a wall on which any force is
+  /// allowed. Without this list, the force on each pair of walls is that of the present forces.
   std::optional<std::vector<std::optional<double>>> wall_force = {};
 
-  /// Every fault as "key = value: requirement"; empty when the options can be used.
+  /// Returns the faults of the options, each as "key = value: requirement"; empty if the options are valid.
   std::vector<std::string> validate() const;
 };
 
-/// Errors of a set of forces in the equations of balance.
+/// Errors of the equations of balance for a set of forces.
 struct BalanceError {
   double force = 0.0;  ///< largest net force on a grain, divided by the mean normal force
-  /// largest net moment on a grain, divided by the mean normal force and the size of the grain
+  /// largest net moment on a grain, divided by the mean normal force times the size of the grain
   double moment = 0.0;
-  /// largest error of a component of the stress, divided by the pressure of mean normal forces
+  /// largest error of a component of the stress, divided by the pressure if all contacts had the mean normal force
   double stress = 0.0;
 };
 
-/// Contact whose force is unknown. Block k of the cone program is (P, T/mu) of this contact, in units of
-/// ForceBalance::unit, with the repulsive part P = F_N + F_a of the normal force F_N, the adhesion F_a, the tangential
-/// force T and the friction coefficient mu.
+/// Contact whose force is unknown. A block of the unknown x in the cone program is (P, T/mu) of this contact, in units
+/// of ForceBalance::unit. P = F_N + F_a is the repulsive part of the normal force F_N, F_a the adhesion, T the
+/// tangential force and mu the friction coefficient.
 template <int Dim>
 struct UnknownForce {
   int contact;       ///< index in the contacts of the packing
   double friction;   ///< friction coefficient mu
   double adhesion;   ///< adhesion F_a >= 0 (force)
-  Vec<Dim> present;  ///< present forces P and T of the packing, in `frame` (force)
+  Vec<Dim> present;  ///< present force (P, T) in the packing, in the axes of `frame` (force)
   double kn, kt;     ///< stiffnesses K_N and K_T (force/length), > 0
   Mat<Dim> frame;    ///< axes of the contact as columns: the normal, then the tangents
 };
 
-/// Balance of the contact forces of a packing at rest as the constraints of a cone program: force and moment vanish on
-/// each grain, and the forces transmit the given stress. Each contact satisfies Coulomb's condition P >= 0,
-/// |T| <= mu P. Attractions across a gap keep the forces that they have.
+/// Balance of the contact forces of a packing at rest, as the constraints of a cone program: the net force and the net
+/// moment on each grain are zero, and the forces give the required stress. Each contact satisfies Coulomb's condition,
+/// P >= 0 and |T| <= mu P. Attractions across a gap keep their present forces.
 template <int Dim>
 struct ForceBalance {
   std::vector<UnknownForce<Dim>> unknowns;
-  ConeProgram<Dim> program;         ///< constraints of the balance, with an objective of zero
-  std::vector<int> row_grain;       ///< grain of each row of the program; -1 for rows of the boundary
-  std::vector<bool> row_is_moment;  ///< for each row: whether it is the balance of moments
-  double unit = 1.0;                ///< unit of the forces in the program, about the mean normal force (force)
-  /// Value of the rows of the boundary for the pressure that mean normal forces give.
+  ConeProgram<Dim> program;  ///< constraints of the balance; the objective is zero
+  /// for each row of the program, the index of the grain; -1 for rows of the boundary
+  std::vector<int> row_grain;
+  std::vector<bool> row_is_moment;  ///< for each row, whether it is a balance of moments
+  /// unit of the forces in the program, close to the mean normal force (force)
+  double unit = 1.0;
+  /// Typical load of a row of the boundary, in units of the program: the load if all contacts had the mean normal
+  /// force.
   double unit_of_boundary = 1.0;
 };
 
-/// Returns the balance of the forces of a packing, which also carry the weight of the grains. Contacts that cannot carry a force in equilibrium, as those of a
-/// grain with one contact that does not adhere, are left out.
-/// @param place  file, for messages
-/// @throws InputError if an option is not valid; if the law resists rolling or twisting, whose moments this balance
-/// does not have; if no contact touches; if no stress is given and the present forces are zero; if a stress is
-/// given for a packing between walls; or if wall_force does not have a number for each wall
+/// Returns the balance of the contact forces of a packing. The weight of the grains is part of the balance. A contact
+/// whose force must be zero in equilibrium is left out, for example the only contact of a grain, if it does not adhere.
+/// @param place  name of the file of the packing, for messages
+/// @throws InputError if an option is not valid; if the contact law resists rolling or twisting, because the balance
+/// does not include moments at contacts; if no contact touches; if no stress is given and the present forces are zero;
+/// if a stress is given for a packing between walls; or if wall_force does not have one entry for each wall
 template <int Dim>
 ForceBalance<Dim> force_balance(const std::string& place, const Packing<Dim>& packing,
                                 const ForceBalanceOptions<Dim>& options);

@@ -10,23 +10,24 @@
 namespace floc {
 namespace {
 
-/// Radius of curvature of a face, divided by the size of the grain; it stands for infinity.
+/// Radius of curvature that is used for a face instead of infinity, divided by the size of the grain.
 constexpr double kFlat = 1e5;
-/// Radius of curvature of a corner, divided by the size of the grain; it stands for zero.
+/// Radius of curvature that is used for a corner instead of zero, divided by the size of the grain.
 constexpr double kSharp = 1e-7;
-/// Vertices whose distance from the support plane, divided by the size of the grain, is at most this value belong to
-/// one face or edge.
+/// Largest distance from the support plane, divided by the size of the grain, of vertices that count as vertices of the
+/// face or edge in contact.
 constexpr double kOnPlane = 1e-6;
 
 template <int Dim>
 using Tangents = Eigen::Matrix<double, Dim, Dim - 1>;
 template <int Dim>
 using TangentMatrix = Eigen::Matrix<double, Dim - 1, Dim - 1>;
-/// Linear map from the motion of the two grains to a tangential vector.
+/// Matrix that gives a tangential vector for a motion of the two grains of a contact.
 template <int Dim>
 using MotionMap = Eigen::Matrix<double, Dim - 1, 2 * kDofs<Dim>>;
 
-/// Returns the radii of curvature of a body where its outward normal is n, along the tangents (length).
+/// Returns the matrix of the radii of curvature of a body, in the axes of the tangents, at the point with the outward
+/// normal n (length).
 template <int Dim>
 TangentMatrix<Dim> radii_of_curvature(const Packing<Dim>& packing, int body, const Vec<Dim>& n,
                                       const Tangents<Dim>& tangents) {
@@ -50,7 +51,8 @@ TangentMatrix<Dim> radii_of_curvature(const Packing<Dim>& packing, int body, con
 }
 
 /// Returns the vector from the centre of a body to its surface at a contact.
-/// @param midway   value for walls and grains with corners, whose contact points lie midway between the surfaces
+/// @param midway   result for walls and for grains with corners: the vector to the point midway between the two
+/// surfaces
 /// @param outward  normal of the body at the contact
 template <int Dim>
 Vec<Dim> surface_arm(const Packing<Dim>& packing, int body, const Vec<Dim>& midway, const Vec<Dim>& outward) {
@@ -76,7 +78,8 @@ PairMatrix<Dim> gap_curvature(const Packing<Dim>& packing, const Contact<Dim>& c
   const Vec<Dim> arm_i = surface_arm<Dim>(packing, c.i, c.arm_i - 0.5 * c.gap * n, n);
   const Vec<Dim> arm_j = surface_arm<Dim>(packing, c.j, c.arm_j + 0.5 * c.gap * n, -n);
   const bool wall = packing.is_wall(c.j);
-  // The contact normal rotates by alpha with grain i and by beta with grain j. The points in contact slide by w.
+  // Changes due to the motion of the grains: alpha and beta are the changes of a normal that rotates with grain i and
+  // with grain j, and w is the relative tangential displacement of the points in contact.
   MotionMap<Dim> alpha = MotionMap<Dim>::Zero(), beta = alpha, w = alpha;
   alpha.template middleCols<kRotations<Dim>>(Dim) = turn<Dim>(tangents, n);
   w.template leftCols<Dim>() = -tangents.transpose();
@@ -88,19 +91,19 @@ PairMatrix<Dim> gap_curvature(const Packing<Dim>& packing, const Contact<Dim>& c
   }
   const TangentMatrix<Dim> radii_i = radii_of_curvature<Dim>(packing, c.i, n, tangents);
   const TangentMatrix<Dim> radii_j = radii_of_curvature<Dim>(packing, c.j, Vec<Dim>(-n), tangents);
-  // The depth of an overlap counts only up to half of the sum of the radii of curvature.
+  // The depth of an overlap is limited to half of the sum of the radii of curvature.
   const TangentMatrix<Dim> sum = radii_i + radii_j;
   const double least =
       Eigen::SelfAdjointEigenSolver<TangentMatrix<Dim>>(sum, Eigen::EigenvaluesOnly).eigenvalues()[0];
   const double apart = std::max(c.gap, -0.5 * least) + kSharp * packing.grains.radius[c.i];
   const TangentMatrix<Dim> inverse = (sum + apart * TangentMatrix<Dim>::Identity()).inverse();
-  // The direction n that maximises the gap rotates by nu = inverse (w + radii_i alpha + radii_j beta).
+  // The change of the direction n that maximises the gap is nu = inverse (w + radii_i alpha + radii_j beta).
   const MotionMap<Dim> drive = w + radii_i * alpha + radii_j * beta;
   PairMatrix<Dim> out = drive.transpose() * inverse * drive - alpha.transpose() * radii_i * alpha -
                         beta.transpose() * radii_j * beta;
   out.template block<kRotations<Dim>, kRotations<Dim>>(Dim, Dim) -= turn_curvature(arm_i, n);
   if (!wall) out.template bottomRightCorner<kRotations<Dim>, kRotations<Dim>>() += turn_curvature(arm_j, n);
-  return 0.5 * (out + out.transpose());  // removes the asymmetry that rounding of the large radii causes
+  return 0.5 * (out + out.transpose());  // removes the asymmetry due to rounding errors of the large radii
 }
 
 template <int Dim>

@@ -6,7 +6,8 @@
 
 namespace floc {
 
-/// Symmetric matrix over the displacements u and rotations w of two grains i and j, in the order (u_i, w_i, u_j, w_j).
+/// Symmetric matrix whose rows and columns correspond to the displacements u and rotations w of two grains i and j, in
+/// the order (u_i, w_i, u_j, w_j).
 template <int Dim>
 using PairMatrix = Eigen::Matrix<double, 2 * kDofs<Dim>, 2 * kDofs<Dim>>;
 
@@ -15,15 +16,16 @@ template <int Dim>
 using PairMotion = Eigen::Matrix<double, 2 * kDofs<Dim>, 1>;
 
 /// Returns the second derivatives of the gap of a contact with respect to the displacements and the rotation vectors of
-/// its grains (1/length, with rotations times a length). The motion of a wall is not part of them.
+/// its grains. The unit is 1/length for two displacements; each rotation adds a factor of length. Entries for the
+/// motion of a wall are zero.
 ///
 /// The gap of two convex bodies is the maximum of n . r - h_i(n) - h_j(-n) over all directions n, with the branch
-/// vector r and the support functions h. The second derivatives of h are the radii of curvature of the surfaces: zero
-/// at a vertex, infinite on a face and along an edge, each increased by the radius of rounding.
+/// vector r and the support functions h of the bodies. The second derivatives of h are the radii of curvature of the
+/// surface: zero at a vertex, infinite on a face and along an edge. The radius of rounding is added to them.
 template <int Dim>
 PairMatrix<Dim> gap_curvature(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
-/// Returns the second derivatives of v . (w x (w x n))/2 with respect to a rotation vector w.
+/// Returns the matrix of the second derivatives of v . (w x (w x n))/2 with respect to a rotation vector w.
 inline Mat<1> turn_curvature(const Vec<2>& v, const Vec<2>& n) {
   return Mat<1>(-v.dot(n));
 }
@@ -31,10 +33,10 @@ inline Mat<3> turn_curvature(const Vec<3>& v, const Vec<3>& n) {
   return 0.5 * (v * n.transpose() + n * v.transpose()) - v.dot(n) * Mat<3>::Identity();
 }
 
-/// Returns the change of the momenta of the two grains of a contact in a step due to the rotation of its normal force
-/// N, for unit velocities: -dt^2 N times the second derivatives of the gap (mass). Negative eigenvalues are replaced by
-/// zero to make the step a convex program.
-/// @param weight  dt^2 N, with the time step dt
+/// Returns the matrix that gives, for the velocities of the two grains of a contact, the change of their momenta in a
+/// step due to the rotation of the normal force N: -dt^2 N times the second derivatives of the gap (mass). Negative
+/// eigenvalues are replaced by zero, so that the step is a convex program.
+/// @param weight  dt^2 N, with the time step dt and the normal force N
 template <int Dim>
 PairMatrix<Dim> convex_stiffness(const PairMatrix<Dim>& curvature, double weight);
 

@@ -10,7 +10,7 @@ namespace floc {
 /// Result of the sweeps of a step.
 struct SweepResult {
   int n_sweeps = 0;
-  /// Largest contact_error(), divided by the mean normal impulse of the contacts that carry an impulse.
+  /// Largest contact_error(), divided by the mean of the nonzero normal impulses.
   double residual = 0.0;
   bool converged = false;
 };
@@ -19,35 +19,35 @@ template <int Dim>
 class ContactSweeps;
 
 /// Non-linear Gauss-Seidel method for the contacts of one implicit time step (Moreau 1988; Jean 1999). Contacts of one
-/// colour share no body that moves, so the result does not depend on the order within a colour and is bitwise identical
-/// for any number of threads. After each sweep, the impulses are extrapolated in the direction of their earlier changes
-/// (Silcowitz-Hansen, Niebe and Erleben 2010), which saves most of the sweeps.
+/// colour share no body that moves, so the result does not depend on their order. It is bitwise identical for any
+/// number of threads. After each sweep, the impulses are extrapolated in the direction of their earlier changes
+/// (Silcowitz-Hansen, Niebe and Erleben 2010); without this extrapolation, many times more sweeps would be needed.
 ///
-/// All contacts move the cell. The rate of stretch of the cell is updated after each colour. To keep this delay from
-/// adding energy, the response of a contact contains the response of the cell once for each contact of the colour. The
-/// solution does not depend on this.
+/// Every contact changes the rate of stretch of the cell, but this rate is updated only after each colour. So that the
+/// delay does not add energy, the response of the cell to each contact is multiplied by the number of contacts of the
+/// colour. The solution does not depend on this factor.
 template <int Dim>
 class GaussSeidel {
  public:
-  /// Takes the contacts of a step, with their present impulses as initial values. Contacts of two bodies that cannot
-  /// move are left unchanged.
-  /// @param bodies   velocities without the impulses of the contacts, to which all external impulses have been added
-  /// @param threads  number of threads, >= 1. Colours with few contacts are solved by one thread.
+  /// Prepares the contacts of a step. Their present impulses are the initial values. Contacts between two bodies that
+  /// cannot move are not changed.
+  /// @param bodies   motion of the bodies; the velocities contain all external impulses, but no impulses of contacts
+  /// @param threads  number of threads, >= 1. A colour with few contacts is solved by one thread.
   /// @pre bodies and contacts outlive this object
   GaussSeidel(BodyMotion<Dim>& bodies, std::vector<StepContact<Dim>>& contacts, int threads = 1);
   ~GaussSeidel();
 
-  /// Sweeps over all contacts until the residual is below a tolerance. Afterwards the bodies have the velocities at the
-  /// end of the step, with the impulses of the contacts. Another call continues from there.
-  /// @param check_every  number of sweeps between two computations of the residual
+  /// Sweeps over all contacts until the residual is below a tolerance. Afterwards the velocities of the bodies are
+  /// those at the end of the step, including the impulses of the contacts. The next call continues from this result.
+  /// @param check_every  number of sweeps from one computation of the residual to the next
   /// @throws InputError if OpenMP cannot start that many threads
   SweepResult solve(double tolerance, int max_sweeps, int check_every = 10);
 
-  /// Number of colours of the contacts.
+  /// Returns the number of colours of the contacts.
   int n_colours() const;
 
   /// Returns the largest contact_error() of the present impulses, divided by the mean of the nonzero normal impulses.
-  /// It contains the response of the cell that the sweeps use.
+  /// The error is computed with the response of the cell that is used in the sweeps.
   double residual() const;
 
  private:

@@ -12,16 +12,17 @@ namespace {
 
 /// Largest number of times that a step with friction is solved.
 constexpr int kMostSolutions = 10;
-/// Change of the opening velocities, in the units of the program, below which a step with friction is not solved again.
+/// Change of the opening velocities mu |u_t| from one solution to the next, in the units of the program, below which a
+/// step with friction is not solved again.
 constexpr double kSameOpening = 1e-6;
 
-/// Largest error of the impulses and of the objective, in the units of the program, of a solution that is accepted
-/// although rounding errors ended the iteration. The next step corrects the error.
+/// If rounding errors ended the iteration, a solution is still accepted up to this error of the impulses and of the
+/// objective, in the units of the program. The next step corrects the error.
 constexpr double kAcceptedError = 1e-5;
 
-/// One unknown velocity of a step: of a body along an axis of space, of a body about a principal axis, or of the
-/// stretch of the cell along an axis. Rotations and stretches are multiplied by a length to give all unknowns the unit
-/// of a velocity.
+/// One unknown of a step: the velocity of a body along an axis of space, the angular velocity of a body about a
+/// principal axis, or the rate of stretch of the cell along an axis. Angular velocities and rates of stretch are
+/// multiplied by a length, so that all unknowns have the unit of a velocity.
 template <int Dim>
 struct Unknown {
   Vec<Dim> direction = Vec<Dim>::Zero();                   ///< axis of a translation
@@ -29,13 +30,13 @@ struct Unknown {
   int stretch = -1;                                        ///< axis of a stretch; -1 for other unknowns
   int body = -1;
   double mass = 0.0;    ///< momentum divided by velocity (mass)
-  double length = 1.0;  ///< length by which a rotation or a stretch is multiplied (length)
+  double length = 1.0;  ///< factor by which an angular velocity or a rate of stretch is multiplied (length)
 };
 
-/// Cone program for the impulses p of a step. Each row is the momentum balance of one unknown velocity v_r with the
-/// mass M_r, sum H p - M_r v_r = -M_r v_free, where H is the relative velocity at a contact per unit of v_r and v_free
-/// the velocity without impulses. The dual unknown of the row is -v_r. Impulses and velocities are in units in which
-/// they are of order one.
+/// Cone program for the impulses p of a step. Each row is the balance of momentum of one unknown velocity v_r with the
+/// mass M_r, sum H p - M_r v_r = -M_r v_free. H is the relative velocity at a contact for v_r = 1, v_free is the value
+/// of v_r without impulses, and the sum is over the contacts. The dual unknown of the row is -v_r. The units of
+/// impulses and velocities are chosen so that their values are of order one.
 template <int Dim>
 class StepProgram {
  public:
@@ -55,9 +56,9 @@ class StepProgram {
 
   const ConeProgram<Dim>& program() const { return program_; }
 
-  /// Adds mu |u_t| of a solution to the normal velocities of all contacts, with the friction coefficient mu and the
-  /// slip velocity u_t.
-  /// @return the largest change of these additions
+  /// Adds to the normal velocity of each contact the opening velocity mu |u_t| of a solution, with the friction
+  /// coefficient mu and the slip velocity u_t. It replaces the opening velocity of an earlier solution.
+  /// @return largest change of an opening velocity
   double add_opening(const ConeSolution<Dim>& solution) {
     const std::vector<Vec<Dim>> motion = program_.relative_motion(Eigen::VectorXd(-solution.motion));
     double change = 0.0;
@@ -90,8 +91,9 @@ class StepProgram {
   }
 
  private:
-  /// Sets the unit of impulses to the mean of the initial impulses, and the unit of velocities to the largest velocity
-  /// that closes a gap. If there are none, the units follow from the largest velocity without impulses.
+  /// Sets the unit of impulses to the mean of the nonzero initial impulses, and the unit of velocities to the largest
+  /// velocity that closes a gap. If all these impulses or velocities are zero, the unit follows from the velocities
+  /// without impulses.
   void set_units() {
     double impulses = 0.0, momentum = 0.0, speed = 0.0;
     int n = 0;
@@ -109,7 +111,7 @@ class StepProgram {
     if (!(velocity_ > 0.0)) velocity_ = speed > 0.0 ? speed : 1.0;
   }
 
-  /// Returns the part of the relative velocity at a contact that impulses cannot change, in the frame of the contact.
+  /// Returns the part of the relative velocity at a contact that impulses do not change, in the frame of the contact.
   Vec<Dim> imposed_velocity(const StepContact<Dim>& c) const {
     const auto of_body = [&](int i, const Vec<Dim>& arm) {
       Vec<Dim> v = (bodies_.inverse_mass[i].array() > 0.0).select(Vec<Dim>::Zero(), bodies_.velocity[i]);
@@ -174,7 +176,7 @@ class StepProgram {
     }
   }
 
-  /// Returns the relative velocity at a contact for a unit value of an unknown, in the frame of the contact.
+  /// Returns the relative velocity at a contact if one unknown is 1 and all others are 0, in the frame of the contact.
   Vec<Dim> relative_velocity(const StepContact<Dim>& c, const Unknown<Dim>& u) const {
     Vec<Dim> out = Vec<Dim>::Zero();
     if (u.stretch >= 0) {
@@ -208,7 +210,7 @@ class StepProgram {
     }
   }
 
-  /// Returns the motion of the two bodies of a contact for a unit value of an unknown.
+  /// Returns the motion of the two bodies of a contact if one unknown is 1 and all others are 0.
   PairMotion<Dim> motion_of_pair(const StepContact<Dim>& c, const Unknown<Dim>& u) const {
     PairMotion<Dim> out = PairMotion<Dim>::Zero();
     for (const int side : {0, 1})
@@ -234,7 +236,7 @@ class StepProgram {
   std::vector<int> first_, ends_;
   int first_stretch_ = 0;
   std::vector<Unknown<Dim>> unknowns_;
-  std::vector<double> free_;  ///< velocity of each unknown without impulses (length/time)
+  std::vector<double> free_;  ///< value of each unknown without impulses (length/time)
   double impulse_ = 1.0, velocity_ = 0.0;
   ConeProgram<Dim> program_;
 };

@@ -7,21 +7,22 @@
 
 namespace floc {
 
-/// Solves the contacts of one implicit time step all at once, to the accuracy of rounding, by the interior point method
-/// (interior_point.h). For one step, sweeps (gauss_seidel.h) are usually cheaper. However, very many sweeps are needed
-/// if grains move slowly against each other, as frictionless grains with corners do just before they come to rest.
+/// Solves all contacts of one implicit time step at once by the interior point method (interior_point.h), up to
+/// rounding errors. Sweeps (gauss_seidel.h) usually take less time. However, very many sweeps are needed if grains move
+/// slowly against each other; an example are frictionless grains with corners just before they come to rest.
 ///
-/// Without friction the step is a convex program. Coulomb's friction does not have this form: in the program, a contact
-/// that slides with the velocity u_t also opens with the velocity mu |u_t|, where mu is the friction coefficient. To
-/// correct this, mu |u_t| of the last solution is added to the normal velocity, and the program is solved again
-/// [DF1998].
+/// Without friction the step is a convex program. Coulomb's friction does not fit into a convex program exactly: in the
+/// program, a contact that slides with the velocity u_t also opens with the velocity mu |u_t|, where mu is the friction
+/// coefficient. As a correction, mu |u_t| of the last solution is added to the normal velocity, and the program is
+/// solved again [DF1998].
 ///
-/// @param bodies    as for GaussSeidel; they get the velocities at the end of the step
-/// @param contacts  contacts of the step, which get the impulses
-/// @param stiffness  for each contact, the change of the momenta of its two bodies due to the rotation of its normal
-/// force, for unit velocities; positive semidefinite, in the order of PairMatrix (mass); empty for none
-/// @return whether the program was solved; otherwise nothing is changed. The solution fails only because of rounding
-/// errors, for instance if the masses are negligible in a very long time step
+/// @param bodies    motion of the bodies with all external impulses; it gets the velocities at the end of the step
+/// @param contacts  contacts of the step; they get the impulses
+/// @param stiffness  for each contact, the matrix that gives the change of the momenta of its two bodies due to the
+/// rotation of its normal force, for the velocities of the bodies (mass). The matrix is positive semidefinite. The list
+/// may be empty if the rotation of the forces is neglected.
+/// @return whether the program was solved; otherwise nothing is changed. Only rounding errors can cause a failure, for
+/// example if the masses are negligible in a very long time step
 template <int Dim>
 bool solve_at_once(BodyMotion<Dim>& bodies, std::vector<StepContact<Dim>>& contacts,
                    const std::vector<PairMatrix<Dim>>& stiffness);

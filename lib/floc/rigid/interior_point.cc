@@ -11,17 +11,20 @@ namespace floc {
 namespace {
 
 constexpr int kMostIterations = 100;
-/// Share of the longest possible step that an iteration makes.
+/// Length of the step of an iteration, divided by the longest step (at most 1) after which the point is still in the
+/// cones.
 constexpr double kStepShare = 0.99;
-/// Softness s of the constraints: A x may differ from b by s y, which costs energy. Without it, a load that is
-/// unbalanced only by rounding would have no solution, and motions that no contact resists would be unlimited.
+/// Softness s of the constraints: A x may differ from b by s y, which adds s y' y/2 to the objective. Without softness,
+/// a program whose load is unbalanced only by rounding would have no solution, and motions that no contact resists
+/// would be unlimited.
 constexpr double kSoftness = 1e-13;
-/// Relative residual and gap, close to rounding errors, at which the iteration ends.
+/// The iteration ends when the relative residual and the relative duality gap are below this value, which is close to
+/// rounding errors.
 constexpr double kGoal = 1e-13;
-/// Weight of the gap in the error of an iterate. The objective is flat at its minimum, so a relative gap g leaves an
-/// error of about sqrt(g) in the solution.
+/// Weight of the duality gap in the error of an iterate. The objective is flat at its minimum, so a relative gap g
+/// means an error of about sqrt(g) in the solution.
 constexpr double kGapWeight = 1e4;
-/// Largest relative error of a proof that the objective has no lower bound.
+/// Largest allowed relative error of a proof that the objective has no lower bound.
 constexpr double kProof = 1e-8;
 /// Number of successive iterations without progress after which the iteration ends.
 constexpr int kPatience = 10;
@@ -36,7 +39,7 @@ double dot(const Blocks<Dim>& a, const Blocks<Dim>& b) {
   return sum;
 }
 
-/// Returns a' Q b, with `diagonal` the diagonal of Q.
+/// Returns a' Q b for a diagonal matrix Q with the given diagonal.
 template <int Dim>
 double dot(const Blocks<Dim>& a, const Blocks<Dim>& diagonal, const Blocks<Dim>& b) {
   double sum = 0.0;
@@ -48,7 +51,7 @@ double largest(const Eigen::VectorXd& a) {
   return a.size() == 0 ? 0.0 : a.lpNorm<Eigen::Infinity>();
 }
 
-/// Returns the largest distance of a block outside the cone K; 0 if all blocks are in K.
+/// Returns the largest |(x_1, ..)| - x_0 of a block outside the cone K; 0 if all blocks are in K.
 template <int Dim>
 double violation(const Blocks<Dim>& x) {
   double most = 0.0;
@@ -56,7 +59,7 @@ double violation(const Blocks<Dim>& x) {
   return most;
 }
 
-/// A point or a direction of the homogeneous embedding.
+/// Point of the homogeneous embedding, or a direction in which a point is moved.
 template <int Dim>
 struct Point {
   Blocks<Dim> x, z;
@@ -75,17 +78,18 @@ struct Point {
   bool is_finite() const {
     return std::isfinite(dot(x, x) + dot(z, z) + y.squaredNorm() + tau * tau + kappa * kappa);
   }
-  /// Returns the measure of complementarity, which decreases to zero along the central path.
+  /// Returns the mean product of complementary variables (x and z, tau and kappa). It decreases to zero along the
+  /// central path.
   double mu() const { return (dot(x, z) + tau * kappa) / (static_cast<double>(x.size()) + 1.0); }
 };
 
-/// Returns (S + s) y, with the softness s of all constraints (kSoftness).
+/// Returns (S + s) y, with the softness s = kSoftness of the constraints.
 template <int Dim>
 Eigen::VectorXd softened(const ConeProgram<Dim>& program, const Eigen::VectorXd& y) {
   return program.softened(y) + kSoftness * y;
 }
 
-/// Returns x' Q x + y' (S + s) y, with the softness s of all constraints (kSoftness).
+/// Returns x' Q x + y' (S + s) y, with the softness s = kSoftness of the constraints.
 template <int Dim>
 double twice_energy(const ConeProgram<Dim>& program, const Point<Dim>& at) {
   return dot(at.x, program.compliance, at.x) + at.y.dot(softened(program, at.y));
@@ -110,7 +114,7 @@ EmbeddingResiduals<Dim> residuals(const ConeProgram<Dim>& program, const Point<D
   return out;
 }
 
-/// Returns the longest step that keeps a point in the cones, at most 1.
+/// Returns the longest step, at most 1, after which the point is still in the cones.
 template <int Dim>
 double longest_step(const Point<Dim>& from, const Point<Dim>& direction) {
   double step = 1.0;
@@ -151,21 +155,21 @@ double relative_gap(const ConeSolution<Dim>& solution) {
   return solution.gap / (1.0 + std::abs(solution.objective));
 }
 
-/// Returns a lower bound of the largest |A x - b| over all x in the cones with entries of order one. The dual vector y
-/// proves it by b' y <= |A x - b|_max |y|_1 + x' A' y, where -A' y lies in the cones up to a small violation. The
-/// result is negative if y proves no bound.
+/// Returns a lower bound of |A x - b|_max for all x in the cones with entries of order one. The dual vector y proves
+/// the bound: b' y <= |A x - b|_max |y|_1 + x' A' y, and x' A' y <= 0 because -A' y lies in the cones up to a small
+/// violation. The result is negative if y proves no bound.
 template <int Dim>
 double proved_residual(const ConeProgram<Dim>& program, const Eigen::VectorXd& y) {
   const double outside = violation(program.relative_motion(Eigen::VectorXd(-y)));
   return (program.load.dot(y) - outside * program.n_blocks()) / y.lpNorm<1>();
 }
 
-/// Returns the error of the proof that c' x has no lower bound: the largest component of A x, if x is scaled to c' x =
-/// -1. Infinite if c' x does not decrease along x.
+/// Returns the error of the proof that c' x has no lower bound: the largest component of A x, with x scaled such that
+/// c' x = -1. The result is infinite if c' x does not decrease along x.
 template <int Dim>
 double error_of_unboundedness(const Blocks<Dim>& linear, const Eigen::VectorXd& balance, const Blocks<Dim>& x) {
   const double fall = -dot(linear, x);
-  // A direction along which the objective hardly decreases is a rounding error, since x and c are of order one.
+  // If the objective hardly decreases along x, the decrease counts as a rounding error, since x and c are of order one.
   return fall > kProof ? largest(balance) / fall : std::numeric_limits<double>::infinity();
 }
 
@@ -182,7 +186,7 @@ struct InteriorPoint<Dim>::Iteration {
   Blocks<Dim> scaled;                 // scaled point lambda = W z
   std::vector<Mat<Dim>> flexibility;  // blocks G = (Q + W^-2)^-1
   bool factorized = false;
-  Blocks<Dim> constant_x;  // part of a direction in x that is proportional to d tau
+  Blocks<Dim> constant_x;  // change of x for a change of tau by 1
   Eigen::VectorXd constant_y;
 
   Iteration(InteriorPoint& owner, const ConeProgram<Dim>& what, const Point<Dim>& start)
@@ -218,11 +222,11 @@ struct InteriorPoint<Dim>::Iteration {
     }
   }
 
-  /// Returns the direction that reduces the residuals by a factor and changes the products of complementary variables
-  /// by given amounts.
-  /// @param products  change of (W^-1 x) o (W z), with the Jordan product o, divided by lambda in the sense of this
-  /// product
-  /// @param tau_kappa  change of the product of tau and kappa
+  /// Returns the direction that reduces the residuals by a given share and changes the products of complementary
+  /// variables by given amounts.
+  /// @param products  required change of (W^-1 x) o (W z), where o is the Jordan product; given as its quotient by
+  /// lambda (cone::quotient)
+  /// @param tau_kappa  required change of the product of tau and kappa
   Point<Dim> direction(double reduction, const Blocks<Dim>& products, double tau_kappa) const {
     Point<Dim> d;
     Blocks<Dim> u(at.x.size());
@@ -239,7 +243,7 @@ struct InteriorPoint<Dim>::Iteration {
     d.kappa = (tau_kappa - at.kappa * d.tau) / at.tau;
     for (std::size_t k = 0; k < u.size(); ++k) d.x[k] += d.tau * constant_x[k];
     d.y += d.tau * constant_y;
-    // The z part follows from the dual equation, which then holds to rounding.
+    // The change of z is computed from the dual equation, which is then satisfied up to rounding.
     d.z = program.relative_motion(d.y);
     for (std::size_t k = 0; k < u.size(); ++k)
       d.z[k] = program.compliance[k].cwiseProduct(d.x[k]) + program.linear[k] * d.tau - d.z[k] +
@@ -247,8 +251,7 @@ struct InteriorPoint<Dim>::Iteration {
     return d;
   }
 
-  /// Returns the direction of Mehrotra's corrector. Its centring parameter follows from the step length of the
-  /// predictor.
+  /// Returns the direction of Mehrotra's corrector. The step length of the predictor determines the centring parameter.
   Point<Dim> direction() const {
     Blocks<Dim> products = scaled;
     for (Vec<Dim>& v : products) v = -v;
@@ -268,7 +271,8 @@ struct InteriorPoint<Dim>::Iteration {
 
 template <int Dim>
 InteriorPoint<Dim>::InteriorPoint(const ConeProgram<Dim>& pattern) {
-  // All pairs of entries of one block contribute to one place of the matrix. These places are found only once.
+  // Each pair of entries of one block contributes to one element of the matrix. The places of these elements in memory
+  // are found only once.
   std::vector<Eigen::Triplet<double>> entries;
   const auto for_each_pair = [&](const auto& visit) {
     for (int k = 0; k < pattern.n_blocks(); ++k)
@@ -304,8 +308,8 @@ bool InteriorPoint<Dim>::factorize(const ConeProgram<Dim>& program, const std::v
   for (int r = 0; r < program.n_rows(); ++r) most = std::max(most, matrix_.coeff(r, r));
   if (!std::isfinite(most)) return false;
   factor_.set_matrix(matrix_, program.group);
-  // Rounding may make the matrix indefinite. A larger shift then makes it positive, and refinement corrects for the
-  // shift.
+  // Rounding may make the matrix indefinite. A larger shift of its diagonal then makes it positive, and iterative
+  // refinement removes the effect of the shift.
   for (double shift = kSoftness; shift < 1e-6 * most; shift = std::max(1e-15 * most, 100.0 * shift))
     if (factor_.factorize_positive(shift)) return true;
   return false;
@@ -324,14 +328,14 @@ ConeSolution<Dim> InteriorPoint<Dim>::solve(const ConeProgram<Dim>& program, dou
   for (int iteration = 0, idle = 0; iteration < kMostIterations && idle < kPatience; ++iteration) {
     check_interruption();
     const ConeSolution<Dim> now = solution_at(program, at);
-    // The softness absorbs the part of a load that is unbalanced by rounding. Its residual is therefore counted only at
-    // the end.
+    // The residual here includes the softness, which takes up the part of a load that is unbalanced by rounding. The
+    // residual without the softness is checked only at the end.
     const double residual =
         largest(Eigen::VectorXd(program.balance(now.x) + softened(program, now.motion) - program.load));
     const double error =
         std::max({residual / size_of_load, kGapWeight * relative_gap(now), stationarity_error(program, at)});
-    // While the iteration approaches a proof that there is no solution, mu decreases although the error does not. This
-    // counts as progress.
+    // A decrease of mu counts as progress, too: mu decreases, but the error does not, while the iteration approaches a
+    // proof that there is no solution.
     ++idle;
     if (at.mu() < 0.9 * least_mu) {
       least_mu = at.mu();
@@ -343,8 +347,8 @@ ConeSolution<Dim> InteriorPoint<Dim>::solve(const ConeProgram<Dim>& program, dou
       idle = 0;
     }
     if (error < kGoal) break;
-    // If a program has no solution, its iterates grow without bound in a direction that proves it. With S > 0 there is
-    // always a solution.
+    // If a program has no solution, the iterates grow without bound in a direction that proves that there is none. With
+    // S > 0 there is always a solution.
     if (program.softness.size() == 0 && at.kappa > at.tau && proved_residual(program, at.y) > tolerance) {
       ConeSolution<Dim> proof = now;
       proof.status = ConeStatus::kInfeasible;
@@ -357,7 +361,7 @@ ConeSolution<Dim> InteriorPoint<Dim>::solve(const ConeProgram<Dim>& program, dou
     const Point<Dim> direction = step.direction();
     if (!direction.is_finite()) break;
     at.add(direction, kStepShare * longest_step(at, direction));
-    // In the homogeneous embedding only ratios matter. This scaling keeps the values within range.
+    // In the homogeneous embedding only ratios of the values matter. They are scaled here to avoid overflow.
     const double size = std::max(at.tau, at.kappa);
     for (Vec<Dim>& x : at.x) x /= size;
     for (Vec<Dim>& z : at.z) z /= size;
@@ -372,7 +376,7 @@ ConeSolution<Dim> InteriorPoint<Dim>::solve(const ConeProgram<Dim>& program, dou
 
 template <int Dim>
 bool InteriorPoint<Dim>::falls_without_bound(ConeProgram<Dim> program) {
-  // The steepest descent direction d with A d = 0 minimises c' d + d' d/2 over the cones.
+  // The direction of steepest descent is the d in the cones with A d = 0 that minimises c' d + d' d/2.
   program.load.setZero();
   program.compliance.assign(program.n_blocks(), Vec<Dim>::Ones());
   const ConeSolution<Dim> fall = solve(program);
@@ -399,7 +403,7 @@ ConeSolution<Dim> InteriorPoint<Dim>::minimise_linear(ConeProgram<Dim> program, 
     n_factorizations += found.n_factorizations;
     found.n_factorizations = n_factorizations;
     if (found.status == ConeStatus::kFailed && weight < kMostWeight) {
-      // The compliance is too small for this program. The search continues with a larger one.
+      // The compliance is too small for this program. The search continues with a larger compliance.
       least = weight = 10.0 * weight;
       continue;
     }

@@ -10,11 +10,11 @@
 namespace floc {
 namespace {
 
-/// Points of two shapes whose distance, divided by the smaller radius, is below this value are one contact point. Such
-/// a point may have been recorded with the key of other features that are equally near.
+/// Two contact points of a pair of shapes count as one point if their distance, divided by the smaller radius, is below
+/// this value. Their keys may differ, because several features of the shapes may be equally near.
 constexpr double kOnePoint = 1e-3;
 
-/// Returns whether a sorted list of contacts contains a contact point. A pair of round grains has one point per key.
+/// Returns whether a sorted list of contacts contains a contact point. For round grains, equal keys mean equal points.
 /// @param last  end of the list
 template <int Dim, class Iterator>
 bool has_point(const Packing<Dim>& packing, Iterator first, Iterator last, const Contact<Dim>& point) {

@@ -4,9 +4,9 @@
 
 namespace floc {
 
-/// Adds the pairs of surfaces that are not in contact but have a gap of at most `gap` to the contacts of a packing,
-/// without forces. Such a pair of rigid grains may carry a force, because positions of finite accuracy leave gaps in
-/// contacts.
+/// Adds to the contacts of a packing the pairs of surfaces that do not touch but have a gap of at most `gap`. The new
+/// contacts have no forces. They are needed because grains that touch may have small gaps if their positions are not
+/// exact.
 /// @param gap  largest distance of the surfaces (length), >= 0
 /// @return number of contacts added
 /// @throws InputError if find_pairs() throws it

@@ -4,14 +4,14 @@
 #include "floc/rigid/step_contact.h"
 
 /// Bodies and contacts of a time step in the form that the sweeps of GaussSeidel read and change: small records without
-/// pointers, in which all values that do not change from sweep to sweep are computed once. A model is a class with the
-/// types Body, Contact and Impulse and with the functions of RoundContacts and CoupledContacts. In each of them,
-/// `stretch` is the rate of stretch of the cell, and `gain` is, for each axis of space, the sum of r (F p) over the
-/// contacts, with the branch vector r, the frame F and the impulse p.
+/// pointers. All values that are equal in all sweeps are computed once and stored in the records. A model is a class
+/// with the types Body, Contact and Impulse and the functions of RoundContacts and CoupledContacts. The argument
+/// `stretch` of these functions is the rate of stretch of the cell. The argument `gain` is the sum of r_a (F p)_a over
+/// the contacts for each axis a of space, with the branch vector r, the frame F and the impulse p.
 namespace floc {
 
-/// Branch vector r of a contact. It is stored only if the stretch of the cell is an unknown of the step. Otherwise the
-/// velocity L r, with the imposed rate L of the cell, is part of the bias.
+/// Branch vector r of a contact. It is stored only if the rate of stretch L of the cell is an unknown of the step. If L
+/// is imposed, the velocity L r is part of the bias.
 template <int Dim, bool Cell>
 struct CellArm {
   Vec<Dim> branch;
@@ -25,10 +25,10 @@ struct CellArm<Dim, false> {
   void add_gain(const Vec<Dim>&, Vec<Dim>&) const {}
 };
 
-/// Returns a matrix C + W' >= C + W for a contact with compliance C and response W, in a frame.
-/// @param shared  number of contacts that change the stretch of the cell at the same time. In W', the response of each
-/// contact to the stretch is multiplied by this number, which ensures that a sweep never adds energy even if the cell
-/// is light. W' equals W for 1 contact, or without a cell.
+/// Returns the matrix C + W' of a contact in a frame. C is the compliance. W' is an upper bound of the response W.
+/// @param shared  number of contacts that change the stretch of the cell at the same time. W' is W with the response of
+/// the cell multiplied by this number. A sweep then never adds energy, even if the cell is light. For one contact, or
+/// without a cell, W' equals W.
 template <int Dim>
 Mat<Dim> packed_response(const BodyMotion<Dim>& bodies, const StepContact<Dim>& c, const Mat<Dim>& frame,
                          double shared) {
@@ -45,8 +45,8 @@ Mat<Dim> packed_response(const BodyMotion<Dim>& bodies, const StepContact<Dim>& 
   return out;
 }
 
-/// Returns the bias of a contact in its frame (length/time). It includes the velocity of an imposed stretch of the
-/// cell.
+/// Returns the bias of a contact in its frame (length/time). If the stretch of the cell is imposed, its velocity at the
+/// contact is included.
 template <int Dim, bool Cell>
 Vec<Dim> packed_bias(const BodyMotion<Dim>& bodies, const StepContact<Dim>& c) {
   if constexpr (Cell) return c.bias;

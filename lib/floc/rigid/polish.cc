@@ -11,18 +11,19 @@ namespace {
 
 /// Largest number of Newton steps.
 constexpr int kMostNewtonSteps = 8;
-/// Largest error of an accepted solution in its conditions (equations and inequalities), in the units of the program.
+/// Largest error of the equations and inequalities that an accepted solution has to satisfy, in the units of the
+/// program.
 constexpr double kViolation = 1e-9;
 
 /// Face of the cone on which the solution of a block lies.
 enum class Face {
   interior,  ///< z = 0: the contact sticks
   surface,   ///< x and z lie on opposite rays of the surface: the contact slides
-  apex,      ///< x = 0: the contact carries nothing
+  apex,      ///< x = 0: the contact has no force
 };
 
-/// Returns the face of the cone on which x lies. x and z have the eigenvalues x_- <= x_+ and z_- <= z_+. In a solution
-/// one number of the pair (x_-, z_+) is zero, and one of the pair (x_+, z_-); the smaller one is taken as zero.
+/// Returns the face of the cone on which x lies. Let x_- <= x_+ be the eigenvalues of x, and z_- <= z_+ those of z. In
+/// a solution, x_- or z_+ is zero, and x_+ or z_- is zero; the smaller number of each pair is taken to be zero.
 template <int Dim>
 Face face_of(const Vec<Dim>& x, const Vec<Dim>& z) {
   const double tx = x.template tail<Dim - 1>().norm(), tz = z.template tail<Dim - 1>().norm();
@@ -38,8 +39,9 @@ Vec<Dim> reflected(Vec<Dim> v) {
   return v;
 }
 
-/// Newton's method on the conditions of a solution, for blocks whose faces are known: A x = b and Q x + c - A' y = z,
-/// where z = 0 if x lies inside the cone, and z = l J x, x' J x = 0 with a multiplier l if x lies on its surface.
+/// Newton's method for the conditions of a solution if the face of each block is known: A x = b and Q x + c - A' y = z.
+/// If x lies inside the cone, z = 0. If x lies on the surface of the cone, x' J x = 0 and z = l J x. The multiplier l
+/// is unknown.
 template <int Dim>
 struct KnownFaces {
   const ConeProgram<Dim>& program;
@@ -49,7 +51,7 @@ struct KnownFaces {
   std::vector<double> multiplier;  ///< multiplier l of each block on the surface
   std::vector<Mat<Dim>> flexibility;
   std::vector<Vec<Dim>> shift;  ///< change of x if y does not change
-  double error = 0.0;           ///< largest violation of the equations before the last step
+  double error = 0.0;           ///< largest error of the equations before the last step
 
   KnownFaces(const ConeProgram<Dim>& of, const ConeSolution<Dim>& start)
       : program(of), x(start.x), y(start.motion), flexibility(x.size()), shift(x.size()) {
@@ -69,14 +71,14 @@ struct KnownFaces {
     return out;
   }
 
-  /// Linearises the conditions of the blocks. For a change dy, the change of x is flexibility A' dy + shift.
+  /// Linearises the conditions of the blocks. If y changes by dy, x changes by flexibility A' dy + shift.
   void linearise() {
     const std::vector<Vec<Dim>> z = gradient();
     error = (program.balance(x) - program.load).template lpNorm<Eigen::Infinity>();
     for (std::size_t k = 0; k < x.size(); ++k) {
       flexibility[k].setZero();
       shift[k].setZero();
-      // For contacts without friction, the tangential forces have no coefficients and no compliance.
+      // If a contact has no friction, the coefficients and compliances of its tangential forces are zero.
       const bool slippery = program.compliance[k].template tail<Dim - 1>().isZero(0.0);
       if (face[k] == Face::apex) continue;
       if (slippery) {
@@ -94,7 +96,7 @@ struct KnownFaces {
     }
   }
 
-  /// Changes y by dy, and x and the multipliers accordingly.
+  /// Changes y by dy, and changes x and the multipliers accordingly.
   void step(const Eigen::VectorXd& dy) {
     const std::vector<Vec<Dim>> motion = program.relative_motion(dy);
     y += dy;
@@ -117,8 +119,8 @@ struct KnownFaces {
   }
 
  private:
-  /// Linearises the conditions of a block on the surface of the cone: the conditions for x, and x' J x = 0 with the
-  /// multiplier as an additional unknown.
+  /// Linearises the conditions of a block on the surface of the cone, Q x + c - A' y = l J x and x' J x = 0. The
+  /// multiplier l is an additional unknown.
   void linearise_surface(int k, const Vec<Dim>& z) {
     const Vec<Dim> normal = reflected<Dim>(x[k]);
     const Vec<Dim> off = z - multiplier[k] * normal;

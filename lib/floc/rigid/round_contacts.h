@@ -9,9 +9,9 @@
 
 namespace floc {
 
-/// Contacts whose normal goes through the centres of both bodies, for bodies whose moment of inertia is equal about all
-/// axes: disks, spheres and planes. The normal impulse exerts no moment, and all tangential directions are equivalent.
-/// Tangential vectors have the form of geometry/frame.h.
+/// Contacts of disks, spheres and planes. The normal of each contact goes through the centres of both bodies, so the
+/// normal impulse exerts no moment. The moment of inertia of a body is equal about all axes, so all tangential
+/// directions are equivalent. Tangential vectors have the type Shear of geometry/frame.h.
 template <int Dim, bool Cell>
 struct RoundContacts {
   static constexpr int kDim = Dim;
@@ -33,15 +33,15 @@ struct RoundContacts {
     }
     double squaredNorm() const { return normal * normal + tangential.squaredNorm(); }
   };
-  /// A contact with response (A_n, A_t), compliance (C_n, C_t), bias (b_n, b_t) and relative velocity (u_n, u_t) before
-  /// the next update. Its impulse (P, p_t) is a fixed point of
+  /// A contact with response (A_n, A_t), compliance (C_n, C_t), bias (b_n, b_t) and relative velocity (u_n, u_t). In
+  /// the solution, its impulse (P, p_t) is a fixed point of
   ///     P = [P - (u_n + b_n + C_n P)/A_n]_+,      p_t = proj_{mu P}(p_t - (u_t + b_t + C_t p_t)/A_t).
   struct alignas(kCacheLine / 4) Contact : CellArm<Dim, Cell> {
     int i, j;
     Vec<Dim> normal;
     double arm_i, arm_j;                        // a_i = arm_i n, a_j = -arm_j n
     double inverse_normal, inverse_tangential;  // 1/A_n, 1/A_t
-    double keep_normal, keep_tangential;        // factors 1 - C_n/A_n and 1 - C_t/A_t of the present impulse
+    double keep_normal, keep_tangential;        // factors of the present impulse: 1 - C_n/A_n and 1 - C_t/A_t
     double bias_normal;                         // b_n/A_n
     Shear<Dim> bias_tangential;                 // b_t/A_t
     double friction;
@@ -64,11 +64,12 @@ struct RoundContacts {
     out.i = c.i;
     out.j = c.j;
     out.normal = c.frame.col(0);
-    // A body that does not rotate may have any shape, such as a plane.
+    // A body that does not rotate, such as a plane, may have any shape; its arm is set to zero.
     out.arm_i = bodies.inverse_inertia[c.i](0, 0) > 0.0 ? c.arm_i.dot(out.normal) : 0.0;
     out.arm_j = bodies.inverse_inertia[c.j](0, 0) > 0.0 ? -c.arm_j.dot(out.normal) : 0.0;
-    // The largest row sums of the response give multiples of the unit matrix that are upper bounds of it (Gershgorin).
-    // The off-diagonal components come from walls and from the cell.
+    // The sums of the absolute values in the rows give upper bounds of the response (Gershgorin): the first sum for the
+    // normal direction, the largest other sum for the tangential directions. Off-diagonal components are due to walls
+    // and to the cell.
     const Vec<Dim> bound = packed_response(bodies, c, c.frame, shared).cwiseAbs().rowwise().sum();
     const double normal = bound[0], tangential = bound.template tail<Dim - 1>().maxCoeff();
     out.inverse_normal = 1.0 / normal;
@@ -95,7 +96,7 @@ struct RoundContacts {
     Vec<Dim> in_space = c.normal * impulse.normal;
     in_space += from_shear<double>(c.normal, impulse.tangential);
     const RotationVector<Dim> turn = moment_of_tangential(c.normal, impulse.tangential);
-    // A body that does not move may belong to contacts of several threads, so no thread may write to it.
+    // Several threads may solve contacts of a body that does not move, so no thread may change this body.
     if (Body& i = bodies[c.i]; i.moves) {
       i.velocity -= i.inverse_mass.cwiseProduct(in_space);
       i.angular_velocity -= (i.inverse_inertia * c.arm_i) * turn;
@@ -116,7 +117,7 @@ struct RoundContacts {
     apply(c, change, bodies, gain);
   }
 
-  /// Returns contact_error() of a contact, with the response in its record.
+  /// Returns contact_error() of a contact, computed with the response in its record.
   static double error(const Contact& c, const Body* bodies, const Vec<Dim>& stretch) {
     const Impulse free = unlimited(c, bodies, stretch);
     const Shear<Dim> tangential = limited(free.tangential, c.friction * std::max(c.impulse.normal, 0.0));
@@ -132,22 +133,22 @@ struct RoundContacts {
     return {v[0],
             to_shear<double>(n, Vec<Dim>(frame.template rightCols<Dim - 1>() * v.template tail<Dim - 1>()))};
   }
-  /// Returns the moment n x p_t of a tangential impulse p_t at the end of the normal n.
+  /// Returns the moment n x p_t of a tangential impulse p_t with the normal n as lever arm.
   static RotationVector<Dim> moment_of_tangential(const Vec<Dim>& n, const Shear<Dim>& p) {
     if constexpr (Dim == 2)
       return p;
     else
       return moment<double>(n, p);
   }
-  /// Returns the velocity w x n of the end of the normal n in a rotation w, in the form of tangential vectors.
+  /// Returns the velocity w x n of the tip of the normal n for the angular velocity w, as a tangential vector.
   static Shear<Dim> turned_normal(const RotationVector<Dim>& w, const Vec<Dim>& n) {
     if constexpr (Dim == 2)
       return w;
     else
       return cross<double>(w, n);
   }
-  /// Returns the arguments of [ ]_+ and proj in the fixed point equations of Contact: the impulse before its components
-  /// are limited.
+  /// Returns the impulse before the limits P >= 0 and |p_t| <= mu P are applied: the arguments of [ ]_+ and proj in the
+  /// equations of Contact.
   static Impulse unlimited(const Contact& c, const Body* bodies, const Vec<Dim>& stretch) {
     const Body &i = bodies[c.i], &j = bodies[c.j];
     Vec<Dim> u = j.velocity - i.velocity;

@@ -7,11 +7,11 @@
 
 #include "floc/base/vec.h"
 
-/// Operations on the second-order cone K = {x : |(x_1, x_2, ..)| <= x_0}, for the interior point method. K is its own
-/// dual. Products are those of its Jordan algebra [AG2003].
+/// Operations on the second-order cone K = {x : |(x_1, x_2, ..)| <= x_0}, for the interior point method. K is equal to
+/// its dual cone. Products are those of the Jordan algebra of K [AG2003].
 namespace floc::cone {
 
-/// Returns x_0 - |(x_1, ..)|, which is negative outside of the cone.
+/// Returns x_0 - |(x_1, ..)|, which is negative outside the cone.
 template <int Dim>
 double margin(const Vec<Dim>& x) {
   return x[0] - x.template tail<Dim - 1>().norm();
@@ -45,9 +45,9 @@ Vec<Dim> quotient(const Vec<Dim>& a, const Vec<Dim>& b) {
   return x;
 }
 
-/// Scaling of Nesterov and Todd: the symmetric matrix W with W z = W^-1 x, represented by its eigenvectors and
-/// eigenvalues. The eigenvalues differ by many orders of magnitude if x and z are close to the surface of the cone.
-/// [AG2003], section 7.
+/// Scaling of Nesterov and Todd ([AG2003], section 7): the symmetric matrix W with W z = W^-1 x. W is stored as
+/// eigenvectors and eigenvalues, because the eigenvalues differ by many orders of magnitude if x and z are close to the
+/// surface of the cone.
 template <int Dim>
 struct Scaling {
   Mat<Dim> basis;  ///< eigenvectors of W, as columns
@@ -57,8 +57,8 @@ struct Scaling {
   Scaling(const Vec<Dim>& x, const Vec<Dim>& z) {
     const double det_x = determinant<Dim>(x), det_z = determinant<Dim>(z);
     const Vec<Dim> unit_x = x / std::sqrt(det_x), unit_z = z / std::sqrt(det_z);
-    // W corresponds to a point of the hyperboloid det = 1. Only the last components of the point are computed, so
-    // rounding cannot move it off the hyperboloid.
+    // W corresponds to a point of the hyperboloid det = 1. Only the last components of the point are computed; the
+    // first follows from det = 1, so that rounding errors do not move the point away from the hyperboloid.
     const double gamma = std::sqrt(0.5 * (1.0 + unit_x.dot(unit_z)));
     const Vec<Dim - 1> side =
         (unit_x.template tail<Dim - 1>() - unit_z.template tail<Dim - 1>()) / (2.0 * gamma);
@@ -85,8 +85,8 @@ struct Scaling {
     return basis * (basis.transpose() * v).cwiseQuotient(eigenvalue);
   }
 
-  /// Returns (Q + W^-2)^-1 for a diagonal Q >= 0. With D the eigenvalues of W and Q' the matrix Q in the basis of the
-  /// eigenvectors, 1 + D Q' D is factorized, which keeps the digits of the small entries.
+  /// Returns (Q + W^-2)^-1 for a diagonal Q >= 0. The function factorizes 1 + D Q' D, where D has the eigenvalues of W
+  /// and Q' is the matrix Q in the basis of the eigenvectors. Small entries then keep all their digits.
   Mat<Dim> flexibility(const Vec<Dim>& diagonal) const {
     const Mat<Dim> stretch = eigenvalue.asDiagonal() * basis.transpose();
     const Mat<Dim> middle = Mat<Dim>::Identity() + stretch * diagonal.asDiagonal() * stretch.transpose();
@@ -95,7 +95,7 @@ struct Scaling {
   }
 };
 
-/// Returns the largest step a for which x + a dx lies in the cone; infinite if there is no limit.
+/// Returns the largest number a for which x + a dx lies in the cone; infinite if there is no limit.
 /// @pre x lies inside the cone
 template <int Dim>
 double longest_step(const Vec<Dim>& x, const Vec<Dim>& dx) {

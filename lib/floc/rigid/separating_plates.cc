@@ -10,15 +10,16 @@ namespace {
 
 /// Mass of a plate divided by the mass of the lighter grain.
 constexpr double kPlateMass = 1e-3;
-/// Largest difference between the gap of a contact and the smallest gap of its pair, divided by the distance of the two
-/// grains, at which the contact may carry a part of the force of the pair.
+/// A contact gets a part of the impulse of its pair only if its gap exceeds the smallest gap of the pair by at most
+/// this value times the distance of the centres of the two grains.
 constexpr double kSameGap = 1e-6;
-/// Number of sweeps that share the impulse of a pair among at most four contacts.
+/// Number of sweeps in which the impulse of a pair is divided among at most four contacts.
 constexpr int kSharingSweeps = 50;
-/// Weight of the sum of the squared impulses in the function that these sweeps minimise. It makes the shares more even.
+/// Weight of the sum of the squared impulses in the function that these sweeps minimise. This sum makes the impulses of
+/// the contacts more equal.
 constexpr double kEvenly = 1e-3;
 
-/// Returns the extent of a grain from its centre along a unit vector (length).
+/// Returns the extent of a grain along a unit vector, measured from the centre of the grain (length).
 double extent_along(const PlacedShape<3>& grain, const Vec<3>& direction) {
   return grain.scale * extent<3>(*grain.shape, grain.rotation.transpose() * direction);
 }
@@ -32,8 +33,8 @@ SeparatingPlates::SeparatingPlates(const Packing<3>& packing, const BodyMotion<3
   const int n_contacts = static_cast<int>(contacts.size());
   for (int first = 0, last; first < n_contacts; first = last) {
     const StepContact<3>& c = contacts[first];
-    // Different images of a grain are distinguished by their branch vectors, which differ by at least a side of the
-    // cell.
+    // Contacts with different periodic images of a grain belong to different pairs. Their branch vectors differ by at
+    // least a side of the cell.
     for (last = first + 1; last < n_contacts; ++last)
       if (contacts[last].i != c.i || contacts[last].j != c.j ||
           (contacts[last].branch - c.branch).norm() > 1e-6 * c.branch.norm())
@@ -52,7 +53,7 @@ SeparatingPlates::SeparatingPlates(const Packing<3>& packing, const BodyMotion<3
       centre += contacts[k].arm_i / (last - first);
       impulse += contacts[k].impulse[0];
     }
-    // The plate starts midway between the two grains.
+    // The plate is midway between the two grains at the start.
     centre += n * (0.5 * (extent_along(one, n) + n.dot(c.branch) - extent_along(two, -n)) - n.dot(centre));
     StepContact<3> with_first = c, with_second = c;
     with_first.j = with_second.i = add_plate(c, centre);
@@ -63,7 +64,8 @@ SeparatingPlates::SeparatingPlates(const Packing<3>& packing, const BodyMotion<3
   }
 }
 
-/// Adds the plate of a pair. It starts with the mean velocity of the two grains.
+/// Adds the plate of a pair. Its first velocity is the mean of the velocities of the two grains at the centre of the
+/// plate.
 /// @param centre  vector from the centre of the first grain to the centre of the plate (length)
 /// @return index of the plate among the bodies
 int SeparatingPlates::add_plate(const StepContact<3>& c, const Vec<3>& centre) {
@@ -80,8 +82,8 @@ int SeparatingPlates::add_plate(const StepContact<3>& c, const Vec<3>& centre) {
 }
 
 /// Adds the contacts of a plate with the vertices of one of its grains.
-/// @param pattern  contact with the indices of the grain and the plate
-/// @param impulse  impulse of the pair in the last step
+/// @param pattern  contact from which the new contacts are copied, with the indices of the grain and of the plate
+/// @param impulse  total normal impulse of the pair in the last step
 void SeparatingPlates::add_vertices(const PlacedShape<3>& grain, StepContact<3> pattern, bool is_second,
                                     const Vec<3>& centre, double impulse) {
   const std::size_t begin = contacts_.size();
@@ -102,9 +104,9 @@ void SeparatingPlates::add_vertices(const PlacedShape<3>& grain, StepContact<3> 
     contacts_[k].impulse = impulse / static_cast<double>(contacts_.size() - begin) * Vec<3>::Unit(0);
 }
 
-/// Returns the second derivatives of the gap of a vertex above a plate or a wall, like gap_curvature(). With the normal
-/// n of the plate, the rotation vector t of the plate, the rotation vector w of the grain, the vector a from the centre
-/// of the grain to the vertex, and the displacements u_i and u_j, the gap is, up to its sign,
+/// Returns the second derivatives of the gap of a vertex above a plate or a wall, in the form of gap_curvature(). Let n
+/// be the normal and t the rotation vector of the plate, w the rotation vector of the grain, a the vector from the
+/// centre of the grain to the vertex, and u_i and u_j the displacements of the two bodies. Up to its sign, the gap is
 ///
 ///     (n + t x n + t x (t x n)/2) . (u_j + w x a + w x (w x a)/2 - u_i + branch).
 PairMatrix<3> SeparatingPlates::gap_curvature_at(const StepContact<3>& c) const {
@@ -134,8 +136,8 @@ PairMatrix<3> SeparatingPlates::gap_curvature_at(const StepContact<3>& c) const 
   return out;
 }
 
-/// Returns, for each contact, the change of the momenta of its two bodies due to the rotation of its impulse, in the
-/// form of convex_stiffness().
+/// Returns, for each contact, the matrix that gives the change of the momenta of its two bodies due to the rotation of
+/// its impulse (convex_stiffness()).
 std::vector<PairMatrix<3>> SeparatingPlates::stiffnesses(double dt) const {
   std::vector<PairMatrix<3>> out;
   for (const StepContact<3>& c : contacts_)
@@ -156,8 +158,8 @@ bool SeparatingPlates::solve(double dt, BodyMotion<3>& bodies, std::vector<StepC
   return true;
 }
 
-/// Shares the impulse of a pair among its closest contacts. The shares reproduce the force of the pair, and its moment
-/// as closely as repulsive impulses can.
+/// Divides the impulse of a pair among its closest contacts. The total impulse is exactly that of the pair; the moment
+/// is as close to that of the pair as repulsive impulses allow.
 void SeparatingPlates::share_impulse(const Pair& pair, std::vector<StepContact<3>>& contacts) const {
   if (pair.has_wall) {
     for (int k = pair.first; k < pair.last; ++k)

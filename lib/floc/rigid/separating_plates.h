@@ -9,43 +9,45 @@
 namespace floc {
 
 /// Contacts of grains with corners, without friction and adhesion, in a time step that is solved at once
-/// (implicit_step.h). The contacts have a form that does not depend on the closest features: two convex bodies do not
-/// overlap if and only if a plane separates them. A light plate between the two grains of each pair therefore moves and
-/// rotates freely, and each vertex close to the plate stays on the side of its grain.
+/// (implicit_step.h). The method needs no closest features. It uses a theorem: two convex bodies do not overlap if and
+/// only if a plane separates them. Each pair of grains gets a light plate between the grains, which moves and rotates
+/// freely; every vertex close to the plate must stay on the side of its grain.
 ///
-/// In contrast, the contact points of a manifold (manifold.h) are those of the closest features at the start of a step.
-/// Two nearly parallel faces are closest at one of their corners before the step and at another corner after it, and
-/// such steps do not converge. A step with plates takes all corners into account.
+/// The contact points of a manifold (manifold.h), by contrast, belong to the closest features at the start of a step.
+/// If two faces are nearly parallel, one corner may be closest before the step and another corner after it; such steps
+/// do not converge to a state of rest. A step with plates takes all corners into account.
 class SeparatingPlates {
  public:
-  /// Rates of change of the gaps, divided by the gaps (1/time): largest rate at which an open gap may close, and rate
-  /// at which an overlap is removed.
+  /// Rates of change of gaps, divided by the gap (1/time): the largest rate at which an open gap may close, and the
+  /// rate at which an overlap is removed.
   struct Rates {
     double closing, opening;
   };
 
   /// @param packing   packing at the start of the step
-  /// @param bodies    motion of the bodies of the packing without contacts
+  /// @param bodies    motion that the bodies of the packing would have without contacts
   /// @param contacts  contacts of the step; the contacts of one pair of bodies are consecutive
   /// @param gaps      gap of each contact (length)
-  /// @param reach     distance from a plate up to which vertices take part (length)
+  /// @param reach     distance from a plate up to which vertices get contacts with the plate (length)
   SeparatingPlates(const Packing<3>& packing, const BodyMotion<3>& bodies,
                    const std::vector<StepContact<3>>& contacts, const std::vector<double>& gaps, double reach,
                    const Rates& rates);
 
-  /// Solves the step: first without rotations of the forces, then with the rotations of the forces that were found.
-  /// @param bodies    bodies, which get the velocities at the end of the step
-  /// @param contacts  contacts given to the constructor, which get the impulses
+  /// Solves the step twice: first without rotations of the forces, then with rotations of the forces found by the first
+  /// solution.
+  /// @param bodies    bodies; they get the velocities at the end of the step
+  /// @param contacts  contacts given to the constructor; they get the impulses
   /// @return whether both programs were solved; otherwise nothing is changed
   bool solve(double dt, BodyMotion<3>& bodies, std::vector<StepContact<3>>& contacts);
 
  private:
-  /// A pair of bodies.
+  /// Pair of two bodies in contact: two grains, or a grain and a wall.
   struct Pair {
     bool has_wall;
-    /// index of its first contact in the contacts of the step, and index after its last contact
+    /// index of the first contact of the pair in the contacts of the step, and index after its last contact
     int first, last;
-    /// range in contacts_: contacts with a wall, or contacts of the second grain with the plate
+    /// first index and end of a range in contacts_: contacts with the wall, or contacts of the second grain with the
+    /// plate
     int begin, end;
   };
 
@@ -60,7 +62,7 @@ class SeparatingPlates {
   std::vector<double> gaps_;
   double reach_;
   Rates rates_;
-  BodyMotion<3> motion_;                  ///< motion of the bodies, followed by the plates
+  BodyMotion<3> motion_;                  ///< motion of the bodies and, after them, of the plates
   std::vector<StepContact<3>> contacts_;  ///< contacts with plates and walls
   std::vector<Pair> pairs_;
 };

@@ -12,13 +12,13 @@
 namespace floc {
 namespace {
 
-/// Largest error of the balance, divided by the mean normal force, and largest duality gap, of forces that are accepted
-/// although rounding ended the iteration. If the balance determines all forces, no set of forces lies inside all cones,
-/// and rounding ends the iteration early.
+/// If rounding ended the iteration, forces are still accepted up to this error of the balance (divided by the mean
+/// normal force) and up to this duality gap. Rounding ends the iteration early if the balance determines all forces:
+/// there may then be no set of forces inside all cones.
 constexpr double kNearlySolved = 1e-6;
 
-/// Returns the blocks (P, T/mu) of the present forces, in units of the balance. The tangential forces of contacts
-/// without friction are left out.
+/// Returns the blocks (P, T/mu) of the present forces, in units of the balance. The tangential part is zero for
+/// contacts without friction.
 template <int Dim>
 std::vector<Vec<Dim>> present_blocks(const ForceBalance<Dim>& balance) {
   std::vector<Vec<Dim>> out;
@@ -57,7 +57,7 @@ BalancedForces<Dim> StaticForces<Dim>::present() const {
 
 template <int Dim>
 BalancedForces<Dim> StaticForces<Dim>::solved(const std::vector<Vec<Dim>>& preferred) {
-  // The energy is expressed in units in which the mean normal compliance is one.
+  // The unit of the energy is chosen so that the mean normal compliance is one.
   double mean = 0.0;
   for (const UnknownForce<Dim>& u : balance_.unknowns) mean += 1.0 / u.kn;
   mean /= static_cast<double>(balance_.unknowns.size());
@@ -77,7 +77,8 @@ template <int Dim>
 double StaticForces<Dim>::extreme(int block, double sign) {
   program_.linear.assign(program_.n_blocks(), Vec<Dim>::Zero());
   program_.linear[block][0] = -sign;
-  // The smallest possible normal force is that with a repulsive part P of zero, if such forces balance.
+  // The repulsive part P is never below zero, so the search for the smallest force ends at P = 0. For the largest
+  // force, no bound is known in advance.
   const double bound = sign < 0.0 ? 0.0 : -std::numeric_limits<double>::infinity();
   const ConeSolution<Dim> solution = method_.minimise_linear(program_, bound);
   if (solution.status == ConeStatus::kUnbounded) return std::numeric_limits<double>::infinity();
@@ -133,10 +134,11 @@ template <int Dim>
 void StaticForces<Dim>::fail(const ConeSolution<Dim>& solution) const {
   if (solution.status != ConeStatus::kInfeasible)
     throw NoResult(
-        fmt::format("rounding ended the search for static forces at a residual of {:.1e} of the mean force "
-                    "and a duality gap of {:.1e}, after {} factorizations; there may be no solution",
+        fmt::format("rounding errors ended the search for static forces: the residual is {:.1e} of the mean "
+                    "force and the duality gap {:.1e} after {} factorizations; there may be no solution",
                     solution.residual, solution.gap, solution.n_factorizations));
-  // The proof that no forces balance the load is a motion on which the load does work and which no contact resists.
+  // If no forces balance the load, the solver returns a motion as proof: the load does work in this motion, and no
+  // contact resists it.
   int worst = -1;
   double most = 0.0;
   for (int row = 0; row < solution.motion.size(); ++row)
@@ -186,7 +188,7 @@ std::optional<double> force_freedom(const State<Dim>& state) {
     return force_distance(forces.present(), forces.canonical());
   } catch (const NoResult&) {
     return std::nullopt;
-  } catch (const InputError&) {  // thrown if no contact carries a force
+  } catch (const InputError&) {  // thrown if all forces are zero, or if contacts resist rolling or twisting
     return std::nullopt;
   }
 }

@@ -14,42 +14,45 @@ namespace floc {
 /// Forces of the contacts of a packing, in the order of the contacts.
 template <int Dim>
 struct BalancedForces {
-  std::vector<double> normal_force;   ///< normal force of each contact, compression positive (force)
+  std::vector<double> normal_force;   ///< normal force of each contact, positive if compressive (force)
   std::vector<Vec<Dim>> shear_force;  ///< tangential force of each contact on grain i (force)
-  /// Coulomb's limit mu P of the tangential force, with the friction coefficient mu and the repulsive normal force P
-  /// (force); infinite for contacts without friction and for attractions across a gap.
+  /// Coulomb's limit mu P of the tangential force of each contact, with the friction coefficient mu and the repulsive
+  /// part P of the normal force (force); infinite for contacts without friction and for attractions across a gap.
   std::vector<double> friction_limit;
   BalanceError error;
   int n_factorizations = 0;
 };
 
-/// Range of the normal force that a contact can carry while all forces balance.
+/// Range of the normal force of a contact in all sets of balanced forces.
 struct ForceRange {
   double smallest = 0.0;  ///< smallest normal force (force)
   double largest = 0.0;   ///< largest normal force (force); infinite if there is no limit
 };
 
-/// Forces that the contacts of a packing can carry at rest, for its present geometry. They balance every grain and the
-/// stress, and each contact satisfies Coulomb's condition (force_balance.h). In general many sets of forces fulfil
-/// these conditions. The members select one set by its elastic energy 1/2 sum (P^2/K_N + T^2/K_T), or give bounds of
-/// all sets. P and T are the repulsive normal force and the tangential force, K_N and K_T the stiffnesses.
+/// Contact forces that are possible in a packing at rest with the present geometry. The forces on every grain balance,
+/// the forces give the required stress, and each contact satisfies Coulomb's condition (force_balance.h). In general
+/// many sets of forces satisfy these conditions. Member functions select the set with the least elastic energy 1/2 sum
+/// (P^2/K_N + T^2/K_T), select the set closest to the present forces, or return the range of one force over all sets. P
+/// is the repulsive part of the normal force, T the tangential force, and K_N and K_T are the stiffnesses.
 template <int Dim>
 class StaticForces {
  public:
-  /// @param place  file, for messages
+  /// @param place  name of the file of the packing, for messages
   /// @throws InputError if force_balance() throws it
   StaticForces(const std::string& place, const Packing<Dim>& packing, const ForceBalanceOptions<Dim>& options);
 
-  /// Returns the balanced forces that are closest to the present forces, in the norm of the elastic energy.
+  /// Returns the balanced forces that are closest to the present forces: the elastic energy of the difference is
+  /// smallest.
   /// @throws NoResult if no set of forces balances the load (the message names the grain that the load moves most), or
-  /// if rounding prevents an answer
+  /// if rounding errors leave this open
   BalancedForces<Dim> closest();
 
-  /// Returns the balanced forces with the least elastic energy, which are those of springs without a history.
+  /// Returns the balanced forces with the least elastic energy. They depend on the geometry, the stiffnesses and the
+  /// load, but not on the history of the packing.
   /// @throws NoResult if closest() throws it
   BalancedForces<Dim> canonical();
 
-  /// Returns the range of the normal force of a contact over all sets of balanced forces.
+  /// Returns the range of the normal force of one contact in all sets of balanced forces.
   /// @param contact  index in the contacts of the packing
   /// @throws NoResult if closest() throws it
   ForceRange range(int contact);
@@ -69,8 +72,8 @@ class StaticForces {
   InteriorPoint<Dim> method_;
 };
 
-/// Returns forces as the conditions of a balance (ForceBalanceOptions::wall_force): walls that do not follow forces bear
-/// any force.
+/// Converts forces on walls to the option ForceBalanceOptions::wall_force. The force on a wall that does not move under
+/// forces is arbitrary (no number).
 /// @param force  force on each wall, in the order of Packing::walls (force)
 template <int Dim>
 std::vector<std::optional<double>> forces_on_moving_walls(const Packing<Dim>& packing,
@@ -80,9 +83,10 @@ std::vector<std::optional<double>> forces_on_moving_walls(const Packing<Dim>& pa
 template <int Dim>
 double force_distance(const BalancedForces<Dim>& f, const BalancedForces<Dim>& g);
 
-/// Returns the relative distance between the forces of a state and the forces with the least elastic energy that
-/// transmit the stress of the state in its geometry, as `floc forces` prints it. Absent for a state in motion, if no
-/// forces balance the state, or if no contact carries a force.
+/// Returns the relative distance between the forces of a state and the forces with the least elastic energy that give
+/// the stress of the state, for its geometry; `floc forces` prints this number. The result is absent if the state is in
+/// motion, if no forces balance the state, if all contact forces are zero, or if the contact law resists rolling or
+/// twisting.
 template <int Dim>
 std::optional<double> force_freedom(const State<Dim>& state);
 

@@ -13,8 +13,7 @@
 
 namespace floc {
 
-/// Interface of the sweeps of GaussSeidel over the contacts of one time step. It does not depend on the type of the
-/// records.
+/// Interface of the sweeps of GaussSeidel over the contacts of one time step, for any type of the records.
 template <int Dim>
 class ContactSweeps {
  public:
@@ -26,9 +25,9 @@ class ContactSweeps {
 
 /// Sweeps of a team of threads over the records of a model (packed_contacts.h).
 ///
-/// Contacts are solved colour by colour. The contacts of a colour are divided into chunks, whose size does not depend
-/// on the number of threads. Sums over contacts are formed within each chunk and then over the chunks in order, so
-/// results are bitwise identical for any number of threads.
+/// Contacts are solved colour by colour. The contacts of a colour are divided into chunks. The size of the chunks does
+/// not depend on the number of threads. A sum over contacts is computed for each chunk, and these sums are added in the
+/// order of the chunks, so results are bitwise identical for any number of threads.
 template <class Model>
 class TeamSweeps final : public ContactSweeps<Model::kDim> {
  public:
@@ -94,7 +93,7 @@ class TeamSweeps final : public ContactSweeps<Model::kDim> {
   using Contact = typename Model::Contact;
   using Impulse = typename Model::Impulse;
 
-  /// Consecutive contacts of one colour, from begin to end - 1 in the order of colours.
+  /// Consecutive contacts of one colour: the contacts with the indices begin to end - 1 in the order of colours.
   struct Chunk {
     int begin, end;
   };
@@ -104,14 +103,14 @@ class TeamSweeps final : public ContactSweeps<Model::kDim> {
     int n;
   };
 
-  /// A sweep over all contacts is made every kAllEvery sweeps. The sweeps in between leave out contacts that carried no
-  /// impulse in the last sweep over all contacts; most of them have open gaps.
+  /// Each sweep whose number is a multiple of kAllEvery goes over all contacts. All other sweeps leave out the contacts
+  /// whose impulse was zero in the last sweep over all contacts; most of these contacts have open gaps.
   static constexpr int kAllEvery = 10;
   /// Number of contacts per chunk. Solving a chunk takes from 0.4 microseconds (disks) to 4 microseconds (bodies of any
   /// shape in 3D).
   static constexpr int kChunk = 64;
-  /// Smallest number of chunks of a colour that are shared among threads. With fewer chunks, the threads would wait for
-  /// each other as long as the sharing saves.
+  /// Smallest number of chunks of a colour at which several threads solve the colour. With fewer chunks, the time lost
+  /// by waiting for other threads would be as long as the time saved.
   static constexpr int kSharedChunks = 4;
 
   void divide(int threads) {
@@ -133,7 +132,7 @@ class TeamSweeps final : public ContactSweeps<Model::kDim> {
   }
   bool is_shared(int colour) const { return n_chunks(colour) >= kSharedChunks && colour != kMostColours - 1; }
 
-  /// Recomputes the velocities from the impulses, since rounding errors accumulate over many sweeps.
+  /// Recomputes the velocities from the impulses, since the velocities collect rounding errors during many sweeps.
   void recompute_velocities() {
     packed_ = free_;
     Vec<Dim> gain = Vec<Dim>::Zero();
@@ -153,9 +152,9 @@ class TeamSweeps final : public ContactSweeps<Model::kDim> {
   }
 
   /// Extrapolates the impulses in the direction of their earlier changes, as the method of conjugate gradients does
-  /// (Silcowitz-Hansen et al. 2010). Let r be the change of all impulses in the last sweep, r_old that in the sweep
-  /// before, and b = |r|^2/|r_old|^2. The impulses change by b d, and the direction d becomes b d + r. If b >= 1, the
-  /// direction is restarted.
+  /// (Silcowitz-Hansen et al. 2010). Let r be the change of all impulses in the last sweep, r_old the change in the
+  /// previous sweep, d the present direction, and b = |r|^2/|r_old|^2. The impulses change by b d, and the new
+  /// direction is b d + r. If b >= 1, the impulses do not change, and the new direction is r.
   void extrapolate(SharedLoops& loops) {
     double change = 0.0;
     for (const double part : change_) change += part;
@@ -192,7 +191,8 @@ class TeamSweeps final : public ContactSweeps<Model::kDim> {
     gain_[chunk] = gain;
   }
 
-  // All functions that the loop calls are inlined, since vectors would otherwise be passed through memory.
+  // The attribute makes the compiler inline all functions that the loop calls; otherwise vectors would be passed
+  // through memory.
   [[gnu::flatten]] void solve_chunk(int chunk, bool over_all) {
     const Vec<Dim> stretch = stretch_;
     Vec<Dim> gain = Vec<Dim>::Zero();
@@ -227,7 +227,8 @@ class TeamSweeps final : public ContactSweeps<Model::kDim> {
     return relative(error_);
   }
 
-  /// Returns the largest error divided by the mean normal impulse; infinite if there are errors but no impulses.
+  /// Returns the largest error divided by the mean of the nonzero normal impulses; infinite if there are errors but no
+  /// impulses.
   static double relative(const std::vector<ChunkError>& errors) {
     ChunkError all{0.0, 0.0, 0};
     for (const ChunkError& error : errors)
@@ -251,20 +252,22 @@ class TeamSweeps final : public ContactSweeps<Model::kDim> {
   BodyMotion<Dim>& bodies_;
   std::vector<StepContact<Dim>>& contacts_;
   ContactColours colours_;
-  AlignedVector<Body> free_;  // bodies without the impulses of contacts, but with the impulses of adhesion
-  // rate of stretch of the cell without the impulses of contacts, but with those of adhesion
+  // bodies with velocities that include the impulses of adhesion, but no other impulses of contacts
+  AlignedVector<Body> free_;
+  // rate of stretch of the cell that includes the impulses of adhesion, but no other impulses of contacts
   Vec<Dim> free_stretch_;
   AlignedVector<Body> packed_;
   AlignedVector<Contact> records_;
-  // for each record: whether it carried no impulse in the last sweep over all contacts
+  // for each record, whether its impulse was zero in the last sweep over all contacts
   std::vector<std::uint8_t> is_idle_;
   Vec<Dim> stretch_;  // present rate of stretch of the cell
   std::vector<Chunk> chunks_;
-  std::vector<int> first_chunk_;  // index of the first chunk of each colour, then the number of chunks
+  // index of the first chunk of each colour; the last element is the number of chunks
+  std::vector<int> first_chunk_;
   int n_threads_ = 1;
-  std::vector<Impulse> direction_;  // direction d of extrapolate(), for each record
-  std::vector<Impulse> last_step_;  // change r of extrapolate(), for each record
-  double last_change_ = 0.0;        // value of |r|^2 in the sweep before the last
+  std::vector<Impulse> direction_;  // direction d in extrapolate(), for each record
+  std::vector<Impulse> last_step_;  // change r in extrapolate(), for each record
+  double last_change_ = 0.0;        // value of |r|^2 in the sweep before the last one
   std::vector<double> change_;      // contribution of each chunk to |r|^2 in the last sweep
   std::vector<Vec<Dim>> gain_;      // contribution of each chunk to `gain` in the present sweep
   std::vector<ChunkError> error_;   // error of each chunk

@@ -10,11 +10,13 @@ namespace {
 
 constexpr int kReferenceSide = 512;
 
-/// Convex polygon that is being clipped. In 2D it is a segment, traversed in both directions.
+/// Convex polygon during the clipping. In 2D it is a segment, stored as a polygon with two sides in opposite
+/// directions.
 template <int Dim>
 struct Polygon {
   using Point = typename ClippedFace<Dim>::Point;
-  /// Largest number of corners. Each side of the reference face, by which the polygon is clipped, can add one corner.
+  /// Largest number of corners. The polygon is clipped by each side of the reference face, and each side can add one
+  /// corner.
   static constexpr int kMost = 2 * kMostVertices + 4;
 
   int n = 0;
@@ -48,9 +50,9 @@ void clip(const Vec<Dim>& origin, const Vec<Dim>& outward, int side, const Polyg
     const double there = k + 1 < from.n ? height(k + 1) : height(0);
     if (here <= 0.0) to.add(p.x, p.side);
     if ((here <= 0.0) != (there <= 0.0)) {
-      // Each corner stores the number of the side of the polygon that begins at this corner. Where the polygon leaves
-      // the half-space, this is the new side `side`; where the polygon enters the half-space again, it is the side that
-      // is cut.
+      // Each corner stores the number of the side of the polygon that begins at the corner. Where the boundary of the
+      // polygon leaves the half-space, the new side `side` begins; where it enters the half-space again, the rest of
+      // the cut side begins.
       const double share = here / (here - there);
       to.add(p.x + share * (q.x - p.x), here <= 0.0 ? side : p.side);
     }
@@ -58,8 +60,8 @@ void clip(const Vec<Dim>& origin, const Vec<Dim>& outward, int side, const Polyg
   }
 }
 
-/// Returns the plane through side k of a face, perpendicular to the face: a point of the plane and a normal of any
-/// length that points away from the face.
+/// Returns the plane through side k of a face that is perpendicular to the face: a point of the plane, and a normal of
+/// any length that points away from the face.
 std::pair<Vec<3>, Vec<3>> side_plane(const Shape<3>& shape, int face, int k) {
   const std::span<const int> loop = shape.loop(face);
   const Vec<3>& from = shape.vertices[loop[k]];
@@ -72,16 +74,16 @@ std::pair<Vec<2>, Vec<2>> side_plane(const Shape<2>& shape, int face, int k) {
   return {end, end - shape.vertices[loop[1 - k]]};
 }
 
-/// Merges adjacent corners whose distance is at most `tolerance`. The lower of their side numbers is kept, because the
-/// numbers of the sides of the incident face are below those of the reference face.
+/// Merges adjacent corners whose distance is at most `tolerance`. The merged corner keeps the lower of the two side
+/// numbers: sides of the incident face have lower numbers than sides of the reference face, and are preferred.
 template <int Dim>
 void join_equal_points(Polygon<Dim>& polygon, double tolerance) {
   int n = 0;
   for (int k = 0; k < polygon.n; ++k) {
     auto& p = polygon.points[k];
     bool is_new = true;
-    // In a segment traversed in both directions, a corner can coincide with any earlier corner, not only with the
-    // previous one.
+    // If the polygon is a segment, stored in both directions, a corner can be equal to any earlier corner, not only to
+    // the previous one.
     for (int l = polygon.n <= 4 ? 0 : std::max(0, n - 1); l < n && is_new; ++l)
       if ((polygon.points[l].x - p.x).squaredNorm() <= tolerance * tolerance) {
         polygon.points[l].side = std::min(polygon.points[l].side, p.side);
@@ -93,8 +95,8 @@ void join_equal_points(Polygon<Dim>& polygon, double tolerance) {
   polygon.n = n;
 }
 
-/// Returns the index k < n of the largest value(k). A later value replaces an earlier one only if it is larger by more
-/// than the tolerance.
+/// Returns the index k < n of the largest value(k). Values that differ by at most the tolerance count as equal; the
+/// first of them is then preferred.
 template <class Value>
 int largest(int n, double tolerance, const Value& value) {
   int best = 0;
@@ -104,8 +106,8 @@ int largest(int n, double tolerance, const Value& value) {
   return best;
 }
 
-/// Selects at most four points that support the contact almost as well as all points together: the deepest point, the
-/// point furthest from it, and, on each side of the line through these two points, the point furthest from the line.
+/// Selects at most four points that represent all contact points well: the deepest point, the point furthest from it,
+/// and, on each side of the line through these two points, the point furthest from the line.
 void select(const Polygon<3>& polygon, const Vec<3>& normal, double tolerance, ClippedFace<3>& kept) {
   const auto& p = polygon.points;
   if (polygon.n <= 4) {

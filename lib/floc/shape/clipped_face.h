@@ -7,15 +7,16 @@
 
 namespace floc {
 
-/// Contact points of two shapes, one of which touches with its reference face: the corners of the incident face of the
-/// other shape, clipped to the reference face. The points are in the coordinates of the shape with the reference face.
+/// Contact points of two shapes. The reference face of one shape touches the incident face of the other shape. The
+/// contact points are the corners of the incident face after it has been clipped by the sides of the reference face.
+/// The coordinates are those of the shape with the reference face.
 template <int Dim>
 struct ClippedFace {
   struct Point {
     Vec<Dim> x;
     double height;  ///< height above the plane of the reference face (length)
-    /// Side of the clipped polygon that begins at this point: number of a side of the incident face, or 512 plus the
-    /// number of a side of the reference face.
+    /// Number of the side of the clipped polygon that begins at this point: the number of a side of the incident face,
+    /// or 512 plus the number of a side of the reference face.
     int side;
   };
 
@@ -24,16 +25,16 @@ struct ClippedFace {
   std::array<Point, Manifold<Dim>::kMostPoints> points;
 };
 
-/// Clips a face of the shape `incident`, the incident face, by the sides of the face `face` of the shape `reference`,
-/// the reference face. Of the corners of the clipped polygon, those less than `reach` above the reference face are
-/// kept, at most 2 in 2D and 4 in 3D.
+/// Clips the incident face, a face of the shape `incident`, by the sides of the reference face, the face `face` of the
+/// shape `reference`. Returns the corners of the clipped polygon that are less than `reach` above the reference face,
+/// at most 2 in 2D and 4 in 3D.
 ///
-/// The incident face is one of the faces that meet at the vertex `lowest`: the one whose normal is most nearly opposite
-/// to the normal of the reference face. (Among all faces, a face without this vertex may have a more nearly opposite
-/// normal.) If `incident` is a point or a segment without faces, all of it is clipped.
+/// Among the faces that meet at the vertex `lowest`, the incident face is the face whose normal is closest to the
+/// opposite of the normal of the reference face. (A face without this vertex may have a normal that is even closer.) If
+/// `incident` is a point or a segment without faces, the point or the segment is clipped.
 ///
 /// @param place  transformation from the coordinates of `incident` to the coordinates of `reference`
-/// @param lowest  vertex of `incident` that is lowest above the reference face
+/// @param lowest  vertex of `incident` with the smallest height above the reference face
 /// @param reach  largest height of a point above the reference face (length)
 /// @param tolerance  distance below which points are merged and heights count as equal (length)
 template <int Dim>

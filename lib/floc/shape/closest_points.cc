@@ -8,8 +8,8 @@
 namespace floc {
 namespace {
 
-/// Pair of vertices, one of each of two shapes, and the vector between them, which is a point of the Minkowski
-/// difference of the shapes (without their rounding).
+/// Pair of vertices, one of each shape, and the vector between the two vertices. The vector is a point of the Minkowski
+/// difference of the cores (the shapes without their rounding).
 template <int Dim>
 struct Corner {
   Vec<Dim> difference;  ///< vector on_second - on_first between the two vertices
@@ -17,8 +17,8 @@ struct Corner {
   int first, second;  ///< indices of the two vertices
 };
 
-/// Simplex of up to Dim + 1 corners. The sum of the corners, weighted with `weight`, is the point of the simplex
-/// closest to the origin.
+/// Simplex of up to Dim + 1 corners. The sum of the corners, each multiplied by its number in `weight`, is the point of
+/// the simplex closest to the origin.
 template <int Dim>
 struct Simplex {
   std::array<Corner<Dim>, 4> corner;
@@ -30,7 +30,8 @@ struct Simplex {
     for (int k = 1; k < n; ++k) sum += weight[k] * corner[k].difference;
     return sum;
   }
-  /// Keeps only the listed corners. Each entry of the list is the index of a corner and its new weight; indices ascend.
+  /// Removes all corners that are not in a list. Each entry of the list is the index of a corner and the new weight of
+  /// the corner; the indices ascend.
   void keep(std::initializer_list<std::pair<int, double>> kept) {
     int k = 0;
     for (const auto& [from, w] : kept) {
@@ -51,9 +52,9 @@ void reduce_segment(Simplex<Dim>& s) {
   s.keep({{0, 1.0 - along / length2}, {1, along / length2}});
 }
 
-/// Reduces a triangle to its vertex, edge or face that contains the point closest to the origin. The cases are
-/// distinguished by scalar products alone, so the function also works in the plane (Ericson, Real-Time Collision
-/// Detection, section 5.1.5).
+/// Reduces a triangle to the vertex, the edge or the face that contains its point closest to the origin. Only scalar
+/// products distinguish the cases, so the function also works in the plane (Ericson, Real-Time Collision Detection,
+/// section 5.1.5).
 template <int Dim>
 void reduce_triangle(Simplex<Dim>& s) {
   const Vec<Dim>&a = s.corner[0].difference, &b = s.corner[1].difference, &c = s.corner[2].difference;
@@ -75,8 +76,8 @@ void reduce_triangle(Simplex<Dim>& s) {
   s.keep({{0, va / sum}, {1, vb / sum}, {2, vc / sum}});
 }
 
-/// Reduces a tetrahedron to its vertex, edge or face that contains the point closest to the origin. Only faces that
-/// have the origin on their outer side are considered.
+/// Reduces a tetrahedron to the vertex, the edge or the face that contains its point closest to the origin. Only faces
+/// with the origin on the outer side are considered.
 /// @return whether the origin is inside the tetrahedron
 bool reduce_tetrahedron(Simplex<3>& s) {
   static constexpr std::array<std::array<int, 4>, 4> kFaces = {
@@ -87,8 +88,8 @@ bool reduce_tetrahedron(Simplex<3>& s) {
     const Vec<3>& origin = s.corner[a].difference;
     const Vec<3> normal = (s.corner[b].difference - origin).cross(s.corner[c].difference - origin);
     const double here = -normal.dot(origin), top = normal.dot(s.corner[d].difference - origin);
-    // If the origin and the fourth corner d are on the same side of this face, another face is closer to the origin. In
-    // a flat tetrahedron, all faces are considered, because it has no inside.
+    // If the origin and the fourth corner d are on the same side of this face, another face is closer to the origin. A
+    // flat tetrahedron has no inside, so all its faces are considered.
     if (here * top > 0.0 && std::abs(top) > 1e-14 * normal.norm() * s.corner[d].difference.norm()) continue;
     Simplex<3> face;
     face.n = 3;
@@ -102,7 +103,7 @@ bool reduce_tetrahedron(Simplex<3>& s) {
   return false;
 }
 
-/// Reduces a simplex to its vertex, edge or face that contains the point closest to the origin.
+/// Reduces a simplex to the vertex, the edge or the face that contains its point closest to the origin.
 /// @return whether the origin is inside the simplex
 bool reduce(Simplex<2>& s) {
   if (s.n == 2) reduce_segment<2>(s);
@@ -139,8 +140,8 @@ int n_distinct(const Simplex<Dim>& s, int Corner<Dim>::*vertex) {
   return n;
 }
 
-/// Recomputes v, the point of the simplex closest to the origin, by projecting the origin on the plane (in 2D the line)
-/// of the simplex. Rounding errors are then smaller than in the weighted sum of the corners.
+/// Recomputes v, the point of the simplex closest to the origin, by projecting the origin onto the plane (2D: line) of
+/// the simplex. The result has smaller rounding errors than the weighted sum of the corners.
 void refine(const Simplex<2>& s, Vec<2>& v) {
   if (s.n != 2) return;
   const Vec<2> side = s.corner[1].difference - s.corner[0].difference;
@@ -174,8 +175,8 @@ ClosestPoints<Dim> closest_points(const Shape<Dim>& first, const Shape<Dim>& sec
       return found;
     }
     const Corner<Dim> next = support<Dim>(first, second, place, v);
-    // The search ends if no corner is closer to the origin along v by more than rounding errors, or if it finds a
-    // corner of the present simplex again.
+    // The search ends if no corner is closer to the origin, measured along v, by more than rounding errors. It also
+    // ends if the new corner is already a corner of the simplex.
     if (distance2 - v.dot(next.difference) <= 1e-15 * (distance2 + size * std::sqrt(distance2))) break;
     bool is_known = false;
     for (int k = 0; k < s.n; ++k)

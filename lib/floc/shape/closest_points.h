@@ -8,14 +8,16 @@ namespace floc {
 /// first shape.
 template <int Dim>
 struct ClosestPoints {
-  bool overlap = false;                ///< whether the two cores overlap; other members are then not set
-  double distance = 0.0;               ///< distance of the closest points (length), > 0
-  Vec<Dim> normal = Vec<Dim>::Zero();  ///< unit vector from the first core to the second
+  /// whether the two cores overlap; if so, the other members are not set
+  bool overlap = false;
+  double distance = 0.0;  ///< distance of the closest points (length), > 0
+  /// unit vector from the closest point of the first core to that of the second core
+  Vec<Dim> normal = Vec<Dim>::Zero();
   Vec<Dim> on_first = Vec<Dim>::Zero(), on_second = Vec<Dim>::Zero();
-  /// Number of vertices of the feature of the first core that contains its closest point: 1 for a vertex, 2 for an
-  /// edge, 3 for a face.
+  /// Kind of feature on which the closest point of the first core lies, as a number of vertices: 1 for a vertex, 2 for
+  /// an edge, 3 for a face.
   int n_first = 0;
-  /// number of vertices of the feature of the second core that contains its closest point: 1, 2 or 3
+  /// kind of feature on which the closest point of the second core lies, as for n_first: 1, 2 or 3
   int n_second = 0;
 };
 
@@ -23,10 +25,11 @@ struct ClosestPoints {
 /// of Gilbert, Johnson and Keerthi (IEEE J. Robot. Autom. 4, 1988). A core without vertices is a point.
 ///
 /// The error of the points is a few times the rounding error of the size of the shapes. The error of the normal is the
-/// error of the points divided by their distance. Cores that are closer than 1e-12 of their size count as overlapping.
+/// error of the points divided by their distance. If the distance of the cores is below 1e-12 of their size, they count
+/// as overlapping.
 ///
-/// @param guess  estimated direction from the first core to the second between their closest points, of any
-/// length > 0
+/// @param guess  estimate of the direction from the closest point of the first core to that of the second core; vector
+/// of any length > 0
 template <int Dim>
 ClosestPoints<Dim> closest_points(const Shape<Dim>& first, const Shape<Dim>& second,
                                   const RelativePlace<Dim>& place, const Vec<Dim>& guess);

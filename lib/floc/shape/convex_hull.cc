@@ -12,8 +12,7 @@
 namespace floc {
 namespace {
 
-/// Two adjacent faces are merged if their directions differ by less than this number (length of the cross product of
-/// their unit normals).
+/// Two adjacent faces are merged if the length of the cross product of their unit normals is less than this number.
 constexpr double kOneDirection = 1e-6;
 
 /// Smallest box along the axes that contains all points.
@@ -47,9 +46,9 @@ void require_points(const std::vector<Vec<Dim>>& points, const std::string& plac
                                         extent, kLeastLength));
 }
 
-/// Requires that the convex hull is as large as the set of its points, to 1e-5 of the largest extent. The hull is
-/// smaller if vertices were mistaken for points on an edge, for example at the end of a needle that is a million times
-/// as long as it is thick.
+/// Requires that the bounding box of the convex hull is that of the given points, up to 1e-5 of the largest extent. The
+/// hull is smaller if vertices were mistaken for points on an edge, for example at the end of a needle that is a
+/// million times as long as it is thick.
 void require_whole(const Polytope<3>& hull, const std::vector<Vec<3>>& points, const std::string& place) {
   const Box<3> all(points), kept(hull.vertices);
   const double missing = std::max((kept.low - all.low).maxCoeff(), (all.high - kept.high).maxCoeff());
@@ -58,7 +57,7 @@ void require_whole(const Polytope<3>& hull, const std::vector<Vec<3>>& points, c
 }
 void require_whole(const Polytope<2>&, const std::vector<Vec<2>>&, const std::string&) {}
 
-/// Removes the corners of a polygon at which its boundary turns by an angle of less than kOneDirection.
+/// Removes the corners at which the boundary of a polygon changes its direction by less than kOneDirection.
 void drop_straight_corners(const std::vector<Vec<2>>& points, std::vector<int>& loop) {
   for (std::size_t k = 0; k < loop.size() && loop.size() > 2;) {
     const std::size_t n = loop.size();
@@ -92,15 +91,15 @@ std::vector<int> corners_in_plane(const std::vector<Vec<2>>& points) {
         loop.pop_back();
       loop.push_back(i);
     }
-    loop.pop_back();  // the last corner is also the first corner of the other side
+    loop.pop_back();  // this corner is also the first corner of the other half of the hull
   }
   drop_straight_corners(points, loop);
   std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
   return loop;
 }
 
-/// Returns for each triangle the number of the face to which it belongs. Triangles with almost equal normals are merged
-/// across their common edge. Thin slivers, whose normals are inaccurate, are merged across their longest edge.
+/// Returns for each triangle the number of the face to which it belongs. Adjacent triangles with almost equal normals
+/// are merged. The normal of a very thin triangle is inaccurate; it is merged with the neighbour at its longest edge.
 std::vector<int> joined_faces(const std::vector<Vec<3>>& points, const std::vector<HullTriangle>& triangles) {
   std::vector<int> group(triangles.size());
   std::iota(group.begin(), group.end(), 0);
@@ -125,7 +124,8 @@ std::vector<int> joined_faces(const std::vector<Vec<3>>& points, const std::vect
   return group;
 }
 
-/// Returns the vertices around each face of the convex hull, which consists of one or several merged triangles.
+/// Returns the vertices around each face of the convex hull. A face consists of one triangle or of several merged
+/// triangles.
 /// @throws InputError if a face has a hole or touches itself
 std::vector<std::vector<int>> face_loops(const std::vector<Vec<3>>& points, const std::string& place) {
   const std::vector<HullTriangle> triangles = triangulated_hull(points, place);
@@ -155,7 +155,7 @@ std::vector<std::vector<int>> face_loops(const std::vector<Vec<3>>& points, cons
   return loops;
 }
 
-/// Removes from all faces the corners that belong to fewer than three faces. Such corners lie on an edge and are not
+/// Removes from all faces the corners that belong to fewer than three faces. These corners lie on edges and are not
 /// vertices of the polyhedron.
 void drop_corners_on_edges(std::size_t n_points, std::vector<std::vector<int>>& loops) {
   std::vector<int> n_faces(n_points, 0);
@@ -193,8 +193,7 @@ ConvexHull<Dim> convex_hull(const std::vector<Vec<Dim>>& points, const std::stri
   hull.polytope.faces = loops_of(points, place);
   std::vector<int>& used = hull.points;
   for (const std::vector<int>& loop : hull.polytope.faces) used.insert(used.end(), loop.begin(), loop.end());
-  // The vertices of a polygon are in the order around it, the vertices of a polyhedron in the order of the
-  // given points.
+  // The vertices of a polygon are ordered around the polygon, the vertices of a polyhedron like the given points.
   if constexpr (Dim == 2) {
     used.clear();
     for (const std::vector<int>& loop : hull.polytope.faces) used.push_back(loop[0]);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr WholeRange kCounts{.least = 1, .most = 100000};
 constexpr NumberRange kRounding{.least = 0.0, .most = 0.45};
-/// Number of random draws without a valid shape after which the options of a generator are refused.
+/// Largest number of random draws for one shape. If none of them gives a valid shape, the options are an error.
 constexpr int kMostDraws = 200;
 
 void add_fault(std::vector<std::string>& faults, std::string fault) {
@@ -47,14 +47,14 @@ Vec<Dim> direction(RandomStream& random) {
 }
 
 /// Returns n random unit vectors whose mutual distances are at least half the mean spacing of n points on the unit
-/// sphere (in 2D the circle). Discs of this diameter around the points cover a fifth of the sphere (half of the
-/// circle), which leaves enough room for random draws.
+/// sphere (in 2D the circle). Discs whose diameter is this least distance cover a fifth of the sphere (2D: arcs cover
+/// half of the circle), so random draws usually find free places.
 template <int Dim>
 std::vector<Vec<Dim>> spread_directions(RandomStream& random, int n) {
   const double least = 0.5 * (Dim == 2 ? 2.0 * std::numbers::pi / n : std::sqrt(4.0 * std::numbers::pi / n));
   for (;;) {
     std::vector<Vec<Dim>> chosen;
-    // The first few vectors can leave no room for further vectors. All vectors are then drawn again.
+    // If the vectors drawn first leave no room for more vectors, all vectors are drawn again.
     for (int trial = 0; trial < 1000 * n && static_cast<int>(chosen.size()) < n; ++trial) {
       const Vec<Dim> u = direction<Dim>(random);
       bool is_free = true;
@@ -70,8 +70,8 @@ int uniform_integer(RandomStream& random, int least, int most) {
   return least + static_cast<int>(random.below(static_cast<std::uint64_t>(n_values)));
 }
 
-/// Returns `count` shapes. Each is the convex hull of a set of points that `draw` makes from a random stream. A set
-/// that forms no valid shape, for example because it is almost flat, is drawn again.
+/// Returns `count` shapes. Each shape is the convex hull of a set of points that `draw` makes from a random stream. If
+/// the set gives no valid shape, for example because it is almost flat, a new set is drawn.
 template <int Dim, class Draw>
 std::vector<Shape<Dim>> drawn_shapes(int count, double rounding, std::uint64_t seed, std::uint64_t purpose,
                                      const Draw& draw) {
@@ -190,7 +190,7 @@ std::vector<Shape<Dim>> voronoi_shapes(const VoronoiOptions& options, int count,
         "", fmt::format("count = {}: expected at most {}, the number of Voronoi cells", count, options.cells));
   const auto cells = voronoi_cells<Dim>(options.cells, options.relaxed, seed);
   std::size_t next = 0;
-  // A Voronoi cell that is too thin for a shape is skipped, and the next cell is used.
+  // A Voronoi cell that is too thin for a shape is skipped; the next cell replaces it.
   return drawn_shapes<Dim>(count, rounding, seed, kVoronoiStream, [&](RandomStream&) {
     return next < cells.size() ? std::optional(cells[next++]) : std::nullopt;
   });

@@ -14,7 +14,8 @@ std::optional<std::vector<Vec<Dim>>> intersection_vertices(const std::vector<Hal
   try {
     hull = convex_hull<Dim>(dual).polytope;
   } catch (const InputError&) {
-    return std::nullopt;  // there are fewer than Dim + 1 directions, or all lie in one plane
+    // there are fewer than Dim + 1 normals, or the points normal/offset lie in one plane
+    return std::nullopt;
   }
   double size = 0.0;
   for (const Vec<Dim>& y : hull.vertices) size = std::max(size, y.norm());

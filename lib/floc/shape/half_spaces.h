@@ -11,14 +11,14 @@ namespace floc {
 template <int Dim>
 struct HalfSpace {
   Vec<Dim> normal;  ///< normal vector that points out of the half-space, of any length
-  /// value of normal . x on the boundary plane; it is > 0, so the origin is inside the half-space
+  /// value of normal . x on the boundary plane, > 0: the origin is inside the half-space
   double offset = 0.0;
 };
 
-/// Returns the vertices of the intersection of half-spaces, computed from the convex hull of the points normal/offset,
-/// which are dual to the half-spaces.
-/// @return vertices; no value if the intersection is not bounded, or if rounding errors hide whether it is bounded,
-/// because a vertex is very far away
+/// Returns the vertices of the intersection of half-spaces. They are computed from the convex hull of the points
+/// normal/offset, which are dual to the half-spaces.
+/// @return vertices; no value if the intersection is not bounded, or if a vertex is so far away that rounding errors do
+/// not allow a decision
 template <int Dim>
 std::optional<std::vector<Vec<Dim>>> intersection_vertices(const std::vector<HalfSpace<Dim>>& half_spaces);
 

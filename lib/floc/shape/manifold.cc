@@ -11,16 +11,18 @@
 namespace floc {
 namespace {
 
-/// Tolerance for the alignment of the line between the closest points of two shapes with the normal of a face, as 1 -
-/// cosine of an angle of 1e-3 radians. Within it, the contact is treated as a contact with the face.
+/// If the line between the closest points of two shapes is parallel to the normal of a face up to this tolerance, the
+/// contact is treated as a contact with the face. The tolerance is 1 - cos of an angle of 1e-3 radians.
 constexpr double kAlongFace = 0.5e-3 * 1e-3;
-/// Tolerance for contacts with a face, as a fraction of the smaller inner radius of the two shapes. A contact counts as
-/// a contact with the face if the smallest gap of the corners over the face exceeds the smallest gap between the shapes
-/// by at most this tolerance. The point of smallest gap may lie just outside the boundary of the face.
+/// Tolerance for contacts with a face, divided by the smaller inner radius of the two shapes. A contact counts as a
+/// contact with the face if the smallest gap of the corners above the face exceeds the smallest gap of the shapes by at
+/// most this tolerance. The two gaps differ if the point with the smallest gap lies just outside the boundary of the
+/// face.
 constexpr double kBesideFace = 1e-6;
-/// Sine of the angle between two capsules below which they count as parallel.
+/// Two capsules count as parallel if the sine of the angle between their axes is below this number.
 constexpr double kSideBySide = 1e-3;
-/// Value of the field `corner` in ManifoldPoint::key if the contact point comes from the closest points of two shapes.
+/// Value of the field for the corner in ManifoldPoint::key if the contact point lies between the closest points of two
+/// shapes.
 constexpr std::uint32_t kClosest = 1023;
 
 std::uint32_t key_of(bool of_second, int reference, int incident, std::uint32_t corner, bool edges) {
@@ -51,8 +53,8 @@ class PairSearch {
       axis = separating_axis<Dim>(a_, b_, place_, {1e-6 * size_, 1e-4 * size_}, limit, last);
       if (axis.separation > limit) return {};
     }
-    // The candidates for the separating axis are complete only if the cores of both shapes (the shapes without
-    // rounding) have an inside. For a segment, the axes normal to it are missing.
+    // The candidates for the separating axis are complete only if the core of each shape (the shape without rounding)
+    // has an inside. If a core is a segment, the axes normal to the segment are missing among the candidates.
     const bool is_thin = a_.n_vertices() < 3 || b_.n_vertices() < 3;
     if (is_rounded && (is_thin || axis.separation > 0.0)) {
       const ClosestPoints<Dim> closest = closest_points<Dim>(a_, b_, place_, guess(axis));
@@ -62,8 +64,8 @@ class PairSearch {
     if (axis.features.kind == AxisKind::kEdgePair) return of_edge_pair(axis);
     Manifold<Dim> found = of_face(axis, axis.features.kind == AxisKind::kFaceOfSecond);
     if (!misses_the_deepest(found, axis)) return found;
-    // The deepest vertex lies outside the boundary of the face. A pair of edges then has a larger separation than the
-    // face, but by less than the margin that favours faces. The search is therefore repeated without this margin.
+    // The deepest vertex lies outside the boundary of the face. Then a pair of edges has a larger separation than the
+    // face, but the difference is less than the margin for edges. The search is therefore repeated without this margin.
     if (a_.n_edges() > 0 && b_.n_edges() > 0) {
       AxisFeatures none;
       const SeparatingAxis<Dim> exact = separating_axis<Dim>(a_, b_, place_, {1e-6 * size_, 0.0}, limit, none);
@@ -79,14 +81,14 @@ class PairSearch {
  private:
   double world(double own) const { return first_.scale * own; }
 
-  /// Returns whether all contact points over a face lie higher than the vertex of the other shape that is lowest above
-  /// the plane of the face.
+  /// Returns whether all contact points above a face lie higher than the lowest vertex of the other shape above the
+  /// plane of the face.
   bool misses_the_deepest(const Manifold<Dim>& found, const SeparatingAxis<Dim>& axis) const {
     return found.n == 0 ||
            found.least_gap() - (world(axis.separation) - roundings_) > kBesideFace * world(size_);
   }
 
-  /// Returns the direction with which the search for the closest points begins: that of the separating axis.
+  /// Returns the direction with which the search for the closest points begins: the direction of the separating axis.
   Vec<Dim> guess(const SeparatingAxis<Dim>& axis) const {
     if (axis.features.kind == AxisKind::kFaceOfFirst && axis.of_first.face >= 0)
       return a_.normals[axis.of_first.face];
@@ -102,8 +104,8 @@ class PairSearch {
       found.points[found.n++] = {first_.rotation * (first_.scale * x), gap, key};
   }
 
-  /// Returns the point midway between the surfaces of two rounded shapes, from two points of their cores (the shapes
-  /// without rounding) that face each other along n.
+  /// Returns the point midway between the surfaces of two rounded shapes. The arguments are two points of the cores
+  /// (the shapes without rounding) that face each other along n.
   Vec<Dim> midway(const Vec<Dim>& on_first, const Vec<Dim>& on_second, const Vec<Dim>& n) const {
     return 0.5 * (on_first + on_second) + 0.5 * (first_.rounding() - second_.rounding()) / first_.scale * n;
   }
@@ -111,7 +113,7 @@ class PairSearch {
   Manifold<Dim> of_cores_apart(const ClosestPoints<Dim>& closest, const SeparatingAxis<Dim>& axis) {
     const double gap = world(closest.distance) - roundings_;
     if (!(gap < reach_)) return {};
-    // Disks and spheres have no face and cannot touch with a face.
+    // Disks and spheres have no faces, so there is no contact with a face.
     if (!a_.is_round() && !b_.is_round()) {
       const bool prefers_second = axis.features.kind == AxisKind::kFaceOfSecond;
       for (const bool of_second : {prefers_second, !prefers_second})
@@ -127,15 +129,15 @@ class PairSearch {
     return of_closest_points(closest);
   }
 
-  /// Returns the closest points of the cores (the shapes without rounding) if the cores are separated along an axis;
-  /// otherwise no value.
+  /// Returns the closest points of the cores (the shapes without rounding) if the cores are apart along the separating
+  /// axis; otherwise no value.
   std::optional<ClosestPoints<Dim>> closest_if_apart(const SeparatingAxis<Dim>& axis) const {
     if (!(axis.separation > 0.0)) return std::nullopt;
     const ClosestPoints<Dim> closest = closest_points<Dim>(a_, b_, place_, guess(axis));
     return closest.overlap ? std::nullopt : std::optional(closest);
   }
 
-  /// Returns the contact with one point, midway between the closest points of the two shapes.
+  /// Returns a contact with one point, midway between the closest points of the two shapes.
   Manifold<Dim> of_closest_points(const ClosestPoints<Dim>& closest) const {
     Manifold<Dim> found;
     const double gap = world(closest.distance) - roundings_;
@@ -156,8 +158,8 @@ class PairSearch {
     return 1.0 - outward.dot(n) < kAlongFace;
   }
 
-  /// Returns the contact with a face: the corners of the other shape over the face with the largest separation. The
-  /// face belongs to the first shape or, if `of_second` is true, to the second shape.
+  /// Returns the contact with the face that has the largest separation: the corners of the other shape above this face.
+  /// The face belongs to the first shape or, if `of_second` is true, to the second shape.
   Manifold<Dim> of_face(const SeparatingAxis<Dim>& axis, bool of_second) {
     const FaceAxis& best = of_second ? axis.of_second : axis.of_first;
     Manifold<Dim> found;
@@ -199,9 +201,9 @@ class PairSearch {
       const double determinant = uu * vv - uv * uv;
       const double on_first = (pu * vv - pv * uv) / determinant, on_second = (pu * uv - pv * uu) / determinant;
       const double s = std::clamp(on_first, 0.0, 1.0), t = std::clamp(on_second, 0.0, 1.0);
-      // If the cores overlap, the closest points of the lines through the two edges lie within the edges, because the
-      // arcs of the edges on the Gauss sphere cross. Points outside the edges are then rounding errors. If the cores
-      // are apart, a vertex may be closer than the points of the edges.
+      // If the cores overlap, the closest points of the lines through the two edges lie on the edges, because the arcs
+      // of the edges on the Gauss sphere cross; only rounding errors can move these points outside. If the cores are
+      // apart, the points may lie outside the edges, because a vertex may be closer.
       const double outside = std::abs(on_first - s) * std::sqrt(uu) + std::abs(on_second - t) * std::sqrt(vv);
       if (outside > kBesideFace * size_)
         if (const auto closest = closest_if_apart(axis)) return of_closest_points(*closest);
@@ -214,9 +216,9 @@ class PairSearch {
     return found;
   }
 
-  /// Returns the contact of two overlapping shapes whose separating axis is the normal of a face, if rounding errors
-  /// leave no corner of the other shape over this face. The contact point is at the vertex of the other shape that is
-  /// lowest above the plane of the face.
+  /// Returns the contact of two overlapping shapes for a special case: the separating axis is the normal of a face, but
+  /// because of rounding errors, no corner of the other shape is above this face. The contact point is at the vertex of
+  /// the other shape with the smallest height above the plane of the face.
   Manifold<Dim> of_deepest_vertex(const SeparatingAxis<Dim>& axis) {
     const bool of_second = axis.features.kind == AxisKind::kFaceOfSecond;
     const FaceAxis& best = of_second ? axis.of_second : axis.of_first;
@@ -233,16 +235,15 @@ class PairSearch {
     return found;
   }
 
-  /// Returns the contact of two parallel capsules: the two ends of the section along which they lie side by
-  /// side.
+  /// Returns the contact of two parallel capsules: the two ends of the section in which the capsules lie side by side.
   Manifold<Dim> of_capsules_side_by_side(const ClosestPoints<Dim>& closest) {
     Manifold<Dim> found;
     const Vec<Dim> p = a_.vertices[0], u = a_.vertices[1] - p;
     const Vec<Dim> q = place_.point(b_.vertices[0]), v = place_.point(b_.vertices[1]) - q;
     const double length = u.norm(), parallel = u.dot(v) / (length * v.norm());
     if (1.0 - parallel * parallel > kSideBySide * kSideBySide) return found;
-    // Positions along the core segment of the first capsule at which the core segment of the second capsule begins and
-    // ends.
+    // Begin and end of the core segment of the second capsule, as positions along the core segment of the first
+    // capsule.
     const Vec<Dim> along = u / length;
     double from = along.dot(q - p), to = along.dot(q + v - p);
     const bool is_turned = from > to;
@@ -262,8 +263,8 @@ class PairSearch {
     return found;
   }
 
-  /// Returns the contact of disks, spheres or capsules whose cores (centres or segments) intersect. The normal
-  /// is perpendicular to both segments, or arbitrary if there are no segments.
+  /// Returns the contact of two disks, spheres or capsules whose cores (centres or segments) intersect. The normal is
+  /// perpendicular to both segments; its direction is arbitrary if there are no segments.
   Manifold<Dim> of_crossed_cores() {
     Manifold<Dim> found;
     Vec<Dim> n = Vec<Dim>::Unit(0);
@@ -287,7 +288,7 @@ class PairSearch {
   const PlacedShape<Dim>&first_, &second_;
   const Shape<Dim>&a_, &b_;
   RelativePlace<Dim> place_;
-  double roundings_;  ///< sum of the radii of rounding of both shapes as placed in space (length)
+  double roundings_;  ///< sum of the radii of rounding of both shapes, at their scales in space (length)
   double reach_;
   double size_;  ///< smaller inner radius of the two shapes, in the unit of length of the first shape
 };

@@ -9,10 +9,10 @@
 
 namespace floc {
 
-/// Types of contact of two shapes, distinguished by the number of their contact points. In 2D, two sides that face each
-/// other have the type kFaceFace.
+/// Types of contact of two shapes. They differ in the number of contact points. In 2D, a contact of two sides has the
+/// type kFaceFace.
 enum class ContactType : std::uint8_t {
-  kVertexFace,  ///< one point that is not the contact of two edges
+  kVertexFace,  ///< one point, unless two edges cross there
   kEdgeEdge,    ///< one point at which two edges cross
   kDouble,      ///< two points in 3D: an edge on a face
   kFaceFace     ///< three points or more in 3D, two points in 2D
@@ -28,10 +28,10 @@ struct ManifoldPoint {
   Vec<Dim> arm = Vec<Dim>::Zero();
   double gap = 0.0;  ///< distance between the surfaces along the normal (length); negative if they overlap
   /// Number that identifies the contact point from step to step, as long as the same two features (faces or edges) meet
-  /// at this point. Its fields, from the highest bit: 1 bit, whether the reference face belongs to the second shape; 10
-  /// bits, index of the reference feature; 10 bits, index of the incident feature; 10 bits, side that begins at the
-  /// corner (1023 for closest points); 1 bit, whether the features are two edges. The points of one contact have
-  /// different keys.
+  /// at the point. The fields of the number, from the highest bit: 1 bit, whether the reference face belongs to the
+  /// second shape; 10 bits, index of the reference feature; 10 bits, index of the incident feature; 10 bits, number of
+  /// the side that begins at the corner (1023 for closest points); 1 bit, whether the features are two edges. The
+  /// points of one contact have different keys.
   std::uint32_t key = 0;
 };
 
@@ -49,7 +49,8 @@ struct Manifold {
   double least_gap() const;
   /// Returns the point with a key; null if there is none.
   const ManifoldPoint<Dim>* with_key(std::uint32_t key) const;
-  /// Returns the point nearest to the end of an arm from the centre of the first shape (length); null without points.
+  /// Returns the point nearest to the end of an arm, a vector from the centre of the first shape (length); null if
+  /// there are no points.
   const ManifoldPoint<Dim>* nearest(const Vec<Dim>& arm) const;
 };
 
@@ -62,22 +63,22 @@ struct Manifold {
 ///      point, the point furthest from it, and, on each side of the line through these two points, the point furthest
 ///      from the line.
 ///   2. If this axis is normal to a pair of edges, there is one contact point.
-///   3. If polytopes without rounding are apart and none of the axes of separating_axis.h is parallel to the line
-///      between their closest points (for example between two vertices), there is one contact point, midway between the
-///      closest points.
+///   3. If polytopes without rounding are apart, it can happen that no axis of separating_axis.h is parallel to the
+///      line between their closest points (for example between two vertices). In this case there is one contact point,
+///      midway between the closest points.
 ///   4. Rounded shapes whose cores (the shapes without rounding) do not overlap touch at their closest points. If the
 ///      line between these points is normal to a face to within 1e-3 radians, the contact is treated as a contact with
 ///      this face.
 ///
-/// For shapes that are apart, the smallest gap is their distance. For shapes that overlap, it is minus the length of
-/// the smallest translation that separates them. Both hold up to the margins of separating_axis(): 1e-4 of the smaller
-/// inner radius for edges, 1e-6 for faces. If the shapes are exchanged, the normal is reversed, and gaps and points do
-/// not change, up to these margins.
+/// If the shapes are apart, the smallest gap is their distance. If they overlap, the smallest gap is minus the length
+/// of the smallest translation that separates them. Both values are accurate up to the margins of separating_axis():
+/// 1e-4 of the smaller inner radius for edges, 1e-6 for faces. If the two shapes are exchanged, the normal is reversed;
+/// gaps and points do not change, up to the margins.
 ///
 /// @param reach  largest gap of a contact point (length), >= 0
-/// @param last  features of the separating axis in the previous step, with which the search begins; they are replaced
-/// by the features found now. With these features, most pairs that do not touch need only one search for a lowest
-/// vertex.
+/// @param last  features of the separating axis in the previous step; the search begins with them. They are replaced by
+/// the features found now. With the features of the previous step, most pairs that do not touch need only one search
+/// for a lowest vertex.
 template <int Dim>
 Manifold<Dim> contact_manifold(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, double reach,
                                AxisFeatures* last = nullptr);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr WholeRange kVertexCount{.least = 1, .most = kMostHullPoints};
 constexpr NumberRange kRadius{.least = kLeastLength, .most = kLargestLength};
-/// Allowed number of faces: twice the number of triangles of a closed surface with kMostHullPoints vertices.
+/// Allowed number of faces: at most twice the number of triangles of a closed surface with kMostHullPoints vertices.
 constexpr WholeRange kFaceCount{.least = 0, .most = 4 * std::int64_t{kMostHullPoints}};
 
 template <int Dim>
@@ -26,7 +26,7 @@ void add_vertex(const TextLines& lines, std::size_t first_word, Mesh<Dim>& mesh)
   mesh.vertices.push_back(lines.vector<Dim>(first_word));
 }
 
-/// Adds a face from a line that holds the number of its corners and their indices.
+/// Adds a face from a line with the number of corners of the face and the indices of its vertices.
 void add_counted_face(const TextLines& lines, Mesh<3>& mesh) {
   const std::int64_t n_vertices = static_cast<std::int64_t>(mesh.vertices.size());
   const int n = lines.whole(0, {.least = 3, .most = n_vertices});
@@ -47,7 +47,7 @@ Mesh<3> parse_off(const std::string& place, std::string_view text) {
       lines.refuse(fmt::format("the file begins with \"{}\": expected OFF", lines.word(0).substr(0, 40)));
     first = 1;
   }
-  // The numbers of vertices, faces and edges follow OFF on the same line, or are on the next line.
+  // The numbers of vertices, faces and edges are on the line with the word OFF, or on the next line.
   if (lines.n_words() == first) {
     lines.require_next("the numbers of vertices, faces and edges");
     first = 0;
@@ -172,7 +172,7 @@ std::vector<Mesh<3>> parse_rockable(const std::string& place, std::string_view t
         add_counted_face(lines, shape);
       }
     }
-    // Other keys, such as obb.extent and I/m, are skipped, because they follow from the vertices and the
+    // Other keys, such as obb.extent and I/m, are skipped, because their values follow from the vertices and the
     // radius.
   }
   for (std::size_t k = 0; k < shapes.size(); ++k)

@@ -8,38 +8,39 @@
 
 namespace floc {
 
-/// Points and faces of a surface as a file describes them.
+/// Points and faces of a surface that is described by a file.
 template <int Dim>
 struct Mesh {
   std::string name;  ///< name of the surface; empty if the format has no names
   std::vector<Vec<Dim>> vertices;
   /// Indices of the vertices of each face; empty if the file has only vertices.
   std::vector<std::vector<int>> faces;
-  /// Whether all faces list their vertices in one sense of rotation, as seen from outside.
+  /// Whether the vertices of all faces are listed in the same sense of rotation, as seen from outside.
   bool is_oriented = true;
   double rounding = 0.0;
-  double volume = 0.0;  ///< volume of the body that the file gives (length^3); 0 if it does not
+  double volume = 0.0;  ///< volume of the body if the file gives it, else 0 (length^3)
   /// Whether the file says that the coordinates are relative to the centre of mass, along the principal axes of
   /// inertia.
   bool is_principal = false;
 };
 
-/// Functions that read mesh files. Their input is the text of the file or, for binary STL, its bytes. `place` is the
-/// name of the file in messages.
+/// Functions that read mesh files. Their input is the text of the file or, for binary STL, its bytes. The argument
+/// `place` is the name of the file, for messages.
 ///
-/// Memory is allocated only for items that a file contains, not for the number of items that its header states.
-/// @throws InputError if the file does not have the expected format, with file, line, the text found there and the text
-/// expected; also if there are more than kMostHullPoints vertices.
+/// Memory is allocated for the items that a file really contains, and not for a number of items in its header.
+/// @throws InputError if the file does not have the expected format, or if there are more than kMostHullPoints
+/// vertices. The message names the file and the line, and gives the text found there and the text expected.
 
 /// Reads the Object File Format (OFF): the word OFF, the numbers of vertices, faces and edges, then the vertices, then
 /// the faces. A face is given by the number of its corners and the indices of its vertices, counted from 0.
 Mesh<3> parse_off(const std::string& place, std::string_view text);
-/// Reads the Wavefront format (OBJ): lines "v x y z" for vertices, and lines "f ..." for faces with the indices of
-/// their vertices, counted from 1, or from -1 backwards from the last vertex. Normals, textures and groups are skipped.
+/// Reads the Wavefront format (OBJ): lines "v x y z" for vertices, and lines "f ..." for faces. A face is given by the
+/// indices of its vertices: 1, 2, ... from the first vertex, or -1, -2, ... backwards from the last vertex. Normals,
+/// textures and groups are skipped.
 Mesh<3> parse_obj(const std::string& place, std::string_view text);
 /// Reads stereolithography files (STL), text or binary. Corners with equal coordinates become one vertex.
 Mesh<3> parse_stl(const std::string& place, std::string_view bytes);
-/// Reads a table of points with the columns x, y and, in 3D, z. The first line has the names of the columns. Columns
+/// Reads a table of points with the columns x, y and, in 3D, z. The first line gives the names of the columns. Columns
 /// are separated by commas, semicolons or white space.
 template <int Dim>
 Mesh<Dim> parse_points(const std::string& place, std::string_view text);

@@ -16,8 +16,8 @@ Mat<Dim> symmetric_product(const Vec<Dim>& a, const Vec<Dim>& b) {
   return a * b.transpose() + b * a.transpose();
 }
 
-/// Integrals of w = cos(phi) a + sin(phi) t and of w w' (w' is the transpose of w) over the angle phi of an arc that
-/// begins in the direction a, where t is normal to a.
+/// Arc of unit vectors w = cos(phi) a + sin(phi) t, which begins in the direction a; the unit vector t is normal to a.
+/// The members are integrals over the angle phi of w and of w w' (w' is the transpose of w).
 template <int Dim>
 struct Arc {
   double angle;
@@ -33,15 +33,15 @@ struct Arc {
   }
 };
 
-/// Returns the arc between the outward normals of the two faces that meet in an edge along the unit vector
+/// Returns the arc between the outward normals of two faces that meet at an edge in the direction of the unit vector
 /// `axis`. The face `left` lies to the left of the edge.
 Arc<3> arc_of_edge(const Vec<3>& left, const Vec<3>& right, const Vec<3>& axis) {
   return {left, axis.cross(left), std::atan2(axis.dot(left.cross(right)), left.dot(right))};
 }
 
 Moments<2> side_layer(const Vec<2>& a, const Vec<2>& b, const Vec<2>& n, double rho) {
-  // Rounding by the radius rho adds a rectangle on each side. The second moments of the rectangle about its centre,
-  // divided by its area, are l^2/12 along the side and rho^2/12 across the side, with the length l of the side.
+  // Rounding by the radius rho adds a rectangle on each side. With the length l of the side, the second moments of the
+  // rectangle about its centre, divided by its area, are l^2/12 along the side and rho^2/12 across the side.
   const Vec<2> side = b - a, middle = 0.5 * (a + b + rho * n);
   const double area = side.norm() * rho;
   return {area, area * middle,
@@ -88,13 +88,13 @@ Moments<3> edge_layer(const Vec<3>& from, const Vec<3>& to, const Arc<3>& arc, d
                     rho3 / 3.0 * symmetric_product<3>(middle, arc.first) + 0.25 * rho3 * rho * arc.second)};
 }
 
-/// Integrals of 1, u and u u' (u' is the transpose of u) over the unit vectors u inside the cone that the normals of
-/// the faces at one vertex enclose.
+/// Integrals of 1, u and u u' (u' is the transpose of u) over all unit vectors u in the cone between the normals of the
+/// faces at one vertex.
 using NormalCone = Moments<3>;
 
-/// Adds the contribution of one side of a normal cone to its integrals. The side is the arc between the normals of the
-/// two faces at an edge. `outward` is the unit vector normal to the arc that points out of the cone; it is the
-/// direction of the edge away from the vertex.
+/// Adds the contribution of one side of a normal cone to the integrals of the cone. The side is the arc between the
+/// normals of the two faces at an edge. The unit vector `outward` is normal to the arc and points out of the cone; it
+/// is the direction of the edge away from the vertex.
 ///
 /// The integral of u is half the sum of angle * inward normal. The integral of u u' (Arvo 1995) is a third of
 /// the solid angle times the identity matrix, minus a third of the sum of outward normal times the integral of
@@ -195,9 +195,9 @@ Moments<3> rounding_moments(const Polytope<3>& polytope, double rounding) {
     for (std::size_t k = 0; k < loop.size(); ++k)
       face_left_of[{loop[k], loop[(k + 1) % loop.size()]}] = static_cast<int>(f);
   }
-  // The normals of the faces at a vertex enclose a convex polygon on the unit sphere, whose sides are the arcs of the
-  // edges at the vertex. The solid angle of the polygon is the sum of the solid angles of the triangles that each arc
-  // forms with one fixed normal.
+  // The normals of the faces at a vertex are the corners of a convex polygon on the unit sphere. The sides of the
+  // polygon are the arcs of the edges at the vertex. The solid angle of the polygon is a sum over triangles: each
+  // triangle has one arc as a side and one fixed normal as the opposite corner.
   std::vector<NormalCone> cones(polytope.vertices.size());
   std::vector<int> any_face(polytope.vertices.size(), -1);
   for (const auto& [ends, left] : face_left_of) {

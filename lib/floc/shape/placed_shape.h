@@ -17,8 +17,8 @@ struct PlacedShape {
   double outer_radius() const { return scale * shape->outer_radius; }
 };
 
-/// Transformation from the coordinates of a second shape to those of a first shape: the point y of the second shape
-/// lies at x = offset + scale * rotation * y in the coordinates of the first shape.
+/// Transformation from the coordinates of a second shape to the coordinates of a first shape: the point y of the second
+/// shape has the coordinates x = offset + scale * rotation * y of the first shape.
 template <int Dim>
 struct RelativePlace {
   Mat<Dim> rotation;
@@ -46,8 +46,8 @@ inline Vec<Dim> core_vertex(const Shape<Dim>& shape, int vertex) {
   return shape.is_round() ? Vec<Dim>(Vec<Dim>::Zero()) : shape.vertices[vertex];
 }
 
-/// Returns the vertex of the core of a shape (the shape without its rounding) that has the least scalar product
-/// with a direction given in the axes of the shape.
+/// Returns the vertex of the core of a shape (the shape without its rounding) with the least scalar product with a
+/// vector. The vector is given in the axes of the shape.
 template <int Dim>
 inline int lowest_vertex(const Shape<Dim>& shape, const Vec<Dim>& direction) {
   const Vec<Dim>* const vertices = shape.vertices.data();
@@ -62,8 +62,8 @@ inline int lowest_vertex(const Shape<Dim>& shape, const Vec<Dim>& direction) {
   return lowest;
 }
 
-/// Returns the largest scalar product of a point of a shape with a unit vector given in the axes of the shape, at scale
-/// 1.
+/// Returns the largest scalar product of a unit vector with a point of a shape, for scale 1. The unit vector is given
+/// in the axes of the shape.
 template <int Dim>
 inline double extent(const Shape<Dim>& shape, const Vec<Dim>& direction) {
   const Vec<Dim> furthest = core_vertex(shape, lowest_vertex<Dim>(shape, -direction));

@@ -8,14 +8,14 @@
 namespace floc {
 namespace {
 
-/// Returns the member of `points` with the largest value of `size`; if several are equal, the first of them.
+/// Returns the first point with the largest value of `size`.
 template <int Dim, class Size>
 const ManifoldPoint<Dim>& largest(const std::vector<ManifoldPoint<Dim>>& points, const Size& size) {
   return *std::max_element(points.begin(), points.end(),
                            [&](const auto& p, const auto& q) { return size(p) < size(q); });
 }
 
-/// Returns at most Manifold::kMostPoints of the points, chosen to span a large area.
+/// Returns all points or, if there are too many, Manifold::kMostPoints of them that enclose a large area.
 template <int Dim>
 std::vector<ManifoldPoint<Dim>> spread_out(const std::vector<ManifoldPoint<Dim>>& all, const Vec<Dim>& normal) {
   using Point = ManifoldPoint<Dim>;

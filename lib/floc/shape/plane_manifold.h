@@ -4,11 +4,11 @@
 
 namespace floc {
 
-/// Computes the contact of a shape and a plane, such as a wall: the vertices whose gap is smaller than `reach`, at most
-/// as many as a Manifold holds. If there are more, these points are kept: the deepest point, the point furthest from
-/// it, and, on each side of the line through these two points, the point furthest from the line. The key of a point is
-/// the index of its vertex.
-/// @param normal  unit normal of the plane that points away from the shape
+/// Computes the contact of a shape and a plane, such as a wall. The contact points are the vertices whose gap is
+/// smaller than `reach`. If there are more points than Manifold::kMostPoints, only these are kept: the deepest point,
+/// the point furthest from it, and, on each side of the line through these two points, the point furthest from the
+/// line. The key of a point is the index of its vertex.
+/// @param normal  unit normal of the plane, in the direction away from the shape
 /// @param offset  value of normal . x on the plane
 /// @param reach  largest gap of a contact point (length), >= 0
 template <int Dim>

@@ -7,14 +7,14 @@
 
 namespace floc {
 
-/// For each contact point, the index of the contact point in the previous step whose history it takes over; -1 if there
-/// is none.
+/// For each contact point, the index of the contact point of the previous step from which it takes its history; -1 if
+/// there is none.
 template <int Dim>
 using PointMatches = std::array<int, Manifold<Dim>::kMostPoints>;
 
 /// Matches the contact points of a pair of shapes with the contact points of the previous step. Points with equal keys
-/// are matched first. Then the remaining points are matched in the order of increasing distance, each with the nearest
-/// remaining point of the previous step.
+/// are matched first. Then each remaining point is matched with the nearest remaining point of the previous step, pairs
+/// with the smallest distance first.
 ///
 /// @param now, before  contact points of this step and of the previous step, at most kMostPoints each; all arms begin
 /// at the centre of the same body

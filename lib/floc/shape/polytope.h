@@ -18,12 +18,12 @@ struct Polytope {
 /// Largest number of vertices of a shape of a grain.
 inline constexpr int kMostVertices = 200;
 /// Largest number of faces, and of edges, of a shape of a grain. ManifoldPoint::key has ten bits for the index of a
-/// face or edge, which leaves one unused value.
+/// face or edge; the value 1023 is not used as an index.
 inline constexpr int kMostFaces = 1023;
 
-/// Smallest and largest length in a shape: bounds of the largest extent of its points, and of their distance from the
-/// origin. Moments of inertia are sums of fifth powers of lengths; within these bounds, the powers are far from the
-/// smallest and the largest double.
+/// Smallest and largest length in a shape: kLeastLength is a lower bound of the largest extent of the points of a
+/// shape, kLargestLength an upper bound of their coordinates. Moments of inertia are sums of fifth powers of lengths;
+/// within the bounds, these powers do not underflow or overflow.
 inline constexpr double kLeastLength = 1e-50;
 inline constexpr double kLargestLength = 1e50;
 

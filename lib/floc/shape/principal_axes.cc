@@ -11,12 +11,12 @@ Mat<3> principal_axes(Mat<3> matrix) {
     bool turned = false;
     for (int p = 0; p < 2; ++p)
       for (int q = p + 1; q < 3; ++q) {
-        // The first sweep rotates only if an off-diagonal element exceeds the threshold; later sweeps reduce these
-        // elements to rounding errors.
+        // In the first sweep, an element causes a rotation only if it exceeds the threshold; later sweeps have a much
+        // smaller threshold and reduce off-diagonal elements to rounding errors.
         if (std::abs(matrix(p, q)) <= (sweep == 0 ? threshold : 1e-4 * threshold)) continue;
         turned = true;
-        // The smaller of the two angles of rotation that make this off-diagonal element zero (Rutishauser
-        // 1966).
+        // t is the tangent of the smaller of the two angles of rotation that make this off-diagonal element zero
+        // (Rutishauser 1966).
         const double ratio = 0.5 * (matrix(q, q) - matrix(p, p)) / matrix(p, q);
         const double t = (ratio < 0.0 ? -1.0 : 1.0) / (std::abs(ratio) + std::hypot(1.0, ratio));
         const double c = 1.0 / std::hypot(1.0, t), s = t * c;

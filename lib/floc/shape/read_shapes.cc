@@ -20,7 +20,8 @@ constexpr double kConvexShare = 1.0 - 1e-6;
 
 /// Requires that the faces of a mesh form a closed surface.
 void require_closed(const std::string& place, const Mesh<3>& mesh) {
-  // For each pair of vertices (from, to), the number of faces that list `to` directly after `from`.
+  // For each pair of vertices (from, to), the number of faces in whose list of vertices `to` follows directly after
+  // `from`.
   std::map<std::pair<int, int>, int> along;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     const std::vector<int>& face = mesh.faces[f];
@@ -52,7 +53,7 @@ void require_closed(const std::string& place, const Mesh<3>& mesh) {
 }
 void require_closed(const std::string&, const Mesh<2>&) {}
 
-/// Returns the vertices of a mesh that belong to a face; all vertices if the mesh has no faces.
+/// Returns the vertices of a mesh that belong to any face; all vertices if the mesh has no faces.
 template <int Dim>
 std::vector<Vec<Dim>> used_vertices(const Mesh<Dim>& mesh) {
   if (mesh.faces.empty()) return mesh.vertices;
@@ -65,8 +66,8 @@ std::vector<Vec<Dim>> used_vertices(const Mesh<Dim>& mesh) {
   return used;
 }
 
-/// Chooses n of the given points that are far from each other. The first is the point furthest from the mean of all
-/// points; each further point is the point with the largest distance to the nearest point chosen before.
+/// Chooses n of the given points that are far from each other. The first chosen point is furthest from the mean of all
+/// points. Each next chosen point has the largest distance from the nearest of the points chosen before.
 template <int Dim>
 std::vector<Vec<Dim>> spread_points(const std::vector<Vec<Dim>>& points, int n) {
   Vec<Dim> mean = Vec<Dim>::Zero();
@@ -84,8 +85,8 @@ std::vector<Vec<Dim>> spread_points(const std::vector<Vec<Dim>>& points, int n) 
   return chosen;
 }
 
-/// Returns the volume enclosed by a surface. The origin is first moved to a vertex of the surface to keep all digits if
-/// the surface is far from the origin.
+/// Returns the volume enclosed by a surface. The origin is first moved to a vertex of the surface, so that no digits
+/// are lost if the surface is far from the origin.
 template <int Dim>
 double volume_of(Polytope<Dim> surface) {
   const Vec<Dim> origin = surface.vertices[0];
@@ -99,7 +100,7 @@ Shape<Dim> shape_of_few(const std::string& place, const Mesh<Dim>& mesh) {
   if (mesh.vertices.size() == 1) return round_shape<Dim>(mesh.rounding);
   const double length = (mesh.vertices[1] - mesh.vertices[0]).norm();
   if (!(length > 0.0)) throw InputError(place, "points 1 and 2 are equal: expected each vertex once");
-  if (length > 38.0 * mesh.rounding)  // more than 20 times as long as thick
+  if (length > 38.0 * mesh.rounding)  // the capsule is more than 20 times as long as thick
     throw InputError(place,
                      fmt::format("the capsule is {:.3g} times as long as it is thick: expected at most 20",
                                  0.5 * length / mesh.rounding + 1.0));
@@ -167,15 +168,16 @@ NamedShape<Dim> shape_of_mesh(const std::string& place, const Mesh<Dim>& mesh,
     const double enclosed = std::abs(volume_of(Polytope<Dim>{mesh.vertices, mesh.faces}));
     if (enclosed < kConvexShare * whole)
       made.remarks.push_back(
-          fmt::format("the surface is not convex: it encloses {:.4g} of the volume of its convex hull, which "
-                      "is used as the shape",
+          fmt::format("the surface is not convex: it encloses {:.4g} of the volume of its convex hull; the "
+                      "hull is used as the shape",
                       enclosed / whole));
   }
   const std::size_t n_before = hull.polytope.vertices.size();
   if (options.vertices != 0 && static_cast<int>(n_before) > options.vertices) {
     hull = convex_hull<Dim>(spread_points<Dim>(hull.polytope.vertices, options.vertices), place);
     made.remarks.push_back(
-        fmt::format("{} of {} vertices of the convex hull are kept; their hull has {:.4g} of its volume",
+        fmt::format("{} of {} vertices of the convex hull are kept; their own hull has {:.4g} of the volume of "
+                    "the full hull",
                     hull.points.size(), n_before, volume_of(hull.polytope) / whole));
   }
   made.shape = mesh.rounding > 0.0 ? polytope_shape<Dim>(hull.polytope, mesh.rounding, place)

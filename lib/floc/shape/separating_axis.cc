@@ -9,12 +9,12 @@ namespace floc {
 namespace {
 
 constexpr double kLeast = -std::numeric_limits<double>::max();
-/// Two edges count as parallel if the sine of the angle between them is smaller than this number. They then define no
-/// axis, and the normal of a face is used instead.
+/// Two edges count as parallel if the sine of the angle between them is smaller than this number. Parallel edges define
+/// no axis; the normal of a face is used instead.
 constexpr double kParallel = 1e-9;
 
-/// Search for the face of one shape, `one`, that has the largest separation from another shape, `other`. The separation
-/// of a face is the height of the lowest vertex of `other` above its plane.
+/// Search for the face of the shape `one` with the largest separation from the shape `other`. The separation of a face
+/// is the height of the lowest vertex of `other` above the plane of the face.
 template <int Dim>
 class FaceSearch {
  public:
@@ -34,8 +34,8 @@ class FaceSearch {
   }
 
   /// Finds the face with the largest separation.
-  /// @param begin  index of the face with which the search begins; if -1, it begins with the face above which the
-  /// centre of the other shape is highest
+  /// @param begin  index of the face with which the search begins; if it is -1, the search begins with the face above
+  /// which the centre of the other shape is highest
   FaceAxis best(int begin, double margin, double limit) {
     FaceAxis found;
     if (one_.n_faces() == 0) {
@@ -47,7 +47,7 @@ class FaceSearch {
     found = {begin, 0, separation(begin)};
     found.vertex = vertex_;
     for (int f = 0; f < one_.n_faces() && found.separation <= limit; ++f) {
-      // Another face replaces the face of the previous step only if its separation is larger by more than the margin.
+      // The face of the previous step is kept unless the separation of another face is larger by more than the margin.
       const double threshold = found.separation + (prefers && found.face == begin ? margin : 0.0);
       if (f == begin || !may_exceed(f, threshold)) continue;
       const double here = separation(f);
@@ -56,13 +56,13 @@ class FaceSearch {
     return found;
   }
 
-  /// Returns whether an edge of the shape `one`, together with any edge of the other shape, may have a separation
-  /// larger than a threshold.
+  /// Returns false if no pair of a given edge of the shape `one` and an edge of the other shape can have a separation
+  /// above a threshold.
   ///
-  /// The normal of an edge pair is n = alpha a + beta b with the normals a and b of the two faces of the edge,
-  /// alpha, beta >= 0 and 1 <= alpha + beta <= sqrt(2/(1 + a . b)). The separation is at most the height along
-  /// n of any point p of the other shape above the edge, which is alpha (height of p above face a) + beta
-  /// (height of p above face b).
+  /// Let a and b be the normals of the two faces at the edge. The normal of an edge pair is n = alpha a + beta b with
+  /// alpha, beta >= 0 and 1 <= alpha + beta <= sqrt(2/(1 + a . b)). For any point p of the other shape, the height of p
+  /// above the edge, measured along n, is an upper bound of the separation. This height is alpha times the height of p
+  /// above face a, plus beta times the height of p above face b.
   bool edge_may_exceed(const ShapeEdge& edge, double threshold) const {
     const Vec<Dim>&a = one_.normals[edge.left], &b = one_.normals[edge.right];
     for (int k = 0; k < n_points_; ++k) {
@@ -87,8 +87,8 @@ class FaceSearch {
     return best;
   }
 
-  /// Returns whether a face may have a separation larger than a threshold. The height of any point of the other shape
-  /// above a face is an upper bound of the separation of the face.
+  /// Returns false if the separation of a face cannot exceed a threshold. The height of any point of the other shape
+  /// above the face is an upper bound of its separation.
   bool may_exceed(int face, double threshold) const {
     for (int k = 0; k < n_points_; ++k)
       if (one_.normals[face].dot(points_[k]) - one_.offsets[face] <= threshold) return false;
@@ -98,14 +98,14 @@ class FaceSearch {
   const Shape<Dim>& one_;
   const Shape<Dim>& other_;
   const RelativePlace<Dim>& place_;
-  /// Points of the other shape that are lowest above the faces examined so far; at most kMostPoints of them are kept.
+  /// Lowest points of the other shape above the faces examined so far; at most kMostPoints points are stored.
   std::array<Vec<Dim>, kMostPoints> points_;
   int n_points_ = 0;
-  int vertex_ = 0;  ///< vertex of the other shape that is lowest above the last face examined
+  int vertex_ = 0;  ///< lowest vertex of the other shape above the last face examined
 };
 
-/// Edge of a shape and the normals of the two faces that meet at the edge. The coordinates are those of the first of
-/// the two shapes.
+/// Edge of a shape and the normals of the two faces that meet at the edge, in the coordinates of the first shape of the
+/// pair.
 struct PlacedEdge {
   Vec<3> from, along, left, right;
 };
@@ -122,8 +122,9 @@ PlacedEdge edge_of(const Shape<3>& shape, int edge, const RelativePlace<3>& plac
           place.direction(own.right)};
 }
 
-/// Returns whether the arc of edge `a` on the Gauss sphere, which connects the normals of its two faces, crosses the
-/// reversed arc of edge `b`. If so, the two edges form a face of the Minkowski difference of the two shapes.
+/// Returns whether the arc of edge `a` crosses the reversed arc of edge `b` on the Gauss sphere. The arc of an edge
+/// connects the normals of the two faces at the edge. If the arcs cross, the two edges form a face of the Minkowski
+/// difference of the two shapes.
 bool arcs_cross(const PlacedEdge& a, const PlacedEdge& b) {
   const double c = b.left.dot(a.along), d = b.right.dot(a.along);
   if (!(c * d < 0.0)) return false;
@@ -139,8 +140,9 @@ Vec<3> pair_normal(const PlacedEdge& a, const PlacedEdge& b) {
   return n.dot(a.left + a.right) < 0.0 ? Vec<3>(n / -length) : Vec<3>(n / length);
 }
 
-/// Pair of edges, one of each shape, with the largest separation; the indices are -1 if no pair exceeds the threshold.
-/// `of_last` is the separation of the pair of edges that defined the axis in the previous step.
+/// Pair of edges, one of each shape, with the largest separation; the indices are -1 if the separation of no pair
+/// exceeds the threshold. The member `of_last` is the separation of the pair of edges that defined the axis in the
+/// previous step.
 struct EdgeAxis {
   int first = -1, second = -1;
   double separation = kLeast;
@@ -174,7 +176,7 @@ EdgeAxis best_edge_pair(const Shape<3>& first, const FaceSearch<3>& above_first,
 }
 
 /// Returns the separation of two shapes along the axis that the features of the previous step define at the present
-/// positions. It is a lower bound on the distance of the shapes.
+/// positions. The separation is a lower bound of the distance of the shapes.
 template <int Dim>
 double last_separation(const Shape<Dim>& first, const Shape<Dim>& second, const RelativePlace<Dim>& place,
                        const AxisFeatures& last, FaceSearch<Dim>& above_first, FaceSearch<Dim>& above_second) {

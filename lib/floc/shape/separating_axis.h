@@ -10,25 +10,25 @@ namespace floc {
 /// common normal of a pair of edges.
 enum class AxisKind : std::uint8_t { kNone, kFaceOfFirst, kFaceOfSecond, kEdgePair };
 
-/// Features (faces or edges) of two shapes that define the separating axis of the shapes. They are kept for each pair
-/// of grains from step to step, because the next search begins with them. Without them, the search takes longer but
-/// gives the same result up to the margins.
+/// Features (faces or edges) of two shapes that define the separating axis of the shapes. For each pair of grains, the
+/// features of one step are stored for the next step, whose search begins with these features. Without stored features,
+/// the search takes longer but gives the same result up to the margins.
 struct AxisFeatures {
   AxisKind kind = AxisKind::kNone;
   std::int16_t first = 0;   ///< index of the face or edge of the first shape
   std::int16_t second = 0;  ///< index of the face or edge of the second shape
 };
 
-/// Face of one shape with the largest separation from another shape, and the vertex of the other shape that is
-/// lowest above this face.
+/// Face of one shape with the largest separation from another shape, and the vertex of the other shape with the
+/// smallest height above this face.
 struct FaceAxis {
   int face = -1;  ///< index of the face; -1 if the shape has no face
   int vertex = 0;
   double separation = 0.0;  ///< separation in the unit of length of the first shape
 };
 
-/// Axis along which the cores of two shapes (the shapes without rounding) have the largest separation, in the
-/// coordinates of the first shape.
+/// Axis along which two cores (shapes without rounding) have the largest separation, in the coordinates of the first
+/// shape.
 template <int Dim>
 struct SeparatingAxis {
   AxisFeatures features;
@@ -36,33 +36,35 @@ struct SeparatingAxis {
   FaceAxis of_first, of_second;
 };
 
-/// Margins by which the separation along one kind of axis has to exceed the separation along a preferred kind, in the
-/// unit of length of the first shape.
+/// Margins of the choice between two kinds of axis: an axis of one kind is chosen only if its separation exceeds that
+/// of a preferred kind by more than the margin. The unit is that of lengths in the first shape.
 struct AxisMargins {
-  /// Margin for faces. A face of the second shape defines the axis only if its separation exceeds the separations of
-  /// all faces of the first shape by more than this margin. A face replaces the face of the previous step only if its
-  /// separation is larger by more than this margin.
+  /// Margin for faces. A face of the second shape defines the axis only if its separation exceeds that of every face of
+  /// the first shape by more than this margin. The face of the previous step is kept unless the separation of another
+  /// face is larger by more than this margin.
   double faces;
-  double edges;  ///< margin by which the separation of an edge pair has to exceed that of all faces
+  /// margin for edges: the separation of an edge pair has to exceed that of every face by more than this
+  double edges;
 };
 
-/// Finds the axis along which two shapes without their rounding are separated most or, if they overlap, overlap least.
-/// The candidates are the normals of all faces and, in 3D, of the edge pairs whose arcs cross on the Gauss sphere.
+/// Finds the axis along which two shapes, without their rounding, have the largest separation or, if they overlap, the
+/// smallest overlap. The candidates are the normals of all faces and, in 3D, of the edge pairs whose arcs cross on the
+/// Gauss sphere.
 ///
-/// The axis with the largest separation is chosen, with two preferences: the separation of an edge pair has to exceed
-/// that of all faces by more than a margin, and the separation of a face of the second shape has to exceed that of the
-/// faces of the first shape by more than a margin. The features of the previous step are kept unless other features
-/// have a separation that is larger by more than these margins.
+/// The axis with the largest separation is chosen, with two preferences. An edge pair is chosen only if its separation
+/// exceeds that of every face by more than a margin. A face of the second shape is chosen only if its separation
+/// exceeds that of every face of the first shape by more than a margin. The features of the previous step are kept
+/// unless the separation of other features is larger by more than the margin.
 ///
-/// @param limit  separation at which the search ends: the first axis found with a larger separation is returned
-/// @param last  features that defined the axis in the previous step; replaced by the features found now
+/// @param limit  separation at which the search ends: the first axis with a larger separation is returned
+/// @param last  features that defined the axis in the previous step; they are replaced by the features found now
 template <int Dim>
 SeparatingAxis<Dim> separating_axis(const Shape<Dim>& first, const Shape<Dim>& second,
                                     const RelativePlace<Dim>& place, const AxisMargins& margins, double limit,
                                     AxisFeatures& last);
 
-/// Returns the unit vector normal to two edges, one of each shape, that points out of the first shape; zero if the sine
-/// of the angle between the edges is below 1e-9.
+/// Returns the unit vector that is normal to two edges, one of each shape, and points out of the first shape. The
+/// result is zero if the sine of the angle between the edges is below 1e-9.
 Vec<3> edge_pair_normal(const Shape<3>& first, int edge, const Shape<3>& second, int other_edge,
                         const RelativePlace<3>& place);
 

@@ -19,11 +19,11 @@ namespace {
 
 /// Largest allowed ratio of the extents of a shape along its principal axes.
 constexpr double kLargestAspect = 20.0;
-/// Smallest allowed volume of the core of a shape (the shape without rounding), as a fraction of the volume of its
-/// bounding box.
+/// Smallest allowed volume of the core of a shape (the shape without rounding), divided by the volume of the bounding
+/// box of the core.
 constexpr double kLeastFilling = 1e-6;
-/// Largest allowed height of a vertex above the plane of a face, as a fraction of the distance of the furthest vertex
-/// from the centre. Merged faces lead to heights of up to 1e-6.
+/// Largest allowed height of a vertex above the plane of a face, divided by the distance from the centre to the
+/// furthest vertex. Merged faces cause heights of up to 1e-6.
 constexpr double kConvexTolerance = 1e-5;
 
 double power(double x, int n) {
@@ -44,8 +44,9 @@ void set_faces(const Polytope<Dim>& polytope, Shape<Dim>& shape) {
   for (std::size_t f = 0; f < polytope.faces.size(); ++f) {
     const std::vector<int>& loop = polytope.faces[f];
     const Vec<Dim> n = face_normal(polytope, static_cast<int>(f)).normalized();
-    // Vertices of a merged face may lie off its mean plane by up to about 1e-6 of the size of the face. The plane of
-    // the face goes through its highest vertex, so no part of the shape lies above it.
+    // The distances of the vertices of a merged face from their mean plane may be up to about 1e-6 of the size of the
+    // face. The plane of the face goes through the highest of these vertices, so no vertex of the face lies above the
+    // plane.
     double offset = -std::numeric_limits<double>::max();
     for (const int v : loop) offset = std::max(offset, n.dot(polytope.vertices[v]));
     shape.normals.push_back(n);
@@ -55,7 +56,7 @@ void set_faces(const Polytope<Dim>& polytope, Shape<Dim>& shape) {
   }
 }
 
-/// Requires that no vertex lies above a face. Faces of points that lie nearly in one plane may be merged wrongly.
+/// Requires that no vertex lies above a face. The faces may be wrong if all points lie nearly in one plane.
 template <int Dim>
 void require_convex(const Shape<Dim>& shape, const std::string& place) {
   double size = 0.0;
@@ -191,7 +192,7 @@ Shape<3> capsule_shape(double length, double rounding) {
 template <int Dim>
 Shape<Dim> polytope_shape(const Polytope<Dim>& hull, double rounding, const std::string& place) {
   require_counts(hull, place);
-  // The origin is moved into the polytope to keep all digits of the moments if the polytope is far from the origin.
+  // The origin is moved into the polytope, so that the moments keep all digits if the polytope is far from the origin.
   Vec<Dim> inside = Vec<Dim>::Zero();
   for (const Vec<Dim>& v : hull.vertices) inside += v / static_cast<double>(hull.vertices.size());
   Polytope<Dim> core = hull;
@@ -267,9 +268,9 @@ Shape<Dim> with_rounding_share(const Polytope<Dim>& core, double share, const st
     throw InputError(
         place, fmt::format("rounding = {:g}: expected a fraction of the diameter, from 0 to 0.45", share));
   Shape<Dim> shape = polytope_shape(core, 0.0, place);
-  // Rounding moves the centre of mass a little and changes the outer radius. The radius of rounding is therefore found
-  // by iteration. If the shape has a centre of symmetry, one pass suffices; otherwise each pass gives two or three more
-  // digits.
+  // The outer radius depends on the radius of rounding, because rounding moves the centre of mass a little. The radius
+  // of rounding is therefore found by iteration. If the shape has a centre of symmetry, one pass is enough; otherwise
+  // each pass gives two or three more digits.
   if (share > 0.0)
     for (int pass = 0; pass < 20; ++pass) {
       const double outer = shape.outer_radius - shape.rounding;

@@ -13,30 +13,32 @@ namespace floc {
 /// Edge of a polyhedron between two of its faces.
 struct ShapeEdge {
   int from, to;  ///< indices of the vertices at the ends of the edge
-  /// Indices of the faces to the left and right of the edge, as seen from outside with `from` below and `to`
-  /// above.
+  /// Indices of the faces to the left and right of the edge, as seen from outside with the vertex `from` below and the
+  /// vertex `to` above.
   int left, right;
 };
 
 /// Convex shape of a grain: the sum of a core and a ball of radius `rounding`. The core is a polytope, a
 /// segment (two vertices: a capsule) or a point (no vertex: a disk or sphere).
 ///
-/// Coordinates are relative to the centre of mass of the rounded shape, in 3D along its principal axes. Faces
-/// of the core have outward unit normals n, with n . x = offset for points x on the face. In 2D faces are
-/// sides, in counter-clockwise order, and there are no edges; a segment has two sides in 2D and no face in 3D.
-/// All lengths have the unit of the vertices; mass properties are given for density 1.
+/// Coordinates are relative to the centre of mass of the rounded shape, in 3D along its principal axes. The faces of
+/// the core have outward unit normals n and offsets, with n . x = offset for points x on the face. In 2D faces are
+/// sides, in counter-clockwise order, and there are no edges; a segment has two sides in 2D and no face in 3D. All
+/// lengths have the unit of the coordinates of the vertices; mass properties are given for density 1.
 template <int Dim>
 struct Shape {
   std::vector<Vec<Dim>> vertices;
   std::vector<Vec<Dim>> normals;
   std::vector<double> offsets;
-  /// Indices of the vertices around each face, counter-clockwise as seen from outside, one face after the other.
+  /// Indices of the vertices around each face, counter-clockwise as seen from outside; the lists of all faces follow
+  /// each other.
   std::vector<int> corners;
-  /// Index in `corners` of the first vertex of each face, then the size of `corners`.
+  /// For each face, the index in `corners` of its first vertex; the last element is the size of `corners`.
   std::vector<int> first_corner;
-  std::vector<ShapeEdge> edges;   ///< edges, each listed once
-  std::vector<int> vertex_faces;  ///< indices of the faces that meet at each vertex, one vertex after the other
-  /// Index in `vertex_faces` of the first face of each vertex, then the size of `vertex_faces`.
+  std::vector<ShapeEdge> edges;  ///< edges, each listed once
+  /// indices of the faces that meet at each vertex; the lists of all vertices follow each other
+  std::vector<int> vertex_faces;
+  /// For each vertex, the index in `vertex_faces` of its first face; the last element is the size of `vertex_faces`.
   std::vector<int> first_of_vertex;
   double rounding = 0.0;
 
@@ -44,12 +46,12 @@ struct Shape {
   /// Principal moments of inertia for density 1 (length^(Dim + 2)).
   RotationVector<Dim> inertia = RotationVector<Dim>::Zero();
   double outer_radius = 0.0;  ///< radius of the circumscribed circle or sphere about the centre of mass
-  /// Radius of the largest circle or sphere about the centre of mass inside the core (0 for a segment), plus
-  /// `rounding`.
+  /// Sum of `rounding` and the radius of the largest circle or sphere about the centre of mass that is inside the core
+  /// (0 for a segment).
   double inner_radius = 0.0;
 
-  /// Position and axes of the shape in the coordinate system of the vertices from which it was made: the point y of the
-  /// shape is at x = centre + axes * y in that system.
+  /// Centre and axes of the shape in the coordinate system of the points from which the shape was made: the point y of
+  /// the shape has the coordinates x = centre + axes * y in this system.
   Vec<Dim> centre = Vec<Dim>::Zero();
   Mat<Dim> axes = Mat<Dim>::Identity();
 
@@ -79,14 +81,14 @@ Shape<Dim> capsule_shape(double length, double rounding);
 /// Returns the shape whose core (the shape without its rounding) is a convex polytope.
 ///
 /// @param hull  polytope with the faces of convex_hull()
-/// @param place  origin of the polytope in messages, such as a file
+/// @param place  source of the polytope for messages, such as the name of a file
 /// @throws InputError if there are more than kMostVertices vertices or kMostFaces faces or edges, if the volume of the
-/// core is less than 1e-6 of the volume of its bounding box, if the core is not convex, or if the extents of the core
-/// along the principal axes differ by more than a factor of 20
+/// core is less than 1e-6 of the volume of its bounding box, if the core is not convex, or if the largest extent of the
+/// core along a principal axis is more than 20 times the smallest
 template <int Dim>
 Shape<Dim> polytope_shape(const Polytope<Dim>& hull, double rounding, const std::string& place = "");
 
-/// Shape made of points, and remarks about points that are not vertices of the shape.
+/// Shape made from points, with remarks about points that are not vertices of the shape.
 template <int Dim>
 struct ShapeOfPoints {
   Shape<Dim> shape;
@@ -95,30 +97,30 @@ struct ShapeOfPoints {
 
 /// Returns the rounded convex hull of points.
 ///
-/// @throws InputError if convex_hull() or polytope_shape() throws it, or if two points are closer than 1e-9 of the
-/// largest extent of all points
+/// @throws InputError if convex_hull() or polytope_shape() throws it, or if the distance of two points is less than
+/// 1e-9 of the largest extent of all points
 template <int Dim>
 ShapeOfPoints<Dim> shape_of_points(const std::vector<Vec<Dim>>& points, double rounding,
                                    const std::string& place = "");
 
-/// Returns a shape magnified by a factor > 0.
+/// Returns a shape whose lengths are multiplied by a factor > 0.
 template <int Dim>
 Shape<Dim> scaled(Shape<Dim> shape, double factor);
 
-/// Requires that no two points are closer than 1e-9 of the largest extent of all points.
+/// Requires that the distance of any two points is at least 1e-9 of the largest extent of all points.
 /// @throws InputError that names two points with a smaller distance
 template <int Dim>
 void require_distinct(const std::vector<Vec<Dim>>& points, const std::string& place);
 
-/// Returns a shape with the core `core` (the shape without rounding) whose radius of rounding is a given fraction of
-/// its diameter.
+/// Returns a shape with the given core (the shape without rounding) and a radius of rounding that is a given fraction
+/// of the diameter of the shape.
 ///
 /// @param share  radius of rounding divided by the diameter, from 0 (sharp) to 0.45
 /// @throws InputError if polytope_shape() throws it, or if the fraction is out of range
 template <int Dim>
 Shape<Dim> with_rounding_share(const Polytope<Dim>& core, double share, const std::string& place = "");
 
-/// Returns a shape as with_rounding_share() does, but scaled to a diameter of 1.
+/// Returns the shape of with_rounding_share(), scaled to the diameter 1.
 template <int Dim>
 Shape<Dim> with_unit_diameter(const Polytope<Dim>& core, double share, const std::string& place = "");
 

@@ -4,8 +4,9 @@
 
 namespace floc {
 
-/// Sets the edges of a shape, and the lists of the faces that meet at its vertices, from the vertices around each face.
-/// @pre in 3D, every edge is between two faces, which list its ends in opposite order
+/// Computes the edges of a shape, and the lists of the faces that meet at each vertex, from the lists of the vertices
+/// around each face.
+/// @pre in 3D, every edge belongs to two faces, which list the ends of the edge in opposite order
 template <int Dim>
 void set_adjacency(Shape<Dim>& shape);
 

@@ -12,10 +12,10 @@
 namespace floc {
 namespace {
 
-/// Largest accepted error of recorded properties, relative to the size of the shape.
+/// Largest accepted relative error of recorded properties.
 constexpr double kRelative = 1e-9;
-/// Largest accepted height of a vertex above a face, relative to the size of the shape. A face may have been merged
-/// from faces whose directions differ by less than 1e-6, and its vertices may lie off its plane by about as much.
+/// Largest accepted height of a vertex above a face, relative to the size of the shape. A face may consist of merged
+/// faces whose normals differ by less than 1e-6 radians, so its vertices may be off its plane by about this fraction.
 constexpr double kFlat = 1e-5;
 
 bool differs(double found, double expected, double size) {
@@ -37,7 +37,7 @@ Polytope<Dim> core_of(const Shape<Dim>& shape) {
   return core;
 }
 
-/// Returns a fault of the numbers of vertices and faces.
+/// Returns a fault if the numbers of vertices and faces do not belong to a shape.
 template <int Dim>
 std::optional<ShapeFault> fault_of_counts(const Shape<Dim>& shape) {
   const int n = shape.n_vertices();
@@ -64,7 +64,7 @@ RotationVector<3> inertia_about_axes(const Mat<3>& second) {
   return second.trace() * Vec<3>::Ones() - second.diagonal();
 }
 
-/// Compares the recorded volume and moments of inertia with those that follow from the shape.
+/// Returns a fault if the recorded volume or moments of inertia differ from those computed from the shape.
 template <int Dim>
 std::optional<ShapeFault> fault_of_mass(const Shape<Dim>& shape, double volume,
                                         const RotationVector<Dim>& inertia) {
@@ -79,7 +79,7 @@ std::optional<ShapeFault> fault_of_mass(const Shape<Dim>& shape, double volume,
   return std::nullopt;
 }
 
-/// Checks the mass properties of a polytope or, in 2D, a capsule.
+/// Returns a fault of the mass properties of a polytope or, in 2D, of a capsule.
 template <int Dim>
 std::optional<ShapeFault> fault_of_moments(const Shape<Dim>& shape, const Polytope<Dim>& core) {
   Moments<Dim> moments;
@@ -125,7 +125,7 @@ std::optional<ShapeFault> fault_of_radii(const Shape<Dim>& shape) {
 template <int Dim>
 std::optional<ShapeFault> fault_of_faces(const Shape<Dim>& shape) {
   if (auto fault = fault_of_counts(shape)) return fault;
-  // Directed edges of the faces in 3D; in 2D each vertex is the first end of one side and the second end of another.
+  // 3D: edges of the faces, with direction. 2D: numbers of sides that begin and end at each vertex; both have to be 1.
   std::set<std::pair<int, int>> directed;
   std::vector<int> begins(shape.vertices.size(), 0), ends(shape.vertices.size(), 0);
   for (int f = 0; f < shape.n_faces(); ++f) {
@@ -137,7 +137,8 @@ std::optional<ShapeFault> fault_of_faces(const Shape<Dim>& shape) {
       return fault(fmt::format("it has {} vertices, expected {}", loop.size(), Dim == 2 ? "2" : "3 or more"));
     for (const int v : loop)
       if (v < 0 || v >= shape.n_vertices())
-        return fault(fmt::format("it has the vertex {}, expected 0 to {}", v, shape.n_vertices() - 1));
+        return fault(
+            fmt::format("it has the vertex {}: expected vertices from 0 to {}", v, shape.n_vertices() - 1));
     if (std::set<int>(loop.begin(), loop.end()).size() != loop.size()) return fault("it has a vertex twice");
     for (std::size_t k = 0; k < (Dim == 2 ? 1 : loop.size()); ++k) {
       const int from = loop[k], to = loop[(k + 1) % loop.size()];
@@ -158,7 +159,7 @@ std::optional<ShapeFault> fault_of_faces(const Shape<Dim>& shape) {
       if (Dim == 2 ? begins[v] != 1 || ends[v] != 1 : begins[v] < 3)
         return ShapeFault{"faces", fmt::format("{1} edges begin at vertex {0}, expected {2}", v, begins[v],
                                                Dim == 2 ? "1" : "3 or more")};
-  // Euler's formula excludes surfaces of several parts, or with handles.
+  // Euler's formula does not hold for surfaces that have several parts or handles.
   const int n_edges = static_cast<int>(directed.size()) / 2;
   if (Dim == 3 && shape.n_faces() > 0 && shape.n_vertices() - n_edges + shape.n_faces() != 2)
     return ShapeFault{"faces", "the faces do not form one closed surface"};

@@ -7,22 +7,23 @@
 
 namespace floc {
 
-/// Fault of a shape that was read from a file: the member of Shape at fault, and the reason as text.
+/// Fault of a shape that was read from a file: the name of the wrong member of Shape, and the reason as text.
 struct ShapeFault {
   const char* member;
   std::string words;
 };
 
-/// Returns a fault of the faces of a shape, or std::nullopt if the faces enclose a body: each face has distinct
-/// vertices of the shape, and each edge (in 2D, each vertex) is between two faces, which list its ends in opposite
-/// order. A core without faces has to be a point or, in 3D, a segment. Only the members `vertices`, `corners`,
-/// `first_corner` and `normals` are used.
+/// Returns a fault of the faces of a shape, or std::nullopt if the faces enclose a body. Each face has to have distinct
+/// vertices of the shape. In 3D each edge has to belong to two faces, which list the ends of the edge in opposite
+/// order; in 2D each vertex has to belong to two sides. A core without faces has to be a point or, in 3D, a segment.
+/// Only the members `vertices`, `corners`, `first_corner` and `normals` are used.
 template <int Dim>
 std::optional<ShapeFault> fault_of_faces(const Shape<Dim>& shape);
 
-/// Returns a fault of the geometry of a shape whose faces have no fault, or std::nullopt. The shape has to be convex,
-/// and the normals and offsets of its faces have to be correct. The centre of mass has to be at the origin and the
-/// principal axes along the coordinate axes. The volume, moments of inertia and radii have to be correct to 1e-9.
+/// Returns a fault of the geometry of a shape, or std::nullopt if there is none. The faces must have no fault
+/// (fault_of_faces()). The shape has to be convex; the normals and offsets of the faces have to be correct; the centre
+/// of mass has to be at the origin, and the principal axes along the coordinate axes. The relative errors of the
+/// volume, the moments of inertia and the radii have to be below 1e-9.
 template <int Dim>
 std::optional<ShapeFault> fault_of_geometry(const Shape<Dim>& shape);
 

@@ -16,13 +16,13 @@ namespace {
 /// Number of bytes before the triangles of a binary STL file, and number of bytes per triangle.
 constexpr std::size_t kHeader = 84, kTriangle = 50;
 
-/// Merges corners with equal coordinates to one vertex and collects the triangles of a mesh.
+/// Collects the triangles of a mesh. Corners with equal coordinates become one vertex.
 class Welder {
  public:
   Welder(std::string place, Mesh<3>& mesh) : place_(std::move(place)), mesh_(mesh) {}
 
   int vertex(const Vec<3>& v) {
-    // Adding zero turns -0 into 0, which makes -0 and 0 equal as coordinates.
+    // Adding zero turns -0 into 0, so that -0 and 0 are equal coordinates.
     const auto [at, is_new] =
         numbers_.try_emplace({v[0] + 0.0, v[1] + 0.0, v[2] + 0.0}, static_cast<int>(mesh_.vertices.size()));
     if (is_new) {
@@ -34,7 +34,7 @@ class Welder {
     return at->second;
   }
 
-  /// Adds a triangle. Triangles with fewer than three different corners are left out.
+  /// Adds a triangle. A triangle with fewer than three different corners is left out.
   void add(const std::array<Vec<3>, 3>& corners) {
     const int a = vertex(corners[0]), b = vertex(corners[1]), c = vertex(corners[2]);
     if (a != b && b != c && c != a) mesh_.faces.push_back({a, b, c});
@@ -63,7 +63,7 @@ Mesh<3> parse_binary(const std::string& place, std::string_view bytes) {
   for (std::size_t t = 0; t < n; ++t) {
     std::array<Vec<3>, 3> corners;
     for (std::size_t k = 0; k < 9; ++k) {
-      // The normal of the triangle, three numbers, comes first and is skipped.
+      // The triangle begins with its normal (three numbers), which is skipped.
       const std::uint32_t word = little_endian(bytes, kHeader + t * kTriangle + 12 + 4 * k);
       float number = 0.0F;
       std::memcpy(&number, &word, sizeof number);
@@ -105,15 +105,15 @@ Mesh<3> parse_text(const std::string& place, std::string_view text) {
     require("endfacet", "");
   }
   if (lines.next())
-    lines.refuse("expected the end of the file after endsolid, because a file may hold only one solid");
+    lines.refuse("expected the end of the file after endsolid, because a file may have only one solid");
   return mesh;
 }
 
 }  // namespace
 
 Mesh<3> parse_stl(const std::string& place, std::string_view bytes) {
-  // Binary files may begin with "solid", too. They are recognised by their length, which follows from the number of
-  // triangles in the header.
+  // Binary files, too, may begin with "solid". They are recognised by the length of the file: it follows from the
+  // number of triangles in the header.
   const bool has_count = bytes.size() >= kHeader;
   const std::uint64_t n = has_count ? little_endian(bytes, 80) : 0;
   Mesh<3> mesh;

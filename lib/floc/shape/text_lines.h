@@ -10,12 +10,12 @@
 
 namespace floc {
 
-/// Reader that goes through a text line by line and divides each line into words. Its error messages name the file and
-/// the line. Comments, which begin with #, and lines without words are skipped.
+/// Reader that goes through a text line by line and divides each line into words. Error messages name the file and the
+/// line. Comments (from # to the end of the line) and lines without words are skipped.
 class TextLines {
  public:
-  /// @param place  name of the file in messages
-  /// @param text  text, which must outlive this object
+  /// @param place  name of the file, for messages
+  /// @param text  text to be read; it must outlive this object
   /// @param separators  characters that separate words, in addition to white space
   TextLines(std::string place, std::string_view text, std::string_view separators = "");
 
@@ -39,7 +39,7 @@ class TextLines {
   /// Returns word k of the present line, counted from 0, as a whole number in a range.
   /// @throws InputError if the word is missing, is not a whole number or is out of range
   int whole(std::size_t k, const WholeRange& range) const;
-  /// Returns the words k to k + Dim - 1 of the present line, counted from 0, as a vector of numbers.
+  /// Returns a vector of numbers: the words k to k + Dim - 1 of the present line, counted from 0.
   template <int Dim>
   Vec<Dim> vector(std::size_t k) const {
     Vec<Dim> v;

@@ -10,10 +10,10 @@
 namespace floc {
 namespace {
 
-/// Edge between a triangle of the hull that is visible from a new point and a triangle that is not visible.
+/// Edge between a triangle of the hull that is visible from a new point and a triangle that is hidden from the point.
 struct HorizonEdge {
   int from, to;
-  int beyond;       ///< index of the triangle that is not visible
+  int beyond;       ///< index of the hidden triangle
   int beyond_edge;  ///< number of this edge in the triangle `beyond`
 };
 
@@ -27,10 +27,10 @@ class HullBuilder {
     begin_with_a_tetrahedron(place);
   }
 
-  /// Extends the hull until no point lies outside it. Of all points above a triangle, the furthest is added first.
+  /// Extends the hull until no point lies outside. Of all points above a triangle, the furthest point is added first.
   std::vector<HullTriangle> build() {
-    // Because of rounding errors, a point can be assigned to the wrong triangle. All points are therefore examined
-    // three times.
+    // Because of rounding errors, a point may be assigned to a wrong triangle. All points are therefore assigned and
+    // added three times.
     for (int round = 0; round < 3; ++round) {
       hand_out(no_corners(), 0);
       for (std::size_t t = 0; t < faces_.size(); ++t)
@@ -42,7 +42,7 @@ class HullBuilder {
 
  private:
   struct Face : HullTriangle {
-    /// Indices of the points above this triangle that are not assigned to another triangle.
+    /// Indices of the points that are assigned to this triangle; they lie above it.
     std::vector<int> outside;
     bool alive = true;
     int visited = -1;  ///< number of the last search that reached this triangle
@@ -80,8 +80,8 @@ class HullBuilder {
     const double height = normal.dot(points_[d] - points_[a]);
     if (!(std::abs(height) > 1e-9 * size_))
       throw InputError(place, "all points lie in one plane: expected a polyhedron");
-    // The four triangles of a tetrahedron, counter-clockwise as seen from outside. The vertex d is the apex above the
-    // base (a, e, f).
+    // The four triangles of a tetrahedron, with corners counter-clockwise as seen from outside. The vertex d is the
+    // apex above the base (a, e, f).
     const int e = height > 0.0 ? b : c, f = height > 0.0 ? c : b;
     add_face(a, f, e), add_face(a, e, d), add_face(e, f, d), add_face(f, a, d);
     faces_[0].across = {3, 2, 1};
@@ -90,7 +90,7 @@ class HullBuilder {
     faces_[3].across = {0, 1, 2};
   }
 
-  /// Assigns each point to the first triangle, from index `first` on, above which the point lies.
+  /// Assigns each point to a triangle: the first triangle with an index >= `first` above which the point lies.
   void hand_out(const std::vector<int>& points, std::size_t first) {
     for (const int i : points)
       for (std::size_t t = first; t < faces_.size(); ++t)
@@ -108,8 +108,8 @@ class HullBuilder {
     const int point = *best;
     std::swap(*best, outside.back());
     outside.pop_back();
-    // If the point lies in the plane of some triangles, the boundary of the visible region may not be a single loop.
-    // Triangles in the plane of the point are then treated as visible.
+    // If the point lies in the planes of some triangles, the boundary of the visible region may consist of several
+    // loops. In this case, triangles whose plane contains the point count as visible.
     for (const double threshold : {tolerance_, -tolerance_}) {
       const std::vector<int> seen = seen_from(point, t, threshold);
       if (const auto loop = horizon(seen)) {
@@ -132,7 +132,7 @@ class HullBuilder {
     return seen;
   }
 
-  /// Returns the edges around the triangles `seen`, in order; no value if these edges do not form a single loop.
+  /// Returns the edges around the region of the triangles `seen`, in order; no value if these edges form several loops.
   std::optional<std::vector<HorizonEdge>> horizon(const std::vector<int>& seen) const {
     std::vector<HorizonEdge> edges;
     for (const int t : seen)
@@ -195,8 +195,9 @@ class HullBuilder {
   }
 
   const std::vector<Vec<3>>& points_;
-  double size_ = 0.0;       ///< largest extent of the points
-  double tolerance_ = 0.0;  ///< points closer to a plane than this height count as lying in the plane
+  double size_ = 0.0;  ///< largest extent of the points
+  /// points count as lying in a plane if their height above or below the plane is less than this
+  double tolerance_ = 0.0;
   std::vector<Face> faces_;
   int n_visits_ = 0;
 };

@@ -13,9 +13,9 @@
 namespace floc {
 namespace {
 
-/// Returns the vectors from point i to all periodic images of points that can bound the Voronoi cell of point i. With
-/// at least 100 points, only the nearest image of each point is used; with fewer points, the images in the adjacent
-/// boxes are used, too.
+/// Returns the vectors from point i to all points, including periodic images, that may determine the Voronoi cell of
+/// point i. If there are at least 100 points, only the nearest image of each point is used; otherwise the images in the
+/// adjacent boxes are used, too.
 template <int Dim>
 std::vector<Vec<Dim>> branches_from(const std::vector<Vec<Dim>>& points, std::size_t i) {
   const int reach = points.size() < 100 ? 1 : 0;
@@ -36,8 +36,7 @@ std::vector<Vec<Dim>> branches_from(const std::vector<Vec<Dim>>& points, std::si
 }
 
 /// Returns the vertices of the Voronoi cell of a point, relative to the point.
-/// @param branches  vectors from the point to the other points; only the nearest points, which can bound the cell, are
-/// used
+/// @param branches  vectors from the point to the other points and their images; only the nearest of them are used
 template <int Dim>
 std::vector<Vec<Dim>> cell_of(std::vector<Vec<Dim>> branches) {
   for (std::size_t n_near = 40;; n_near *= 2) {
@@ -48,7 +47,8 @@ std::vector<Vec<Dim>> cell_of(std::vector<Vec<Dim>> branches) {
     std::vector<HalfSpace<Dim>> half_spaces;
     for (std::size_t k = 0; k < n; ++k) half_spaces.push_back({branches[k], 0.5 * branches[k].squaredNorm()});
     const auto vertices = intersection_vertices<Dim>(half_spaces);
-    // A point at more than twice the distance of the furthest vertex of the cell cannot cut off a part of the cell.
+    // A point cannot cut off a part of the cell if its distance is more than twice that of the furthest vertex of the
+    // cell.
     double furthest = 0.0;
     if (vertices)
       for (const Vec<Dim>& v : *vertices) furthest = std::max(furthest, v.norm());

@@ -8,7 +8,7 @@
 namespace floc {
 
 /// Returns the vertices of the Voronoi cells of random points in a periodic unit box. The vertices of each cell are
-/// relative to its point. A cell that is not closed because of rounding errors has no vertices.
+/// relative to its point. If rounding errors leave a cell open, its list of vertices is empty.
 ///
 /// @param n  number of points, >= 8
 /// @param relaxed  number of times that each point is moved to the centre of mass of its cell (Lloyd's algorithm)

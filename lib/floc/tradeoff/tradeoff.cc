@@ -21,8 +21,8 @@ namespace {
 /// study have at least as many grains.
 constexpr int kMinDisks = 40;
 constexpr int kMinSpheres = 100;
-/// Number of samples with every setting that must fit into the budget. If they do not fit, the number of grains is
-/// reduced. The error of a mean can only be estimated from two or more samples.
+/// The number of grains is reduced until this number of samples fits into the budget with every setting. The error of a
+/// mean can only be estimated from two or more samples.
 constexpr double kSamplesWanted = 2.0;
 /// Processor time of a run with the strictest settings, divided by that of a run with the settings of the scene. This
 /// value is assumed until the ratio has been measured. The strictest settings have shorter time steps, and wait longer

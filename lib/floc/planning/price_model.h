@@ -39,15 +39,15 @@ struct PilotResult {
   int n_grains = 0;      ///< number of grains of a sample
   int n_samples = 0;     ///< number of samples with this number of grains
   double core_seconds;   ///< processor time of a sample (s)
-  double cost_exponent;  ///< exponent p of the processor time, which is proportional to N^p
+  double cost_exponent;  ///< exponent p: the processor time is proportional to N^p for N grains
   std::vector<ObservablePrice> observables;
   int largest_grains = 0;  ///< number of grains of the largest sample that determines the exponent
 };
 
 /// Model of the cost and the errors of runs of a scene, as functions of the number of grains, the number of samples and
-/// the settings. It extrapolates from a table of prices, from a pilot, or from both. If both are given, the pilot gives
-/// the processor time, the table gives its dependence on the settings, whichever of the two has the larger samples gives
-/// its dependence on the number of grains, and the scatters of the two are pooled.
+/// the settings. It extrapolates from a table of prices, from a pilot, or from both. If both are given, the processor
+/// time is taken from the pilot, and its dependence on the settings from the table. Its dependence on the number of
+/// grains is taken from the one of the two that has the larger samples. The scatters of the two are pooled.
 ///
 /// 1. The processor time of a sample of N grains is proportional to N^p (1 - b + b n/n0) for a run with n equilibria,
 /// where n0 is the number of equilibria in the table and b the fraction of the time that is proportional to this
@@ -96,7 +96,7 @@ class PriceModel {
   PricedSettings settings_of_scene() const;
   /// Returns the processor time of a run with softer springs, divided by the time without softening. The ratio is
   /// interpolated between the rows of softening in the table, separately for the assembly, which takes a fixed share of
-  /// the time, and for the load.
+  /// the time, and for the load path.
   double time_with_softening(const Softening& softening) const;
 
  private:

@@ -16,7 +16,8 @@ class ParallelSolver;
 /// Method by which the moduli are computed. It determines their cost, and whether their errors are bounds or estimates.
 enum class ModuliMethod {
   factor,  ///< Cholesky factor in double precision; gives error bounds
-  /// Cholesky factor in single precision, with refinement in double precision: half the memory; gives error estimates
+  /// Cholesky factor in single precision, with refinement in double precision; needs half the memory and gives error
+  /// estimates
   single_factor,
   /// conjugate gradients that start from the solution of the last state, with the factor of that state as
   /// preconditioner; gives error estimates
@@ -154,8 +155,8 @@ template <int Dim>
 [[nodiscard]] Moduli elastic_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
                                     const ModuliOptions& options);
 
-/// Computes the moduli with prestress, to which the given moduli without prestress are added. The value of
-/// `options.prestress` has no influence.
+/// Computes the moduli with prestress. Those members of the result that describe the network without prestress, such as
+/// B_without_prestress, are copied from `without`. The value of `options.prestress` has no influence.
 /// @param without  moduli of the same network without prestress
 template <int Dim>
 [[nodiscard]] Moduli prestressed_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,

@@ -51,11 +51,12 @@ struct ReducedStiffness {
   int n_unstable_ends = 0;  // number of negative eigenvalues of the dead ends, which `grains` does not contain
 };
 
-/// Returns how far below zero the eigenvalue of a mechanism may be, in units of the largest contact stiffness, because
-/// only the symmetric part S of the tangent matrix K = S + A is tested. A mechanism v has K v = 0 and thus S v = -A v,
-/// with the antisymmetric part A of K. A couples v to stiff motions (stiffness k), which changes v.S v = 0 by -|A
-/// v|^2/k. A comes from tangential forces F_T and moments alone and is of the order of F_T/r, with the distance r
-/// between centres. A real instability from geometric terms is of the order of F_T/r, not of its square divided by k.
+/// Returns how far below zero the eigenvalue of a mechanism may be, in units of the largest contact stiffness. Only the
+/// symmetric part S of the tangent matrix K = S + A is tested. A mechanism v has K v = 0, and thus S v = -A v and v.S v
+/// = 0, with the antisymmetric part A of K. Because S v is not zero, S couples v to stiff motions (stiffness k), and
+/// the eigenvalue of S is about -|A v|^2/k instead of zero. A results from tangential forces F_T and moments alone and
+/// is of the order of F_T/r, with the distance r between centres. The eigenvalue of a real instability from geometric
+/// terms is of the order of -F_T/r, not of the square of F_T/r divided by k.
 template <int Dim>
 double unresolved_by_symmetry(const ContactNetwork<Dim>& network, double unit) {
   double largest = 0.0;

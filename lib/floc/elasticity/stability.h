@@ -35,13 +35,13 @@ struct Stability {
   bool may_be_stable() const { return n_negative.value_or(0) == 0; }
 };
 
-/// Counts the negative eigenvalues of the stiffness matrix of a network. Its unknowns are the motions of the grains and
-/// the diagonal strains of the cell. Motions that cost no energy do not count: mechanisms, rigid translations, and the
-/// motions of rattlers and free rollers. The first rule that applies gives the number:
+/// Counts the negative eigenvalues of the stiffness matrix of a network. The unknowns of the matrix are the motions of
+/// the grains and the diagonal strains of the cell. Motions that cost no energy do not count: mechanisms, rigid
+/// translations, and the motions of rattlers and free rollers. The first rule that applies gives the number:
 /// 1. If no contact has a negative stiffness, it is zero.
-/// 2. If the matrix has a Cholesky factor, it is zero.
-/// 3. Otherwise it is the number of negative entries of S in the factorization L S L^T.
-/// 4. If a factor would be too expensive, Lanczos' method searches for a motion of negative energy (test_positivity()).
+/// 2. If a factor would be too expensive, Lanczos' method searches for a motion of negative energy (test_positivity()).
+/// 3. If the matrix has a Cholesky factor, it is zero.
+/// 4. Otherwise it is the number of negative entries of the diagonal matrix S in the factorization L S L^T.
 template <int Dim>
 [[nodiscard]] Stability stability(const ContactNetwork<Dim>& network, const StabilityOptions& options = {});
 

@@ -14,8 +14,8 @@
 
 namespace floc {
 
-/// Reference for the steps of a stage that loads the axes differently (such as an oedometric test): the sides and
-/// stresses of the packing at the start of the stage.
+/// Reference for the steps of a stage that treats the axes differently from each other (such as an oedometric test):
+/// the sides and stresses of the packing at the start of the stage.
 struct StageReference {
   /// Kind of the stage, "oedometric", "triaxial", ...; empty if the state belongs to no such stage.
   std::string control;

@@ -18,8 +18,8 @@ struct SurfaceMotion {
   double twist = 0.0;  ///< in 3D, rotation of grain i relative to grain j about the normal (radians)
 };
 
-/// Replaces the normal of a contact by a new normal, and rotates the history of the contact and its motion since the
-/// last update of the history in the same way. If the old normal is zero, nothing is rotated.
+/// Replaces the normal of a contact by a new normal, and rotates the history of the contact, and the motion since the
+/// last update of this history, in the same way. If the old normal is zero, nothing is rotated.
 /// @param remembered  quantities in the history of the contact, from history_quantities()
 /// @param normal  the new normal (unit vector)
 /// @param twist  mean rotation of the two grains about the normal (radians; ignored in 2D)

@@ -28,10 +28,11 @@ struct LiquidShares {
   double radius_sum = 0.0;     ///< sum of the mean radii R' of all pairs with a bridge (length)
 };
 
-/// Distributes a volume V_l of liquid over pairs of grains. A pair has a bridge if it touches or if its gap h is at
-/// most the reach (1 + th/2) V_b^(1/3) of its bridge, where V_b is the volume of the bridge and th the contact angle.
-/// V_b is proportional to the mean radius R' of the pair: V_b = V_l R'/sum R', with the sum over all pairs that have a
-/// bridge. These two conditions determine the pairs with a bridge. The pairs are sorted by
+/// Distributes a volume V_l of liquid over pairs of grains. A pair has a bridge if its surfaces touch or if its gap h
+/// is at most the reach (1 + th/2) V_b^(1/3) of its bridge, where V_b is the volume of the bridge and th the contact
+/// angle. V_b is proportional to the mean radius R' of the pair: V_b = V_l R'/sum R', with the sum over all pairs that
+/// have a bridge. The condition for a bridge and the formula for V_b together determine which pairs have bridges. The
+/// pairs are sorted by
 ///
 ///   q = R' (1 + th/2)^3/h^3 (infinite if the surfaces touch), the largest first.
 ///

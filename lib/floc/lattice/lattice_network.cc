@@ -179,7 +179,7 @@ class NetworkBuilder {
     for (std::size_t w = 0; w < found.size(); ++w) all.col(w) = found[w].template cast<double>();
     all.col(found.size()) = loop.template cast<double>();
     const double volume = (all.transpose() * all).determinant();
-    if (volume > 0.5) found.push_back(loop);  // a squared volume of integer vectors is an integer
+    if (volume > 0.5) found.push_back(loop);  // an integer, because the loops are vectors of integers
   }
 
   Parts find_parts() const {

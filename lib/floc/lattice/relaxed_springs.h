@@ -58,10 +58,10 @@ struct SpringRelaxationReport {
 /// the energy is 1/2 sum k o^2 over the two-sided springs + 1/2 sum k max(o, 0)^2 over the one-sided springs - load .
 /// strain; it is convex.
 ///
-/// Newton's method finds its minimum. The active set consists of the one-sided springs in compression. The first
-/// relaxation starts with all springs in the active set, and later relaxations start with the last active set. Along
-/// each step, a line search finds the smallest energy. The energy thus decreases in every round, and no active set
-/// occurs twice.
+/// Newton's method finds the minimum of the energy. The active set consists of the one-sided springs in compression.
+/// The first relaxation starts with all springs in the active set, and later relaxations start with the last active
+/// set. Along each step, a line search finds the smallest energy. The energy thus decreases in every round, and no
+/// active set occurs twice.
 template <int Dim>
 class RelaxedSprings {
  public:

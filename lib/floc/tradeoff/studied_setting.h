@@ -59,7 +59,7 @@ struct DeclaredSetting {
 /// Returns all parameters that a study varies, the most important first.
 const std::vector<DeclaredSetting>& declared_settings();
 
-/// Whether a study may change the number of grains of a scene. It may if the packings are made from a gas and the scene
+/// Whether a study may change the number of grains of a scene: true if the packings are made from a gas and the scene
 /// does not list the diameter of each grain.
 bool has_any_number_of_grains(const Scene& scene);
 

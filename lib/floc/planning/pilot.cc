@@ -21,8 +21,8 @@ constexpr int kSamples = 6, kSmallSamples = 3;
 /// Number of grains of a larger sample: of disks, and of spheres. If the scene has fewer grains, a larger sample has as
 /// many grains as the scene.
 constexpr int kDisks = 200, kSpheres = 150;
-/// Limits of the exponent of the processor time. They are needed because a few small samples determine the exponent
-/// only roughly.
+/// Limits of the exponent of the processor time. The limits are needed because a few small samples determine the
+/// exponent only roughly.
 constexpr double kLeastExponent = 1.1, kLargestExponent = 1.5;
 /// Limits of the exponent if one sample with many more grains determines it.
 constexpr double kLeastFarExponent = 0.8, kLargestFarExponent = 2.0;

@@ -56,8 +56,9 @@ std::vector<int> numbers_of_grains(const PriceModel& model);
 /// Chooses the number of grains, the number of samples and the settings.
 /// 1. If errors are requested, no error of a plan may exceed its requested value, and the plan with the smallest
 /// processor time is the best.
-/// 2. Otherwise a plan must fit into the budget, and the plan with the smallest mean of the logarithms of the errors of
-/// the observables is the best. The mean of the logarithms does not depend on the scales of the observables.
+/// 2. Otherwise a plan must fit into the budget. Plans are compared by the logarithms of the errors, averaged over the
+/// observables, and the plan with the smallest mean is the best. The order of the plans does not depend on the scales
+/// of the observables.
 /// @param n_plans  largest number of plans
 /// @throws InputError if the model lacks an observable, if a requested error is smaller than any plan can reach, if the
 /// requested errors do not fit into the budget, or if the budget is below the cost of one sample; the message names the

@@ -63,7 +63,7 @@ class PriceModel {
   /// be given.
   PriceModel(const Scene& scene, std::optional<PriceTable> table, std::optional<PilotResult> pilot = {});
 
-  /// Numerical settings that can be written into the scene. They refer to rows of the table of this model.
+  /// Numerical settings that can be written into the scene. The settings refer to rows of the table of this model.
   const std::vector<PricedSettings>& settings() const { return settings_; }
   const std::vector<ObservablePrice>& observables() const { return observables_; }
   /// Returns the observable with this name.
@@ -110,7 +110,7 @@ class PriceModel {
   std::vector<ObservablePrice> observables_;
   int n_grains_ = 0, least_grains_ = 0, most_grains_ = 0;
   double cost_exponent_ = 0.0;
-  /// Processor time of this scene divided by the processor time of the scene of the table.
+  /// Processor time of this scene divided by the processor time of the scene from which the table was made.
   double cost_factor_ = 1.0;
   double size_exponent_ = 1.0;
 };

@@ -108,8 +108,7 @@ struct Problem {
   }
   SpringSystem springs() const { return SpringList<Dim>(core(), unknowns, unit, options).take(); }
 
-  /// Returns a result without a response. It contains the reason why there is no response: the factor would take too
-  /// many bytes.
+  /// Returns a result without a response, but with the reason: the factor would take too many bytes.
   ElasticResponse refuse(double bytes) {
     answer.factor_bytes = bytes;
     answer.failure = fmt::format(
@@ -249,8 +248,8 @@ class InheritedInverse {
 template <int Dim>
 std::optional<ElasticResponse> solve_from(const ResponseMemory& memory, Problem<Dim>& problem) {
   const ReducedUnknowns& unknowns = problem.unknowns;
-  // The stored fluctuation is the initial guess of the solver. It has a column for each strain but no columns for
-  // displacements of walls, so it cannot be used for a packing between walls.
+  // The stored fluctuation is the initial guess of the solver. The fluctuation has a column for each strain but no
+  // columns for displacements of walls. Therefore it cannot be used for a packing between walls.
   if (!memory.factor || !problem.whole.wall_axes.empty() ||
       memory.fluctuation.rows() != problem.whole.n_unknowns() ||
       memory.fluctuation.cols() != n_strains<Dim>(problem.options.strains))

@@ -69,8 +69,8 @@ double near_bound(const ContactNetwork<Dim>& network) {
   return bound;
 }
 
-/// Computes the energies of a mode, without and with prestress, and its coupling to strain. They are computed as sums
-/// over the contacts, without the rounding errors of the stiffness matrix.
+/// Computes the energies of a mode, without and with prestress, and its coupling to strain. All values are computed as
+/// sums over the contacts, without the rounding errors of the stiffness matrix.
 template <int Dim>
 void add_energies(const ContactNetwork<Dim>& network, StrainSet strains, Mode<Dim>& mode) {
   mode.coupling = Eigen::VectorXd::Zero(n_strains<Dim>(strains));

@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// Limits on the cost of a test of stability. The cost is predicted before the test starts.
+/// Limits on the cost of a stability test. The cost is predicted before the test starts.
 struct StabilityOptions {
   double largest_factor = 4e9;  ///< largest size of a factor of the stiffness matrix (bytes)
   /// largest number of floating-point operations of a test (1e12: minutes on one core)
@@ -21,7 +21,7 @@ struct StabilityOptions {
   double bound = 1e-4;
 };
 
-/// Result of a test of the stability of a state.
+/// Result of a stability test.
 struct Stability {
   /// Number of negative eigenvalues of the stiffness matrix; 0 for a stable state. An iterative test stops at the first
   /// negative eigenvalue, so that the number is 1. Absent if the state was not tested, or if an iterative test did not

@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Relative motion of the two surfaces in a contact since the last update of the history of the contact, in the frame
-/// of the contact normal.
+/// Relative motion of the two surfaces in a contact since the history of the contact was last updated, in the frame of
+/// the contact normal.
 template <int Dim>
 struct SurfaceMotion {
   Shear<Dim> slip = Shear<Dim>::Zero();  ///< tangential displacement of grain j relative to grain i (length)

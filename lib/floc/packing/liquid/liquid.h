@@ -104,7 +104,7 @@ bool holds_liquid(const Packing<Dim>& packing) {
 }
 
 /// Returns the volume of the liquid at a contact (length^3), with the sign that it has in the history: negative if the
-/// liquid bridge has broken. It is 0 if the contact law has no liquid.
+/// liquid bridge has broken. The result is 0 if the contact law has no liquid.
 template <int Dim>
 double bridge_volume(const Packing<Dim>& packing, const Contact<Dim>& contact);
 /// Sets the volume of the liquid at a contact (length^3).
@@ -125,8 +125,8 @@ bool interacts(const Packing<Dim>& packing, const Contact<Dim>& contact) {
 template <int Dim>
 double range_of(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
-/// Returns the largest gap (length) at which any contact of a packing acts. It is the largest of three lengths: the
-/// reach of the contact law, the reach of each liquid bridge, and the gap of each contact that has liquid.
+/// Returns the largest gap (length) at which any contact of a packing acts: the largest of the reach of the contact
+/// law, the reach of each liquid bridge, and the gap of each contact that has liquid.
 template <int Dim>
 double interaction_range(const Packing<Dim>& packing);
 

@@ -38,7 +38,7 @@ enum class LatticeBoundary {
 
 /// Stiffness of the elements of a lattice: one spring constant per kind of element, independent of the element's
 /// length, as in [RTV2010]. By default, an element across an interface has the stiffness of two springs of half the
-/// length in series, one of each material. This gives the exact stiffness of laminates.
+/// length in series, one of each material. With this default, the stiffness of a laminate is exact.
 struct ElementStiffness {
   /// stiffness k_p of elements within grains (force/length), or Young's modulus E (stress) if `by_facet`
   double grain = 1.0;

@@ -7,10 +7,11 @@
 
 namespace floc {
 
-/// Returns the stress of each node, compression positive. It is the symmetric part of -(1/V_a) times the sum of r f^T
-/// over the elements of node a, with the volume V_a of the node, the force f of the element on the node, and the vector
-/// r from the node to the point at which f acts. The mean over all nodes, weighted by volume and with zero for void
-/// nodes, is the stress of the cell. The stress of a fixed node includes the forces that keep the node in place.
+/// Returns the stress of each node, compression positive. The stress of node a is the symmetric part of -(1/V_a) times
+/// the sum of r f^T over the elements of the node, with the volume V_a of the node, the force f of the element on the
+/// node, and the vector r from the node to the point at which f acts. The mean over all nodes, weighted by volume and
+/// with zero for void nodes, is the stress of the cell. The stress of a fixed node includes the forces that keep the
+/// node in place.
 template <int Dim>
 std::vector<Mat<Dim>> node_stress(const Lattice<Dim>& lattice, const LatticeNetwork<Dim>& network,
                                   const LatticeSolution<Dim>& solution);

@@ -16,7 +16,7 @@ enum class LatticeMethod {
   iterative,  ///< conjugate gradients with diagonal blocks as preconditioner: hundreds of steps, little memory
 };
 
-/// Progress of one round of the relaxation of a lattice. During a round, no unilateral element opens or closes.
+/// Progress of the relaxation of a lattice in one round. During a round, no unilateral element opens or closes.
 struct RelaxationRound {
   int round;         ///< number of the round, from 1
   int n_open;        ///< number of open unilateral elements (which carry no force)

@@ -203,8 +203,8 @@ std::string tables_section(const CampaignPage& page) {
   return out;
 }
 
-/// Returns the index of the state of which the page shows a picture for this case. It is the state under the largest
-/// pressure or, if no pressure is known, the last state.
+/// Returns the index of the state whose picture the page shows for this case: the state under the largest pressure or,
+/// if no pressure is known, the last state.
 int drawn_state(const CasePlan& plan) {
   int best = static_cast<int>(plan.states.size()) - 1;
   double highest = 0.0;

@@ -191,8 +191,8 @@ void add_row(const Drawn<Dim>& drawn, const std::string& name, Table& table) {
   table.rows.push_back(std::move(row));
 }
 
-/// Gives all pictures of a strip (pictures side by side) the same colour scale. Its end is the largest value in any of
-/// the pictures.
+/// Gives all pictures of a strip (pictures side by side) the same colour scale. The end of the scale is the largest
+/// value in any of the pictures.
 template <int Dim>
 void share_shades(std::vector<PackingPicture<Dim>>& strip) {
   double largest = 0.0;

@@ -104,7 +104,7 @@ bool bounds_hold(const CsvTable& table, int row) {
 
 /// Returns whether the state in a row of a table of `floc moduli` is stable. A state is stable if the column n_negative
 /// (number of negative eigenvalues of the stiffness matrix) is zero. Some methods do not count these eigenvalues and
-/// leave the cell empty; it is then taken as zero.
+/// leave the cell empty; an empty cell counts as zero.
 bool is_stable(const CsvTable& table, int row) {
   if (!table.has("n_negative")) return true;
   const int column = table.column("n_negative");

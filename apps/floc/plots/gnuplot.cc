@@ -58,8 +58,9 @@ std::string script_of(const Plot& plot, const fs::path& picture, const fs::path&
       terminal_for(picture.extension().string(), plot), plot.script);
 }
 
-/// Runs gnuplot on a script, in the directory of the script. The messages of gnuplot go to the file `words`. They are
-/// shown only if gnuplot fails: otherwise they only warn about the appearance of plots with few points.
+/// Runs gnuplot on a script, in the directory of the script. The messages of gnuplot go to the file `words`. These
+/// messages are shown only if gnuplot fails, because in all other cases they only warn about the appearance of plots
+/// with few points.
 /// @throws IoError if gnuplot is missing or fails
 void run_gnuplot(const fs::path& script, const fs::path& picture, const fs::path& words) {
   const std::string directory = script.has_parent_path() ? script.parent_path().string() : ".";

@@ -24,8 +24,8 @@
 namespace floc {
 namespace {
 
-/// Colours and markers of the samples, which are easy to distinguish, the markers in grey print too. The seventh sample
-/// has the first colour and marker again.
+/// Colours and markers of the samples. Both are easy to distinguish, the markers also if they are printed in grey. The
+/// seventh sample has the first colour and marker again.
 constexpr const char* kColors =
     "array color[6] = ['#0072b2', '#d55e00', '#00b377', '#202020', '#cc79a7', '#e69f00']\n"
     "array marker[6] = [7, 8, 4, 12, 10, 2]\n";

@@ -26,8 +26,8 @@ struct ConsolidationArguments {
 
 /// Reads the load path of a sample from a table, and prints on stderr which rows are not fitted and for what reason.
 /// @param columns  headers of the columns to read, for columns that do not have the usual names
-/// @param first    table of the first sample. It is set by the first call; the pressures of all later samples are
-/// converted to its unit
+/// @param first    table of the first sample, which the first call sets; the pressures of all later samples are
+/// converted to the unit of this table
 ConsolidationSample read_sample(const std::string& file, const ColumnNames& columns,
                                 const ConsolidationArguments& arguments, std::optional<PathTable>& first) {
   PathTable path =

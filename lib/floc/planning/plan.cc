@@ -224,7 +224,7 @@ class PlanSearch {
       for (const int n_grains : sizes_)
         nearest = std::min(nearest, worst_over_wanted(settings, n_grains, kMostSamples));
     throw InputError(
-        "--want", "no settings keep all of these errors at once; the nearest errors that can be reached are " +
+        "--want", "no settings reach all of these errors at once; the nearest errors that can be reached are " +
                       scaled_wants(1.005 * nearest));
   }
 

@@ -164,7 +164,7 @@ Eigen::VectorXd diagonal_of(const SpringSystem& springs) {
 }
 
 /// Largest number of iteration steps with a factor that was made for another network. If more steps are needed, a new
-/// factor is cheaper: for 1400 grains, it takes as long as some 30 steps.
+/// factor is cheaper: for 1400 grains, its computation takes as long as some 30 steps.
 constexpr int kMaxSteps = 40;
 
 /// Solves for the motions of the grains by refinement with an approximate inverse of the stiffness matrix. The accuracy
@@ -177,8 +177,8 @@ template <int Dim>
 std::optional<ElasticResponse> solve_by_approximate_inverse(
     Problem<Dim>& problem, const SpringSystem& springs,
     std::function<Eigen::VectorXd(const Eigen::VectorXd&)> apply, const Eigen::MatrixXd& start) {
-  /// Tolerance of the solution below which residual forces are computed in extended precision. Above it, double
-  /// precision suffices.
+  /// If the tolerance of the solution is smaller than this number, residual forces are computed in extended precision.
+  /// Otherwise double precision suffices.
   constexpr double kDoubleSuffices = 1e-9;
   ApproximateInverse inverse;
   inverse.apply = std::move(apply);

@@ -15,7 +15,7 @@ struct StrainMechanisms {
   Eigen::MatrixXd motions;
   /// Names of the moduli that are zero because of these strains: "C11" etc. for diagonal entries of the moduli C; "B"
   /// or "G" if the strain that defines the modulus is in the span of these strains; "B_S" if an isotropic stress does
-  /// work on one of them.
+  /// work on one of these strains.
   std::vector<std::string> vanishing;
 };
 

@@ -25,8 +25,8 @@ std::vector<bool> connected_unknowns(const ContactNetwork<Dim>& network) {
   return connected;
 }
 
-/// Returns, for each unknown of the stiffness matrix, whether a contact resists it. If all contacts of a grain have
-/// only a normal stiffness, no contact resists its rotation.
+/// Returns, for each unknown of the stiffness matrix, whether a contact resists the motion that the unknown describes.
+/// If all contacts of a grain have only a normal stiffness, no contact resists the rotation of the grain.
 template <int Dim>
 std::vector<bool> resisted_unknowns(const ContactNetwork<Dim>& network) {
   std::vector<bool> resisted(network.n_unknowns(), false);

@@ -168,11 +168,10 @@ Stability test_by_iteration(const ReducedStiffness& k, const StabilityOptions& o
     return {1, no_factor + "the stiffness matrix has a negative diagonal entry"};
   const Positivity found = test_positivity(scaled.order(), scaled, test);
   if (found.negative)
-    return {
-        1,
-        fmt::format(
-            "{}a direction of negative stiffness was found in {} steps of an iterative test; there may be more",
-            no_factor, found.steps)};
+    return {1, fmt::format("{}a direction of negative stiffness was found in {} steps of an iterative test; "
+                           "there may be more such "
+                           "directions",
+                           no_factor, found.steps)};
   const bool far_enough = found.bound <= test.bound;
   return {far_enough ? std::optional<int>(0) : std::nullopt,
           fmt::format("{}{}no eigenvalue below -{:.1e} of the stiffness matrix (its diagonal scaled to 1) was "

@@ -63,8 +63,8 @@ template <int Dim>
 
 /// Tests the stability of a packing at rest. Stability is a condition of equilibrium.
 /// - With liquid bridges, the test includes the geometric terms of the forces: the length r of a bridge is comparable
-///   to the length over which its force F decays, and its transverse stiffness F/r may exceed its negative normal
-///   stiffness.
+///   to the length over which its force F decays, and its transverse stiffness F/r may exceed the magnitude of its
+///   negative normal stiffness.
 /// - Without liquid, the geometric terms are left out, because the range of the attraction is short compared with r.
 template <int Dim>
 [[nodiscard]] Stability stability_at_rest(const Packing<Dim>& packing);

@@ -20,7 +20,7 @@ constexpr double kFirstReduction = 1e-6;
 constexpr double kLeastReduction = 1e-8;
 /// The grains are relaxed in rounds: each round solves for the residual forces that the previous round has left. There
 /// are at most kMostRounds rounds. A new round begins only if the last round has reduced the remaining energy to less
-/// than kGain times its value before.
+/// than kGain times the energy before that round.
 constexpr int kMostRounds = 6;
 constexpr double kGain = 0.25;
 /// The smallest Ritz value times this factor is taken as a lower bound on the eigenvalues of the preconditioned

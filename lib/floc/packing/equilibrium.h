@@ -23,8 +23,8 @@ struct EquilibriumTolerance {
 };
 
 /// Residuals of a packing, in the units of EquilibriumTolerance: largest net force and largest net moment on a grain,
-/// deviation from the imposed stress, and kinetic energy per grain. In exact equilibrium they are zero. The last two
-/// members are the indices of the grains with the largest net force and the largest net moment.
+/// deviation from the imposed stress, and kinetic energy per grain. In exact equilibrium, these residuals are zero. The
+/// last two members are the indices of the grains with the largest net force and the largest net moment.
 struct Residuals {
   double force = 0.0;
   double moment = 0.0;

@@ -26,7 +26,7 @@ struct Lattice {
   /// the same density.
   double spacing = 0.0;
   std::vector<Vec<Dim>> node;  ///< positions of the nodes, inside the cell (length)
-  /// volume (2D: area) of the cell around each node; their sum is the volume of the periodic cell
+  /// volume (2D: area) of the cell around each node; the volumes add up to that of the periodic cell
   std::vector<double> volume;
   std::vector<LatticeBond<Dim>> bonds;
 
@@ -34,7 +34,8 @@ struct Lattice {
 };
 
 /// Returns the triangular lattice whose rows of nodes lie along the first axis. Each node has six bonds, which are as
-/// long as the spacing, and a hexagonal cell of area sqrt(3)/2 spacing^2. The force of a bond acts at its middle.
+/// long as the spacing, and a hexagonal cell of area sqrt(3)/2 spacing^2. The force of a bond acts at the middle of the
+/// bond.
 /// @param columns  number of nodes in a row, >= 1
 /// @param rows     number of rows, even, >= 2; neighbouring rows are sqrt(3)/2 spacing apart
 /// @param spacing  distance between neighbouring nodes (length)

@@ -114,8 +114,8 @@ template <int Dim>
 LatticeNetwork<Dim> lattice_network(const CementedSample<Dim>& sample, const ElementStiffness& stiffness,
                                     LatticeBoundary boundary = LatticeBoundary::periodic, int axis = Dim - 1);
 
-/// Returns a lattice as a contact network: its grains are the nodes, its contacts the elements. The functions of the
-/// folder `elasticity` accept this network.
+/// Returns a lattice as a contact network: the nodes become grains, and the elements become contacts. The functions of
+/// the folder `elasticity` accept this network.
 /// @param open  for each element, whether it is open; open elements are left out. If empty, no element is left out
 template <int Dim>
 ContactNetwork<Dim> contact_network(const LatticeNetwork<Dim>& network, const std::vector<bool>& open = {});

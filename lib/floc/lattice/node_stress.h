@@ -26,8 +26,8 @@ struct StressTail {
   std::optional<double> error = {};
 };
 
-/// Distribution of a stress component over the nodes of a lattice. The number x of a node is the component divided by
-/// its mean over the nodes where it has the same sign as the load.
+/// Distribution of a stress component over the nodes of a lattice. The number x of a node is the component at this
+/// node, divided by the mean of the component over the nodes where it has the sign of the load.
 struct StressDistribution {
   int n = 0;          ///< number of nodes in the distribution
   double mean = 0.0;  ///< mean of the component over all nodes (stress)

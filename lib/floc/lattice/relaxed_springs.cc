@@ -357,8 +357,8 @@ class Springs final : public RelaxedSprings<Dim> {
     return true;
   }
 
-  /// If the energy still decreases after this number of unit steps along a direction, it counts as decreasing without
-  /// limit.
+  /// If the energy still decreases after this number of unit steps along a direction, the energy counts as decreasing
+  /// without limit.
   static constexpr double kForEver = 1e12;
 
   RelaxationSettings settings_;

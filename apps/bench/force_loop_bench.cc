@@ -1,7 +1,7 @@
 // Benchmark of the time stepping of disks. The results are contact updates per second for each contact law, number of
-// grains and instruction set. Times are processor times. Compare only results of the same call, because they depend on
-// the state of the machine. The environment variable FLOC_BENCH_GRAINS=1000000 adds a packing with this number of
-// grains; FLOC_BENCH_STATE=state.h5 adds a packing from a state file.
+// grains and instruction set. Times are processor times. Compare only results of the same call, because the speed
+// depends on the state of the machine. The environment variable FLOC_BENCH_GRAINS=1000000 adds a packing with this
+// number of grains; FLOC_BENCH_STATE=state.h5 adds a packing from a state file.
 
 #include <benchmark/benchmark.h>
 

@@ -110,7 +110,7 @@ std::string cell_html(const std::string& column, const std::string& text) {
                      html_text(text), shown);
 }
 
-/// Returns the html of a table. A reader of the page can sort its rows.
+/// Returns the html of a table. A reader of the page can sort the rows of the table.
 /// @param rows  indices of the rows of `table` that are shown
 std::string sorting_table(const std::string& id, const CsvTable& table, const std::vector<int>& rows) {
   const std::vector<int> columns = used_columns(table);

@@ -126,7 +126,7 @@ LatticeNetwork<Dim> make_network(const LatticeArguments& arguments, const Cement
 
 /// Returns the settings of the solver of the lattice.
 /// @param telling  whether the progress of the solver is printed. The settings keep a reference to this variable: the
-/// caller may change it later, and it must exist as long as the settings
+/// caller may change the variable later, and must keep it as long as the settings exist
 template <int Dim>
 RelaxationSettings settings_of(const LatticeArguments& arguments, const bool& telling) {
   RelaxationSettings settings;

@@ -52,8 +52,8 @@ ModuliTableOptions options_of(const ModuliCommand& command) {
   return options;
 }
 
-/// Returns whether the moduli in all rows reach the required accuracy. Prints an error for the first row that does not
-/// reach it.
+/// Returns whether the moduli in all rows reach the required accuracy. Prints an error for the first row whose moduli
+/// do not.
 bool accuracy_met(const std::vector<ModuliRow>& rows, const std::optional<ModuliAccuracy>& accuracy) {
   return std::ranges::all_of(rows, [&](const ModuliRow& row) {
     const std::string fault = accuracy_fault(row, accuracy);

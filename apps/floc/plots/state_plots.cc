@@ -44,8 +44,8 @@ double bin_width(std::vector<double> forces) {
 }
 
 /// Fits an exponential tail to those forces f of one sign that exceed their mean (the threshold), and adds points of
-/// the fitted tail from the threshold to the largest force. The density of the tail is its fraction of all forces times
-/// exp[-(f - threshold)/f_0]/f_0, with the fitted force f_0.
+/// the fitted tail from the threshold to the largest force. The density of the tail is a product of two factors: the
+/// fraction of all forces that belong to the tail, and exp[-(f - threshold)/f_0]/f_0 with the fitted force f_0.
 void add_tail(const std::vector<double>& forces, double sign, std::vector<std::vector<double>>& rows) {
   std::vector<double> sizes;
   double sum = 0.0;

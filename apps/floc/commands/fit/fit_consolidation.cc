@@ -244,7 +244,7 @@ Command add_fit_consolidation(CommandLine fit) {
                  "fixed at the first fitted pressure "
                  "[P0* is the pressure at which the plateau of regime I meets the line of regime II]")
       .one_of({"published"});
-  // The option --P0 excludes --window, because each of them selects the pressures that are fitted.
+  // The option --P0 excludes --window, because each of the two options selects the pressures that are fitted.
   app.add_option("--P0", arguments->fit.P0,
                  "reduced pressure P0*: fit the pressures from the one nearest to P0* to the last one [found "
                  "from the data]")

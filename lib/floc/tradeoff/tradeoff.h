@@ -29,7 +29,7 @@ struct MeasuredSetting {
   double core_seconds = 0.0;
   /// mean processor time of computing the elastic moduli of a sample (s); core_seconds includes it
   double moduli_seconds = 0.0;
-  /// ratio of the processor time to that of the runs with the strictest settings from the same seeds
+  /// processor time divided by that of the runs with the strictest settings from the same seeds
   double cost_ratio = 0.0;
   /// largest memory of a sample, without that of the program (MB); NaN if not known
   double memory = 0.0;

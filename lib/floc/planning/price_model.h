@@ -83,9 +83,9 @@ class PriceModel {
   int most_grains() const { return most_grains_; }
   bool knows_settings() const { return table_.has_value(); }
 
-  /// Returns the processor time of a sample (s) of `n_grains` grains.
+  /// Returns the processor time (s) of a sample of `n_grains` grains.
   double core_seconds(const PricedSettings& settings, double n_grains) const;
-  /// Returns the largest memory of a run (MB) of `n_grains` grains.
+  /// Returns the largest memory (MB) of a run of `n_grains` grains.
   double memory_mb(double n_grains) const;
   /// Returns the error of an observable. The error is infinite if the table does not contain the error that the
   /// settings cause.

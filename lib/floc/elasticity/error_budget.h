@@ -21,8 +21,8 @@ struct ErrorBudget {
   /// Scatter of B between samples, estimated from one sample: the range of the moduli C11, C22 (and C33), divided by
   /// Dim^2. B is the mean of Dim^2 moduli. In a large isotropic sample, these moduli would be equal.
   double sampling = 0.0;
-  /// Smallest residuals that rounding allows: net force divided by F1, and stress divided by F1/a^(Dim-1), with the
-  /// force scale F1 and the largest diameter a of `residual`.
+  /// Smallest residuals that rounding allows: net force divided by F1, and stress divided by F1/a^(Dim-1). The member
+  /// `residual` defines the force scale F1 and the largest diameter a.
   RoundingFloor floor;
   /// largest net force on a grain divided by F1 = max(F0, P a^(Dim-1)) (pull-off force F0, pressure P, largest diameter
   /// a)

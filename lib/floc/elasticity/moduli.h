@@ -119,7 +119,8 @@ struct Moduli {
   ElasticResponse response;
   /// Method that was used: the method in the options, or ModuliMethod::factor if the method in the options failed. Only
   /// ModuliMethod::factor counts negative eigenvalues and mechanisms, and gives error bounds from the solution. With
-  /// ModuliMethod::bounds, the error is half the distance between the bounds; with other methods, it is an estimate.
+  /// ModuliMethod::bounds, the error is half the distance between the bounds. With the remaining methods, the error is
+  /// an estimate.
   ModuliMethod method = ModuliMethod::factor;
   int steps = 0;  ///< number of refinement steps of the solution
   std::vector<std::string> warnings;

@@ -23,8 +23,8 @@ namespace {
 /// An eigenvalue of the stiffness against strain of the cell (after relaxation of the grains) counts as zero if it is
 /// at most this share of the stiffness without relaxation. A strain with such an eigenvalue is a mechanism.
 constexpr double kVanishingStrain = 1e-11;
-/// Condition number above which a Cholesky factor may hide a mechanism. In this case, the eigenvalues are counted as
-/// well.
+/// If the condition number is above this value, a Cholesky factor may hide a mechanism, and the eigenvalues are counted
+/// as well.
 constexpr double kSuspiciousCondition = 1e12;
 /// Assumed largest eigenvalue of a stiffness matrix scaled to a diagonal of 1. In packings it is 2 to 4.
 constexpr double kLargestEigenvalue = 4.0;

@@ -319,7 +319,8 @@ class ContactArrays {
   std::string name_;
 };
 
-/// Converts contact points to positions in space. In the arrays, they are relative to the centre of the first grain.
+/// Converts contact points to positions in space. The arrays contain the points relative to the centre of the first
+/// grain.
 void place_points(const std::vector<ListedGrain>& grains, std::vector<ListedContact>& contacts) {
   std::map<std::int64_t, Eigen::Vector3d> centre;
   for (const ListedGrain& grain : grains) centre.emplace(grain.id, grain.position);

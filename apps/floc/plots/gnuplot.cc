@@ -35,7 +35,8 @@ std::string data_of(const Plot& plot) {
 
 /// Returns the gnuplot terminal for the extension of a file name; empty if the extension is not supported.
 std::string terminal_for(const std::string& extension, const Plot& plot) {
-  // Letters are 2 mm high, and markers of 1.5 mm can be told apart, in a figure that is printed 85 mm wide.
+  // In a figure that is printed 85 mm wide, letters are 2 mm high, and markers are 1.5 mm wide, so that they can be
+  // distinguished.
   constexpr const char* kFont = "font 'DejaVu Sans,{}'";
   constexpr double kPixelsPerInch = 96.0;
   if (extension == ".svg")

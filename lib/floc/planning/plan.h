@@ -49,8 +49,8 @@ inline constexpr int kLeastSamples = 4, kMostSamples = 10'000;
 Plan plan_of(const PriceModel& model, const std::vector<ObservablePrice>& observables,
              const PricedSettings& settings, int n_grains, int n_samples, int cores);
 
-/// Returns the numbers of grains among which choose_plans() chooses, in ascending order. They range from the smallest
-/// to the largest number of grains of the model; each is about a tenth larger than the number before it.
+/// Returns the numbers of grains among which choose_plans() chooses, in ascending order. The numbers range from the
+/// smallest to the largest number of grains of the model; each number is about a tenth larger than the one before.
 std::vector<int> numbers_of_grains(const PriceModel& model);
 
 /// Chooses the number of grains, the number of samples and the settings.

@@ -247,7 +247,7 @@ class Springs final : public RelaxedSprings<Dim> {
   }
 
   /// Solves K d = load for the displacement d by conjugate gradients, with the stiffness matrix K of the active
-  /// springs. The solution ends when the residual, in the norm of the preconditioner, is at most `target`.
+  /// springs. The iteration ends when the residual, in the norm of the preconditioner, is at most `target`.
   Direction solve(const Eigen::VectorXd& load, double target, int most_steps,
                   SpringRelaxationReport& report) const {
     Direction out{Eigen::VectorXd::Zero(load.size())};

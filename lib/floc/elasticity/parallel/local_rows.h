@@ -19,7 +19,7 @@ namespace floc {
 template <int Dim>
 class LocalRows {
  public:
-  /// @param network  network without dead ends; this object keeps references to its arguments, which must outlive it
+  /// @param network  network without dead ends; `network`, `kept` and `shares` must outlive this object
   /// @param kept     for each unknown of K, whether it is solved for, see FreeMotions
   /// @param unit     stiffness by which K is divided (force/length)
   LocalRows(const ContactNetwork<Dim>& network, const std::vector<bool>& kept, const GrainShares& shares,

@@ -1,7 +1,7 @@
 // Benchmark of the time stepping of disks. The results are contact updates per second for each contact law, number of
-// grains and instruction set. Times are processor times. Compare only results of the same call, because they depend on
-// the state of the machine. The environment variable FLOC_BENCH_GRAINS=1000000 adds a number of grains;
-// FLOC_BENCH_STATE=state.h5 adds a packing from a state file.
+// grains and instruction set. Times are processor times. Compare only results of the same call, because the speed
+// depends on the state of the machine. The environment variable FLOC_BENCH_GRAINS=1000000 adds a packing with this
+// number of grains; FLOC_BENCH_STATE=state.h5 adds a packing from a state file.
 
 #include <benchmark/benchmark.h>
 
@@ -87,8 +87,8 @@ void force_loop(benchmark::State& state) {
        relaxation().time_step, static_cast<int>(state.range(3)), static_cast<InstructionSet>(state.range(4)));
 }
 
-/// Measures the processor times of the three passes of a time step as fractions of their sum, and the time to make a
-/// new list of pairs divided by this sum. The grains do not move.
+/// Measures the processor time of each of the three passes of a time step, divided by the time of all three, and the
+/// time to make a new list of pairs, also divided by the time of all three. The grains do not move.
 void passes(benchmark::State& state) {
   const Packing<2>& packing = dense(static_cast<int>(state.range(0)), kFriction, false);
   const ComposedLaw law{compose_law(packing.law)};

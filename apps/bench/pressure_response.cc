@@ -62,8 +62,8 @@ std::size_t count_changed(const Packing<3>& from, const Packing<3>& to) {
   return changed.size();
 }
 
-/// Returns the bulk modulus of the contact network, with prestress, for an isotropic increment of stress. It is the
-/// inverse of the sum of all compliances that relate normal strains to normal stresses.
+/// Returns the bulk modulus of the contact network, with prestress, for an isotropic increment of stress. The modulus
+/// is the inverse of the sum of all compliances that relate normal strains to normal stresses.
 double bulk_modulus(const Packing<3>& packing) {
   ModuliOptions options;
   options.prestress = true;

@@ -4,7 +4,7 @@
 // included. Disks with friction and size ratios 1:2 and 1:30 are under a pressure of 1e-4 times the normal stiffness.
 // Their diameters d have a uniform distribution, as in scenes, or a distribution that is uniform by area, P(d) ~ d^-2
 // (Voivret et al., Phys. Rev. Lett. 102, 178001), in which most grains are small and touch no other grain. Compare only
-// results for one distribution from one call. FLOC_BENCH_RATIO=100 adds a size ratio.
+// results for one distribution from one call. FLOC_BENCH_RATIO=100 adds the size ratio 1:100.
 //
 // In 3D the benchmark measures pairs found per second and contact updates per second. The spheres have one size, or a
 // size ratio 1:20 with a distribution uniform by volume, P(d) ~ d^-3. The packing is a gas whose spheres have been

@@ -101,8 +101,8 @@ class ShapeArrays {
   /// @param arrays  dict with the entry shapes and optionally shape, scale and orientation
   ShapeArrays(const py::dict& arrays, int dimension) : arrays_(arrays), dimension_(dimension) {}
 
-  /// Assigns the shapes to the listed grains. The listed position of a grain is that of the origin of the coordinates
-  /// of its vertices.
+  /// Assigns the shapes to the listed grains. The listed position of a grain is the position of the point at which the
+  /// coordinates of the vertices are zero.
   void give(ListedPacking& listed) const {
     const auto given = arrays_["shapes"].cast<std::vector<py::dict>>();
     if (given.empty()) throw InputError("shapes", "there is no shape, expected at least one");
@@ -162,8 +162,8 @@ class ShapeArrays {
     return Eigen::Quaterniond(q).normalized().toRotationMatrix();
   }
 
-  /// Makes shape number s: the hull of its points; a capsule if it has two points; a disk or sphere of radius
-  /// `rounding` if it has none.
+  /// Makes shape number s: the hull of the given points, a capsule for two points, or a disk or sphere of radius
+  /// `rounding` for no points.
   template <int Dim>
   static Shape<Dim> made(std::size_t s, const py::dict& words, std::vector<std::string>& remarks) {
     const std::string name = fmt::format("shapes[{}]", s);
@@ -319,7 +319,8 @@ class ContactArrays {
   std::string name_;
 };
 
-/// Converts contact points to positions in space. In the arrays, they are relative to the centre of the first grain.
+/// Converts contact points to positions in space. The arrays contain the points relative to the centre of the first
+/// grain.
 void place_points(const std::vector<ListedGrain>& grains, std::vector<ListedContact>& contacts) {
   std::map<std::int64_t, Eigen::Vector3d> centre;
   for (const ListedGrain& grain : grains) centre.emplace(grain.id, grain.position);

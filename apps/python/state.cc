@@ -242,7 +242,7 @@ void bind_arrays(py::class_<NamedState>& bound) {
                              }));
 }
 
-/// Returns the pressure of a state: the mean of the diagonal components of the stress of its contacts.
+/// Returns the pressure of a state: the mean of the diagonal components of the stress that the contact forces give.
 template <int Dim>
 double pressure_of(const State<Dim>& state) {
   return static_stress(state.packing).trace() / Dim;

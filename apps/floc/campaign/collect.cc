@@ -90,7 +90,7 @@ int report_outcome(const CollectArguments& arguments) {
          or_undefined(outcome ? outcome->command : ""), or_undefined(outcome ? outcome->words : "")});
     if (is_done(outcome)) continue;
     ++n_failed;
-    // A run without an outcome was killed or has not been started. The run counts as kFailure.
+    // A run without an outcome was killed or has not been started. It counts as kFailure.
     code = worse(code, outcome ? as_own(outcome->exit_code) : int{kFailure});
     lines += outcome ? fmt::format("\n  {}: floc {} failed with exit code {}: {}", run.directory,
                                    outcome->command, outcome->exit_code, outcome->words)

@@ -181,7 +181,7 @@ std::string curves_svg(const CsvTable& means, const std::string& quantity,
       high = std::max(high, p.high);
     }
   const Axis x = axis_of(P_low, P_high, kLeft, kWidth - kRight, true);
-  // largest ratio of highest to lowest value on a linear axis; the axis is logarithmic above it
+  // the axis is logarithmic if the ratio of the highest to the lowest value is larger than this number
   constexpr double kDecades = 50.0;
   const Axis y = axis_of(low, high, kHeight - kBottom, kTop, low > 0.0 && high / low > kDecades);
   std::string out =

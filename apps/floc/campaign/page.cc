@@ -110,7 +110,7 @@ std::string cell_html(const std::string& column, const std::string& text) {
                      html_text(text), shown);
 }
 
-/// Returns the html of a table. A reader of the page can sort its rows.
+/// Returns the html of a table. A reader of the page can sort the rows of the table.
 /// @param rows  indices of the rows of `table` that are shown
 std::string sorting_table(const std::string& id, const CsvTable& table, const std::vector<int>& rows) {
   const std::vector<int> columns = used_columns(table);
@@ -203,8 +203,8 @@ std::string tables_section(const CampaignPage& page) {
   return out;
 }
 
-/// Returns the index of the state of which the page shows a picture for this case. It is the state under the largest
-/// pressure or, if no pressure is known, the last state.
+/// Returns the index of the state whose picture the page shows for this case: the state under the largest pressure or,
+/// if no pressure is known, the last state.
 int drawn_state(const CasePlan& plan) {
   int best = static_cast<int>(plan.states.size()) - 1;
   double highest = 0.0;

@@ -55,7 +55,8 @@ void check_columns(const Campaign& campaign) {
   }
 }
 
-/// Returns a text about the size of a campaign: the number of its runs and their expected processor time.
+/// Returns a text about the size of a campaign: the number of its runs and the expected processor time of all runs
+/// together.
 std::string extent_of(const PlannedCampaign& planned) {
   const std::size_t n_seeds = planned.campaign.seeds.size();
   double cost = 0.0;

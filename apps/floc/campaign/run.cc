@@ -92,11 +92,11 @@ int make_table(const TableCommand& command, const CampaignRunArguments& argument
 }
 
 /// Runs one sample of a campaign and makes its tables.
-/// @return exit code; it is 0 even if the run failed: outcome.csv records the failure, and snakemake goes on with the
-/// other runs
+/// @return exit code; 0 even if the run failed, because outcome.csv records the failure and snakemake has to go on with
+/// the other runs
 int run_sample(const CampaignRunArguments& arguments) {
-  // With this option, this process is killed when the snakemake that started it ends. Otherwise the next snakemake
-  // would start a second process in the same run directory.
+  // With the option --with-parent, this process is killed when the snakemake that started it ends. Otherwise the next
+  // snakemake would start a second process in the same run directory.
   if (arguments.with_parent) ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   std::vector<TableCommand> tables;
   for (const std::string& text : arguments.tables) tables.push_back(table_command(text));

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 /// Returns the path of a file or directory that is installed with floc. Relative to the directory of the program, this
 /// path is ../share/floc/NAME.
-/// @throws InputError if it does not exist
+/// @throws InputError if this file or directory does not exist
 std::string shipped(const std::string& name) {
   const fs::path path = (fs::path(this_program()).parent_path() / "../share/floc" / name).lexically_normal();
   if (!fs::exists(path))

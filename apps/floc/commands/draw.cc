@@ -191,8 +191,8 @@ void add_row(const Drawn<Dim>& drawn, const std::string& name, Table& table) {
   table.rows.push_back(std::move(row));
 }
 
-/// Gives all pictures of a strip (pictures side by side) the same colour scale. Its end is the largest value in any of
-/// the pictures.
+/// Gives all pictures of a strip (pictures side by side) the same colour scale. The end of the scale is the largest
+/// value in any of the pictures.
 template <int Dim>
 void share_shades(std::vector<PackingPicture<Dim>>& strip) {
   double largest = 0.0;
@@ -293,8 +293,8 @@ Command add_draw(CommandLine program) {
   const Option forces =
       app.add_option("--forces", arguments->forces,
                      "forces to draw. equilibrium: contact forces of the state; increment: changes of the "
-                     "contact forces in a small stress increment, where the contacts that store 95 % of "
-                     "the elastic energy of the increment are in colour; particle-pressure: grains "
+                     "contact forces in a small stress increment, in colour for the contacts that store "
+                     "95 % of the elastic energy of the increment; particle-pressure: grains "
                      "coloured by their pressure; phases: grains with positive and with negative "
                      "pressure, and the contacts between grains of the same sign; kinds: forces of grains "
                      "with corners, coloured by the kind of contact (vertex and face, edge and face, or "

@@ -106,8 +106,9 @@ void add_point(const Packing<Dim>& packing, const Contact<Dim>& c, std::vector<T
   row.emplace_back(contact_type_name(c.type));
 }
 
-/// Returns the table of the contacts. It has columns for rolling (twisting) moments only if the contact law or bonds
-/// can resist rolling (twisting), because otherwise `floc convert` would reject such moments.
+/// Returns the table of the contacts. The table has columns for rolling moments only if the contact law or bonds can
+/// resist rolling, and columns for twisting moments only if they can resist twisting: otherwise `floc convert` would
+/// reject the moments.
 template <int Dim>
 Table contact_table(const State<Dim>& state) {
   const Packing<Dim>& packing = state.packing;

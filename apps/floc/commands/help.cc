@@ -23,7 +23,7 @@ struct HelpArguments {
 
 /// Returns the descriptions of all tables whose names begin with `name`. For example, "moduli" stands for the tables
 /// "moduli" and "moduli --increments", and an empty name for all tables.
-/// @throws InputError if there is no such table; the message contains the most similar table name
+/// @throws InputError if no table has a name that begins with `name`; the message contains the most similar table name
 std::vector<DescribedTable> tables_named(const std::string& name) {
   std::vector<DescribedTable> found;
   std::vector<std::string> names;
@@ -38,7 +38,7 @@ std::vector<DescribedTable> tables_named(const std::string& name) {
 }
 
 /// Prints name, unit and meaning of each column of the tables that tables_named() returns for `name`.
-/// @throws InputError if there is no such table; the message contains the most similar table name
+/// @throws InputError if no table has a name that begins with `name`; the message contains the most similar table name
 void print_column_reference(const std::string& name, const Printing& printing) {
   const std::vector<DescribedTable> tables = tables_named(name);
   Table all{{"table", "column", "unit", "meaning"}, {}};

@@ -126,7 +126,7 @@ LatticeNetwork<Dim> make_network(const LatticeArguments& arguments, const Cement
 
 /// Returns the settings of the solver of the lattice.
 /// @param telling  whether the progress of the solver is printed. The settings keep a reference to this variable: the
-/// caller may change it later, and it must exist as long as the settings
+/// caller may change the variable later, and must keep it as long as the settings exist
 template <int Dim>
 RelaxationSettings settings_of(const LatticeArguments& arguments, const bool& telling) {
   RelaxationSettings settings;
@@ -255,9 +255,9 @@ CompositeBounds bounds_of(const CementedSample<Dim>& sample, const ElementStiffn
 /// @throws InputError that gives the expected wall time, if --yes is missing
 void refuse_long_breaking(const LatticeArguments& arguments, const LatticeRow& row) {
   if (arguments.strength.empty() || arguments.yes || row.n_nodes <= kBrokenUnasked) return;
-  /// Two estimates, from which the expected time follows. The first is the number of broken elements until the stress
-  /// has fallen, divided by the number of nodes along a side of the sample. The second is the time of one solution,
-  /// divided by the number of nodes (s).
+  /// Two estimates, from which the expected time follows. The first is the number of elements that break before the
+  /// stress has fallen, divided by the number of nodes along a side of the sample. The second is the time of one
+  /// solution, divided by the number of nodes (s).
   constexpr double kBrokenAcross = 10.0, kSecondsPerNode = 1e-5;
   const auto n = static_cast<double>(row.n_nodes);
   const double minutes = kBrokenAcross * std::pow(n, 1.0 - 1.0 / row.dimension) * kSecondsPerNode * n / 60.0;
@@ -303,8 +303,8 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
   describe(arguments, state, row);
   const LatticeLoad<Dim> load = load_of<Dim>(arguments);
   const ElementStiffness stiffness = stiffness_of(arguments);
-  // The option --strength and the options of the pictures are used only after the solution. They are checked before the
-  // solution, which can take minutes.
+  // The option --strength and the options of the pictures are used only after the solution. These options are checked
+  // before the solution, because the solution can take minutes.
   if (!arguments.strength.empty()) (void)strength_of(arguments);
   check_lattice_pictures(arguments, state.packing.cell);
   const CementedSample<Dim> sample = make_sample(arguments, state.packing, row);

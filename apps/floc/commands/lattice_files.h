@@ -37,8 +37,8 @@ template <int Dim>
 void write_fracture_files(const LatticeArguments& arguments, const LatticeRow& row,
                           const LoadedSample<Dim>& of);
 
-/// Checks the options of the pictures before the solution is computed. Checked are the extensions of the file names,
-/// the value of --cut, and whether the cell has a shape that can be drawn.
+/// Checks the options of the pictures before the solution is computed: the extensions of the file names, the value of
+/// --cut, and whether the cell has a shape that can be drawn.
 /// @throws InputError that names the invalid option
 template <int Dim>
 void check_lattice_pictures(const LatticeArguments& arguments, const Cell<Dim>& cell);

@@ -83,8 +83,8 @@ ModuliPoint moduli_of_state(const std::string& file, const AnyState& any) {
 }
 
 /// Returns the unit of the moduli in a table of `floc moduli`. The unit depends on whether the packing has cohesion.
-/// The table does not say so, but its pressures do: with cohesion and in reduced units, the reduced pressure P* and the
-/// pressure P are almost equal.
+/// The table has no column for cohesion, but its pressures show whether there is cohesion: in this case, in reduced
+/// units, the reduced pressure P* and the pressure P are almost equal.
 std::string unit_of_table(const CsvTable& table) {
   for (const char* name : {"units", "dimension", "P", "P_star"})
     if (!table.has(name)) return "units of the state";
@@ -104,7 +104,7 @@ bool bounds_hold(const CsvTable& table, int row) {
 
 /// Returns whether the state in a row of a table of `floc moduli` is stable. A state is stable if the column n_negative
 /// (number of negative eigenvalues of the stiffness matrix) is zero. Some methods do not count these eigenvalues and
-/// leave the cell empty; it is then taken as zero.
+/// leave the cell empty; an empty cell counts as zero.
 bool is_stable(const CsvTable& table, int row) {
   if (!table.has("n_negative")) return true;
   const int column = table.column("n_negative");

@@ -70,8 +70,8 @@ void RunMonitor::chunk(const Run<Dim>& run) {
 
 namespace {
 
-/// Returns a warning if in many time steps of contact dynamics the impulses did not converge to the tolerance;
-/// otherwise an empty text.
+/// Returns a warning if the impulses did not converge to the tolerance in many time steps of contact dynamics;
+/// otherwise returns an empty text.
 std::string unfinished_warning(const StepCounts& counts) {
   constexpr double kMany = 0.05;
   const double share = counts.n_steps == 0

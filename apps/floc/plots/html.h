@@ -19,7 +19,7 @@ std::string html_table(const Table& table);
 /// @param caption  description of the figure, which is also its alternative text for screen readers
 std::string html_figure(const std::string& svg, const std::string& caption);
 
-/// Returns a complete html page that refers to no other file. It contains its style for screen and paper.
+/// Returns a complete html page that refers to no other file. The page contains the style for screen and paper.
 /// @param head  html that is added to the head element, such as styles and scripts
 std::string html_page(const std::string& title, const std::string& body, const std::string& head = "");
 

@@ -7,12 +7,12 @@
 namespace floc {
 
 /// Returns whether a state has a reduced pressure. A state of rigid grains without adhesion has no reduced pressure,
-/// because the pressure is its only scale of forces.
+/// because the pressure is the only scale of its forces.
 template <int Dim>
 bool has_reduced_pressure(const State<Dim>& state);
 
-/// Returns the imposed pressure of a state as text for captions and legends. If has_reduced_pressure() is true,
-/// it is the reduced pressure. If the load path drives one axis of the state, the text gives the mean over the
+/// Returns the imposed pressure of a state as text for captions and legends. If has_reduced_pressure() is true, the
+/// text gives the reduced pressure. If the load path drives one axis of the state, the text gives the mean over the
 /// axes and the stress on the driven axis, each with its name.
 template <int Dim>
 std::string pressure_value(const State<Dim>& state);

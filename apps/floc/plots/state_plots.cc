@@ -24,8 +24,8 @@
 namespace floc {
 namespace {
 
-/// Colours and markers of the samples, which are easy to distinguish, the markers in grey print too. The seventh sample
-/// has the first colour and marker again.
+/// Colours and markers of the samples. Both are easy to distinguish, the markers also if they are printed in grey. The
+/// seventh sample has the first colour and marker again.
 constexpr const char* kColors =
     "array color[6] = ['#0072b2', '#d55e00', '#00b377', '#202020', '#cc79a7', '#e69f00']\n"
     "array marker[6] = [7, 8, 4, 12, 10, 2]\n";
@@ -44,8 +44,8 @@ double bin_width(std::vector<double> forces) {
 }
 
 /// Fits an exponential tail to those forces f of one sign that exceed their mean (the threshold), and adds points of
-/// the fitted tail from the threshold to the largest force. The density of the tail is its fraction of all forces times
-/// exp[-(f - threshold)/f_0]/f_0, with the fitted force f_0.
+/// the fitted tail from the threshold to the largest force. The density of the tail is a product of two factors: the
+/// fraction of all forces that belong to the tail, and exp[-(f - threshold)/f_0]/f_0 with the fitted force f_0.
 void add_tail(const std::vector<double>& forces, double sign, std::vector<std::vector<double>>& rows) {
   std::vector<double> sizes;
   double sum = 0.0;

@@ -30,8 +30,8 @@ ForceSample force_sample(const std::string& place, const std::string& name, cons
 /// bins. Exponential tails are fitted to the forces of each sign that exceed the mean force of that sign.
 Plot forces_plot(const std::vector<ForceSample>& samples, ForceKind kind, ForceUnit unit);
 
-/// Particle pressures of one state. Their unit is F0/<a>^(d-1), with the pull-off force F0, the mean diameter <a> and
-/// the dimension d. Without adhesion, their unit is the pressure of the state.
+/// Particle pressures of one state, divided by F0/<a>^(d-1), with the pull-off force F0, the mean diameter <a> and the
+/// dimension d. Without adhesion, they are divided by the pressure of the state instead.
 struct PressureSample {
   std::string name;               ///< name in the legend
   std::vector<double> pressures;  ///< pressures of the grains that are not rattlers

@@ -64,7 +64,7 @@ std::vector<ParameterCurve> curves_of(const Tradeoff& tradeoff, Observable obser
   return curves;
 }
 
-/// Returns a plot with one block of data per curve. Each row of a block belongs to one value of the parameter. It
+/// Returns a plot with one block of data per curve. Each row of a block belongs to one value of the parameter. The row
 /// contains the relative cost and the errors of the two observables that the panels show.
 Plot blocks_of(const std::vector<ParameterCurve>& curves, const Panels& panels) {
   const auto drawn = [](const MeasuredSetting& m, Observable k) {

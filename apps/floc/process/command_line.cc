@@ -35,7 +35,7 @@ std::vector<std::string> command_names(const CLI::App& app) {
 
 /// Returns a message about the first argument that is neither an option nor a subcommand of `app`. If there is no such
 /// argument, the arguments of the given subcommand are searched in the same way. The message names the most similar
-/// option or command; it is empty if all arguments are known.
+/// option or command. If all arguments are known, returns an empty text.
 /// @param called  name by which the user called `app`, such as "floc fit"
 std::string unknown_name(const CLI::App& app, const std::string& called) {
   const std::vector<CLI::App*> given = app.get_subcommands();

@@ -54,8 +54,8 @@ class Option {
   CLI::Option* option_;
 };
 
-/// The command line of the program or of one of its commands. Handles may be copied. They refer to a parser that
-/// ProgramLine owns.
+/// The command line of the program or of one of its commands. An object of this class is a handle to a parser that
+/// ProgramLine owns, and may be copied.
 ///
 /// This class and Option hide CLI11, whose headers and templates would about double the time to compile each command.
 /// Only command_line.cc includes it.

@@ -12,8 +12,7 @@ struct Fault {
   std::string message;
 };
 /// Runs `work` and catches its exceptions.
-/// @param file  name of the file that `work` processes; a message that does not contain this name is preceded by the
-/// name
+/// @param file  name of the file that `work` processes; the name is put in front of a message that does not contain it
 Fault fault_of(const std::string& file, const std::function<int()>& work);
 
 }  // namespace floc

@@ -23,8 +23,8 @@ std::string pattern_of(const std::string& chosen) {
 }
 
 /// Returns the names of the columns that a command can print, or patterns of these names. Columns of a table that an
-/// option writes to a file, such as "moduli --increments", are not included. They are included only if all tables of
-/// the command belong to options, such as "campaign collect --table runs".
+/// option writes to a file, such as "moduli --increments", are included only if all tables of the command belong to
+/// options, such as "campaign collect --table runs".
 std::vector<std::string> names_printed_by(const std::string& command) {
   std::vector<std::string> printed, with_option;
   for (const DescribedTable& table : described_tables()) {

@@ -16,7 +16,7 @@ class RepeatedWarnings {
   RepeatedWarnings(const RepeatedWarnings&) = delete;
   RepeatedWarnings& operator=(const RepeatedWarnings&) = delete;
 
-  /// Returns a Remarks object that passes its remarks to this collector. The collector must outlive it.
+  /// Returns a Remarks object that passes its remarks to this collector. The collector must outlive this object.
   Remarks remarks();
 
  private:

@@ -7,7 +7,8 @@ namespace floc {
 namespace {
 
 /// A contact carries part of a change of stress if the change of its force, divided by the largest change in any
-/// contact, exceeds this number. In real packings this ratio is either above 1e-4 or, from rounding, about 1e-15.
+/// contact, exceeds this number. In real packings this ratio is either above 1e-4 or, if it is due to rounding alone,
+/// about 1e-15.
 constexpr double kCarries = 1e-9;
 
 template <int Dim>

@@ -12,8 +12,8 @@ namespace floc {
 namespace {
 
 /// B_reuss is set to zero if the pressure is below this share of sum |F_N| r/(Dim V), the pressure that the normal
-/// forces F_N would give if all were compressive (distance r between centres, volume V). In an equilibrium solved to
-/// 1e-8, such a pressure cannot be distinguished from zero.
+/// forces F_N would give if all were compressive (distance r between centres, volume V). In an equilibrium computed to
+/// a tolerance of 1e-8, a pressure below this share cannot be distinguished from zero.
 constexpr double kNoPressure = 1e-8;
 /// The contact forces count as balanced if the net force on each grain is at most this share of the largest contact
 /// force, and the net force on each pair of walls is at most this share of the sum of the forces on both walls. The

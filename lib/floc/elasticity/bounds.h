@@ -12,16 +12,16 @@ namespace floc {
 struct Bounds {
   /// Voigt bounds: moduli if every grain follows the strain of the cell, without rotation. B_voigt is the sum over
   /// contacts of K_N r^2/(Dim^2 V), with the normal stiffness K_N, the distance r between the two centres and the
-  /// volume V; G_voigt is the analogous sum for shear. In a stable network they are upper bounds on the bulk modulus
-  /// B_C under imposed strain, and on the shear modulus G = (C11 + C22 - 2 C12)/4 with the moduli C. In 3D, G is the
-  /// mean over the three pairs of axes.
+  /// volume V; G_voigt is the analogous sum for shear. In a stable network, B_voigt is an upper bound on the bulk
+  /// modulus B_C under imposed strain, and G_voigt is an upper bound on the shear modulus G = (C11 + C22 - 2 C12)/4
+  /// with the moduli C. In 3D, G is the mean over the three pairs of axes.
   double B_voigt = 0.0;
   double G_voigt = 0.0;
   /// Reuss bound V P^2/sum(F_N^2/K_N + F_T^2/K_T + Gamma^2/K_R), with the volume V and the pressure P. The sum over
   /// touching contacts contains the normal force F_N, the tangential force F_T, the rolling moment Gamma and, in 3D,
-  /// the twisting moment, each squared and divided by its stiffness. The bound is 0 at P = 0. Where `fault` is empty,
-  /// it is a lower bound on the bulk modulus B_C under imposed strain, by the inequality of Cauchy and Schwarz. If the
-  /// stress is isotropic, it is also a lower bound on the bulk modulus B_S under imposed stress.
+  /// the twisting moment, each squared and divided by its stiffness. The bound is 0 at P = 0. If `fault` is empty,
+  /// B_reuss is a lower bound on the bulk modulus B_C under imposed strain, by the inequality of Cauchy and Schwarz. If
+  /// the stress is also isotropic, B_reuss is a lower bound on the bulk modulus B_S under imposed stress.
   double B_reuss = 0.0;
   /// Reason why B_reuss <= B_C <= B_voigt is not guaranteed, as a clause that follows "because". Empty if the
   /// inequality is guaranteed, that is, if no force acts across a gap, no stiffness is negative, and the forces

@@ -108,8 +108,7 @@ struct Problem {
   }
   SpringSystem springs() const { return SpringList<Dim>(core(), unknowns, unit, options).take(); }
 
-  /// Returns a result without a response. It contains the reason why there is no response: the factor would take too
-  /// many bytes.
+  /// Returns a result without a response, but with the reason: the factor would take too many bytes.
   ElasticResponse refuse(double bytes) {
     answer.factor_bytes = bytes;
     answer.failure = fmt::format(
@@ -165,7 +164,7 @@ Eigen::VectorXd diagonal_of(const SpringSystem& springs) {
 }
 
 /// Largest number of iteration steps with a factor that was made for another network. If more steps are needed, a new
-/// factor is cheaper: for 1400 grains, it takes as long as some 30 steps.
+/// factor is cheaper: for 1400 grains, its computation takes as long as some 30 steps.
 constexpr int kMaxSteps = 40;
 
 /// Solves for the motions of the grains by refinement with an approximate inverse of the stiffness matrix. The accuracy
@@ -178,8 +177,8 @@ template <int Dim>
 std::optional<ElasticResponse> solve_by_approximate_inverse(
     Problem<Dim>& problem, const SpringSystem& springs,
     std::function<Eigen::VectorXd(const Eigen::VectorXd&)> apply, const Eigen::MatrixXd& start) {
-  /// Tolerance of the solution below which residual forces are computed in extended precision. Above it, double
-  /// precision suffices.
+  /// If the tolerance of the solution is smaller than this number, residual forces are computed in extended precision.
+  /// Otherwise double precision suffices.
   constexpr double kDoubleSuffices = 1e-9;
   ApproximateInverse inverse;
   inverse.apply = std::move(apply);
@@ -249,8 +248,8 @@ class InheritedInverse {
 template <int Dim>
 std::optional<ElasticResponse> solve_from(const ResponseMemory& memory, Problem<Dim>& problem) {
   const ReducedUnknowns& unknowns = problem.unknowns;
-  // The stored fluctuation is the initial guess of the solver. It has a column for each strain but no columns for
-  // displacements of walls, so it cannot be used for a packing between walls.
+  // The stored fluctuation is the initial guess of the solver. The fluctuation has a column for each strain but no
+  // columns for displacements of walls. Therefore it cannot be used for a packing between walls.
   if (!memory.factor || !problem.whole.wall_axes.empty() ||
       memory.fluctuation.rows() != problem.whole.n_unknowns() ||
       memory.fluctuation.cols() != n_strains<Dim>(problem.options.strains))

@@ -14,8 +14,8 @@ namespace floc {
 /// Method that solves for the motion of the grains under a strain of the cell.
 enum class ResponseSolver {
   factor,  ///< Cholesky factor of the stiffness matrix K in double precision; gives error bounds
-  /// Cholesky factor of K in single precision, with refinement in double precision: half the memory; gives error
-  /// estimates
+  /// Cholesky factor of K in single precision, with refinement in double precision; needs half the memory and gives
+  /// error estimates
   single_factor,
 };
 
@@ -51,7 +51,7 @@ struct ElasticResponse {
   /// Infinite if no bound can be given.
   Eigen::MatrixXd error;
   /// Fluctuation of the grains (their motion relative to the affine motion) per unit strain: one row per unknown of the
-  /// stiffness matrix K, one column per strain. Zero for unknowns that no contact resists.
+  /// stiffness matrix K, one column per strain of the cell. Rows of unknowns whose motion no contact resists are zero.
   Eigen::MatrixXd fluctuation;
   /// Common displacement of the two walls of an axis, per unit strain, at which the forces on both walls are equal: one
   /// row per axis, one column per strain. Empty without walls.
@@ -60,7 +60,7 @@ struct ElasticResponse {
   /// number of independent wall shifts that no stiffness resists after relaxation of the grains; in a wall shift, the
   /// two walls of an axis move together
   int n_free_shifts = 0;
-  /// number of negative eigenvalues of the stiffness matrix that belongs to grains, wall shifts and dead ends
+  /// number of negative eigenvalues of the stiffness matrix of grains, wall shifts and dead ends
   int n_negative = 0;
   /// number of negative eigenvalues of the stiffness against wall shifts (`wall_shift`) after relaxation of the grains
   int n_negative_shifts = 0;

@@ -8,8 +8,8 @@
 namespace floc {
 
 /// Pearson's correlation coefficients, over the touching contacts, between the forces of a state and their increments
-/// in a small step of stress or strain. A coefficient is absent if one of its two quantities has equal values in all
-/// contacts.
+/// in a small step of stress or strain. A coefficient is absent if one of the two correlated quantities has equal
+/// values in all contacts.
 struct ForceCorrelation {
   std::optional<double> normal;  ///< coefficient for the normal force and its increment, both with their signs
   /// coefficient for the magnitude of the contact force (normal and tangential) and the magnitude of its increment

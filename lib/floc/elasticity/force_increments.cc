@@ -13,8 +13,8 @@ namespace {
 /// StepResponse::n_holding counts the contacts with the largest elastic energies that together have this share of the
 /// elastic energy of all touching contacts.
 constexpr double kHeldShare = 0.95;
-/// The work of a unit stress on a strain that no stiffness resists counts as zero if it is at most this number. The
-/// strain is a computed eigenvector and has rounding errors.
+/// If no stiffness resists a strain, the work of a unit stress on this strain counts as zero up to this number, because
+/// the strain is a computed eigenvector and has rounding errors.
 constexpr double kNoWork = 1e-9;
 
 template <int Dim>

@@ -12,7 +12,7 @@ namespace floc {
 namespace {
 
 /// A column whose entries are of order 1 counts as linearly dependent on other columns if its component orthogonal to
-/// them is shorter than this length.
+/// these columns is shorter than this length.
 constexpr double kDependent = 1e-9;
 
 }  // namespace

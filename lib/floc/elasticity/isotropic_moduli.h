@@ -15,11 +15,11 @@ double pure_shear_modulus(const Eigen::MatrixXd& diagonal_block);
 double bulk_modulus(const Eigen::MatrixXd& diagonal_block);
 
 /// Returns a bound on the error of the result of pure_shear_modulus().
-/// @param diagonal_block_error  for the argument of pure_shear_modulus(), bounds on the errors of its entries C11, C12,
-/// ...
+/// @param diagonal_block_error  bounds on the errors of the entries C11, C12, ... of the argument of
+/// pure_shear_modulus()
 double pure_shear_modulus_error(const Eigen::MatrixXd& diagonal_block_error);
 /// Returns a bound on the error of the result of bulk_modulus().
-/// @param diagonal_block_error  for the argument of bulk_modulus(), bounds on the errors of its entries C11, C12, ...
+/// @param diagonal_block_error  bounds on the errors of the entries C11, C12, ... of the argument of bulk_modulus()
 double bulk_modulus_error(const Eigen::MatrixXd& diagonal_block_error);
 
 }  // namespace floc

@@ -5,8 +5,9 @@
 namespace floc {
 
 /// Mean-field estimates of the moduli of a network (force/length^(Dim-1)), from averages over its touching contacts
-/// (docs/physics.md, "Bounds"). They assume that the directions of contacts are isotropic and that the lengths of
-/// contacts are independent of their forces. All zero without contacts.
+/// (docs/physics.md, "Bounds"). The estimates assume that the directions of contacts are isotropic, and that the
+/// distance between the centres of touching grains does not depend on the contact force. Without contacts, all
+/// estimates are zero.
 struct MeanFieldEstimates {
   /// Bulk modulus if the grains follow the strain without rotation; `z Phi <K_N>/(3 pi a)` for equal spheres of
   /// diameter a, with the normal stiffness K_N, the coordination number z and the solid fraction Phi. Equal to

@@ -15,7 +15,7 @@ struct StrainMechanisms {
   Eigen::MatrixXd motions;
   /// Names of the moduli that are zero because of these strains: "C11" etc. for diagonal entries of the moduli C; "B"
   /// or "G" if the strain that defines the modulus is in the span of these strains; "B_S" if an isotropic stress does
-  /// work on one of them.
+  /// work on one of these strains.
   std::vector<std::string> vanishing;
 };
 
@@ -31,8 +31,8 @@ Eigen::MatrixXd vanishing_strains(const Eigen::MatrixXd& relaxed, const Eigen::M
 template <int Dim>
 StrainMechanisms strain_mechanisms(const ElasticResponse& response, const Eigen::MatrixXd& affine);
 
-/// Numbers of mechanisms of a network that follow from the list of touching grains alone. The positions of the grains
-/// have no influence.
+/// Numbers of mechanisms that a network has because of the list of touching grains alone; the positions of the grains
+/// have no influence on these numbers.
 struct StructuralMechanisms {
   int n_mechanisms = 0;  ///< number of mechanisms of the grains at zero strain; free motions do not count
   int n_coupled = 0;     ///< number of strains of the cell that no stiffness resists

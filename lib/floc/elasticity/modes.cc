@@ -25,8 +25,8 @@ std::vector<bool> connected_unknowns(const ContactNetwork<Dim>& network) {
   return connected;
 }
 
-/// Returns, for each unknown of the stiffness matrix, whether a contact resists it. If all contacts of a grain have
-/// only a normal stiffness, no contact resists its rotation.
+/// Returns, for each unknown of the stiffness matrix, whether a contact resists the motion that the unknown describes.
+/// If all contacts of a grain have only a normal stiffness, no contact resists the rotation of the grain.
 template <int Dim>
 std::vector<bool> resisted_unknowns(const ContactNetwork<Dim>& network) {
   std::vector<bool> resisted(network.n_unknowns(), false);
@@ -69,8 +69,8 @@ double near_bound(const ContactNetwork<Dim>& network) {
   return bound;
 }
 
-/// Computes the energies of a mode, without and with prestress, and its coupling to strain. They are computed as sums
-/// over the contacts, without the rounding errors of the stiffness matrix.
+/// Computes the energies of a mode, without and with prestress, and its coupling to strain. All values are computed as
+/// sums over the contacts, without the rounding errors of the stiffness matrix.
 template <int Dim>
 void add_energies(const ContactNetwork<Dim>& network, StrainSet strains, Mode<Dim>& mode) {
   mode.coupling = Eigen::VectorXd::Zero(n_strains<Dim>(strains));

@@ -89,8 +89,8 @@ template <int Dim>
 
 /// Counts the near-mechanisms of a network: modes that are neither free motions nor mechanisms and whose positive
 /// eigenvalues are at most max |F_N|/r, the largest ratio of normal force to distance between centres. The count
-/// follows from the inertia (the signs of the eigenvalues) of the shifted stiffness matrix. It requires a factor as
-/// large as the factor of the elastic response.
+/// follows from the inertia (the signs of the eigenvalues) of the shifted stiffness matrix. The count requires a factor
+/// as large as the factor of the elastic response.
 /// @param response        response of the same network without prestress, for any strains
 /// @param largest_factor  largest size of the factor (bytes)
 /// @return no value if the factor would be larger than allowed

@@ -293,8 +293,7 @@ Moduli solved_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>&
   return m;
 }
 
-/// Adds the values of B and G without prestress, and the elastic response without prestress, to the moduli with
-/// prestress.
+/// Copies B, G and the elastic response from the moduli without prestress into members of the moduli with prestress.
 /// @return the completed moduli, or `without` if it contains no moduli
 Moduli beside(Moduli without, Moduli with) {
   if (!without.failure.empty()) return without;

@@ -16,7 +16,8 @@ class ParallelSolver;
 /// Method by which the moduli are computed. It determines their cost, and whether their errors are bounds or estimates.
 enum class ModuliMethod {
   factor,  ///< Cholesky factor in double precision; gives error bounds
-  /// Cholesky factor in single precision, with refinement in double precision: half the memory; gives error estimates
+  /// Cholesky factor in single precision, with refinement in double precision; needs half the memory and gives error
+  /// estimates
   single_factor,
   /// conjugate gradients that start from the solution of the last state, with the factor of that state as
   /// preconditioner; gives error estimates
@@ -118,7 +119,8 @@ struct Moduli {
   ElasticResponse response;
   /// Method that was used: the method in the options, or ModuliMethod::factor if the method in the options failed. Only
   /// ModuliMethod::factor counts negative eigenvalues and mechanisms, and gives error bounds from the solution. With
-  /// ModuliMethod::bounds, the error is half the distance between the bounds; with other methods, it is an estimate.
+  /// ModuliMethod::bounds, the error is half the distance between the bounds. With the remaining methods, the error is
+  /// an estimate.
   ModuliMethod method = ModuliMethod::factor;
   int steps = 0;  ///< number of refinement steps of the solution
   std::vector<std::string> warnings;
@@ -154,8 +156,8 @@ template <int Dim>
 [[nodiscard]] Moduli elastic_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
                                     const ModuliOptions& options);
 
-/// Computes the moduli with prestress, to which the given moduli without prestress are added. The value of
-/// `options.prestress` has no influence.
+/// Computes the moduli with prestress. Those members of the result that describe the network without prestress, such as
+/// B_without_prestress, are copied from `without`. The value of `options.prestress` has no influence.
 /// @param without  moduli of the same network without prestress
 template <int Dim>
 [[nodiscard]] Moduli prestressed_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,

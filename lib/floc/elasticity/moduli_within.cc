@@ -31,7 +31,7 @@ bool bounds_suffice(const Packing<Dim>& packing, const ModuliOptions& options, c
 }
 
 /// Returns whether the numbers of zero and negative eigenvalues in `m` are reliable. ModuliMethod::factor counts all
-/// these eigenvalues. The numbers of another method are reliable only if it found no such eigenvalue.
+/// these eigenvalues. With any other method, the numbers are reliable only if both are zero.
 bool fully_counted(const Moduli& m) {
   return m.method == ModuliMethod::factor || (m.n_mechanisms == 0 && m.n_negative == 0);
 }

@@ -39,7 +39,8 @@ struct NetworkMechanics {
   /// Dimensionless shear modulus G/(K_N Phi (1 - x0)), with the mean normal stiffness K_N of touching contacts, the
   /// solid fraction Phi and the rattler fraction x0; in 3D multiplied by the largest diameter. Absent without contacts.
   std::optional<double> G_star;
-  int n_dead_ends = 0;   ///< number of grains with one contact, or in a chain that ends with such a grain
+  int n_dead_ends =
+      0;  ///< number of grains that have one contact or belong to a chain that ends in such a grain
   int n_components = 0;  ///< number of connected parts of the network after the dead ends have been removed
   Indeterminacy indeterminacy;
   /// smallest share of the touching contacts that together have 95 % of the elastic energy in the isotropic step of

@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// Limits on the cost of a test of stability. The cost is predicted before the test starts.
+/// Limits on the cost of a stability test. The cost is predicted before the test starts.
 struct StabilityOptions {
   double largest_factor = 4e9;  ///< largest size of a factor of the stiffness matrix (bytes)
   /// largest number of floating-point operations of a test (1e12: minutes on one core)
@@ -21,7 +21,7 @@ struct StabilityOptions {
   double bound = 1e-4;
 };
 
-/// Result of a test of the stability of a state.
+/// Result of a stability test.
 struct Stability {
   /// Number of negative eigenvalues of the stiffness matrix; 0 for a stable state. An iterative test stops at the first
   /// negative eigenvalue, so that the number is 1. Absent if the state was not tested, or if an iterative test did not
@@ -35,13 +35,13 @@ struct Stability {
   bool may_be_stable() const { return n_negative.value_or(0) == 0; }
 };
 
-/// Counts the negative eigenvalues of the stiffness matrix of a network. Its unknowns are the motions of the grains and
-/// the diagonal strains of the cell. Motions that cost no energy do not count: mechanisms, rigid translations, and the
-/// motions of rattlers and free rollers. The first rule that applies gives the number:
+/// Counts the negative eigenvalues of the stiffness matrix of a network. The unknowns of the matrix are the motions of
+/// the grains and the diagonal strains of the cell. Motions that cost no energy do not count: mechanisms, rigid
+/// translations, and the motions of rattlers and free rollers. The first rule that applies gives the number:
 /// 1. If no contact has a negative stiffness, it is zero.
-/// 2. If the matrix has a Cholesky factor, it is zero.
-/// 3. Otherwise it is the number of negative entries of S in the factorization L S L^T.
-/// 4. If a factor would be too expensive, Lanczos' method searches for a motion of negative energy (test_positivity()).
+/// 2. If a factor would be too expensive, Lanczos' method searches for a motion of negative energy (test_positivity()).
+/// 3. If the matrix has a Cholesky factor, it is zero.
+/// 4. Otherwise it is the number of negative entries of the diagonal matrix S in the factorization L S L^T.
 template <int Dim>
 [[nodiscard]] Stability stability(const ContactNetwork<Dim>& network, const StabilityOptions& options = {});
 
@@ -63,8 +63,8 @@ template <int Dim>
 
 /// Tests the stability of a packing at rest. Stability is a condition of equilibrium.
 /// - With liquid bridges, the test includes the geometric terms of the forces: the length r of a bridge is comparable
-///   to the length over which its force F decays, and its transverse stiffness F/r may exceed its negative normal
-///   stiffness.
+///   to the length over which its force F decays, and its transverse stiffness F/r may exceed the magnitude of its
+///   negative normal stiffness.
 /// - Without liquid, the geometric terms are left out, because the range of the attraction is short compared with r.
 template <int Dim>
 [[nodiscard]] Stability stability_at_rest(const Packing<Dim>& packing);

@@ -40,8 +40,8 @@ void relax_wall_shifts(const ContactNetwork<Dim>& network, ElasticResponse& out)
     out.wall_shift.row(network.wall_axes[static_cast<std::size_t>(k)]) =
         wall_shift_unit(network) * with_strain.row(n_strains + k);
   // The stiffness after relaxation is computed as T^T K T, where the matrix T contains the wall shifts that relax under
-  // each strain. The bound on its error is |T|^T error |T|, which a Schur complement would not give. Infinite bounds
-  // would become NaN in this product; in that case, all bounds are set to infinity.
+  // each strain. The error of this product has the bound |T|^T error |T|; a Schur complement would not give a bound. If
+  // an entry of `error` is infinite, this bound would contain NaN; all bounds are then set to infinity.
   const Eigen::MatrixXd magnitude = with_strain.cwiseAbs();
   out.relaxed = (with_strain.transpose() * out.relaxed * with_strain).eval();
   const bool bounded = out.error.allFinite();

@@ -12,8 +12,8 @@
 namespace floc {
 namespace {
 
-/// Limits of adhesion, friction and rolling resistance in a contact law, divided by the largest forces and moments of
-/// the bonds.
+/// The limits of adhesion, friction and rolling resistance in the contact law are at least this number times the forces
+/// and moments of the bonds.
 constexpr double kMargin = 2.0;
 
 void set_moment(const RotationVector<2>& moment, Contact<2>& c) {

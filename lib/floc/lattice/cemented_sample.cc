@@ -136,8 +136,8 @@ class Cementing {
     return width;
   }
 
-  /// Returns nodes that bridges of matrix can cover, sorted by the smallest width of a bridge that covers the node.
-  /// There are at least as many nodes as the wanted matrix content requires.
+  /// Returns nodes that bridges of matrix can cover, sorted by the smallest width of a bridge that covers the node. The
+  /// list contains at least as many nodes as the wanted matrix content requires.
   /// @param wanted  matrix content as a share of the volume
   std::vector<CoveredNode> nodes_by_width(double wanted) const {
     std::vector<CoveredNode> covered;

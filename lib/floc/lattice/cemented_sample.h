@@ -43,8 +43,8 @@ struct CementedSample {
   double grain_content = 0.0;  ///< grain content rho_p: share of the volume of all nodes that belongs to grains
   /// matrix content rho_m: share of the volume of all nodes that belongs to the matrix
   double matrix_content = 0.0;
-  /// Width of a bridge divided by R' = 2 R_i R_j/(R_i + R_j), where R_i and R_j are the radii of its two grains. All
-  /// bridges have the same value.
+  /// Width of a bridge divided by R' = 2 R_i R_j/(R_i + R_j), where R_i and R_j are the radii of its two grains. This
+  /// ratio is equal for all bridges.
   double bridge_width = 0.0;
   /// number of pairs of grains that a bridge joins, including bridges that contain no node
   int n_bridges = 0;

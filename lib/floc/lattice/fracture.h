@@ -39,7 +39,7 @@ struct FractureOptions {
   std::function<bool(const Breakage&, int n_broken)> observe = {};
 };
 
-/// Result of the fracture of a sample, one element at a time.
+/// Result of a simulation in which the elements of a sample break one by one.
 struct FracturePath {
   std::vector<Breakage> broken;  ///< breakages in the order in which they happened
   /// strength of the sample: largest absolute stress along the load that the sample carried; 0 if no element can break

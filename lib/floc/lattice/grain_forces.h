@@ -24,8 +24,8 @@ struct GrainForce {
 };
 
 /// Returns the forces between the grains of a cemented sample, sorted by (i, j, image). The forces balance on every
-/// grain, except for the forces that keep fixed nodes in place. They add up to the stress sigma of the cell: the sum of
-/// the tensor products of branch and force is exactly V sigma, with the volume V of the cell.
+/// grain if the forces that keep fixed nodes in place are included. The forces between grains give the stress sigma of
+/// the cell: the sum of the tensor products of branch and force is exactly V sigma, with the volume V of the cell.
 template <int Dim>
 std::vector<GrainForce<Dim>> grain_forces(const CementedSample<Dim>& sample, const LatticeNetwork<Dim>& network,
                                           const LatticeSolution<Dim>& solution);

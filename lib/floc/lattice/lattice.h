@@ -26,7 +26,7 @@ struct Lattice {
   /// the same density.
   double spacing = 0.0;
   std::vector<Vec<Dim>> node;  ///< positions of the nodes, inside the cell (length)
-  /// volume (2D: area) of the cell around each node; their sum is the volume of the periodic cell
+  /// volume (2D: area) of the cell around each node; the volumes add up to that of the periodic cell
   std::vector<double> volume;
   std::vector<LatticeBond<Dim>> bonds;
 
@@ -34,16 +34,17 @@ struct Lattice {
 };
 
 /// Returns the triangular lattice whose rows of nodes lie along the first axis. Each node has six bonds, which are as
-/// long as the spacing, and a hexagonal cell of area sqrt(3)/2 spacing^2. The force of a bond acts at its middle.
+/// long as the spacing, and a hexagonal cell of area sqrt(3)/2 spacing^2. The force of a bond acts at the middle of the
+/// bond.
 /// @param columns  number of nodes in a row, >= 1
 /// @param rows     number of rows, even, >= 2; neighbouring rows are sqrt(3)/2 spacing apart
 /// @param spacing  distance between neighbouring nodes (length)
 Lattice<2> triangular_lattice(int columns, int rows, double spacing);
 
 /// Returns the triangular lattice that fits best into a rectangular cell. The number of columns is within 3 % of the
-/// cell's width divided by the spacing. The ratio of the sides of the lattice is as close as possible to that of the
-/// cell, and the areas are equal. The sides of the lattice and of the cell differ by a fraction of some 1e-4. To fit
-/// the lattice, a packing has to be deformed by this strain.
+/// cell's width divided by the spacing. The lattice has the area of the cell, and the ratio of its sides is as close as
+/// possible to that of the cell. The sides of the lattice and of the cell differ by a fraction of some 1e-4. A packing
+/// in the cell has to be deformed by this strain to fit the lattice.
 /// @throws InputError if the cell is not rectangular, or if more than 1e8 nodes would be needed
 Lattice<2> triangular_lattice_in(const Cell<2>& cell, double spacing);
 

@@ -65,8 +65,8 @@ class NetworkBuilder {
                              bare && stiffness_.contact == BareContact::unilateral, number});
   }
 
-  /// Treats a bond that crosses the border of the cell: it becomes no element, but its two nodes are fixed as the
-  /// boundary condition requires.
+  /// Handles a bond that crosses the border of the cell: no element is made from the bond, and its two nodes are fixed
+  /// as the boundary condition requires.
   void hold(const LatticeBond<Dim>& bond) {
     if (boundary_ == LatticeBoundary::uniform_strain) {
       for (const int node : {bond.i, bond.j})
@@ -172,14 +172,14 @@ class NetworkBuilder {
 
   static int rank_of(const std::vector<Vec<Dim, int>>& winding) { return static_cast<int>(winding.size()); }
 
-  /// Adds a loop around the cell to the loops found so far, if it is linearly independent of them.
+  /// Adds a loop around the cell to the loops found so far, if it is linearly independent of these.
   static void note_winding(const Vec<Dim, int>& loop, std::vector<Vec<Dim, int>>& found) {
     if (loop.isZero() || static_cast<int>(found.size()) == Dim) return;
     Eigen::Matrix<double, Dim, Eigen::Dynamic> all(Dim, found.size() + 1);
     for (std::size_t w = 0; w < found.size(); ++w) all.col(w) = found[w].template cast<double>();
     all.col(found.size()) = loop.template cast<double>();
     const double volume = (all.transpose() * all).determinant();
-    if (volume > 0.5) found.push_back(loop);  // a squared volume of integer vectors is an integer
+    if (volume > 0.5) found.push_back(loop);  // an integer, because the loops are vectors of integers
   }
 
   Parts find_parts() const {

@@ -38,7 +38,7 @@ enum class LatticeBoundary {
 
 /// Stiffness of the elements of a lattice: one spring constant per kind of element, independent of the element's
 /// length, as in [RTV2010]. By default, an element across an interface has the stiffness of two springs of half the
-/// length in series, one of each material. This gives the exact stiffness of laminates.
+/// length in series, one of each material. With this default, the stiffness of a laminate is exact.
 struct ElementStiffness {
   /// stiffness k_p of elements within grains (force/length), or Young's modulus E (stress) if `by_facet`
   double grain = 1.0;
@@ -114,8 +114,8 @@ template <int Dim>
 LatticeNetwork<Dim> lattice_network(const CementedSample<Dim>& sample, const ElementStiffness& stiffness,
                                     LatticeBoundary boundary = LatticeBoundary::periodic, int axis = Dim - 1);
 
-/// Returns a lattice as a contact network: its grains are the nodes, its contacts the elements. The functions of the
-/// folder `elasticity` accept this network.
+/// Returns a lattice as a contact network: the nodes become grains, and the elements become contacts. The functions of
+/// the folder `elasticity` accept this network.
 /// @param open  for each element, whether it is open; open elements are left out. If empty, no element is left out
 template <int Dim>
 ContactNetwork<Dim> contact_network(const LatticeNetwork<Dim>& network, const std::vector<bool>& open = {});

@@ -14,7 +14,7 @@ template <int Dim>
 struct LatticeLoad {
   using Components = Eigen::Matrix<double, kSymmetric<Dim>, 1>;
   Eigen::Matrix<bool, kSymmetric<Dim>, 1> imposed = Eigen::Matrix<bool, kSymmetric<Dim>, 1>::Constant(false);
-  /// imposed strain of each component with `imposed`, imposed stress of all other components
+  /// for each component, the imposed strain if `imposed` is true, otherwise the imposed stress
   Components value = Components::Zero();
 
   /// Returns a load with the given stress along one axis and zero stress in all other components.

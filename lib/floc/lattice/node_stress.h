@@ -7,10 +7,11 @@
 
 namespace floc {
 
-/// Returns the stress of each node, compression positive. It is the symmetric part of -(1/V_a) times the sum of r f^T
-/// over the elements of node a, with the volume V_a of the node, the force f of the element on the node, and the vector
-/// r from the node to the point at which f acts. The mean over all nodes, weighted by volume and with zero for void
-/// nodes, is the stress of the cell. The stress of a fixed node includes the forces that keep the node in place.
+/// Returns the stress of each node, compression positive. The stress of node a is the symmetric part of -(1/V_a) times
+/// the sum of r f^T over the elements of the node, with the volume V_a of the node, the force f of the element on the
+/// node, and the vector r from the node to the point at which f acts. The mean over all nodes, weighted by volume and
+/// with zero for void nodes, is the stress of the cell. The stress of a fixed node includes the forces that keep the
+/// node in place.
 template <int Dim>
 std::vector<Mat<Dim>> node_stress(const Lattice<Dim>& lattice, const LatticeNetwork<Dim>& network,
                                   const LatticeSolution<Dim>& solution);
@@ -25,8 +26,8 @@ struct StressTail {
   std::optional<double> error = {};
 };
 
-/// Distribution of a stress component over the nodes of a lattice. The number x of a node is the component divided by
-/// its mean over the nodes where it has the same sign as the load.
+/// Distribution of a stress component over the nodes of a lattice. The number x of a node is the component at this
+/// node, divided by the mean of the component over the nodes where it has the sign of the load.
 struct StressDistribution {
   int n = 0;          ///< number of nodes in the distribution
   double mean = 0.0;  ///< mean of the component over all nodes (stress)

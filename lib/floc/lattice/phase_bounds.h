@@ -30,7 +30,7 @@ struct CompositeBounds {
 CompositeBounds composite_bounds(const std::vector<ElasticPhase>& phases, int dimension);
 
 /// Returns the moduli of a triangular lattice of springs with normal and tangential stiffnesses k_n and k_t: K =
-/// sqrt(3)/2 k_n and G = sqrt(3)/4 (k_n + k_t). They do not depend on the spacing or the bending stiffness.
+/// sqrt(3)/2 k_n and G = sqrt(3)/4 (k_n + k_t). The moduli do not depend on the spacing or the bending stiffness.
 /// @param share   share of the volume of the composite, copied to the returned phase
 /// @param kn, kt  stiffnesses k_n and k_t (force/length)
 ElasticPhase triangular_moduli(double share, double kn, double kt);

@@ -65,8 +65,8 @@ class Springs final : public RelaxedSprings<Dim> {
       const double norm = std::sqrt(std::max(0.0, down.dot(inverse_->apply(down))));
       report.imbalance = whole > 0.0 ? norm / whole : 0.0;
       const int steps_before = report.n_steps;
-      // If no spring resists some motions, rounding leaves net forces on nodes, and further rounds do not reduce these
-      // forces.
+      // If there are motions that no spring resists, rounding leaves net forces on nodes, and further rounds do not
+      // reduce these forces.
       const bool is_rounding =
           n_changed == 0 && report.imbalance < kRounding && report.imbalance > 0.5 * before;
       report.converged = report.imbalance <= settings_.tolerance || is_rounding;
@@ -247,7 +247,7 @@ class Springs final : public RelaxedSprings<Dim> {
   }
 
   /// Solves K d = load for the displacement d by conjugate gradients, with the stiffness matrix K of the active
-  /// springs. The solution ends when the residual, in the norm of the preconditioner, is at most `target`.
+  /// springs. The iteration ends when the residual, in the norm of the preconditioner, is at most `target`.
   Direction solve(const Eigen::VectorXd& load, double target, int most_steps,
                   SpringRelaxationReport& report) const {
     Direction out{Eigen::VectorXd::Zero(load.size())};
@@ -357,8 +357,8 @@ class Springs final : public RelaxedSprings<Dim> {
     return true;
   }
 
-  /// If the energy still decreases after this number of unit steps along a direction, it counts as decreasing without
-  /// limit.
+  /// If the energy still decreases after this number of unit steps along a direction, the energy counts as decreasing
+  /// without limit.
   static constexpr double kForEver = 1e12;
 
   RelaxationSettings settings_;

@@ -16,7 +16,7 @@ enum class LatticeMethod {
   iterative,  ///< conjugate gradients with diagonal blocks as preconditioner: hundreds of steps, little memory
 };
 
-/// Progress of one round of the relaxation of a lattice. During a round, no unilateral element opens or closes.
+/// Progress of the relaxation of a lattice in one round. During a round, no unilateral element opens or closes.
 struct RelaxationRound {
   int round;         ///< number of the round, from 1
   int n_open;        ///< number of open unilateral elements (which carry no force)
@@ -56,19 +56,20 @@ struct SpringRelaxationReport {
 /// Springs between nodes in a cell. The positions of the nodes and the strain of the cell are relaxed to the smallest
 /// energy. Some springs are one-sided: they carry compression only. With the overlap o and the stiffness k of a spring,
 /// the energy is 1/2 sum k o^2 over the two-sided springs + 1/2 sum k max(o, 0)^2 over the one-sided springs - load .
-/// strain; it is convex.
+/// strain. This energy is a convex function.
 ///
-/// Newton's method finds its minimum. The active set consists of the one-sided springs in compression. The first
-/// relaxation starts with all springs in the active set, and later relaxations start with the last active set. Along
-/// each step, a line search finds the smallest energy. The energy thus decreases in every round, and no active set
-/// occurs twice.
+/// Newton's method finds the minimum of the energy. The active set consists of the one-sided springs in compression.
+/// The first relaxation starts with all springs in the active set, and later relaxations start with the last active
+/// set. Along each step, a line search finds the smallest energy. The energy thus decreases in every round, and no
+/// active set occurs twice.
 template <int Dim>
 class RelaxedSprings {
  public:
   virtual ~RelaxedSprings() = default;
 
   /// Relaxes the springs under imposed strains and loads.
-  /// @return report of the relaxation; the springs are left in the best state found, whether or not it has converged
+  /// @return report of the relaxation; the springs are left in the best state found, even if the relaxation has not
+  /// converged
   [[nodiscard]] virtual SpringRelaxationReport relax(const StrainControl<Dim>& control) = 0;
   /// Returns the volume times the stress per unit of each strain, in the order of StrainSet::full, after relaxation of
   /// the nodes. No spring opens or closes during this relaxation.

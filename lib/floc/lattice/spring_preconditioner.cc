@@ -13,8 +13,8 @@
 namespace floc {
 namespace {
 
-/// Shift that is added to the diagonal of the stiffness matrix, divided by the largest stiffness. It is far below the
-/// stiffness of any motion that resists a load, and far above rounding errors.
+/// Shift that is added to the diagonal of the stiffness matrix, divided by the largest stiffness. The shift is far
+/// below the stiffness of any motion that resists a load, and far above rounding errors.
 constexpr double kShift = 1e-9;
 
 template <int Dim, int Size>

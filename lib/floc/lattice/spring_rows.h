@@ -15,9 +15,9 @@ template <int Dim, int Size>
 struct SpringRows {
   using OnNode = Eigen::Matrix<double, Size, 1>;
   using OnStrain = Eigen::Matrix<double, kSymmetric<Dim>, 1>;
-  /// Spring: coefficients of its elongation as a linear function of the unknowns of its two nodes. The first spring of
-  /// an element lies along the element. The coefficients of this spring give its overlap instead of its elongation; the
-  /// overlap is positive in compression.
+  /// Spring, described by the coefficients of its elongation, which is a linear function of the unknowns of its two
+  /// nodes. The first spring of an element lies along the element. The coefficients of this spring give its overlap
+  /// instead of its elongation; the overlap is positive in compression.
   struct Row {
     int i, j;  // indices of the two nodes in SpringRows::node
     // coefficients for node i and node j, zero for fixed displacements; if i = j, `on_i` contains both

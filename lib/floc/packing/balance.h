@@ -41,13 +41,13 @@ Mat<Dim> static_stress(const Packing<Dim>& packing);
 template <int Dim>
 Mat<Dim> boundary_stress(const Packing<Dim>& packing);
 
-/// Returns twice the kinetic energy of grain i (energy). It is computed from the spin and from the peculiar velocity,
-/// which excludes the affine motion of the cell.
+/// Returns twice the kinetic energy of grain i (energy). The energy is computed from the spin and from the peculiar
+/// velocity, which excludes the affine motion of the cell.
 template <int Dim>
 double twice_kinetic_energy(const Grains<Dim>& grains, int i);
 
-/// Returns the mean kinetic energy of a grain (energy). It is computed from the spins and from the peculiar velocities,
-/// which exclude the affine motion of the cell.
+/// Returns the mean kinetic energy of a grain (energy). The energy is computed from the spins and from the peculiar
+/// velocities, which exclude the affine motion of the cell.
 template <int Dim>
 double mean_kinetic_energy(const Packing<Dim>& packing);
 

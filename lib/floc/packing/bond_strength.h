@@ -10,7 +10,7 @@
 namespace floc {
 
 /// Strengths of a contact: the largest tension and tangential force (force), and the largest rolling and twisting
-/// moment (force * length), that the contact resists without breaking; 0: not given.
+/// moment (force * length), that the contact resists without breaking. A strength that is not given is 0.
 using Strengths = std::array<double, 4>;
 
 /// Names of the strengths in files and tables.

@@ -34,9 +34,9 @@ Pair swapped(Pair pair) {
   return pair;
 }
 
-/// Returns whether a pair of grains has its canonical form. Lists store only this one of the two forms (i, j) and (j,
-/// i). In the canonical form i < j or, for a grain and an image of itself, the first non-zero component of the image is
-/// positive.
+/// Returns whether a pair of grains has its canonical form: i < j or, for a grain and an image of itself, a positive
+/// first non-zero component of the image. Of the two forms (i, j) and (j, i) of a pair, lists store only the canonical
+/// form.
 template <class Pair>
 bool is_canonical(const Pair& pair) {
   if (pair.i != pair.j) return pair.i < pair.j;

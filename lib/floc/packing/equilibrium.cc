@@ -19,8 +19,8 @@ double ratio(double value, double scale) {
 
 /// Returns the residual of the stress (dimensionless). Without walls it is the largest deviation of a diagonal
 /// component from the imposed stress, in units of F1/a^(Dim-1), where F1 is the force scale and a the largest diameter.
-/// With walls it is wall_imbalance() divided by the imposed pressure, because F1 is much larger than the force due to
-/// the pressure if the adhesion is strong.
+/// With walls it is wall_imbalance() divided by the imposed pressure, because with strong adhesion F1 is much larger
+/// than the forces that the pressure causes.
 template <int Dim>
 double stress_residual(const Packing<Dim>& packing, const Vec<Dim>& target_stress, const Mat<Dim>& stress,
                        const ForceScale& scale) {

@@ -6,10 +6,11 @@
 
 namespace floc {
 
-/// Tolerances of an equilibrium: a packing is in equilibrium if its residuals are below them. They are given in units
-/// of the force scale F1 = max(F0, P a^(Dim-1)) and the largest diameter a, where F0 is the pull-off force and P the
-/// pressure (docs/physics.md, "Equilibrium"; default values of [GRC2008]). If diameters differ by more than a factor of
-/// four, the force, moment and energy of each grain are expressed in units of the scale of this grain (GrainScales).
+/// Tolerances of an equilibrium: a packing is in equilibrium if its residuals are below them. The tolerances are given
+/// in units of the force scale F1 = max(F0, P a^(Dim-1)) and the largest diameter a, where F0 is the pull-off force and
+/// P the pressure (docs/physics.md, "Equilibrium"; default values of [GRC2008]). If diameters differ by more than a
+/// factor of four, the force, moment and energy of each grain are expressed in units of the scale of this grain
+/// (GrainScales).
 struct EquilibriumTolerance {
   double force = 1e-5;   ///< largest net force on a grain, in units of the force scale F1
   double moment = 1e-5;  ///< largest net moment on a grain, in units of F1 a (force scale times diameter)
@@ -22,8 +23,8 @@ struct EquilibriumTolerance {
 };
 
 /// Residuals of a packing, in the units of EquilibriumTolerance: largest net force and largest net moment on a grain,
-/// deviation from the imposed stress, and kinetic energy per grain. In exact equilibrium they are zero. The last two
-/// members are the indices of the grains with the largest net force and the largest net moment.
+/// deviation from the imposed stress, and kinetic energy per grain. In exact equilibrium, these residuals are zero. The
+/// last two members are the indices of the grains with the largest net force and the largest net moment.
 struct Residuals {
   double force = 0.0;
   double moment = 0.0;

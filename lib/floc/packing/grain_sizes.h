@@ -55,7 +55,7 @@ double total_volume(const Grains<Dim>& grains) {
 
 /// The grains of a packing count as similar in size if the largest diameter is at most this number times the smallest
 /// diameter. In this case the search for neighbours and the force scale use the largest diameter for all grains;
-/// otherwise they use the diameter of each grain.
+/// otherwise the search and the force scale use the diameter of each grain.
 inline constexpr double kSimilarSizes = 4.0;
 
 inline bool similar_sizes(const std::vector<double>& radius) {

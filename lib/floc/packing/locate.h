@@ -30,8 +30,8 @@ ContactGeometry<Dim> locate_balls(const DoubleDoubleVec<Dim>& branch, double rad
 template <int Dim>
 ContactGeometry<Dim> locate(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
-/// Returns the contact points of the two bodies of a contact, of which at least one has corners: two shapes, or a shape
-/// and a wall. Only the members i and j of `contact` are used.
+/// Returns the contact points of the two bodies of a contact. The bodies are two shapes, or a shape and a wall, and at
+/// least one of them has corners. Only the members i and j of `contact` are used.
 /// @param branch  branch vector of the contact (length)
 /// @param reach  largest gap of a contact point (length)
 /// @param last  features (such as vertices or faces) with which the search begins, as in contact_manifold()

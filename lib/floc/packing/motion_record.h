@@ -2,9 +2,9 @@
 
 namespace floc {
 
-/// Time step of contact dynamics, at whose beginning a packing in motion was recorded. The contacts of the packing
-/// carry the forces of this step. With these forces, the velocities at the end of the step satisfy Signorini's and
-/// Coulomb's conditions.
+/// Record of a packing in motion: the time step of contact dynamics that begins at the recorded packing. The contacts
+/// of the packing have the forces of this step. With these forces, the velocities at the end of the step satisfy
+/// Signorini's and Coulomb's conditions.
 struct MotionRecord {
   double time_step = 0.0;  ///< length of the step (time)
   double cell_mass = 0.0;  ///< inertia of the sides of the cell divided by the mass of all grains

@@ -12,7 +12,7 @@ namespace floc {
 namespace {
 
 /// There is no warning as long as the solid fraction is at most this factor times the largest solid fraction of hard
-/// grains. It allows for crystals that are compressed by some tenths of a percent.
+/// grains. The factor allows for crystals that are compressed by some tenths of a percent.
 constexpr double kCompressedCrystal = 1.01;
 /// Two radii count as equal if their relative difference is below this number, which allows for rounding.
 constexpr double kEqual = 1e-9;

@@ -26,8 +26,8 @@ struct Overlaps {
 template <int Dim>
 Overlaps measure_overlaps(const Packing<Dim>& packing);
 
-/// Returns the largest possible solid fraction of equal hard grains. It is the solid fraction of the triangular lattice
-/// of disks (2D) or of the face-centred cubic lattice of spheres (3D).
+/// Returns the largest possible solid fraction of equal hard grains: that of the triangular lattice of disks (2D) or of
+/// the face-centred cubic lattice of spheres (3D).
 constexpr double densest_of_equal(int dim) {
   return dim == 2 ? 0.906899682117109 : 0.740480489693061;
 }

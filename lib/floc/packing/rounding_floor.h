@@ -7,9 +7,9 @@ namespace floc {
 /// Imbalance of a packing that results from the rounding of the stored numbers. A stored state cannot have a smaller
 /// imbalance, however accurately it was computed.
 struct RoundingFloor {
-  /// Net force on a grain, in units of the force scale F1 of the packing. It is the sum of two errors: half a unit in
-  /// the last place of the coordinates of the grain, times the stiffness of its contacts, and half a unit in the last
-  /// place of the largest contact force.
+  /// Net force on a grain, in units of the force scale F1 of the packing. This force is the sum of two errors: half a
+  /// unit in the last place of the coordinates of the grain, times the stiffness of its contacts, and half a unit in
+  /// the last place of the largest contact force.
   double force = 0.0;
   /// Error of the stress that is caused by rounding the sides of the cell, in units of F1/a^(Dim-1) with the force
   /// scale F1 and the largest diameter a.

@@ -14,8 +14,8 @@
 
 namespace floc {
 
-/// Reference for the steps of a stage that loads the axes differently (such as an oedometric test): the sides and
-/// stresses of the packing at the start of the stage.
+/// Reference for the steps of a stage that treats the axes differently from each other (such as an oedometric test):
+/// the sides and stresses of the packing at the start of the stage.
 struct StageReference {
   /// Kind of the stage, "oedometric", "triaxial", ...; empty if the state belongs to no such stage.
   std::string control;
@@ -41,8 +41,8 @@ struct PathPosition {
   StepCounts counts = {};
 };
 
-/// Origin of a state: the program, the seed and the state file from which the run continued. It contains no date or
-/// time, so that repetitions of a run give identical files.
+/// Origin of a state: the program, the seed and the state file from which the run continued. Neither date nor time is
+/// stored, so that repetitions of a run give identical files.
 struct Provenance {
   /// program that made the state: "floc 0.1.0", or the program from which a packing was converted
   std::string program;
@@ -74,8 +74,8 @@ struct State {
   Residuals residuals;                 ///< residuals reached when the state was saved
   int n_negative = -1;  ///< number of negative eigenvalues of the stiffness matrix; -1: not determined
   /// Number of liquid bridges that would form or break if the liquid were distributed once more; -1 if not determined,
-  /// or without liquid. It is above 0 if the set of pairs with bridges was still changing after the largest number of
-  /// distributions; in this case, the bridges kept the volumes of the last distribution.
+  /// or without liquid. The number is above 0 if the set of pairs with bridges was still changing after the largest
+  /// number of distributions; in this case, the bridges kept the volumes of the last distribution.
   int n_bridges_unsettled = -1;
   /// Forces on the walls, in the order of the walls, as recorded in the file from which the state was read. These
   /// values are not written when the state is saved; the file then contains the forces of the contacts on the walls.

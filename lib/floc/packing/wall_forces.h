@@ -48,9 +48,9 @@ template <int Dim>
 Mat<Dim> load_stress(const Packing<Dim>& packing);
 
 /// Returns, for each axis a, a part of the pressure on the two walls normal to a: the part that friction on the other
-/// walls balances (force/length^(Dim-1)). It is the sum of t_a x_a over the contacts with walls, divided by the volume
-/// of the cell, where t is the friction force on a grain at x. At rest the static stress is the pressure minus this
-/// part (docs/physics.md, "Boxes with walls").
+/// walls balances (force/length^(Dim-1)). This part is the sum of t_a x_a over the contacts with walls, divided by the
+/// volume of the cell, where t is the friction force on a grain at x. At rest the static stress is the pressure minus
+/// this part (docs/physics.md, "Boxes with walls").
 template <int Dim>
 Vec<Dim> stress_borne_by_friction(const Packing<Dim>& packing);
 

@@ -15,19 +15,20 @@
 namespace floc {
 namespace {
 
-/// Number of larger samples, and number of smaller samples. The scatter is measured on the larger samples.
+/// Samples of two sizes are run: kSamples larger ones, on which the scatter is measured, and kSmallSamples smaller
+/// ones.
 constexpr int kSamples = 6, kSmallSamples = 3;
 /// Number of grains of a larger sample: of disks, and of spheres. If the scene has fewer grains, a larger sample has as
 /// many grains as the scene.
 constexpr int kDisks = 200, kSpheres = 150;
-/// Limits of the exponent of the processor time. They are needed because a few small samples determine the exponent
-/// only roughly.
+/// Limits of the exponent of the processor time. The limits are needed because a few small samples determine the
+/// exponent only roughly.
 constexpr double kLeastExponent = 1.1, kLargestExponent = 1.5;
-/// Limits of the exponent that one sample with many more grains determines.
+/// Limits of the exponent if one sample with many more grains determines it.
 constexpr double kLeastFarExponent = 0.8, kLargestFarExponent = 2.0;
-/// The processor time of this sample is expected to be this share of the time that the pilot has left.
+/// Expected processor time of the sample with many more grains, divided by the time that the pilot has left.
 constexpr double kShareOfManyGrains = 0.5;
-/// Limits of its number of grains, divided by the number of grains of the other samples.
+/// Limits of the number of grains of this sample, divided by the number of grains of a larger sample.
 constexpr double kLeastGrowth = 2.0, kLargestGrowth = 20.0;
 
 std::vector<SamplePath> samples(const Scene& scene, int n_grains, int n_samples, const Deadline& deadline,
@@ -57,9 +58,9 @@ double exponent_between(double seconds, double more_seconds, double ratio_of_gra
   return std::log(more_seconds / seconds) / std::log(ratio_of_grains);
 }
 
-/// Runs one sample with as many grains as the rest of the time allows, and replaces the exponent of the processor time:
-/// many equilibria are found more slowly in large packings, which small samples do not show. Nothing changes if the
-/// time suffices for a few grains only, or if the sample does not end.
+/// Runs one sample with as many grains as the remaining time allows, and replaces the exponent of the processor time by
+/// the exponent that this sample gives. Small samples do not show that many equilibria are found more slowly in large
+/// packings. Nothing changes if the time does not suffice for many grains, or if the run stops early.
 void measure_many_grains(const Scene& scene, const Deadline& deadline, PilotResult& result) {
   const double seconds = kShareOfManyGrains * deadline.left();
   if (!(seconds > result.core_seconds)) return;

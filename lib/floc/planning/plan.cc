@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Largest ratio of costs to the budget that is accepted, because costs have rounding errors.
+/// Costs may exceed the budget by this factor, because they have rounding errors.
 constexpr double kRounding = 1.0 + 1e-12;
 
 /// Ratio of successive numbers of grains in the list from which a plan is chosen.
@@ -207,7 +207,8 @@ class PlanSearch {
     return least;
   }
 
-  /// Returns the largest ratio of the error of an observable to its requested error.
+  /// Divides the error of each observable by the requested error of this observable, and returns the largest of the
+  /// ratios.
   double worst_over_wanted(const PricedSettings& settings, int n_grains, int n_samples) const {
     double worst = 0.0;
     for (const auto& [k, wanted] : wanted_)
@@ -223,7 +224,7 @@ class PlanSearch {
       for (const int n_grains : sizes_)
         nearest = std::min(nearest, worst_over_wanted(settings, n_grains, kMostSamples));
     throw InputError(
-        "--want", "no settings keep all of these errors at once; the nearest errors that can be reached are " +
+        "--want", "no settings reach all of these errors at once; the nearest errors that can be reached are " +
                       scaled_wants(1.005 * nearest));
   }
 

@@ -10,7 +10,7 @@
 
 namespace floc {
 
-/// Request of a user for a scene: the largest relative errors of the results, or the time that may be spent.
+/// Request of a user for a scene: the largest accepted relative errors of the results, or the time that may be spent.
 struct PlanRequest {
   std::optional<double> budget;  ///< wall time (s) on `cores` cores; if absent, the time is not limited
   int cores = 1;
@@ -39,8 +39,9 @@ struct PlanChoice {
   std::vector<Plan> plans;
 };
 
-/// Smallest and largest number of samples of a plan. With fewer than four samples, the scatter between samples is not
-/// known well enough. A plan has fewer than four only if four samples of the smallest size exceed the budget.
+/// Smallest and largest number of samples of a plan. A plan has fewer samples than the smallest number only if four
+/// samples of the smallest size exceed the budget: the scatter between fewer than four samples is not known well
+/// enough.
 inline constexpr int kLeastSamples = 4, kMostSamples = 10'000;
 
 /// Returns the plan with the given numbers and settings, with its cost and its errors.
@@ -48,23 +49,24 @@ inline constexpr int kLeastSamples = 4, kMostSamples = 10'000;
 Plan plan_of(const PriceModel& model, const std::vector<ObservablePrice>& observables,
              const PricedSettings& settings, int n_grains, int n_samples, int cores);
 
-/// Returns the numbers of grains among which choose_plans() chooses, in ascending order. They range from the smallest
-/// to the largest number of grains of the model; each is about a tenth larger than the number before it.
+/// Returns the numbers of grains among which choose_plans() chooses, in ascending order. The numbers range from the
+/// smallest to the largest number of grains of the model; each number is about a tenth larger than the one before.
 std::vector<int> numbers_of_grains(const PriceModel& model);
 
 /// Chooses the number of grains, the number of samples and the settings.
 /// 1. If errors are requested, no error of a plan may exceed its requested value, and the plan with the smallest
 /// processor time is the best.
-/// 2. Otherwise a plan must fit into the budget, and the plan with the smallest mean of the logarithms of the errors of
-/// the observables is the best. The mean of the logarithms does not depend on the scales of the observables.
+/// 2. Otherwise a plan must fit into the budget. Plans are compared by the logarithms of the errors, averaged over the
+/// observables, and the plan with the smallest mean is the best. The order of the plans does not depend on the scales
+/// of the observables.
 /// @param n_plans  largest number of plans
 /// @throws InputError if the model lacks an observable, if a requested error is smaller than any plan can reach, if the
 /// requested errors do not fit into the budget, or if the budget is below the cost of one sample; the message names the
 /// nearest values that are possible
 PlanChoice choose_plans(const PriceModel& model, const PlanRequest& request, int n_plans);
 
-/// Returns the requested errors in texts such as "phi=0.003,B=0.03". A name in a text is an observable, or a key of
-/// [accuracy], which means several observables.
+/// Returns the requested errors in texts such as "phi=0.003,B=0.03". A name in a text is the name of an observable, or
+/// a key of the table [accuracy] that covers several observables.
 /// @param names  names of all observables of the scene
 /// @throws InputError if a text does not have this form, a name is unknown, or an error is not positive
 std::vector<std::pair<std::string, double>> wants_of(const std::vector<std::string>& texts,

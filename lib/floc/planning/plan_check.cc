@@ -92,9 +92,9 @@ class SampleFits {
     }
   }
 
-  /// Stores the fitted value and the half width of its 95 % interval, which is computed by the jackknife. The standard
-  /// error of the fit to all n samples is n - 1 times the standard error of a mean: the mean of the n fits that leave
-  /// out one sample.
+  /// Stores in `check` the fitted value and the half width of its 95 % interval, which is computed by the jackknife.
+  /// The standard error of the fit to all n samples is n - 1 times the standard error of the mean of n fits, each of
+  /// which leaves out one sample.
   void check(PlanCheck& check) const {
     check.mean = value_of(whole_, check.quantity);
     if (!check.mean) return;
@@ -146,8 +146,8 @@ std::vector<PlanCheck> check_plan(const Campaign& campaign, const std::vector<Ca
     }
     checks.push_back(check);
   }
-  // The promised cost is reduced to the samples that have succeeded, because `seconds` does not include the processor
-  // time of the other samples.
+  // The promised cost is multiplied by the fraction of samples that have succeeded, because `seconds` does not include
+  // the processor time of the other samples.
   const double share = static_cast<double>(n_done) / outcomes.n_rows();
   checks.push_back({"cost",
                     "s",

@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// Comparison of the value of one quantity that a plan promised with the value that the runs achieved.
+/// For one quantity, the value that a plan promised and the value that the runs achieved.
 struct PlanCheck {
   std::string quantity;  ///< name of an observable, or "cost"
   std::string unit;      ///< "1" for relative errors, "s" for the processor time

@@ -16,7 +16,7 @@ namespace {
 
 /// Number of plans that floc plan lists.
 constexpr int kPlans = 3;
-/// Largest processor time of a pilot: share of the budget, and time (s) if no budget is given.
+/// Largest processor time of a pilot: as a share of the budget or, if no budget is given, as a time (s).
 constexpr double kShareOfPilot = 0.2, kPilotSeconds = 600.0;
 /// Largest ratio of the number of grains of a plan to the number of grains in the table. If the ratio is larger, a
 /// remark says that prices are extrapolated.

@@ -26,13 +26,14 @@ constexpr double kCostExponent = 1.25;
 /// the number of rearrangements depends on the range of the load, not on the number of equilibria. The value was
 /// measured on 200 cohesive disks: a load path took 1.6 s with 16 states, and 2.3 s with 40 states.
 constexpr double kShareOfSteps = 0.3;
-/// kShareOfSoft: share of the processor time of a run in which springs may be soft, used if a table has no rows of
-/// softening. kShareOfAssembly: share of the assembly up to the first pressure. Measured on 1400 cohesive disks, 0.57
-/// of the time steps were made up to the first pressure. Springs softer by a factor of 5 reduced the time to 0.6 of the
-/// time with full stiffness, and springs softer by a factor of 10 reduced it to 0.57.
+/// kShareOfSoft: share of the processor time of a run during which springs may be soft. This value is used if a table
+/// has no rows of softening. kShareOfAssembly: share of the processor time before the first pressure of the load path
+/// is reached. Both were measured on 1400 cohesive disks: 0.57 of the time steps were made before the first pressure
+/// was reached. Springs softer by a factor of 5 reduced the time to 0.6 of the time with full stiffness, and springs
+/// softer by a factor of 10 reduced it to 0.57.
 constexpr double kShareOfSoft = 0.7, kShareOfAssembly = 0.57;
-/// Largest ratio of a number of grains to the measured number of grains at which prices are extrapolated: from a table
-/// of prices, and from a pilot.
+/// Prices are extrapolated to at most this number times the measured number of grains: kExtrapolation if there is a
+/// table of prices, kExtrapolationOfPilot if there is only a pilot.
 constexpr int kExtrapolation = 50, kExtrapolationOfPilot = 10;
 /// Memory (MB) of the program itself, and memory (MB) per grain in two and in three dimensions. The values apply to
 /// runs that finish equilibria by Newton steps.
@@ -158,8 +159,8 @@ void PriceModel::take_table() {
                                 [](const PriceRow& r) { return r.parameter == "scene"; });
   if (row == table_->rows.end() || row->n_grains <= 0 || !(row->core_seconds > 0.0))
     throw InputError(table_->place,
-                     "this table has no row with the value scene in the column knob, or no n_grains or "
-                     "core_seconds in this row: "
+                     "this table has no row with \"scene\" in the column knob, or this row lacks n_grains or "
+                     "core_seconds: "
                      "expected a table that floc tradeoff --format csv of this version of floc has written");
   n_grains_ = least_grains_ = row->n_grains;
   for (const PriceRow& other : table_->rows)

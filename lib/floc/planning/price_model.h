@@ -39,15 +39,15 @@ struct PilotResult {
   int n_grains = 0;      ///< number of grains of a sample
   int n_samples = 0;     ///< number of samples with this number of grains
   double core_seconds;   ///< processor time of a sample (s)
-  double cost_exponent;  ///< exponent p of the processor time, which is proportional to N^p
+  double cost_exponent;  ///< exponent p: the processor time is proportional to N^p for N grains
   std::vector<ObservablePrice> observables;
   int largest_grains = 0;  ///< number of grains of the largest sample that determines the exponent
 };
 
 /// Model of the cost and the errors of runs of a scene, as functions of the number of grains, the number of samples and
-/// the settings. It extrapolates from a table of prices, from a pilot, or from both. If both are given, the pilot gives
-/// the processor time, the table gives its dependence on the settings, whichever of the two has the larger samples gives
-/// its dependence on the number of grains, and the scatters of the two are pooled.
+/// the settings. It extrapolates from a table of prices, from a pilot, or from both. If both are given, the processor
+/// time is taken from the pilot, and its dependence on the settings from the table. The dependence of the processor
+/// time on the number of grains is taken from the source with the larger samples. The scatters of the two are pooled.
 ///
 /// 1. The processor time of a sample of N grains is proportional to N^p (1 - b + b n/n0) for a run with n equilibria,
 /// where n0 is the number of equilibria in the table and b the fraction of the time that is proportional to this
@@ -63,7 +63,7 @@ class PriceModel {
   /// be given.
   PriceModel(const Scene& scene, std::optional<PriceTable> table, std::optional<PilotResult> pilot = {});
 
-  /// Numerical settings that can be written into the scene. They refer to rows of the table of this model.
+  /// Numerical settings that can be written into the scene. The settings refer to rows of the table of this model.
   const std::vector<PricedSettings>& settings() const { return settings_; }
   const std::vector<ObservablePrice>& observables() const { return observables_; }
   /// Returns the observable with this name.
@@ -83,9 +83,9 @@ class PriceModel {
   int most_grains() const { return most_grains_; }
   bool knows_settings() const { return table_.has_value(); }
 
-  /// Returns the processor time of a sample (s) of `n_grains` grains.
+  /// Returns the processor time (s) of a sample of `n_grains` grains.
   double core_seconds(const PricedSettings& settings, double n_grains) const;
-  /// Returns the largest memory of a run (MB) of `n_grains` grains.
+  /// Returns the largest memory (MB) of a run of `n_grains` grains.
   double memory_mb(double n_grains) const;
   /// Returns the error of an observable. The error is infinite if the table does not contain the error that the
   /// settings cause.
@@ -96,7 +96,7 @@ class PriceModel {
   PricedSettings settings_of_scene() const;
   /// Returns the processor time of a run with softer springs, divided by the time without softening. The ratio is
   /// interpolated between the rows of softening in the table, separately for the assembly, which takes a fixed share of
-  /// the time, and for the load.
+  /// the time, and for the load path.
   double time_with_softening(const Softening& softening) const;
 
  private:
@@ -110,7 +110,7 @@ class PriceModel {
   std::vector<ObservablePrice> observables_;
   int n_grains_ = 0, least_grains_ = 0, most_grains_ = 0;
   double cost_exponent_ = 0.0;
-  /// Processor time of this scene divided by the processor time of the scene of the table.
+  /// Processor time of this scene divided by the processor time of the scene from which the table was made.
   double cost_factor_ = 1.0;
   double size_exponent_ = 1.0;
 };

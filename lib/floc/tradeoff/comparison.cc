@@ -16,8 +16,8 @@ constexpr double kConfidence = 0.95;
 /// A step of the load path counts as elastic if the logarithm of the solid fraction changes by at most kElastic times
 /// dP/B, the change of pressure divided by the bulk modulus.
 constexpr double kElastic = 3.0;
-/// Largest change of the logarithm of the solid fraction at which the solid fraction counts as unchanged. Newton steps
-/// alone may cause such small changes.
+/// Changes of the logarithm of the solid fraction up to this value count as zero, because Newton steps alone may cause
+/// them.
 constexpr double kStill = 1e-5;
 
 /// Returns the probability that at most k of n independent errors lie below the 95 % quantile of their distribution.

@@ -12,8 +12,9 @@ namespace floc {
 /// Summary of the relative errors of an observable (such as the solid fraction) in single states.
 struct Spread {
   double error = 0.0;  ///< 95 % quantile of the relative errors: 95 % of them are at most this large
-  /// Upper 95 % confidence limit of the 95 % quantile. With at least 59 errors, one of the sorted errors is such a
-  /// limit (order statistics). With fewer errors, the member contains the largest error.
+  /// Upper 95 % confidence limit of the 95 % quantile. With at least 59 errors, the limit is one of the sorted errors
+  /// (order statistics). With fewer errors, none of the sorted errors is a limit, and the member contains the largest
+  /// error.
   double high = 0.0;
   int n = 0;  ///< number of relative errors; 0 if no states were compared
 };
@@ -22,9 +23,9 @@ struct Spread {
 /// @param errors  relative errors >= 0; values that are not finite are left out
 Spread spread_of(std::vector<double> errors);
 
-/// Mean over samples of a relative difference, with its standard error. The difference of a sample is that between two
-/// runs with equal seeds but other settings. For a single sample, the standard error and `error95` are NaN. Without
-/// samples, all members are zero.
+/// Relative difference, averaged over samples, with the standard error of this mean. For each sample, two runs with
+/// equal seeds but different settings are compared. For a single sample, the standard error and `error95` are NaN.
+/// Without samples, all members are zero.
 struct MeanDifference {
   double difference = 0.0;
   double standard_error = 0.0;
@@ -59,8 +60,8 @@ using PressureWindow = std::pair<double, double>;
 /// Returns, for each state of a path, whether it can be compared with the state of the reference path (the run with the
 /// strictest settings) at the same step. This is possible if no collapse has separated the two paths since the
 /// beginning of the load stage, that is, if both conditions hold:
-/// 1. On both paths the solid fraction has changed by at most 3 dP/B per step (pressure step dP, bulk modulus B), which
-/// elasticity can explain.
+/// 1. On both paths the solid fraction has changed by at most 3 dP/B per step (pressure step dP, bulk modulus B).
+/// Elasticity alone can explain such a change.
 /// 2. The same pairs of grains touch in both states. A contact that opens or closes on only one path separates the
 /// paths as a collapse does.
 ///
@@ -75,9 +76,9 @@ ObservableErrors compare(const std::vector<const SamplePath*>& references,
                          const std::vector<const SamplePath*>& paths,
                          const std::optional<PressureWindow>& window);
 
-/// Returns the errors of samples that have another number of grains or other steps of the load path than the reference
-/// paths. Their states cannot be compared one by one. Instead, means over the samples are compared, and means over
-/// those states whose loads occur on both paths.
+/// Returns the errors of samples whose number of grains or steps of the load path differ from those of the reference
+/// paths. Only mean differences are computed: differences are averaged over the samples and, for observables of single
+/// states, also over those states of a sample whose loads occur on both paths.
 /// @param references  paths (equilibria) of the runs with the strictest settings, one path for each seed
 /// @param paths  samples: as many as `references`
 /// @param window  range of pressures for the fits of the consolidation law; if absent, nothing is fitted

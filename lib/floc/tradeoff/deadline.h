@@ -15,7 +15,7 @@ class Deadline {
   /// Returns the processor time until the deadline (s); negative after the deadline.
   double left() const { return end_ - processor_seconds(); }
   bool passed() const { return left() <= 0.0; }
-  /// Returns the deadline `seconds` of processor time from now, or this deadline if it is earlier.
+  /// Returns the earlier of two deadlines: `seconds` of processor time from now, and this deadline.
   Deadline within(double seconds) const { return Deadline(std::min(seconds, left())); }
 
  private:

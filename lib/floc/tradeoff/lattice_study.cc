@@ -62,7 +62,7 @@ Observation observe_lattice(const Packing<Dim>& packing, const LatticeStudyOptio
   ElementStiffness stiffness;
   stiffness.grain = options.stiffness_ratio;
   // If all elements in 3D had the same spring constant, the modulus of the lattice would be inversely proportional to
-  // its spacing.
+  // the spacing of its nodes.
   stiffness.by_facet = Dim == 3;
   const LatticeNetwork<Dim> network = lattice_network(sample, stiffness);
   if (network.n_directions < Dim)

@@ -4,7 +4,7 @@
 
 namespace floc {
 
-/// Options of a study of the lattice of cemented grains.
+/// Options of a study of cemented grains, which are modelled as a lattice.
 struct LatticeStudyOptions {
   double matrix_content = 0.1;  ///< fraction of the volume that the matrix fills
   /// stiffness of the elements in grains, divided by the stiffness of the elements in the matrix

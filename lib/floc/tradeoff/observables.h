@@ -140,8 +140,8 @@ template <int Dim>
 std::optional<ShearPoint> start_of_test(const State<Dim>& state);
 
 /// Returns the number by which a difference between two observations is divided to give a relative difference: the mean
-/// of the two absolute values. For each of the coordination numbers z_plus and z_minus, it is the mean of the two sums
-/// z_plus + z_minus, because one of the coordination numbers may be near zero.
+/// of the two absolute values. For each of the coordination numbers z_plus and z_minus, the divisor is instead the sum
+/// z_plus + z_minus, averaged over the two observations, because one of the coordination numbers may be near zero.
 /// @param k  number of the observable
 double size_of(int k, const Observation& x, const Observation& y);
 

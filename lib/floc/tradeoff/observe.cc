@@ -106,7 +106,7 @@ void measure_moduli(const State<Dim>& state, ModuliSequence<Dim>& sequence, Stat
   m.B_reuss = moduli.bounds.B_reuss;
 }
 
-/// Copies into the observation `x` the values of all observables that are computed from this source.
+/// Copies into the observation `x` the values of all observables that are computed from the data `source`.
 void take(const StateMeasures& m, ObservableSource source, Observation& x) {
   const auto& observables = declared_observables();
   for (std::size_t k = 0; k < observables.size(); ++k)

@@ -77,7 +77,7 @@ Fitted differences(Fitted values, const Fitted& from) {
 
 /// Returns differences with their standard errors, which are estimated by the jackknife. Leaving out one of n samples
 /// changes a mean by 1/(n - 1) times the deviation of this sample. The standard error is therefore n - 1 times the
-/// standard error of the mean of n values, each of which leaves out another sample.
+/// standard error of the mean of n values, each of which is computed without one of the samples.
 /// @param value  function that returns the differences without the sample of a given index or, without an index, the
 /// differences of all samples
 template <class Value>

@@ -9,7 +9,7 @@
 namespace floc {
 
 /// Returns the range of reduced pressures P* in which the full consolidation law (solid fraction against pressure) is
-/// fitted to each path. The fit to the mean of all reference paths chooses this range. Returns std::nullopt if the
+/// fitted to each path. The range is chosen by the fit to the mean of all reference paths. Returns std::nullopt if the
 /// first stage does not increase the pressure, if there are fewer than three reference paths, or if the curvature
 /// towards the maximum solid fraction Phi_max is not detectable.
 /// @param references  paths (equilibria) of the runs with the strictest settings, one path for each seed

@@ -2,8 +2,8 @@
 
 namespace floc {
 
-/// Measures the largest increase of the memory of this process since the construction of the object. Only one such
-/// object may exist at a time.
+/// Measures the largest increase of the memory of this process since the construction of the object. Only one object of
+/// this class may exist at a time.
 class PeakMemory {
  public:
   PeakMemory();

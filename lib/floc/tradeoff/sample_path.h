@@ -17,7 +17,7 @@ namespace floc {
 struct ObservedState {
   int stage = -1;       ///< index of the stage of the load path; -1 for the assembly
   std::string control;  ///< keyword for the loading of the axes in the stage; empty for the assembly
-  /// mean over the axes of the stress: the imposed stress or, on an axis with an imposed length, the resulting stress
+  /// stress, averaged over the axes; on an axis with an imposed length, the resulting stress counts
   double mean_stress = 0.0;
   /// load that is imposed on the driven axis: a stress, a logarithmic strain or a shear strain
   double driven_load = 0.0;
@@ -51,8 +51,8 @@ struct SamplePath {
 /// Makes a sample: assembles a packing from a gas, then takes it through every stage of the load path.
 /// @param moduli     method and tolerance for computing the elastic moduli
 /// @param reference  complete path with the strictest settings from the same seed, or null. If it is given, each stage
-///                   starts from the state from which the reference starts this stage. States of both can then be
-///                   compared one by one until the first collapse (sudden rearrangement of grains) in the stage.
+///                   starts from the state from which the reference starts this stage. States of the two paths can then
+///                   be compared one by one until the first collapse (sudden rearrangement of grains) in the stage.
 /// @param deadline   deadline at which the run is stopped
 SamplePath make_sample(const RunOptions& options, const ModuliOptions& moduli, const SamplePath* reference,
                        const Deadline& deadline);

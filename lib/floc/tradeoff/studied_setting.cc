@@ -125,8 +125,8 @@ void add_forces(const Scene& scene, const StudiedSetting& base, Settings& list) 
           list);
 }
 
-/// The tolerance is varied together with finish = "dynamic", which reaches equilibrium by motion alone. With Newton
-/// steps, the residual would be about 1e-8 for every tolerance.
+/// Adds settings with other tolerances. All of them have finish = "dynamic", with which equilibrium is reached by
+/// motion alone: with Newton steps, the residual would be about 1e-8 for every tolerance.
 void add_tolerance(const Scene&, const StudiedSetting& base, Settings& list) {
   for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-6, 1e-8})
     add(

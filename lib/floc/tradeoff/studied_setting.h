@@ -42,9 +42,9 @@ struct StudiedSetting {
   /// Whether the variant differs from the scene only in the method for the elastic moduli. Such a variant needs no run
   /// of its own: its moduli are computed for the states of the reference.
   bool is_moduli_level() const { return parameter == "moduli"; }
-  /// Whether the states are other packings than with the strictest settings, or belong to other steps of the load path.
-  /// Such states cannot be compared one by one, but only by their means over all states under equal loads. Softer
-  /// springs lead to other packings, too.
+  /// Whether the variant has another number of grains, other steps of the load path, or softer springs than the
+  /// reference. The states of the two then cannot be compared one by one, but only by means over all states under equal
+  /// loads.
   bool has_other_states() const { return n_grains != 0 || steps_factor != 1.0 || numerical.softening.any(); }
 };
 
@@ -59,7 +59,7 @@ struct DeclaredSetting {
 /// Returns all parameters that a study varies, the most important first.
 const std::vector<DeclaredSetting>& declared_settings();
 
-/// Whether a study may change the number of grains of a scene. It may if the packings are made from a gas and the scene
+/// Whether a study may change the number of grains of a scene: true if the packings are made from a gas and the scene
 /// does not list the diameter of each grain.
 bool has_any_number_of_grains(const Scene& scene);
 
@@ -75,8 +75,9 @@ void keep_parameters(const std::vector<std::string>& names, std::vector<StudiedS
 NumericalSettings strict_settings();
 
 /// Returns all variants of a scene that a study compares: the strictest settings first, then the scene as it is, then
-/// the values of each declared parameter. Two choices are not varied separately. Power control (stopping all grains
-/// when the kinetic energy falls) is part of the finish "dynamic". The precision of forces is always double.
+/// the values of each declared parameter. Two choices are not varied separately: power control (stopping all grains
+/// when the kinetic energy falls), which is part of the finish "dynamic", and the precision of forces, which is always
+/// double.
 std::vector<StudiedSetting> studied_settings(const Scene& scene);
 
 /// Returns the variants in a study of the lattice of cemented grains: the finest lattice with the strictest tolerance

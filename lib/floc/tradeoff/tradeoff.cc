@@ -21,12 +21,12 @@ namespace {
 /// study have at least as many grains.
 constexpr int kMinDisks = 40;
 constexpr int kMinSpheres = 100;
-/// Number of samples with every setting that must fit into the budget. If they do not fit, the number of grains is
-/// reduced. The error of a mean can only be estimated from two or more samples.
+/// The number of grains is reduced until this number of samples fits into the budget with every setting. The error of a
+/// mean can only be estimated from two or more samples.
 constexpr double kSamplesWanted = 2.0;
 /// Processor time of a run with the strictest settings, divided by that of a run with the settings of the scene. This
-/// value is assumed until the ratio has been measured. The strictest settings have shorter time steps, and wait longer
-/// before a packing counts as at rest.
+/// value is assumed until the ratio has been measured. With the strictest settings, time steps are shorter, and more
+/// time passes before a packing counts as at rest.
 constexpr double kReferenceCost = 4.0;
 /// Largest fraction of the processor time of the study that may be spent on runs. The rest is left for comparisons and
 /// fits.

@@ -29,7 +29,7 @@ struct MeasuredSetting {
   double core_seconds = 0.0;
   /// mean processor time of computing the elastic moduli of a sample (s); core_seconds includes it
   double moduli_seconds = 0.0;
-  /// ratio of the processor time to that of the runs with the strictest settings from the same seeds
+  /// processor time divided by that of the runs with the strictest settings from the same seeds
   double cost_ratio = 0.0;
   /// largest memory of a sample, without that of the program (MB); NaN if not known
   double memory = 0.0;
@@ -40,10 +40,11 @@ struct MeasuredSetting {
 struct Tradeoff {
   int n_grains = 0;  ///< number of grains of a sample with the strictest settings
   int n_states = 0;  ///< number of states (equilibria) of a sample
-  /// Mean of each observable with the strictest settings over states and samples (in the unit that unit_of() returns).
+  /// Mean of each observable over the states and samples with the strictest settings, in the unit that unit_of()
+  /// returns.
   Observation reference;
-  /// For each observable, the standard deviation between samples of its mean over the states of a sample, divided by
-  /// the mean over all samples; NaN for a single sample.
+  /// Scatter of each observable between samples. The observable is averaged over the states of each sample. The
+  /// standard deviation of these averages is divided by their mean. NaN for a single sample.
   Observation scatter;
   std::vector<MeasuredSetting> settings;
   /// Descriptions of variants, samples or grains that did not fit into the budget, and of runs that failed.
@@ -76,7 +77,7 @@ Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options);
 /// valid
 void require_study(const TradeoffOptions& options);
 
-/// Returns the largest number of samples of a study. If it is smaller than the number in `options`, adds a reason to
+/// Returns the largest number of samples of a study. If it is smaller than the number in `options`, adds the reason to
 /// `left_out`.
 int number_of_samples(const Scene& scene, const TradeoffOptions& options, std::vector<std::string>& left_out);
 

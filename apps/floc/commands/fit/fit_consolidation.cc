@@ -26,8 +26,8 @@ struct ConsolidationArguments {
 
 /// Reads the load path of a sample from a table, and prints on stderr which rows are not fitted and for what reason.
 /// @param columns  headers of the columns to read, for columns that do not have the usual names
-/// @param first    table of the first sample. It is set by the first call; the pressures of all later samples are
-/// converted to its unit
+/// @param first    table of the first sample, which the first call sets; the pressures of all later samples are
+/// converted to the unit of this table
 ConsolidationSample read_sample(const std::string& file, const ColumnNames& columns,
                                 const ConsolidationArguments& arguments, std::optional<PathTable>& first) {
   PathTable path =
@@ -244,7 +244,7 @@ Command add_fit_consolidation(CommandLine fit) {
                  "fixed at the first fitted pressure "
                  "[P0* is the pressure at which the plateau of regime I meets the line of regime II]")
       .one_of({"published"});
-  // The option --P0 excludes --window, because each of them selects the pressures that are fitted.
+  // The option --P0 excludes --window, because each of the two options selects the pressures that are fitted.
   app.add_option("--P0", arguments->fit.P0,
                  "reduced pressure P0*: fit the pressures from the one nearest to P0* to the last one [found "
                  "from the data]")

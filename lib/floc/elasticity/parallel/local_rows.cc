@@ -119,9 +119,9 @@ typename LocalRows<Dim>::Unknowns LocalRows<Dim>::motion_of(int grain, const Eig
   return scale_of(grain).cwiseProduct(u.template segment<kDofs<Dim>>(kDofs<Dim> * place_[grain]));
 }
 
-/// Calls visit(rows, stiffness, boundary) for the springs of a contact. `rows` are its ContactRows, `stiffness` the
-/// stiffnesses of its springs divided by `unit_`, and `boundary` the changes of their lengths per unit of each boundary
-/// unknown (strain or wall displacement).
+/// Calls visit(rows, stiffness, boundary) for the springs of a contact. `rows` are the ContactRows of the contact,
+/// `stiffness` contains the stiffnesses of the springs, divided by `unit_`, and `boundary` contains the changes of the
+/// lengths of the springs per unit of each boundary unknown (strain or wall displacement).
 template <int Dim>
 template <class Visit>
 void LocalRows<Dim>::for_each_spring(const NetworkContact<Dim>& c, const Visit& visit) const {

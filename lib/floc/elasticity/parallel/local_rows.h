@@ -19,7 +19,7 @@ namespace floc {
 template <int Dim>
 class LocalRows {
  public:
-  /// @param network  network without dead ends; it and the other references must outlive this object
+  /// @param network  network without dead ends; `network`, `kept` and `shares` must outlive this object
   /// @param kept     for each unknown of K, whether it is solved for, see FreeMotions
   /// @param unit     stiffness by which K is divided (force/length)
   LocalRows(const ContactNetwork<Dim>& network, const std::vector<bool>& kept, const GrainShares& shares,
@@ -56,7 +56,7 @@ class LocalRows {
     Eigen::MatrixXd rounding;
   };
   /// Sums Energies over the contacts that this process counts; each contact is counted by exactly one process.
-  /// @param u  for each boundary unknown, the response of the grains to its displacement by 1
+  /// @param u  for each boundary unknown, the response of the grains if this unknown is displaced by 1
   Energies energies(const std::vector<Eigen::VectorXd>& u) const;
 
  private:

@@ -13,21 +13,21 @@
 namespace floc {
 namespace {
 
-/// The first solution has to reduce the residual forces to the share kFirstReduction. It thereby reduces the remaining
-/// energy to about the square of this share. A later solution never has to reduce the residual forces to less than the
-/// share kLeastReduction, because rounding prevents a further reduction.
+/// The first solution has to reduce the residual forces to the share kFirstReduction of their initial size. It thereby
+/// reduces the remaining energy to about the square of this share. A later solution never has to reduce the residual
+/// forces to less than the share kLeastReduction, because rounding prevents a further reduction.
 constexpr double kFirstReduction = 1e-6;
 constexpr double kLeastReduction = 1e-8;
 /// The grains are relaxed in rounds: each round solves for the residual forces that the previous round has left. There
 /// are at most kMostRounds rounds. A new round begins only if the last round has reduced the remaining energy to less
-/// than kGain times its value before.
+/// than kGain times the energy before that round.
 constexpr int kMostRounds = 6;
 constexpr double kGain = 0.25;
 /// The smallest Ritz value times this factor is taken as a lower bound on the eigenvalues of the preconditioned
 /// stiffness matrix.
 constexpr double kShareOfRitz = 0.1;
 /// Two limits for a stiffness after relaxation of the grains, as shares of the stiffness without relaxation: kRounding
-/// is its rounding error; a stiffness up to kNothing cannot be distinguished from zero.
+/// is the rounding error of the stiffness, and a stiffness up to kNothing cannot be distinguished from zero.
 constexpr double kRounding = 1e-14;
 constexpr double kNothing = 1e-11;
 /// Largest accepted relative error of a stiffness after relaxation of the grains; if the error is larger, the solution

@@ -32,8 +32,8 @@ ContactEnergy contact_energy(const Packing<Dim>& packing, const Contact<Dim>& co
 template <int Dim>
 ContactEnergy contact_energy(const Packing<Dim>& packing);
 
-/// Returns the kinetic energy of the translations of the grains divided by the elastic energy of all contacts; infinite
-/// if grains move and no contact has elastic energy, zero if no grain moves.
+/// Returns the translational kinetic energy of all grains divided by the elastic energy of all contacts; infinite if
+/// grains move and no contact has elastic energy, zero if no grain moves.
 template <int Dim>
 double kinetic_over_elastic_energy(const Packing<Dim>& packing);
 

@@ -8,10 +8,10 @@
 namespace floc {
 
 /// Recomputes the gap, normal, static forces, stiffnesses and flags of one contact by the contact law of the packing.
-/// They follow from the positions of the grains and from the history of the contact. Bonds and rigid contacts keep
-/// their forces, which do not follow from the positions. Springs whose forces exceed their caps are shortened. A spring
-/// is set to zero if the surfaces have separated or if the law has no model for this spring. The members i, j, image,
-/// key and history of `contact` have to be set before the call; all other members are overwritten.
+/// The results follow from the positions of the grains and from the history of the contact. Bonds and rigid contacts
+/// keep their forces, which do not follow from the positions. Springs whose forces exceed their caps are shortened. A
+/// spring is set to zero if the surfaces have separated or if the law has no model for this spring. The members i, j,
+/// image, key and history of `contact` have to be set before the call; all other members are overwritten.
 template <int Dim>
 void refresh_contact(const Packing<Dim>& packing, Contact<Dim>& contact);
 

@@ -47,9 +47,9 @@ typename Law::template PairParameters<T> constant(
     return {};
 }
 
-/// Returns the axes of the rotations in `ContactRows` about which the grains of a contact roll on each other, as the
-/// columns of a matrix. In 3D the first column belongs to the normal and is zero; the other columns are the two
-/// tangents.
+/// Returns the axes about which the grains of a contact roll on each other: a matrix with one column for each rotation
+/// in `ContactRows`. In 3D the first column belongs to the rotation about the normal and is zero; the other columns are
+/// the two tangents.
 Mat<1> rolling_axes(const Mat<2>&) {
   return Mat<1>::Identity();
 }

@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Relative motion of the two surfaces in a contact since the last update of the history of the contact, in the frame
-/// of the contact normal.
+/// Relative motion of the two surfaces in a contact since the history of the contact was last updated, in the frame of
+/// the contact normal.
 template <int Dim>
 struct SurfaceMotion {
   Shear<Dim> slip = Shear<Dim>::Zero();  ///< tangential displacement of grain j relative to grain i (length)
@@ -18,8 +18,8 @@ struct SurfaceMotion {
   double twist = 0.0;  ///< in 3D, rotation of grain i relative to grain j about the normal (radians)
 };
 
-/// Replaces the normal of a contact by a new normal, and rotates the history of the contact and its motion since the
-/// last update of the history in the same way. If the old normal is zero, nothing is rotated.
+/// Replaces the normal of a contact by a new normal, and rotates the history of the contact, and the motion since the
+/// last update of this history, in the same way. If the old normal is zero, nothing is rotated.
 /// @param remembered  quantities in the history of the contact, from history_quantities()
 /// @param normal  the new normal (unit vector)
 /// @param twist  mean rotation of the two grains about the normal (radians; ignored in 2D)

@@ -30,8 +30,8 @@ typename Law::template PairParameters<> pair_parameters(
   if (c.j >= grains.size()) return {};
   return law.template pair_parameters<Dim>(grains.radius[c.i], grains.radius[c.j], history);
 }
-/// Returns the parameters that are in effect at the present history of a contact. They are those of pair_parameters(),
-/// but with zero strength if the liquid bridge has broken.
+/// Returns the parameters that are in effect at the present history of a contact. The result equals that of
+/// pair_parameters(), but with zero strength if the liquid bridge has broken.
 template <class Law, int Dim>
 typename Law::template PairParameters<> acting_parameters(const Law& law, const Grains<Dim>& grains,
                                                           const Contact<Dim>& c) {

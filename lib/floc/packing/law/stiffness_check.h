@@ -13,8 +13,8 @@ using Stiffnesses = std::array<double, 4>;
 inline constexpr std::array<const char*, 4> kStiffnessNames = {"kn", "kt", "kr", "ktw"};
 
 /// Relative tolerance for the comparison between stiffnesses from another program and stiffnesses of the contact law.
-/// It allows for rounding in files: they contain at least six digits of a stiffness, and of the force from which the
-/// law computes the stiffness.
+/// The tolerance allows for rounding in files, which contain at least six digits of a stiffness, and of the force from
+/// which the law computes the stiffness.
 inline constexpr double kForeignStiffness = 1e-5;
 
 template <int Dim>

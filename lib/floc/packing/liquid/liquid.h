@@ -28,10 +28,11 @@ struct LiquidShares {
   double radius_sum = 0.0;     ///< sum of the mean radii R' of all pairs with a bridge (length)
 };
 
-/// Distributes a volume V_l of liquid over pairs of grains. A pair has a bridge if it touches or if its gap h is at
-/// most the reach (1 + th/2) V_b^(1/3) of its bridge, where V_b is the volume of the bridge and th the contact angle.
-/// V_b is proportional to the mean radius R' of the pair: V_b = V_l R'/sum R', with the sum over all pairs that have a
-/// bridge. These two conditions determine the pairs with a bridge. The pairs are sorted by
+/// Distributes a volume V_l of liquid over pairs of grains. A pair has a bridge if its surfaces touch or if its gap h
+/// is at most the reach (1 + th/2) V_b^(1/3) of its bridge, where V_b is the volume of the bridge and th the contact
+/// angle. V_b is proportional to the mean radius R' of the pair: V_b = V_l R'/sum R', with the sum over all pairs that
+/// have a bridge. The condition for a bridge and the formula for V_b together determine which pairs have bridges. The
+/// pairs are sorted by
 ///
 ///   q = R' (1 + th/2)^3/h^3 (infinite if the surfaces touch), the largest first.
 ///
@@ -103,7 +104,7 @@ bool holds_liquid(const Packing<Dim>& packing) {
 }
 
 /// Returns the volume of the liquid at a contact (length^3), with the sign that it has in the history: negative if the
-/// liquid bridge has broken. It is 0 if the contact law has no liquid.
+/// liquid bridge has broken. The result is 0 if the contact law has no liquid.
 template <int Dim>
 double bridge_volume(const Packing<Dim>& packing, const Contact<Dim>& contact);
 /// Sets the volume of the liquid at a contact (length^3).
@@ -124,8 +125,8 @@ bool interacts(const Packing<Dim>& packing, const Contact<Dim>& contact) {
 template <int Dim>
 double range_of(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
-/// Returns the largest gap (length) at which any contact of a packing acts. It is the largest of three lengths: the
-/// reach of the contact law, the reach of each liquid bridge, and the gap of each contact that has liquid.
+/// Returns the largest gap (length) at which any contact of a packing acts: the largest of the reach of the contact
+/// law, the reach of each liquid bridge, and the gap of each contact that has liquid.
 template <int Dim>
 double interaction_range(const Packing<Dim>& packing);
 

@@ -109,7 +109,7 @@ set title '{4}' noenhanced
 set key off
 {1}
 set title '{3}' noenhanced
-set key bottom right samplen 1.5 font ',14' noenhanced
+set key bottom left samplen 1.5 font ',14' noenhanced
 {2}
 unset multiplot
 )",

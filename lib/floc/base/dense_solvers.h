@@ -30,9 +30,8 @@ Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& matrix, const Eigen::Vect
 /// them.
 Eigen::VectorXd least_squares_solution(const Eigen::MatrixXd& columns, const Eigen::VectorXd& y);
 
-/// Extends the columns of a matrix to an orthonormal basis of the whole space, and returns the first `count` vectors of
-/// this basis as the columns of a matrix. The first columns.cols() vectors of the basis span the same space as
-/// `columns`.
+/// Extends the columns of a matrix to an orthonormal basis of the whole space. Returns a matrix whose columns are the
+/// first `count` vectors of this basis. The first columns.cols() vectors of the basis span the same space as `columns`.
 Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& columns, Eigen::Index count);
 
 /// Least-squares solution x = R^-1 Q^T y of the system A x = y, and the matrix R^-1. Householder reflections factorize

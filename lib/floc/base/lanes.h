@@ -8,7 +8,8 @@
 
 /// Functions that contact laws call in addition to + - * /. They work for every number type on which a law is
 /// evaluated: `double`, a dual number (a number with its derivatives, like Ceres' Jet), or a pack of several doubles
-/// (SIMD lanes). Comparing two packs gives a mask, and a function blend() selects between packs by this mask.
+/// (SIMD lanes). The comparison of two packs gives a mask, which a function blend() uses to select between two packs in
+/// each lane.
 namespace floc::lanes {
 
 /// Returns `when ? a : b`; for packs of doubles, the choice is made separately for each lane.

@@ -58,7 +58,7 @@ struct ContactStiffness {
   double twisting = 0.0;  ///< twisting stiffness K_tw (force * length), 0 when the surfaces do not touch
 };
 
-/// Empty struct in place of the parameters of a pair of grains, for contact laws that need only the geometry of the
+/// Empty struct for contact laws that need only the geometry of a pair of grains, and no further parameters of the
 /// pair.
 struct NoPairParameters {};
 
@@ -100,9 +100,9 @@ struct ContactLaw {
   static constexpr bool kNeedsReducedMass = requires { requires Normal::kNeedsReducedMass; }
   || requires { requires Adhesion::kNeedsReducedMass; };
 
-  /// Parameters of a pair of grains that follow from the radii of the grains and the history of their contact, for
-  /// example the parameters of a liquid bridge. Most laws have no such parameters. They are computed once, by
-  /// pair_parameters(), and not at every evaluation of the force.
+  /// Parameters of a pair of grains, for example of its liquid bridge. Most laws have none. The function
+  /// pair_parameters() computes them once from the radii of the grains and the history of the contact, so that they
+  /// need not be computed at every evaluation of the force.
   template <class T = double>
   using PairParameters = typename detail::PairParametersOf<Adhesion, T>::Type;
 
@@ -132,7 +132,7 @@ struct ContactLaw {
     return 0.0;
   }
   /// Returns the largest gap (length) at which surfaces that have touched before may still stick together. The result
-  /// is 0 unless surfaces can stick together across a gap under the normal law.
+  /// is nonzero only for a normal law under which surfaces can stick together across a gap.
   double holding_range([[maybe_unused]] double reduced_radius) const {
     if constexpr (requires { repulsion.holding_range(reduced_radius); })
       return repulsion.holding_range(reduced_radius);

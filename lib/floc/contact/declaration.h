@@ -68,7 +68,7 @@ struct AtLeast {
   double Model::*smaller;
 };
 
-/// Declaration of one parameter of a model of a contact law whose value is a keyword. The parameter is optional in a
+/// Declaration of a parameter whose value is a keyword, for a model of a contact law. The parameter is optional in a
 /// scene file; its first keyword is the default.
 template <class Model>
 struct Choice {
@@ -78,8 +78,8 @@ struct Choice {
   void (*set)(Model&, int);
 };
 
-/// Functions that get and set the index of the keyword that a model has chosen, for models that store the choice as an
-/// enumeration in the member `kMember`. Choice::get and Choice::set point to these two functions. They are not lambdas,
+/// Functions for a model that stores its choice of a keyword as an enumeration in the member `kMember`. They get and
+/// set the index of the chosen keyword. Choice::get and Choice::set point to these two functions. They are not lambdas,
 /// because a model declares its choices before its own definition is complete.
 template <class Model, auto kMember>
 int chosen(const Model& model) {
@@ -90,8 +90,8 @@ void choose(Model& model, int keyword) {
   model.*kMember = static_cast<std::remove_reference_t<decltype(model.*kMember)>>(keyword);
 }
 
-/// Kind of a quantity in the history of a contact. It determines how the quantity transforms when the grains i
-/// and j are exchanged or the contact turns.
+/// Kind of a quantity in the history of a contact. The kind determines how the quantity changes if the grains i and j
+/// are exchanged or if the contact turns.
 enum class HistoryKind {
   scalar,   ///< a number that does not change when grains i and j are exchanged
   tangent,  ///< a displacement of grain j relative to grain i in the tangent plane, in the frame of the contact

@@ -42,11 +42,11 @@ class Law {
   /// Whether grains attract each other.
   bool adheres() const { return pull_off_force(1.0) > 0.0; }
   /// Returns the largest gap (length) at which surfaces that have not touched before attract each other. The result is
-  /// 0 if the adhesion has zero force. It is also 0 for liquid bridges, because the reach of a bridge depends on its
-  /// volume (packing/liquid/liquid.h).
+  /// 0 if the adhesion has zero force. The result is also 0 for liquid bridges, because the reach of a bridge depends
+  /// on the volume of the bridge (packing/liquid/liquid.h).
   double range() const;
-  /// Returns the largest gap (length) at which the law acts between grains of at most this radius (length). It includes
-  /// gaps at which surfaces that have touched before still stick together.
+  /// Returns the largest gap (length) at which the law acts between grains of at most this radius (length). Gaps at
+  /// which surfaces that have touched before still stick together are included.
   double reach(double largest_radius) const;
   /// Returns the model of liquid bridges; null if the law has no model of liquid bridges, or if the bridges cannot
   /// attract (CapillaryAdhesion::acts()).

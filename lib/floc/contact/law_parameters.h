@@ -57,8 +57,8 @@ struct LawParameters {
 
   /// Returns all faults of the law, each as "key = value: requirement"; empty if the law can be used.
   std::vector<std::string> validate() const;
-  /// Returns one fault for each model that cannot be combined with the other models, no matter which values its numbers
-  /// have.
+  /// Returns one fault for each model that cannot be combined with the other models. The values of numbers do not
+  /// matter for these faults.
   std::vector<LawFault> faults_between_slots() const;
   /// Returns one fault for each number that is valid by itself but contradicts another number of its model (AtLeast).
   std::vector<LawFault> faults_between_numbers() const;

@@ -6,7 +6,7 @@
 #include "floc/contact/law_parameters.h"
 
 /// Composed contact laws. To add a model (docs/adding-a-law.md has an example):
-///   1. write it as a header in the folder of its slot: a struct that declares its numbers and its history
+///   1. write the model as a header in the folder of its slot: a struct that declares its numbers and its history
 ///      (declaration.h) and has the functions of its slot as templates on the number type (see
 ///      normal/linear_repulsion.h and tangential/coulomb_friction.h);
 ///   2. add the model to its slot in law_parameters.h; the table below then combines it with the models of the other

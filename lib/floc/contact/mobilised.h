@@ -2,7 +2,8 @@
 
 namespace floc {
 
-/// Which springs of a contact (tangential, rolling, twisting) are mobilised, that is, have a force at its cap.
+/// Which springs of a contact (tangential, rolling, twisting) are mobilised, that is, have a force or moment that has
+/// reached its cap.
 struct Mobilised {
   bool sliding = false;
   bool rolling = false;

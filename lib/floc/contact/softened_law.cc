@@ -12,9 +12,9 @@
 namespace floc {
 namespace {
 
-/// Largest overlap of two grains under their pull-off force, as a share of the range D0 of the adhesion.
+/// Largest allowed overlap of two grains under their pull-off force, divided by the range D0 of the adhesion.
 constexpr double kShareOfRange = 0.1;
-/// Largest ratio of the pressure to the modulus of the packing (Law::contact_modulus()).
+/// Largest allowed ratio of the pressure to the modulus of the packing (Law::contact_modulus()).
 constexpr double kLargestStrain = 0.01;
 /// Relative rounding error that the two limits above tolerate, so that a softening factor equal to the limit is
 /// allowed.

@@ -96,9 +96,9 @@ std::optional<Solution> solve(const CompressionPoints& points, const Compression
   return solution;
 }
 
-/// Returns the covariance of theta, zero for coordinates that were not fitted. The covariance is not computed from the
-/// weights, because the dependence of the errors of D on D is unknown. Instead, the error of each point is estimated as
-/// its residual divided by 1 - h, where h is the leverage of the point (estimator HC3 [MW1985]).
+/// Returns the covariance of theta. Its entries are zero for coordinates that were not fitted. The covariance is not
+/// computed from the weights, because the dependence of the errors of D on D is unknown. Instead, the error of each
+/// point is estimated as its residual divided by 1 - h, where h is the leverage of the point (estimator HC3 [MW1985]).
 Eigen::MatrixXd covariance_of(const Solution& solution) {
   const Eigen::MatrixXd& J = solution.jacobian;
   Eigen::MatrixXd c = unit_covariance(J);
@@ -131,8 +131,8 @@ double error_of(const Gradient& gradient, const Eigen::MatrixXd& covariance) {
   return std::sqrt(std::max(variance, 0.0));
 }
 
-/// If the data do not identify a parameter, removes its value and those ends of its interval that are too far from the
-/// value to be useful.
+/// If the data do not identify a parameter, removes the value of this parameter, and each end of its interval that is
+/// so far from the value that it is useless.
 void remove_if_unknown(FittedParameter& p) {
   constexpr double kFar = 1e3;  // largest factor between an end and the best value
   if (p.identified) return;
@@ -159,8 +159,8 @@ std::vector<FittedParameter> parameters_of(const Solution& solution, double fact
   return parameters;
 }
 
-/// Sets the parameters that were not fitted freely: a fixed parameter to its given value; for a limit at its bound, the
-/// value is removed and the bound is reported.
+/// Sets the parameters that were not fitted freely. A fixed parameter gets its given value. If a limit of the solid
+/// fraction is at its bound, its value is removed and the bound is reported.
 void mark_given(const CompressionOptions& options, const Solution& solution, CompressionFit& fit) {
   for (FittedParameter& p : fit.parameters) {
     if (p.name == "D0" && options.D0 > 0.0) p = held_at("D0", options.D0);
@@ -219,9 +219,10 @@ CompressionFit fit_model(CompressionLaw law, const CompressionPoints& all, const
         "{:.1g}): "
         "the data do not follow this law{}",
         fit.pattern.correlation, std::min(fit.pattern.smoothness_p, fit.pattern.runs_p),
-        n < all.P.size() ? fmt::format(", of which the straight part from P = {:.4g} to {:.4g} was fitted",
-                                       part.P[0], part.P[n - 1])
-                         : ""));
+        n < all.P.size()
+            ? fmt::format("; only the straight part of the curve, from P = {:.4g} to {:.4g}, was fitted",
+                          part.P[0], part.P[n - 1])
+            : ""));
   return fit;
 }
 

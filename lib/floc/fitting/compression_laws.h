@@ -29,7 +29,7 @@ struct NamedCompressionLaw {
 std::span<const NamedCompressionLaw> compression_laws();
 
 struct CompressionOptions {
-  /// Solid fraction D0 without pressure. If it is 0, D0 is fitted in the laws that contain it.
+  /// Solid fraction D0 without pressure. If 0, D0 is a fitted parameter of the laws that contain it.
   double D0 = 0.0;
   /// Largest solid fraction to which a law may tend. Infinity allows values above 1, as measured in a die under
   /// load, where the solid itself is compressed elastically.
@@ -56,14 +56,15 @@ struct CompressionFit {
   bool found() const { return failure_reason.empty(); }
 };
 
-/// Fits compression laws to the same points by least squares in D, and ranks them by their Akaike information
+/// Fits compression laws to the same points by least squares in D, and ranks the laws by their Akaike information
 /// criterion. Errors of D are taken as proportional to sqrt(D), which is between equal and relative errors. Intervals
-/// follow from Student's t; for a positive parameter, they are computed in its logarithm. Standard errors are computed
-/// from the residual of each single point [MW1985], so that they are valid for equal and for relative errors of D.
+/// follow from Student's t; the interval of a positive parameter is computed in the logarithm of the parameter.
+/// Standard errors are computed from the residual of each single point [MW1985], so that they are valid for equal and
+/// for relative errors of D.
 ///
-/// Heckel's law is fitted to the longest part of the curve in which ln[1/(1 - D)] is straight, that is, in which its
-/// quadratic term is not significant or changes the slope by less than a tenth from end to end. For the rank, however,
-/// Heckel's law is fitted to all points, like the other laws.
+/// Heckel's law is fitted to the longest part of the curve in which ln[1/(1 - D)] is straight, that is, in which a
+/// fitted quadratic term is not significant or changes the slope by less than a tenth from end to end. For the rank,
+/// however, Heckel's law is fitted to all points, like the other laws.
 /// @param P  pressures, > 0, growing   @param D  solid fractions, > 0, one per pressure
 [[nodiscard]] std::vector<CompressionFit> fit_compression(const std::vector<double>& P,
                                                           const std::vector<double>& D,

@@ -38,8 +38,8 @@ std::vector<Eigen::VectorXd> starts_of<GurnhamModel>(const CompressionPoints& po
 template <>
 std::vector<Eigen::VectorXd> starts_of<AdamsModel>(const CompressionPoints& points, double D0);
 
-/// Returns the index of the first point and the number of points of the longest part of a curve in which
-/// ln[1/(1 - D)] is a straight function of the pressure. If no part with at least four points is straight,
+/// Finds the longest part of a curve in which ln[1/(1 - D)] is a straight function of the pressure. Returns the index
+/// of the first point of this part, and the number of its points. If no part with at least four points is straight,
 /// returns the whole curve. Points with D >= 1 belong to no straight part.
 std::pair<int, int> straight_part(const CompressionPoints& points);
 

@@ -39,8 +39,9 @@ Eigen::MatrixXd deviations_of(const Eigen::MatrixXd& samples) {
   return samples.colwise() - samples.rowwise().mean();
 }
 
-/// Returns the variance of 1/Phi between samples at each pressure. Because a few samples determine it badly, it is
-/// averaged over five neighbouring pressures, and is raised to at least a tenth of the mean variance.
+/// Returns the variance of 1/Phi between samples at each pressure. A few samples determine the variance at a single
+/// pressure badly. The variance is therefore averaged over five neighbouring pressures, and is raised to at least a
+/// tenth of its mean over all pressures.
 Eigen::VectorXd smooth_variance(const Eigen::MatrixXd& samples) {
   constexpr Eigen::Index kReach = 2;
   constexpr double kMinRelativeVariance = 0.1;
@@ -55,7 +56,8 @@ Eigen::VectorXd smooth_variance(const Eigen::MatrixXd& samples) {
   return smooth.cwiseMax(kMinRelativeVariance * smooth.mean());
 }
 
-/// Returns the weight of the residual of each point of a curve, scaled so that the mean square of the weights is one.
+/// Returns a weight for each point of a curve, by which the residual of the point is multiplied. The mean square of the
+/// weights is one.
 Eigen::VectorXd weights_of(const ConsolidationCurve& curve, const Eigen::VectorXd& y, Weighting weighting) {
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(y.size());
   if (weighting == Weighting::relative) weights = y.cwiseInverse();
@@ -132,9 +134,9 @@ void describe_window(const ConsolidationCurve& curve, const Window& window, Cons
   fit.window_high = curve.P_star[window.first + window.n - 1];
 }
 
-/// Adds the uncertainty of the ends of the regimes to the covariance of theta, the coordinates of a fit. For every
-/// other probable end of a regime, the law is fitted again with this end, and the squared change of theta is added,
-/// weighted by the probability of this end.
+/// Adds the uncertainty of the ends of the regimes to the covariance of theta, the coordinates of a fit. The law is
+/// fitted again with each of the less probable ends of a regime. The squared change of theta is added, weighted by the
+/// probability of that end.
 void add_spread_over_places(const LawEstimate& e, const LawPoints& all, const Window& window,
                             const Regimes& regimes, Covariance& covariance) {
   struct Other {

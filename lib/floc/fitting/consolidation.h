@@ -64,8 +64,8 @@ struct ConsolidationCurve {
   Eigen::MatrixXd samples;
 };
 
-/// Value of lambda, the slope of the line of regime II, from a fit for which one end of the range of fitted points is
-/// moved by one point.
+/// Result of a fit for which one end of the range of fitted points is moved by one point: the value of lambda, which is
+/// the slope of the line of regime II.
 struct WindowShift {
   /// End that moves: "first row earlier", "first row later", "last row earlier" or "last row later".
   std::string change;
@@ -78,7 +78,7 @@ struct WindowShift {
 struct ErrorParts {
   std::string name;      ///< name of the parameter
   double scatter = 0.0;  ///< part due to the scatter between samples or, without it, the residuals of the fit
-  /// Part due to the uncertain ends of the regimes: scatter of the parameter if the ends of the regimes are varied.
+  /// Part due to the uncertain ends of the regimes: scatter of the parameter among fits with other ends of the regimes.
   double regimes = 0.0;
 };
 
@@ -112,8 +112,8 @@ struct ConsolidationFit {
   std::vector<ErrorParts> error_parts;  ///< parts of the standard error of each parameter that has one
   /// Names of the parameters whose 95 % interval is from the profile likelihood.
   std::vector<std::string> profiled;
-  /// Values of lambda, the slope of the line of regime II, after one end of the window has been moved by one point.
-  /// Moves beyond the ends of the curve are left out.
+  /// Dependence of lambda, the slope of regime II, on the window: the values of lambda for windows of which one end is
+  /// moved by one point. Moves beyond the ends of the curve are left out.
   std::vector<WindowShift> window_shifts;
   int n_bootstrapped = 0;  ///< number of bootstrap fits that leave at least three points to regime II
   /// Mean, standard deviation and percentiles 2.5 and 97.5 of each parameter over the bootstrap fits.
@@ -141,9 +141,9 @@ struct ConsolidationFit {
 /// Standard errors of a fit to a single curve follow from the residuals. For a mean over three samples or more they
 /// follow from the scatter of the samples: the deviation of each sample from the mean is propagated through the
 /// linearised fit, so that the correlation of errors along the curve is included. If the fit has found the regimes, the
-/// scatter of the parameters over the probable ends of the regimes is added. If samples lag behind the line of regime
-/// II at its beginning (Regimes::n_lagging), the points concerned are not fitted by this line, and the beginning of
-/// regime II is not varied.
+/// scatter of the parameters over the probable ends of the regimes is added. Samples may lag behind the line of regime
+/// II at its beginning (Regimes::n_lagging). The line is then fitted without the points with a lag, and the beginning
+/// of regime II is not varied.
 ///
 /// The 95 % intervals follow from Student's t in the logarithm of a parameter, or in 1/Phi0 for Phi0. The intervals of
 /// alpha and Phi_max follow from the profile likelihood. The bootstrap draws samples if the curve is a mean over

@@ -16,9 +16,9 @@ struct Resampled {
 };
 
 /// Repeats the fit of a consolidation law on resampled data (bootstrap). If the curve is a mean over n samples, each
-/// fit is made to the mean of n - 1 samples drawn with replacement. This number makes the variance unbiased. If it is a
-/// single curve, each fit is made to the fitted values plus drawn residuals. Each residual is enlarged according to the
-/// leverage of its point.
+/// fit is made to the mean of n - 1 samples drawn with replacement. This number makes the variance unbiased. If the
+/// curve belongs to a single sample, each fit is made to the fitted values plus drawn residuals. Each residual is
+/// enlarged according to the leverage of its point.
 /// @param samples  values of 1/Phi of each sample (columns) at the points of the plateau, then of the window (rows);
 /// empty for a single curve
 /// @param n        number of bootstrap fits, > 0

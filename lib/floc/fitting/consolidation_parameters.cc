@@ -12,7 +12,7 @@ namespace {
 using Law = ConsolidationLaw;
 
 /// Returns the correlation matrix of the first `n` parameters of a fit. If the inverse of a parameter was fitted
-/// (1/Phi_max instead of Phi_max), the sign of its correlations is reversed, because the parameter falls as its inverse
+/// (1/Phi_max instead of Phi_max), the signs of the correlations are reversed, because a parameter falls as its inverse
 /// grows.
 Eigen::MatrixXd correlation_of(const std::vector<Quantity>& quantities, Eigen::Index n,
                                const Eigen::MatrixXd& covariance) {
@@ -48,8 +48,8 @@ std::string bounds_in_words(const FittedParameter& p) {
   return "not bounded";
 }
 
-/// If the best Phi_max is at its bound, reports no value of Phi_max and the bound as the upper end of its
-/// interval.
+/// If the best Phi_max is at its bound, removes the value of Phi_max. The bound is then reported as the upper end of
+/// the interval.
 void report_limit(double phi_limit, FittedParameter& p, ConsolidationFit& fit) {
   if (!p.low95 || *p.low95 > phi_limit) p.low95 = std::nullopt;
   p.value = p.standard_error = std::nullopt;

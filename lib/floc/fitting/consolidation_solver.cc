@@ -250,8 +250,8 @@ std::optional<Eigen::VectorXd> start_of_law(ConsolidationLaw law, const LawPoint
   for (Start& start : starts) {
     Eigen::VectorXd end = start.theta;
     const double left = minimize_law(law, points, end);
-    // A solution beyond the limits of alpha and P1* does not replace the starting point, because from such a solution
-    // no minimum within the limits is reached.
+    // A solution beyond the limits of alpha and P1* does not replace the starting point, because the solver reaches no
+    // minimum within the limits from such a solution.
     if (left < start.sum_of_squares && within(limits, end)) start = {end, left};
   }
   const auto best = std::min_element(starts.begin(), starts.end(), less);

@@ -57,7 +57,7 @@ double law_value(ConsolidationLaw law, const Eigen::VectorXd& theta, double log_
 /// 1. For each point of a grid of the nonlinear parameters, linear least squares give the linear parameters. Together
 /// they are a starting point.
 /// 2. From the best few starting points, the solver descends to a minimum.
-/// 3. The best minimum is refined by Levenberg-Marquardt (Ceres), until its errors are only rounding.
+/// 3. The best minimum is refined by Levenberg-Marquardt (Ceres), until only rounding errors remain.
 ///
 /// The solution is absent if no starting point gives a solid fraction that grows with pressure.
 /// @pre There are more points than parameters.

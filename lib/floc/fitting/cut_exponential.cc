@@ -57,9 +57,9 @@ ExponentEstimate fit_exponent(const std::vector<CutSample>& windows) {
       if (w.n > 0) left += w.n * mean_of(b, w);
     return left;
   };
-  // excess(b) falls with b, and its root is the maximum of the likelihood. For windows without an upper end, the root
-  // is n/sum. If there is no root within a factor kFar of n/sum, all values lie at one end of their windows, and the
-  // likelihood has no maximum.
+  // excess(b) falls as b grows. Its root is the exponent with the largest likelihood. If no window has an upper end,
+  // the root is n/sum, with the number n of values and the sum of their distances from the lower ends. If there is no
+  // root within a factor kFar of n/sum, all values lie at one end of their windows, and the likelihood has no maximum.
   const double tail = fit.n / sum;
   constexpr double kFar = 1e6;
   double low = has_tail ? tail / kFar : -kFar * tail, high = kFar * tail;

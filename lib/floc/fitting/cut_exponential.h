@@ -25,8 +25,8 @@ struct ExponentEstimate {
 
 /// Estimates one exponent b by maximum likelihood from the values in several windows of an exponential distribution.
 /// The number n of values in each window is treated as given. The exponent b is the root of the function sum_windows n
-/// [m(b) - mean]. Here `mean` is the mean distance of the values from the lower end of their window, and m(b) = 1/b -
-/// w/(exp(b w) - 1) is its expected value in a window of width w.
+/// [m(b) - mean]. Here `mean` is the mean distance of the values from the lower end of their window. The expected value
+/// of this distance in a window of width w is m(b) = 1/b - w/(exp(b w) - 1).
 [[nodiscard]] ExponentEstimate fit_exponent(const std::vector<CutSample>& windows);
 
 }  // namespace floc

@@ -25,13 +25,12 @@ constexpr int kParameters = 7;
 constexpr std::array<const char*, kParameters> kNames = {"e_min", "De", "C", "A", "s_m", "a", "b"};
 using Parameters = Eigen::Matrix<double, kParameters, 1>;
 
-/// Residual of the void ratio e of one sample. During the fit, the reference pressure of the plateau is the geometric
-/// mean of the pressures of the samples. It is not p_D, because the law may have a pole between p_D and the pressures
-/// of the samples.
+/// Residual of the void ratio e of one sample. The parameters of the plateau refer to a pressure. During the fit, this
+/// pressure is the geometric mean of the pressures of the samples instead of p_D, because the law may have a pole
+/// between p_D and the pressures of the samples.
 struct CompactionResidual {
   static constexpr int kParameters = floc::kParameters;
-  /// logarithm of the pressure at which the plateau is evaluated; the pressure is in units of its geometric mean over
-  /// the samples
+  /// ln(p/p_m) with the pressure p at which the plateau is evaluated; p_m is the geometric mean of p over the samples
   double log_p;
   double log_x, e, weight;
   template <class T>
@@ -45,8 +44,8 @@ using Residuals = std::vector<CompactionResidual>;
 struct CompactionData {
   std::vector<int> rows;  ///< index of the sample of each residual
   Residuals residuals;
-  /// Logarithm of the reference pressure p_D in units of the geometric mean of the pressures at which the plateau is
-  /// evaluated.
+  /// ln(p_D/p_m) with the reference pressure p_D; p_m is the geometric mean, over the samples, of the pressure at which
+  /// the plateau is evaluated.
   double log_p_D = 0.0;
   double log_x_1 = 0.0;  ///< ln x at eta* = 1, with x = eta*/eta_m and eta* = sc/sqrt(p se)
 
@@ -250,8 +249,8 @@ struct CompactionEstimate {
   double error(int k) const { return std::hypot(scatter[k], spread[k]); }
 };
 
-/// Varies the distance from the law beyond which a sample is flagged as not lying on the plateau, to a smaller and to a
-/// larger value. Returns the root mean square change of each of coordinates().
+/// Fits the law with a smaller and with a larger threshold; the threshold is the distance from the law beyond which a
+/// sample is flagged as not lying on the plateau. Returns the root mean square change of each of coordinates().
 Parameters spread_over_flags(const CompactionEstimate& estimate, const CompactionData& all,
                              const RobustView& view, const std::vector<int>& flagged) {
   Parameters sum = Parameters::Zero();
@@ -311,8 +310,8 @@ void profile(const CompactionEstimate& e, int k, FittedParameter& p, CompactionF
   });
   p.low95 = p.high95 = std::nullopt;
   fit.profiled.push_back(p.name);
-  // Smallest width of the interval that is trusted, divided by its width from the covariance. Along a valley of
-  // nearly equal solutions the solver stops early, which makes the interval too narrow.
+  // An interval is accepted only if its width, divided by the width that follows from the covariance, is at least this
+  // value. Along a valley of nearly equal solutions the solver stops early, which makes the interval too narrow.
   constexpr double kFollowed = 0.1;
   const double width = 2.0 * t95 * error;
   p.identified = false;
@@ -324,8 +323,9 @@ void profile(const CompactionEstimate& e, int k, FittedParameter& p, CompactionF
                  *p.high95 < kIdentifiedFactor * *p.value;
 }
 
-/// Returns the parts of the standard error of a parameter. The parts of the error of the corresponding entry of
-/// coordinates() are all multiplied by one factor, so that their squares add up to the squared error of the parameter.
+/// Returns the parts of the standard error of a parameter. They are the parts of the error of coordinate `k` in
+/// coordinates(), multiplied by one common factor. With this factor, the squares of the parts add up to the squared
+/// error of the parameter.
 CompactionErrorParts parts_of(const CompactionEstimate& e, int k, const FittedParameter& p) {
   const double all = e.error(k);
   const double unit = all > 0.0 ? *p.standard_error / all : 0.0;

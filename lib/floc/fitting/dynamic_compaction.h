@@ -25,13 +25,13 @@ enum class PlateauPressure {
   critical,
 };
 
-/// Reference values of the law of dynamic compaction. They are chosen by the user and not fitted. If they are changed,
-/// the form of the law remains, but its parameters take other values.
+/// Reference values of the law of dynamic compaction. They are chosen by the user and not fitted. With other reference
+/// values, the form of the law is the same, but the parameters of the law have other values.
 struct CompactionReference {
-  /// Pressure at which the plateau of the void ratio is e_min + De, in the unit of p; 0.01 MPa in [SVI2024].
+  /// Pressure, in the unit of p, at which the plateau of the void ratio is e_min + De; 0.01 MPa in [SVI2024].
   double p_D = 0.01;
   /// Reference value by which eta* = sc/sqrt(p se) is divided in the law; 0.045 in [SVI2024]. The parameter s_m is the
-  /// value of (1 - e_r)/e_r at this eta*, with the relative void ratio e_r.
+  /// value of (1 - e_r)/e_r at eta* = eta_m, with the relative void ratio e_r.
   double eta_m = 0.045;
   /// Lower limit of the pressure at which the plateau is evaluated; samples with a lower pressure are not fitted. If
   /// p_0 is 0, there is no limit for PlateauPressure::own. For PlateauPressure::critical, the limit is then p_D,
@@ -61,8 +61,8 @@ T compacted_void_ratio(const T* theta, double log_p_over_p_D, double log_x) {
   return theta[0] + De / (1.0 + theta[2] * De * log_p_over_p_D) * S / (1.0 + S);
 }
 
-/// Parts of the standard error of a parameter of the law of dynamic compaction. Their squares add up to the square of
-/// the standard error.
+/// Standard error of a parameter in the law of dynamic compaction, divided into parts. The squares of the parts add up
+/// to the square of the standard error.
 struct CompactionErrorParts {
   std::string name;  ///< name of the parameter
   /// part due to the scatter between repeated runs or, if no run is repeated, due to the residuals
@@ -73,7 +73,7 @@ struct CompactionErrorParts {
   double plateau = 0.0;
 };
 
-/// Result of a fit of the law of dynamic compaction, or the reason why there is no fit.
+/// Law of dynamic compaction fitted to samples, or the reason why there is no fit.
 struct CompactionFit {
   std::string failure_reason;               ///< reason why there is no fit; empty if there is one
   std::vector<FittedParameter> parameters;  ///< parameters e_min, De, C, A, s_m, a, b of the law

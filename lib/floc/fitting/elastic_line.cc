@@ -68,8 +68,8 @@ std::pair<double, double> secants(const Eigen::VectorXd& P, const Eigen::VectorX
   return {low, high};
 }
 
-/// Returns whether all moduli between neighbouring points of a part of a branch are within 15 % of the modulus of the
-/// line fitted to this part.
+/// Compares the moduli between neighbouring points in a part of a branch with the modulus of the line fitted to this
+/// part. Returns whether all of them differ from it by at most 15 %.
 bool has_equal_secants(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const FittedPart& part) {
   constexpr double kEqual = 0.15;
   const auto [low, high] = secants(P, y, part);

@@ -27,8 +27,9 @@ struct ElasticFit {
   bool found() const { return failure_reason.empty(); }
 };
 
-/// Fits the bulk modulus B of a branch of a load path on which the solid fraction Phi changes with the pressure P by
-/// dPhi/Phi = dP/B: the straight line ln Phi = ln Phi_0 + P/B, by least squares.
+/// Fits the bulk modulus B to a branch of a load path. If the branch is elastic, the solid fraction Phi changes with
+/// the pressure P by dPhi/Phi = dP/B. The function therefore fits the straight line ln Phi = ln Phi_0 + P/B, by least
+/// squares.
 ///
 /// A branch that is curved beyond its scatter has no single modulus. B is then the modulus of the longest straight part
 /// that begins or ends at an end of the branch and has at least four pressures. A part is straight if its points lie on
@@ -36,9 +37,10 @@ struct ElasticFit {
 /// B; in this case, the interval of B is widened to contain these moduli. If no part is straight, B is not identified.
 /// The solid fraction at zero pressure is identified only if the straight part reaches the lowest pressure.
 ///
-/// If the line through the whole branch has a negative modulus, for instance because the packing collapses as the
-/// pressure begins to fall, a part is straight only if, in addition, Phi falls from every point to the next lower
-/// pressure. There is no fit if such a branch has no straight part, or if there are fewer than three points.
+/// The line through the whole branch may have a negative modulus, for instance because the packing collapses as the
+/// pressure begins to fall. A part of this branch is straight only if, in addition, Phi falls from every point to the
+/// next lower pressure. If this branch has no straight part, there is no fit. There is also no fit with fewer than
+/// three points.
 /// @param P  pressures, >= 0, growing or falling   @param phi  solid fractions, in (0, 1), one per pressure
 [[nodiscard]] ElasticFit fit_elastic(const std::vector<double>& P, const std::vector<double>& phi);
 

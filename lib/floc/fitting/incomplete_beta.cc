@@ -31,7 +31,8 @@ double incomplete_beta(double a, double b, double x) {
   assert(a > 0 && b > 0 && 0 <= x && x <= 1);
   if (x <= 0.0) return 0.0;
   if (x >= 1.0) return 1.0;
-  // Below the mean the fraction converges fast. Above the mean, I_x(a, b) = 1 - I_(1-x)(b, a) is used.
+  // The continued fraction converges fast for x below the mean. For x above the mean, I_x(a, b) = 1 - I_(1-x)(b, a) is
+  // used.
   if (x > (a + 1.0) / (a + b + 2.0)) return 1.0 - incomplete_beta(b, a, 1.0 - x);
   const double log_front =
       std::lgamma(a + b) - std::lgamma(a) - std::lgamma(b) + a * std::log(x) + b * std::log1p(-x);

@@ -45,8 +45,8 @@ ResidualVariance variance_of_line(const LawEstimate& e) {
   return shared_variance(e, {dof > 0 ? e.line.sum_of_squares / dof : 0.0, dof});
 }
 
-/// Returns (J^T J)^-1 of the law, with J the Jacobian of the weighted residuals. If 1/Phi_max is at its bound, it is
-/// treated as given.
+/// Returns (J^T J)^-1 of the law, with J the Jacobian of the weighted residuals. If 1/Phi_max is at its bound,
+/// 1/Phi_max is treated as given.
 Eigen::MatrixXd unit_covariance_of(const LawSolution& solution) {
   if (!solution.at_limit) return unit_covariance(solution.jacobian);
   Eigen::MatrixXd jacobian = solution.jacobian;
@@ -63,17 +63,18 @@ Eigen::VectorXd unit(Eigen::Index n, Eigen::Index k) {
 }
 
 /// Adds Phi0 and P0*, the solid fraction and the reduced pressure at which the line of regime II begins, with their
-/// gradients. If there is a plateau or a recompression line, the line of regime II begins where it meets that line.
-/// Otherwise the line of regime II begins at the first pressure, and only Phi0 is added.
+/// gradients. If there is a plateau or a recompression line before regime II, the line of regime II begins at the
+/// intersection of the two. Otherwise the line of regime II begins at the first pressure, and only Phi0 is added.
 ///
-/// `log_P` and `y` are ln P* and 1/Phi of a point on the line. `to_log_P` and `to_y` are their gradients with
-/// respect to the coordinates of the fit.
+/// `log_P` and `y` are ln P* and 1/Phi of a point on the line of regime II. `to_log_P` and `to_y` are their gradients
+/// with respect to the coordinates of the fit.
 void add_start_of_regime_two(const LawEstimate& e, double log_P, const Eigen::VectorXd& to_log_P, double y,
                              const Eigen::VectorXd& to_y, std::vector<Quantity>& quantities) {
   const double lambda = std::exp(e.solution.theta[0]);
   const Eigen::Index n = to_y.size();
   if (e.has_plateau()) {
-    // The lines meet where y - lambda drop = line.at(log_P + drop), at ln P0* = log_P + drop.
+    // The line of regime II meets the line before regime II at ln P0* = log_P + drop, where y - lambda drop =
+    // line.at(log_P + drop).
     const double steeper = lambda - e.line.kappa;
     const double drop = (y - e.line.at(log_P)) / steeper;
     const double log_P0 = log_P + drop;
@@ -95,8 +96,8 @@ void add_start_of_regime_two(const LawEstimate& e, double log_P, const Eigen::Ve
       {"Phi0", true, y - lambda * distance, to_y + lambda * to_log_P - lambda * distance * unit(n, 0)});
 }
 
-/// Returns ln P* of each point of the recompression line relative to the centre of the line, times the weight
-/// of the point.
+/// Returns, for each point of the recompression line, the distance in ln P* from the centre of the line, multiplied by
+/// the weight of the point.
 Eigen::VectorXd weighted_distances(const LawEstimate& e) {
   return e.plateau.weight.array() * (e.plateau.log_P.array() - e.line.centre);
 }

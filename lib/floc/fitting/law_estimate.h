@@ -39,8 +39,8 @@ struct Quantity {
   bool is_inverse;  ///< true if the parameter is 1/value, false if it is exp(value)
   double value;
   Eigen::VectorXd gradient;  ///< derivatives of `value` with respect to the coordinates of the fit
-  /// Whether the parameter of the mean curve is the mean of the parameters of the samples. This is true for the slope
-  /// of a line, for example.
+  /// Whether the parameter of the mean curve is the mean of the parameters of the samples. For the slope of a line, for
+  /// example, this is the case.
   bool is_mean = false;
 
   double parameter() const;
@@ -51,7 +51,7 @@ struct Quantity {
 /// not fitted.
 std::vector<Quantity> quantities_of(const LawEstimate& estimate);
 
-/// Covariance of the coordinates of a fit, and the number of degrees of freedom of this covariance.
+/// Covariance of the coordinates of a fit, with its number of degrees of freedom.
 struct Covariance {
   Eigen::MatrixXd matrix;
   int dof;
@@ -62,8 +62,8 @@ struct Covariance {
 /// weighted residuals.
 Covariance covariance_from_residuals(const LawEstimate& estimate);
 
-/// Returns the covariance of the coordinates of the fit to a mean of samples, computed from the changes of the
-/// coordinates that the deviation of each sample causes in the linearised fit.
+/// Returns the covariance of the coordinates if the law was fitted to a mean of samples. In the linearised fit, the
+/// deviation of each sample from the mean changes the coordinates; the covariance follows from these changes.
 /// @param deviations  deviation of 1/Phi of each sample from the mean over samples. Rows: the points of the plateau,
 /// then the other points fitted; columns: two samples or more
 Covariance covariance_from_samples(const LawEstimate& estimate, const Eigen::MatrixXd& deviations);

@@ -69,8 +69,8 @@ std::vector<int> superseded_rows(const std::vector<PathRow>& rows) {
   std::vector<int> found;
   for (std::size_t i = 0, first = 0; i < rows.size(); ++i) {
     if (is_superseded(rows, i)) continue;
-    // If a branch is entirely at the last pressure of the branch before it, none of its rows is a point of a curve, not
-    // even the last row.
+    // The last of successive rows at one pressure is a point of a curve. There is one exception: if all rows of a
+    // branch are at the last pressure of the previous branch, none of them is a point of a curve.
     for (; first < i; ++first)
       if (steps[i] != PathStep::hold) found.push_back(static_cast<int>(first));
     first = i + 1;

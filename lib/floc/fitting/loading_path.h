@@ -29,7 +29,7 @@ struct PathRow {
   double driven_over_mean = 1.0;
 };
 
-/// Kind of the step of pressure that leads to a row of a load path.
+/// Kind of the change of pressure from the previous row of a load path to a row.
 enum class PathStep {
   zero_pressure,  ///< P* = 0
   first_loading,  ///< assembly of the packing, and first loading
@@ -67,12 +67,13 @@ std::optional<PathFault> path_fault(const std::vector<PathRow>& rows);
 /// Rows of a load path as a consolidation curve.
 struct Loading {
   ConsolidationCurve curve;
-  std::vector<int> rows;  ///< index of the row of each point
+  std::vector<int> rows;  ///< for each point of the curve: index of its row
 };
 
 /// Returns the rows of the first loading. If `virgin` is true, adds the rows of later loadings at pressures above the
 /// largest earlier pressure. The first loading is found from the pressures. If there is a branch "load", the first
-/// loading consists only of rows of the branch "assembly" and of the first consecutive rows of the branch "load".
+/// loading consists only of rows of the branch "assembly" and of the rows of the branch "load" up to the first row of
+/// another branch.
 Loading first_loading(const std::vector<PathRow>& rows, bool virgin = false);
 
 /// A loading that starts again after an unloading.

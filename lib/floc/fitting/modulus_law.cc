@@ -118,8 +118,8 @@ Eigen::MatrixXd tangent_of(const FractionProblem& problem, double u) {
   return projection_on(columns);
 }
 
-/// Sum of squares of the best fit (`least`), and largest sum of squares within a 95 % interval (`allowed`), for a law
-/// of the solid fraction.
+/// Sum of squares of the best fit (`least`), and largest sum of squares within a 95 % interval (`allowed`), for a power
+/// law in the solid fraction.
 struct Profile {
   double least, allowed, t95;
 
@@ -146,8 +146,8 @@ struct Profile {
   }
 };
 
-/// Returns the parameters of the law of the solid fraction. The best fit is at the coordinate u, and `line` is the line
-/// fitted there.
+/// Returns the parameters of the power law in the solid fraction. The best fit is at the coordinate u, and `line` is
+/// the line fitted there.
 std::vector<FittedParameter> parameters_of_fractions(const FractionProblem& problem, double u,
                                                      const LinearFit& line, const Profile& profile) {
   const auto exponential = [](double c) { return std::exp(c); };

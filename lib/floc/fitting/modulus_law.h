@@ -11,7 +11,7 @@ namespace floc {
 /// Power law of an elastic modulus, or the reason why there is none.
 struct ModulusLaw {
   std::string failure_reason;  ///< reason why there is no fit; empty if there is one
-  /// in this order: exponent, phi_0 (only in a law of the solid fraction), coefficient
+  /// in this order: exponent, phi_0 (only in a power law in the solid fraction), coefficient
   std::vector<FittedParameter> parameters;
   double rms = 0.0;         ///< root mean square residual of the logarithm of the modulus
   ResidualPattern pattern;  ///< pattern in the residuals, in the order of the points
@@ -20,17 +20,17 @@ struct ModulusLaw {
   bool found() const { return failure_reason.empty(); }
 };
 
-/// Fits the power law M = coefficient P^exponent of a modulus M of a packing under the pressure P by least squares in
-/// ln M, that is, for errors in proportion to M. Intervals follow from Student's t. If the residuals are systematic,
+/// Fits the power law M = coefficient P^exponent to a modulus M at several pressures P. The fit is by least squares in
+/// ln M, which assumes errors in proportion to M. Intervals follow from Student's t. If the residuals are systematic,
 /// the intervals are widened according to the correlation of the residuals.
 /// @param P  pressures, > 0, in growing order, four or more   @param modulus  > 0, one per pressure
 [[nodiscard]] ModulusLaw fit_modulus_of_pressure(const std::vector<double>& P,
                                                  const std::vector<double>& modulus);
 
-/// Fits the power law M = coefficient (Phi - phi_0)^exponent of a modulus M of packings of the solid fraction Phi by
-/// least squares in ln M. phi_0 is the solid fraction at which the modulus vanishes; it lies between 0 and the smallest
-/// Phi. Intervals follow from the profile of the sum of squares, and are widened if the residuals are systematic. An
-/// end of an interval is absent if the data do not determine it.
+/// Fits the power law M = coefficient (Phi - phi_0)^exponent to a modulus M at several solid fractions Phi, by least
+/// squares in ln M. The modulus vanishes at the solid fraction phi_0, which lies between 0 and the smallest Phi.
+/// Intervals follow from the profile of the sum of squares, and are widened if the residuals are systematic. An end of
+/// an interval is absent if the data do not determine it.
 /// @param phi  solid fractions, > 0, in growing order, six or more   @param modulus  > 0, one per solid fraction
 [[nodiscard]] ModulusLaw fit_modulus_of_fraction(const std::vector<double>& phi,
                                                  const std::vector<double>& modulus);

@@ -105,7 +105,7 @@ MohrCoulombFit fit_mohr_coulomb(const std::vector<FailureStress>& stresses, cons
   fit.rms = std::sqrt(line.sum_of_squares / static_cast<double>(stresses.size()));
   const double t95 = student_t_95(line.dof), error = std::sqrt(line.covariance(1, 1));
   const FittedParameter ratio = from_logarithm("N", std::log(N), error / N, t95);
-  // d phi/d ln N = cos(phi)/2.
+  // The derivative of the friction angle phi with respect to ln N is cos(phi)/2.
   const double phi = std::asin((N - 1.0) / (N + 1.0));
   fit.angle = {"friction_angle" + suffix,
                degrees(phi),

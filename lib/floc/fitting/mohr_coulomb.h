@@ -31,13 +31,13 @@ struct MohrCoulombFit {
   bool found() const { return failure_reason.empty(); }
 };
 
-/// Fits the Mohr-Coulomb criterion tau = c + sigma tan(phi), written with the principal stresses,
+/// Fits the Mohr-Coulomb criterion tau = c + sigma tan(phi) to the stresses of at least three samples. The criterion is
+/// written with the principal stresses sigma_1 and sigma_3, the cohesion c and the friction angle phi:
 ///
 ///   sigma_1 = N sigma_3 + 2 c sqrt(N),   N = (1 + sin phi)/(1 - sin phi),
 ///
-/// to the stresses of at least three samples. The fit assumes relative errors of sigma_1, because the strengths of
-/// samples under equal lateral stress differ by a fraction of their value. Intervals follow from Student's t; the
-/// interval of the angle is symmetric in ln N.
+/// The fit assumes relative errors of sigma_1, because the strengths of samples under equal lateral stress differ by a
+/// fraction of their value. Intervals follow from Student's t; the interval of the angle is symmetric in ln N.
 /// @param suffix  end of the names of both parameters, such as "_peak"
 [[nodiscard]] MohrCoulombFit fit_mohr_coulomb(const std::vector<FailureStress>& stresses,
                                               const std::string& suffix);

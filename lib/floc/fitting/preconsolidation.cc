@@ -19,8 +19,8 @@ namespace floc {
 namespace {
 
 /// Returns the correlation of neighbouring residuals. Returns 0 if independent residuals could have this correlation by
-/// chance, or if the residuals are only rounding. If the bend of the curve is round, the residuals of a fit with a
-/// sharp bend are correlated.
+/// chance, or if the residuals are only rounding. Residuals are correlated, for example, if a sharp bend is fitted to a
+/// curve with a round bend.
 double correlation_of_neighbours(const Eigen::VectorXd& residuals) {
   constexpr double kRounding = 1e-9;
   const Eigen::Index n = residuals.size();
@@ -30,8 +30,8 @@ double correlation_of_neighbours(const Eigen::VectorXd& residuals) {
   return correlation < 2.0 / std::sqrt(static_cast<double>(n)) ? 0.0 : correlation;
 }
 
-/// Returns the range of positions of the bend for which the profile of the sum of squares is at most `within`. The
-/// profile is interpolated linearly between grid points.
+/// Returns the range of positions of the bend at which the sum of squares is at most `within`. The sum of squares is
+/// interpolated linearly between the grid points of fit.profile.
 std::pair<double, double> places_within(const RoundBendFit& fit, double within) {
   const Eigen::VectorXd& left = fit.profile;
   double low = fit.best.bend, high = fit.best.bend;

@@ -11,9 +11,8 @@ namespace floc {
 struct PreconsolidationFit {
   std::string failure_reason;  ///< reason why there is no fit; empty if there is one
   /// Parameters P_c (preconsolidation pressure), kappa (slope -d(1/Phi)/dlnP of the solid fraction Phi below P_c) and
-  /// lambda (this slope above P_c). With eight pressures or more also the parameters of yield_constructions() and
-  /// P_c_agreed, the median of all methods, whose interval is the intersection of the intervals of all methods
-  /// (agreed_pressure()).
+  /// lambda (this slope above P_c). With eight pressures or more, also the parameters of yield_constructions(), and
+  /// P_c_agreed: the median of all methods, with the intersection of their intervals (agreed_pressure()).
   std::vector<FittedParameter> parameters;
   double rms = 0.0;  ///< root mean square residual of 1/Phi
   std::vector<std::string> warnings;

@@ -21,12 +21,12 @@ double work_of_path(const ConsolidationCurve& path);
 struct PressureCycle {
   Loading up;    ///< rows from the lowest pressure to the largest
   Loading down;  ///< rows from the largest pressure on
-  /// Pressures that loading and unloading share (to 0.1 %), ascending, without the largest pressure, and the solid
-  /// fractions at these pressures on loading and on unloading. phi_down - phi_up is the compaction that remains after
-  /// the cycle.
+  /// Pressures common to loading and unloading (to 0.1 %), in ascending order and without the largest pressure. The
+  /// solid fractions at these pressures are phi_up on loading and phi_down on unloading; phi_down - phi_up is the
+  /// compaction that remains after the cycle.
   std::vector<double> P, phi_up, phi_down;
   /// Work of the cycle by work_of_path(). The cycle starts and ends at the lowest pressure common to loading and
-  /// unloading; the work is absent if they have no pressure in common.
+  /// unloading; if there is no common pressure, the work is absent.
   std::optional<double> work;
 };
 

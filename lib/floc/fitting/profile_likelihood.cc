@@ -8,9 +8,9 @@ namespace {
 
 /// Returns the coordinate at which the profile of the sum of squares reaches `search.allowed` on one side of the
 /// solution. First, growing steps, beginning with `step` (signed), bracket this coordinate. The coordinate is then
-/// found by the method of false position. The method is applied to the square root of the increase of the sum of
-/// squares, because this root is nearly linear in the coordinate. The result is absent if the profile does not reach
-/// `search.allowed` before `end`, or if the solver fails before.
+/// found by the method of false position. This method works best for a linear function; it is therefore applied to the
+/// square root of the increase of the sum of squares, which is nearly linear in the coordinate. The result is absent if
+/// the profile does not reach `search.allowed` before `end`, or if the solver fails before.
 std::optional<double> crossing(const ProfileSearch& search, double step, double end,
                                const ProfileFunction& profile) {
   const double target = std::sqrt(search.allowed - search.least);

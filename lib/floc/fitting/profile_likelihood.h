@@ -20,9 +20,9 @@ struct ProfileSearch {
   double step;               ///< first step away from the solution, > 0
 };
 
-/// Profile of the sum of squares: a function that holds one coordinate at `value` and returns the smallest sum of
-/// squares over all other coordinates, or infinity if the solver fails. It may start the solver from the solution of
-/// the previous call.
+/// Profile of the sum of squares: a function that fixes one coordinate at `value`, fits all other coordinates, and
+/// returns the sum of squares; infinity if the solver fails. The function may start the solver from the solution of the
+/// previous call.
 using ProfileFunction = std::function<double(double value)>;
 
 /// Finds the ends of a ProfileInterval, at which the profile of the sum of squares reaches `search.allowed`. Their

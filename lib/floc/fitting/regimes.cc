@@ -24,7 +24,7 @@ int n_below(const LawPoints& points, double log_P) {
   return static_cast<int>((points.log_P.array() < log_P).count());
 }
 
-/// Returns the weighted sum of squared residuals of a constant fitted to 1/Phi (Phi is the solid fraction).
+/// Fits a constant to 1/Phi (Phi is the solid fraction), and returns the weighted sum of squared residuals.
 double residual_of_constant(const LawPoints& points) {
   if (points.size() == 0) return 0.0;
   const Eigen::ArrayXd w2 = points.weight.array().square();
@@ -48,10 +48,10 @@ double residual_of_plateau(Law law, const LawPoints& points, int k, const Eigen:
   return (points.weight.head(k).array() * (points.y.head(k).array() - level)).square().sum();
 }
 
-/// Returns the end of the plateau of regime I between the points `k - 1` and `k`, with the information criterion of the
-/// fit that changes there.
+/// Returns a possible end of the plateau of regime I: between the points `k - 1` and `k`. It comes with the information
+/// criterion of the fit by a plateau before this place and by the law after it.
 /// @param theta  solution of the law fitted to the points after the plateau
-/// @param left  sum of squared residuals of this fit
+/// @param left  sum of squared residuals of the law at these points
 Place plateau_end(Law law, const LawPoints& points, int k, const Eigen::VectorXd& theta, double left) {
   // The end of the plateau counts as one more fitted parameter.
   return {k, information(left + residual_of_plateau(law, points, k, theta), points.size(),
@@ -110,7 +110,7 @@ std::vector<Place> onsets_of_three(const LawPoints& points) {
   return places;
 }
 
-/// Returns the weighted sum of squared residuals of a linear function of the reduced pressure P* fitted to 1/Phi.
+/// Fits a linear function of the reduced pressure P* to 1/Phi, and returns the weighted sum of squared residuals.
 double residual_of_elasticity(const LawPoints& points) {
   Eigen::MatrixXd columns(points.size(), 2);
   columns.col(0) = points.weight;

@@ -50,7 +50,7 @@ struct Regimes {
   std::optional<ChangePoint> onset_three;
   int end_of_two = 0;  ///< index after the last point of regime II
   /// Number of points at the beginning of regime II at which samples that collapse in jumps lag behind the line of
-  /// regime II, and mean distance between these jumps in ln P. Both are 0 for the curve of a single sample.
+  /// regime II, and mean distance in ln P between two jumps. Both are 0 for the curve of a single sample.
   int n_lagging = 0;
   double jump_distance = 0.0;
 };
@@ -67,8 +67,8 @@ struct Regimes {
 /// @return the regimes; absent if no end of regime I leaves three points to regime II
 [[nodiscard]] std::optional<Regimes> find_regimes(const LawPoints& points);
 
-/// Returns whether the points show the bend of the full consolidation law, that is, whether its solution `full`
-/// explains them better than the line of regime II.
+/// Returns whether the points show the bend of the full consolidation law: whether `full`, the solution of this law,
+/// explains the points better than the line of regime II.
 [[nodiscard]] bool detects_bend(const LawPoints& points, const LawSolution& full);
 
 /// Returns true if the points show the bend of the full consolidation law and extend to pressures above P1*, where

@@ -19,8 +19,8 @@ double log_choose(int n, int k) {
 }
 
 /// Returns the fraction of sequences that have `runs` runs of equal signs, among all exp(log_all) sequences with n_plus
-/// positive and n_minus negative signs. Their number is the number of ways to divide the positive and the negative
-/// signs into alternating runs.
+/// positive and n_minus negative signs. The number of sequences with `runs` runs is the number of ways to divide the
+/// positive and the negative signs into this number of alternating runs.
 double share_with_runs(int runs, int n_plus, int n_minus, double log_all) {
   const auto ways = [&](int of_plus, int of_minus) {
     if (of_plus < 1 || of_minus < 1 || of_plus > n_plus || of_minus > n_minus) return 0.0;

@@ -15,11 +15,11 @@ struct ResidualPattern {
   /// the Wald-Wolfowitz runs test.
   double runs_p = 1.0;
 
-  /// Returns true if independent residuals would show this pattern in less than one of a hundred fits.
+  /// Returns true if fewer than one in a hundred fits with independent residuals would show this pattern.
   bool is_systematic() const;
-  /// Returns the ratio of the variance of a mean of the residuals to its value for independent residuals. The ratio is
-  /// (1 + r)/(1 - r), where r is the correlation of neighbouring residuals, if the correlation falls off geometrically
-  /// with distance. Returns 1 if the residuals are not systematic.
+  /// Returns the factor by which the correlation of the residuals increases the variance of their mean. If the
+  /// correlation falls off geometrically with distance, the factor is (1 + r)/(1 - r), where r is the correlation of
+  /// neighbouring residuals. Returns 1 if the residuals are not systematic.
   double variance_factor() const;
 };
 

@@ -32,9 +32,9 @@ struct ScatteringResidual {
   }
 };
 
-/// Returns the bias of the logarithm of an intensity averaged over n wave vectors: the mean of ln X, where X is the
-/// average of n exponential random variables of mean 1. It is digamma(n) - ln n, computed by Abramowitz and Stegun
-/// 6.3.18 and, for small n, the recurrence of digamma.
+/// Returns the bias of the logarithm of an intensity that is an average over n wave vectors. The bias is the mean of ln
+/// X, where X is the average of n exponential random variables of mean 1: digamma(n) - ln n. It is computed by
+/// Abramowitz and Stegun 6.3.18; for small n, the recurrence of digamma is applied first.
 double log_bias(double n) {
   double shift = 0.0, m = n;
   for (; m < 6.0; m += 1.0) shift -= 1.0 / m;

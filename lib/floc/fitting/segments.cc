@@ -39,8 +39,8 @@ double criterion(const Misfit& misfit, int n) {
 
 /// Fits a recompression line to the first `k` points. The curve `upper(ln P)` describes the points after them; its
 /// initial slope is -`steeper`. Line and curve have to meet between the points k - 1 and k. If the best line meets the
-/// curve elsewhere, the function fits a line that meets the curve at one of these two points, the one nearer to the
-/// intersection. A line that would rise is replaced by a horizontal line.
+/// curve elsewhere, the function fits another line, which meets the curve at the one of these two points that is nearer
+/// to the intersection. A line that would rise is replaced by a horizontal line.
 template <class Upper>
 std::optional<Misfit> misfit_below(const LawPoints& points, int k, double steeper, const Upper& upper) {
   if (k == 0) return Misfit{};
@@ -132,8 +132,8 @@ std::vector<Division> divisions_without_two(const LawPoints& points) {
   return found;
 }
 
-/// Returns the position of one end of the line of regime II, with its uncertainty. The probability of each position of
-/// this end is summed over all positions of the other end. `best` is the position in the best division.
+/// Returns the position and the uncertainty of one end of regime II. The probability of each position of this end is
+/// summed over all positions of the other end. `best` is the position in the best division.
 template <class Place>
 ChangePoint change_of(const std::vector<Division>& divisions, int n, int best, const Place& place) {
   double least = kInfinity;

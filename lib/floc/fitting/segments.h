@@ -14,12 +14,12 @@ namespace floc {
 ///
 /// The function chooses the division with the smallest information criterion. This is Bayes' criterion, with the
 /// penalty for p parameters multiplied by n/(n - p - 1), because tables of a laboratory have as few as n = 8 rows. The
-/// probability of a division is in proportion to exp(-criterion/2). For the range of the end of one part, the
-/// probabilities are summed over all positions of the other end.
+/// probability of a division is in proportion to exp(-criterion/2). The probability of each position of one end of
+/// regime II is the sum over all positions of the other end.
 /// @param bends  whether the curve may bend away from the line of regime II
-/// @return the regimes, of which `end_of_two == n_plateau` if there is no regime II; `all_in_one` is set if a constant
-/// or an elastic line explains the curve better; absent if no part of the curve has a solid fraction that grows as in
-/// regime II or III
+/// @return the regimes; absent if in no part of the curve the solid fraction grows as in regime II or III. If there is
+/// no regime II, `end_of_two` equals `n_plateau`. If a constant or an elastic line explains the curve better than any
+/// division, `all_in_one` is set
 [[nodiscard]] std::optional<Regimes> find_segments(const LawPoints& points, bool bends = true);
 
 }  // namespace floc

@@ -36,7 +36,7 @@ FittedParameter dilatancy_sine(const LinearFit& line, bool shortens) {
   const double slope = line.coefficients[1];
   const double shear = shortens ? 2.0 - slope : 2.0 + slope;
   if (line.dof < 1) return held_at("", -slope / shear);
-  // The derivative of sin psi with respect to s is -2/shear^2.
+  // The derivative of sin psi with respect to s is -2/shear^2, where `shear` is 2 - s or 2 + s.
   const double error = std::sqrt(line.covariance(1, 1)) * 2.0 / (shear * shear);
   return from_value("", -slope / shear, error, student_t_95(line.dof));
 }

@@ -49,7 +49,7 @@ struct ShearTestOptions {
 ///
 /// The peak is the point of largest mobilised friction. The dilatancy angle psi at the peak follows from the slope of
 /// the volumetric strain against the axial strain. The slope is fitted to the points around the peak that have at least
-/// 95 % of the mobilised friction of the peak, but to at least five points. With the increments d eps_v of the
+/// 95 % of the mobilised friction of the peak, but at least to five points. With the increments d eps_v of the
 /// volumetric and d eps_1 of the axial strain, sin psi = -d eps_v/(2 d eps_1 - d eps_v) [VB1984]; in 2D, this is equal
 /// to -d eps_v/(d eps_1 - d eps_2).
 ///

@@ -4,11 +4,11 @@
 
 namespace floc {
 
-/// Natural cubic smoothing spline f of points (x, y): the function that minimises sum (y - f(x))^2 + mu
-/// integral f''^2. The weight mu minimises the score of generalised cross-validation [CW1979]. In this score
-/// the degrees of freedom of the spline are multiplied by 1.4, so that the spline seldom follows the noise. For
-/// given mu, values and derivatives of the spline are linear functions of y. The spline of other values y at
-/// the same x therefore needs only a product with a matrix.
+/// Natural cubic smoothing spline f of points (x, y): the function that minimises sum (y - f(x))^2 + mu integral f''^2.
+/// The weight mu minimises the score of generalised cross-validation [CW1979]. In this score the degrees of freedom of
+/// the spline are multiplied by 1.4, so that the spline seldom follows the noise. For given mu, values and derivatives
+/// of the spline are linear functions of y. For other values y at the same x, the spline is therefore obtained by a
+/// product with a matrix.
 class SmoothingSpline {
  public:
   /// @param x  increasing values; four or more

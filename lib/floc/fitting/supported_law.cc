@@ -87,7 +87,7 @@ std::optional<Regimes> regimes_of_samples(const ConsolidationCurve& curve, const
   const int n = points.size();
   if (!regimes || regimes->all_in_one || regimes->end_of_two == n) return regimes;
   const int first = regimes->n_plateau, end = regimes->end_of_two - first;
-  // Without regime II, the bend of the power law has no definite position; the middle of its points is used.
+  // Without regime II, the bend has no definite position; the middle of the points after the plateau is used.
   const int place = end > 0 ? end : (n - first) / 2;
   if (samples_bend_at(curve.samples.bottomRows(n - first), points.log_P.tail(n - first), place)) return regimes;
   const std::optional<Regimes> straight = find_segments(points, false);
@@ -124,7 +124,7 @@ ConsolidationFit fit_supported_law(const ConsolidationCurve& curve, Consolidatio
   options.regimes = std::nullopt;
   constexpr Eigen::Index kMinSamples = 3;
   const bool has_samples = curve.samples.cols() >= kMinSamples;
-  // It is not known whether the errors in the user's table are errors of 1/Phi or of Phi.
+  // The weighting `between` is a compromise, because it is not known how the errors in the user's table depend on Phi.
   if (options.weighting == Weighting::automatic && !has_samples) options.weighting = Weighting::between;
   if (!options.window) {
     const auto n = static_cast<int>(curve.phi.size());

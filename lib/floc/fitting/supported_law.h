@@ -20,8 +20,8 @@ namespace floc {
 /// widened.
 ///
 /// If the curve is a mean over three samples or more, these samples may collapse in jumps (collapse_jumps.h). A bend of
-/// the mean is then accepted only if the samples show it, and points at which the samples lag behind the line of regime
-/// II are not used to fit this line.
+/// the mean is then accepted only if samples_bend_at() finds it. The line of regime II is fitted without the points at
+/// which the samples lag behind it.
 /// @param options  options of fit_consolidation(), of which `law`, `regimes` and `widen` are not used
 [[nodiscard]] ConsolidationFit fit_supported_law(const ConsolidationCurve& curve, ConsolidationOptions options);
 

@@ -35,8 +35,8 @@ struct CriticalPart {
 };
 
 /// Returns the last part of a test: the points from the strain `from` on or, if `from` is absent, the last quarter of
-/// the strain. This part is no critical state if it has fewer than three points, or if the volumetric strain changes in
-/// it by more than a tenth of the change of the strain.
+/// the strain. This part is no critical state if it has fewer than three points, or if the change of the volumetric
+/// strain in this part exceeds a tenth of the change of the strain.
 CriticalPart critical_part(const TestCurve& curve, const std::optional<double>& from);
 
 }  // namespace floc

@@ -100,8 +100,8 @@ void shift_window(const LawEstimate& estimate, const LawPoints& all, const Windo
     if (!s.lambda ||
         std::abs(*s.lambda - *lambda->value) > std::max(*lambda->standard_error, kWorthSaying * *lambda->value))
       fit.warnings.push_back(fmt::format(
-          "lambda depends on the window of pressures: {} for a window with the {}, {:.4g} for the window "
-          "fitted",
+          "lambda depends on the window of pressures: {2:.4g} for the window fitted, but {0} if the window has "
+          "its {1}",
           s.lambda ? fmt::format("{:.4g}", *s.lambda) : "no regime II is left", s.change, *lambda->value));
 }
 

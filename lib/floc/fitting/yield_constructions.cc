@@ -111,8 +111,8 @@ constexpr NamedConstruction kConstructions[] = {{"P_c_casagrande", &Construction
                                                 {"P_c_butterfield", &Constructions::butterfield},
                                                 {"P_c_becker", &Constructions::becker}};
 
-/// Returns the parameter exp(value). Its interval contains 95 % of the values `drawn`, which are logarithms, after they
-/// are shifted so that their median is `value`.
+/// Returns the parameter exp(value). The logarithms `drawn` are shifted so that their median is `value`. The interval
+/// then contains 95 % of them.
 FittedParameter parameter_of(const char* name, double value, std::vector<double> drawn) {
   std::sort(drawn.begin(), drawn.end());
   const auto at = [&](double share) {

@@ -23,8 +23,8 @@ struct BootstrapDraws {
   std::uint64_t seed = 1;
 };
 
-/// Finds the preconsolidation pressure of a compression curve of y = 1/Phi = 1 + e against ln P with graphical
-/// constructions of soil mechanics:
+/// Finds the preconsolidation pressure P_c by graphical constructions of soil mechanics. The compression curve is y =
+/// 1/Phi = 1 + e against ln P, with the solid fraction Phi and the void ratio e. The constructions are
 ///
 /// - Casagrande [Casagrande1936]: at the point of largest curvature of y against log10 P (on the smoothing spline), the
 /// tangent and the horizontal enclose an angle; the bisector of this angle meets the virgin line at P_c;
@@ -33,18 +33,19 @@ struct BootstrapDraws {
 /// - Butterfield [Butterfield1979]: two straight lines of ln y against ln P intersect at P_c;
 /// - Becker [BCBJ1987]: two straight lines of the work per volume, sum P_mean d(strain), against P intersect at P_c.
 ///
-/// The virgin line, and both lines of Butterfield and of Becker, are fitted to the points beyond the round bend on
-/// either side, but at least to the last or the first three points. Intervals contain 95 % of the results for resampled
-/// curves, which are the smoothing spline plus drawn residuals. The choice of the points for each line is the same for
-/// all curves.
+/// The virgin line is fitted to the points above the round bend. Butterfield and Becker need two lines: one is fitted
+/// to the points below the bend, the other to the points above it. Each line is fitted to at least three points, the
+/// first three or the last three of the curve. Intervals contain 95 % of the results for resampled curves, which are
+/// the smoothing spline plus drawn residuals. The choice of the points for each line is the same for all curves.
 /// @param P     pressures, > 0, increasing; eight or more
 /// @param y     1/Phi, one per pressure
 /// @param bend  round bend fitted to y against ln P
 [[nodiscard]] YieldConstructions yield_constructions(const std::vector<double>& P, const Eigen::VectorXd& y,
                                                      const RoundBend& bend, const BootstrapDraws& draws = {});
 
-/// Returns the parameter P_c_agreed, the pressure on which several methods agree. Its value is the median of the values
-/// of the methods, its interval the intersection of their intervals. It has no value if this intersection is empty.
+/// Returns the parameter P_c_agreed, the pressure on which several methods agree. Its value is the median over the
+/// methods. Its interval is the intersection of the intervals of all methods. If this intersection is empty, P_c_agreed
+/// has no value.
 [[nodiscard]] FittedParameter agreed_pressure(const std::vector<FittedParameter>& methods);
 
 }  // namespace floc

@@ -29,7 +29,7 @@ inline constexpr WholeRange kLeastContacts{.least = 1, .most = 100};
 
 /// Finds the force-carrying structure of a packing. Only contacts whose normal force exceeds `smallest_force` in
 /// magnitude are counted, including contacts with walls. Grains with fewer than `least` such contacts are rattlers.
-/// They are removed together with their contacts, and the search is repeated until it finds no other rattler. In
+/// Rattlers are removed together with their contacts, and the search is repeated until it finds no further rattler. In
 /// contrast, find_rattlers() also counts contacts with smaller forces.
 /// @param smallest_force  a contact is force-carrying if the magnitude of its normal force is above this value (force),
 /// >= 0

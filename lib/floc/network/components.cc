@@ -8,8 +8,8 @@
 namespace floc {
 namespace {
 
-/// Largest number of cells along a path through contacts from a grain to its own periodic image. Up to this number, the
-/// arithmetic is exact.
+/// Largest number of periodic cells that a chain of contacts may span between a grain and its own periodic image. Up to
+/// this number, the arithmetic is exact.
 constexpr std::int64_t kMaxCells = std::int64_t{1} << 40;
 
 using Wide = __int128;  // integer type for products of three numbers up to kMaxCells
@@ -32,8 +32,8 @@ class Lattice {
     if (rank_ == 0) return !w.isZero();
     if (w.cwiseAbs().maxCoeff() > kMaxCells || vectors_[0].cwiseAbs().maxCoeff() > kMaxCells)
       throw InputError("contacts/image",
-                       "the images of contacts lead around more than 2^40 cells before they return to the same "
-                       "grain: at least one image is wrong");
+                       "a chain of contacts passes through more than 2^40 cells before it returns to the same "
+                       "grain: the periodic image of at least one contact is wrong");
     const CellCount<Dim>& u = vectors_[0];
     const auto minor = [](const auto& a, const auto& b, int p, int q) {
       return Wide{a[p]} * b[q] - Wide{a[q]} * b[p];

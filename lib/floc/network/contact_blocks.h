@@ -46,9 +46,9 @@ ContactGraph contact_graph(int n_grains, const Contacts& contacts) {
   return graph;
 }
 
-/// Adds G^T D G for one contact to a stiffness matrix. The matrix G, multiplied by the unknowns of grain i, of grain j
-/// and of the boundary, gives the relative motion at the contact, with one row per component of the motion. The matrix
-/// D contains the stiffnesses for these components. All stiffness matrices are assembled by this function.
+/// Adds G^T D G for one contact to a stiffness matrix. The product of the matrix G with the unknowns (of grain i, grain
+/// j and the boundary) is the relative motion at the contact, with one row per component of the motion. The matrix D
+/// contains the stiffnesses for these components. All stiffness matrices are assembled by this function.
 ///
 /// @param i, j        numbers of the two grains
 /// @param on_i, on_j  columns of G for the unknowns of i and of j, rows x kDofs; if i = j, `on_i` contains both and

@@ -42,8 +42,8 @@ template <int Dim>
 struct ContactNetwork {
   int n_grains = 0;
   double volume = 0.0;  ///< volume of the cell; area in 2D
-  /// For each grain, a length; the rotation of the grain times this length is treated as a displacement. For a round
-  /// grain, it is the radius.
+  /// Size of each grain (length), by which the rotation of the grain is multiplied to give a displacement. The size of
+  /// a round grain is its radius.
   std::vector<double> grain_size;
   std::vector<NetworkContact<Dim>> contacts;
   /// Axes with a wall at both ends, ascending. The two walls of an axis may move together along the axis; this motion

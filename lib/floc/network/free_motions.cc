@@ -12,8 +12,9 @@
 namespace floc {
 namespace {
 
-/// A rigid motion is independent of the motions that are already fixed if, after their subtraction, at least this share
-/// of its largest displacement remains.
+/// Threshold for the linear independence of a rigid motion from the motions that are already fixed. The fixed motions
+/// are subtracted from the rigid motion; the rigid motion is independent if at least this share of its largest
+/// displacement remains.
 constexpr double kDistinct = 1e-6;
 
 /// Returns the null space of a matrix up to rounding, as orthonormal columns v with |matrix v| <= bound.
@@ -266,8 +267,8 @@ class FreeMotionFinder {
     return reach;
   }
 
-  /// Returns the rigid motions of a connected part that no wall resists, one per column, as linear combinations of the
-  /// Dim translations and the rotations about `axes`.
+  /// Returns those rigid motions of a connected part that no wall resists. Each column is one motion, as a linear
+  /// combination of the Dim translations and the rotations about `axes`.
   /// @param axes    free_axes() of the part
   /// @param reach   reach_of() the part (length)
   /// @param row_of  for each grain of the part, its first row among the unknowns of the part

@@ -19,8 +19,8 @@ enum class FreeMotionKind {
   spin,
 };
 
-/// Free motions of a network: motions that need no energy, for any values of the nonzero stiffnesses. They are
-/// determined by the list of grains in contact. If one unknown is left out for each free motion, the stiffness matrix K
+/// Free motions of a network: motions that need no energy, for any values of the nonzero stiffnesses. The list of
+/// grains in contact determines these motions. If one unknown is left out for each free motion, the stiffness matrix K
 /// is regular, except if the network has mechanisms.
 struct FreeMotions {
   /// For each unknown of K, whether it is solved for. All other unknowns are set to zero; their values are arbitrary,
@@ -61,7 +61,7 @@ struct FreeMotions {
 /// The response to a strain does not change. The inertia of K (its numbers of positive and negative eigenvalues)
 /// changes only by `n_unstable_ends`. The reason is that eliminating the unknowns of a dead end from K adds nothing to
 /// the block of the grain to which it is connected. With prestress, this is true if the dead end is in equilibrium,
-/// that is, carries no force.
+/// that is, if the force at its contact is zero.
 template <int Dim>
 FreeMotions find_free_motions(const ContactNetwork<Dim>& network);
 

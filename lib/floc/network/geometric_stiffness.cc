@@ -11,8 +11,8 @@ Eigen::Matrix3d crossed_with(const Vec<3>& f) {
   return Eigen::Matrix3d{{0.0, f[2], -f[1]}, {-f[2], 0.0, f[0]}, {f[1], -f[0], 0.0}};
 }
 
-/// Returns the matrix that is multiplied by the unknowns of one of the two grains of a contact to give the motion at
-/// the contact (rows as in MotionMatrix).
+/// Returns a matrix for one of the two grains of a contact. Its product with the unknowns of this grain is the motion
+/// at the contact (rows as in MotionMatrix).
 /// @param sign            1 for grain j, -1 for grain i: the displacement of j relative to i contains the displacement
 /// of this grain with this sign
 /// @param first_rotation  first row of the rotation of this grain
@@ -40,9 +40,10 @@ MotionMatrix<Dim> geometric_stiffness(const NetworkContact<Dim>& c) {
   const double share_i = c.arm_i.dot(n) / r;
   const double share_j = -c.arm_j.dot(n) / r;
 
-  // The displacement of j relative to i does work on the force on j, which is -f. The rows of the displacement
-  // therefore contain +df, and the rows of the rotations contain minus the changes of the moments. The part n x dn of
-  // the rotation of the frame gives w x S = -n (S.dn), which is parallel to r, so r x (w x S) is zero.
+  // The symbols are those of the comment in the header. The displacement of j relative to i does work on the force on
+  // j, which is -f. The rows of the displacement therefore contain +df, and the rows of the rotations contain minus the
+  // changes of the moments. The part n x dn of the rotation of the frame gives w x S = -n (S.dn), which is parallel to
+  // r, so r x (w x S) is zero.
   MotionMatrix<Dim> k = MotionMatrix<Dim>::Zero();
   k.template topLeftCorner<Dim, Dim>() = -(c.normal_force * across + n * shear.transpose()) / r;
   const auto moment_by_displacement = crossed_with(shear).eval();

@@ -4,7 +4,7 @@
 
 namespace floc {
 
-/// Number of components of the motion of two grains i and j in contact: the displacement of j relative to i, the
+/// Number of components of the motion at a contact of two grains i and j: the displacement of j relative to i, the
 /// rotation of i, and the rotation of j.
 template <int Dim>
 inline constexpr int kMotionRows = Dim + 2 * kRotations<Dim>;

@@ -6,19 +6,21 @@
 
 namespace floc {
 
-/// Contacts of a network that can carry an electric current or a stress through the periodic cell. They are determined
-/// by the list of grains in contact, without any stiffnesses.
+/// Contacts of a network that can carry an electric current or a stress through the periodic cell. These contacts
+/// follow from the list of grains in contact alone; stiffnesses are not needed.
 struct Percolation {
   /// For each contact, whether it is in the scalar backbone: whether it carries current if every contact is a resistor
   /// and a voltage is applied across the periodic cell or between opposite walls. Either all contacts of a block are in
   /// the backbone, or none of them is; a block is a set of contacts in which any two contacts lie on a common loop. If
   /// a block contains a loop around the cell or from wall to wall, every contact of the block lies on a loop of this
-  /// kind (Zaslavsky's lemma on theta graphs), and carries current for almost all values of the resistances.
+  /// kind (Zaslavsky's lemma on theta graphs). The current through these contacts is then nonzero for almost all values
+  /// of the resistances.
   std::vector<bool> scalar_backbone;
   /// For each contact, whether it is in a dead end. A dead end is a part of the network that contains no loop around
   /// the cell, and is connected to the rest by a single grain or by a single contact with a wall. No strain of the cell
   /// changes the forces in a dead end. Some contacts are neither in a dead end nor in the scalar backbone. Such a
-  /// contact connects two parts that both wind around the cell. It carries no current, but may carry a moment.
+  /// contact connects two parts that both wind around the cell. No current flows through this contact, but its moment
+  /// may differ from zero.
   std::vector<bool> dead_end;
   /// largest number of independent lattice vectors along which a connected part of the network winds around the cell
   int n_directions = 0;

@@ -13,8 +13,8 @@ bool carries_force(const Packing<Dim>& packing, double smallest_force) {
                      [&](const Contact<Dim>& c) { return c.normal_force > smallest_force; });
 }
 
-/// Makes one pass through the grains, and marks as rattlers those grains that their contacts with unmarked grains and
-/// walls do not keep in place.
+/// Makes one pass through the grains. Marks a grain as a rattler if its contacts with walls and with unmarked grains do
+/// not keep it in place.
 /// @return whether a grain was marked
 template <int Dim>
 bool remove_unheld(const Packing<Dim>& packing, double smallest_force, std::vector<bool>& rattler) {

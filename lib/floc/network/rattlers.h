@@ -11,9 +11,10 @@ namespace floc {
 /// With adhesion, rattlers are the grains without any contact or attraction; a grain with a contact is not a rattler,
 /// even if the force of the contact is zero.
 ///
-/// Without adhesion, a grain is a rattler if none of its contacts carries more than `smallest_force`, or if it has
-/// fewer than two contacts. Rattlers are removed with their contacts, and the search is repeated until it finds no
-/// other rattler. If no contact of the packing carries a force, only grains without contacts are rattlers.
+/// Without adhesion, a grain is a rattler if it has fewer than two contacts, or if the normal force of none of its
+/// contacts exceeds `smallest_force`. Rattlers are removed together with their contacts, and the search is repeated
+/// until it finds no further rattler. If no contact of the packing carries a force, only grains without contacts are
+/// rattlers.
 ///
 /// @param smallest_force  largest normal force that counts as zero (force), >= 0
 /// @return for each grain, whether it is a rattler

@@ -92,9 +92,9 @@ RowStiffness<Dim> row_stiffness(const NetworkContact<Dim>& contact);
 template <int Dim>
 ContactRows<Dim> translation_rows(ContactRows<Dim> rows);
 
-/// Returns the geometric stiffness of the normal force F_N for the rows of translation_rows() (force/length): -F_N/r
-/// along the tangents, where r is the distance between the centres of the two grains. At a wall it is zero, because the
-/// normal of a wall does not rotate.
+/// Returns the geometric stiffness (force/length) due to the normal force F_N, in the order of the rows of
+/// translation_rows(). It is -F_N/r along the tangents, where r is the distance between the centres of the two grains.
+/// At a wall it is zero, because the normal of a wall does not rotate.
 template <int Dim>
 RowStiffness<Dim> row_prestress(const NetworkContact<Dim>& contact);
 

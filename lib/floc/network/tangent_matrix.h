@@ -31,10 +31,10 @@ struct BoundaryColumns {
 /// contains G^T D G, where G times the unknowns is the motion at the contact, and D is the stiffness of the contact.
 /// The matrix also contains all geometric terms, including those of tangential forces and rolling moments.
 ///
-/// The unknowns are the translations of each grain and its rotations times its size, then the unknowns of the boundary.
-/// The loads are the forces on each grain and the moments divided by its size, then the loads on the boundary. The
-/// pairs of grains that are passed to the constructor determine the pattern of the matrix; values are added contact by
-/// contact.
+/// The unknowns are the translations of each grain and its rotations, which are multiplied by the size of the grain;
+/// the unknowns of the boundary follow. The loads are the forces and moments on each grain, with the moments divided by
+/// the size of the grain; the loads on the boundary follow. The pairs of grains that are passed to the constructor
+/// determine the pattern of the matrix; values are added contact by contact.
 template <int Dim>
 class TangentMatrix {
  public:

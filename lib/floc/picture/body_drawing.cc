@@ -16,11 +16,11 @@ Vec<3> light() {
   return {kFromAxis * kLight[0], -kFromAxis * kLight[1], std::sqrt(1.0 - kFromAxis * kFromAxis)};
 }
 
-/// Returns the colour of a facet. The shade ranges from the dark shade at the rim of a sphere to the pale shade at its
-/// brightest point.
+/// Returns the colour of a facet. A facet has the shade of a sphere at the point with the same normal: dark at the rim,
+/// pale at the brightest point.
 Color shaded(const Color& color, const Vec<3>& normal) {
   constexpr double kDarkest = 0.6, kPalest = 0.6;
-  // cosine of the angle between the light and the normal of a facet at which the colour of the facet is unchanged
+  // a facet keeps its colour if the angle between the light and its normal has this cosine
   constexpr double kPlain = 0.75;
   const double lit = std::max(0.0, normal.dot(light()));
   return lit < kPlain ? darker(color, kDarkest * (1.0 - lit / kPlain))

@@ -14,8 +14,8 @@
 namespace floc {
 namespace {
 
-/// Smallest component along the line of sight of the normal of a plane that separates two bodies. If the component is
-/// smaller, neither body is in front of the other.
+/// Limit for the unit normal of a plane that separates two bodies. If the component of this normal along the line of
+/// sight is below the limit, neither body is in front of the other.
 constexpr double kPlaneEndOn = 1e-9;
 
 /// Returns the image of a body, relative to the image of its centre. Only the members of the shape that

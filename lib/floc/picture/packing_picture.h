@@ -50,7 +50,7 @@ struct GrainShade {
   std::string name;           ///< name of the quantity in the legend
 };
 
-/// Shape of a grain of a picture, with its size and orientation. Its centre is the position of the grain.
+/// Shape of a grain in a picture, with size and orientation. The centre of the shape is the position of the grain.
 template <int Dim>
 struct DrawnShape {
   const Shape<Dim>* shape = nullptr;
@@ -86,7 +86,8 @@ struct PackingPicture {
   std::shared_ptr<const std::vector<Shape<Dim>>> shapes;
   std::vector<bool> rattler;  ///< whether each grain is a rattler; empty if no rattlers are marked
   std::vector<ContactLine<Dim>> lines;
-  std::string force_unit;  ///< symbol of the unit of the forces of lines, such as "F₀", for the legend
+  /// Symbol of the unit in which forces of lines are given, such as "F₀", for the legend.
+  std::string force_unit;
   std::string force_symbol = "F";
   // Texts in the legend for kinds of lines.
   std::string compression_name = "compression";

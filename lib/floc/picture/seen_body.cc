@@ -10,8 +10,8 @@
 namespace floc {
 namespace {
 
-/// Limit of the cosine of the angle between the normal of a facet and the line of sight. Below this limit, the facet
-/// counts as seen edge-on.
+/// A facet counts as seen edge-on if the cosine of the angle between its normal and the line of sight is below this
+/// limit.
 constexpr double kFaceEndOn = 1e-9;
 
 /// Part of a line segment, as fractions of the length of the segment. Planes cut away pieces of the part one after the

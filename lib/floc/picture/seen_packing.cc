@@ -17,8 +17,8 @@ constexpr double kWithLines = 0.25;
 /// Smallest length, divided by the width, at which a tube is drawn. Between spheres that are drawn with their true
 /// radii, shorter tubes would look like splinters at the contact point.
 constexpr double kShortest = 0.05;
-/// Limit of the cosine of the angle between the normal of a face of the cell and the line of sight. Below this limit,
-/// the face counts as seen edge-on.
+/// A face of the cell counts as seen edge-on if the cosine of the angle between its normal and the line of sight is
+/// below this limit.
 constexpr double kEndOn = 1e-9;
 
 using Interval = std::pair<double, double>;

@@ -250,8 +250,8 @@ std::string draw_sheet(const std::vector<PackingPicture<Dim>>& pictures, const S
     placed.emplace_back(pictures[k], layout.placements()[k], layout.boxes()[k], options);
     n_marks += placed.back().n_marks();
   }
-  // In svg and pdf files, grains and lines are embedded as an image if they are so many that vector graphics would take
-  // megabytes. Frames, axes and text are always vector graphics. A png file needs no embedded image.
+  // In svg and pdf files, grains and lines are embedded as an image if there are so many of them that vector graphics
+  // would take megabytes. Frames, axes and text are always vector graphics. A png file needs no embedded image.
   const bool as_image =
       options.format != PictureFormat::png && options.as_image.value_or(n_marks > kMaxVectors<Dim>);
   Page page(options.format, options.width, layout.height(), pixels);

@@ -16,8 +16,8 @@ struct SheetOptions {
   double width = 482.0;  ///< width of the page (points); the default is 17 cm, two columns of a journal
   int columns = 4;       ///< number of columns if there are several pictures, >= 1
   /// Width, in mean diameters, of the line for a force equal to the root mean square of all forces of the picture.
-  /// Forces in granular media have about an exponential distribution. With the default, the line of the largest of
-  /// thousands of forces is therefore about as wide as a grain.
+  /// Forces in granular media have about an exponential distribution. With the default and thousands of forces, the
+  /// line of the largest force is therefore about as wide as a grain.
   double line_width = 0.15;
   bool same_force_scale = false;  ///< whether all pictures have a common force scale
   bool bare = false;              ///< whether captions and legend are left out

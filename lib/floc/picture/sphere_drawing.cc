@@ -155,9 +155,9 @@ class SeenDrawing {
   /// Returns the edge of the cell that is parallel to the first edge and diagonally opposite to it.
   const SeenEdge& opposite() const { return seen_.cell_edges[3]; }
 
-  /// Returns the edge of the cell beside which the name of an axis is drawn; null if the axis is seen end-on. Among the
-  /// edges along this axis in the outline of the cell, it is the lowest edge on the page or, if several edges are
-  /// equally low, the leftmost of them.
+  /// Returns the edge of the cell beside which the name of an axis is drawn; null if the axis is seen end-on. The edge
+  /// is chosen among the edges along this axis that belong to the outline of the cell: the lowest edge on the page or,
+  /// of several equally low edges, the leftmost.
   const SeenEdge* labelled_edge(int axis) const {
     constexpr double kShortestLabelled = 30.0, kLevel = 1.0;
     const SeenEdge* best = nullptr;

@@ -13,9 +13,9 @@ namespace floc {
 /// describes the equilibrium with which the step ends.
 ///
 /// Columns: step (number of the equilibrium), branch (name of the load stage), P (imposed pressure), time (since the
-/// beginning of the run), phi (solid fraction), n_contacts, gained and lost (contacts that have closed and contacts
-/// that have opened since the previous row or, in the first row of a step, since the beginning of the step), kept
-/// (contacts that have existed since the beginning of the step).
+/// beginning of the run), phi (solid fraction), n_contacts, gained (contacts that have closed since the previous row),
+/// lost (contacts that have opened since the previous row), kept (contacts that have existed since the beginning of the
+/// step). In the first row of a step, gained and lost are counted from the beginning of the step.
 template <int Dim>
 class ContactTracker final : public MotionTable<Dim> {
  public:

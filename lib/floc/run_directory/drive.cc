@@ -70,8 +70,8 @@ class Driver {
     directory_.require_held();
     if (table_ != nullptr) table_->finish_step(run_);
     // The table of the motion (contacts.csv or energy.csv) is written before the state file. If the run is killed
-    // between the two, the resumed run removes the rows beyond the last saved state. In the opposite order, it could
-    // not restore the missing rows.
+    // between the two, the resumed run removes the rows beyond the last saved state. In the opposite order, the resumed
+    // run could not restore the missing rows.
     if (table_ != nullptr) table_->write();
     const std::string sha256 = directory_.save(state, options_.timing ? std::optional(seconds) : std::nullopt);
     if (options_.equilibrium) options_.equilibrium(state, run_.report(), seconds);

@@ -99,7 +99,7 @@ void add_axes(const State<Dim>& state, const PathReference<Dim>& reference, std:
 }
 
 /// Adds to a row of path.csv the values that describe the walls. For each axis with walls, these include the pressure
-/// on its two walls, and the part of this pressure that friction on the walls parallel to the axis balances.
+/// on its two walls, and the part of this pressure that is balanced by friction on the walls parallel to the axis.
 template <int Dim>
 void add_walls(const State<Dim>& state, const Coordination& c, std::vector<TableValue>& row) {
   const Packing<Dim>& packing = state.packing;

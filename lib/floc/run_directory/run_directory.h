@@ -32,9 +32,9 @@ class RunDirectory {
   /// @throws IoError if the directory cannot be written
   RunDirectory(const std::string& path, Existing existing, const RunOptions& options);
 
-  /// Returns the point from which an earlier run in this directory continues: its checkpoint or, if it is later, its
-  /// last saved state. Returns std::nullopt if the directory contains no run. If the run was killed between saving a
-  /// state and writing the row of this state into path.csv, this function adds the row.
+  /// Returns the point from which an earlier run in this directory continues: the checkpoint or the last saved state,
+  /// whichever was reached later in the run. Returns std::nullopt if the directory contains no run. If the run was
+  /// killed between saving a state and writing the row of this state into path.csv, this function adds the row.
   /// @pre Dim is the dimension of the run
   template <int Dim>
   std::optional<ReachedPoint<Dim>> resume_point();

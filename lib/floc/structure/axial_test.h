@@ -13,10 +13,10 @@ struct AxialTest {
   double deviator = 0.0;
   /// Ratio K0: mean stress on the other axes divided by the stress on the driven axis.
   double lateral_ratio = 0.0;
-  /// Logarithmic volumetric strain from the reference state of the strains that are passed to measure_axial_test().
+  /// Logarithmic volumetric strain. Its reference state is that of the strains passed to measure_axial_test().
   double volumetric_strain = 0.0;
-  /// Mobilised friction: (s1 - s2)/(s1 + s2) = q/(2 p) in 2D, q/p in 3D. Here s1 is the stress on the driven axis, s2
-  /// the stress on the other axis, q the deviator and p the mean stress.
+  /// Mobilised friction: (s1 - s2)/(s1 + s2) = q/(2 p) in 2D, q/p in 3D. Here s1 is the stress on the driven axis and,
+  /// in 2D, s2 the stress on the other axis; q is the deviator and p the mean stress.
   double mobilised = 0.0;
   /// Dilatancy -d eps_v/d eps_q between the previous equilibrium and this one, with the volumetric strain eps_v. The
   /// strain eps_q is eps_1 - eps_2 in 2D and 2/3 (eps_1 - eps_3) in 3D. Here eps_1 is the strain of the driven axis,
@@ -24,7 +24,7 @@ struct AxialTest {
   std::optional<double> dilatancy;
 };
 
-/// Computes the stresses and strains of a mechanical test with one driven axis in one equilibrium.
+/// Computes the stresses and strains in one equilibrium of a mechanical test with one driven axis.
 /// @param axis            index of the driven axis, from 0
 /// @param stress, strain  stress and logarithmic strain of each axis; the reference state of the strain is arbitrary
 /// @param strain_before   strain of the previous equilibrium, from the same reference state; null if there is none

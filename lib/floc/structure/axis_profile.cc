@@ -22,8 +22,8 @@ double ball_between(double place, double radius, double low, double high) {
 
 /// Adds the stress of each contact to the slices that its branch vector crosses, in proportion to the length of the
 /// branch vector in each slice.
-/// @param to_reduced  vector that is multiplied by a position (scalar product) to give the coordinate along the axis,
-/// divided by the side of the cell
+/// @param to_reduced  vector whose scalar product with a position is the coordinate along the axis, divided by the side
+/// of the cell
 /// @param origin  coordinate at which the first slice begins, divided by the side of the cell
 template <int Dim>
 void add_stress(const Packing<Dim>& packing, const Vec<Dim>& to_reduced, double origin, bool walled,

@@ -23,9 +23,9 @@ struct BondSigns {
 template <int Dim>
 BondSigns bond_signs(const Packing<Dim>& packing, double near);
 
-/// Returns the tensile strength of a packing (stress): the tension at which it would break if every bond carried its
-/// pull-off force F0 at once. With the coordination number z, the solid fraction Phi and the diameter d, this strength
-/// is
+/// Returns the tensile strength of a packing (stress): the tension at which the packing would break if the force of
+/// every bond reached the pull-off force F0 at the same time. With the coordination number z, the solid fraction Phi
+/// and the diameter d, this strength is
 ///
 ///   z Phi F0/(pi d^(Dim-1)),
 ///

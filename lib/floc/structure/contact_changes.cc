@@ -12,8 +12,8 @@
 namespace floc {
 namespace {
 
-/// Largest relative difference between the radii of a grain in two files that counts as rounding of the numbers in the
-/// files.
+/// The radii of a grain in two files count as equal if their relative difference is at most this value. The difference
+/// may be due to the rounding of numbers in the files.
 constexpr double kSameRadius = 1e-9;
 
 /// Returns the integer matrix M that expresses the lattice vectors of the later state (rows of `later`) by those of the

@@ -14,8 +14,8 @@ struct KeptContact {
   int after;
 };
 
-/// Changes of the contacts and positions of the grains of a packing between a state before and a state after. Only
-/// grains that touch are in contact; attraction across a gap does not count.
+/// Changes of a packing from a state before to a state after: changes of the contacts and of the positions of the
+/// grains. Only grains that touch are in contact; attraction across a gap does not count.
 template <int Dim>
 struct ContactChanges {
   std::vector<KeptContact> kept;
@@ -46,10 +46,10 @@ template <int Dim>
 std::string incomparable(const Packing<Dim>& before, const Packing<Dim>& after);
 
 /// Compares two states of a packing. Grains are identified by their index, contacts by their two grains, periodic image
-/// and key. All contact points of two grains with corners count as one contact, with the index of the first point. The
-/// displacement of a grain leads to its nearest periodic image in reduced coordinates; each grain must therefore move
-/// by less than half the cell relative to the mean displacement. A common translation of all grains, or another choice
-/// of lattice vectors, does not change the result.
+/// and key. All contact points of two grains with corners count as one contact, with the index of the first point. Of
+/// the periodic images of a grain after the change, the one nearest in reduced coordinates defines the displacement;
+/// each grain must therefore move by less than half the cell relative to the mean displacement. A common translation of
+/// all grains, or another choice of lattice vectors, does not change the result.
 /// @pre incomparable(before, after) is empty
 template <int Dim>
 ContactChanges<Dim> contact_changes(const Packing<Dim>& before, const Packing<Dim>& after);

@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Distribution of the directions of contact normals of disks, for a polar histogram. Opposite directions are
-/// not distinguished.
+/// Distribution of the directions of the normals at contacts between disks, for a polar histogram. Opposite directions
+/// are not distinguished.
 struct ContactDirections {
   int n_bins = 0;  ///< number of bins of equal width from 0 to pi
   /// Probability density in each bin (1/radian): 1/pi in all bins if the directions are isotropic.

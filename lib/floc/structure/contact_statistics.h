@@ -18,9 +18,9 @@ struct ContactPair {
 };
 
 /// Returns the pairs of grains that are joined by force-carrying contacts. A pair with one carrying point is a contact
-/// of a vertex and a face, or of two crossing edges; the contact stores which of them. A pair with two points is a
-/// contact of two faces (sides) in 2D, and of an edge and a face in 3D. A pair with more points is a contact of two
-/// faces.
+/// of a vertex and a face, or of two crossing edges; the contact stores which of the two it is. A pair with two points
+/// is a contact of two faces (sides) in 2D, and of an edge and a face in 3D. A pair with more points is a contact of
+/// two faces.
 /// @param carrying  force-carrying structure; contacts with walls are left out
 /// @return the pairs, in the order of the contacts
 template <int Dim>
@@ -60,8 +60,8 @@ ForceShape force_shape(const std::vector<double>& forces);
 ///
 /// with symmetric traceless tensors A, B and C. The component l_n has the same form as f_n, and l_t the same form as
 /// f_t. Tangential quantities are in units of the means of f_n and l_n. Each anisotropy in this struct is the component
-/// a of one of these tensors along the deviatoric stress. Its normalisation is P ~ 1 + a cos 2t (2D) or P ~ 1 + a (3
-/// cos^2 t - 1) (3D), and f_t ~ a sin 2t, where t is the angle between n and the direction of the largest stress
+/// a of one of these tensors along the deviatoric stress. It is normalised so that P ~ 1 + a cos 2t (2D) or P ~ 1 + a
+/// (3 cos^2 t - 1) (3D), and f_t ~ a sin 2t, where t is the angle between n and the direction of the largest stress
 /// [RB1989, ARS2009].
 struct ContactAnisotropy {
   double normals = 0.0;

@@ -97,7 +97,8 @@ class Painter {
   Vec<2> edge1_, edge2_;
   double area_;
   double circumradius_;
-  Vec<2> reach_;  // for each lattice vector: largest number of mesh cells, counted along it, per unit length
+  // for each lattice vector: largest change of the index of the mesh cell along this vector over a distance of 1
+  Vec<2> reach_;
   std::array<Vec<2>, 4> corners_;
 };
 

@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Map of the covered share of each mesh cell, that is, the share of its area inside grains. Mesh cells are
-/// parallelograms whose sides are the lattice vectors divided by `size`. The value of mesh cell (k1, k2) is at index k1
+/// Map of a packing in mesh cells. The value of a mesh cell is the share of its area that lies inside grains. Mesh
+/// cells are parallelograms whose sides are the lattice vectors divided by `size`. Mesh cell (k1, k2) has the index k1
 /// * size[1] + k2.
 struct CoverageMap {
   Vec<2, int> size = Vec<2, int>::Zero();  ///< number of mesh cells along each lattice vector

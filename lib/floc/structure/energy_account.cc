@@ -77,8 +77,8 @@ struct StepMotion {
   }
 };
 
-/// Returns the energy that a spring dissipates in a step: its stored energy before the step, minus its stored energy
-/// after the step, plus the work of the displacement `motion` on the spring.
+/// Returns the energy that a spring dissipates in a step: the energy stored before the step, plus the work of the
+/// displacement `motion` on the spring, minus the energy stored after the step.
 template <class V>
 double spring_loss(const V& before, double stiffness_before, const V& after, double stiffness_after,
                    const V& motion) {
@@ -87,7 +87,7 @@ double spring_loss(const V& before, double stiffness_before, const V& after, dou
 }
 
 /// Adds the energy that the springs of a contact dissipate in a step.
-/// @param before  the contact before the step, without forces if it is new
+/// @param before  the contact before the step; a new contact has no forces before the step
 template <int Dim>
 void add_spring_losses(const Contact<Dim>& before, const Contact<Dim>& after, const StepMotion<Dim>& motion,
                        EnergyTerms& terms) {

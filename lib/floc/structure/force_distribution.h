@@ -35,7 +35,8 @@ inline constexpr int kMaxBins = 100000;
 /// Histogram of contact forces, or of any other values f, divided by `unit`. Bin b = 0, 1, ... counts the values of
 /// f/unit in [first + b, first + b + 1) * width.
 struct ForceDistribution {
-  /// Unit of f (force, or force * length); 0 if the unit does not exist, such as the pull-off force without adhesion.
+  /// Unit of f (force, or force * length); 0 if the unit does not exist; the pull-off force, for example, does not
+  /// exist without adhesion.
   double unit = 0.0;
   double width = 0.0;  ///< width of a bin, in `unit`
   /// lower edge of the first bin divided by `width`: a whole number, so that no bin contains values of both signs

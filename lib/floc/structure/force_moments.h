@@ -19,7 +19,7 @@ struct ForceMoments {
   double M1 = 0.0, M2 = 0.0;
 };
 
-/// Computes the moments of the forces of the contacts between grains.
+/// Computes the statistical moments of the forces at contacts between grains.
 template <int Dim>
 ForceMoments force_moments(const Packing<Dim>& packing);
 

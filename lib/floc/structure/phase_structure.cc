@@ -17,7 +17,7 @@ int sign_of(double p) {
   return (p > 0.0 ? 1 : 0) - (p < 0.0 ? 1 : 0);
 }
 
-/// Connected parts of one phase. A phase consists of the grains with positive pressure, or of the grains with negative
+/// Connected parts of one phase. There are two phases: the grains with positive pressure and the grains with negative
 /// pressure. A grain without a neighbour in its phase is a part by itself.
 template <int Dim>
 struct PhaseParts {
@@ -70,8 +70,9 @@ std::pair<int, int> like_bonds(const ContactNetwork<Dim>& network, const std::ve
   return {n, like};
 }
 
-/// Sorts the grains of one phase (positive or negative pressure) into bins by the share of their neighbours that are in
-/// this phase, and returns the mean magnitude of the pressure in each bin. Neighbours with zero pressure are ignored.
+/// Sorts the grains of one phase (positive or negative pressure) into bins. The bin of a grain depends on the share of
+/// its neighbours that belong to the same phase. Returns the mean magnitude of the pressure in each bin. Neighbours
+/// with zero pressure are ignored.
 template <int Dim>
 std::vector<LikeNeighbourBin> by_share(const ContactNetwork<Dim>& network, const Adjacency& of,
                                        const std::vector<int>& sign, const std::vector<double>& pressure,

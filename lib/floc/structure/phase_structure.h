@@ -10,11 +10,11 @@
 
 namespace floc {
 
-/// Settings for the comparison of two structures: that of the particle pressures, and that of pressures with randomly
-/// shuffled signs.
+/// Settings of phase_structure(), which compares the phases of a packing with the phases that result if the signs of
+/// the particle pressures are shuffled at random.
 struct PhaseOptions {
-  /// Number of shuffles of the signs of particle pressure. With 20 shuffles, the error of shuffled_percolates is about
-  /// 0.1. Each shuffle requires a search for connected parts in each phase.
+  /// Number of times that the signs of the particle pressures are shuffled. With 20 shuffles, the error of
+  /// shuffled_percolates is about 0.1. Each shuffle requires a search for connected parts in each phase.
   int n_shuffles = 20;
   std::uint64_t seed = 1;
   /// number of bins for the share of neighbours whose pressure has the same sign as the pressure of the grain
@@ -31,7 +31,7 @@ struct LikeNeighbourBin {
   /// range [low, high) of the share of neighbours in this phase; the last bin includes 1
   double low = 0.0, high = 0.0;
   int n_grains = 0;
-  double mean_size = 0.0;   ///< mean magnitude of the pressure of the grains of the bin (stress)
+  double mean_size = 0.0;   ///< mean magnitude of the pressure over the grains of the bin (stress)
   double mean_error = 0.0;  ///< standard error of mean_size; 0 for fewer than two grains
 };
 
@@ -44,14 +44,15 @@ struct PhaseGeometry {
   int n_directions = 0;
   double shuffled_directions = 0.0;  ///< mean of n_directions over the shuffles of the signs
   double shuffled_percolates = 0.0;  ///< share of the shuffles in which n_directions is not zero
-  /// Mean over the shuffles of the number of grains of the largest connected part.
+  /// Number of grains of the largest connected part, averaged over the shuffles.
   double largest_shuffled = 0.0;
   std::vector<LikeNeighbourBin> by_share;
 };
 
-/// The two phases of grains with positive and with negative pressure, connected by bonds. Even with random signs,
-/// phases could percolate, and many neighbours would have equal signs. The phases are therefore compared with the
-/// phases that result if the signs are shuffled among the grains with nonzero pressure.
+/// The two phases of a packing: the grains with positive pressure and the grains with negative pressure. Grains of a
+/// phase are connected by bonds. Even with random signs, phases could percolate, and many neighbours would have equal
+/// signs. The phases are therefore compared with the phases that result if the signs are shuffled among the grains with
+/// nonzero pressure.
 struct PhaseStructure {
   PhaseGeometry positive, negative;
   int n_bonds = 0;             ///< number of bonds between two grains of nonzero pressure
@@ -61,7 +62,7 @@ struct PhaseStructure {
   double like_deviation = 0.0;
 };
 
-/// Computes the structure of the phases of positive and of negative particle pressure.
+/// Computes the structure of the two phases, the grains with positive pressure and the grains with negative pressure.
 /// @param pressure  pressure of each grain of the network (stress); a grain of zero pressure is in neither phase
 /// @param cell      periodic cell of the packing
 /// @throws InputError with the faults of the options if they are not valid

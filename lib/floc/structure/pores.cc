@@ -167,9 +167,9 @@ class FaceWalk {
   std::vector<int> next_;
 };
 
-/// Removes the faces that are not bounded, and sets `unbounded` if there are any: faces that wind around the cell, or
-/// the outside of a network that does not span the cell. Euler's formula determines which of these two is present, and
-/// whether edges cross.
+/// Removes unbounded faces, and sets `unbounded` if there are any. There are two kinds: faces that wind around the
+/// cell, and the outside of a network that does not span the cell. Euler's formula determines which of the two kinds is
+/// present, and whether edges cross.
 /// @return false if the edges cross
 bool remove_unbounded(double area, int n_grains, int n_edges, std::vector<Face>& faces, bool& unbounded) {
   constexpr double kWhole = 1e-6;

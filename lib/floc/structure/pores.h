@@ -25,8 +25,8 @@ struct Pores {
   /// Whether there is also a pore that winds around the cell. Such a pore has no size.
   bool unbounded = false;
   double total_area = 0.0;  ///< sum of the areas of `pores` (length^2)
-  /// Size xi' of the pores: root of the mean squared radius of gyration, weighted by area (length); 0 without
-  /// pores.
+  /// Size xi' of the pores: root mean square of the radius of gyration, weighted by the area of each pore (length); 0
+  /// without pores.
   double size = 0.0;
   double mean_area = 0.0;  ///< mean area of the pores (length^2)
   /// Reason why the pores could not be identified; empty if they were identified. With large overlaps, lines between

@@ -65,9 +65,9 @@ Vec<Dim> furthest_corner(const std::vector<HalfSpace<Dim>>& spaces, const Vec<Di
 }
 
 /// Pushes a point from the origin along a direction until it is stopped by the obstacles, which are balls. Each step
-/// replaces every ball by a half space that contains the ball and touches the ball at its point nearest to the moving
-/// point. The step is the longest move outside all half spaces, found by linear programming. The point therefore never
-/// enters a ball. The positions converge quadratically to a corner between balls.
+/// replaces every ball by a half space that contains it. The half space touches the ball at the point of the ball that
+/// is nearest to the moving point. The step is the longest move outside all half spaces, found by linear programming.
+/// The point therefore never enters a ball. The positions converge quadratically to a corner between balls.
 /// @return place where the point stops; no value if it moves further than `length`
 template <int Dim>
 std::optional<Vec<Dim>> pushed(const std::vector<Obstacle<Dim>>& obstacles, const Vec<Dim>& direction,
@@ -93,8 +93,8 @@ std::optional<Vec<Dim>> pushed(const std::vector<Obstacle<Dim>>& obstacles, cons
   return x;
 }
 
-/// Returns the direction in which a rattler is pushed: the direction towards the nearest obstacle, plus half of the
-/// direction towards the second-nearest obstacle.
+/// Returns the direction in which a rattler is pushed: the unit vector towards the nearest obstacle plus half the unit
+/// vector towards the second-nearest obstacle, normalised.
 template <int Dim>
 Vec<Dim> push_direction(std::vector<Obstacle<Dim>>& obstacles) {
   std::sort(obstacles.begin(), obstacles.end(), [](const Obstacle<Dim>& p, const Obstacle<Dim>& q) {

@@ -20,15 +20,15 @@ struct RigidClusters {
 };
 
 /// Finds groups of grains joined by contacts that exist in both states and show no relative motion. A contact shows no
-/// relative motion if two conditions hold. First, the two material points that touch in the state before have a
+/// relative motion if it satisfies two conditions. First, the two material points that touch in the state before have a
 /// distance of at most tolerance * a in the state after, where a is the largest diameter. Second, the rotations of the
 /// two grains differ by at most `tolerance` (radians). A rigid body that moves and rotates satisfies both conditions
 /// exactly. Along a chain of contacts, differences below the tolerance may add up. Both packings must contain the
 /// orientations of the grains; packings from other programs may lack them.
 ///
 /// @param changes    changes of contacts from `before` to `after`
-/// @param tolerance  largest relative displacement (in largest diameters) and largest relative rotation (radians) of
-///                   two grains that count as no motion; > 0, otherwise InputError
+/// @param tolerance  largest relative displacement (in units of the largest diameter) and largest relative rotation
+///                   (radians) of two grains that count as no motion; > 0, otherwise InputError
 template <int Dim>
 RigidClusters rigid_clusters(const Packing<Dim>& before, const Packing<Dim>& after,
                              const ContactChanges<Dim>& changes, double tolerance);

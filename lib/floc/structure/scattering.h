@@ -37,7 +37,7 @@ struct ScatteringOptions {
   double bin_growth = 1.05;
   /// For spheres: largest number of wave vectors over which a bin is averaged. A bin with more wave vectors is averaged
   /// over a random sample of this size. The relative error of the intensity is then 1/sqrt(most_vectors), which is 6 %
-  /// for 300 wave vectors. It is not larger than in bins of small k, which contain fewer wave vectors.
+  /// for 300 wave vectors. In bins of small k, which contain fewer wave vectors, the error is at least as large.
   int most_vectors = 300;
   /// For spheres: largest total number of wave vectors from which the random samples are drawn. If the number would be
   /// larger, the largest k is lowered.

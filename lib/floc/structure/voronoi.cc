@@ -14,8 +14,8 @@
 namespace floc {
 namespace {
 
-/// Distance below which vertices of the tessellation are merged (in largest diameters). This distance is larger than
-/// rounding errors, but smaller than the errors of the positions in packings.
+/// Distance below which vertices of the tessellation are merged, in units of the largest diameter. This distance is
+/// larger than rounding errors, but smaller than the errors of the positions in packings.
 constexpr double kSameVertex = 1e-6;
 
 /// A vertex of the Voronoi cell of one grain.

@@ -25,8 +25,8 @@ struct VoronoiTessellation {
 };
 
 /// Computes the radical Voronoi tessellation. The volumes of the Voronoi cells add up to the volume of the periodic
-/// cell. Vertices at distances below 1e-6 largest diameters are merged. This is necessary for crystals, in which more
-/// than four cells meet at a vertex.
+/// cell. Vertices whose distance is below 1e-6 times the largest diameter are merged. This is necessary for crystals,
+/// in which more than four cells meet at a vertex.
 /// @pre the packing has grains and no walls
 VoronoiTessellation voronoi_tessellation(const Packing<3>& packing);
 

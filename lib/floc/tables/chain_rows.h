@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// Data of a chain of equal disks. The compliances of this chain are computed.
+/// A chain of equal disks, whose compliances are computed.
 struct ChainOptions {
   int n = 0;           ///< number of disks
   double R = 0.0;      ///< radius of the disks (length)
@@ -28,8 +28,8 @@ struct ChainRow {
 /// Computes the compliances of a chain of disks.
 std::vector<ChainRow> chain_rows(const ChainOptions& chain);
 
-/// Returns the table of `floc chain`, with a row for each compliance. If rounding in double precision leaves no correct
-/// digit in the numerical solution, its cells are empty.
+/// Returns the table of `floc chain`, with a row for each compliance. The cells of the numerical solution are empty if
+/// rounding in double precision leaves no correct digit in it.
 Table chain_table(const ChainOptions& chain, const std::vector<ChainRow>& rows);
 
 }  // namespace floc

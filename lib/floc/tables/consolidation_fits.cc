@@ -62,7 +62,7 @@ const char* word_for(Weighting weighting) {
 }
 
 /// Returns the change from one regime of consolidation to the next as a json object: the two successive pressures of
-/// the curve between which the change lies, the ends of its 95 % interval, and its probability.
+/// the curve between which the change lies, the probability that it lies there, and the ends of a 95 % interval.
 Json change_as_json(const std::optional<ChangePoint>& change, const ConsolidationCurve& curve) {
   if (!change) return nullptr;
   const auto pressure = [&](int i) {
@@ -100,8 +100,8 @@ Json regimes_as_json(const ConsolidationSample& sample, const ConsolidationFit& 
           {"n_lagging", fit.law == ConsolidationLaw::log ? r.n_lagging : 0}};
 }
 
-/// Returns the cells window_low and window_high of a parameter. They are empty for parameters other than lambda and
-/// C_c.
+/// Returns the cells in the columns window_low and window_high for a parameter. For parameters other than lambda and
+/// C_c, these cells are empty.
 std::vector<TableValue> cells_of_range(const FittedParameter& p, const ConsolidationFit& fit) {
   const double unit = p.name == "C_c" ? std::numbers::ln10 : 1.0;
   const auto range = p.name == "lambda" || p.name == "C_c" ? range_of_lambda(fit) : std::nullopt;

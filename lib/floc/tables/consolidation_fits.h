@@ -49,8 +49,8 @@ struct ConsolidationSample {
   std::vector<std::vector<double>> loops() const;
 };
 
-/// A kind of step of a load path, such as unloading, whose rows are left out of fits of the consolidation law. It has a
-/// key in the json output, and a description for messages.
+/// A kind of step of a load path, such as unloading. The consolidation law is fitted without the rows of this kind. The
+/// kind has a key in the json output, and a description for messages.
 struct LeftOutStep {
   PathStep step;
   const char *key, *description;

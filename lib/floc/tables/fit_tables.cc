@@ -29,8 +29,8 @@ void require_path(const std::vector<PathRow>& rows, const std::string& pressure,
                                  rows[static_cast<std::size_t>(fault->row)].P_star, fault->expected));
 }
 
-/// Reads two properties of each row of a table of `floc run`: how the packing was loaded, and the ratio of the stress
-/// on the driven axis to the mean stress.
+/// Reads a table of `floc run`. For each row, gives two properties: how the packing was loaded, and the ratio of the
+/// stress on the driven axis to the mean stress.
 class LoadColumns {
  public:
   explicit LoadColumns(const CsvTable& table) : table_(table) {
@@ -46,7 +46,8 @@ class LoadColumns {
     return control == "oedometric" ? PathLoad::oedometric : PathLoad::other;
   }
 
-  /// Returns the ratio of the stress on the driven axis of a row to its mean stress. @pre the row has a driven axis
+  /// Returns the stress on the driven axis of a row, divided by the mean stress in this row. @pre the row has a driven
+  /// axis
   double driven_over_mean(int row) const {
     const std::string name = fmt::format("stress_{}", static_cast<int>(table_.number(row, axis_)));
     return table_.number(row, table_.column(name)) / table_.number(row, mean_);
@@ -128,7 +129,7 @@ void add_notes(PathTable& path) {
   if (const std::vector<int> rows = superseded_rows(path.rows); !rows.empty())
     path.notes.push_back(
         fmt::format("{} row{} the pressure of the next row, as in a hold (creep) or at a reversal of the load: "
-                    "of rows at one pressure only the last is used (row numbers left out: {})",
+                    "of successive rows at one pressure, only the last is used (row numbers left out: {})",
                     rows.size(), rows.size() == 1 ? " has" : "s have", ranges(rows)));
   if (!path.stress.empty())
     path.notes.push_back(fmt::format(

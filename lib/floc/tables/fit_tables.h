@@ -51,8 +51,8 @@ enum class OedometerPressure { driven, mean };
 /// the name of the branch. If successive rows have the same pressure, only the last of them is used. In rows of
 /// oedometer tests in a table of `floc run`, the pressure is the stress that `oedometer` selects. If the unit of P_star
 /// changes along a path of `floc run`, the pressures are converted to the unit of the first rows.
-/// @param columns    headers of those columns whose header is neither the name that floc uses nor another usual name of
-/// the quantity
+/// @param columns    headers that the user assigned to quantities. Needed if a header is neither the name that floc
+/// uses for the quantity nor another usual name of the quantity
 /// @param pressures  names of columns of pressures; the first of them that exists in the table is read
 /// @param phi_limit  see largest_solid_fraction()
 /// @throws InputError with file, line and value if a column is missing, if a value is not a number or is negative, or

@@ -18,9 +18,10 @@ namespace {
 
 /// Tolerance for contact forces, in units of the mean normal force. A force below the tolerance counts as zero. The
 /// friction of a contact counts as mobilised if the tangential force differs from its limit by less than the tolerance.
-/// Balanced forces are computed more accurately, by a few digits.
+/// The errors of balanced forces are smaller than the tolerance by a few orders of magnitude.
 constexpr double kNothing = 1e-6;
-/// Predicted time for the ranges of all forces (s) above which a remark gives this time.
+/// If the predicted time for computing the ranges of all forces exceeds this value (s), a remark gives the predicted
+/// time.
 constexpr double kLongSeconds = 2.0;
 
 const char* name_of(ForceSelection selection) {

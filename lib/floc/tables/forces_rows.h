@@ -13,7 +13,7 @@
 
 namespace floc {
 
-/// Criterion of selection: many sets of contact forces balance a load, and one of them is selected.
+/// Criterion by which one set of contact forces is selected from the many sets that balance a load.
 enum class ForceSelection {
   kClosest,    ///< the set closest to the forces of the state
   kCanonical,  ///< the set of least elastic energy
@@ -63,7 +63,8 @@ struct ForcesRow {
   double mobilised = 0.0;          ///< fraction of the force-carrying contacts whose friction is at its limit
   /// relative distance of the computed forces from the forces in the state; absent if the state contains no forces
   std::optional<double> moved;
-  double force_freedom = 0.0;  ///< relative distance of the forces from the forces of least elastic energy
+  double force_freedom =
+      0.0;  ///< relative distance of the computed forces from the forces of least elastic energy
   int n_factorizations = 0;
 };
 

@@ -9,9 +9,9 @@ namespace floc {
 
 /// Adds a row for each contact of a state to the table of `floc moduli --increments`. The row contains the increments
 /// of the contact forces due to an increase of the isotropic stress by 1, and due to an increase of the deviatoric
-/// stress by 1. For both, it contains the elastic energy of the increments and the rank of the contact by this energy.
-/// It also contains whether the contact is a dead end or part of a backbone. If the contact belongs to a rattler, its
-/// increments are zero.
+/// stress by 1. For each of the two increases, the row also contains the elastic energy of the increments and the rank
+/// of the contact by this energy. Two further cells tell whether the contact is a dead end and whether it is part of a
+/// backbone. If the contact belongs to a rattler, its increments are zero.
 /// @throws InputError if the table already contains a state of another dimension
 template <int Dim>
 void add_increments(const std::string& file, const Packing<Dim>& packing, const ContactNetwork<Dim>& network,

@@ -75,8 +75,8 @@ std::vector<std::string> words_on(const ContactNetwork<Dim>& network, const Modu
   std::vector<std::string> words;
   if (moduli.response.n_mechanisms > 0)
     words.push_back(fmt::format(
-        "the grains have {} mechanism(s): {} of them are determined by which grains are in contact, the others "
-        "also by the positions of the grains",
+        "the grains have {} mechanism(s): {} of them depend only on which grains are in contact, the others "
+        "also depend on the positions of the grains",
         moduli.response.n_mechanisms, structural_mechanisms(network, StrainSet::diagonal).n_mechanisms));
   const int listed = static_cast<int>(std::count_if(soft.modes.begin(), soft.modes.end(),
                                                     [](const auto& m) { return m.kind != ModeKind::elastic; }));

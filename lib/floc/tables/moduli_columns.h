@@ -47,7 +47,7 @@ struct ModuliRow {
   std::optional<double> G_prestress;
   std::optional<double> rolling_stiffness;
   std::optional<double> kn_named,
-      /// for rigid grains: stiffnesses of the contacts that the user gave by --kn and --kt (force/length)
+      /// stiffnesses --kn and --kt that the user gave for the contacts of rigid grains (force/length)
       kt_named;
   MeanFieldEstimates mean_field;
   double seconds;            ///< processor time for computing the moduli (s)

@@ -120,7 +120,8 @@ void add_network(const State<Dim>& state, ModuliOptions options, ModuliRow& row,
                                                                options, row.moduli);
     if (with.failure.empty()) row.B_prestress = with.B, row.G_prestress = with.G;
   }
-  // frees the memory of the response: all rows are kept until they are printed, and would need much memory
+  // frees the memory of the response: all rows are kept until they are printed, and their responses would need much
+  // memory
   row.moduli.response = {};
 }
 

@@ -45,7 +45,7 @@ struct ModulusFits {
 /// Fits power laws of elastic moduli against the pressure and, if the table has solid fractions, also against the solid
 /// fraction. Consecutive rows belong to one sample if their states, in the column "file", are in the same directory;
 /// without this column, all rows belong to one sample. States are left out if the pressure or the modulus is not
-/// positive, because it has no logarithm.
+/// positive, because only positive numbers have a logarithm.
 /// @throws InputError with file, line and value if a column is missing or a value is not a number
 ModulusFits modulus_fits(const std::string& file, const ColumnNames& columns, const ModulusFitOptions& options);
 

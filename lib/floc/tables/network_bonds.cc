@@ -138,7 +138,7 @@ void add_phase_tables(const std::string& file, const PhaseStructure& phases, Bon
 }
 
 /// Returns a text with the lattice vectors along which a phase winds around the periodic cell, such as "xy", "z" or
-/// "none". A phase consists of the grains with positive or of the grains with negative pressure.
+/// "none". There are two phases: the grains with positive pressure and the grains with negative pressure.
 std::string axes_of(const PhaseGeometry& phase) {
   std::string axes;
   for (int a = 0; a < 3; ++a)

@@ -115,7 +115,8 @@ std::vector<Column<NetworkRow>> mechanics_columns() {
           {"units", [](const Row& r) { return r.units; }}};
 }
 
-/// Returns the columns of the kinds of contacts of grains with corners. Their cells are empty for round grains.
+/// Returns the columns about the kinds of contacts (vertex, edge, face) between grains with corners. For round grains,
+/// the cells of these columns are empty.
 std::vector<Column<NetworkRow>> kind_columns() {
   using Row = NetworkRow;
   std::vector<Column<Row>> columns = {
@@ -153,7 +154,8 @@ std::string with_pairs(const std::string& name, bool by_pairs) {
   return at == std::string::npos ? name + "_pairs" : name.substr(0, at) + "_pairs_error";
 }
 
-/// Returns the columns of the distribution of forces, by contact points and by pairs of grains, and of the long axes.
+/// Returns the columns about the distribution of forces, which are counted by contact points and by pairs of grains,
+/// and the columns about the long axes.
 std::vector<Column<NetworkRow>> force_shape_columns() {
   using Row = NetworkRow;
   std::vector<Column<Row>> columns;

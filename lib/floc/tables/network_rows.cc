@@ -20,8 +20,8 @@ namespace {
 constexpr ForceKind kForceKinds[] = {ForceKind::normal, ForceKind::tangential, ForceKind::rolling};
 
 /// Computes the degree of hyperstaticity (number of independent self-stresses) of the force-carrying structure `held`.
-/// @param network, response  contact network with which the moduli were computed, and its elastic response. If the
-/// network has the same contacts as `held`, they are used again to save time
+/// @param network, response  contact network with which the moduli were computed, and its elastic response. To save
+/// time, the network and the response are used again if the network has the same contacts as `held`
 template <int Dim>
 Indeterminacy hyperstaticity(const Packing<Dim>& packing, const CarryingStructure& held,
                              const ContactNetwork<Dim>& network, const ElasticResponse& response) {

@@ -22,7 +22,7 @@ namespace {
 struct Density {
   const char* name;      ///< name of the quantity in floc and in tables
   const char* words;     ///< name of the quantity in messages
-  const char* measures;  ///< dimension of its unit: "share" for a ratio, which may be in percent, or "density"
+  const char* measures;  ///< dimension: "density", "length" or "share" (ratio, may be in percent)
 
   bool is_share() const { return measures == std::string_view("share"); }
 };
@@ -134,9 +134,10 @@ class DensityReader {
                                                  fmt::join(table_.columns(), ", "), almost));
   }
 
-  /// Returns whether a column contains a density. It does if the user or the header of the column says so, or if the
-  /// header is a usual name of the density and has no unit or a unit of this density. For example, the diameter "D
-  /// [mm]" of a tablet is not a relative density.
+  /// Returns whether a column contains a density. It does in two cases: if the user has named this column for the
+  /// density, or its header is the name that floc uses for the density; or if the header is another usual name of the
+  /// density, and the unit is absent or is a unit of this density. For example, the diameter "D [mm]" of a tablet is
+  /// not a relative density.
   bool is_of(const Density& density, const UnitColumn& column) const {
     if (columns_.is_named(density.name) || columns_.find_exactly(density.name)) return true;
     return column.unit.empty() || quantity_of_unit(column.unit) == density.measures;
@@ -152,7 +153,8 @@ class DensityReader {
   }
 
   /// If the table has a column of void ratios and a column of solid fractions, returns the column of void ratios; the
-  /// two columns must agree. Returns nothing if the user has named only one of them.
+  /// two columns must agree. Returns nothing if the table has only one of the two columns, or if the user has named
+  /// only one of them.
   std::optional<DensityColumn> second_column() const {
     const bool phi = columns_.is_named("phi"), void_ratio = columns_.is_named("void_ratio");
     if (!main_.is("phi") || phi != void_ratio) return std::nullopt;

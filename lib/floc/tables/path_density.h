@@ -33,9 +33,9 @@ std::vector<std::string> density_names();
 /// Numbers whose unit is % are divided by 100. If the table has the columns phi and void_ratio, and the user named
 /// neither of them, the two columns have to agree.
 /// @param phi_limit  see largest_solid_fraction()
-/// @throws InputError naming file, line and value if there is no such column, if a value is not possible, if the
-/// numbers contradict the unit (they seem to be in percent although the table does not say so, or they seem not to be
-/// although it does), or if two columns contradict each other
+/// @throws InputError naming file, line and value if there is no such column, if a value is not possible, if numbers
+/// without the unit % seem to be in percent, if numbers with the unit % seem not to be in percent, or if two columns
+/// contradict each other
 SolidFractions solid_fractions(const NamedColumns& columns, double phi_limit = 1.0);
 
 /// Returns the largest solid fraction that a row of a table may have: 1 or, if `phi_limit` is larger, `phi_limit`, but
@@ -45,9 +45,9 @@ double largest_solid_fraction(double phi_limit);
 
 /// Returns the factor that converts the numbers in the column `name` (a void ratio or another ratio) to plain ratios:
 /// 0.01 if they are in percent, otherwise 1.
-/// @throws InputError with a question for the user, if the numbers seem to be in percent although the table does not
-/// say so, or if they are too small for percentages although the table says that they are in percent. No error is
-/// thrown if the user gave the unit with `--columns "NAME=COLUMN [%]"` or "[1]"
+/// @throws InputError with a question for the user in two cases: the unit of the column is not %, but the numbers seem
+/// to be in percent; or the unit is %, but the numbers are too small for percentages. No error is thrown if the user
+/// gave the unit with `--columns "NAME=COLUMN [%]"` or "[1]"
 double factor_of_share(const NamedColumns& columns, const std::string& name);
 
 /// Returns the solid fraction that corresponds to a value, which is either a solid fraction or a void ratio.

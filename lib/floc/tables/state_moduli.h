@@ -30,8 +30,8 @@ StateModuli moduli_of(const std::string& file, int axis = -1);
 /// @throws InputError if the units cannot be converted, or if the path has a unit and the state is in reduced units
 StateModuli in_unit_of(const PathTable& path, StateModuli moduli);
 
-/// Returns the number (from 0) of the driven axis of a row in the table of a load path of `floc run`; -1 if the row is
-/// not part of an oedometer test.
+/// Returns the number (from 0) of the driven axis in a row of a load path from `floc run`; -1 if the row is not part of
+/// an oedometer test.
 int driven_axis(const PathTable& path, int row);
 
 /// Computes the moduli of the state that is named in a row of a load path. Returns nothing if the file of this state is

@@ -67,8 +67,8 @@ class RunColumns {
     return p;
   }
 
-  /// Returns the state in a row of a test of simple shear. If `is_start` is true, the row is the one before the test;
-  /// its shear strain and shear stress are 0.
+  /// Returns the state in a row of a test of simple shear. If `is_start` is true, the row is the last row before the
+  /// test, and the returned shear strain and shear stress are 0.
   PlaneShearPoint plane(int row, std::size_t axis, bool is_start) const {
     PlaneShearPoint p;
     p.normal_stress = table_.number(row, stress_[axis]);

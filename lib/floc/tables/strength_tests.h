@@ -48,12 +48,12 @@ const std::vector<std::string>& strength_names();
 
 /// Reads the tests in a table. In path.csv of `floc run`, a test consists of consecutive rows with the same driven axis
 /// and the same control (triaxial, constant_volume, oedometric or simple_shear). Any other table has the columns sigma1
-/// and sigma3 (stresses along the axis and across it). If it also has the columns strain (along the axis) and
-/// volumetric_strain, it is one test; without them, each row is a sample at failure. A table of simple shear has the
-/// columns sigma_n and tau (normal and shear stress on the planes) instead of sigma1 and sigma3, and shear_strain
-/// instead of strain.
+/// and sigma3 (stresses along the axis and across it). If this table also has the columns strain (along the axis) and
+/// volumetric_strain, all its rows are one test. Without these columns, each row is a sample at failure. A table of
+/// simple shear has the columns sigma_n and tau (normal and shear stress on the planes) instead of sigma1 and sigma3,
+/// and shear_strain instead of strain.
 /// @param kind     kind of the test in a table with strains that was not written by `floc run`
-/// @param columns  headers of the columns of those quantities whose header is not the name of the quantity
+/// @param columns  headers of those columns whose header differs from the name of their quantity
 /// @throws InputError with file, line and value if a column is missing or a value is not a number
 std::vector<StrengthTest> read_strength_tests(const std::string& file, const ColumnNames& columns,
                                               TestKind kind = TestKind::drained);

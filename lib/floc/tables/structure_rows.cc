@@ -204,8 +204,8 @@ void add_pairs(const std::string& file, const Packing<Dim>& packing, const Struc
     series.pairs.rows.push_back({file, found.middle(b), found.g[b], found.n_pairs[b], scale * found.middle(b)});
 }
 
-/// Returns the list of the largest gaps (length) across which grains count as neighbours: 0, and ten values per decade
-/// from 1e-6 to 1 times the largest diameter.
+/// Returns the values of h (length) for which the neighbours of a grain at gaps up to h are counted: 0, and ten values
+/// per decade from 1e-6 to 1 times the largest diameter.
 std::vector<double> gaps_of(double diameter) {
   std::vector<double> gaps = {0.0};
   for (int k = -60; k <= 0; ++k) gaps.push_back(diameter * std::pow(10.0, 0.1 * k));
@@ -306,7 +306,7 @@ void add_periodic_structure(const Packing<Dim>& packing, const StructureTableOpt
   }
 }
 
-/// Checks that the options select no table that needs the periodic images of the grains if the state has walls.
+/// If the state has walls, checks that the options select no table that needs the periodic images of the grains.
 /// @throws InputError with the name of the first selected table that needs them
 template <int Dim>
 void refuse_periodic_tables(const Packing<Dim>& packing, const StructureTableOptions& options,
@@ -321,8 +321,7 @@ void refuse_periodic_tables(const Packing<Dim>& packing, const StructureTableOpt
   if (options.average) require_periodic(packing, "an average over states is computed", file);
 }
 
-/// Checks that no selected table needs the volume or the surface of disks or spheres, which grains with corners do not
-/// have.
+/// If the grains have corners, checks that the options select no table that can be computed only for disks or spheres.
 /// @throws InputError with the name of the first selected table that needs them
 template <int Dim>
 void refuse_round_tables(const Packing<Dim>& packing, const StructureTableOptions& options,

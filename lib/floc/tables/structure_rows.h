@@ -63,8 +63,8 @@ struct StructureRow {
   double seconds = 0.0;
 };
 
-/// Columns, for states in 2D, of the table of pores and of the map of the local solid fraction. States in 3D have other
-/// columns.
+/// Columns of two tables for states in 2D: the table of pores, and the map of the local solid fraction. The tables for
+/// states in 3D have other columns.
 inline const std::vector<std::string> kPoreColumns = {"file",    "x1", "x2", "area", "gyration_radius",
                                                       "n_grains"};
 inline const std::vector<std::string> kMapColumns = {"file", "k1", "k2", "x1", "x2", "solid_fraction"};

@@ -23,8 +23,8 @@ struct ReloadingFit {
   bool is_first_loading() const { return branch.largest_before == 0.0; }
 };
 /// Fits a preconsolidation pressure to branches of a load path.
-/// @param branch  keyword: "reloading", "first" (the first loading, up to the point at which it bends towards its
-/// densest state), or "all". Empty: the reloading branches or, if there are none, the first loading
+/// @param branch  keyword: "reloading", "first" (the first loading, up to the point at which the curve bends towards
+/// the densest state), or "all". Empty: the reloading branches or, if there are none, the first loading
 std::vector<ReloadingFit> preconsolidation_fits(const PathTable& path, const std::string& branch = "");
 /// Returns the table of `floc fit preconsolidation`, with its columns and without rows.
 Table preconsolidation_table();
@@ -38,7 +38,7 @@ Table cycle_table();
 /// Adds the rows of all pressure cycles of a load path to the table of `floc fit cycle`. @return number of cycles
 int add_cycles(const PathTable& path, Table& table);
 
-/// Returns the main source of the standard error of a parameter of the law of dynamic compaction: "samples" (too few
+/// Returns the main source of the standard error of a parameter in the law of dynamic compaction: "samples" (too few
 /// samples), "law" (misfit of the law) or "plateau" (choice of the samples that do not lie on the plateau).
 /// @param parts  parts of this standard error
 const char* limit_of(const CompactionErrorParts& parts);
@@ -56,7 +56,7 @@ void add_rows(const std::string& name, const CompactionFit& fit, Table& table);
 /// Returns a fit as the json object that `floc fit dynamic-compaction --format json` prints.
 Json as_json(const std::string& name, const CompactionFit& fit, const CompactionReference& reference);
 
-/// Options of fits of distributions to forces. The member `form` contains a keyword of `floc fit force-distribution
+/// Options for fitting distributions to forces. The member `form` contains a keyword of `floc fit force-distribution
 /// --form`.
 struct ForceDistributionOptions {
   std::string form = "all";

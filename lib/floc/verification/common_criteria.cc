@@ -226,7 +226,8 @@ void compare_flags(const Packing<Dim>& stored, Record& record) {
   }
 }
 
-/// Compares the residuals of the grains that the state records as the worst with the largest residuals of all grains.
+/// A state records which grains have the largest residuals. Compares the residuals of these grains with the largest
+/// residuals of all grains.
 /// @param found  largest residuals of the recomputed packing
 /// @param rounding  bound on the rounding error of a residual
 template <int Dim>

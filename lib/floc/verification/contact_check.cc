@@ -15,8 +15,8 @@
 namespace floc {
 namespace {
 
-/// Largest accepted relative excess of a tangential force (or moment) above its limit. It is sufficient for files with
-/// only six digits, in which forces and contact normals are rounded.
+/// Largest accepted relative excess of a tangential force (or moment) above its limit. This value is sufficient for
+/// files with only six digits, in which forces and contact normals are rounded.
 constexpr double kCapTolerance = 1e-4;
 /// Largest tensile normal force that counts as a rounding error, divided by the largest normal force of the packing.
 constexpr double kNoForce = 1e-9;

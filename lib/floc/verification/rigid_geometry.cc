@@ -17,7 +17,8 @@ constexpr int kIncidentBit = 11, kReferenceBit = 21;
 constexpr std::uint32_t kTenBits = 1023, kOfSecond = std::uint32_t{1} << 31;
 
 /// Returns the features that meet at a contact point with this key. A search that begins with these features finds the
-/// recorded contact, even if contact_manifold() could choose another contact that is equally good within its margins.
+/// recorded contact, even if contact_manifold() could choose another contact that is equally good within the margins of
+/// that function.
 template <int Dim>
 AxisFeatures features_of(std::uint32_t key, const Shape<Dim>& first, const Shape<Dim>& second) {
   const auto reference = static_cast<int>(key >> kReferenceBit & kTenBits),

@@ -58,8 +58,8 @@ std::optional<Scene> scene_of(const std::string& file, const std::string& text, 
   }
 }
 
-/// Largest accepted tolerance of a state without a scene, in the units of all tolerances (typical force F1 of the
-/// packing, largest diameter). A packing whose net forces reach this tolerance is far from equilibrium.
+/// Largest accepted tolerance of a state without a scene. All tolerances are expressed in units of the typical force F1
+/// of the packing and the largest diameter. A packing whose net forces reach this tolerance is far from equilibrium.
 constexpr double kLargestTolerance = 10.0;
 
 /// Checks the tolerances of the equilibrium that are recorded in a state.
@@ -139,7 +139,7 @@ void compare_walls(const Packing<Dim>& packing, const PlannedEquilibrium& planne
                    Differences& found) {
   const auto& box = scene.assembly.box;
   if (packing.walls.empty() == box.has_value())
-    return found.add("only one of the scene and the state has walls");
+    return found.add("either the scene or the state has walls, but not both");
   if (!box) return;
   if (packing.wall_law != wall_law(planned.law, *box))
     found.add("the contact law of the walls (wall_law) differs from the contact law of the walls in the scene");

@@ -18,8 +18,8 @@ namespace floc {
 ///   scene       number of other differences: unit system, place on the load path, load on the boundary, contact law,
 ///               contact law of the walls, masses of the walls. A scene that starts from a saved state is compared
 ///               only if that state is found.
-/// @param file  name of the state file, for messages; if the scene starts from a saved state, this state is searched in
-/// the directory of the file
+/// @param file  name of the state file, for messages; if the scene starts from a saved state, floc looks for this state
+/// in the directory of the file
 template <int Dim>
 std::vector<Criterion> check_against_scene(const std::string& file, const State<Dim>& state);
 

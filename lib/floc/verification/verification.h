@@ -19,8 +19,8 @@ struct Criterion {
   /// Text for messages. If the criterion is violated, the text lists the grains or contacts that violate it, worst
   /// first. If the criterion could not be tested fully, the text gives the reason. Otherwise it is empty.
   std::string where;
-  /// Whether `value` shows if the criterion is violated. If false, the criterion is violated although `value` is within
-  /// `limit`, and only `where` describes the violation.
+  /// Whether a violation of the criterion shows in `value`. If not, `value` is within `limit`, and only `where`
+  /// describes the violation.
   bool by_value = true;
 };
 

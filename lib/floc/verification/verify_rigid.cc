@@ -183,7 +183,7 @@ Criterion check_gaps(const Packing<Dim>& recomputed, const RigidGeometry<Dim>& g
   return result;
 }
 
-/// Returns the power (energy/time) that the contact forces exert on the moving grains, the cell and the walls.
+/// Returns the power (energy/time) of the contact forces on the moving grains, the cell and the walls.
 template <int Dim>
 double contact_power(const Packing<Dim>& packing) {
   const Grains<Dim>& g = packing.grains;
@@ -221,8 +221,8 @@ Criterion check_power(const State<Dim>& state, const Packing<Dim>& recomputed) {
   return result;
 }
 
-/// Compares the stored contacts with the contact points that a time step from this packing finds. Their geometry must
-/// agree up to rounding errors.
+/// Compares the stored contacts with the contact points that a time step from this packing finds. The geometry of
+/// stored and found contacts must agree up to rounding errors.
 template <int Dim>
 Criterion check_step_geometry(const Packing<Dim>& stored, const std::vector<Contact<Dim>>& found) {
   Criterion result{"geometry", 0.0, distance_error(stored), true, ""};
@@ -262,12 +262,14 @@ Criterion check_step(const State<Dim>& state, double error) {
   const MotionRecord& motion = *state.motion;
   const double limit = std::max(motion.sweep_tolerance, motion.residual) + kRounding;
   const bool holds = error <= limit && std::abs(error - motion.residual) <= kRounding + 1e-2 * motion.residual;
-  return {"step", error, limit, holds,
-          holds ? ""
-                : fmt::format(
-                      "with the recorded forces, the velocities at the end of the time step {:.3g} violate the "
-                      "conditions of contact by {:.3g} of the mean normal force, but {:.3g} is recorded",
-                      motion.time_step, error, motion.residual)};
+  return {
+      "step", error, limit, holds,
+      holds ? ""
+            : fmt::format(
+                  "with the recorded forces, the velocities at the end of the time step of {:.3g} violate the "
+                  "conditions of contact by {:.3g} times the mean normal force, but the recorded violation "
+                  "is {:.3g}",
+                  motion.time_step, error, motion.residual)};
 }
 
 /// Returns a text with the name of the grain with the largest kinetic energy.

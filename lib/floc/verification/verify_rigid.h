@@ -7,8 +7,9 @@
 
 namespace floc {
 
-/// Returns the default limit of the gap or overlap of a contact with a force, divided by the diameter of the smaller
-/// grain. It applies if the scene sets no limit: 1e-4 for disks and spheres, 1e-3 for grains with corners.
+/// Returns the default of the largest gap or overlap that a contact with a force may have, divided by the diameter of
+/// the smaller grain. The default is used if the scene sets no limit: 1e-4 for disks and spheres, 1e-3 for grains with
+/// corners.
 template <int Dim>
 double default_gap_tolerance(const Packing<Dim>& packing);
 
@@ -37,9 +38,9 @@ std::vector<Criterion> verify_motion(const State<Dim>& state);
 ///   gap          largest gap or overlap of a contact that carries a force, and largest overlap of any two surfaces,
 ///                divided by the diameter of the smaller grain
 ///   force, moment, stress, energy, mean_stress, length, boundary_balance, recorded   as in verify_equilibrium()
-///   power        power of the contact forces on the recorded motion, divided by the unit of the energy criterion for
-///                all grains per time T. The value is 0 at rest, and if the forces dissipate energy. T = sqrt(m a/F1),
-///                with the mass m and the diameter a of the largest grain and the force scale F1
+///   power        power of the contact forces on the recorded motion, divided by N F1 a/T, with the number N of grains,
+///                the force scale F1, the largest diameter a and the time T = sqrt(m a/F1), where m is the largest
+///                mass. The value is 0 at rest, and if the forces dissipate energy
 /// The stability is not tested, because rigid contacts have no stiffness.
 /// @param gap_tolerance  limit of the criterion gap
 template <int Dim>

@@ -130,7 +130,7 @@ TEST(Heckel, IsFittedToTheStraightPart) {
   ASSERT_TRUE(fit.found());
   EXPECT_GT(fit.first, 0);
   EXPECT_NEAR(*fit.parameters[0].value, 120, 2);
-  EXPECT_THAT(fit.warnings, Contains(HasSubstr("of which the straight part")));
+  EXPECT_THAT(fit.warnings, Contains(HasSubstr("only the straight part of the curve")));
 }
 
 TEST(Kawakita, TendsToOneAtMostUnlessTheBoundIsLifted) {

@@ -57,8 +57,8 @@ TEST(Percolation, RefusesWaysAroundThatNoContactsTake) {
     FAIL();
   } catch (const InputError& e) {
     EXPECT_STREQ(e.what(),
-                 "contacts/image: the images of contacts lead around more than 2^40 cells before they return "
-                 "to the same grain: at least one image is wrong");
+                 "contacts/image: a chain of contacts passes through more than 2^40 cells before it returns "
+                 "to the same grain: the periodic image of at least one contact is wrong");
   }
 }
 

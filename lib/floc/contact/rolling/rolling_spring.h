@@ -50,8 +50,8 @@ struct RollingSpring {
   /// Returns the rolling stiffness K_R (force * length) of a touching contact whose rolling moment is below its cap; 0
   /// if the coefficient of rolling friction is zero.
   double stiffness(const NormalResponse<double>&) const { return acts() ? rolling_stiffness : 0.0; }
-  /// Returns whether the spring can carry a moment. A spring that cannot carry a moment is left out of the contact law,
-  /// because it must not stiffen the elastic network of contacts.
+  /// Returns whether the moment of the spring can differ from zero. Otherwise the spring is left out of the contact
+  /// law, because it must not stiffen the elastic network of contacts.
   bool acts() const { return coefficient != 0.0; }
 
   bool operator==(const RollingSpring&) const = default;

@@ -50,7 +50,7 @@ struct CoulombFriction {
   }
   /// Returns the tangential stiffness K_T (force/length) of a contact that touches and does not slide.
   double stiffness(const NormalResponse<double>&) const { return tangential_stiffness; }
-  /// Returns whether the spring can carry a force. A spring that cannot carry a force is left out of the contact law,
+  /// Returns whether the force of the spring can differ from zero. Otherwise the spring is left out of the contact law,
   /// because it must not stiffen the elastic network of contacts.
   bool acts() const { return coefficient != 0.0; }
 

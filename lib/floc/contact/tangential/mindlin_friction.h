@@ -57,7 +57,7 @@ struct MindlinFriction {
   }
   /// Returns the tangential stiffness K_T (force/length) of a contact that touches and does not slide.
   double stiffness(const NormalResponse<double>& normal) const { return normal.shear_stiffness; }
-  /// Returns whether friction can carry a force. Friction that cannot carry a force is left out of the contact law,
+  /// Returns whether the friction force can differ from zero. Otherwise friction is left out of the contact law,
   /// because it must not stiffen the elastic network of contacts.
   bool acts() const { return coefficient != 0.0; }
 

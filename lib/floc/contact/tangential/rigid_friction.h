@@ -17,7 +17,7 @@ struct RigidFriction {
       {"coefficient", &RigidFriction::coefficient, Unit::ratio, "mu", Requirement::not_negative,
        "a number >= 0 (friction coefficient mu)", "friction coefficient"}};
 
-  /// Returns whether the friction can carry a force.
+  /// Returns whether the friction force can differ from zero.
   bool acts() const { return coefficient != 0.0; }
 
   bool operator==(const RigidFriction&) const = default;

@@ -46,8 +46,8 @@ struct TwistingSpring {
   void set_force(double moment, double stiffness, double* history) const { *history = moment / stiffness; }
   /// Returns the twisting stiffness K_tw (force * length) of a touching contact whose twisting moment is below its cap.
   double stiffness(const NormalResponse<double>&) const { return twisting_stiffness; }
-  /// Returns whether the spring can carry a moment. A spring that cannot carry a moment is left out of the contact law,
-  /// because it must not stiffen the elastic network of contacts.
+  /// Returns whether the moment of the spring can differ from zero. Otherwise the spring is left out of the contact
+  /// law, because it must not stiffen the elastic network of contacts.
   bool acts() const { return coefficient != 0.0; }
 
   bool operator==(const TwistingSpring&) const = default;

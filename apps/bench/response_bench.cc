@@ -34,8 +34,8 @@ double seconds_of(const auto& work) {
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-/// Returns the system time that this process has used so far (s). The system spends most of this time on providing new
-/// memory. The time varies between calls by a factor of three, depending on the state of the machine.
+/// Returns the system time that this process has used so far (s). Most of it goes into the allocation of memory. For the
+/// same computation it can differ by a factor of three, depending on the state of the machine.
 double system_seconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

@@ -43,8 +43,9 @@ void add_lattice_options(CommandLine app, LatticeArguments& a) {
   app.add_option(
       "--stiffness", a.stiffness,
       "grain=K,matrix=K,interface=K,contact=K: stiffness of the elements inside grains, inside the matrix, "
-      "between a grain and the matrix, and between two grains (force/length) [grain and matrix 1; interface 2 "
-      "K K'/(K + K') with the stiffnesses K of grains and K' of matrix; contact as for grain]");
+      "between a grain and the matrix, and between two grains (force/length) [grain and matrix: 1; "
+      "interface: 2 K K'/(K + K'), where K is the stiffness of the grains and K' that of the matrix; contact: "
+      "the value for grain]");
   // Some defaults differ between 2D and 3D. They are set after the state has been read, so the variables of these
   // options are still empty here.
   app.add_option("--per-diameter", a.per_diameter,

@@ -29,7 +29,7 @@ struct PathTable {
   std::string stress = {};
   /// Summary of the table in one line: number of rows, quantities, units and reversals of the load.
   std::string reading = {};
-  /// whether the table was written by floc run, so that its `reading` need not be printed
+  /// whether `floc run` has written the table; if so, its `reading` need not be printed
   bool is_of_run = false;
   std::vector<std::string> notes =
       {};  ///< messages about conversions of the pressures, and about rows that are left out

@@ -137,7 +137,8 @@ const std::array<DeclaredObservable, kObservables>& declared_observables() {
        "decay rate of the exponential tail of the stresses in grains, each divided by their mean",
        Source::lattice, in_every_scene, nullptr},
       {"beta_matrix", "1",
-       "decay rate of the exponential tail of the stresses in the matrix, each divided by their mean",
+       "decay rate of the exponential tail in the distribution of the ratio of a stress in the matrix to the "
+       "mean",
        Source::lattice, in_every_scene, nullptr},
       {"beta_forces", "1",
        "decay rate of the exponential tail of the forces between cemented grains, each divided by their mean",

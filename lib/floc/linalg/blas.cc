@@ -28,7 +28,8 @@ const char* widest_kernels() {
 }
 
 /// If OpenBLAS has not recognised the processor and uses slow routines, makes it choose its routines again. Does
-/// nothing if OpenBLAS was built for one type of processor only and therefore lacks the functions gotoblas_dynamic_...
+/// nothing if OpenBLAS was built for one type of processor only and therefore lacks the functions whose names begin
+/// with gotoblas_dynamic_.
 void choose_kernels() {
   constexpr const char* kVariable = "OPENBLAS_CORETYPE";
   constexpr const char* kFallback = "Prescott";

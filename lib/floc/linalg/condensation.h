@@ -19,8 +19,8 @@ struct SpringSystem {
 struct ApproximateInverse {
   /// function that returns M^-1 b for a vector b
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> apply;
-  /// Whether the stiffness matrix K and the matrix M are positive semidefinite. If true, condense() minimises the
-  /// energy by conjugate gradients.
+  /// Whether the stiffness matrix K and the matrix M, whose inverse is the approximation, are positive semidefinite. If
+  /// true, condense() minimises the energy by conjugate gradients.
   bool definite = true;
   /// If `definite`: lower bound on the nonzero eigenvalues of M^-1 K. It is 0 if no bound is known; then the error
   /// bound of condense() is infinite.
@@ -77,8 +77,8 @@ struct Condensation {
 /// 1. r^T K^-1 r for the residual force r. This is twice the energy that further relaxation would release. An upper
 ///    bound is r^T M^-1 r / `smallest_ratio`, or |r|^2 |K^-1| if K is indefinite.
 /// 2. The effect of rounding errors of the entries of A and B, which are assumed correct to a few units in the last
-///    place. The effect is the change of the energy at fixed u, with the square of the change of each elongation
-///    included. It does not depend on a condition number.
+///    place. The effect is the change of the energy at fixed u, including terms of second order. It does not depend on
+///    a condition number.
 [[nodiscard]] Condensation condense(const SpringSystem& springs, const ApproximateInverse& inverse,
                                     const CondensationOptions& options);
 

@@ -19,7 +19,7 @@ struct Eigenpairs {
 /// Finds the lowest eigenvalues of a symmetric matrix A and their eigenvectors by Lanczos' method (Spectra). The method
 /// is applied to the inverse of A + s * 1, where the shift s > 0 makes A + s * 1 positive definite. If the inertia of A
 /// shows that eigenvalues have been missed, the search is repeated in the space orthogonal to the eigenvectors found so
-/// far. The error of an eigenvalue is a few rounding units of the norm of A.
+/// far. The error of an eigenvalue is a few rounding units times the norm of A.
 ///
 /// @param factor    contains A, whose diagonal must be of order one; the present factorization in `factor` is lost
 /// @param left_out  linearly independent null vectors of A, one per column, that the search leaves out

@@ -154,7 +154,8 @@ struct SymmetricFactor::Factor {
     using Entry = Eigen::SparseMatrix<double>::InnerIterator;
     const int* place = to_matrix.indices().data();
     const auto n = static_cast<int>(lower.cols());
-    // first the number of entries of each column; after the sums below, the place of the next entry of each column
+    // At first, `next` contains the number of entries of each column; after the sums below, it contains the place of
+    // the next entry of each column.
     std::vector<SuiteSparse_long> next(n + 1, 0);
     for (int c = 0; c < n; ++c) {
       ++next[place[c] + 1];

@@ -16,7 +16,8 @@ namespace {
 
 using Need = TableReader::Need;
 
-/// Returns the stresses that a stage imposes at its end, each with the name of its key in the scene.
+/// Returns the stresses that a stage imposes at its end, each with the name of the key in the scene that gives the
+/// stress.
 std::vector<std::pair<const char*, double>> stresses_of(const LoadStage& stage) {
   if (stage.is_isotropic()) return {{stage.control == "axes" ? "axes" : "to", stage.to}};
   std::vector<std::pair<const char*, double>> stresses;

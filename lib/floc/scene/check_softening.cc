@@ -14,7 +14,7 @@ namespace {
 
 using Need = TableReader::Need;
 
-/// Records a fault if a table of the scene gives a larger softening than its steps allow.
+/// Records a fault if a table of the scene gives a larger softening than the steps to which the table applies allow.
 void check_limit(TableReader& table, double s, const SofteningLimit& limit) {
   const std::string fault = limit.fault(s);
   if (!fault.empty())

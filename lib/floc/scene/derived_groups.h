@@ -17,9 +17,9 @@ struct DerivedGroup {
 
 /// Returns the numbers that characterize a scene. The list begins with the dimensionless numbers, such as kappa
 /// (stiffness), P* (reduced pressure) of every stage, Ia (strain rate), ratios of stiffnesses, D0/a (range of the
-/// adhesion), h0/a (overlap caused by adhesion), the fraction of critical damping and V0/V* (speed at the start). Then
-/// follow the time T0, the time step, the number of equilibria and the expected cost. Here a is the largest diameter.
-/// The list contains only numbers about effects that occur in the scene.
+/// adhesion), h0/a (overlap caused by adhesion), the fraction of critical damping and V0/V* (speed at the start). The
+/// last numbers of the list are the time T0, the time step, the number of equilibria and the expected cost. In the
+/// names, a is the largest diameter. The list contains only numbers about effects that occur in the scene.
 std::vector<DerivedGroup> derived_groups(const Scene& scene);
 
 /// Returns the stiffness number kappa = (E~/P)^(2/3) of elastic spheres under a pressure P, with E~ = E/(1 - nu^2)

@@ -98,7 +98,7 @@ FileShapeOptions read_file_options(TableReader& t, const std::string& directory)
   FileShapeOptions file;
   if (const auto name = t.text("file", "the name of a file of shapes (.off, .obj, .stl, .shp or .csv)"))
     file.file = (std::filesystem::path(directory) / *name).string();
-  file.vertices = read_whole(t, "vertices", "the number of vertices of a shape to keep, a whole number", 0);
+  file.vertices = read_whole(t, "vertices", "the number of vertices that each shape keeps, a whole number", 0);
   const char* expectation = "the SHA-256 of the file of shapes, which floc writes";
   file.sha256 = t.text("sha256", expectation, Need::optional).value_or("");
   return file;

@@ -163,8 +163,8 @@ double time_unit(const Scene& scene, double pressure) {
   return F1 > 0.0 ? std::sqrt(a * m / F1) : 0.0;
 }
 
-/// Warns if the compression of a gas takes so long that the first step is given up, at the time equilibrium.max_time,
-/// before the grains touch.
+/// Warns if the compression of a gas takes so long that the grains do not touch before the first equilibrium is given
+/// up, at the time equilibrium.max_time.
 void warn_of_slow_compression(const Scene& scene, Warnings& warnings) {
   // Smallest solid fraction at which a gas compressed under pressure (protocol "direct") may come to rest, even if its
   // grains adhere.
@@ -175,8 +175,8 @@ void warn_of_slow_compression(const Scene& scene, Warnings& warnings) {
   const double unit = time_unit(scene, pressure);
   const RelaxationOptions r = scene.assembly.cell.applied_to(scene.relaxation);
   // strain_rate_cap is given as a strain rate times `free_unit`; inertial_number_cap as a strain rate times sqrt(m/P)
-  // for disks, or times sqrt(m/(P a)) for spheres. The latter time equals sqrt(a m/F1) if the pressure P determines the
-  // typical force F1.
+  // for disks, or times sqrt(m/(P a)) for spheres. Both square roots equal sqrt(a m/F1) if the pressure P determines
+  // the typical force F1.
   const double free_unit = scene.law.adheres() ? time_unit(scene, 0.0) : unit;
   const double rate = r.strain_rate_cap       ? *r.strain_rate_cap / free_unit
                       : r.inertial_number_cap ? *r.inertial_number_cap / unit
@@ -297,9 +297,9 @@ void warn_of_largest_grain(const Scene& scene, Warnings& warnings) {
                     scene.grains.count, 100.0 / sum, scene.dimension == 2 ? "area" : "volume"));
 }
 
-/// Warns if the volumes of the drawn grains differ from the volumes that the size distribution gives. Large grains may
-/// be rare. Quantiles in the middle of equal fractions of the number of grains may include no large grain, or one large
-/// grain whose fraction of the volume is too large.
+/// Warns if the volumes of the drawn grains differ from the volumes that the size distribution gives. This happens if
+/// large grains are rare and the diameters are quantiles in the middle of equal fractions of the grains: there may be
+/// no large grain, or one large grain whose fraction of the volume is too large.
 void warn_of_sizes(const Scene& scene, Warnings& warnings) {
   constexpr double kMuch = 0.02;
   if (scene.grains.diameter.quantiles != DiameterDistribution::Quantiles::middle || scene.grains.count < 1)

@@ -17,8 +17,8 @@ struct CellFactors {
 };
 
 /// Requested accuracy: a list of keys of the table [accuracy] of a scene ("phi", "z", "moduli", "reuss", "forces",
-/// "lambda", "alpha", "Phi_max"). Each key stands for one or several observables. Its number is the largest accepted
-/// relative error of these observables.
+/// "lambda", "alpha", "Phi_max"). Each key stands for one or several observables. The number beside the key is the
+/// largest accepted relative error of these observables.
 using WantedAccuracy = std::vector<std::pair<std::string, double>>;
 
 /// Returns all keys with which a scene can request an accuracy.
@@ -55,7 +55,7 @@ std::vector<PricedSettings> cell_prices(const PriceTable& table, const std::vect
 /// difference of the means from those of the strictest settings, and h the half width of the 95 % confidence interval
 /// of d. The bound is the larger of two numbers: the error that 95 % of the single states do not exceed, and |d| - h
 /// (at least 0). Soft springs result in other packings; for settings with soft springs, the bound is sqrt(d^2 + h^2).
-/// NaN if nothing was measured.
+/// The result is NaN if nothing was measured.
 double settings_error(const PricedSettings& settings, const std::string& observable);
 
 /// Result of choose_accuracy(): the cheapest numerical settings whose errors do not exceed the requested errors or, if

@@ -11,7 +11,8 @@ constexpr const char* finish_name(Finish finish) {
   return finish == Finish::automatic ? "auto" : finish == Finish::dynamic ? "dynamic" : "static";
 }
 
-/// Factors >= 1 by which springs are softer than the contact law while grains rearrange (RelaxationOptions::softening).
+/// Factors >= 1 by which springs are softer than in the contact law while grains rearrange
+/// (RelaxationOptions::softening).
 struct Softening {
   double assembly = 1.0;  ///< factor while the grains are put together
   /// largest factor of all stages of the load path; if there are no stages, the factor of the assembly

@@ -26,8 +26,8 @@ struct PriceRow {
   double mean_difference;
   double mean_stderr;  ///< standard error of mean_difference
   double mean_error;   ///< half width of the 95 % confidence interval of mean_difference
-  /// Standard deviation between samples, divided by the mean. The quantity is the mean of the observable over states,
-  /// or a parameter fitted to a path.
+  /// Standard deviation of a quantity between samples, divided by the mean of the quantity. The quantity is the mean of
+  /// the observable over the states of a sample, or a parameter fitted to the path of a sample.
   double sample_scatter;
   int n_grains;   ///< number of grains of a sample; 0 if the table does not contain it
   int n_samples;  ///< number of samples; 0 if the table does not contain it

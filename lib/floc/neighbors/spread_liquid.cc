@@ -33,8 +33,8 @@ std::vector<Contact<Dim>> candidates(const Packing<Dim>& packing, double reach) 
   return found;
 }
 
-/// Distributes the liquid of the packing over the members of `found` that may hold liquid.
-/// @return the liquid volume that each member of `found` gets
+/// Distributes the liquid of the packing over those contacts in `found` that may have a liquid bridge.
+/// @return the volume of liquid that each contact in `found` gets
 template <int Dim>
 LiquidShares shares_over(const Packing<Dim>& packing, const BridgeSearch& search,
                          const std::vector<Contact<Dim>>& found) {

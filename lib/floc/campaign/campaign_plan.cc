@@ -22,8 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A pressure in a campaign file selects a state whose pressure differs from it by at most this fraction. Pressures in
-/// the file may thus be rounded, such as 1.33 for 1.334.
+/// A pressure in a campaign file selects a state if it differs from the pressure of the state by at most this fraction.
+/// Pressures in the file may therefore be rounded, such as 1.33 for 1.334.
 constexpr double kSamePressure = 0.01;
 
 std::vector<std::string> overrides_of(const CampaignCase& one) {

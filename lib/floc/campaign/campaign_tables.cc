@@ -244,7 +244,7 @@ void add_fit(const Campaign& campaign, const CampaignCase& one, const CampaignFi
   std::vector<std::string> parameters;  // names of the parameters, in the order of the printed table
   std::set<std::string> pooled;
   const auto cell = [&](int row, const char* column) { return printed.text(row, printed.column(column)); };
-  std::set<std::string> tests;  // kinds of mechanical tests; all kinds have the same names of parameters
+  std::set<std::string> tests;  // kinds of mechanical tests; parameters have the same names in all kinds
   for (int row = 0; printed.has("test") && row < printed.n_rows(); ++row) tests.insert(cell(row, "test"));
   const auto parameter_of = [&](int row) {
     const bool of_state = printed.has("source") && cell(row, "source") == "state";

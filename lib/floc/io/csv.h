@@ -40,8 +40,8 @@ class CsvTable {
                         const std::vector<std::string>& wanted = {});
 
   const std::vector<std::string>& columns() const { return columns_; }
-  /// Names of the columns in the lines above the line that columns() returns, the nearest line first. Each inner list
-  /// has one name per column; the name may be empty.
+  /// Other names of the columns, one list for each line above the line of names that columns() returns; the list for
+  /// the nearest line comes first. Each list has one name per column; the name may be empty.
   const std::vector<std::vector<std::string>>& other_names() const { return layout_.other_names; }
   /// Returns the cell of a column in the row of units below the names; empty if the table has no row of units.
   std::string unit_cell(int column) const;

@@ -19,7 +19,7 @@ struct ImportOptions {
   std::vector<std::vector<double>> cell;
   std::optional<Law> wall_law;  ///< contact law between grains and walls; if absent, `law` applies to them
   /// Axes that are not periodic (see parse_walls()) and names of files that describe walls (see read_wall_file()),
-  /// separated by commas. If empty, the file of the packing decides.
+  /// separated by commas. If empty, the file of the packing gives the boundary.
   std::string walls;
   /// acceleration due to gravity, one component per axis; if empty, the file gives it
   std::vector<double> gravity;
@@ -63,8 +63,8 @@ struct ListedContactCounts {
   /// Number of contacts whose listed image contradicts the positions. They were kept, with the nearest periodic image
   /// of grain id2.
   int n_other_image = 0;
-  /// Number of contacts across a boundary that is not a lattice translation. Such contacts keep the listed forces and
-  /// have no stiffness.
+  /// Number of contacts across a boundary that displaces grains otherwise than by lattice vectors (for example, rotates
+  /// them). These contacts keep the listed forces and have no stiffness.
   int n_across_no_lattice = 0;
   int n_bonds = 0;  ///< number of contacts that act across a gap, each with its own stiffnesses
   /// Sentences about contacts whose listed stiffnesses differ from the stiffnesses of the contact law at the listed

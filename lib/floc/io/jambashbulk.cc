@@ -107,7 +107,8 @@ void find_packing(const std::string& path, Lines& lines, int index) {
   if (n_packings == 0)
     throw InputError(path,
                      "the file contains no packing of jamBashbulk: it has no line \"N = ... ,L1= { ...\"");
-  throw InputError(path, fmt::format("index = {}, but the file holds packings 0 to {}", index, n_packings - 1));
+  throw InputError(path,
+                   fmt::format("index = {}, but the file contains packings 0 to {}", index, n_packings - 1));
 }
 
 /// Reads the `n` grains that follow the header of a packing, and moves each grain into the periodic cell.

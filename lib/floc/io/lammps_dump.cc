@@ -59,8 +59,8 @@ class FrameText {
   PackedStrings lines_;
 };
 
-/// Reads the frames of a dump one by one, because the file may be larger than the memory. Keeps one frame only: the
-/// last of those that the function `wanted` selects.
+/// Reads the frames of a dump one by one, because the file may be larger than the memory. Keeps only the last frame
+/// that the function `wanted` selects.
 class FrameSearch {
  public:
   /// @param wanted  function that returns whether a frame is selected; its arguments are the number of the frame (from
@@ -255,7 +255,8 @@ DumpFrame read_grain_frame(const std::string& path, const ImportOptions& options
       path, [&](int index, std::string_view) { return !options.index || index == *options.index; });
   const int n = search.n_frames();
   if (!search.found())
-    throw InputError(path, fmt::format("index = {}, but the file holds frames 0 to {}", *options.index, n - 1));
+    throw InputError(path,
+                     fmt::format("index = {}, but the file contains frames 0 to {}", *options.index, n - 1));
   DumpFrame frame = read_frame(*search.found(), "ATOMS");
   remarks.push_back(fmt::format("frame {} of the frames 0 to {} is read, time step {}",
                                 options.index.value_or(n - 1), n - 1, frame.timestep));

@@ -153,8 +153,8 @@ class ListedContacts {
     for (const ListedContact& row : *listed.contacts) largest_force_ = std::max(largest_force_, force_of(row));
   }
 
-  /// Makes the contact of one row of the table of contacts. Listed forces replace the forces of the law. Returns
-  /// nothing if the contact is left out.
+  /// Makes the contact that one row of the table lists. Listed forces replace the forces of the law. Returns nothing if
+  /// the contact is left out.
   std::optional<Contact<Dim>> place(const ListedContact& row) {
     Contact<Dim> c;
     c.i = identifiers_.index(row.place, "id1", row.id1);
@@ -371,7 +371,7 @@ class ListedContacts {
     return gap_of(c) <= range_of(packing_, c) + 0.5 * kFarthestGap * radii(c);
   }
 
-  /// If a volume of the liquid bridge is listed for a contact, assigns it to the contact.
+  /// Gives a contact the volume of its liquid bridge, if the file lists the volume.
   /// @throws InputError if the listed volume is not zero and the law has no liquid
   void set_liquid(const ListedContact& row, Contact<Dim>& c) const {
     if (!row.bridge_volume) return;

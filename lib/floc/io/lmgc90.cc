@@ -358,9 +358,10 @@ int add_shape(const Body& body, ListedPacking& listed) {
     // If the file contains no moments of inertia, LMGC90 computes them and rotates the vertices to the principal axes.
     // The axes in DOF.INI then refer to these principal axes.
     if (!body.has_inertia && !body.axes.isIdentity(0.0))
-      throw InputError(place, fmt::format("body {} is rotated in DOF.INI, but BODIES.DAT has no moments of "
-                                          "inertia (I1 = 0), so the axes of its vertices are not known",
-                                          body.id));
+      throw InputError(place,
+                       fmt::format("body {} is rotated in DOF.INI, but BODIES.DAT has no moments of "
+                                   "inertia (I1 = 0), so the axes of the vertex coordinates are not known",
+                                   body.id));
     Mesh<3> mesh;
     mesh.vertices = body.vertices;
     mesh.faces = body.faces;

@@ -259,11 +259,11 @@ void set_gravity(const ImportOptions& options, int dimension, ListedPacking& lis
     listed.gravity[static_cast<Eigen::Index>(a)] = options.gravity[a];
   if (dimension == 2) listed.gravity[2] = 0.0;
   if (!listed.gravity.isZero(0.0) && listed.ends.empty())
-    throw InputError(place,
-                     fmt::format("gravity is ({}), but the packing is periodic along every axis, so nothing "
-                                 "bears its weight: expected a wall (--walls), or no gravity (--gravity {})",
-                                 fmt::join(listed.gravity.begin(), listed.gravity.begin() + dimension, ", "),
-                                 dimension == 2 ? "0,0" : "0,0,0"));
+    throw InputError(
+        place, fmt::format("gravity is ({}), but the packing is periodic along every axis, so no "
+                           "wall supports the grains: expected a wall (--walls), or no gravity (--gravity {})",
+                           fmt::join(listed.gravity.begin(), listed.gravity.begin() + dimension, ", "),
+                           dimension == 2 ? "0,0" : "0,0,0"));
 }
 
 }  // namespace

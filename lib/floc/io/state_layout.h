@@ -84,8 +84,8 @@ void describe_walls(Archive& archive, Walls& walls) {
       [](auto& w) -> auto& { return w.velocity; });
 }
 
-/// Writes or reads the arrays of contacts that state files contain for every contact law. The array of a flag, a force
-/// or a stiffness that the law does not have is zero.
+/// Writes or reads the arrays of contacts that state files contain for every contact law. An array of flags, forces or
+/// stiffnesses contains zeros if the law does not have this quantity.
 template <int Dim, class Archive, class Contacts>
 void describe_contacts(Archive& archive, Contacts& contacts) {
   using enum Quantity;

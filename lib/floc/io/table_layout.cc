@@ -241,7 +241,7 @@ bool ends_within_quotes(std::string_view line) {
 }
 
 /// Returns the end of the first row of a text. If the first line ends within a quoted cell and one of the next few
-/// lines closes the cell, this is the end of that line, else the end of the first line.
+/// lines closes the cell, the row ends with the line that closes the cell. Otherwise it ends with the first line.
 std::size_t end_of_row(std::string_view text) {
   constexpr int kMostLines = 5;  // the name of a column in a spreadsheet may extend over several lines
   const std::size_t end = std::min(text.find('\n'), text.size());

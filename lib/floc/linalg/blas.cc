@@ -15,8 +15,8 @@ void dgemm_(const char*, const char*, const int*, const int*, const int*, const 
 namespace floc {
 namespace {
 
-/// Returns OpenBLAS's name for its routines with AVX-512 or, if this processor lacks AVX-512, with AVX2 instructions;
-/// null if the processor has neither.
+/// Returns the name by which OpenBLAS selects its routines with AVX-512 instructions or, if this processor lacks
+/// AVX-512, its routines with AVX2 instructions. Returns null if the processor has neither.
 const char* widest_kernels() {
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&

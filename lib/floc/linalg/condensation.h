@@ -22,8 +22,8 @@ struct ApproximateInverse {
   /// Whether the stiffness matrix K and the matrix M, whose inverse is the approximation, are positive semidefinite. If
   /// true, condense() minimises the energy by conjugate gradients.
   bool definite = true;
-  /// If `definite`: lower bound on the nonzero eigenvalues of M^-1 K. It is 0 if no bound is known; then the error
-  /// bound of condense() is infinite.
+  /// If `definite`: lower bound on the nonzero eigenvalues of M^-1 K. The value is 0 if no bound is known; then the
+  /// error bound of condense() is infinite.
   double smallest_ratio = 0.0;
   /// If `definite`: whether condense() estimates an unknown `smallest_ratio` from the Ritz values of its conjugate
   /// gradients. The error that condense() returns is then only an estimate, because Ritz values may miss a soft motion
@@ -61,8 +61,8 @@ struct Condensation {
   Eigen::MatrixXd response;
   /// largest residual force |A^T k (A u + B e)| on a free unknown, in any column of `response`
   double imbalance = 0.0;
-  /// largest force |A^T k B e| on a free unknown before relaxation (u = 0), while any one boundary unknown is displaced
-  /// by 1
+  /// largest force |A^T k B e| on a free unknown before relaxation (u = 0), of all cases in which one boundary unknown
+  /// is displaced by 1
   double load = 0.0;
   int steps = 0;          ///< largest number of refinement steps that a column of `response` needed
   bool converged = true;  ///< whether the error of every diagonal entry of `stiffness` is within the tolerance

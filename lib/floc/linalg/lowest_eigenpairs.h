@@ -10,9 +10,9 @@ namespace floc {
 struct Eigenpairs {
   Eigen::VectorXd values;   ///< eigenvalues, ascending
   Eigen::MatrixXd vectors;  ///< eigenvectors as orthonormal columns, in the order of `values`
-  /// Whether no eigenvalue of the matrix below the last one in `values` is missing. A multiple eigenvalue must be in
-  /// `values` as often as it occurs. Lanczos' method alone may miss some of several equal eigenvalues; Sylvester's law
-  /// of inertia gives the true number.
+  /// Whether `values` contains all eigenvalues of the matrix up to the last entry of `values`, and each multiple
+  /// eigenvalue as often as it occurs. Lanczos' method alone may miss some of several equal eigenvalues; Sylvester's
+  /// law of inertia gives the true number.
   bool complete = true;
 };
 

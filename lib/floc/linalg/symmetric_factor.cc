@@ -20,8 +20,8 @@
 namespace floc {
 namespace {
 
-/// This number replaces pivots of L S L^T whose absolute value is smaller, so that the elimination can continue. It is
-/// far below rounding errors.
+/// This number replaces pivots of L S L^T whose absolute value is smaller, so that the elimination can continue. This
+/// number is far below rounding errors.
 constexpr double kSmallestPivot = 1e-30;
 /// Limits CHOLMOD to one thread while this object exists. CHOLMOD always starts four threads, even for blocks of a few
 /// columns, and no option changes this. The threads mostly wait for each other, so one thread is faster.

@@ -124,8 +124,8 @@ void add_spheres(const Scene& scene, Groups& groups) {
   groups.push_back({"kappa", hertz_kappa(scene, highest),
                     "stiffness number (E~/P)^(2/3) at the highest pressure P of the scene"});
   add_pressures(scene, E, "P/E~", "P/E~", groups);
-  // Largest pressure between the surfaces in a contact that carries the mean force. The mean force is computed from the
-  // pressure with the assumption z Phi = 4 (coordination number z, solid fraction Phi).
+  // Largest pressure between the surfaces of two grains in a contact with the mean force. The mean force is computed
+  // from the pressure with the assumption z Phi = 4 (coordination number z, solid fraction Phi).
   groups.push_back({"p_max/E~", 0.847131 / std::sqrt(hertz_kappa(scene, highest)),
                     "largest pressure between the surfaces of two grains, divided by E~, in a contact with the "
                     "mean force at the highest "
@@ -252,8 +252,8 @@ void add_walls(const Scene& scene, Groups& groups) {
   groups.push_back({"mu_w", box.friction, "friction coefficient of the walls"});
 }
 
-/// Adds the dimensionless numbers of a dynamic compaction between walls [SVI2024]. They compare the stresses sc =
-/// F0/a^(D-1) and se = K_N/a^(D-2) with the pressure (pull-off force F0, normal stiffness K_N, dimension D).
+/// Adds the dimensionless numbers of a dynamic compaction between walls [SVI2024]. These numbers compare the stresses
+/// sc = F0/a^(D-1) and se = K_N/a^(D-2) with the pressure (pull-off force F0, normal stiffness K_N, dimension D).
 /// @param a  largest diameter
 /// @param m  mass of a grain of this diameter
 void add_box(const Scene& scene, double a, double m, Groups& groups) {
@@ -316,9 +316,9 @@ void add_rigid_contacts(const Scene& scene, double a, Groups& groups) {
                     "sqrt(m/(P_1 a^(d-2))), unit of time of the motion (time unit of the scene)"});
 }
 
-/// Returns the expected number of time steps of a compaction between walls under one pressure. It is computed from the
-/// longest time that the scene allows (equilibrium.stop_time) or, if the scene gives none, from the usual time for
-/// dense packings.
+/// Returns the expected number of time steps of a compaction between walls under one pressure. The number is computed
+/// from the longest time that the scene allows (equilibrium.stop_time) or, if the scene gives none, from the usual time
+/// for dense packings.
 double steps_of_compaction(const Scene& scene) {
   constexpr double kUsual = 30.0;
   const double a = scene.grains.largest();
@@ -411,8 +411,9 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene) {
                         ? "longest time step of the motion at the first pressure (time unit of the scene)"
                         : "time step of the motion (time unit of the scene)"});
   const Steps steps = count_steps(scene);
-  // In most scenes the assembly makes one equilibrium. It makes two if the grains are aggregated (first an equilibrium
-  // at zero pressure), or if a packing made from a gas is vibrated (an equilibrium before and one after the vibration).
+  // In most scenes the assembly makes one equilibrium. The assembly makes two equilibria if the grains are aggregated
+  // (first an equilibrium at zero pressure), or if a packing made from a gas is vibrated (an equilibrium before and one
+  // after the vibration).
   const bool twice = scene.assembly.protocol == AssemblyOptions::Protocol::aggregation ||
                      (scene.assembly.vibration && !scene.starts_from_state());
   const int assembled = twice ? 2 : 1;

@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Number computed from the parameters of a scene, with its name and a text that gives its meaning. It is dimensionless
-/// unless `meaning` contains a unit.
+/// Number computed from the parameters of a scene, with its name and a text that gives its meaning. The number is
+/// dimensionless unless `meaning` contains a unit.
 struct DerivedGroup {
   std::string name;
   double value;
@@ -27,11 +27,12 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene);
 /// to 1/kappa.
 double hertz_kappa(const Scene& scene, double pressure);
 
-/// Returns the time step of a run of the scene (time unit of the scene). It is determined by the smallest grain.
+/// Returns the time step of a run of the scene, in the time unit of the scene. The smallest grain determines the time
+/// step.
 double time_step_of_scene(const Scene& scene);
 
-/// Returns the expected processor time of a run on one core (s), correct within about a factor of two. It is
-/// proportional to the number of grains, to the number of equilibria, and to the inverse of the time step. An
+/// Returns the expected processor time of a run on one core (s), correct within about a factor of two. The processor
+/// time is proportional to the number of grains, to the number of equilibria, and to the inverse of the time step. An
 /// equilibrium during unloading is assumed to cost a quarter of one during loading, because unloading is nearly
 /// elastic. For comparison: a run that aggregates 1400 grains (protocol "aggregation") and loads them in 26 steps takes
 /// 150 s on a core of the year 2023.

@@ -237,8 +237,8 @@ void read_compaction_end(TableReader& t, Scene& scene) {
   if (scene.law.is_rigid()) {
     for (const char* key : {"end", "energy_ratio", "stop_time"})
       t.refuse(key,
-               fmt::format("{} is not allowed with rigid contacts: the compaction of rigid grains ends with "
-                           "forces that balance all grains and walls; remove the key",
+               fmt::format("{} is not allowed with rigid contacts: the compaction of rigid grains ends when "
+                           "the forces on all grains and walls balance; remove the key",
                            t.path_of(key)));
     return;
   }
@@ -256,7 +256,7 @@ void read_compaction_end(TableReader& t, Scene& scene) {
   end.longest =
       t.number("stop_time",
                {kPositive.holds,
-                "a positive number (time after which the state is recorded even if it still moves, in "
+                "a positive number (time after which the state is recorded even if the packing still moves, in "
                 "units of sqrt(m/(P a^(d-2))): largest mass m, pressure P, largest diameter a, "
                 "dimension d)"},
                Need::optional);

@@ -141,8 +141,8 @@ std::optional<std::pair<std::string, std::string>> fault_of(const Sieves& s) {
     if (!(s.sizes[k] > 0.0))
       return at(k,
                 fmt::format("the size of a sieve is {:g}: expected a positive size. Between sizes the curve is "
-                            "linear in the logarithm of the size, so a pan must be given as the largest size "
-                            "that all grains exceed, with 0 % passing",
+                            "linear in the logarithm of the size, so for the pan give the largest size that "
+                            "all grains exceed, with 0 % passing",
                             s.sizes[k]));
     if (!(s.passing[k] >= 0.0 && s.passing[k] <= 100.0))
       return at(

@@ -24,7 +24,7 @@ using Warnings = std::vector<std::string>;
 /// contact forces of a few F1 act on a grain, and their rounding errors add up.
 constexpr double kRounding = 1e-15;
 /// Kinetic energy per grain that remains because of rounding errors, in the unit of the tolerance equilibrium.energy.
-/// It corresponds to velocities of 1e-12 in the natural unit of velocity.
+/// This energy corresponds to velocities of 1e-12 in the natural unit of velocity.
 constexpr double kLeastEnergy = 1e-24;
 
 void warn_of_tolerances(const Scene& scene, Warnings& warnings) {
@@ -217,10 +217,10 @@ void warn_of_light_cell(const Scene& scene, Warnings& warnings) {
     const double mass = cell.applied_to(scene.relaxation).cell_mass;
     const double share = packed_side(scene) * std::sqrt(mass / (along * lightest(scene)));
     if (share >= kSlow) return false;
-    warnings.push_back(
-        fmt::format("{} = {:g}: such a light cell vibrates faster than the grains, so that the time step is "
-                    "only {:.1e} of the time step that the grains allow; expected a mass of at least {:.1e}",
-                    key, mass, share, mass * std::pow(kSlow / share, 2)));
+    warnings.push_back(fmt::format(
+        "{} = {:g}: such a light cell vibrates faster than the grains, so that the time step is "
+        "only {:.1e} times the time step that the grains alone allow; expected a mass of at least {:.1e}",
+        key, mass, share, mass * std::pow(kSlow / share, 2)));
     return true;
   };
   if (check("cell.mass", scene.assembly.cell)) return;
@@ -260,9 +260,9 @@ void warn_of_stiff_contacts(const Scene& scene, Warnings& warnings) {
   const double step = time_step_of_scene(scene);
   if (!(unit > 0.0) || !(step > 0.0) || unit / step < kMany) return;
   warnings.push_back(
-      fmt::format("contact.normal: relative to the load the contacts are so stiff that motion over the time "
-                  "sqrt(a m/F1) (largest diameter a, its mass m, typical force F1) takes {:.1e} time steps, "
-                  "and every state takes several hundred times this number; expected softer contacts (results "
+      fmt::format("contact.normal: relative to the load the contacts are so stiff that a unit of time "
+                  "sqrt(a m/F1) (largest diameter a, its mass m, typical force F1) has {:.1e} time steps, "
+                  "and every state takes several hundred units of time; expected softer contacts (results "
                   "hardly depend on the stiffness if the "
                   "stiffness number kappa is above 1e5) or a higher pressure than assembly.pressure = {:g}",
                   unit / step, pressure));

@@ -30,7 +30,7 @@ struct StateChoice {
   std::string place;  ///< "FILE:LINE" in the campaign file, for messages
 };
 
-/// A case of a campaign: the scene of the campaign with changed values of some keys. It is run with every seed.
+/// A case of a campaign: the scene of the campaign with changed values of some keys. Each case is run with every seed.
 struct CampaignCase {
   std::string label;  ///< name of the directory of the case; consists of letters, digits and "_=.+-"
   std::vector<SceneChange> changes;

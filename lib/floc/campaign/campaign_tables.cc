@@ -41,8 +41,8 @@ std::vector<std::string> with_case_columns(const Campaign& campaign, std::vector
   return columns;
 }
 
-/// Returns the number of the state in a row of a table. It follows from the name of the state file in `column`: the
-/// number is 12 for state-0012.h5.
+/// Returns the number of the state that a row of a table describes. The number follows from the name of the state file
+/// in `column`; for state-0012.h5, it is 12.
 int step_of(const CsvTable& table, int row, const std::string& column) {
   const std::string name = fs::path(table.text(row, table.column(column))).stem().string();
   const auto step = parse_number<int>(name.substr(std::min(name.size(), name.rfind('-') + 1)));

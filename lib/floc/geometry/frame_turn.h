@@ -46,7 +46,7 @@ class FrameTurn {
   /// between the centres of the grains, s is `surfaces`, and m is the mean normal. Pm projects onto the plane normal to
   /// m, and P1 onto the plane normal to the new normal n1.
   /// @param length    distance of the centres of the grains after the step
-  /// @param surfaces  lever arm of grain i times its rotation in the step, plus lever arm of grain j times its rotation
+  /// @param surfaces  lever arm of grain i times the rotation of grain i in the step, plus the same product for grain j
   Vec<3, T> slip(const T& length, const RotationVector<3, T>& surfaces) const {
     // The mean normal is m = n1 - lean across. With lengths in units of `length`, the two terms of the slip are P1 Pm d
     // = (1 + lean m.d) across and P1 (s x m) = (s + lean (s.n1) across) x n1.

@@ -169,8 +169,8 @@ class Bins {
   template <class Visit>
   void visit_bin(Vec<Dim, int> target, const Visit& visit) const {
     Vec<Dim, int> image = Vec<Dim, int>::Zero();
-    // These loops move the bin `target` back into the cell. They are faster than divisions, because the bin is at most
-    // a few cells outside; divisions took a third of the computing time of the search.
+    // These loops move the bin `target` back into the cell. The loops are faster than divisions, because the bin is at
+    // most a few cells outside; divisions took a third of the computing time of the search.
     for (int a = 0; a < Dim; ++a) {
       for (; target[a] < 0; target[a] += count_[a]) --image[a];
       for (; target[a] >= count_[a]; target[a] -= count_[a]) ++image[a];

@@ -17,9 +17,9 @@
 namespace floc {
 namespace {
 
-/// Returns the pairs of grains that may get liquid, as sorted contacts whose gaps are set. They are the contacts of the
-/// packing between grains, and all other pairs of grains whose gap is below `reach` (length). The springs of the other
-/// pairs are unloaded.
+/// Returns the pairs of grains that may get liquid, as sorted contacts whose gaps are set. The pairs are the contacts
+/// between grains in the packing, and all other pairs of grains whose gap is below `reach` (length). The springs of the
+/// other pairs are unloaded.
 template <int Dim>
 std::vector<Contact<Dim>> candidates(const Packing<Dim>& packing, double reach) {
   std::vector<Contact<Dim>> found;

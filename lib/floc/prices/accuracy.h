@@ -96,9 +96,9 @@ struct AccuracyChoice {
 /// @param kappa  stiffness number a K_N/F0 of the scene (largest diameter a, normal stiffness K_N, pull-off force F0)
 bool covers_stiffness(const PriceTable& table, double kappa);
 
-/// Whether the table covers the mass and the cap of `cell`. It covers a value if it contains errors measured with a
-/// value that differs from the default in the same direction and by at least the same factor, or if the value is the
-/// default.
+/// Whether the table covers the mass and the cap of `cell`. The table covers a value if it contains errors measured
+/// with a value that differs from the default in the same direction and by at least the same factor, or if the value is
+/// the default.
 bool covers_cell(const PriceTable& table, const CellFactors& cell);
 
 }  // namespace floc

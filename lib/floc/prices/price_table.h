@@ -63,8 +63,8 @@ inline constexpr const char* kOldestKind = "disks-cohesive";
 /// number, or if the rows describe scenes of different kinds
 PriceTable read_price_table(const std::string& csv, const std::string& place);
 
-/// Returns the path of the folder with the tables KIND.csv that are shipped with the program. It is
-/// share/floc/tables/tradeoff in a folder above the program, or above the library that contains this code.
+/// Returns the path of the folder with the tables KIND.csv that are shipped with the program. The folder is
+/// share/floc/tables/tradeoff, relative to a folder above the program or above the library that contains this code.
 /// @throws InputError if there is no such folder
 std::string price_folder();
 

@@ -11,7 +11,7 @@
 
 namespace floc {
 
-/// Options for reading a file of another program. They give data that may be missing in the file.
+/// Options for reading a file of another program. The options give data that may be missing in the file.
 struct ImportOptions {
   std::optional<Law> law;
   /// Lattice vectors of the periodic cell (length), one per row. The number of vectors is the dimension. If empty, the
@@ -23,7 +23,7 @@ struct ImportOptions {
   std::string walls;
   /// acceleration due to gravity, one component per axis; if empty, the file gives it
   std::vector<double> gravity;
-  /// identifiers, in the file of contacts, of the bodies that are walls
+  /// bodies in the file of contacts that are walls: the key is the identifier of the body, the value is the wall
   std::map<std::int64_t, WallSide> wall_ids;
   /// Maps the names that floc uses for columns of grains to the names of these columns in the file, such as "x" to "X".
   /// A column that is not in this map has the name that floc uses. For a LAMMPS dump, the name of a wall such as "x-"
@@ -51,8 +51,8 @@ struct ImportOptions {
   bool pairs_twice = false;
 };
 
-/// Counts of the contacts that a file lists: all contacts, contacts that are left out for a reason, and contacts that
-/// are kept but need a remark.
+/// Counts of the contacts that a file lists: the number of all contacts, the numbers of contacts that are left out for
+/// different reasons, and the numbers of contacts that are kept but need a remark.
 struct ListedContactCounts {
   int n_read = 0;
   /// Number of contacts that were left out because they have no force and the gap between the grains exceeds the range
@@ -60,11 +60,11 @@ struct ListedContactCounts {
   int n_neighbors = 0;
   /// Number of contacts that were left out because they have a tensile force and the law has no adhesion.
   int n_tensile = 0;
-  /// Number of contacts whose listed image contradicts the positions. They were kept, with the nearest periodic image
-  /// of grain id2.
+  /// Number of contacts whose listed image contradicts the positions. These contacts were kept, with the nearest
+  /// periodic image of grain id2.
   int n_other_image = 0;
-  /// Number of contacts across a boundary that displaces grains otherwise than by lattice vectors (for example, rotates
-  /// them). These contacts keep the listed forces and have no stiffness.
+  /// Number of contacts across a boundary that rotates the grains that cross it, so that no lattice translation brings
+  /// the two grains into contact. These contacts keep the listed forces and have no stiffness.
   int n_across_no_lattice = 0;
   int n_bonds = 0;  ///< number of contacts that act across a gap, each with its own stiffnesses
   /// Sentences about contacts whose listed stiffnesses differ from the stiffnesses of the contact law at the listed

@@ -47,7 +47,7 @@ bool is_reversed(const Contact<Dim>& c) {
   return std::lexicographical_compare(c.image.begin(), c.image.end(), zero.begin(), zero.end());
 }
 
-/// Forces that the file lists for a contact. They act on the first grain of the contact.
+/// Forces that the file lists for a contact. The forces act on the first grain of the contact.
 template <int Dim>
 struct GivenForces {
   std::optional<double> normal;
@@ -279,8 +279,8 @@ class ListedContacts {
     return row.bond || (row.kn > 0.0 && c.gap >= range_of(packing_, c) && !touches(packing_, c));
   }
 
-  /// Makes a bond. It acts with its own stiffnesses, independent of the law. If no force is listed, the force of the
-  /// bond is zero.
+  /// Makes a bond. A bond has its own stiffnesses, independent of the law. If no force is listed, the force of the bond
+  /// is zero.
   Contact<Dim> bond(const ListedContact& row, Contact<Dim> c) {
     require_one_image(row, c);
     const bool reversed = put_in_order(c);

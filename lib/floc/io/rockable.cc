@@ -203,9 +203,10 @@ class Bodies {
     if (is_sphere(mesh)) return round_shape<3>(mesh.rounding);
     const std::string place = fmt::format("{}, shape \"{}\"", path_, mesh.name);
     if (!mesh.is_principal)
-      throw InputError(place,
-                       "the shape has no line \"preCompDone y\": expected vertices about the centre of mass, "
-                       "along the principal axes of inertia, as Rockable computes them");
+      throw InputError(
+          place,
+          "the shape has no line \"preCompDone y\": expected vertices in coordinates about the centre of "
+          "mass and along the principal axes of inertia, as Rockable computes them");
     NamedShape<3> made = shape_of_mesh<3>(place, mesh, {});
     for (const std::string& remark : made.remarks) remarks.push_back(place + ": " + remark);
     return std::move(made.shape);

@@ -18,8 +18,8 @@ namespace {
 /// overlap are taken as disks, for which the height of the cell has no meaning.
 constexpr double kDeepestOverlap = 0.1;
 
-/// Largest accepted difference in z between disks, divided by the smallest diameter. It is not zero because files may
-/// have few digits.
+/// Largest accepted difference in z between disks, divided by the smallest diameter. This difference is not zero
+/// because files may have few digits.
 constexpr double kOnePlane = 1e-6;
 
 struct Guess {

@@ -72,8 +72,8 @@ Quantity quantity_of(Unit unit) {
   return Quantity::ratio;
 }
 
-/// Returns the history quantities of contacts (such as the elongation of the tangential spring), each once. They are
-/// the quantities of the law between grains and, if the packing has walls, of the law between grains and walls.
+/// Returns the history quantities of contacts (such as the elongation of the tangential spring), each once. These
+/// quantities belong to the law between grains and, if the packing has walls, to the law between grains and walls.
 template <int Dim>
 std::vector<HistoryQuantity> quantities_of(const Packing<Dim>& packing) {
   std::vector<HistoryQuantity> all = history_quantities(packing.law, Dim);

@@ -8,7 +8,7 @@
 namespace floc {
 
 /// Files in VTK's HDF format (VTKHDF), which ParaView opens. floc writes files of the type UnstructuredGrid, version
-/// 1.0, which VTK 9.1 and later can read. It reads files of the types UnstructuredGrid and PolyData.
+/// 1.0, which VTK 9.1 and later can read. floc reads files of the types UnstructuredGrid and PolyData.
 ///
 /// Grains are points with the arrays radius, mass and id; each of these points is a vertex. Contacts are lines with
 /// arrays of cell data: normal_force, shear_force (on the first grain), stiffnesses, id2 (identifier of the second

@@ -15,7 +15,7 @@
 namespace floc {
 namespace {
 
-/// One command of a script. It may extend over several lines; each of these lines except the last ends with "&".
+/// One command of a script. A command may extend over several lines; each of its lines except the last ends with "&".
 struct ScriptCommand {
   std::string place;
   std::vector<std::string> words;

@@ -108,7 +108,7 @@ std::vector<AxisLoad> read_axes(TableReader& t, int dimension) {
 
 /// Returns the loads that a test imposes on all axes. The test drives one axis to a stress or to a strain.
 /// @param control  keyword of the test, which determines the loads on the other axes: "oedometric" (their lengths stay
-/// constant), "triaxial" (their stresses stay constant) or "constant_volume"
+/// constant), "triaxial" (their stresses stay constant) or "constant_volume" (the volume of the cell stays constant)
 /// @param axis  axis that is driven, counted from 0
 std::vector<AxisLoad> read_test(TableReader& t, const std::string& control, int axis, int dimension) {
   if (control == "constant_volume" && t.has("to"))

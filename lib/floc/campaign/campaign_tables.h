@@ -37,7 +37,7 @@ bool is_done(const std::optional<RunOutcome>& outcome);
 /// Returns "done" or "failed", or "missing" if the run has not ended.
 const char* word_of(const std::optional<RunOutcome>& outcome);
 
-/// Returns a table with one row per run and collected state, of the runs that succeeded. The columns of the table are
+/// Returns a table of the runs that succeeded, with one row per run and collected state. The columns of the table are
 /// case, the keys in which the cases differ, seed, step, branch, P_star, and the collected columns. A cell is empty if
 /// its column is not collected at that state.
 /// @param directory  directory of the campaign

@@ -22,7 +22,7 @@ struct TangentLayout {
   int n_boundary = 0;
 };
 
-/// Method for the linear systems of a Newton solution that is predicted to be the fastest, and its predicted cost.
+/// The method that is predicted to be the fastest for the linear systems of a Newton solution, and its predicted cost.
 struct TangentPlan {
   TangentMethod method = TangentMethod::lu;
   /// predicted time to solve all linear systems of one Newton solution on one core (seconds)

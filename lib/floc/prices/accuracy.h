@@ -47,8 +47,8 @@ struct PricedSettings {
 std::vector<PricedSettings> settable_prices(const PriceTable& table);
 
 /// Returns the measured settings of the cell that cover the cells of a scene: for each factor in `cells` that differs
-/// from 1, the setting with the nearest factor that is at least as far from 1. The errors of these settings are added
-/// to the errors of the numerical settings.
+/// from 1, the setting whose factor is the nearest of those that lie on the same side of 1 and at least as far from 1.
+/// The errors of these settings are added to the errors of the numerical settings.
 std::vector<PricedSettings> cell_prices(const PriceTable& table, const std::vector<CellFactors>& cells);
 
 /// Returns a bound of the relative error that settings cause in the mean of an observable over states. Let d be the

@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Returns the keyword of a scene for a method of finding equilibria: "auto", "dynamic" or "static".
+/// Returns the keyword by which a scene selects a method of finding equilibria: "auto", "dynamic" or "static".
 constexpr const char* finish_name(Finish finish) {
   return finish == Finish::automatic ? "auto" : finish == Finish::dynamic ? "dynamic" : "static";
 }

@@ -25,7 +25,7 @@ class CsvTable {
   /// Makes a table without rows. @param place  name of the table in messages, such as the path of its file
   CsvTable(std::string place, std::vector<std::string> columns);
 
-  /// Adds a row. @param line  number of the line of the file that contains the row, from 1
+  /// Adds a row. @param line  number (from 1) of the line of the file that contains the row
   /// @throws InputError if the number of cells is not the number of columns
   void add_row(int line, const std::vector<std::string>& cells);
 
@@ -74,7 +74,7 @@ class CsvTable {
 
   /// Place of a row in messages: "file:line".
   std::string place(int row) const;
-  /// Number of the line of the file that contains a row, from 1.
+  /// Number (from 1) of the line of the file that contains a row.
   int line(int row) const { return lines_[row]; }
   /// Name of the table in messages.
   const std::string& place() const { return place_; }

@@ -20,7 +20,7 @@ namespace {
 
 /// One frame of an extended XYZ file: its comment line and, in `rows`, one line for each grain.
 struct XyzFrame {
-  int line = 0;  ///< number of the first line of the frame in the file, from 1
+  int line = 0;  ///< number (from 1) of the line of the file that is the first line of the frame
   std::string comment;
   std::vector<std::string> rows;
 };

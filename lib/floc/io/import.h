@@ -38,11 +38,12 @@ struct ImportOptions {
   /// in the file. A column that is not in this map has the name that floc uses.
   std::map<std::string, std::string> contact_columns;
   std::optional<int> dimension;  ///< dimension, 2 or 3; if absent, settle_space() decides
-  /// Number of the packing (or frame) to read from a file with several packings, from 0. If absent, the format
-  /// determines whether the first or the last packing is read.
+  /// Number (from 0) of the packing or frame that is read if the file has several. If absent, the format determines
+  /// whether the first or the last packing is read.
   std::optional<int> index;
   std::string units = "reduced";  ///< unit system of the file, "reduced" or "SI"
-  /// Whether contacts with a tensile force are left out if the law has no adhesion. If false, they are an error.
+  /// Whether contacts with a tensile force are left out if the law has no adhesion. If false, these contacts are an
+  /// error.
   bool drop_tensile = false;
   /// Largest gap (length) of grains that count as touching, if contacts are found from the geometry. The force across a
   /// gap is zero.

@@ -38,8 +38,8 @@ std::vector<double> numbers(const std::string& place, std::string_view text) {
   }
 }
 
-/// Returns the end of a message about a wrong number of values: a hint at decimal commas if the text has commas between
-/// digits, else an empty text.
+/// Returns the end of a message about a wrong number of values: a hint about decimal commas if the text has commas
+/// between digits, else an empty text.
 const char* comma_hint(std::string_view text) {
   const auto is_digit = [&](std::size_t at) {
     return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at]));

@@ -29,7 +29,7 @@ constexpr std::string_view kFrameBegins = "ITEM: TIMESTEP";
 /// Lines of one frame of a dump, followed by the first line of the next frame.
 class FrameText {
  public:
-  /// @param first  number of the first line of the frame in the file, from 1
+  /// @param first  number (from 1) of the line of the file that is the first line of the frame
   FrameText(std::string path, int first) : path_(std::move(path)), first_(first) {}
 
   void add(std::string_view line) { lines_.push_back(line); }
@@ -38,7 +38,7 @@ class FrameText {
   int number(std::size_t at) const { return first_ + static_cast<int>(at); }
   std::string place(std::size_t at) const { return fmt::format("{}:{}", path_, number(at)); }
 
-  /// Returns line `at` of the frame, from 0. @param what  expected content of the line, for messages
+  /// Returns line number `at` (counted from 0) of the frame. @param what  expected content of the line, for messages
   /// @throws InputError if the file ends before this line
   std::string_view line(std::size_t at, const std::string& what) const {
     if (at < lines_.size()) return lines_[at];

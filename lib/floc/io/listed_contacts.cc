@@ -39,7 +39,7 @@ constexpr double kFarthestGap = 0.1;
 constexpr double kSameForce = 1e-3;
 
 /// Whether the two grains of a contact must be exchanged, so that the grain with the lower index comes first. For a
-/// contact of a grain with its own image: whether find_pairs() uses the opposite image.
+/// contact of a grain with its own image, this is true if find_pairs() uses the opposite image.
 template <int Dim>
 bool is_reversed(const Contact<Dim>& c) {
   if (c.i != c.j) return c.i > c.j;

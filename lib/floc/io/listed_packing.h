@@ -80,7 +80,7 @@ struct ListedPacking {
   std::vector<ListedContact> bonds;  ///< contacts that act across gaps, in addition to `contacts`
   /// Contacts with walls that are listed in the file of the grains; a file of contacts may list others.
   std::vector<ListedContact> wall_contacts;
-  /// Whether no contacts with the walls of the packing are listed. If true, they are found from the geometry.
+  /// Whether the files list no contacts with walls. If true, these contacts are found from the geometry.
   bool lacks_wall_contacts = false;
   Law law;
   std::optional<Law> wall_law;  ///< law of contacts with walls; if absent, `law` applies to them

@@ -37,7 +37,7 @@ struct ListedPose {
 };
 
 /// Gives a listed grain a shape: sets the position (the centre of mass), the radius and the pose of the grain.
-/// @param shape  index of the shape in the table of the dimension of the packing
+/// @param shape  index of the shape in the table for the dimension of the packing
 /// @param scale  factor by which the shape is magnified, > 0
 /// @param origin  position in space of the origin of the coordinates from which the shape was made (length)
 /// @param turn  rotation from the coordinates from which the shape was made to the coordinates of space

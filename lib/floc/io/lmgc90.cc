@@ -258,8 +258,8 @@ Bulk read_bulk(const std::string& path) {
   return bulk;
 }
 
-/// Makes a wall of a bar or plate. The wall is at the face of the bar or plate that is nearer to the middle of the
-/// grains.
+/// Adds a wall in place of a bar or plate. The wall is at the face of the bar or plate that is nearer to the middle of
+/// the grains.
 WallSide add_bar(const Body& bar, const Eigen::Vector3d& middle, ListedSpace& space) {
   constexpr double kAligned = 1e-4;  // the files have seven digits, with angles such as 1.570800 for pi/2
   const Eigen::Vector3d across = bar.turn().col(bar.spatial ? 2 : 1).cwiseAbs();

@@ -203,7 +203,8 @@ std::pair<double, double> extent(const ListedPacking& listed, int axis) {
   return {low, high};
 }
 
-/// Sets the side of the cell along each axis that is not periodic to the distance between its two ends.
+/// For each axis that is not periodic, makes the side of the cell equal to the distance between the two ends of the
+/// axis.
 void fit_cell_to_ends(int dimension, ListedPacking& listed) {
   if (listed.ends.empty()) return;
   if (listed.cell.empty() && static_cast<int>(listed.ends.size()) == dimension)
@@ -248,7 +249,7 @@ void require_grains_between_walls(const ListedPacking& listed) {
     }
 }
 
-/// Sets gravity, and checks that the packing is not periodic along every axis if there is gravity.
+/// Sets gravity. If there is gravity, checks that at least one axis is not periodic.
 void set_gravity(const ImportOptions& options, int dimension, ListedPacking& listed) {
   listed.gravity = options.gravity.empty() ? listed.space.gravity : Eigen::Vector3d(Eigen::Vector3d::Zero());
   const std::string place = options.gravity.empty() ? listed.space.place : "--gravity";

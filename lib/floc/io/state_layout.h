@@ -36,10 +36,10 @@ struct Field {
 };
 
 /// Writes or reads the cell of a state file, depending on the archive (WritingArchive or ReadingArchive). This function
-/// and the other functions describe_...() define the layout of the file, for both writing and reading. All these
-/// functions call the following functions of the archive: rows(field, items, get) for an array that contains one member
-/// of each item, column(field, values) for an array whose rows are `values`, column_if_there(field, values, size) for
-/// an array that is left out of the file if it is empty, and matrix(field, m) for a matrix.
+/// and the other functions describe_...() define the layout of the file, for both writing and reading. The functions
+/// for arrays call four functions of the archive: rows(field, items, get) for an array that contains one member of each
+/// item, column(field, values) for an array whose rows are `values`, column_if_there(field, values, size) for an array
+/// that is left out of the file if it is empty, and matrix(field, m) for a matrix.
 template <class Archive, class Cell>
 void describe_cell(Archive& archive, Cell& cell) {
   archive.matrix({"cell/matrix", Quantity::length, "rows are the lattice vectors"}, cell.matrix);

@@ -16,8 +16,8 @@ namespace {
 /// triangle along any axis. This ratio is not zero because binary STL files have seven digits.
 constexpr double kFlatTriangle = 1e-5;
 
-/// Whether the centre of any grain is directly above or below a plane, along the axis of the plane. True for an
-/// infinite plane.
+/// Whether the centre of any grain is directly above or below a plane, along the axis of the plane. The result is true
+/// for an infinite plane.
 bool faces_grains(const WallPlane& plane, const std::vector<ListedGrain>& grains, int n_axes) {
   if (!plane.corners) return true;
   const auto& [low, high] = *plane.corners;

@@ -48,7 +48,8 @@ struct NumericalSettings {
     options.patience = patience;
   }
 
-  /// Returns the settings in the options of a relaxation. `tolerance` is the tolerance of forces in the options.
+  /// Returns the settings in the options of a relaxation. The member `tolerance` of the result is the tolerance of
+  /// forces in the options.
   static NumericalSettings of(const RelaxationOptions& options) {
     return {options.tolerance.force, options.time_step, options.finish, options.patience};
   }

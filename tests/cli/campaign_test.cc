@@ -368,7 +368,7 @@ TEST_F(Campaigns, OfBadFilesAreRefusedWithLineKeyAndWhatIsExpected) {
   }
   EXPECT_EQ(floc("campaign check absent.toml").code, 4);
   EXPECT_EQ(floc("campaign check .").code, 4);
-  EXPECT_THAT(floc("campaign collect . ").err, HasSubstr("this directory holds no campaign"));
+  EXPECT_THAT(floc("campaign collect . ").err, HasSubstr("this directory contains no campaign"));
   EXPECT_THAT(floc("campaign run small.toml --seed 1 -o r --table moduli").err,
               HasSubstr("expected FILE: COMMAND"));
   EXPECT_FALSE(fs::exists(file("r")));

@@ -77,7 +77,7 @@ TEST_F(PlanCommand, BadInputIsNamedAndNothingIsRunOrWritten) {
       {kDemoScene + "--budget 1h --prices old.csv", "old.csv: column"},
       {kDemoScene + "--budget 1h --pilot --set grains.count=1", "grains.count"},
       {kDemoScene + "--budget 1s --pilot", "--pilot: the samples of 200 grains are not complete within 0.2 s"},
-      {"--check .", "this directory holds no campaign"},
+      {"--check .", "this directory contains no campaign"},
   };
   write_text(scratch_.file("beads.csv"),
              "knob,value,observable,error_before_high,error_after_high,mean_difference,mean_error95,cost_ratio,"

@@ -198,7 +198,7 @@ TEST_F(Structure, BadInputIsNamedAndTheOthersAreDone) {
   const Outcome o = structure("bad.h5 empty.h5 frames.h5 --format csv");
   EXPECT_EQ(o.code, 4);
   EXPECT_THAT(o.err, HasSubstr("bad.h5"));
-  EXPECT_THAT(o.err, HasSubstr("empty.h5:/grains/radius: the dataset holds no grains"));
+  EXPECT_THAT(o.err, HasSubstr("empty.h5:/grains/radius: the dataset contains no grains"));
   EXPECT_THAT(o.out, HasSubstr("\nframes.h5,2,8,"));
   EXPECT_EQ(structure("frames.h5 --fit-range 1,0.5").code, 4);
   EXPECT_EQ(structure("frames.h5 --cells-per-wave 1").code, 2);

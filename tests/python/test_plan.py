@@ -47,7 +47,7 @@ class Plans(unittest.TestCase):
                                  ({"budget": float("nan")}, "budget")):
             with self.assertRaisesRegex(floc.InputError, words):
                 floc.plan(SCENE, **arguments)
-        with self.assertRaisesRegex(floc.InputError, "this directory holds no campaign"):
+        with self.assertRaisesRegex(floc.InputError, "this directory contains no campaign"):
             floc.check_plan(self.directory())
 
 

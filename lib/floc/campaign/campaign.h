@@ -23,14 +23,15 @@ struct StateChoice {
   enum Kind { all, last, steps, pressures };
   Kind kind = all;
   std::vector<int> numbers;  ///< numbers of the chosen states, if `kind` is `steps`
-  std::string branch;        ///< branch of the load path with the states, if `kind` is `pressures`; empty: any
+  /// branch of the load path that contains the states, if `kind` is `pressures`; empty: any branch
+  std::string branch;
   std::vector<double> P_star;  ///< reduced imposed pressures of the states, if `kind` is `pressures`
   /// whether `P_star` contains stresses on the driven axis; if not, it contains pressures that are equal on all axes
   bool is_driven = false;
   std::string place;  ///< "FILE:LINE" in the campaign file, for messages
 };
 
-/// A case of a campaign: the scene of the campaign with changed values of some keys. It is run with every seed.
+/// A case of a campaign: the scene of the campaign with changed values of some keys. Each case is run with every seed.
 struct CampaignCase {
   std::string label;  ///< name of the directory of the case; consists of letters, digits and "_=.+-"
   std::vector<SceneChange> changes;

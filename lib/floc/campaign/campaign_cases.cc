@@ -29,8 +29,8 @@ std::string as_name(const std::string& text) {
   return name;
 }
 
-/// Returns the end of a key, such as `coefficient` of `contact.friction.coefficient`. It has as few components as
-/// possible, but enough to distinguish the key from all other keys of the campaign.
+/// Returns the end of a key, such as `coefficient` of `contact.friction.coefficient`. The returned end has as few
+/// components as possible, but enough to distinguish the key from all other keys of the campaign.
 std::string short_key(const std::string& key, const std::vector<std::string>& keys) {
   for (std::size_t dot = key.rfind('.'); dot != std::string::npos && dot > 0; dot = key.rfind('.', dot - 1)) {
     const std::string end = key.substr(dot);

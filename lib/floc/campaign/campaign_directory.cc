@@ -13,7 +13,7 @@ PlannedCampaign campaign_of(const std::string& directory) {
   const fs::path file = fs::path(directory) / kCampaignFile;
   if (!fs::is_regular_file(file) || !fs::is_regular_file(fs::path(directory) / kCampaignScene))
     throw InputError(directory,
-                     "this directory holds no campaign: expected a directory that floc campaign plan wrote");
+                     "this directory contains no campaign: expected a directory that floc campaign plan wrote");
   PlannedCampaign planned{read_campaign(file.string(), kCampaignScene), {}};
   // A campaign without a name is named after its file. Here this file is always campaign.toml, so the name of the
   // directory is used instead.

@@ -22,8 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A pressure in a campaign file selects a state whose pressure differs from it by at most this fraction. Pressures in
-/// the file may thus be rounded, such as 1.33 for 1.334.
+/// A pressure in a campaign file selects a state if it differs from the pressure of the state by at most this fraction.
+/// Pressures in the file may therefore be rounded, such as 1.33 for 1.334.
 constexpr double kSamePressure = 0.01;
 
 std::vector<std::string> overrides_of(const CampaignCase& one) {
@@ -40,7 +40,7 @@ std::string blamed_place(const CampaignCase& one, const std::string& fault) {
   return one.place;
 }
 
-/// Returns the reduced pressure P* of an equilibrium that a run will compute. It follows from the imposed pressure, the
+/// Returns the reduced pressure P* of an equilibrium that a run will compute. P* follows from the imposed pressure, the
 /// contact law and the largest diameter in the scene.
 template <int Dim>
 double planned_pressure(const Scene& scene, const PlannedEquilibrium& equilibrium, double pressure) {
@@ -132,7 +132,7 @@ int state_at(double P_star, const StateChoice& choice, const CampaignCase& one, 
                         "the run: P_driven_star selects among such states; step selects the others",
                         key, one.label, where)
           : fmt::format("{}: case {} has no state{} with equal pressures on all axes: P_star "
-                        "selects among such states, P_driven_star by the stress on the driven axis",
+                        "selects among such states; P_driven_star selects by the stress on the driven axis",
                         key, one.label, where));
 }
 

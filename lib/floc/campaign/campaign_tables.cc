@@ -41,8 +41,8 @@ std::vector<std::string> with_case_columns(const Campaign& campaign, std::vector
   return columns;
 }
 
-/// Returns the number of the state in a row of a table. It follows from the name of the state file in `column`: the
-/// number is 12 for state-0012.h5.
+/// Returns the number of the state that a row of a table describes. The number follows from the name of the state file
+/// in `column`; for state-0012.h5, it is 12.
 int step_of(const CsvTable& table, int row, const std::string& column) {
   const std::string name = fs::path(table.text(row, table.column(column))).stem().string();
   const auto step = parse_number<int>(name.substr(std::min(name.size(), name.rfind('-') + 1)));
@@ -244,7 +244,7 @@ void add_fit(const Campaign& campaign, const CampaignCase& one, const CampaignFi
   std::vector<std::string> parameters;  // names of the parameters, in the order of the printed table
   std::set<std::string> pooled;
   const auto cell = [&](int row, const char* column) { return printed.text(row, printed.column(column)); };
-  std::set<std::string> tests;  // kinds of mechanical tests; all kinds have the same names of parameters
+  std::set<std::string> tests;  // kinds of mechanical tests; parameters have the same names in all kinds
   for (int row = 0; printed.has("test") && row < printed.n_rows(); ++row) tests.insert(cell(row, "test"));
   const auto parameter_of = [&](int row) {
     const bool of_state = printed.has("source") && cell(row, "source") == "state";

@@ -37,18 +37,18 @@ bool is_done(const std::optional<RunOutcome>& outcome);
 /// Returns "done" or "failed", or "missing" if the run has not ended.
 const char* word_of(const std::optional<RunOutcome>& outcome);
 
-/// Returns a table with one row per run and collected state, of the runs that succeeded. Its columns are case, the keys
-/// in which the cases differ, seed, step, branch, P_star, and the collected columns. A cell is empty if its column is
-/// not collected at that state.
+/// Returns a table of the runs that succeeded, with one row per run and collected state. The columns of the table are
+/// case, the keys in which the cases differ, seed, step, branch, P_star, and the collected columns. A cell is empty if
+/// its column is not collected at that state.
 /// @param directory  directory of the campaign
 /// @throws InputError if a file of a run is missing or does not fit the campaign; the message names this file
 Table collected_runs(const Campaign& campaign, const std::vector<CasePlan>& plans,
                      const std::string& directory);
 
 /// Returns a table with one row per case, state and collected column of numbers: the number n of samples, and the mean,
-/// standard error, standard deviation s, lowest and highest value over the samples. If the campaign has a reference for
-/// the column, a mean over n_ref samples with the standard deviation s_ref, the row also tells whether both means
-/// agree. They agree if they differ by at most `allowed` = 2.6 sqrt(s^2/n + s_ref^2/n_ref). Two means of the same
+/// standard error, standard deviation s, lowest and highest value over the samples. The campaign may have a reference
+/// for the column: a mean over n_ref samples with the standard deviation s_ref. The row then also tells whether the two
+/// means agree. They agree if they differ by at most `allowed` = 2.6 sqrt(s^2/n + s_ref^2/n_ref). Two means of the same
 /// quantity agree in 99 of 100 comparisons.
 /// @param runs  table that collected_runs() returns
 Table means_of(const Campaign& campaign, const std::vector<CasePlan>& plans, const CsvTable& runs);
@@ -62,8 +62,8 @@ Table empty_fits(const Campaign& campaign);
 void add_fit(const Campaign& campaign, const CampaignCase& one, const CampaignFit& fit, const CsvTable& printed,
              Table& table);
 
-/// Returns a table with one row per run: how it ended, the wall time of its states and the processor time of its tables
-/// and of the run itself (s).
+/// Returns a table with one row per run: how the run ended, the wall time of its states, and the processor times of its
+/// tables and of the run itself (s).
 Table outcomes_of(const Campaign& campaign, const std::vector<CasePlan>& plans, const std::string& directory);
 
 /// Returns the sum of the numbers in a column; cells without a number are left out.

@@ -251,7 +251,7 @@ Reference read_reference(Part& part) {
   reference.deviation = t.number("error", kNotNegative, Need::optional).value_or(0.0);
   constexpr IntegerRule kSamples{
       1, 1'000'000,
-      "a whole number >= 1: the number of samples of the reference, whose standard deviation is the key error"};
+      "a whole number >= 1: the number of reference samples (the key error is their standard deviation)"};
   reference.n_samples = static_cast<int>(t.integer("samples", kSamples, Need::optional).value_or(1));
   reference.source = t.text("source", "the source of the value, such as a publication").value_or("");
   return reference;

@@ -78,8 +78,8 @@ rule table_outcomes:
     shell: "{{FLOC}} campaign collect . --table outcomes --format csv > {{output}}"
 )";
 
-/// Returns the floc command, without the word floc, that prints the table of a collection for one run. It has to be
-/// called in the directory of this run.
+/// Returns the floc command, without the word floc, that prints the table of a collection for one run. The command has
+/// to be called in the directory of this run.
 std::string command_of(const Collection& collection, const CampaignCase& one, const CasePlan& plan) {
   const auto file = [](int step) { return fmt::format(" state-{:04}.h5", step); };
   std::string command = collection.table;

@@ -13,10 +13,9 @@ class FrameTurn {
  public:
   FrameTurn() = default;
   /// @param normal     unit normal of the contact after the step
-  /// @param along      component along `normal` of the change, in the step, of the vector between the centres of the
-  /// grains; divided by the distance of the centres after the step
-  /// @param across     part in the tangent plane of the change, in the step, of the vector between the centres of the
-  /// grains; divided by the distance of the centres after the step
+  /// @param along      component along `normal` of c, where c is the change of the vector between the centres of the
+  /// grains during the step, divided by the distance of the centres after the step
+  /// @param across     part of c in the tangent plane
   /// @param spins      sum of the angular velocities of the two grains (radians/time)
   /// @param time_step  duration of the step (time)
   FrameTurn(const Vec<3, T>& normal, const T& along, const Vec<3, T>& across, const RotationVector<3, T>& spins,
@@ -39,15 +38,15 @@ class FrameTurn {
     cos_ = (T(1) - squared) * scale;
   }
 
-  /// Returns the mean of the old and the new normal. The length of the mean differs from 1 by a number of the order of
-  /// the square of the angle between the two normals.
+  /// Returns the mean of the old and the new normal. The mean is not a unit vector: its length differs from 1 by a term
+  /// of second order in the angle between the two normals.
   const Vec<3, T>& mean_normal() const { return mean_normal_; }
 
   /// Returns the slip of the two surfaces in the step (length): P1 Pm (d - s x m). Here d is the change of the vector
   /// between the centres of the grains, s is `surfaces`, and m is the mean normal. Pm projects onto the plane normal to
   /// m, and P1 onto the plane normal to the new normal n1.
   /// @param length    distance of the centres of the grains after the step
-  /// @param surfaces  lever arm of grain i times its rotation in the step, plus lever arm of grain j times its rotation
+  /// @param surfaces  lever arm of grain i times the rotation of grain i in the step, plus the same product for grain j
   Vec<3, T> slip(const T& length, const RotationVector<3, T>& surfaces) const {
     // The mean normal is m = n1 - lean across. With lengths in units of `length`, the two terms of the slip are P1 Pm d
     // = (1 + lean m.d) across and P1 (s x m) = (s + lean (s.n1) across) x n1.

@@ -16,17 +16,17 @@ struct ReducedLattice {
   Mat<Dim, std::int64_t> combination = Mat<Dim, std::int64_t>::Identity();
   bool is_original = true;
 
-  /// Converts a lattice displacement from numbers of lattice vectors of the reduced cell, `image`, to numbers of
-  /// lattice vectors of the original cell.
+  /// Converts the lattice displacement `image`, which is given in numbers of lattice vectors of the reduced cell, to
+  /// numbers of lattice vectors of the original cell.
   Vec<Dim, std::int64_t> original(const Vec<Dim, int>& image) const {
     return combination.transpose() * image.template cast<std::int64_t>();
   }
 };
 
 /// Reduces a lattice by the method of Lagrange and Gauss, pair by pair in 3D: whole multiples of the other vectors are
-/// subtracted from each vector until no vector becomes shorter. The cost of a neighbour search grows if the distance
-/// between opposite faces of the cell is small. The reduction keeps the cost low even if the original cell is strongly
-/// slanted. Lattices whose vectors are already short do not change.
+/// subtracted from each vector, as long as this makes a vector shorter. The cost of a neighbour search grows if the
+/// distance between opposite faces of the cell is small. The reduction keeps the cost low even if the original cell is
+/// strongly slanted. Lattices whose vectors are already short do not change.
 template <int Dim>
 ReducedLattice<Dim> reduced_lattice(const Cell<Dim>& cell) {
   ReducedLattice<Dim> lattice{cell};

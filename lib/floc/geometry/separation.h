@@ -6,9 +6,9 @@
 namespace floc {
 
 /// Point or vector whose coordinates are double-double numbers (unevaluated sums of two doubles). The rounding error of
-/// a double is too large for stiff contacts. Let a be the grain diameter and F0 the pull-off force. At a distance of
-/// 40 a from the origin, the rounding error of a coordinate is 4e-15 a. It changes the force of a contact of stiffness
-/// 1e9 F0/a by 4e-6 F0.
+/// a double is too large for stiff contacts. Let a be the grain diameter and F0 the pull-off force. At a distance of 40
+/// a from the origin, the rounding error of a coordinate is 4e-15 a. This error changes the force of a contact with the
+/// stiffness 1e9 F0/a by 4e-6 F0.
 template <int Dim>
 struct DoubleDoubleVec {
   DoubleDouble component[Dim];

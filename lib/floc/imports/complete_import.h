@@ -21,8 +21,8 @@ struct ImportCompletion {
   double touch_gap = 0.0;  ///< largest gap at which grains count as touching: see ImportOptions
 };
 
-/// Completes the state of a packing of another program. It adds the data that an analysis needs and the file of the
-/// packing lacks: contacts, imposed stress, tolerances, residuals, and the version of floc.
+/// Completes the state of a packing of another program. The function adds the data that an analysis needs but that are
+/// missing in the file of the packing: contacts, imposed stress, tolerances, residuals, and the version of floc.
 /// @param place  file or array that contains the packing, for messages
 /// @param imported  packing as it was read from its file
 /// @param state  state to complete, a copy of the state in `imported`

@@ -29,11 +29,11 @@ void add_list(const ListedContactCounts& listed, int n_kept, ConversionSummary& 
                     "gap and no force, and the law has no attraction across the gap",
                     listed.n_neighbors, listed.n_read));
   if (listed.n_across_no_lattice > 0)
-    summary.inconsistencies.push_back(
-        fmt::format("{} of the {} listed contacts cross a boundary that rotates the grains: these contacts "
-                    "keep the forces of the file and have no stiffness; their normals, and the force balance "
-                    "of their second grains, are wrong",
-                    listed.n_across_no_lattice, listed.n_read));
+    summary.inconsistencies.push_back(fmt::format(
+        "{} of the {} listed contacts cross a boundary that rotates the grains: these contacts "
+        "keep the listed forces and have no stiffness; their normals are wrong, and so is the force "
+        "balance of their second grains",
+        listed.n_across_no_lattice, listed.n_read));
   if (listed.n_tensile > 0)
     summary.inconsistencies.push_back(fmt::format(
         "{} of the {} listed contacts have a tensile force and are left out", listed.n_tensile, listed.n_read));
@@ -96,8 +96,8 @@ void add_absence_of_contacts(const Packing<Dim>& packing, ConversionSummary& sum
     const double radii = radius[nearest->i] + radius[nearest->j];
     if (nearest->gap <= kHard * radii)
       cause =
-          "simulations of hard grains end with small gaps; give --touch-gap a length above this gap to treat "
-          "such grains as touching";
+          "simulations of hard grains end with small gaps; to treat such grains as touching, give "
+          "--touch-gap with a length above the smallest gap";
     else if (std::abs(nearest->gap - radii) <= kDoubled * radii)
       cause =
           "the nearest grains would touch if their radii were twice as large: are the values read as diameters "

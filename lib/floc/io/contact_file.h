@@ -16,7 +16,7 @@ namespace floc {
 /// @param dimension  dimension of the packing, 2 or 3
 /// @param timestep  time step of the grains, if their file gives one. From a LAMMPS dump, the last frame with this time
 /// step is read; without a time step, the last frame of the dump is read.
-/// @param remarks  if not null, receives a sentence about the layout of a csv table whose layout is not plain
+/// @param remarks  if not null, receives a sentence about the layout of the csv table, unless this layout is plain
 /// @return the contacts; nothing if `options.contacts` is empty
 /// @throws InputError naming file, line and column
 std::optional<std::vector<ListedContact>> read_contact_file(const ImportOptions& options, int dimension,

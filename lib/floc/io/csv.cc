@@ -17,7 +17,7 @@
 namespace floc {
 namespace {
 
-/// Numbers written as real numbers, such as 3.0, are accepted as integers up to this magnitude. Up to it, a double
+/// Up to this magnitude, numbers written as real numbers, such as 3.0, are accepted as integers, because a double
 /// represents every integer exactly.
 constexpr double kExactIntegers = 9007199254740992.0;  // 2^53
 

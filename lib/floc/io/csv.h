@@ -25,7 +25,7 @@ class CsvTable {
   /// Makes a table without rows. @param place  name of the table in messages, such as the path of its file
   CsvTable(std::string place, std::vector<std::string> columns);
 
-  /// Adds a row. @param line  number of the line of the file that contains the row, from 1
+  /// Adds a row. @param line  number (from 1) of the line of the file that contains the row
   /// @throws InputError if the number of cells is not the number of columns
   void add_row(int line, const std::vector<std::string>& cells);
 
@@ -40,8 +40,8 @@ class CsvTable {
                         const std::vector<std::string>& wanted = {});
 
   const std::vector<std::string>& columns() const { return columns_; }
-  /// Names of the columns in the lines above the line that columns() returns, the nearest line first. Each inner list
-  /// has one name per column; the name may be empty.
+  /// Other names of the columns, one list for each line above the line of names that columns() returns; the list for
+  /// the nearest line comes first. Each list has one name per column; the name may be empty.
   const std::vector<std::vector<std::string>>& other_names() const { return layout_.other_names; }
   /// Returns the cell of a column in the row of units below the names; empty if the table has no row of units.
   std::string unit_cell(int column) const;
@@ -74,7 +74,7 @@ class CsvTable {
 
   /// Place of a row in messages: "file:line".
   std::string place(int row) const;
-  /// Number of the line of the file that contains a row, from 1.
+  /// Number (from 1) of the line of the file that contains a row.
   int line(int row) const { return lines_[row]; }
   /// Name of the table in messages.
   const std::string& place() const { return place_; }

@@ -11,7 +11,7 @@ Imported read_csv_packing(const std::string& path, const ImportOptions& options)
   if (options.index.value_or(0) != 0)
     throw InputError(
         path,
-        fmt::format("index = {}, but the file holds only one packing, whose index is 0: leave out --index",
+        fmt::format("index = {}, but the file contains only one packing, whose index is 0: leave out --index",
                     *options.index));
   check_grain_columns("--columns", options.columns);
   ListedPacking listed = listed_packing(path, options);

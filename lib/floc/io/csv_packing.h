@@ -5,7 +5,7 @@
 namespace floc {
 
 /// Reads a packing from a csv file with one grain per line. The columns x, y[, z] and radius (or diameter) are
-/// required, the columns mass (default: diameter^2 in 2D, diameter^3 in 3D) and id (default: position of the grain in
+/// required; the columns mass (default: diameter^2 in 2D, diameter^3 in 3D) and id (default: position of the grain in
 /// the file, counted from 0) are optional. `options.columns` renames the columns. `options.law` and `options.cell` are
 /// required.
 ///

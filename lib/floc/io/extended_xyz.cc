@@ -20,7 +20,7 @@ namespace {
 
 /// One frame of an extended XYZ file: its comment line and, in `rows`, one line for each grain.
 struct XyzFrame {
-  int line = 0;  ///< number of the first line of the frame in the file, from 1
+  int line = 0;  ///< number (from 1) of the line of the file that is the first line of the frame
   std::string comment;
   std::vector<std::string> rows;
 };
@@ -78,7 +78,7 @@ std::map<std::string, std::string> keys_of(const std::string& place, std::string
 
 /// Returns the names of the columns of a frame.
 /// @param properties  value of the key Properties, "name:type:count:...". In it, pos:R:3 denotes the three columns x, y
-/// and z. Any other name:type:n with n > 1 denotes n columns whose names are the name followed by 1 to n
+/// and z. Any other name:type:n with n > 1 denotes n columns, which are called `name` followed by a number from 1 to n
 std::vector<std::string> columns_of(const std::string& place, const std::string& properties) {
   std::vector<std::string> fields;
   std::istringstream in(properties);
@@ -212,7 +212,7 @@ Imported read_extended_xyz(const std::string& path, const ImportOptions& options
   const int n = static_cast<int>(frames.size());
   const int index = options.index.value_or(n - 1);
   if (index >= n)
-    throw InputError(path, fmt::format("index = {}, but the file holds frames 0 to {}", index, n - 1));
+    throw InputError(path, fmt::format("index = {}, but the file contains frames 0 to {}", index, n - 1));
   const XyzFrame& frame = frames[static_cast<std::size_t>(index)];
   const std::string place = fmt::format("{}:{}", path, frame.line + 1);
   std::map<std::string, std::string> keys = keys_of(place, frame.comment);

@@ -16,7 +16,8 @@ bool is_extended_xyz(const std::string& path);
 /// file has no key Properties; the names of its columns are their numbers. The following other keys are read:
 ///   Lattice     cell, as Lattice="ax ay az bx by bz cx cy cz"; in 2D, the x and y components of the first two vectors
 ///   pbc         T for each lattice vector along which the packing is periodic, F for the others
-///   walls       names of the walls at faces of the box, such as "x- x+"; all other ends that are not periodic are open
+///   walls       names of the walls at faces of the box, such as "x- x+"; if an axis is not periodic, an end
+///               without a wall is open
 ///   dimension   2 or 3; without this key, settle_space() decides
 /// `options.cell` replaces Lattice and pbc. `options.law` is required. `options.contacts` may name a file of contacts:
 /// see read_contact_file().

@@ -140,9 +140,10 @@ void write_array(hid_t file, const std::string& path, const ArrayShape& shape, c
 /// Number of rows of an array that are written or read at a time. This number limits the size of the buffers.
 constexpr hsize_t kRowsAtATime = 1 << 16;
 
-/// Calls visit(first, n, memory, file) for each block of rows of an array of the given shape. `first` is the number of
-/// the first row of the block, and `n` is the number of values in the block. `memory` is the HDF5 dataspace of a buffer
-/// for these values, and `file` is the HDF5 dataspace of the array with the block selected in it.
+/// Divides an array with the given shape into blocks of rows, and calls visit(first, n, memory, file) for each block.
+/// `first` is the number of the first row of the block, and `n` is the number of values in the block. `memory` is the
+/// HDF5 dataspace of a buffer for these values, and `file` is the HDF5 dataspace of the array with the block selected
+/// in it.
 template <class Visit>
 void for_each_block(const ArrayShape& shape, const Visit& visit) {
   const std::vector<hsize_t> extent(shape.begin(), shape.end());

@@ -14,7 +14,7 @@ class Hdf5Failure : public std::runtime_error {
  public:
   Hdf5Failure(const std::string& what, int error) : std::runtime_error(what), error_(error) {}
 
-  /// Value of errno after the failure. It is meaningful only if a system call of the HDF5 library failed.
+  /// Value of errno after the failure. The value is meaningful only if a system call of the HDF5 library failed.
   int error() const { return error_; }
 
  private:

@@ -11,7 +11,7 @@
 
 namespace floc {
 
-/// Options for reading a file of another program. They give data that may be missing in the file.
+/// Options for reading a file of another program. The options give data that may be missing in the file.
 struct ImportOptions {
   std::optional<Law> law;
   /// Lattice vectors of the periodic cell (length), one per row. The number of vectors is the dimension. If empty, the
@@ -19,11 +19,11 @@ struct ImportOptions {
   std::vector<std::vector<double>> cell;
   std::optional<Law> wall_law;  ///< contact law between grains and walls; if absent, `law` applies to them
   /// Axes that are not periodic (see parse_walls()) and names of files that describe walls (see read_wall_file()),
-  /// separated by commas. If empty, the file of the packing decides.
+  /// separated by commas. If empty, the file of the packing gives the boundary.
   std::string walls;
   /// acceleration due to gravity, one component per axis; if empty, the file gives it
   std::vector<double> gravity;
-  /// identifiers, in the file of contacts, of the bodies that are walls
+  /// bodies in the file of contacts that are walls: the key is the identifier of the body, the value is the wall
   std::map<std::int64_t, WallSide> wall_ids;
   /// Maps the names that floc uses for columns of grains to the names of these columns in the file, such as "x" to "X".
   /// A column that is not in this map has the name that floc uses. For a LAMMPS dump, the name of a wall such as "x-"
@@ -38,11 +38,12 @@ struct ImportOptions {
   /// in the file. A column that is not in this map has the name that floc uses.
   std::map<std::string, std::string> contact_columns;
   std::optional<int> dimension;  ///< dimension, 2 or 3; if absent, settle_space() decides
-  /// Number of the packing (or frame) to read from a file with several packings, from 0. If absent, the format
-  /// determines whether the first or the last packing is read.
+  /// Number (from 0) of the packing or frame that is read if the file has several. If absent, the format determines
+  /// whether the first or the last packing is read.
   std::optional<int> index;
   std::string units = "reduced";  ///< unit system of the file, "reduced" or "SI"
-  /// Whether contacts with a tensile force are left out if the law has no adhesion. If false, they are an error.
+  /// Whether contacts with a tensile force are left out if the law has no adhesion. If false, these contacts are an
+  /// error.
   bool drop_tensile = false;
   /// Largest gap (length) of grains that count as touching, if contacts are found from the geometry. The force across a
   /// gap is zero.
@@ -51,8 +52,8 @@ struct ImportOptions {
   bool pairs_twice = false;
 };
 
-/// Counts of the contacts that a file lists: all contacts, contacts that are left out for a reason, and contacts that
-/// are kept but need a remark.
+/// Counts of the contacts that a file lists: the number of all contacts, the numbers of contacts that are left out for
+/// different reasons, and the numbers of contacts that are kept but need a remark.
 struct ListedContactCounts {
   int n_read = 0;
   /// Number of contacts that were left out because they have no force and the gap between the grains exceeds the range
@@ -60,11 +61,11 @@ struct ListedContactCounts {
   int n_neighbors = 0;
   /// Number of contacts that were left out because they have a tensile force and the law has no adhesion.
   int n_tensile = 0;
-  /// Number of contacts whose listed image contradicts the positions. They were kept, with the nearest periodic image
-  /// of grain id2.
+  /// Number of contacts whose listed image contradicts the positions. These contacts were kept, with the nearest
+  /// periodic image of grain id2.
   int n_other_image = 0;
-  /// Number of contacts across a boundary that is not a lattice translation. Such contacts keep the listed forces and
-  /// have no stiffness.
+  /// Number of contacts across a boundary that rotates the grains that cross it, so that no lattice translation brings
+  /// the two grains into contact. These contacts keep the listed forces and have no stiffness.
   int n_across_no_lattice = 0;
   int n_bonds = 0;  ///< number of contacts that act across a gap, each with its own stiffnesses
   /// Sentences about contacts whose listed stiffnesses differ from the stiffnesses of the contact law at the listed

@@ -38,8 +38,8 @@ std::vector<double> numbers(const std::string& place, std::string_view text) {
   }
 }
 
-/// Returns the end of a message about a wrong number of values: a hint at decimal commas if the text has commas between
-/// digits, else an empty text.
+/// Returns the end of a message about a wrong number of values: a hint about decimal commas if the text has commas
+/// between digits, else an empty text.
 const char* comma_hint(std::string_view text) {
   const auto is_digit = [&](std::size_t at) {
     return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at]));
@@ -107,7 +107,8 @@ void find_packing(const std::string& path, Lines& lines, int index) {
   if (n_packings == 0)
     throw InputError(path,
                      "the file contains no packing of jamBashbulk: it has no line \"N = ... ,L1= { ...\"");
-  throw InputError(path, fmt::format("index = {}, but the file holds packings 0 to {}", index, n_packings - 1));
+  throw InputError(path,
+                   fmt::format("index = {}, but the file contains packings 0 to {}", index, n_packings - 1));
 }
 
 /// Reads the `n` grains that follow the header of a packing, and moves each grain into the periodic cell.

@@ -47,8 +47,8 @@ void read_header_line(const std::string& place, const std::vector<std::string>& 
   std::vector<double> values;
   std::string key;
   for (const std::string& token : tokens) {
-    // A number with a decimal comma is reported as an error. As a part of the keyword, it would cause the line to be
-    // ignored.
+    // A number with a decimal comma is reported as an error. If it were taken as a part of the keyword, the line would
+    // be ignored.
     if (const auto value = parse_number<double>(token); value && key.empty())
       values.push_back(*value);
     else if (const std::string hint = decimal_comma_hint(token); !hint.empty())
@@ -259,7 +259,7 @@ Imported read_lammps_data(const std::string& path, const ImportOptions& options)
   if (options.index.value_or(0) != 0)
     throw InputError(
         path,
-        fmt::format("index = {}, but the file holds only one packing, whose index is 0: leave out --index",
+        fmt::format("index = {}, but the file contains only one packing, whose index is 0: leave out --index",
                     *options.index));
   if (!options.columns.empty())
     throw InputError("--columns", "the columns of a LAMMPS data file are fixed: leave this option out");

@@ -29,7 +29,7 @@ constexpr std::string_view kFrameBegins = "ITEM: TIMESTEP";
 /// Lines of one frame of a dump, followed by the first line of the next frame.
 class FrameText {
  public:
-  /// @param first  number of the first line of the frame in the file, from 1
+  /// @param first  number (from 1) of the line of the file that is the first line of the frame
   FrameText(std::string path, int first) : path_(std::move(path)), first_(first) {}
 
   void add(std::string_view line) { lines_.push_back(line); }
@@ -38,7 +38,7 @@ class FrameText {
   int number(std::size_t at) const { return first_ + static_cast<int>(at); }
   std::string place(std::size_t at) const { return fmt::format("{}:{}", path_, number(at)); }
 
-  /// Returns line `at` of the frame, from 0. @param what  expected content of the line, for messages
+  /// Returns line number `at` (counted from 0) of the frame. @param what  expected content of the line, for messages
   /// @throws InputError if the file ends before this line
   std::string_view line(std::size_t at, const std::string& what) const {
     if (at < lines_.size()) return lines_[at];
@@ -59,8 +59,8 @@ class FrameText {
   PackedStrings lines_;
 };
 
-/// Reads the frames of a dump one by one, because the file may be larger than the memory. Keeps one frame only: the
-/// last of those that the function `wanted` selects.
+/// Reads the frames of a dump one by one, because the file may be larger than the memory. Keeps only the last frame
+/// that the function `wanted` selects.
 class FrameSearch {
  public:
   /// @param wanted  function that returns whether a frame is selected; its arguments are the number of the frame (from
@@ -255,7 +255,8 @@ DumpFrame read_grain_frame(const std::string& path, const ImportOptions& options
       path, [&](int index, std::string_view) { return !options.index || index == *options.index; });
   const int n = search.n_frames();
   if (!search.found())
-    throw InputError(path, fmt::format("index = {}, but the file holds frames 0 to {}", *options.index, n - 1));
+    throw InputError(path,
+                     fmt::format("index = {}, but the file contains frames 0 to {}", *options.index, n - 1));
   DumpFrame frame = read_frame(*search.found(), "ATOMS");
   remarks.push_back(fmt::format("frame {} of the frames 0 to {} is read, time step {}",
                                 options.index.value_or(n - 1), n - 1, frame.timestep));

@@ -25,8 +25,9 @@ int keyword_index(const Hdf5Reader& file, const std::string& group, const std::s
 }
 
 /// Returns the keys, each once, of the parameters that a state file contains for a slot (a component of the contact
-/// law, such as friction). A file contains the parameters of the model in the slot. It also contains the parameters of
-/// all models that are written into every file; the parameters of a model are zero if the law has another model.
+/// law, such as friction). A file contains the parameters of the model in the slot. The file also contains the
+/// parameters of the models that are written into every file; these parameters are zero if the slot contains another
+/// model.
 /// @param present  index of the model in the slot, -1 if the slot is empty
 /// @param choices  true for parameters whose value is a keyword; false for parameters whose value is a number
 std::vector<std::string> keys_of(const DeclaredSlot& slot, int present, bool choices) {

@@ -88,7 +88,8 @@ class Content {
     if (known == number_types().end())
       throw InputError(path_,
                        fmt::format("{} has the type {}, expected a type of numbers such as float", what, type));
-    // Each number needs at least one byte, so a larger count is wrong. It is reported before memory is allocated.
+    // Each number needs at least one byte, so a larger count is wrong. The error is reported before memory is
+    // allocated.
     if (n > rest_.size())
       throw InputError(path_, fmt::format("the file ends within {}, which has {} numbers", what, n));
     std::vector<double> values(n);

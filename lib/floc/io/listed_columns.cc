@@ -130,7 +130,7 @@ ListedContact read_contact(const CsvTable& table, int row, const ContactColumns&
     c.shear_force.reset();
   }
   c.rolling_moment = vector_of(table, row, columns.rolling_moment);
-  // In 2D the rolling moment is a scalar. It is stored as the third component of a vector.
+  // In 2D the rolling moment is a scalar. This moment is stored as the third component of a vector.
   if (columns.rolling_moment_2d >= 0)
     c.rolling_moment = Eigen::Vector3d(0.0, 0.0, table.number(row, columns.rolling_moment_2d));
   c.twisting_moment = number_of(table, row, columns.twisting_moment);

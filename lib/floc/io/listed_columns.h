@@ -68,7 +68,8 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns, const std::str
 std::vector<ListedContact> read_contacts(const NamedColumns& columns, int dimension,
                                          const std::string& units = "reduced");
 
-/// Names of the columns of tables of grains and of tables of contacts. They help to find the header of a table.
+/// Return the names of the columns in a table of grains, or in a table of contacts. These names help to find the header
+/// of a table.
 std::vector<std::string> grain_names();
 std::vector<std::string> contact_names();
 

@@ -39,7 +39,7 @@ constexpr double kFarthestGap = 0.1;
 constexpr double kSameForce = 1e-3;
 
 /// Whether the two grains of a contact must be exchanged, so that the grain with the lower index comes first. For a
-/// contact of a grain with its own image: whether find_pairs() uses the opposite image.
+/// contact of a grain with its own image, this is true if find_pairs() uses the opposite image.
 template <int Dim>
 bool is_reversed(const Contact<Dim>& c) {
   if (c.i != c.j) return c.i > c.j;
@@ -47,7 +47,7 @@ bool is_reversed(const Contact<Dim>& c) {
   return std::lexicographical_compare(c.image.begin(), c.image.end(), zero.begin(), zero.end());
 }
 
-/// Forces that the file lists for a contact. They act on the first grain of the contact.
+/// Forces that the file lists for a contact. The forces act on the first grain of the contact.
 template <int Dim>
 struct GivenForces {
   std::optional<double> normal;
@@ -153,8 +153,8 @@ class ListedContacts {
     for (const ListedContact& row : *listed.contacts) largest_force_ = std::max(largest_force_, force_of(row));
   }
 
-  /// Makes the contact of one row of the table of contacts. Listed forces replace the forces of the law. Returns
-  /// nothing if the contact is left out.
+  /// Makes the contact that one row of the table lists. Listed forces replace the forces of the law. Returns nothing if
+  /// the contact is left out.
   std::optional<Contact<Dim>> place(const ListedContact& row) {
     Contact<Dim> c;
     c.i = identifiers_.index(row.place, "id1", row.id1);
@@ -279,8 +279,8 @@ class ListedContacts {
     return row.bond || (row.kn > 0.0 && c.gap >= range_of(packing_, c) && !touches(packing_, c));
   }
 
-  /// Makes a bond. It acts with its own stiffnesses, independent of the law. If no force is listed, the force of the
-  /// bond is zero.
+  /// Makes a bond. A bond has its own stiffnesses, independent of the law. If no force is listed, the force of the bond
+  /// is zero.
   Contact<Dim> bond(const ListedContact& row, Contact<Dim> c) {
     require_one_image(row, c);
     const bool reversed = put_in_order(c);
@@ -371,7 +371,7 @@ class ListedContacts {
     return gap_of(c) <= range_of(packing_, c) + 0.5 * kFarthestGap * radii(c);
   }
 
-  /// If a volume of the liquid bridge is listed for a contact, assigns it to the contact.
+  /// Gives a contact the volume of its liquid bridge, if the file lists the volume.
   /// @throws InputError if the listed volume is not zero and the law has no liquid
   void set_liquid(const ListedContact& row, Contact<Dim>& c) const {
     if (!row.bridge_volume) return;

@@ -9,8 +9,9 @@
 
 namespace floc {
 
-/// Returns the end of an error message about a contact whose grains are unknown or too far apart. It is a hint if the
-/// list of contacts seems to number the grains from 1 although the grains are numbered from 0, and empty if not.
+/// Returns a hint that ends an error message about a contact whose grains are unknown or too far apart: the list of
+/// contacts seems to number the grains from 1, although the grains are numbered from 0. The text is empty if there is
+/// no sign of this mistake.
 std::string counting_hint(const ListedPacking& listed);
 
 /// Maps the identifiers of grains to the indices of the grains in a listed packing. The packing must exist as long as

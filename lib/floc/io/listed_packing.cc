@@ -168,8 +168,8 @@ Imported assemble_in(const ListedPacking& listed) {
   return imported;
 }
 
-/// Adds the contacts with walls that the file of the grains lists to the contacts of a file of contacts. If the packing
-/// has walls but still no contact with a wall, marks that the contacts with walls must be found from the geometry.
+/// Adds `wall_contacts`, the contacts with walls in the file of the grains, to `contacts`. If the packing has walls but
+/// still no contact with a wall, records that the contacts with walls must be found from the geometry.
 void add_wall_contacts(ListedPacking& listed) {
   std::vector<ListedContact>& contacts = *listed.contacts;
   contacts.insert(contacts.end(), listed.wall_contacts.begin(), listed.wall_contacts.end());

@@ -36,8 +36,8 @@ struct ListedContact {
   std::optional<WallSide> wall;  ///< wall that grain id1 touches; if absent, grain id1 touches grain id2
   /// whether the contact is a bond; a bond acts at any gap, independent of the law
   bool bond = false;
-  /// Whether grain id2 touches grain id1 across a boundary that is not a lattice translation. The contact keeps its
-  /// force and has no stiffness.
+  /// Whether grain id2 touches grain id1 across a boundary that rotates the grains that cross it, so that no lattice
+  /// translation brings the two grains into contact. The contact keeps its force and has no stiffness.
   bool across_no_lattice = false;
   /// Periodic image of grain id2 that touches grain id1, in numbers of cells along the lattice vectors. The centre of
   /// this image is x[id2] + image * cell, where x[id2] is the position listed in the file. If absent, the image nearest
@@ -46,7 +46,8 @@ struct ListedContact {
   std::optional<Eigen::Vector3d> force;  ///< total force; replaces normal_force and shear_force
   /// normal force, positive in compression; if empty, the law gives it
   std::optional<double> normal_force;
-  /// Position (length) of the contact point of grains with corners. It may be near any periodic image of grain id1.
+  /// Position (length) of the contact point of grains with corners. The point may be near any periodic image of grain
+  /// id1.
   std::optional<Eigen::Vector3d> point;
   std::optional<Eigen::Vector3d>
       /// direction from id1 to id2 at this point; if empty, it is computed from the shapes
@@ -79,7 +80,7 @@ struct ListedPacking {
   std::vector<ListedContact> bonds;  ///< contacts that act across gaps, in addition to `contacts`
   /// Contacts with walls that are listed in the file of the grains; a file of contacts may list others.
   std::vector<ListedContact> wall_contacts;
-  /// Whether no contacts with the walls of the packing are listed. If true, they are found from the geometry.
+  /// Whether the files list no contacts with walls. If true, these contacts are found from the geometry.
   bool lacks_wall_contacts = false;
   Law law;
   std::optional<Law> wall_law;  ///< law of contacts with walls; if absent, `law` applies to them

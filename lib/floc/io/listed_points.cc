@@ -45,8 +45,8 @@ void require_near(const ListedContact& row, double distance, double radius, cons
                   distance, body, radius));
 }
 
-/// Returns the type of the contact points of a pair. It follows from the number of points or, for a single point, is
-/// the listed type.
+/// Returns the type of the contact points of a pair. For a single point, this is the listed type. For several points,
+/// the number of points and the dimension determine the type.
 template <int Dim>
 ContactType type_of(std::size_t n_points, ContactType listed) {
   if (n_points == 1) return listed;

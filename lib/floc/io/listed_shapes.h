@@ -36,8 +36,8 @@ struct ListedPose {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
 };
 
-/// Sets the shape of a listed grain: its position (the centre of mass), its radius and its pose.
-/// @param shape  index of the shape in the table of the dimension of the packing
+/// Gives a listed grain a shape: sets the position (the centre of mass), the radius and the pose of the grain.
+/// @param shape  index of the shape in the table for the dimension of the packing
 /// @param scale  factor by which the shape is magnified, > 0
 /// @param origin  position in space of the origin of the coordinates from which the shape was made (length)
 /// @param turn  rotation from the coordinates from which the shape was made to the coordinates of space

@@ -78,7 +78,7 @@ WallOption split_walls(const std::string& text);
 ///
 ///   x         walls at both faces of the box across x
 ///   x-, x+    a wall at the lower or upper face across x; the other end is open
-///   x=0:10    walls at x = 0 and x = 10; if a number is missing, this end is open
+///   x=0:10    walls at x = 0 and x = 10; an end without a number is open
 ///
 /// @param space  space with the box to whose faces entries such as "x" refer
 /// @param n_axes  dimension of the packing

@@ -258,8 +258,8 @@ Bulk read_bulk(const std::string& path) {
   return bulk;
 }
 
-/// Makes a wall of a bar or plate. The wall is at the face of the bar or plate that is nearer to the middle of the
-/// grains.
+/// Adds a wall in place of a bar or plate. The wall is at the face of the bar or plate that is nearer to the middle of
+/// the grains.
 WallSide add_bar(const Body& bar, const Eigen::Vector3d& middle, ListedSpace& space) {
   constexpr double kAligned = 1e-4;  // the files have seven digits, with angles such as 1.570800 for pi/2
   const Eigen::Vector3d across = bar.turn().col(bar.spatial ? 2 : 1).cwiseAbs();
@@ -358,9 +358,10 @@ int add_shape(const Body& body, ListedPacking& listed) {
     // If the file contains no moments of inertia, LMGC90 computes them and rotates the vertices to the principal axes.
     // The axes in DOF.INI then refer to these principal axes.
     if (!body.has_inertia && !body.axes.isIdentity(0.0))
-      throw InputError(place, fmt::format("body {} is rotated in DOF.INI, but BODIES.DAT has no moments of "
-                                          "inertia (I1 = 0), so the axes of its vertices are not known",
-                                          body.id));
+      throw InputError(place,
+                       fmt::format("body {} is rotated in DOF.INI, but BODIES.DAT has no moments of "
+                                   "inertia (I1 = 0), so the axes of the vertex coordinates are not known",
+                                   body.id));
     Mesh<3> mesh;
     mesh.vertices = body.vertices;
     mesh.faces = body.faces;

@@ -158,9 +158,10 @@ std::vector<std::optional<WallSide>> read_walls(const RestartFile& file, bool re
     ListedEnds& ends = ends_along(*axis, space);
     std::optional<double>& end = side.side < 0 ? ends.low : ends.high;
     if (end)
-      throw InputError(line.place(), fmt::format("the wall {} at {:.6g} is the second wall at this end, after "
-                                                 "the wall at {:.6g}: expected one wall at each end of an axis",
-                                                 side.name(), position, *end));
+      throw InputError(line.place(),
+                       fmt::format("the wall {} at {:.6g} is the second wall with this name, after "
+                                   "the wall at {:.6g}: expected one wall at each end of an axis",
+                                   side.name(), position, *end));
     end = position;
   });
   return walls;
@@ -207,10 +208,10 @@ void read_boundaries(const RestartFile& file, ListedPacking& listed) {
     } else if (kind == "LeesEdwardsBoundary") {
       add_lees_edwards(line, space);
     } else if (kind == "AngledPeriodicBoundary") {
-      listed.remarks.push_back(
-          fmt::format("the boundary {} rotates the grains that cross it, so it is not a lattice translation: "
-                      "the packing is read as open, with the contacts that the file lists",
-                      kind));
+      listed.remarks.push_back(fmt::format(
+          "the boundary {} rotates the grains that cross it, which a cell of floc cannot represent: "
+          "the packing is read with open ends and with the contacts that the file lists",
+          kind));
     } else {
       listed.remarks.push_back(fmt::format("the boundary {} has no counterpart in floc and is left out", kind));
     }

@@ -12,8 +12,8 @@
 namespace floc {
 namespace {
 
-/// Identity of a pair of grains and of the periodic image of the second grain. Both orders of the two grains have the
-/// same identity.
+/// Key that identifies a pair of grains and the periodic image of the second grain. The key does not depend on the
+/// order of the two grains.
 using Pair = std::tuple<std::int64_t, std::int64_t, int, int, int>;
 
 /// Whether the bodies of a contact are in ascending order of their identifiers. For a grain and its own image, the sign

@@ -95,7 +95,7 @@ Imported read_points(const PointCloud& cloud, const ImportOptions& options) {
   if (options.index.value_or(0) != 0)
     throw InputError(
         cloud.path,
-        fmt::format("index = {}, but the file holds only one packing, whose index is 0: leave out --index",
+        fmt::format("index = {}, but the file contains only one packing, whose index is 0: leave out --index",
                     *options.index));
   check_grain_columns("--columns", options.columns);
   ListedPacking listed = listed_packing(cloud.path, options);

@@ -156,8 +156,8 @@ Configuration read_configuration(const std::string& path) {
   return out;
 }
 
-/// Makes a wall of a driven body whose shape is a flat face perpendicular to an axis. The wall is at the surface of the
-/// body that faces the point `middle`.
+/// Adds a wall in place of a driven body whose shape is a flat face perpendicular to an axis. The wall is at the
+/// surface of the body that faces the point `middle`.
 WallSide add_face(const RockableBody& body, const Mesh<3>& shape, const Eigen::Vector3d& middle,
                   ListedSpace& space) {
   constexpr double kThin = 1e-9;
@@ -190,7 +190,7 @@ class Bodies {
                      fmt::format("the shape {} is not in the file of shapes, {}", body.shape, path_));
   }
 
-  /// Returns the index of the shape of a body in the table of shapes of the packing. Adds the shape to the table if it
+  /// Returns the index that the shape of a body has in the packing's table of shapes. Adds the shape to the table if it
   /// is new.
   int index(const RockableBody& body, ListedPacking& listed) {
     const auto [at, is_new] = indices_.try_emplace(body.shape, static_cast<int>(listed.shapes.in_3d.size()));
@@ -203,9 +203,10 @@ class Bodies {
     if (is_sphere(mesh)) return round_shape<3>(mesh.rounding);
     const std::string place = fmt::format("{}, shape \"{}\"", path_, mesh.name);
     if (!mesh.is_principal)
-      throw InputError(place,
-                       "the shape has no line \"preCompDone y\": expected vertices about the centre of mass, "
-                       "along the principal axes of inertia, as Rockable computes them");
+      throw InputError(
+          place,
+          "the shape has no line \"preCompDone y\": expected vertices in coordinates about the centre of "
+          "mass and along the principal axes of inertia, as Rockable computes them");
     NamedShape<3> made = shape_of_mesh<3>(place, mesh, {});
     for (const std::string& remark : made.remarks) remarks.push_back(place + ": " + remark);
     return std::move(made.shape);

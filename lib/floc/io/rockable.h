@@ -14,8 +14,8 @@ bool is_rockable(const std::string& path);
 /// h) or walls, densities and gravity. Walls are driven bodies whose shape is a flat face perpendicular to an axis. The
 /// normal n of an interaction points from j to i, and the force on i is fn n + ft. `options.law` is required; the
 /// parameters of the force law in the file are not read.
-/// @throws InputError naming file and line for a malformed file, or for a shape with corners whose vertices are not
-/// about the centre of mass and along the principal axes
+/// @throws InputError naming file and line for a malformed file, or for a shape with corners whose coordinates do not
+/// have the origin at the centre of mass and the axes along the principal axes
 Imported read_rockable(const std::string& path, const ImportOptions& options);
 
 }  // namespace floc

@@ -211,7 +211,7 @@ class ConfigurationText {
 
   const Packing<3>& packing_;
   std::string path_;
-  std::vector<int> plates_;  ///< walls that are not open, by the indices with which contacts refer to them
+  std::vector<int> plates_;  ///< for each wall that is not open, the index by which contacts refer to it
   double plate_radius_ = 0.0;
 };
 

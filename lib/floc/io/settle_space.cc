@@ -18,8 +18,8 @@ namespace {
 /// overlap are taken as disks, for which the height of the cell has no meaning.
 constexpr double kDeepestOverlap = 0.1;
 
-/// Largest accepted difference in z between disks, divided by the smallest diameter. It is not zero because files may
-/// have few digits.
+/// Largest accepted difference in z between disks, divided by the smallest diameter. This difference is not zero
+/// because files may have few digits.
 constexpr double kOnePlane = 1e-6;
 
 struct Guess {
@@ -203,7 +203,8 @@ std::pair<double, double> extent(const ListedPacking& listed, int axis) {
   return {low, high};
 }
 
-/// Sets the side of the cell along each axis that is not periodic to the distance between its two ends.
+/// For each axis that is not periodic, makes the side of the cell equal to the distance between the two ends of the
+/// axis.
 void fit_cell_to_ends(int dimension, ListedPacking& listed) {
   if (listed.ends.empty()) return;
   if (listed.cell.empty() && static_cast<int>(listed.ends.size()) == dimension)
@@ -248,7 +249,7 @@ void require_grains_between_walls(const ListedPacking& listed) {
     }
 }
 
-/// Sets gravity, and checks that the packing is not periodic along every axis if there is gravity.
+/// Sets gravity. If there is gravity, checks that at least one axis is not periodic.
 void set_gravity(const ImportOptions& options, int dimension, ListedPacking& listed) {
   listed.gravity = options.gravity.empty() ? listed.space.gravity : Eigen::Vector3d(Eigen::Vector3d::Zero());
   const std::string place = options.gravity.empty() ? listed.space.place : "--gravity";
@@ -259,11 +260,11 @@ void set_gravity(const ImportOptions& options, int dimension, ListedPacking& lis
     listed.gravity[static_cast<Eigen::Index>(a)] = options.gravity[a];
   if (dimension == 2) listed.gravity[2] = 0.0;
   if (!listed.gravity.isZero(0.0) && listed.ends.empty())
-    throw InputError(place,
-                     fmt::format("gravity is ({}), but the packing is periodic along every axis, so nothing "
-                                 "bears its weight: expected a wall (--walls), or no gravity (--gravity {})",
-                                 fmt::join(listed.gravity.begin(), listed.gravity.begin() + dimension, ", "),
-                                 dimension == 2 ? "0,0" : "0,0,0"));
+    throw InputError(
+        place, fmt::format("gravity is ({}), but the packing is periodic along every axis, so no "
+                           "wall supports the grains: expected a wall (--walls), or no gravity (--gravity {})",
+                           fmt::join(listed.gravity.begin(), listed.gravity.begin() + dimension, ", "),
+                           dimension == 2 ? "0,0" : "0,0,0"));
 }
 
 }  // namespace

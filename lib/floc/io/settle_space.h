@@ -11,10 +11,10 @@ namespace floc {
 /// The first of the following that is given determines the dimension:
 ///   1. the option `--dimension`
 ///   2. the number of vectors in the option `--cell`
-///   3. the dimension in the file.
-/// If none is given, the dimension is guessed. Grains with different z are spheres. Grains that all have the same z are
-/// spheres in two cases: the cell has tilts along z, or it is periodic along z and so low that each grain slightly
-/// overlaps its own image along z. In all other cases the grains are disks.
+///   3. the dimension in the file. If none is given, the dimension is guessed. Grains with different z are spheres.
+/// Grains that all have the same z are spheres in two cases: the cell has tilts along z, or the packing is periodic
+/// along z and the cell is so low that each grain slightly overlaps its own image along z. In all other cases the
+/// grains are disks.
 ///
 /// The first of the following that is given determines the boundary along an axis:
 ///   1. the option `--walls`

@@ -16,8 +16,8 @@ bool has_bonds(const Packing<Dim>& packing);
 template <int Dim>
 bool keeps_twisting(const Packing<Dim>& packing);
 
-/// Writes the flags that say which contacts are bonds, if any contact is, and the strengths of contacts, if any is
-/// given.
+/// If the packing has bonds, writes the flags that say which contacts are bonds. If the strength of any contact is
+/// given, writes the strengths of contacts.
 template <int Dim>
 void write_bonds(WritingArchive& archive, const State<Dim>& state);
 

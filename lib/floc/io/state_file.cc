@@ -72,8 +72,8 @@ Quantity quantity_of(Unit unit) {
   return Quantity::ratio;
 }
 
-/// Returns the history quantities of contacts (such as the elongation of the tangential spring), each once. They are
-/// the quantities of the law between grains and, if the packing has walls, of the law between grains and walls.
+/// Returns the history quantities of contacts (such as the elongation of the tangential spring), each once. These
+/// quantities belong to the law between grains and, if the packing has walls, to the law between grains and walls.
 template <int Dim>
 std::vector<HistoryQuantity> quantities_of(const Packing<Dim>& packing) {
   std::vector<HistoryQuantity> all = history_quantities(packing.law, Dim);
@@ -143,7 +143,7 @@ void check_version_1_names(const Hdf5Reader& file, ReadingArchive& archive, cons
       if (value != 0.0)
         throw InputError(
             file.place(path),
-            fmt::format("the dataset holds {}, expected zeros: the contact law has no such history", value));
+            fmt::format("the dataset contains {}, expected zeros: the contact law has no such history", value));
   }
 }
 
@@ -278,7 +278,7 @@ std::uint64_t counted_rows(const Hdf5Reader& file, const char* path) {
 template <int Dim>
 void check_grains(const Hdf5Reader& file, const Packing<Dim>& packing, const std::vector<std::int32_t>& id) {
   if (!(packing.cell.volume() > 0.0)) throw InputError(file.place("cell/matrix"), "the cell has no volume");
-  if (id.empty()) throw InputError(file.place("grains/radius"), "the dataset holds no grains");
+  if (id.empty()) throw InputError(file.place("grains/radius"), "the dataset contains no grains");
   for (std::size_t i = 0; i < id.size(); ++i) {
     if (id[i] != static_cast<std::int32_t>(i))
       refuse(file, "grains/id", i, fmt::format("{}, expected {}", id[i], i));

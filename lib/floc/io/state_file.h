@@ -9,7 +9,7 @@ namespace floc {
 
 using AnyState = std::variant<State<2>, State<3>>;
 
-/// Version of the layout of state files that this floc writes. It is also the newest version that it can read.
+/// Version of the layout of state files that this floc writes. This is also the newest version that this floc can read.
 inline constexpr int kStateVersion = 2;
 
 /// Writes a state to the HDF5 file `path`, in the layout of docs/states.md. The state is first written to a file with a

@@ -7,7 +7,8 @@
 
 namespace floc {
 
-/// Physical quantity that an array of a state file contains. It determines the attribute `units` of the array.
+/// Physical quantity that an array of a state file contains. The quantity determines the attribute `units` of the
+/// array.
 enum class Quantity {
   count,
   flag,
@@ -35,10 +36,10 @@ struct Field {
 };
 
 /// Writes or reads the cell of a state file, depending on the archive (WritingArchive or ReadingArchive). This function
-/// and the other functions describe_...() define the layout of the file, for both writing and reading. They call these
-/// functions of the archive: rows(field, items, get) for an array that contains one member of each item, column(field,
-/// values) for an array whose rows are `values`, column_if_there(field, values, size) for an array that is left out of
-/// the file if it is empty, and matrix(field, m) for a matrix.
+/// and the other functions describe_...() define the layout of the file, for both writing and reading. The functions
+/// for arrays call four functions of the archive: rows(field, items, get) for an array that contains one member of each
+/// item, column(field, values) for an array whose rows are `values`, column_if_there(field, values, size) for an array
+/// that is left out of the file if it is empty, and matrix(field, m) for a matrix.
 template <class Archive, class Cell>
 void describe_cell(Archive& archive, Cell& cell) {
   archive.matrix({"cell/matrix", Quantity::length, "rows are the lattice vectors"}, cell.matrix);
@@ -84,8 +85,8 @@ void describe_walls(Archive& archive, Walls& walls) {
       [](auto& w) -> auto& { return w.velocity; });
 }
 
-/// Writes or reads the arrays of contacts that state files contain for every contact law. The array of a flag, a force
-/// or a stiffness that the law does not have is zero.
+/// Writes or reads the arrays of contacts that state files contain for every contact law. An array of flags, forces or
+/// stiffnesses contains zeros if the law does not have this quantity.
 template <int Dim, class Archive, class Contacts>
 void describe_contacts(Archive& archive, Contacts& contacts) {
   using enum Quantity;

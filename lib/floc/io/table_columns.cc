@@ -13,7 +13,7 @@
 namespace floc {
 namespace {
 
-/// Returns the index of the one header in a list that satisfies a condition; nothing if no header does.
+/// Returns the index of the only header in a list that satisfies a condition; nothing if no header satisfies it.
 /// @throws InputError if two headers satisfy the condition; the function `refuse` throws this error
 std::optional<int> only_column(const std::vector<std::string>& headers,
                                const std::function<bool(const std::string&)>& is_wanted,

@@ -94,8 +94,8 @@ class SplitLines {
   }
   bool has_names() const { return first_ > 0 ? fits(rows_[first_ - 1]) : !names_in_comment().first.empty(); }
 
-  /// Returns the names of the columns from a comment above the table that has one word for each column, and the number
-  /// of the line of this comment. If there is no such comment, the list of names is empty.
+  /// If a comment above the table has one word for each column, returns these words as the names of the columns, and
+  /// the number of the line of the comment. If there is no such comment, the list of names is empty.
   std::pair<Cells, int> names_in_comment() const {
     for (auto comment = comments_.rbegin(); comment != comments_.rend(); ++comment)
       for (const char separator : {separator_, ' '}) {
@@ -121,9 +121,9 @@ class SplitLines {
   bool is_plausible() const { return has_numbers() && has_names() && share_of_numbers() >= 0.5; }
 
  private:
-  /// Finds the usual number of cells of a line. For each number of cells, the numbers in all lines with this number of
-  /// cells are counted; the largest count decides. In a text without numbers, the most frequent number of cells is the
-  /// usual one.
+  /// Finds the usual number of cells of a line. For each n, the cells with numbers are counted in all lines with n
+  /// cells; the n with the largest count is the usual number of cells. In a text without numbers, the most frequent n
+  /// is the usual one.
   void find_width() {
     // key: number of cells of a line; value: count of numbers in all lines with this number of cells, and count of
     // these lines
@@ -241,7 +241,7 @@ bool ends_within_quotes(std::string_view line) {
 }
 
 /// Returns the end of the first row of a text. If the first line ends within a quoted cell and one of the next few
-/// lines closes the cell, this is the end of that line, else the end of the first line.
+/// lines closes the cell, the row ends with the line that closes the cell. Otherwise it ends with the first line.
 std::size_t end_of_row(std::string_view text) {
   constexpr int kMostLines = 5;  // the name of a column in a spreadsheet may extend over several lines
   const std::size_t end = std::min(text.find('\n'), text.size());

@@ -9,7 +9,7 @@ namespace floc {
 /// A row of a table that is not blank. A quoted cell with line ends extends over several lines, which all belong to the
 /// row.
 struct TableLine {
-  int number;  ///< number of the first line of the row in the file, from 1
+  int number;  ///< number (from 1) of the line of the file in which the row begins
   std::string_view text;
 };
 
@@ -33,7 +33,7 @@ struct TableLayout {
   std::vector<std::string> units;  ///< units from a row of units below the names; empty if there is none
   int names_line = 0;              ///< number of the line of `names`, from 1; 0 if no line names the columns
   int units_line = 0;              ///< number of the row of units; 0 if there is none
-  /// number of the last line above the names that is not a comment; 0 if there is none
+  /// number of the last line that is above the names and not a comment; 0 if there is none
   int last_title_line = 0;
   std::size_t first_row = 0;  ///< index in TableLines::rows of the first row of data
 };

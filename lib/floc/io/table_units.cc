@@ -154,8 +154,8 @@ std::optional<std::pair<std::string, std::string>> split_brackets(const std::str
   return std::pair(std::string(trimmed(header.substr(0, open))), unit == "-" || unit == "1" ? "" : unit);
 }
 
-/// Whether a text is a unit that is unlikely to be a part of a name. False for "bar" and "N", which may be parts of
-/// names such as "sigma_bar" and "F_N".
+/// Whether a text is a unit that is unlikely to be a part of a name. The result is false for "bar" and "N", which may
+/// be parts of names such as "sigma_bar" and "F_N".
 bool is_clear_unit(const std::string& text) {
   constexpr std::array<std::string_view, 7> kClear = {"psi", "ksi", "mm", "cm", "um", "µm", "pcf"};
   const auto known = unit_of(text);

@@ -226,7 +226,7 @@ const std::map<std::string, Names>& usual_names() {
   return names;
 }
 
-/// Replacement of a character outside ASCII, or of several successive ones, in a plain name.
+/// Replacement of one or several successive characters outside ASCII in a plain name.
 struct Plain {
   std::string_view from, to;
 };

@@ -246,7 +246,7 @@ std::vector<double> VtkArrays::read(const std::string& section, const std::strin
     const auto offset = static_cast<std::size_t>(array.attribute("offset").as_ullong());
     if (offset > d.appended.size())
       throw InputError(here, fmt::format("offset = {} lies beyond the end of the appended data", offset));
-    // The end of the appended block need not be searched, because the block begins with its length.
+    // The end of the appended block need not be searched for, because the block begins with its length.
     block = std::string_view(d.appended).substr(offset);
     if (!d.appended_raw && d.compressed) block = block.substr(0, block.find_first_of("< \n"));
     if (!d.appended_raw && !d.compressed)

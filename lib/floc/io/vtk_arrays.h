@@ -9,8 +9,8 @@ namespace floc {
 
 /// Reads arrays of numbers from a file in VTK's XML format. The file must contain an unstructured grid or polygonal
 /// data. The data must be in one piece, although VTK allows several pieces. The numbers are little endian, and
-/// uncompressed or compressed by zlib. They are stored as ASCII or base64 text in the XML element of the array, or as
-/// base64 text or raw bytes in the element AppendedData at the end of the file.
+/// uncompressed or compressed by zlib. The numbers are stored as ASCII or base64 text in the XML element of the array,
+/// or as base64 text or raw bytes in the element AppendedData at the end of the file.
 class VtkArrays {
  public:
   /// Parses the XML of a file.

@@ -132,7 +132,8 @@ std::vector<Vec<2>> outline(const Shape<2>& shape) {
 
 /// Points, VTK cells and data arrays of the VTU file of a packing. Each grain is a point and a vertex, and each contact
 /// is one or two lines. A grain with corners is drawn, in addition, as a polygon (2D) or as the polyhedron of its core
-/// (3D), which is the shape without the rounding. Its contacts are lines through the contact point.
+/// (3D), which is the shape without the rounding. The contacts of a grain with corners are drawn as lines through the
+/// contact point.
 class Drawing {
  public:
   template <int Dim>
@@ -184,7 +185,7 @@ class Drawing {
   }
 
   /// Adds the points of a polygon or polyhedron.
-  /// @param points  coordinates of the points in the system of the shape of grain i
+  /// @param points  the points, in the coordinate system of the shape that grain i has
   /// @return indices of the added points
   template <int Dim>
   std::vector<int> add_placed(const Grains<Dim>& grains, int i, const std::vector<Vec<Dim>>& points) {

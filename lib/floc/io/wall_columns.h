@@ -24,7 +24,7 @@ struct DumpColumns {
 /// on the grain (3 numbers), the contact point (3 numbers) and the radius. If one fix describes both walls of an axis,
 /// the position of the contact point tells which wall the grain touches.
 /// @param walls  walls, and the name of the columns of the fix of each wall, such as f_W
-/// @param grains  grains of the rows of the table, in the same order
+/// @param grains  grain of each row of the table, in the order of the rows
 /// @throws InputError if a column is missing, or if the first column contains a number other than 0 or 1
 std::vector<ListedContact> wall_contacts_of(const CsvTable& table,
                                             const std::vector<std::pair<WallSide, std::string>>& walls,

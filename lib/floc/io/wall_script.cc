@@ -15,7 +15,7 @@
 namespace floc {
 namespace {
 
-/// One command of a script. It may extend over several lines; each of these lines except the last ends with "&".
+/// One command of a script. A command may extend over several lines; each of its lines except the last ends with "&".
 struct ScriptCommand {
   std::string place;
   std::vector<std::string> words;
@@ -138,7 +138,7 @@ class WallScript {
       if (found == fixes_.end() || !found->second.word(3).starts_with("mesh/surface")) {
         if (k == fix.find("meshes") + 1)
           refuse_command(fix, fmt::format("the script has no fix mesh/surface with the name {}", fix.word(k)));
-        return;  // the words after the names of the meshes
+        return;  // the list of meshes has ended
       }
       add_mesh(found->second, planes);
     }

@@ -221,7 +221,7 @@ Imported read_yade_text(const std::string& path, const ImportOptions& options) {
   if (options.index.value_or(0) != 0)
     throw InputError(
         path,
-        fmt::format("index = {}, but the file holds only one packing, whose index is 0: leave out --index",
+        fmt::format("index = {}, but the file contains only one packing, whose index is 0: leave out --index",
                     *options.index));
   check_grain_columns("--columns", options.columns);
   if (options.contacts.empty()) check_no_contact_columns(options);

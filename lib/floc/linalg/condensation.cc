@@ -14,8 +14,8 @@ template <class Real>
 using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 using Extended = Vector<long double>;
 
-/// Bound on the relative rounding error of an entry of the matrices A and B of a SpringSystem. The error results from a
-/// few products, quotients and roots.
+/// Bound on the relative rounding error of each entry in the matrices A and B of a SpringSystem. An entry is computed
+/// by a few products, quotients and roots.
 constexpr double kEntryRounding = 8.0 * std::numeric_limits<double>::epsilon();
 
 template <class Real>
@@ -77,8 +77,8 @@ class Relaxation {
   double load() const { return load_; }
   int steps() const { return steps_; }
 
-  /// Returns an upper bound on r^T K^-1 r, with the residual force r and the stiffness matrix K. This number is twice
-  /// the energy that further relaxation would release.
+  /// Returns an upper bound on r^T K^-1 r, with the residual force r and the stiffness matrix K. The product r^T K^-1 r
+  /// is twice the energy that further relaxation would release.
   double excess() const {
     if (work_ == 0.0) return 0.0;
     if (inverse_.estimated_ratio) return work_ / estimated_ratio();
@@ -137,7 +137,8 @@ class Relaxation {
     const Vector<Real> r = r_;
     const Real work = z_.dot(r_);
     balance();
-    // Polak and Ribiere's formula for beta tolerates rounding errors in the product with the approximate inverse.
+    // The weight beta of the previous direction is computed by Polak and Ribiere's formula, because this formula
+    // tolerates rounding errors in the product with the approximate inverse.
     const Real beta = inverse_.definite ? std::max(z_.dot(r_ - r) / work, Real(0)) : Real(0);
     direction_ = z_ + beta * direction_;
     alphas_.push_back(static_cast<double>(alpha));
@@ -149,23 +150,24 @@ class Relaxation {
   const ApproximateInverse& inverse_;
   int boundary_;
   Vector<Real> u_, r_, z_, direction_;
-  double stiffness_ = 0.0;  // diagonal entry of the condensed stiffness at the present displacements
+  double stiffness_ = 0.0;  // diagonal entry of the condensed stiffness, from the present displacements
   double work_ = 0.0;       // r^T M^-1 r for the residual force r; |r|^2 for an indefinite system
   double load_ = 0.0;       // largest residual force at u = 0
   int steps_ = 0;
   std::vector<double> alphas_, betas_;  // coefficients alpha and beta of each step of the conjugate gradients
 };
 
-/// Computes the condensed stiffness S = (A U + B)^T k (A U + B) of a SpringSystem. The columns of U are the relaxed
-/// unknowns `u`. Also computes a bound on the error of S due to rounding errors of the entries of A and B.
+/// Computes the condensed stiffness S = (A U + B)^T k (A U + B) of a SpringSystem. Column j of U contains the free
+/// unknowns that have relaxed while boundary unknown j is displaced by 1; `u` is the list of these columns. The
+/// function also computes a bound on the error of S due to rounding errors of the entries of A and B.
 void sum_energies(const SpringSystem& s, const std::vector<Extended>& u, Condensation& out) {
   const int n = static_cast<int>(u.size());
   Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> sum(n, n);
   sum.setZero();
   Extended elongation(n);
   Eigen::VectorXd rounding(n);
-  // Errors of the relaxed unknowns U change S only in second order. An assembled stiffness matrix would have rounding
-  // errors that change S. S is therefore summed spring by spring, in extended precision.
+  // Errors of the relaxed unknowns U change S only in second order, but rounding errors of an assembled stiffness
+  // matrix would change S in first order. S is therefore summed spring by spring, in extended precision.
   for (Eigen::Index r = 0; r < s.on_free.rows(); ++r) {
     // The terms of the elongation (A U + B)_r nearly cancel. The bound on the rounding error of the elongation is
     // therefore proportional to the sum of the absolute values of the terms.

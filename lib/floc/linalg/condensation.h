@@ -19,11 +19,11 @@ struct SpringSystem {
 struct ApproximateInverse {
   /// function that returns M^-1 b for a vector b
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> apply;
-  /// Whether the stiffness matrix K and the matrix M are positive semidefinite. If true, condense() minimises the
-  /// energy by conjugate gradients.
+  /// Whether the stiffness matrix K and the matrix M, whose inverse is the approximation, are positive semidefinite. If
+  /// true, condense() minimises the energy by conjugate gradients.
   bool definite = true;
-  /// If `definite`: lower bound on the nonzero eigenvalues of M^-1 K. It is 0 if no bound is known; then the error
-  /// bound of condense() is infinite.
+  /// If `definite`: lower bound on the nonzero eigenvalues of M^-1 K. The value is 0 if no bound is known; then the
+  /// error bound of condense() is infinite.
   double smallest_ratio = 0.0;
   /// If `definite`: whether condense() estimates an unknown `smallest_ratio` from the Ritz values of its conjugate
   /// gradients. The error that condense() returns is then only an estimate, because Ritz values may miss a soft motion
@@ -61,8 +61,8 @@ struct Condensation {
   Eigen::MatrixXd response;
   /// largest residual force |A^T k (A u + B e)| on a free unknown, in any column of `response`
   double imbalance = 0.0;
-  /// largest force |A^T k B e| on a free unknown before relaxation (u = 0), while any one boundary unknown is displaced
-  /// by 1
+  /// largest force |A^T k B e| on a free unknown before relaxation (u = 0), of all cases in which one boundary unknown
+  /// is displaced by 1
   double load = 0.0;
   int steps = 0;          ///< largest number of refinement steps that a column of `response` needed
   bool converged = true;  ///< whether the error of every diagonal entry of `stiffness` is within the tolerance
@@ -77,8 +77,8 @@ struct Condensation {
 /// 1. r^T K^-1 r for the residual force r. This is twice the energy that further relaxation would release. An upper
 ///    bound is r^T M^-1 r / `smallest_ratio`, or |r|^2 |K^-1| if K is indefinite.
 /// 2. The effect of rounding errors of the entries of A and B, which are assumed correct to a few units in the last
-///    place. The effect is the change of the energy at fixed u, with the square of the change of each elongation
-///    included. It does not depend on a condition number.
+///    place. The effect is the change of the energy at fixed u, including terms of second order. It does not depend on
+///    a condition number.
 [[nodiscard]] Condensation condense(const SpringSystem& springs, const ApproximateInverse& inverse,
                                     const CondensationOptions& options);
 

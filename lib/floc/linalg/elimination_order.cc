@@ -11,14 +11,14 @@ namespace floc {
 namespace {
 
 /// Ordering::automatic tries nested dissection if a factorization takes more floating-point operations per group of
-/// unknowns than this number. The search for an order by nested dissection takes as long as about 3e5 operations per
+/// unknowns than this number. The search for an order by nested dissection takes about as long as 3e5 operations per
 /// group.
 constexpr double kNestedDissectionCost = 1e6;
 
 /// Order in which groups of unknowns are eliminated.
 struct GroupOrder {
   std::vector<SuiteSparse_long> group;  // groups in the order of elimination
-  // floating-point operations of a factorization in this order if each group had one unknown
+  // number of floating-point operations of a factorization in this order, computed as if each group had one unknown
   double operations;
 };
 

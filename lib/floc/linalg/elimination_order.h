@@ -7,9 +7,10 @@ namespace floc {
 
 /// Method that finds the order in which the unknowns of a sparse matrix are eliminated.
 enum class Ordering {
-  automatic,  ///< amd; if the factorization in this order would take long, the better of amd and metis
-  amd,        ///< approximate minimum degree: fast to find
-  metis,      ///< nested dissection: slower to find, but fewer nonzero entries in the factors of large matrices
+  /// order of amd or, if a factorization in this order would take long, the better of the orders of amd and metis
+  automatic,
+  amd,    ///< approximate minimum degree: fast to find
+  metis,  ///< nested dissection: slower to find, but fewer nonzero entries in the factors of large matrices
 };
 
 /// Returns the place of each unknown of a symmetric matrix in an elimination order that keeps the Cholesky factor
@@ -17,8 +18,8 @@ enum class Ordering {
 /// next to each other.
 /// @param lower  lower triangle of the matrix, column-major
 /// @param group  number of the group (grain) to which each unknown belongs, ascending from 0. The unknowns of a group
-///               are placed together. The search for an order is then faster by the square of the size of a group, and
-///               the factor is as sparse
+///               are placed together. The search for an order is then faster by the square of the group size, and no
+///               sparsity of the factor is lost
 /// @throws std::runtime_error if memory runs out
 Eigen::VectorXi elimination_places(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& group,
                                    Ordering ordering);

@@ -5,9 +5,9 @@
 
 namespace floc {
 
-/// Sparse triangular factor R of a matrix A = Q R (SuiteSparseQR). The factor solves A^T A x = b without the matrix A^T
-/// A. Rounding costs fewer digits, because the condition number of R is only the square root of the condition number of
-/// A^T A.
+/// Sparse triangular factor R of a matrix A = Q R (SuiteSparseQR). With R, the system A^T A x = b is solved without
+/// forming the matrix A^T A. Fewer digits are lost by rounding with R than with A^T A, because the condition number of
+/// R is only the square root of the condition number of A^T A.
 class LeastSquaresFactor {
  public:
   /// Factorizes A (column-major; it is copied).

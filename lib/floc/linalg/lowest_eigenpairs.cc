@@ -25,8 +25,8 @@ constexpr double kLastShift = 1e6;
 constexpr double kConverged = 1e-11;
 /// Limit on the number of restarts of the Lanczos iteration.
 constexpr int kMaxRestarts = 300;
-/// If the distance of `bound` from every eigenvalue of A is larger than this value, rounding does not change the
-/// inertia of A - bound * 1.
+/// Rounding does not change the inertia of A - b * 1 if the number b differs from every eigenvalue of A by more than
+/// this value.
 constexpr double kClear = 1e-13;
 /// Matrices up to this order are small: a dense solver computes their eigenpairs in negligible time.
 constexpr int kDense = 120;

@@ -54,8 +54,8 @@ Positivity test_positivity(Eigen::Index n, const std::function<Eigen::VectorXd(c
       return out;
     }
     spread = std::max(spread, alpha + last_beta + beta);
-    // Lanczos' method has ended. Its vectors span all eigenvectors that contribute to the start vector, so more steps
-    // would not find another eigenvalue.
+    // Lanczos' method has ended. The vectors of the method span all eigenvectors that contribute to the start vector,
+    // so more steps would not find another eigenvalue.
     if (beta <= options.rounding * spread) {
       out.bound = options.rounding;
       return out;

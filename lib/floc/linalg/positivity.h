@@ -21,7 +21,7 @@ struct PositivityOptions {
 struct Positivity {
   /// whether the test found a vector x with x^T A x < 0, so that A has a negative eigenvalue
   bool negative = false;
-  /// If not `negative`: no eigenvalue of A is below -bound. This is wrong with the probability
+  /// If not `negative`: no eigenvalue of A is below -bound. This statement is wrong with the probability
   /// PositivityOptions::oversight.
   double bound = 0.0;
   int steps = 0;  ///< number of products with A

@@ -19,8 +19,8 @@ namespace {
 /// which are eliminated by products of dense matrices; this is faster.
 constexpr int kPanel = 32;
 
-/// View of a part of a supernode of the factor L in A + shift * 1 = L S L^T: consecutive columns, from one row of the
-/// supernode to the last row.
+/// View of consecutive columns of a supernode, from one row of the supernode to its last row. The supernode belongs to
+/// the factor L in A + shift * 1 = L S L^T.
 struct Block {
   double* value;
   int stride;
@@ -85,8 +85,8 @@ class SignedFactorization {
     }
   }
 
-  /// Adds the supernode d to the list of supernodes that will be subtracted from a later supernode s. The first row of
-  /// d that has not been subtracted yet is the number of a column of s.
+  /// Adds the supernode d to the list of supernodes that will be subtracted from a later supernode s. The supernode s
+  /// has the column whose number equals the number of the first row of d that has not been subtracted yet.
   void wait(int d) {
     if (next_row_[d] == n_rows(d)) return;
     const int s = owner_[row(d, next_row_[d])];

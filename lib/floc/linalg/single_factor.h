@@ -7,8 +7,8 @@ namespace floc {
 
 /// Cholesky factor in single precision of a symmetric positive semidefinite matrix A. It takes half the memory of a
 /// factor in double precision, but has only 7 digits. Iterative refinement in double precision gives the other digits.
-/// CHOLMOD 3 has no single precision, so Eigen computes the factor. Eigen does not use supernodes, so for a large
-/// matrix this takes longer than a SymmetricFactor.
+/// CHOLMOD 3 has no single precision, so Eigen computes the factor. Eigen does not use supernodes, so it factorizes a
+/// large matrix more slowly than a SymmetricFactor.
 ///
 /// Rounding to single precision may make A indefinite. Increasing shifts are therefore added to the diagonal, until A +
 /// shift * 1 has a Cholesky factor. The factor is inaccurate for motions whose stiffness is below the shift; the

@@ -13,10 +13,11 @@ namespace {
 
 /// If the condition number of the stiffness matrix is above this number, its Cholesky factor may hide a mechanism.
 constexpr double kSuspiciousCondition = 1e12;
-/// Tolerances, tried one after another until the factor is accurate. A column of sqrt(k) A counts as a mechanism if its
-/// component orthogonal to the previous columns, divided by the norm of sqrt(k) A, is shorter than the tolerance. Due
-/// to rounding, this component of a mechanism has a length of 1e-15, or more if many columns are nearly dependent. For
-/// the softest chain of springs that double precision resolves, the length is above the first tolerance.
+/// Tolerances of the factorization of sqrt(k) A by SuiteSparseQR, tried one after another until the factor is accurate.
+/// A column of sqrt(k) A counts as a mechanism if its component orthogonal to the previous columns, divided by the norm
+/// of sqrt(k) A, is shorter than the tolerance. Due to rounding, this component of a mechanism has a length of 1e-15,
+/// or more if many columns are nearly dependent. For the softest chain of springs that double precision resolves, the
+/// component is longer than the first tolerance.
 constexpr double kDependent[] = {1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8};
 /// Bound on the relative rounding error of the triangular factor R of sqrt(k) A = Q R: each entry of R is a sum of some
 /// tens of products.

@@ -20,8 +20,8 @@
 namespace floc {
 namespace {
 
-/// This number replaces pivots of L S L^T whose absolute value is smaller, so that the elimination can continue. It is
-/// far below rounding errors.
+/// This number replaces pivots of L S L^T whose absolute value is smaller, so that the elimination can continue. This
+/// number is far below rounding errors.
 constexpr double kSmallestPivot = 1e-30;
 /// Limits CHOLMOD to one thread while this object exists. CHOLMOD always starts four threads, even for blocks of a few
 /// columns, and no option changes this. The threads mostly wait for each other, so one thread is faster.
@@ -154,7 +154,8 @@ struct SymmetricFactor::Factor {
     using Entry = Eigen::SparseMatrix<double>::InnerIterator;
     const int* place = to_matrix.indices().data();
     const auto n = static_cast<int>(lower.cols());
-    // first the number of entries of each column; after the sums below, the place of the next entry of each column
+    // At first, `next` contains the number of entries of each column; after the sums below, it contains the place of
+    // the next entry of each column.
     std::vector<SuiteSparse_long> next(n + 1, 0);
     for (int c = 0; c < n; ++c) {
       ++next[place[c] + 1];

@@ -15,9 +15,9 @@ namespace {
 /// most this value.
 constexpr double kTolerance = 1e-8;
 /// Shifts that are added to the diagonal of the symmetric part of the tangent matrix, one after another, until it is
-/// positive definite. They are fractions of the largest entry of the matrix; each shift is kTangentNextShift times the
-/// previous one. Without a shift, the symmetric part may be indefinite: the normal force of a compressed contact causes
-/// a small negative stiffness along the tangents of the contact.
+/// positive definite. The shifts are given as fractions of the largest entry of the matrix; each shift is
+/// kTangentNextShift times the previous one. Without a shift, the symmetric part may be indefinite: the normal force of
+/// a compressed contact causes a small negative stiffness along the tangents of the contact.
 constexpr double kTangentFirstShift = 1e-9;
 constexpr double kTangentLastShift = 1e-2;
 constexpr double kTangentNextShift = 100.0;
@@ -109,8 +109,8 @@ class Preconditioner {
 
 TangentPlan plan_tangent(const Eigen::SparseMatrix<double>& tangent, const TangentLayout& layout) {
   /// Constants for the prediction of times: the number of matrices in a Newton solution, the rates of one core
-  /// (floating-point operations per second), and the numbers of BiCGSTAB steps. They were measured with 500 and 4000
-  /// spheres at 10 kPa to 100 MPa (docs/numerics.md, "Linear systems in 3D").
+  /// (floating-point operations per second), and the numbers of BiCGSTAB steps. These constants were measured with 500
+  /// and 4000 spheres at 10 kPa to 100 MPa (docs/numerics.md, "Linear systems in 3D").
   constexpr double kMatrices = 4.0;
   constexpr double kFactorRate = 15e9, kLuRate = 5e9, kSubstitutionRate = 3e9, kProductRate = 1.2e9;
   constexpr double kStepsWithFactor = 5.0, kStepsWithDiagonal = 300.0, kProductsPerStep = 2.0;

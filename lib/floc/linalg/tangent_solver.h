@@ -22,7 +22,7 @@ struct TangentLayout {
   int n_boundary = 0;
 };
 
-/// Method for the linear systems of a Newton solution that is predicted to be the fastest, and its predicted cost.
+/// The method that is predicted to be the fastest for the linear systems of a Newton solution, and its predicted cost.
 struct TangentPlan {
   TangentMethod method = TangentMethod::lu;
   /// predicted time to solve all linear systems of one Newton solution on one core (seconds)
@@ -32,13 +32,14 @@ struct TangentPlan {
   bool lu_at_need = true;
 };
 
-/// Chooses the method from a symbolic analysis of the pattern of the tangent matrix. No factor is allocated.
+/// Chooses the method for the linear systems from a symbolic analysis of the pattern of the tangent matrix. No factor
+/// is allocated.
 /// @param tangent  matrix with a symmetric pattern; its values are not used
 TangentPlan plan_tangent(const Eigen::SparseMatrix<double>& tangent, const TangentLayout& layout);
 
 /// Solver for the linear systems of successive Newton steps. All matrices have the same pattern. The block of the
-/// grains should be nearly symmetric and positive definite; it is, unless many contacts slide. If BiCGSTAB does not
-/// converge and TangentPlan::lu_at_need is true, an LU factor replaces BiCGSTAB.
+/// grains should be nearly symmetric and positive definite; only if many contacts slide, it is not. If BiCGSTAB does
+/// not converge and TangentPlan::lu_at_need is true, an LU factor replaces BiCGSTAB.
 class TangentSolver {
  public:
   TangentSolver(const TangentPlan& plan, const TangentLayout& layout);

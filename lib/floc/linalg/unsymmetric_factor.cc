@@ -70,7 +70,8 @@ bool UnsymmetricFactor::factorize(const Eigen::SparseMatrix<double>& matrix) {
   f.reciprocal_condition = 0.0;
   Eigen::SparseMatrix<double> compressed = matrix;
   compressed.makeCompressed();
-  // The symbolic factor of UMFPACK depends on the pattern only. It is kept as long as the pattern does not change.
+  // The symbolic factor of UMFPACK depends on the pattern only. The symbolic factor is kept as long as the pattern does
+  // not change.
   const bool keep_ordering = f.same_pattern(compressed);
   f.matrix.swap(compressed);
   const double* values = f.matrix.valuePtr();

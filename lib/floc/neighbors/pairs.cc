@@ -96,7 +96,8 @@ class Bins {
   }
 
   /// Calls visit(j, image) like around(), but leaves out the bins before the bin of i, and the grains in the bin of i
-  /// with an index below i. Calls for all grains in these bins visit each pair once. Grain i must be in these bins.
+  /// with an index below i. If the function is called for all grains in these bins, it visits each pair once. Grain i
+  /// must be in these bins.
   template <class Visit>
   void around_and_after(int i, double reach, const Visit& visit) const {
     const Window window = window_around(i, reach);
@@ -168,8 +169,8 @@ class Bins {
   template <class Visit>
   void visit_bin(Vec<Dim, int> target, const Visit& visit) const {
     Vec<Dim, int> image = Vec<Dim, int>::Zero();
-    // These loops move the bin `target` back into the cell. They are faster than divisions, because the bin is at most
-    // a few cells outside; divisions took a third of the computing time of the search.
+    // These loops move the bin `target` back into the cell. The loops are faster than divisions, because the bin is at
+    // most a few cells outside; divisions took a third of the computing time of the search.
     for (int a = 0; a < Dim; ++a) {
       for (; target[a] < 0; target[a] += count_[a]) --image[a];
       for (; target[a] >= count_[a]; target[a] -= count_[a]) ++image[a];
@@ -298,7 +299,7 @@ class PairSearch {
     NeighborPair<Dim> pair{i, j,
                            image_in(lattice_, Vec<Dim, int>(image + wrapped_.wrap[j] - wrapped_.wrap[i]))};
     if (!is_canonical(pair)) pair = swapped(pair);
-    // Skips a grain paired with itself at image zero, which has no canonical form.
+    // A pair of a grain with itself at image zero has no canonical form and is skipped.
     if (!is_canonical(pair)) return;
     pairs_.push_back(pair);
     if (pairs_.size() > kPairsAlways + kPairsPerGrain * static_cast<std::size_t>(grains_.size()))

@@ -17,9 +17,9 @@
 namespace floc {
 namespace {
 
-/// Returns the pairs of grains that may get liquid, as sorted contacts whose gaps are set. They are the contacts of the
-/// packing between grains, and all other pairs of grains whose gap is below `reach` (length). The springs of the other
-/// pairs are unloaded.
+/// Returns the pairs of grains that may get liquid, as sorted contacts whose gaps are set. The pairs are the contacts
+/// between grains in the packing, and all other pairs of grains whose gap is below `reach` (length). The springs of the
+/// other pairs are unloaded.
 template <int Dim>
 std::vector<Contact<Dim>> candidates(const Packing<Dim>& packing, double reach) {
   std::vector<Contact<Dim>> found;
@@ -33,8 +33,8 @@ std::vector<Contact<Dim>> candidates(const Packing<Dim>& packing, double reach) 
   return found;
 }
 
-/// Distributes the liquid of the packing over the members of `found` that may hold liquid.
-/// @return the liquid volume that each member of `found` gets
+/// Distributes the liquid of the packing over those contacts in `found` that may have a liquid bridge.
+/// @return the volume of liquid that each contact in `found` gets
 template <int Dim>
 LiquidShares shares_over(const Packing<Dim>& packing, const BridgeSearch& search,
                          const std::vector<Contact<Dim>>& found) {

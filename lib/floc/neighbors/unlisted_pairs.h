@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Returns the elements of `pairs` that are not among the contacts of a packing. They are returned as contacts in which
-/// only the members i, j and image are set.
+/// Returns the elements of `pairs` that are not among the contacts of a packing. These pairs are returned as contacts
+/// in which only the members i, j and image are set.
 /// @param packing  packing; its contacts, and the two grains of each contact, may be in any order
 /// @param pairs  pairs in canonical form (i <= j), sorted by (i, j, image), like those that find_pairs() and
 /// interacting_pairs() return

@@ -39,10 +39,10 @@ class ParallelSolver {
   /// Begins a new matrix, which replaces the previous one. A block row consists of the rows of one grain, and a block
   /// column of the columns of one grain.
   /// @param block_size  number of rows and columns of a block
-  /// @param own         for each block row of this process: number of nonzero blocks in block columns of grains of this
+  /// @param own         for each block row of this process: number of nonzero blocks whose block column belongs to this
   /// process
-  /// @param foreign     for each block row of this process: number of nonzero blocks in block columns of grains of
-  /// other processes
+  /// @param foreign     for each block row of this process: number of nonzero blocks whose block column belongs to
+  /// another process
   virtual void begin_matrix(int block_size, std::span<const int> own, std::span<const int> foreign) = 0;
   /// Sets one block row of this process in the matrix that begin_matrix() has begun. Not collective.
   /// @param row      number of the block row in the whole matrix

@@ -28,8 +28,8 @@ const std::vector<std::pair<std::string, std::vector<std::string>>> kKeys = {
     {"alpha", {"alpha"}},
     {"Phi_max", {"Phi_max"}}};
 
-/// Names, in a table of prices, of two parameters: the mass of the cell and the cap on its strain rate. Their values in
-/// the table are multiples of the default values, for example "10 times".
+/// Names of two parameters in a table of prices: the mass of the cell and the cap on its strain rate. The table gives
+/// their values as multiples of the default values, for example "10 times".
 constexpr const char* kMassOfCell = "cell_mass";
 constexpr const char* kCapOfCell = "strain_rate_cap";
 
@@ -94,8 +94,8 @@ bool is_default(double factor) {
 }
 
 /// Returns the measured setting of the cell that covers a factor of a scene. A measured factor covers the factor of the
-/// scene if both are above 1 or both below 1, and the measured one is at least as far from 1. Of several such settings,
-/// the one closest to 1 is returned; null if there is none.
+/// scene if both are above 1 or both below 1, and the measured factor is at least as far from 1. If several settings
+/// cover the factor, the setting whose factor is closest to 1 is returned; null if there is none.
 /// @param of_cell  measured settings of the mass of the cell and of the cap on its strain rate
 /// @param parameter  quantity that the factor multiplies: "cell_mass" or "strain_rate_cap"
 /// @param factor  value in the scene, divided by the default value
@@ -159,7 +159,8 @@ class AccuracyChooser {
   }
 
   /// Returns the relative error that the settings guarantee for all observables of a request. The errors that the mass
-  /// and the strain rate of the cell cause are included. Infinite if the table has none of the observables.
+  /// and the strain rate of the cell cause are included. The result is infinite if the table has none of the
+  /// observables.
   double guaranteed_error_of(const PricedSettings& candidate, const Wish& wish) const {
     if (wish.observables.empty()) return std::numeric_limits<double>::infinity();
     double least = 0.0;
@@ -253,8 +254,8 @@ double settings_error(const PricedSettings& settings, const std::string& observa
   const auto found = settings.of.find(observable);
   if (found == settings.of.end()) return std::numeric_limits<double>::quiet_NaN();
   const PriceRow& row = *found->second;
-  // Soft springs change the mean. The measured difference may be only a part of this change, so the width of its
-  // confidence interval is not subtracted from it.
+  // Soft springs change the mean, perhaps by more than the measured difference. The half width of the confidence
+  // interval is therefore not subtracted from the difference, but added in quadrature.
   if (settings.settings.softening.any()) return std::hypot(row.mean_difference, row.mean_error);
   const double detected = std::isfinite(row.mean_error)
                               ? std::max(0.0, std::abs(row.mean_difference) - row.mean_error)

@@ -17,8 +17,8 @@ struct CellFactors {
 };
 
 /// Requested accuracy: a list of keys of the table [accuracy] of a scene ("phi", "z", "moduli", "reuss", "forces",
-/// "lambda", "alpha", "Phi_max"). Each key stands for one or several observables. Its number is the largest accepted
-/// relative error of these observables.
+/// "lambda", "alpha", "Phi_max"). Each key stands for one or several observables. The number beside the key is the
+/// largest accepted relative error of these observables.
 using WantedAccuracy = std::vector<std::pair<std::string, double>>;
 
 /// Returns all keys with which a scene can request an accuracy.
@@ -47,15 +47,15 @@ struct PricedSettings {
 std::vector<PricedSettings> settable_prices(const PriceTable& table);
 
 /// Returns the measured settings of the cell that cover the cells of a scene: for each factor in `cells` that differs
-/// from 1, the setting with the nearest factor that is at least as far from 1. The errors of these settings are added
-/// to the errors of the numerical settings.
+/// from 1, the setting whose factor is the nearest of those that lie on the same side of 1 and at least as far from 1.
+/// The errors of these settings are added to the errors of the numerical settings.
 std::vector<PricedSettings> cell_prices(const PriceTable& table, const std::vector<CellFactors>& cells);
 
 /// Returns a bound of the relative error that settings cause in the mean of an observable over states. Let d be the
 /// difference of the means from those of the strictest settings, and h the half width of the 95 % confidence interval
 /// of d. The bound is the larger of two numbers: the error that 95 % of the single states do not exceed, and |d| - h
 /// (at least 0). Soft springs result in other packings; for settings with soft springs, the bound is sqrt(d^2 + h^2).
-/// NaN if nothing was measured.
+/// The result is NaN if nothing was measured.
 double settings_error(const PricedSettings& settings, const std::string& observable);
 
 /// Result of choose_accuracy(): the cheapest numerical settings whose errors do not exceed the requested errors or, if
@@ -96,9 +96,9 @@ struct AccuracyChoice {
 /// @param kappa  stiffness number a K_N/F0 of the scene (largest diameter a, normal stiffness K_N, pull-off force F0)
 bool covers_stiffness(const PriceTable& table, double kappa);
 
-/// Whether the table covers the mass and the cap of `cell`. It covers a value if it contains errors measured with a
-/// value that differs from the default in the same direction and by at least the same factor, or if the value is the
-/// default.
+/// Whether the table covers the mass and the cap of `cell`. The table covers a value if it contains errors measured
+/// with a value that differs from the default in the same direction and by at least the same factor, or if the value is
+/// the default.
 bool covers_cell(const PriceTable& table, const CellFactors& cell);
 
 }  // namespace floc

@@ -6,12 +6,13 @@
 
 namespace floc {
 
-/// Returns the keyword of a scene for a method of finding equilibria: "auto", "dynamic" or "static".
+/// Returns the keyword by which a scene selects a method of finding equilibria: "auto", "dynamic" or "static".
 constexpr const char* finish_name(Finish finish) {
   return finish == Finish::automatic ? "auto" : finish == Finish::dynamic ? "dynamic" : "static";
 }
 
-/// Factors >= 1 by which springs are softer than the contact law while grains rearrange (RelaxationOptions::softening).
+/// Factors >= 1 by which springs are softer than in the contact law while grains rearrange
+/// (RelaxationOptions::softening).
 struct Softening {
   double assembly = 1.0;  ///< factor while the grains are put together
   /// largest factor of all stages of the load path; if there are no stages, the factor of the assembly
@@ -47,7 +48,8 @@ struct NumericalSettings {
     options.patience = patience;
   }
 
-  /// Returns the settings in the options of a relaxation. `tolerance` is the tolerance of forces in the options.
+  /// Returns the settings in the options of a relaxation. The member `tolerance` of the result is the tolerance of
+  /// forces in the options.
   static NumericalSettings of(const RelaxationOptions& options) {
     return {options.tolerance.force, options.time_step, options.finish, options.patience};
   }

@@ -90,7 +90,8 @@ PriceRow row_of(const Cells& cells) {
   row.n_grains = cells.count("n_grains");
   row.n_samples = cells.count("n_samples");
   row.n_states = cells.count("n_states");
-  // Older tables give the total number of compared states of all samples instead of the number of states of a sample.
+  // Older tables do not contain the number of states of one sample, but the number of compared states in all samples
+  // together.
   if (row.n_states == 0 && row.n_samples > 0)
     row.n_states = (cells.count("n_before") + cells.count("n_after")) / row.n_samples;
   row.kappa = cells.number("kappa");

@@ -26,8 +26,8 @@ struct PriceRow {
   double mean_difference;
   double mean_stderr;  ///< standard error of mean_difference
   double mean_error;   ///< half width of the 95 % confidence interval of mean_difference
-  /// Standard deviation between samples, divided by the mean. The quantity is the mean of the observable over states,
-  /// or a parameter fitted to a path.
+  /// Standard deviation of a quantity between samples, divided by the mean of the quantity. The quantity is the mean of
+  /// the observable over the states of a sample, or a parameter fitted to the path of a sample.
   double sample_scatter;
   int n_grains;   ///< number of grains of a sample; 0 if the table does not contain it
   int n_samples;  ///< number of samples; 0 if the table does not contain it
@@ -63,8 +63,8 @@ inline constexpr const char* kOldestKind = "disks-cohesive";
 /// number, or if the rows describe scenes of different kinds
 PriceTable read_price_table(const std::string& csv, const std::string& place);
 
-/// Returns the path of the folder with the tables KIND.csv that are shipped with the program. It is
-/// share/floc/tables/tradeoff in a folder above the program, or above the library that contains this code.
+/// Returns the path of the folder with the tables KIND.csv that are shipped with the program. The folder is
+/// share/floc/tables/tradeoff, relative to a folder above the program or above the library that contains this code.
 /// @throws InputError if there is no such folder
 std::string price_folder();
 

@@ -20,9 +20,9 @@ inline constexpr double kStrainRateCap = 0.05;
 /// its rate of change L', mass m of the largest grain, pressure P).
 inline constexpr double kLargestInertialNumber = 1e-3;
 
-/// Default cap on the inertial number of the cell for rigid grains, with or without adhesion. It is larger than the cap
-/// for elastic grains, because the number of time steps for a given strain is inversely proportional to the inertial
-/// number.
+/// Default cap on the inertial number of the cell for rigid grains, with or without adhesion. This cap is larger than
+/// the cap for elastic grains, because the number of time steps for a given strain is inversely proportional to the
+/// inertial number.
 inline constexpr double kInertialNumberOfRigidGrains = 0.02;
 
 /// Returns the default cap on the rate at which the cell deforms: kInertialNumberOfRigidGrains for rigid contacts, else
@@ -38,8 +38,8 @@ inline CellResponse default_cap(const Law& law) {
   return response;
 }
 
-/// Returns the default mass of the cell and the default cap on its strain rate on the load path. They apply to a stage
-/// if neither the stage itself nor the table [cell] of the scene gives them.
+/// Returns the default mass of the cell and the default cap on its strain rate on the load path. A default value
+/// applies to a stage if neither the stage itself nor the table [cell] of the scene gives the value.
 inline CellResponse default_load_response(const Law& law) {
   CellResponse response = default_cap(law);
   response.cell_mass = kLoadCellMass;

@@ -16,7 +16,8 @@ namespace {
 
 using Need = TableReader::Need;
 
-/// Returns the stresses that a stage imposes at its end, each with the name of its key in the scene.
+/// Returns the stresses that a stage imposes at its end, each with the name of the key in the scene that gives the
+/// stress.
 std::vector<std::pair<const char*, double>> stresses_of(const LoadStage& stage) {
   if (stage.is_isotropic()) return {{stage.control == "axes" ? "axes" : "to", stage.to}};
   std::vector<std::pair<const char*, double>> stresses;
@@ -85,8 +86,8 @@ void check_stiffness(TableReader& root, const Scene& scene) {
         fmt::format(
             "contact.normal.{} = {}: the contacts are so stiff that rounding errors cause stresses of {:.1e} "
             "F1/a^(d-1), where F1 is the larger of the pull-off force and P a^(d-1) (first pressure P, largest "
-            "diameter a, dimension d); expected errors below equilibrium.stress = {:.1e}, thus softer contacts "
-            "or a larger equilibrium.stress",
+            "diameter a, dimension d); expected errors below equilibrium.stress = {:.1e}, so give softer "
+            "contacts or a larger equilibrium.stress",
             varies ? "modulus" : "stiffness", stiffness / a, 4 * kHalfUnit * kappa,
             scene.relaxation.tolerance.stress));
   // While the packing moves, each coordinate of a grain is stored as one double. The rounding errors of about four

@@ -14,7 +14,8 @@ namespace {
 
 using Need = TableReader::Need;
 
-/// Records a fault if a table of the scene gives a larger softening than its steps allow.
+/// Records a fault if the softening that a table of the scene gives is above `limit`, the limit of the steps to which
+/// the table applies.
 void check_limit(TableReader& table, double s, const SofteningLimit& limit) {
   const std::string fault = limit.fault(s);
   if (!fault.empty())

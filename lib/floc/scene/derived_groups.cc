@@ -36,8 +36,8 @@ int steps_of(const KnownStress& from, const LoadStage& stage) {
 }
 
 struct Steps {
-  int up = 0;    ///< number of equilibria in stages that increase or keep the pressure
-  int down = 0;  ///< number of equilibria in stages that decrease the pressure
+  int up = 0;    ///< number of equilibria in all other stages
+  int down = 0;  ///< number of equilibria in isotropic stages that decrease the pressure
 };
 
 Steps count_steps(const Scene& scene) {
@@ -124,8 +124,8 @@ void add_spheres(const Scene& scene, Groups& groups) {
   groups.push_back({"kappa", hertz_kappa(scene, highest),
                     "stiffness number (E~/P)^(2/3) at the highest pressure P of the scene"});
   add_pressures(scene, E, "P/E~", "P/E~", groups);
-  // Largest pressure between the surfaces in a contact that carries the mean force. The mean force is computed from the
-  // pressure with the assumption z Phi = 4 (coordination number z, solid fraction Phi).
+  // Largest pressure between the surfaces of two grains in a contact with the mean force. The mean force is computed
+  // from the pressure with the assumption z Phi = 4 (coordination number z, solid fraction Phi).
   groups.push_back({"p_max/E~", 0.847131 / std::sqrt(hertz_kappa(scene, highest)),
                     "largest pressure between the surfaces of two grains, divided by E~, in a contact with the "
                     "mean force at the highest "
@@ -226,8 +226,8 @@ void add_rates(const Scene& scene, double a, double m, Groups& groups) {
                       "sqrt(a m/F0), unit of time of the motion of cohesive grains (time unit of the scene)"});
 }
 
-/// Returns the unit of time of a compaction between walls, T = sqrt(m/(p a^(D-2))), with the first pressure p and the
-/// dimension D (time unit of the scene).
+/// Returns the natural unit of time T = sqrt(m/(p a^(D-2))) of a compaction between walls, in the time unit of the
+/// scene. p is the first pressure, and D is the dimension.
 /// @param a  largest diameter
 /// @param m  mass of a grain of this diameter
 double compaction_time(const Scene& scene, double a, double m) {
@@ -252,8 +252,8 @@ void add_walls(const Scene& scene, Groups& groups) {
   groups.push_back({"mu_w", box.friction, "friction coefficient of the walls"});
 }
 
-/// Adds the dimensionless numbers of a dynamic compaction between walls [SVI2024]. They compare the stresses sc =
-/// F0/a^(D-1) and se = K_N/a^(D-2) with the pressure (pull-off force F0, normal stiffness K_N, dimension D).
+/// Adds the dimensionless numbers of a dynamic compaction between walls [SVI2024]. These numbers compare the stresses
+/// sc = F0/a^(D-1) and se = K_N/a^(D-2) with the pressure (pull-off force F0, normal stiffness K_N, dimension D).
 /// @param a  largest diameter
 /// @param m  mass of a grain of this diameter
 void add_box(const Scene& scene, double a, double m, Groups& groups) {
@@ -262,9 +262,9 @@ void add_box(const Scene& scene, double a, double m, Groups& groups) {
   const double se = scene.law.contact_modulus(scene.dimension, a);
   groups.push_back({"sc", sc, "F0/a^(D-1), stress caused by the adhesion (unit of pressure of the scene)"});
   groups.push_back({"eta", sc / p, "sc/p, stress caused by the adhesion divided by the first pressure p"});
-  groups.push_back(
-      {"eta_star", sc / std::sqrt(p * se),
-       "sc/sqrt(p se) with se = K_N/a^(D-2), adhesion relative to impacts; grains bounce if it is below 1"});
+  groups.push_back({"eta_star", sc / std::sqrt(p * se),
+                    "sc/sqrt(p se) with se = K_N/a^(D-2), adhesion relative to impacts; below 1, grains bounce "
+                    "off each other"});
   groups.push_back({"sc/se", sc / se,
                     "overlap of two grains under their adhesion alone, divided by the diameter; above 0.02 it "
                     "changes the void "
@@ -276,8 +276,8 @@ void add_box(const Scene& scene, double a, double m, Groups& groups) {
                     "sqrt(m/(p a^(D-2))), unit of time of the compaction (time unit of the scene)"});
 }
 
-/// Adds, for classes of grain size, the fraction of the total volume that is in the drawn grains of this class,
-/// together with the fraction that the size distribution gives.
+/// Adds two numbers for each of several classes of grain size: the fraction of the total volume that is in the drawn
+/// grains of the class, and the fraction that the size distribution gives for the class.
 void add_sizes(const Scene& scene, Groups& groups) {
   // Largest number of grains for which the fractions are computed. With more grains, the fractions of the drawn grains
   // equal those of the distribution to six digits.
@@ -316,9 +316,9 @@ void add_rigid_contacts(const Scene& scene, double a, Groups& groups) {
                     "sqrt(m/(P_1 a^(d-2))), unit of time of the motion (time unit of the scene)"});
 }
 
-/// Returns the expected number of time steps of a compaction between walls under one pressure. It is computed from the
-/// longest time that the scene allows (equilibrium.stop_time) or, if the scene gives none, from the usual time for
-/// dense packings.
+/// Returns the expected number of time steps of a compaction between walls under one pressure. The number is computed
+/// from the longest time that the scene allows (equilibrium.stop_time) or, if the scene gives none, from the usual time
+/// for dense packings.
 double steps_of_compaction(const Scene& scene) {
   constexpr double kUsual = 30.0;
   const double a = scene.grains.largest();
@@ -359,8 +359,8 @@ double expected_cost(const Scene& scene) {
     return kSecondsPerGrainStep * scene.grains.count * steps_of_compaction(scene) *
            (1 + stages.up + stages.down);
   }
-  // Processor time of the assembly of a packing from a gas, divided by the processor time of one equilibrium during
-  // loading. kUnloading is this ratio for one equilibrium during unloading.
+  // Processor times, divided by the processor time of one equilibrium during loading: kAssembly for the assembly of a
+  // packing from a gas, kUnloading for one equilibrium during unloading.
   constexpr double kAssembly = 6.0;
   constexpr double kUnloading = 0.25;
   constexpr double kSecondsPerGrainAndStep = 80.0 / (1400.0 * (26.0 + kAssembly));
@@ -411,8 +411,9 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene) {
                         ? "longest time step of the motion at the first pressure (time unit of the scene)"
                         : "time step of the motion (time unit of the scene)"});
   const Steps steps = count_steps(scene);
-  // In most scenes the assembly makes one equilibrium. It makes two if the grains are aggregated (first an equilibrium
-  // at zero pressure), or if a packing made from a gas is vibrated (an equilibrium before and one after the vibration).
+  // In most scenes the assembly makes one equilibrium. The assembly makes two equilibria if the grains are aggregated
+  // (first an equilibrium at zero pressure), or if a packing made from a gas is vibrated (an equilibrium before and one
+  // after the vibration).
   const bool twice = scene.assembly.protocol == AssemblyOptions::Protocol::aggregation ||
                      (scene.assembly.vibration && !scene.starts_from_state());
   const int assembled = twice ? 2 : 1;

@@ -33,7 +33,7 @@ void read_boundary(TableReader& t, int dimension, BoxOptions& box) {
   sides.refuse_other_keys();
 }
 
-/// Reads the key box.gravity, and checks that a wall at rest bears the weight of the grains.
+/// Reads the key box.gravity, and checks that a wall at rest supports the grains against gravity.
 void read_gravity(TableReader& t, int dimension, BoxOptions& box) {
   const bool given = t.has("gravity");
   if (given) {
@@ -56,7 +56,7 @@ void read_gravity(TableReader& t, int dimension, BoxOptions& box) {
       return t.fault(
           "gravity",
           fmt::format("box.gravity: gravity acts along axis {}, whose boundary is \"{}\", so that no "
-                      "wall at rest bears the weight; expected \"floor\", \"lid\" or \"fixed\"",
+                      "wall at rest supports the grains; expected \"floor\", \"lid\" or \"fixed\"",
                       a + 1, side == BoxSide::periodic ? "periodic" : "walls"));
     if (has_floor && !(box.gravity[a] < 0.0))
       return t.fault(given ? "gravity" : "boundary",
@@ -199,8 +199,8 @@ void read_box(TableReader& root, Scene& scene) {
   read_boundary(t, scene.dimension, box);
   read_sides(t, scene, box);
   read_contacts(t, scene, box);
-  // At least one axis must have walls that can move: fixed walls and periodic boundaries do not respond to the
-  // pressure.
+  // Without gravity, at least one axis must have walls that can move, because fixed walls and periodic boundaries do
+  // not respond to the pressure.
   read_gravity(t, scene.dimension, box);
   if (!any_wall_moves(box, scene.dimension) && box.gravity.isZero(0.0))
     t.fault("boundary",
@@ -237,8 +237,8 @@ void read_compaction_end(TableReader& t, Scene& scene) {
   if (scene.law.is_rigid()) {
     for (const char* key : {"end", "energy_ratio", "stop_time"})
       t.refuse(key,
-               fmt::format("{} is not allowed with rigid contacts: the compaction of rigid grains ends with "
-                           "forces that balance all grains and walls; remove the key",
+               fmt::format("{} is not allowed with rigid contacts: the compaction of rigid grains ends when "
+                           "the forces on all grains and walls balance; remove the key",
                            t.path_of(key)));
     return;
   }
@@ -256,7 +256,7 @@ void read_compaction_end(TableReader& t, Scene& scene) {
   end.longest =
       t.number("stop_time",
                {kPositive.holds,
-                "a positive number (time after which the state is recorded even if it still moves, in "
+                "a positive number (time after which the state is recorded even if the packing still moves, in "
                 "units of sqrt(m/(P a^(d-2))): largest mass m, pressure P, largest diameter a, "
                 "dimension d)"},
                Need::optional);

@@ -93,7 +93,8 @@ void read_lognormal(TableReader& t, int dimension, DiameterDistribution& d) {
       t.number("sigma", {positive, "a positive number (standard deviation of the logarithm of the diameter)"})
           .value_or(0);
   // [HC1929]: if the distribution of the mass over the diameters is lognormal, the distribution of the number of grains
-  // is lognormal as well. It has the same sigma, and its median is the median by mass times exp(-Dim sigma^2).
+  // is lognormal as well. The distribution of the number of grains has the same sigma, and its median is the median by
+  // mass times exp(-dimension * sigma^2).
   const bool by_mass = t.choice("by", {"number", "mass"}, Need::optional) == 1;
   d.median = by_mass ? median * std::exp(-dimension * d.sigma * d.sigma) : median;
   // Smallest fraction of the complete lognormal distribution that must lie between min and max. With a smaller
@@ -109,8 +110,9 @@ void read_lognormal(TableReader& t, int dimension, DiameterDistribution& d) {
                                   d.min, d.max, kLeastShare));
 }
 
-/// Reads the key `quantiles`: the diameters are quantiles at the ends or in the middle of equal fractions of the number
-/// of grains.
+/// Reads the key `quantiles`, which determines the quantiles of the distribution that become the diameters of the
+/// grains: equally spaced quantiles that include both ends of the distribution, or the quantiles in the middle of equal
+/// fractions of the grains.
 void read_quantiles(TableReader& t, DiameterDistribution& d) {
   if (t.choice("quantiles", {"ends", "middle"}, Need::optional) == 1)
     d.quantiles = DiameterDistribution::Quantiles::middle;
@@ -166,15 +168,16 @@ DiameterDistribution read_diameters(TableReader t, SceneSource& source, const st
       read_lognormal(t, dimension, d);
       break;
     case Kind::sieve:
-      // With quantiles at the ends, one grain of the largest size is always included, and this grain may be much of the
-      // mass.
+      // With quantiles at the ends, one grain of the largest size is always included, and this grain may have a large
+      // part of the mass. Quantiles in the middle of equal fractions are used instead.
       d.quantiles = DiameterDistribution::Quantiles::middle;
       read_sieve(t, source, directory, units, d);
       break;
   }
   t.refuse_other_keys();
-  // Later checks need the smallest and the largest diameter. A distribution with faults has no quantiles in the middle
-  // of equal fractions; with quantiles at the ends, these diameters are the ends of the distribution itself.
+  // Later checks need the smallest and the largest diameter. Quantiles in the middle of equal fractions cannot be
+  // computed for a distribution with faults. Quantiles at the ends are therefore used: the two diameters are then the
+  // ends of the distribution itself.
   if (source.n_faults() > n_faults) d.quantiles = DiameterDistribution::Quantiles::ends;
   return d;
 }

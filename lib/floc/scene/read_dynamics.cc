@@ -54,7 +54,8 @@ void read_contact_dynamics(TableReader& t, ContactDynamicsOptions& options) {
                                    Need::optional);
 }
 
-/// Key that is not allowed with one of the two methods, and the end of the message about this key: the expected input.
+/// Key that is not allowed with one of the two methods of motion (smooth dynamics or contact dynamics), and the end of
+/// the message about this key.
 struct KeyInPlace {
   const char* key;
   const char* expectation;

@@ -33,8 +33,8 @@ std::string expected_table(const DeclaredSlot& slot) {
   return text;
 }
 
-/// Records a fault for each key in the table of a component of the contact law that the chosen model does not have but
-/// another model of this component has.
+/// Records faults in the table of one component of the contact law: one for each key that the chosen model of this
+/// component does not have but another model has.
 void refuse_keys_of_others(TableReader& t, const DeclaredSlot& slot, const DeclaredModel& chosen) {
   for (const DeclaredModel& other : slot.models)
     for (const DeclaredNumber& n : other.numbers)

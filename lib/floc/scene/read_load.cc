@@ -29,8 +29,8 @@ constexpr double kRoundingPerStep = 1e-6;
 constexpr NumberRule kStrain{
     is_strain,
     "a logarithmic strain from -2 to 2 (compression positive; at larger strains the cell would nearly vanish)"};
-/// Largest shear strain of one stage. It is large enough for every test, because a packing reaches its steady state
-/// much earlier.
+/// Largest shear strain of one stage. This strain is large enough for every test, because a packing reaches its steady
+/// state much earlier.
 constexpr NumberRule kShear{[](double x) { return x >= -100 && x <= 100; }, "a shear strain from -100 to 100"};
 const std::vector<std::string> kControls = {"isotropic",       "oedometric", "triaxial",
                                             "constant_volume", "axes",       "simple_shear"};
@@ -108,7 +108,7 @@ std::vector<AxisLoad> read_axes(TableReader& t, int dimension) {
 
 /// Returns the loads that a test imposes on all axes. The test drives one axis to a stress or to a strain.
 /// @param control  keyword of the test, which determines the loads on the other axes: "oedometric" (their lengths stay
-/// constant), "triaxial" (their stresses stay constant) or "constant_volume"
+/// constant), "triaxial" (their stresses stay constant) or "constant_volume" (the volume of the cell stays constant)
 /// @param axis  axis that is driven, counted from 0
 std::vector<AxisLoad> read_test(TableReader& t, const std::string& control, int axis, int dimension) {
   if (control == "constant_volume" && t.has("to"))
@@ -161,9 +161,9 @@ void read_axes_of(TableReader& t, int dimension, LoadStage& stage) {
   stage.axes = read_test(t, stage.control, stage.axis, dimension);
 }
 
-/// Whether the key steps_per_decade determines the number of steps of a stage. It does if the stage imposes a stress,
-/// if all imposed stresses are positive at the start and at the end of the stage, and if their values at the start are
-/// known before the run.
+/// Whether the key steps_per_decade determines the number of steps of a stage. The key determines the number if the
+/// stage imposes a stress, if all imposed stresses are positive at the start and at the end of the stage, and if their
+/// values at the start are known before the run.
 /// @param from  stress on each axis at the start of the stage, as far as it is known before the run
 bool counts_in_decades(const KnownStress& from, const LoadStage& stage) {
   bool any = false;

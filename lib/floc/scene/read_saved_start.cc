@@ -113,7 +113,7 @@ std::string start_description(const State<Dim>& state, const std::string& file, 
                        : "of the scene, in place of the contact law in the state file: " + law_text(law));
 }
 
-/// If the scene gives no pressure, the stresses at the beginning of the run are set to the stresses of the saved state.
+/// Sets the stresses at the beginning of the run to the stresses of the saved state, if the scene gives no pressure.
 /// @param has_pressure  whether the scene gives a pressure
 template <int Dim>
 void keep_stress(TableReader& t, const State<Dim>& state, bool has_pressure, Scene& scene) {

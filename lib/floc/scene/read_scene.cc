@@ -309,7 +309,7 @@ void check_consistency(TableReader& root, SceneSource& source, const Scene& scen
     assembly.fault("inertial_number_cap", fmt::format(kNothingMoves, "assembly.inertial_number_cap"));
 }
 
-/// Replaces the name of a file of diameters or sieves in the TOML tables of a scene by the content of this file.
+/// If the TOML tables of a scene name a file of diameters or sieves, replaces this name by the content of the file.
 /// Afterwards, the text of the scene is complete.
 /// @param root  root table of the scene
 /// @return whether the scene names such a file
@@ -374,7 +374,8 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
   CellResponse unsaid;
   if (has_box(root)) {
     read_box(root, scene);
-    // A drag acts on walls around rigid grains, as on the sides of a periodic cell.
+    // The default cap on the strain rate also applies to walls around rigid grains: a drag acts on these walls, as on
+    // the sides of a periodic cell.
     if (scene.law.is_rigid()) scene.relaxation = default_cap(scene.law).applied_to(scene.relaxation);
     root.refuse(
         "cell",

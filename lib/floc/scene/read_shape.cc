@@ -98,7 +98,7 @@ FileShapeOptions read_file_options(TableReader& t, const std::string& directory)
   FileShapeOptions file;
   if (const auto name = t.text("file", "the name of a file of shapes (.off, .obj, .stl, .shp or .csv)"))
     file.file = (std::filesystem::path(directory) / *name).string();
-  file.vertices = read_whole(t, "vertices", "the number of vertices of a shape to keep, a whole number", 0);
+  file.vertices = read_whole(t, "vertices", "the number of vertices that each shape keeps, a whole number", 0);
   const char* expectation = "the SHA-256 of the file of shapes, which floc writes";
   file.sha256 = t.text("sha256", expectation, Need::optional).value_or("");
   return file;
@@ -210,9 +210,9 @@ void check_solid_fraction(TableReader& root, const Scene& scene) {
   TableReader t = root.table(scene.assembly.box ? "assembly" : "cell", "", Need::optional);
   if (scene.assembly.solid_fraction > densest)
     t.fault("solid_fraction",
-            fmt::format("{} = {}: the gas is made of the circumscribed {} of the grains, which "
-                        "can be placed at random without overlap only up to a solid fraction of the grains of "
-                        "{:.4g}; expected at most this number",
+            fmt::format("{} = {}: the gas is made of the circumscribed {} of the grains; without "
+                        "overlap, these can be placed at random only up to the solid fraction {:.4g} of the "
+                        "grains; expected at most this number",
                         t.path_of("solid_fraction"), scene.assembly.solid_fraction,
                         Dim == 2 ? "circles" : "spheres", densest));
 }

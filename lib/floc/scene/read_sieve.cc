@@ -87,9 +87,10 @@ Sieves read_sieve_file(const std::string& path, const std::string& units, bool s
 std::optional<Sieves> read_rows(TableReader& t, SceneSource& source, const std::string& directory,
                                 const std::string& units, bool scaled) {
   if (!t.has("sizes") && !t.has("passing")) {
-    const auto file = t.text("file",
-                             "the name of a table of sieve sizes and the percentage of the mass that passes "
-                             "each, or the arrays sizes and passing");
+    const auto file =
+        t.text("file",
+               "the name of a file with the sizes of sieves and the percentages of the mass that pass "
+               "them, or the arrays sizes and passing");
     if (!file) return std::nullopt;
     const std::string path = (std::filesystem::path(directory) / *file).string();
     try {
@@ -140,8 +141,8 @@ std::optional<std::pair<std::string, std::string>> fault_of(const Sieves& s) {
     if (!(s.sizes[k] > 0.0))
       return at(k,
                 fmt::format("the size of a sieve is {:g}: expected a positive size. Between sizes the curve is "
-                            "linear in the logarithm of the size, so a pan must be given as the largest size "
-                            "that all grains exceed, with 0 % passing",
+                            "linear in the logarithm of the size, so for the pan give the largest size that "
+                            "all grains exceed, with 0 % passing",
                             s.sizes[k]));
     if (!(s.passing[k] >= 0.0 && s.passing[k] <= 100.0))
       return at(
@@ -162,8 +163,8 @@ std::optional<std::pair<std::string, std::string>> fault_of(const Sieves& s) {
   return std::nullopt;
 }
 
-/// Records a fault if the curve does not begin at 0 % and is not cut off by the key min, and if it does not end at 100
-/// % and is not cut off by the key max.
+/// Records a fault if an end of the curve is open: if the curve neither begins at 0 % nor is cut off by the key min, or
+/// neither ends at 100 % nor is cut off by the key max.
 /// @return whether a fault was recorded
 bool has_open_end(const Sieves& s, bool has_min, bool has_max, SceneSource& source) {
   const std::size_t last = s.sizes.size() - 1;

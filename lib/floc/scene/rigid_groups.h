@@ -9,8 +9,8 @@ namespace floc {
 /// @pre the scene gives shapes
 void add_shape_groups(const Scene& scene, std::vector<DerivedGroup>& groups);
 
-/// Returns T = sqrt(m/(P a^(d-2))), the unit of time of the motion of rigid grains, with the first pressure P, the
-/// largest mass m, the largest diameter a and the dimension d (time unit of the scene).
+/// Returns the natural unit of time T = sqrt(m/(P a^(d-2))) of the motion of rigid grains, in the time unit of the
+/// scene. P is the first pressure, m the largest mass, a the largest diameter and d the dimension.
 double time_unit_of_rigid_grains(const Scene& scene);
 
 /// Returns the expected processor time of a run of rigid grains on one core (s), correct within about a factor of two.

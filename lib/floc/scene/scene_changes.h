@@ -15,7 +15,7 @@ std::vector<std::string> scene_changes(const std::string& first, const std::stri
 
 /// Returns whether a scene continues the load path of another scene and is otherwise equal to it. The longer scene may
 /// have additional stages. The last stage that both scenes have may differ in its end and in its number of steps (keys
-/// to, strain, stress and steps). It is not checked whether the steps of this stage are unchanged up to its former end.
+/// to, strain, stress and steps). The function does not check whether the steps of this stage agree in both scenes.
 /// @param longer, begun  texts of the two scenes (TOML)
 /// @throws InputError if a text is not TOML
 bool continues_path(const std::string& longer, const std::string& begun);

@@ -44,9 +44,10 @@ std::string errors_in(const PriceTable& table) {
   return table.is_shipped ? "table of errors shipped with floc" : table.name();
 }
 
-/// Whether the cell of a scene can be compared with the cell in tables of prices for its kind of scenes. This is
-/// possible for cohesive grains, because their tables are measured with the default cap on the strain rate. For grains
-/// without adhesion the default cap is on the inertial number, and its value differs between materials.
+/// Whether the cell of a scene can be compared with the cells of the scenes on which tables of prices for the same kind
+/// of scene were measured. This is possible for cohesive grains, because their tables are measured with the default cap
+/// on the strain rate. For grains without adhesion the default cap is on the inertial number, and its value differs
+/// between materials.
 bool has_default_cells(const Scene& scene) {
   return default_cap(scene.law).strain_rate_cap.has_value();
 }
@@ -88,8 +89,8 @@ std::vector<CellFactors> cells_of(const Scene& scene) {
   for (const RelaxationOptions& part : motions_of_cell(scene))
     cells.push_back(
         {part.cell_mass / kLoadCellMass, part.strain_rate_cap.value_or(kStrainRateCap) / kStrainRateCap});
-  // The mass of the cell during the assembly influences which packing is made, but not the accuracy. It is therefore
-  // treated as the default.
+  // The mass of the cell during the assembly influences which packing is made, but not the accuracy. This mass is
+  // therefore treated as the default mass.
   if (!cells.empty()) cells.front().mass = 1.0;
   return cells;
 }

@@ -65,8 +65,8 @@ Softening largest_softening(const RunOptions& run) {
       limit = std::min(limit, softening_limit_of(step, run, std::max(before, stress)).largest);
     before = stress;
   }
-  // If springs cannot be softened in any stage, the factor of the load path is 1. Without stages it equals the factor
-  // of the assembly.
+  // If springs cannot be softened in any stage, the factor of the load path is 1. If the run has no stages, this factor
+  // equals the factor of the assembly.
   if (largest.load == kNoLimit) largest.load = run.load.empty() ? largest.assembly : 1.0;
   return {std::max(1.0, largest.assembly), std::max(1.0, largest.load)};
 }

@@ -11,8 +11,8 @@
 /// collapse").
 namespace floc {
 
-/// Returns the largest factor by which springs may be softer in a step of a run. For a step that imposes a strain the
-/// factor is 1, because the stress at this strain depends on the stiffness.
+/// Returns the largest factor by which springs may be softer than in the contact law, in one step of a run. For a step
+/// that imposes a strain the factor is 1, because the stress at this strain depends on the stiffness.
 /// @param pressure  largest pressure on the packing in this step, including the pressure at its start (stress unit of
 /// the scene)
 SofteningLimit softening_limit_of(const PlannedEquilibrium& step, const RunOptions& run, double pressure);
@@ -27,7 +27,7 @@ std::vector<bool> strained_stages(const RunOptions& run);
 /// Returns the factors by which springs are softened in a run; for the load path, the largest factor of all stages.
 Softening softening_of(const RunOptions& run);
 
-/// Returns the largest factors that give_softening() may give a run; 1 where springs cannot be softer.
+/// Returns the largest factors that give_softening() may give a run; a factor is 1 if springs cannot be softened.
 Softening largest_softening(const RunOptions& run);
 
 /// Sets the factors by which springs are softened in all parts of a run. In stages that impose a strain, springs are

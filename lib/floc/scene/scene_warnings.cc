@@ -24,7 +24,7 @@ using Warnings = std::vector<std::string>;
 /// contact forces of a few F1 act on a grain, and their rounding errors add up.
 constexpr double kRounding = 1e-15;
 /// Kinetic energy per grain that remains because of rounding errors, in the unit of the tolerance equilibrium.energy.
-/// It corresponds to velocities of 1e-12 in the natural unit of velocity.
+/// This energy corresponds to velocities of 1e-12 in the natural unit of velocity.
 constexpr double kLeastEnergy = 1e-24;
 
 void warn_of_tolerances(const Scene& scene, Warnings& warnings) {
@@ -163,8 +163,8 @@ double time_unit(const Scene& scene, double pressure) {
   return F1 > 0.0 ? std::sqrt(a * m / F1) : 0.0;
 }
 
-/// Warns if the compression of a gas takes so long that the first step is given up, at the time equilibrium.max_time,
-/// before the grains touch.
+/// Warns if the compression of a gas takes so long that the grains do not touch before the first equilibrium is given
+/// up, at the time equilibrium.max_time.
 void warn_of_slow_compression(const Scene& scene, Warnings& warnings) {
   // Smallest solid fraction at which a gas compressed under pressure (protocol "direct") may come to rest, even if its
   // grains adhere.
@@ -175,8 +175,8 @@ void warn_of_slow_compression(const Scene& scene, Warnings& warnings) {
   const double unit = time_unit(scene, pressure);
   const RelaxationOptions r = scene.assembly.cell.applied_to(scene.relaxation);
   // strain_rate_cap is given as a strain rate times `free_unit`; inertial_number_cap as a strain rate times sqrt(m/P)
-  // for disks, or times sqrt(m/(P a)) for spheres. The latter time equals sqrt(a m/F1) if the pressure P determines the
-  // typical force F1.
+  // for disks, or times sqrt(m/(P a)) for spheres. Both square roots equal sqrt(a m/F1) if the pressure P determines
+  // the typical force F1.
   const double free_unit = scene.law.adheres() ? time_unit(scene, 0.0) : unit;
   const double rate = r.strain_rate_cap       ? *r.strain_rate_cap / free_unit
                       : r.inertial_number_cap ? *r.inertial_number_cap / unit
@@ -217,10 +217,10 @@ void warn_of_light_cell(const Scene& scene, Warnings& warnings) {
     const double mass = cell.applied_to(scene.relaxation).cell_mass;
     const double share = packed_side(scene) * std::sqrt(mass / (along * lightest(scene)));
     if (share >= kSlow) return false;
-    warnings.push_back(
-        fmt::format("{} = {:g}: such a light cell vibrates faster than the grains, so that the time step is "
-                    "only {:.1e} of the time step that the grains allow; expected a mass of at least {:.1e}",
-                    key, mass, share, mass * std::pow(kSlow / share, 2)));
+    warnings.push_back(fmt::format(
+        "{} = {:g}: such a light cell vibrates faster than the grains, so that the time step is "
+        "only {:.1e} times the time step that the grains alone allow; expected a mass of at least {:.1e}",
+        key, mass, share, mass * std::pow(kSlow / share, 2)));
     return true;
   };
   if (check("cell.mass", scene.assembly.cell)) return;
@@ -260,9 +260,9 @@ void warn_of_stiff_contacts(const Scene& scene, Warnings& warnings) {
   const double step = time_step_of_scene(scene);
   if (!(unit > 0.0) || !(step > 0.0) || unit / step < kMany) return;
   warnings.push_back(
-      fmt::format("contact.normal: relative to the load the contacts are so stiff that motion over the time "
-                  "sqrt(a m/F1) (largest diameter a, its mass m, typical force F1) takes {:.1e} time steps, "
-                  "and every state takes several hundred times this number; expected softer contacts (results "
+      fmt::format("contact.normal: relative to the load the contacts are so stiff that a unit of time "
+                  "sqrt(a m/F1) (largest diameter a, its mass m, typical force F1) has {:.1e} time steps, "
+                  "and every state takes several hundred units of time; expected softer contacts (results "
                   "hardly depend on the stiffness if the "
                   "stiffness number kappa is above 1e5) or a higher pressure than assembly.pressure = {:g}",
                   unit / step, pressure));
@@ -297,9 +297,9 @@ void warn_of_largest_grain(const Scene& scene, Warnings& warnings) {
                     scene.grains.count, 100.0 / sum, scene.dimension == 2 ? "area" : "volume"));
 }
 
-/// Warns if the volumes of the drawn grains differ from the volumes that the size distribution gives. Large grains may
-/// be rare. Quantiles in the middle of equal fractions of the number of grains may include no large grain, or one large
-/// grain whose fraction of the volume is too large.
+/// Warns if the volumes of the drawn grains differ from the volumes that the size distribution gives. This happens if
+/// large grains are rare and the diameters are quantiles in the middle of equal fractions of the grains: there may be
+/// no large grain, or one large grain whose fraction of the volume is too large.
 void warn_of_sizes(const Scene& scene, Warnings& warnings) {
   constexpr double kMuch = 0.02;
   if (scene.grains.diameter.quantiles != DiameterDistribution::Quantiles::middle || scene.grains.count < 1)

@@ -18,7 +18,7 @@ std::string starting_scene(const std::string& name) {
   const auto at = text.find(demo_name);
   assert(at != std::string::npos);
   text.replace(at, demo_name.size(), "\"" + name + "\"");
-  // The first line of the demo scene is a comment about the demo. It is replaced by a title.
+  // The first line of the demo scene is a comment about the demo. This line is replaced by a title.
   const std::string title =
       "# Starting point for a scene of your own: `floc scene check` lists its faults and its dimensionless "
       "numbers.";

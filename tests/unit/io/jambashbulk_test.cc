@@ -76,7 +76,7 @@ TEST(Jambashbulk, OneOfSeveralPackingsIsChosenByIndex) {
   EXPECT_EQ(read(scratch.file("both.txt"), 0).packing.grains.position[0][0], 18.061957410976113);
   EXPECT_EQ(read(scratch.file("both.txt"), 1).packing.grains.position[0][0], 17.5);
   EXPECT_THAT([&] { read(scratch.file("both.txt"), 2); },
-              ThrowsMessage<InputError>(HasSubstr("index = 2, but the file holds packings 0 to 1")));
+              ThrowsMessage<InputError>(HasSubstr("index = 2, but the file contains packings 0 to 1")));
 }
 
 TEST(Jambashbulk, NamesFileAndLineOfWhatIsMalformed) {

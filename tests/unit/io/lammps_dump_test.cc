@@ -100,7 +100,8 @@ TEST_F(LammpsDump, OfSeveralFramesIsReadLastUnlessOneIsNamed) {
   options_.index = 0;
   EXPECT_EQ(packing<2>().grains.size(), 3);
   options_.index = 2;
-  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("index = 2, but the file holds frames 0 to 1")));
+  EXPECT_THAT(refusal(),
+              ThrowsMessage<InputError>(HasSubstr("index = 2, but the file contains frames 0 to 1")));
 }
 
 TEST_F(LammpsDump, TakesForcesOnTheFirstGrainFromADumpLocal) {

@@ -220,8 +220,9 @@ TEST(ReadDynamics, RigidGrainsAreLoadedByWalls) {
   EXPECT_EQ(wall_law(scene.law, *scene.assembly.box).friction_coefficient(), 0.3);
   for (const DerivedGroup& group : derived_groups(scene)) EXPECT_TRUE(std::isfinite(group.value)) << group.name;
   for (const char* key : {"end=settled", "stop_time=3", "energy_ratio=1e-3"})
-    EXPECT_THAT(dynamics_faults(kRigidBox, {std::string("equilibrium.") + key}),
-                HasSubstr("the compaction of rigid grains ends with forces that balance all grains and walls"));
+    EXPECT_THAT(
+        dynamics_faults(kRigidBox, {std::string("equilibrium.") + key}),
+        HasSubstr("the compaction of rigid grains ends when the forces on all grains and walls balance"));
 }
 
 TEST(ReadDynamics, GasInABoxIsNoDenserThanCircumscribedCircles) {

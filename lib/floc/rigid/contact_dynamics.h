@@ -43,8 +43,8 @@ struct ContactDynamicsSettings {
   double slow_impact = 0.0;
   int threads = 1;
   /// Whether the contacts of a step are solved all at once (implicit_step.h) and not by sweeps. If so, overlaps are
-  /// removed in one step, and the velocities of all grains are set to zero whenever the grains, as a whole, move
-  /// backwards. The grains come to rest faster in this way than if their velocities are set to zero before each step.
+  /// removed in one step, and the velocities of all grains are set to zero whenever the grains, as a whole, reverse
+  /// their motion. The grains then come to rest faster than if their velocities were set to zero before each step.
   bool at_once = false;
   /// Whether steps in 3D that are solved at once use separating plates (separating_plates.h). The grains must have
   /// corners, and neither friction nor adhesion.

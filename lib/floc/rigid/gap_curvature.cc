@@ -91,7 +91,7 @@ PairMatrix<Dim> gap_curvature(const Packing<Dim>& packing, const Contact<Dim>& c
   }
   const TangentMatrix<Dim> radii_i = radii_of_curvature<Dim>(packing, c.i, n, tangents);
   const TangentMatrix<Dim> radii_j = radii_of_curvature<Dim>(packing, c.j, Vec<Dim>(-n), tangents);
-  // The depth of an overlap is limited to half of the sum of the radii of curvature.
+  // An overlap counts as at most half as deep as the smallest sum of the radii of curvature in any direction.
   const TangentMatrix<Dim> sum = radii_i + radii_j;
   const double least =
       Eigen::SelfAdjointEigenSolver<TangentMatrix<Dim>>(sum, Eigen::EigenvaluesOnly).eigenvalues()[0];

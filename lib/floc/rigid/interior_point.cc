@@ -328,8 +328,8 @@ ConeSolution<Dim> InteriorPoint<Dim>::solve(const ConeProgram<Dim>& program, dou
   for (int iteration = 0, idle = 0; iteration < kMostIterations && idle < kPatience; ++iteration) {
     check_interruption();
     const ConeSolution<Dim> now = solution_at(program, at);
-    // The residual here includes the softness, which takes up the part of a load that is unbalanced by rounding. The
-    // residual without the softness is checked only at the end.
+    // The residual here includes the softness, which balances the small part of a load that rounding errors leave
+    // unbalanced. The residual without the softness is checked only at the end.
     const double residual =
         largest(Eigen::VectorXd(program.balance(now.x) + softened(program, now.motion) - program.load));
     const double error =

@@ -45,8 +45,8 @@ Mat<Dim> packed_response(const BodyMotion<Dim>& bodies, const StepContact<Dim>& 
   return out;
 }
 
-/// Returns the bias of a contact in its frame (length/time). If the stretch of the cell is imposed, its velocity at the
-/// contact is included.
+/// Returns the bias of a contact in its frame (length/time). If the rate of stretch of the cell is imposed, the bias
+/// includes the velocity that the stretch causes at the contact.
 template <int Dim, bool Cell>
 Vec<Dim> packed_bias(const BodyMotion<Dim>& bodies, const StepContact<Dim>& c) {
   if constexpr (Cell) return c.bias;

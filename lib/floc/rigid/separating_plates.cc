@@ -15,8 +15,8 @@ constexpr double kPlateMass = 1e-3;
 constexpr double kSameGap = 1e-6;
 /// Number of sweeps in which the impulse of a pair is divided among at most four contacts.
 constexpr int kSharingSweeps = 50;
-/// Weight of the sum of the squared impulses in the function that these sweeps minimise. This sum makes the impulses of
-/// the contacts more equal.
+/// Weight of the sum of the squared impulses in the function that the sweeps of share_impulse() minimise. This sum
+/// makes the impulses of the contacts more equal.
 constexpr double kEvenly = 1e-3;
 
 /// Returns the extent of a grain along a unit vector, measured from the centre of the grain (length).

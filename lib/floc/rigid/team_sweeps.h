@@ -13,7 +13,8 @@
 
 namespace floc {
 
-/// Interface of the sweeps of GaussSeidel over the contacts of one time step, for any type of the records.
+/// Interface of the sweeps of GaussSeidel over the contacts of one time step. It does not depend on the type of the
+/// records in which the contacts are stored.
 template <int Dim>
 class ContactSweeps {
  public:

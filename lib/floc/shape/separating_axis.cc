@@ -87,8 +87,8 @@ class FaceSearch {
     return best;
   }
 
-  /// Returns false if the separation of a face cannot exceed a threshold. The height of any point of the other shape
-  /// above the face is an upper bound of its separation.
+  /// Returns false if the separation of a face cannot exceed a threshold. The separation of the face is at most the
+  /// height of any point of the other shape above the face.
   bool may_exceed(int face, double threshold) const {
     for (int k = 0; k < n_points_; ++k)
       if (one_.normals[face].dot(points_[k]) - one_.offsets[face] <= threshold) return false;

@@ -75,7 +75,7 @@ struct BoundaryControl {
   /// (force/length^(Dim-1)). For a component with an imposed strain rate: this rate, shortening positive (1/time); for
   /// shear the rate of the engineering strain gamma.
   Eigen::Matrix<double, kSymmetric<Dim>, 1> target = Eigen::Matrix<double, kSymmetric<Dim>, 1>::Zero();
-  /// inertia M of each component of the lattice vectors that a stress accelerates (mass)
+  /// inertia M of those components of the lattice vectors that follow a stress (mass); equal for all of them
   double mass = 0.0;
   /// Largest strain rate of components that follow a stress (1/time).
   double rate_cap = std::numeric_limits<double>::infinity();

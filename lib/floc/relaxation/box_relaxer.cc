@@ -26,11 +26,11 @@ constexpr double kFinishVoidRatio = 1e-3;
 /// Longest duration of the final phase of a relaxation (power control), in time units T (compaction_time()). If the
 /// scene accepts states that are not equilibria, the state after this duration is recorded as it is.
 constexpr double kLongestFinish = 60.0;
-/// Ratio of the distance between two walls to their initial distance, above which walls that no grain touches count as
-/// lost.
+/// Two walls that no grain touches count as lost if their distance, divided by their initial distance, is above this
+/// number.
 constexpr double kLargestExpansion = 4.0;
-/// Distance between two walls below which a box counts as closed, in largest diameters. Overlaps are small, so that
-/// grains do not fit into a smaller box.
+/// A box counts as closed if the distance between two walls, in largest diameters, is below this number. Overlaps are
+/// small, so grains do not fit into a smaller box.
 constexpr double kBoxClosed = 0.5;
 
 /// Function that calls visit(name, member) for every member of a CompactionProgress, with the name that the member has

@@ -35,7 +35,7 @@ class CellMotion {
   const Mat<Dim, bool>& follows_stress() const { return follows_stress_; }
 
   /// Returns the vector from a grain to its periodic image (length).
-  /// @param image  number of each lattice vector by which the image is displaced
+  /// @param image  for each lattice vector, the number of times that it is added to the position of the grain
   Vec<Dim> image_shift(const Vec<Dim, int>& image) const;
   /// Moves a position into the cell by lattice vectors, except along axes between walls.
   /// @return the number of lattice vectors along each axis by which the position was moved

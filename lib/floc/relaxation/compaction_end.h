@@ -5,7 +5,7 @@
 namespace floc {
 
 /// Criterion that ends the compaction of a packing between walls (docs/physics.md, "Boxes with walls"). Times are in
-/// units of T = sqrt(m/(P a^(Dim-2))), with m the mass and a the diameter of the largest grain and P the pressure.
+/// units of T = sqrt(m/(P a^(Dim-2))), with the mass m and the diameter a of the largest grain and the pressure P.
 struct CompactionEnd {
   enum class Criterion {
     /// The void ratio has changed by less than kSettledVoidRatio during the time kSettledTime (in units of T), every

@@ -49,18 +49,18 @@ constexpr int kSweptSteps = 2600;
 /// Largest number of grains for which contacts are solved all at once; grains with corners and without friction have no
 /// such limit.
 constexpr int kMostGrainsAtOnce = 1000;
-/// Longest time step for which contacts are solved all at once, in units of T: without separating plates and with them
-/// (separating_plates.h).
+/// Longest time step, in units of T, if contacts are solved all at once: without separating plates, and with separating
+/// plates (separating_plates.h).
 constexpr double kLongestAtOnce = 3.0;
 constexpr double kLongestWithPlates = 30.0;
-/// Largest gap of a contact that carries a force if contacts are solved all at once, divided by the diameter of the
-/// smaller grain.
+/// Largest gap, divided by the diameter of the smaller grain, at which a contact may have a force if contacts are
+/// solved all at once.
 constexpr double kGapAtOnce = 1e-6;
 /// Tolerance of the impulses in the phase `resting`, divided by the mean normal impulse: the sweeps of a step end when
 /// the error is below this tolerance.
 constexpr double kRestingTolerance = 1e-8;
-/// Largest net force on a grain for which balanced forces are sought, divided by the mean normal force: for round
-/// grains, and for grains with corners.
+/// The forces count as nearly balanced if the largest net force on a grain, divided by the mean repulsive force, is
+/// below this number: for round grains, and for grains with corners.
 constexpr double kNearBalanceRound = 1e-3;
 constexpr double kNearBalanceAngular = 3e-2;
 /// Number of steps of the phase `resting` between two searches for balanced forces. If the net forces are large, the
@@ -74,7 +74,8 @@ constexpr double kGapToleranceAngular = 1e-3;
 /// Number of steps of the test whether a packing with balanced forces is stable: in these steps the packing moves
 /// freely.
 constexpr int kFreeSteps = 50;
-/// Largest displacement of a grain in this test, divided by its diameter and by the gap tolerance.
+/// Largest displacement of a grain in the test of stability (kFreeSteps), divided by the product of the diameter of the
+/// grain and the gap tolerance.
 constexpr double kStaysWithin = 10.0;
 /// Largest force of a contact that counts as force-free, divided by the mean normal force.
 constexpr double kCarries = 1e-9;
@@ -233,8 +234,8 @@ BoundaryLoad<Dim> ContactDynamicsRelaxer<Dim>::boundary_load() const {
   // In a box, periodic axes keep their lengths.
   for (int a = 0; a < Dim; ++a) load.under_stress[a] = packing_.walls.empty() && !load_.strained(a);
   load.cell_mass = options_.cell_mass;
-  // A cap on the rate makes the walls heavier than all grains together, so that sweeps converge slowly. At rest it is
-  // not needed.
+  // A cap on the rate makes the walls heavier than all grains together, so that sweeps converge slowly. In the phase
+  // `resting` the cap is not needed.
   if (!packing_.walls.empty() && progress_.phase == ContactDynamicsProgress::resting) return load;
   load.wall_speed = options_.compaction.wall_speed;
   // A strained cell has no cap on its strain rate: the drag of a cap would bear a part of the stress on sides that
@@ -267,7 +268,7 @@ double ContactDynamicsRelaxer<Dim>::rate_cap(const Packing<Dim>& packing) const 
 
 /// Returns whether the motion of the packing has nearly ended. Whether the stress is balanced is judged from the strain
 /// rate of the cell. This rate is proportional to the difference between the stress and the imposed stress, and the
-/// errors of single impulses cancel in it.
+/// errors of single impulses cancel in the strain rate.
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::is_calm(const Packing<Dim>& packing) const {
   const double jitter = are_smooth_polyhedra(packing) ? kJitter : 1.0;

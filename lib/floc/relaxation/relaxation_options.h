@@ -41,11 +41,11 @@ struct RelaxationOptions {
   /// Inertia M of the sides of the cell, which are accelerated by stresses, divided by the total mass of the grains.
   /// This inertia influences the density of assembled packings.
   double cell_mass = 1.0;
-  /// Cap on the strain rate |L'/L| of the cell in scenes with adhesion, in units of 1/T0, with L a side of the cell, T0
-  /// = sqrt(a m/F0), a the largest diameter, m the largest mass and F0 the pull-off force.
+  /// Cap on the strain rate |L'/L| of the cell in scenes with adhesion, in units of 1/T0. Here L is a side of the cell,
+  /// and T0 = sqrt(a m/F0) with the largest diameter a, the largest mass m and the pull-off force F0.
   std::optional<double> strain_rate_cap;
-  /// Cap on the inertial number |L'/L| sqrt(m/P) of the cell in scenes without adhesion, with L a side of the cell, m
-  /// the largest mass and P the pressure.
+  /// Cap on the inertial number |L'/L| sqrt(m/(P a^(Dim-2))) of the cell in scenes without adhesion, with a side L of
+  /// the cell, the largest mass m, the pressure P and the largest diameter a.
   std::optional<double> inertial_number_cap;
   /// Skin of the Verlet lists (lists of neighbouring pairs): extra distance up to which pairs are listed, in units of
   /// the largest diameter. If absent, the skin is adapted to the motion.

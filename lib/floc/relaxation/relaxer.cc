@@ -28,11 +28,12 @@ constexpr double kSteadyPhi = 2e-5;
 constexpr double kSteadyWindow = 5.0;
 constexpr double kSteadyContactsWindow = 20.0;
 /// Criterion by which the motion of the grains counts as vibration, so that their kinetic energy may be above its
-/// tolerance. No contact may have opened or closed while the grains, at their r.m.s. speed, have covered a path of
-/// kVibrationPath largest diameters, and for at least kVibrationWindows times kSteadyContactsWindow time units.
-/// Vibrations of contact springs below their caps do not end, since nothing dissipates their energy. Grains that move
-/// freely meet another grain earlier: in five example scenes with 200 or 400 grains and an energy above its tolerance,
-/// the longest path was half a diameter, and the longest time under load was twice kSteadyContactsWindow.
+/// tolerance. The time since a contact last opened or closed has to meet two conditions: in this time, the grains at
+/// their r.m.s. speed would cover a path of kVibrationPath largest diameters; and the time is at least
+/// kVibrationWindows times kSteadyContactsWindow time units. Vibrations of contact springs below their caps do not end,
+/// since nothing dissipates their energy. Grains that move freely meet another grain earlier: in five example scenes
+/// with 200 or 400 grains and an energy above its tolerance, the longest path was half a diameter, and the longest time
+/// under load was twice kSteadyContactsWindow.
 constexpr double kVibrationPath = 2.0;
 constexpr double kVibrationWindows = 5.0;
 /// Time (in time units) after which a steady density means that only chains of freely rolling grains still move. Such
@@ -51,7 +52,7 @@ constexpr double kFinishPhi = 1e-4;
 /// control and Newton steps). F1 is the force scale, a the largest diameter and D the dimension.
 constexpr double kSteadyStress = 1e-3;
 constexpr double kFinishStress = 1e-2;
-/// Cap on the inertial number |L'/L| sqrt(m/P) of the cell in scenes without adhesion that set no cap.
+/// Cap on the inertial number |L'/L| sqrt(m/(P a^(D-2))) of the cell in scenes without adhesion that set no cap.
 constexpr double kDefaultInertialNumber = 1e-3;
 /// Largest number of equilibria that are rejected in one relaxation because sharing out the liquid once more would
 /// change the liquid bridges.
@@ -394,8 +395,9 @@ bool Relaxer<Dim>::is_stable(const Packing<Dim>& packing, Stability& found) {
   return found.may_be_stable();
 }
 
-/// Whether Newton steps are expected to take at most as much computing time as the dynamics of this relaxation: the
-/// time taken so far or, if this is longer, an estimate for the whole relaxation. In 2D the answer is always yes.
+/// Whether Newton steps are expected to take at most as much computing time as the dynamics of this relaxation. The
+/// time of the dynamics is the time taken so far or, if the estimate for the whole relaxation is longer, this estimate.
+/// In 2D the answer is always yes.
 template <int Dim>
 bool Relaxer<Dim>::newton_is_cheaper() const {
   if (Dim == 2) return true;

@@ -20,7 +20,7 @@ constexpr int kSweepsOfRecord = 50;
 /// Largest repulsive force of a contact that counts as force-free in a recorded motion, divided by the mean repulsive
 /// force.
 constexpr double kIdle = 1e-9;
-/// Side below which a cell counts as closed, in largest diameters.
+/// A cell counts as closed if a side, in largest diameters, is below this number.
 constexpr double kClosedSide = 0.5;
 
 }  // namespace

@@ -34,7 +34,7 @@ enum class RowKind {
   forces,  ///< rows without moments, for grains that do not rotate
   /// rows of spheres without rolling and twisting resistance. Such a row contains the moment that the tangential force
   /// would have with a lever arm of unit length, and the lengths of the lever arms of i and j. The moment on a grain is
-  /// the product of the two.
+  /// the product of this moment and the length of the lever arm of the grain.
   levers,
   moments,  ///< rows with the moment on i and the moment on j
 };
@@ -156,7 +156,8 @@ struct SideSumsPlan {
   int depth[kGroups];
   /// Number of rows of grain[k] beyond the depth of its group; they are added one by one.
   int n_beyond[kGrainBlock];
-  int n_deep;  ///< number of leading entries of `grain` up to the last grain with rows beyond the depth of its group
+  /// number of entries of `grain` from the first to the last grain with rows beyond the depth of its group
+  int n_deep;
   /// Places of the rows (forces and moments) of the pairs up to the depth of each group, group by group, followed by
   /// the places of the rows beyond the depth, grain by grain.
   const int* row;

@@ -55,8 +55,8 @@ struct LoadStage {
 };
 
 /// Returns the pressure at each step of a stage that imposes equal pressures on all axes and starts at the pressure
-/// `from`. The last pressure is exactly `stage.to`. If `from` or `stage.to` is zero, the stage has only one step,
-/// because the ratio of two pressures is not finite or zero if one of them is zero.
+/// `from`. The last pressure is exactly `stage.to`. A stage from or to zero pressure has only one step, because a
+/// pressure cannot become zero, or increase from zero, by equal factors.
 std::vector<double> stage_pressures(double from, const LoadStage& stage);
 
 /// Load that one step of a stage imposes on an axis.

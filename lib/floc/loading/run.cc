@@ -266,9 +266,9 @@ void Run<Dim>::set_observer(MotionObserver<Dim> observer) {
   pass_observer();
 }
 
-/// Passes the observer on to the object that moves the packing: aggregation_ counts time from the beginning of the
-/// present chunk of time steps, equilibrator_ from the beginning of the relaxation. The earlier time of the run is
-/// added to their time.
+/// Passes the observer on to the object that moves the packing. The observer gets the time since the beginning of the
+/// run. However, aggregation_ counts time from the beginning of the present chunk of time steps, and equilibrator_ from
+/// the beginning of the relaxation, so the earlier time of the run is added.
 template <int Dim>
 void Run<Dim>::pass_observer() {
   if (!observer_.callback || finished()) return;
@@ -340,8 +340,8 @@ State<Dim> Run<Dim>::release_state() {
 }
 
 /// Moves the packing back into this object and continues the present step. The object that moved the packing
-/// (aggregation_ or equilibrator_) is constructed anew. Results do not change, because between two chunks of time steps
-/// all that follows is determined by point_ and the packing.
+/// (aggregation_ or equilibrator_) is constructed anew. Results do not change, because between two chunks of time
+/// steps, point_ and the packing determine the rest of the run.
 template <int Dim>
 void Run<Dim>::restore_packing(Packing<Dim> packing) {
   packing_ = std::move(packing);

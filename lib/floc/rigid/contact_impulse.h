@@ -28,8 +28,8 @@ struct ContactProblem {
 template <int Dim>
 Vec<Dim> contact_impulse(const ContactProblem<Dim>& problem);
 
-/// Returns the error with which an impulse p solves a contact problem (unit of impulse). With the relative velocity u =
-/// A p + q, the error is the larger of |P - [P - u_n/A_nn]_+| and |p_t - proj(p_t - u_t/a)|. Here proj is the
+/// Returns the error with which an impulse p solves a contact problem (unit of impulse). Let u be the relative velocity
+/// after the step. The error is the larger of |P - [P - u_n/A_nn]_+| and |p_t - proj(p_t - u_t/a)|. Here proj is the
 /// projection onto the vectors with |p_t| <= mu P, and a is the mean of the diagonal of A_tt.
 template <int Dim>
 double contact_error(const ContactProblem<Dim>& problem, const Vec<Dim>& impulse);

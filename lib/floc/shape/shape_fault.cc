@@ -15,7 +15,8 @@ namespace {
 /// Largest accepted relative error of recorded properties.
 constexpr double kRelative = 1e-9;
 /// Largest accepted height of a vertex above a face, relative to the size of the shape. A face may consist of merged
-/// faces whose normals differ by less than 1e-6 radians, so its vertices may be off its plane by about this fraction.
+/// faces whose normals differ by less than 1e-6 radians, so the distances of its vertices from its plane may be up to
+/// about 1e-6 of its size.
 constexpr double kFlat = 1e-5;
 
 bool differs(double found, double expected, double size) {

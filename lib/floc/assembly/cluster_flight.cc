@@ -12,11 +12,12 @@
 namespace floc {
 namespace {
 
-/// Pairs of grains of different clusters are searched up to a distance that exceeds, by this length, the distance at
-/// which the flight ends (in largest diameters). The surfaces of all other pairs are farther apart.
+/// Pairs of grains of different clusters are searched up to a larger distance than the distance at which the flight
+/// ends. The difference of the two distances is this length (in largest diameters). The surfaces of all other pairs are
+/// farther apart.
 constexpr double kSearchDistance = 0.1;
-/// Largest number of intervals in one call of fly(). Each interval ends before the earliest time at which two clusters
-/// could meet.
+/// One call of fly() moves the clusters over at most this number of successive time intervals. Each interval ends
+/// before the earliest time at which two clusters could meet.
 constexpr int kMaxFlights = 1000;
 
 /// Largest angle by which a tumbling cluster may turn in one step of the time integration (radians).

@@ -63,8 +63,8 @@ std::vector<double> equally_spaced_diameters(const DiameterDistribution& distrib
 /// Returns the smallest and the largest of equally_spaced_diameters() (length); min and max if n < 1.
 std::pair<double, double> smallest_and_largest(const DiameterDistribution& distribution, int n);
 
-/// Returns the fraction of the grains of a lognormal distribution without cut-offs whose diameters are between min and
-/// max.
+/// Returns the fraction of the grains with diameters between min and max, for a lognormal distribution that is not cut
+/// off at min and max.
 double share_within_bounds(const DiameterDistribution& lognormal);
 
 /// Returns the volume (area in 2D) of the grains below a diameter, divided by the volume of all grains, for a

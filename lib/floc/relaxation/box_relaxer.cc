@@ -158,7 +158,7 @@ RelaxationStatus BoxRelaxer<Dim>::advance() {
                    progress_.time, time_step_);
   if (!dynamics->finite()) {
     // The packing is unchanged since the beginning of the chunk of time steps, except that its contacts were moved into
-    // the object `dynamics`. They have to be found again.
+    // the object `dynamics`. The contacts have to be found again.
     find_contacts(packing_);
     measure();
     return give_up(

@@ -29,12 +29,13 @@ constexpr double kCalmVelocity = 6e-3;
 /// Factor by which kCalmRate and kCalmVelocity are larger for frictionless polyhedra, whose motion decays slowly
 /// because their corners alternate in contact.
 constexpr double kJitter = 4.0;
-/// Rate of approach below which impacts are inelastic, in units of a dt/T^2, with the largest diameter a, the time step
-/// dt and the time unit T. This unit is the velocity that the pressure gives to a grain in one time step.
+/// Impacts are inelastic if the rate of approach, in units of a dt/T^2, is below this number. Here a is the largest
+/// diameter, dt the time step and T the time unit. This unit is the velocity that the pressure gives to a grain in one
+/// time step.
 constexpr double kSlowImpact = 2.0;
 /// Factor by which the tolerance of the sweeps is larger while the packing counts as a gas.
 constexpr double kGasTolerance = 10.0;
-/// Largest mean stress of a packing that counts as a gas, divided by the mean imposed stress.
+/// A packing counts as a gas if its mean stress, divided by the mean imposed stress, is below this number.
 constexpr double kGasStress = 0.3;
 /// Longest and shortest time step of the phase `resting`, in units of T.
 constexpr double kLongestRest = 0.5;
@@ -77,9 +78,10 @@ constexpr int kFreeSteps = 50;
 /// Largest displacement of a grain in the test of stability (kFreeSteps), divided by the product of the diameter of the
 /// grain and the gap tolerance.
 constexpr double kStaysWithin = 10.0;
-/// Largest force of a contact that counts as force-free, divided by the mean normal force.
+/// A contact counts as force-free if its force, divided by the mean repulsive force, is at most this number.
 constexpr double kCarries = 1e-9;
-/// Largest difference between the tangential force of a sliding contact and its Coulomb limit, divided by the limit.
+/// A contact counts as sliding if the difference between its tangential force and the Coulomb limit, divided by the
+/// limit, is at most this number.
 constexpr double kAtLimit = 1e-9;
 
 /// Function that calls visit(name, member) for every member of a ContactDynamicsProgress, with the name that the member
@@ -297,7 +299,7 @@ void ContactDynamicsRelaxer<Dim>::make_steps(int n_steps) {
   progress_.n_steps += motion.counts().n_steps;
   progress_.n_sweeps += motion.counts().n_sweeps;
   // The small number of sweeps in a step of the phase `resting` is intended, since the next step starts from the
-  // impulses of the last one. These steps therefore do not count as unfinished.
+  // impulses of this step. Steps of the phase `resting` therefore do not count as unfinished.
   if (!at_rest) progress_.n_unfinished += motion.counts().n_unfinished;
   progress_.deepest_overlap = std::max(progress_.deepest_overlap, motion.counts().deepest_overlap);
   progress_.time_step = motion.time_step();

@@ -32,7 +32,7 @@ struct ContactDynamicsProgress {
   double deepest_overlap = 0.0;  ///< deepest overlap so far, divided by the diameter of the smaller grain
   int calm_steps = 0;            ///< number of successive calm time steps up to the present (kCalmSteps)
   int resting_steps = 0;         ///< number of time steps of the phase `resting`
-  int next_trial = 0;            ///< value of resting_steps from which on balanced forces may be sought again
+  int next_trial = 0;            ///< balanced forces are not sought again before resting_steps has this value
   double rest_length = 0.0;      ///< longest time step of the phase `resting`, in units of T
   int rest_sweeps = 0;           ///< largest number of sweeps in a time step of the phase `resting`
   /// Sides of the cell before the strain (length).

@@ -30,8 +30,8 @@ struct DynamicsSettings {
 /// Treatment of the velocities of a packing in motion.
 enum class Motion {
   free,  ///< the packing follows its equations of motion
-  /// Power control: all velocities are set to zero whenever the kinetic energy falls. It is used in the final phase of
-  /// a relaxation, when the grains hardly move.
+  /// Power control: all velocities are set to zero whenever the kinetic energy falls. Power control is used in the
+  /// final phase of a relaxation, when the grains hardly move.
   power_control,
 };
 

@@ -20,8 +20,8 @@
 namespace floc {
 namespace {
 
-/// Criteria by which the motion of a packing counts as stopped: its kinetic energy is within the tolerance, and either
-/// its solid fraction has changed by less than kSteadyPhi over kSteadyWindow time units, or no contact has opened or
+/// Criteria by which the motion of a packing counts as stopped: the kinetic energy is within the tolerance, and either
+/// the solid fraction has changed by less than kSteadyPhi over kSteadyWindow time units, or no contact has opened or
 /// closed over kSteadyContactsWindow time units. (If power control began earlier, it would change the rearrangements of
 /// the grains.)
 constexpr double kSteadyPhi = 2e-5;
@@ -36,9 +36,9 @@ constexpr double kSteadyContactsWindow = 20.0;
 /// under load was twice kSteadyContactsWindow.
 constexpr double kVibrationPath = 2.0;
 constexpr double kVibrationWindows = 5.0;
-/// Time (in time units) after which a steady density means that only chains of freely rolling grains still move. Such
-/// chains swing between their ends without damping, with a kinetic energy above its tolerance. The time is twice the
-/// duration of the longest load step in the example scenes. During this time the solid fraction may change by
+/// If the density has been steady for this time (in time units), only chains of freely rolling grains can still be
+/// moving. Such chains swing between their ends without damping, with a kinetic energy above its tolerance. The time is
+/// twice the duration of the longest load step in the example scenes. During this time the solid fraction may change by
 /// kFinishPhi.
 constexpr double kMechanismWindow = 200.0;
 /// Number of Newton iterations before the decision whether a load step is elastic. The first iteration gives the
@@ -57,8 +57,8 @@ constexpr double kDefaultInertialNumber = 1e-3;
 /// Largest number of equilibria that are rejected in one relaxation because sharing out the liquid once more would
 /// change the liquid bridges.
 constexpr int kLiquidTrials = 20;
-/// Force residual below which Newton refinement of the packing is tried, because the refinement is known to succeed
-/// below this residual.
+/// Newton refinement of the packing is tried when the force residual is below this value; the refinement then usually
+/// succeeds.
 constexpr double kRefinementResidual = 5e-3;
 /// Shortest pause after a failed Newton refinement, in chunks of time steps. The pause grows with the duration of the
 /// final phase of the relaxation.
@@ -256,8 +256,8 @@ double Relaxer<Dim>::stress_scale() const {
 }
 
 /// Whether no contact has opened or closed for so long that the packing has stopped rearranging. This test is needed
-/// where the density never becomes steady, because of undamped vibrations or because a floppy packing without load
-/// moves freely.
+/// where the density never becomes steady, either because of undamped vibrations, or because a packing without load and
+/// with many motions without stiffness moves freely.
 template <int Dim>
 bool Relaxer<Dim>::contacts_are_steady() {
   const std::uint64_t set = contact_fingerprint(packing_);

@@ -134,8 +134,8 @@ struct PairView {
   double*
       row;  ///< row (force and moments) of the pair with index `with_row`, followed by the rows of later pairs
   int with_row;
-  /// Kind of the rows of all pairs. It follows from the law between grains, and pairs with walls write rows of this
-  /// kind, too.
+  /// Kind of the rows of all pairs. The law between grains determines the kind, and the rows of pairs with walls have
+  /// this kind, too.
   RowKind rows;
 };
 
@@ -182,8 +182,8 @@ struct alignas(64) BlockSums {
   double momentum_flux[Dim][Dim] = {};
   double rotation = 0.0;  ///< sum over the grains of I w^2, with moment of inertia I and spin w (energy)
   /// Upper bound of (|v| + |F half_step/m|)^2/s^2 over the grains of the block, with the velocity v, force F, mass m
-  /// and skin s of a grain. It bounds the speeds after the next kick. The skin is the distance that a grain may move
-  /// before new neighbour lists are built.
+  /// and skin s of a grain. This value limits the speeds after the next kick. The skin is the distance that a grain may
+  /// move before new neighbour lists are built.
   double next_speed_squared = 0.0;
 };
 

@@ -24,9 +24,9 @@ struct AxisLoad {
   bool operator==(const AxisLoad&) const = default;
 };
 
-/// One stage of a load path. It changes the present load to another load in steps, with an equilibrium after each step.
-/// By default the pressure on every axis changes to `to`, by an equal factor in each step. If the pressure already
-/// equals `to`, the stage consists of one new equilibrium, for example after `set` has changed the contact law.
+/// One stage of a load path. A stage changes the present load to another load in steps, with an equilibrium after each
+/// step. By default the pressure on every axis changes to `to`, by an equal factor in each step. If the pressure
+/// already equals `to`, the stage consists of one new equilibrium, for example after `set` has changed the contact law.
 struct LoadStage {
   std::string name;  ///< name of the stage ("load", "unload", ...), which its states record
   /// pressure on every axis at the end of the stage (stress unit of the scene), >= 0; unused if `axes` is not empty

@@ -248,8 +248,8 @@ void Run<Dim>::start_step() {
   }
   begin_stage();
   if (packing_.law != target().law) {
-    // The new contact law changes the contact forces. They are computed here, because the relaxation begins by
-    // comparing the stress of these forces with the imposed stress.
+    // The new contact law changes the contact forces. The new forces are computed here, because the relaxation begins
+    // by comparing their stress with the imposed stress.
     packing_.law = target().law;
     if (options_.assembly.box) packing_.wall_law = wall_law(packing_.law, *options_.assembly.box);
     refresh_contacts(packing_);

@@ -23,7 +23,7 @@ constexpr double kLongestMove = 2e-2;
 /// Largest allowed displacement, divided by the diameter, of a grain with corners on which a contact force acts. The
 /// limit is lower than kLongestMove because the closest features of two grains may change within a step.
 constexpr double kCarryingMove = 5e-3;
-/// Deepest overlap of two grains that is allowed after a step, divided by the diameter of the smaller grain.
+/// Deepest overlap of two grains, divided by the diameter of the smaller grain, that is allowed after a step.
 constexpr double kDeepest = 1e-2;
 /// Deepest allowed overlap, divided by the diameter of the smaller grain, after a step from rest that is made because
 /// shorter steps did not avoid overlaps. Shorter steps fail, for example, if two nearly parallel faces meet at a
@@ -38,7 +38,7 @@ constexpr double kStabilisation = 0.1;
 /// Overlap, divided by the diameter of the smaller grain, that is not removed if impacts are elastic. Its removal would
 /// add energy.
 constexpr double kElasticOverlap = 5e-3;
-/// Shortest time over which an overlap is removed, divided by the longest time step.
+/// Shortest time, divided by the longest time step, in which an overlap is removed.
 constexpr double kShortestRemoval = 0.125;
 /// If the largest displacement in a step is less than this share of its limit, the next time step is doubled.
 constexpr double kTimid = 0.4;
@@ -118,8 +118,8 @@ double ContactDynamics<Dim>::reach() const {
   return 2.0 * kLongestMove * 2.0 * largest;
 }
 
-/// Returns the velocity gradient of the cell that is added to the velocities of the grains (1/time). It has no
-/// component along an axis with walls: along this axis, the velocities of the grains are relative to space.
+/// Returns the velocity gradient of the cell that is added to the velocities of the grains (1/time). The components
+/// along axes with walls are zero: along these axes, the velocities of the grains are relative to space.
 template <int Dim>
 Mat<Dim> ContactDynamics<Dim>::cell_rate() const {
   Mat<Dim> rate = packing_.cell.rate();
@@ -153,7 +153,7 @@ BodyMotion<Dim> ContactDynamics<Dim>::free_motion(double dt, bool at_rest) const
   return out;
 }
 
-/// Returns the terminal speed of a wall that no grain touches: the speed at which it finally moves inwards
+/// Returns the terminal speed of a wall: the speed at which a wall that no grain touches finally moves inwards
 /// (length/time).
 template <int Dim>
 double ContactDynamics<Dim>::terminal_speed(const Wall<Dim>& wall) const {
@@ -402,8 +402,8 @@ double ContactDynamics<Dim>::error_of_forces() const {
   BodyMotion<Dim> motion = free_motion(time_step_, false);
   std::vector<int> source;
   std::vector<StepContact<Dim>> contacts = step_contacts(time_step_, kStabilisation, source);
-  // The recorded forces tell whether the adhesion of a contact acts. It cannot be computed anew: across a gap it
-  // depends on the forces of the previous step.
+  // The adhesion of each contact is computed from the recorded forces. The contact law alone does not give this
+  // adhesion, because adhesion across a gap acts only if a force acted in the previous step.
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Contact<Dim>& c = packing_.contacts[static_cast<std::size_t>(source[k])];
     contacts[k].adhesion = time_step_ * std::max(0.0, c.elastic_force - c.normal_force);

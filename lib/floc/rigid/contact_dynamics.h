@@ -26,8 +26,8 @@ struct BoundaryLoad {
   /// Terminal strain rate |L'/L|, where L is a side of the cell or the distance of two walls (1/time). Without
   /// contacts, the length L finally shrinks at this rate, because a drag acts on the side or on the walls.
   double strain_rate_cap = std::numeric_limits<double>::infinity();
-  /// Terminal speed at which two walls finally approach each other without contacts (length/time). If it is absent, the
-  /// speed is strain_rate_cap times the distance of the walls.
+  /// Terminal speed at which two walls finally approach each other without contacts (length/time). If no value is
+  /// given, the speed is strain_rate_cap times the distance of the walls.
   std::optional<double> wall_speed = {};
 };
 
@@ -56,8 +56,9 @@ struct ContactDynamicsSettings {
 /// (gauss_seidel.h). The time step is halved until no grain moves by more than 2e-2 of its diameter (5e-3 for grains
 /// with corners on which a contact force acts) and no overlap is deeper than 1e-2 of the diameter of the smaller grain.
 ///
-/// The contacts of the packing are all contact points whose gap could close within one step. Their forces are those of
-/// the last step (impulses divided by the time step), and give the initial impulses of the next step.
+/// The contacts of the packing are all contact points whose gap could close within one step. The forces of the contacts
+/// are those of the last step (impulses divided by the time step); the initial impulses of the next step are computed
+/// from these forces.
 template <int Dim>
 class ContactDynamics {
  public:

@@ -36,7 +36,7 @@ Vec<2> sliding_impulse(const ContactProblem<2>& problem, const Vec<2>& sticking)
 }
 
 /// Tangential impulse p_t with |p_t| <= r that minimises the tangential velocity |A_t p + q_t| in the norm of A_tt^-1
-/// (see ContactProblem). This is a trust-region problem. It is solved in the axes in which A_tt is diagonal.
+/// (see ContactProblem). This trust-region problem is solved in the axes in which A_tt is diagonal.
 struct Slip {
   Vec<2> eigenvalue;
   Mat<2> axes;

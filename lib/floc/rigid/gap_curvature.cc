@@ -10,9 +10,9 @@
 namespace floc {
 namespace {
 
-/// Radius of curvature that is used for a face instead of infinity, divided by the size of the grain.
+/// Radius of curvature, divided by the size of the grain, that is used for a face instead of infinity.
 constexpr double kFlat = 1e5;
-/// Radius of curvature that is used for a corner instead of zero, divided by the size of the grain.
+/// Radius of curvature, divided by the size of the grain, that is used for a corner instead of zero.
 constexpr double kSharp = 1e-7;
 /// Largest distance from the support plane, divided by the size of the grain, of vertices that count as vertices of the
 /// face or edge in contact.

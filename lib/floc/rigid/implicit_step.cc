@@ -57,7 +57,7 @@ class StepProgram {
   const ConeProgram<Dim>& program() const { return program_; }
 
   /// Adds to the normal velocity of each contact the opening velocity mu |u_t| of a solution, with the friction
-  /// coefficient mu and the slip velocity u_t. It replaces the opening velocity of an earlier solution.
+  /// coefficient mu and the slip velocity u_t. This opening velocity replaces that of an earlier solution.
   /// @return largest change of an opening velocity
   double add_opening(const ConeSolution<Dim>& solution) {
     const std::vector<Vec<Dim>> motion = program_.relative_motion(Eigen::VectorXd(-solution.motion));

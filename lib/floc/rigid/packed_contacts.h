@@ -10,8 +10,8 @@
 /// the contacts for each axis a of space, with the branch vector r, the frame F and the impulse p.
 namespace floc {
 
-/// Branch vector r of a contact. It is stored only if the rate of stretch L of the cell is an unknown of the step. If L
-/// is imposed, the velocity L r is part of the bias.
+/// Branch vector r of a contact, stored only if the rate of stretch L of the cell is an unknown of the step. If L is
+/// imposed, the velocity L r is part of the bias.
 template <int Dim, bool Cell>
 struct CellArm {
   Vec<Dim> branch;

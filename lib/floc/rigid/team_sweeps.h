@@ -110,8 +110,8 @@ class TeamSweeps final : public ContactSweeps<Model::kDim> {
   /// Number of contacts per chunk. Solving a chunk takes from 0.4 microseconds (disks) to 4 microseconds (bodies of any
   /// shape in 3D).
   static constexpr int kChunk = 64;
-  /// Smallest number of chunks of a colour at which several threads solve the colour. With fewer chunks, the time lost
-  /// by waiting for other threads would be as long as the time saved.
+  /// Several threads solve a colour only if it has at least this number of chunks. With fewer chunks, the time lost by
+  /// waiting for other threads would be as long as the time saved.
   static constexpr int kSharedChunks = 4;
 
   void divide(int threads) {

@@ -15,8 +15,8 @@ struct HalfSpace {
   double offset = 0.0;
 };
 
-/// Returns the vertices of the intersection of half-spaces. They are computed from the convex hull of the points
-/// normal/offset, which are dual to the half-spaces.
+/// Returns the vertices of the intersection of half-spaces. The vertices are computed from the convex hull of the
+/// points normal/offset, which are dual to the half-spaces.
 /// @return vertices; no value if the intersection is not bounded, or if a vertex is so far away that, because of
 /// rounding errors, it is not certain whether the intersection is bounded
 template <int Dim>

@@ -93,8 +93,8 @@ Moments<3> edge_layer(const Vec<3>& from, const Vec<3>& to, const Arc<3>& arc, d
 using NormalCone = Moments<3>;
 
 /// Adds the contribution of one side of a normal cone to the integrals of the cone. The side is the arc between the
-/// normals of the two faces at an edge. The unit vector `outward` is normal to the arc and points out of the cone; it
-/// is the direction of the edge away from the vertex.
+/// normals of the two faces at an edge. The unit vector `outward` is normal to the arc and points out of the cone;
+/// `outward` is the direction of the edge away from the vertex.
 ///
 /// The integral of u is half the sum of angle * inward normal. The integral of u u' (Arvo 1995) is a third of
 /// the solid angle times the identity matrix, minus a third of the sum of outward normal times the integral of

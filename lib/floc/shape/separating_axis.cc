@@ -34,8 +34,8 @@ class FaceSearch {
   }
 
   /// Finds the face with the largest separation.
-  /// @param begin  index of the face with which the search begins; if it is -1, the search begins with the face above
-  /// which the centre of the other shape is highest
+  /// @param begin  index of the face with which the search begins; for -1, the search begins with the face that has the
+  /// centre of the other shape highest above it
   FaceAxis best(int begin, double margin, double limit) {
     FaceAxis found;
     if (one_.n_faces() == 0) {

@@ -42,7 +42,7 @@ class HullBuilder {
 
  private:
   struct Face : HullTriangle {
-    /// Indices of the points that are assigned to this triangle; they lie above it.
+    /// Indices of the points that are assigned to this triangle; these points lie above the triangle.
     std::vector<int> outside;
     bool alive = true;
     int visited = -1;  ///< number of the last search that reached this triangle

@@ -81,7 +81,7 @@ struct Attitude<3> {
   /// Integrates Euler's equations for the rotation of a rigid body over `time`, by the Runge-Kutta method of fourth
   /// order. The angular momentum is constant, and the tensor of inertia rotates with the body.
   void advance(const Mat<3>& inertia, const RotationVector<3>& spin_at_start, double time, double /*flown*/) {
-    // A cluster that touches its own periodic image has no moment of inertia; its spin is 0.
+    // A cluster that touches its own periodic image has no moment of inertia; the spin of the cluster is 0.
     if (spin_at_start.isZero(0.0)) return;
     const Vec<3> angular_momentum = inertia * spin_at_start;
     const Mat<3> inverse = inertia.inverse();

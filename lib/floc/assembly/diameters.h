@@ -50,8 +50,8 @@ inline constexpr double kUniformByVolume = 3.0;
 inline constexpr double kUniformByArea = 2.0;
 
 /// Returns a quantile of a uniform, power-law, lognormal or sieve distribution of diameters: the diameter below which a
-/// given fraction of the number of grains lies (length). For the fraction 0 it is exactly min, for the fraction 1
-/// exactly max.
+/// given fraction of the number of grains lies (length). The result is exactly min for the fraction 0, and exactly max
+/// for the fraction 1.
 /// @param share  fraction of the number of grains, 0 to 1
 double diameter_quantile(const DiameterDistribution& distribution, double share);
 

@@ -38,7 +38,8 @@ struct StrainRamp {
   bool any() const { return from != to || shears(); }
   bool shears() const { return offset_from != offset_to; }
   bool over(double since) const { return begun + since >= duration; }
-  /// Returns the length of an axis after a further time `since` (length).
+  /// Returns the length of an axis (length) after a further time `since`, that is, at the time `begun` + `since` of the
+  /// ramp.
   double length(int axis, double since) const {
     if (over(since)) return to[axis];
     return from[axis] * std::pow(to[axis] / from[axis], share(since));
@@ -57,7 +58,7 @@ struct StrainRamp {
   }
 
  private:
-  /// Returns the share (0 to 1) of the total strain that is reached after a further time `since`.
+  /// Returns the share (0 to 1) of the total strain that is reached at the time `begun` + `since` of the ramp.
   double share(double since) const {
     const double t = (begun + since) / duration;
     return t * t * (3.0 - 2.0 * t);

@@ -178,7 +178,7 @@ RelaxationStatus BoxRelaxer<Dim>::advance() {
   const RelaxationStatus status = finishing ? check_finish() : check_motion();
   if (status != RelaxationStatus::running) return status;
   // If the scene sets a longest time, the state at that time is recorded as it is. If the final phase of the relaxation
-  // (power control) has begun before that time, it continues for the duration that check_finish() allows.
+  // (power control) has begun before that time, this phase continues for the duration that check_finish() allows.
   if (options_.compaction.longest) {
     if (finishing || progress_.time <= *options_.compaction.longest * time_unit_) return status;
     return stop_here();
@@ -218,7 +218,7 @@ std::string BoxRelaxer<Dim>::lost() const {
   const double a = largest_diameter(g);
   const std::vector<double> force = wall_forces(packing_);
   // Forces and pressures move the walls. If the grains cannot bear the pressure, the walls close the box; if no grain
-  // touches the walls, they move away without end.
+  // touches the walls, the walls move apart without end.
   for (std::size_t w = 0; w < packing_.walls.size(); ++w) {
     const int axis = packing_.walls[w].axis;
     const double side = packing_.cell.matrix(axis, axis);

@@ -202,8 +202,8 @@ Drift<Dim> CellMotion<Dim>::drift(double time_step) {
 
 template <int Dim>
 Kick<Dim> CellMotion<Dim>::kick_of_grains(double half_step) const {
-  // The acceleration of a grain is v' = F/m - h' h^-1 v, with F its force, m its mass, v its peculiar velocity and h
-  // the lattice matrix. The second term is taken in the middle of the half step.
+  // The acceleration of a grain is v' = F/m - h' h^-1 v, with the force F on the grain, its mass m, its peculiar
+  // velocity v and the lattice matrix h. The second term is taken in the middle of the half step.
   const Mat<Dim> drag = 0.5 * half_step * strain_rate_;
   const Mat<Dim> one = Mat<Dim>::Identity();
   const Mat<Dim> gain = right_quotient<Dim>(one, Mat<Dim>(one + drag));

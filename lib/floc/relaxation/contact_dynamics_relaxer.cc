@@ -30,8 +30,8 @@ constexpr double kCalmVelocity = 6e-3;
 /// because their corners alternate in contact.
 constexpr double kJitter = 4.0;
 /// Impacts are inelastic if the rate of approach, in units of a dt/T^2, is below this number. Here a is the largest
-/// diameter, dt the time step and T the time unit. This unit is the velocity that the pressure gives to a grain in one
-/// time step.
+/// diameter, dt the time step and T the time unit. The unit a dt/T^2 is the velocity that the pressure gives to a grain
+/// in one time step.
 constexpr double kSlowImpact = 2.0;
 /// Factor by which the tolerance of the sweeps is larger while the packing counts as a gas.
 constexpr double kGasTolerance = 10.0;
@@ -191,8 +191,8 @@ ContactDynamicsRelaxer<Dim>::ContactDynamicsRelaxer(const RelaxationOptions& opt
 }
 
 /// Returns whether the contacts of a step of the phase `resting` are solved all at once. For frictionless grains with
-/// corners this holds from the start. For other packings it holds if kSweptSteps steps with sweeps have not led to
-/// balance and there are at most kMostGrainsAtOnce grains.
+/// corners this holds from the start. For other packings it holds after kSweptSteps steps with sweeps, if there are at
+/// most kMostGrainsAtOnce grains.
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::solves_at_once() const {
   if (progress_.phase != ContactDynamicsProgress::resting) return false;
@@ -240,8 +240,8 @@ BoundaryLoad<Dim> ContactDynamicsRelaxer<Dim>::boundary_load() const {
   // `resting` the cap is not needed.
   if (!packing_.walls.empty() && progress_.phase == ContactDynamicsProgress::resting) return load;
   load.wall_speed = options_.compaction.wall_speed;
-  // A strained cell has no cap on its strain rate: the drag of a cap would bear a part of the stress on sides that
-  // grow.
+  // A strained cell has no cap on its strain rate: the drag that limits the strain rate would balance a part of the
+  // stress on sides that grow.
   if (progress_.phase != ContactDynamicsProgress::straining)
     load.strain_rate_cap = strain_rate_cap(options_, packing_, imposed_);
   return load;
@@ -377,7 +377,8 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
         "the largest gap of a contact with a force, or the largest overlap, is {:.2g} times the diameter of "
         "the smaller grain, but the tolerance is {:.2g}",
         gap, reached_gap);
-    // Errors of the impulses displace grains in proportion to the square of the time step, so the steps become shorter.
+    // Errors of the impulses displace grains in proportion to the square of the time step, so the longest step is
+    // halved.
     if (!solves_at_once()) progress_.rest_length = std::max(0.5 * progress_.rest_length, kShortestRest);
     return false;
   }
@@ -390,8 +391,8 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
     if (options_.contact_dynamics.forces != RigidForces::stepped) set_balanced_forces(rested);
   } catch (const NoResult& reason) {
     progress_.obstacle = reason.what();
-    // A grain still moves, so the steps become longer. Without friction, many sweeps are needed to resolve a slow
-    // motion.
+    // A grain still moves, so the longest step is doubled. The number of sweeps is doubled, too: without friction, many
+    // sweeps are needed to resolve a slow motion.
     progress_.rest_length = std::min(2.0 * progress_.rest_length, kLongestRest);
     progress_.rest_sweeps = std::min(2 * progress_.rest_sweeps, kMostRestingSweeps);
     return false;
@@ -403,7 +404,8 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
     return false;
   }
   if (!stays_in_place(rested)) {
-    progress_.obstacle = "the balance is unstable: grains leave their places when the packing is free to move";
+    progress_.obstacle =
+        "the equilibrium is unstable: grains leave their places when the packing is free to move";
     progress_.phase = ContactDynamicsProgress::moving;
     progress_.calm_steps = 0;
     progress_.time_step = 0.0;

@@ -55,8 +55,8 @@ void Relaxer<Dim>::begin_strain_ramp() {
   if (strain > 0.0) progress_.ramp_duration = StrainRamp<Dim>::kPeak * strain / fastest;
 }
 
-/// Whether the packing carries no stress at the imposed lengths: with adhesion if no contact is left, without adhesion
-/// if the pressure is zero.
+/// Whether the packing carries no stress at the imposed lengths. With adhesion, this is so if no contact is left;
+/// without adhesion, this is so if the pressure is zero.
 template <int Dim>
 bool Relaxer<Dim>::carries_no_stress() const {
   if (!load_.any_strained()) return false;

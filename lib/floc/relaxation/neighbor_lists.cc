@@ -91,8 +91,8 @@ void NeighborLists<Dim>::adapt_skin(const CellMotion<Dim>& cell, const Interacti
   const double cost = cost_share();
   if (cost > share_out_of_range_)
     skin_ = std::min((cost > 4.0 * share_out_of_range_ ? 2.0 : 1.25) * skin_, 0.5 * largest_diameter_);
-  // If lists are used for as many steps as the present lists, it suffices that the skin is twice the distance that
-  // bodies have moved.
+  // If the next lists are used for as many steps as the present lists, it suffices that their skin is twice the
+  // distance that bodies have moved.
   if (cost < 0.5 * share_out_of_range_)
     skin_ = std::max(std::min(0.8 * skin_, 2.0 * consumed_skin(cell, between_grains.range())), min_skin());
 }

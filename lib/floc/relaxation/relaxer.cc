@@ -334,8 +334,8 @@ RelaxationStatus Relaxer<Dim>::check_motion() {
   return RelaxationStatus::running;
 }
 
-/// Returns the first criterion of a steady packing that this packing does not meet while it moves; Demand::none if it
-/// meets all.
+/// Returns the first criterion of a steady packing that the moving packing does not meet; Demand::none if all criteria
+/// are met.
 template <int Dim>
 Unmet Relaxer<Dim>::unsteadiness(bool responded) const {
   if (!responded) return {Demand::response, residuals_.stress, options_.tolerance.stress};

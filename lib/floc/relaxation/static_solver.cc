@@ -209,8 +209,8 @@ class StaticProblem {
 
   /// Whether any two grains interact although they are not a candidate contact. The candidates are all pairs that
   /// displacements within the limits of the solver can bring together. However, if no contact joins two parts of the
-  /// packing, their relative motion has no stiffness, and a step may move them by any distance. Without stress, this
-  /// happens between a cluster of grains and its own periodic images.
+  /// packing, their relative motion has no stiffness, and a step may move the two parts by any distance. Without
+  /// stress, this happens between a cluster of grains and its own periodic images.
   bool meets_others(const Configuration<Dim>& at) const {
     Packing<Dim> here;
     here.contacts = at.remembered;

@@ -44,8 +44,8 @@ void take_walls(const BoxOptions& box, const Law& law, Packing<Dim>& packing) {
     if (saved[w].open != packing.walls[w].open)
       throw InputError(
           "box.boundary",
-          fmt::format("the saved state {} at the {} end of axis {}: expected box.boundary to be \"floor\" on "
-                      "an axis of which only the upper end is open, and not \"floor\" on other axes",
+          fmt::format("the saved state {} at the {} end of axis {}: expected box.boundary = \"floor\" on "
+                      "every axis of which only the upper end is open, and another value on all other axes",
                       saved[w].open ? "is open" : "has a wall", saved[w].side < 0 ? "lower" : "upper",
                       saved[w].axis + 1));
   if (!packing.gravity.isZero(0.0) && box.gravity.isZero(0.0))

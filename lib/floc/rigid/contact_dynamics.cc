@@ -25,8 +25,8 @@ constexpr double kLongestMove = 2e-2;
 constexpr double kCarryingMove = 5e-3;
 /// Deepest overlap of two grains, divided by the diameter of the smaller grain, that is allowed after a step.
 constexpr double kDeepest = 1e-2;
-/// Deepest allowed overlap, divided by the diameter of the smaller grain, after a step from rest that is made because
-/// shorter steps did not avoid overlaps. Shorter steps fail, for example, if two nearly parallel faces meet at a
+/// Deepest overlap, divided by the diameter of the smaller grain, that is allowed after a step from rest. A step from
+/// rest is made if shorter steps did not avoid overlaps, for example because two nearly parallel faces meet at a
 /// different corner in each step.
 constexpr double kDeepestAtRest = 5e-2;
 /// Largest number of times that a step is halved because overlaps after it are too deep.

@@ -74,8 +74,8 @@ class ContactDynamics {
   /// @throws NoResult if overlaps are too deep even after this last step
   void step(bool at_rest);
 
-  /// Sets the velocity of the cell (length/time). For sides under stress, it is the velocity at the start of the next
-  /// step; all other sides keep it in later steps.
+  /// Sets the velocity of the cell (length/time). For sides under stress, `velocity` is the velocity at the start of
+  /// the next step; all other sides keep `velocity` in later steps.
   void set_cell_velocity(const Mat<Dim>& velocity) { packing_.cell.velocity = velocity; }
   /// Limits the length of the next step (time).
   void shorten_next_step(double longest) { time_step_ = std::min(time_step_, longest); }

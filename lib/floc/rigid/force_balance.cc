@@ -248,7 +248,8 @@ ForceBalance<Dim> force_balance(const std::string& place, const Packing<Dim>& pa
   const double branch = rows.boundary_scale() / std::sqrt(static_cast<double>(contacts.size()));
   out.unit = std::max(sum, rows.sum_of_loads() / branch) / n;
   if (!(out.unit > 0.0))
-    throw InputError(place, "its contacts carry no force: give the stress that their forces have to transmit");
+    throw InputError(
+        place, "all contact forces of the packing are zero: give the stress that the forces have to balance");
 
   // Only rows to which at least one contact contributes get numbers.
   std::vector<int> number(rows.n_rows(), -1);

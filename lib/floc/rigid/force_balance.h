@@ -21,7 +21,7 @@ struct ForceBalanceOptions {
   /// forces.
   std::optional<Mat<Dim>> stress;
   /// Stress on each axis that the forces have to give, compression positive (force/length^(Dim-1)); shear stresses are
-  /// then arbitrary. If it is absent, `stress` is used. At most one of the two may be given.
+  /// then arbitrary. If axis_stress is absent, `stress` is used. At most one of the two may be given.
   std::optional<Vec<Dim>> axis_stress;
   /// Axes along which the length of the cell is fixed; used only with `axis_stress`. The stress on these axes is
   /// arbitrary.

@@ -51,8 +51,8 @@ TangentMatrix<Dim> radii_of_curvature(const Packing<Dim>& packing, int body, con
 }
 
 /// Returns the vector from the centre of a body to its surface at a contact.
-/// @param midway   result for walls and for grains with corners: the vector to the point midway between the two
-/// surfaces
+/// @param midway   vector from the centre to the point midway between the two surfaces; it is the result for walls and
+/// for grains with corners
 /// @param outward  normal of the body at the contact
 template <int Dim>
 Vec<Dim> surface_arm(const Packing<Dim>& packing, int body, const Vec<Dim>& midway, const Vec<Dim>& outward) {

@@ -111,9 +111,9 @@ struct GrainView {
 /// pairs that do not interact.
 template <int Dim>
 struct PairView {
-  /// Indices of the two grains of each pair. The indices i ascend. Within kPairPadding consecutive pairs of grains,
-  /// they differ by less than kWindow; for pairs with walls they may differ by more. For pairs with walls, j is the
-  /// index of the wall.
+  /// Indices of the two grains of each pair. The indices i ascend. Within kPairPadding consecutive pairs of grains, the
+  /// indices i differ by less than kWindow; for pairs with walls, the indices i may differ by more. For pairs with
+  /// walls, j is the index of the wall.
   const int *i, *j;
   const float* image[Dim];  ///< periodic image of j: number of lattice vectors along each axis (whole numbers)
   /// Bit mask applied to the index of a pair before the arrays from `radii` to `reduced_mass` are read: -1 if every

@@ -35,8 +35,8 @@ struct LoadStage {
   /// The last step may be smaller.
   std::optional<double> steps_per_decade;
   std::optional<int> steps;  ///< number of steps of the stage, in place of steps_per_decade
-  /// Parameters of the contact law that change at the start of the stage. Each has the path of its key below the table
-  /// [contact], e.g. "adhesion.force", and its new value, e.g. 0.
+  /// Parameters of the contact law that change at the start of the stage. Each entry consists of the path of the key
+  /// below the table [contact], e.g. "adhesion.force", and the new value, e.g. 0.
   std::vector<std::pair<std::string, double>> set;
   CellResponse cell;    ///< mass of the periodic cell and caps on its strain rate during the stage
   std::string control;  ///< keyword for the kind of loading: "oedometric", "triaxial", ...

@@ -96,8 +96,8 @@ class Run {
   const RunPoint& point() const { return point_; }
   const Packing<Dim>& packing() const;
   const PlannedEquilibrium& target() const { return plan_[point_.step]; }
-  /// Returns the mean stress over all axes (force/length^(Dim-1)): for an axis with an imposed stress the imposed
-  /// value, for an axis with an imposed length the stress in the packing.
+  /// Returns the mean of the stresses on all axes (force/length^(Dim-1)). The stress on an axis is the imposed stress
+  /// or, for an axis with an imposed length, the stress in the packing.
   double pressure() const;
   /// Returns the stress on the moving packing as text for messages, in the form of imposed_pressure_text().
   std::string pressure_text() const;

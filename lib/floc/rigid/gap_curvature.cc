@@ -14,8 +14,8 @@ namespace {
 constexpr double kFlat = 1e5;
 /// Radius of curvature, divided by the size of the grain, that is used for a corner instead of zero.
 constexpr double kSharp = 1e-7;
-/// Largest distance from the support plane, divided by the size of the grain, of vertices that count as vertices of the
-/// face or edge in contact.
+/// A vertex counts as a vertex of the face or edge in contact if its distance from the support plane, divided by the
+/// size of the grain, is at most this number.
 constexpr double kOnPlane = 1e-6;
 
 template <int Dim>

@@ -38,7 +38,7 @@ Polytope<Dim> core_of(const Shape<Dim>& shape) {
   return core;
 }
 
-/// Returns a fault if the numbers of vertices and faces do not belong to a shape.
+/// Returns a fault if no valid shape has these numbers of vertices and faces.
 template <int Dim>
 std::optional<ShapeFault> fault_of_counts(const Shape<Dim>& shape) {
   const int n = shape.n_vertices();

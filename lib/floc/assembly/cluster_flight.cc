@@ -111,7 +111,7 @@ struct Attitude<3> {
 
 /// Rotates the tangential vectors that each contact stores, such as the elongations of its springs, by the rotation of
 /// the cluster. Contact normals are not rotated, because they are computed anew before their next use.
-/// @param turned  function that rotates a vector as the cluster of a given grain has rotated
+/// @param turned  function that rotates a vector by the rotation of the cluster to which a given grain belongs
 template <class Turned>
 void turn_history(Packing<3>& packing, const Turned& turned) {
   for (const HistoryQuantity& q : history_quantities(packing.law, 3)) {
@@ -208,9 +208,10 @@ void ClusterFlight<Dim>::find_motions(const Packing<Dim>& packing) {
   inner_energy_ = 0.5 * twice_energy / g.size();
 }
 
-/// Returns a lower bound on the time until the surfaces of two clusters are within the distance `nearest` (length). Two
-/// surfaces approach each other at most with the relative speed of the centres of their clusters, plus, for each of the
-/// two clusters, its largest spin times the distance from its centre to its farthest grain.
+/// Returns a lower bound on the time until the surfaces of two clusters are within the distance `nearest` (length). The
+/// speed at which two surfaces approach each other is at most the sum of three speeds: the relative speed of the
+/// centres of the two clusters and, for each cluster, its largest spin times the distance from its centre to its
+/// farthest grain.
 template <int Dim>
 double ClusterFlight<Dim>::time_to_meet(const Packing<Dim>& packing, double nearest) const {
   const std::vector<double>& radius = packing.grains.radius;

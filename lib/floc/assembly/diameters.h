@@ -21,8 +21,8 @@ struct DiameterDistribution {
     lognormal,
     sieve,  ///< for some sizes, the mass fraction of the grains finer than the size is given (SieveCurve)
   };
-  /// Choice of the diameters of N grains with the numbers i = 0 ... N - 1. The diameter of grain i is the quantile of
-  /// the distribution at the fraction given below.
+  /// Choice of the diameters of N grains with the numbers i = 0 ... N - 1. The diameter of grain i is a quantile of the
+  /// distribution; each enumerator gives the fraction of this quantile.
   enum class Quantiles {
     ends,    ///< i/(N - 1): there is one grain of the smallest and one of the largest diameter
     middle,  ///< (i + 1/2)/N: each grain stands for an equal share of the number of grains

@@ -266,7 +266,7 @@ void shuffle(HardGrains<Dim>& grains, const std::vector<double>& diameter, doubl
   }
 }
 
-/// Returns true if no two of the n grains overlap with all diameters multiplied by `scale`.
+/// Returns true if no two of the n grains overlap when all diameters are multiplied by `scale`.
 template <int Dim>
 bool all_free(const HardGrains<Dim>& grains, int n, double scale) {
   for (int i = 0; i < n; ++i)

@@ -42,14 +42,15 @@ struct ContactDynamicsProgress {
 };
 
 /// Brings a packing of rigid grains to equilibrium under its weight and under stresses imposed on the axes of its cell
-/// or on its walls. There are three phases: 1. The grains move under the load (contact_dynamics.h) until they have been
-/// calm for 40 steps: the root mean square velocity is below 6e-3 d/T and the strain rate of the cell or box is below 3
-/// % of its cap, with the largest diameter d and the time unit T = sqrt(m/(P d^(Dim-2))). 2. All velocities are set to
-/// zero before each step, until the net forces are small. The contacts of frictionless grains with corners are solved
-/// all at once in each step (rigid/implicit_step.h), and so are the contacts of other packings that sweeps have not
-/// brought to rest. 3. Without motion of the grains, forces are sought that satisfy Coulomb's conditions and balance
-/// all grains and the imposed stress (rigid/static_forces.h). If there are none, some grain still moves, and phase 2
-/// continues.
+/// or on its walls. There are three phases:
+/// 1. The grains move under the load (contact_dynamics.h) until they have been calm for 40 steps: the root mean square
+/// velocity is below 6e-3 d/T and the strain rate of the cell or box is below 3 % of its cap, with the largest diameter
+/// d and the time unit T = sqrt(m/(P d^(Dim-2))).
+/// 2. All velocities are set to zero before each step, until the net forces are small. The contacts of frictionless
+/// grains with corners are solved all at once in each step (rigid/implicit_step.h), and so are the contacts of other
+/// packings that sweeps have not brought to rest.
+/// 3. Without motion of the grains, forces are sought that satisfy Coulomb's conditions and balance all grains and the
+/// imposed stress (rigid/static_forces.h). If there are no such forces, some grain still moves, and phase 2 continues.
 ///
 /// Sides of the cell with an imposed length do not move during these phases. The stress on these sides results from the
 /// forces.

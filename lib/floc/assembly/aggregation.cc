@@ -19,8 +19,8 @@ constexpr double kStepsAcrossTail = 3.0;
 /// law plus this length (in largest diameters). After the flight, time steps move the clusters again.
 constexpr double kFlightClearance = 1e-3;
 
-/// Returns the time step of the options (time). It is shortened if the fastest grain would otherwise cross the range of
-/// the adhesion in too few steps.
+/// Returns the time step of the options (time), or a shorter time step if the fastest grain would otherwise cross the
+/// range of the adhesion in too few steps.
 template <int Dim>
 double step_across_tail(const RelaxationOptions& options, const Packing<Dim>& packing) {
   const double step = time_step_of(packing, options.time_step);
@@ -64,8 +64,8 @@ bool Aggregation<Dim>::advance() {
   return n_clusters_ == 1;
 }
 
-/// Moves the clusters as rigid bodies until two of them are about to meet. This replaces many time steps in which the
-/// clusters only drift; these may be most of the steps of an aggregation.
+/// Moves the clusters as rigid bodies until two of them are about to meet. This function replaces many time steps,
+/// often most steps of an aggregation, in which the clusters would only drift.
 /// @return skipped time; 0 if the grains of a cluster still move relative to each other
 template <int Dim>
 double Aggregation<Dim>::fly() {

@@ -40,7 +40,7 @@ struct AssemblyOptions {
     /// Starts from a gas at rest and compresses it, from the beginning, under controlled stress (assembly of type 1;
     /// also possible for grains without cohesion).
     direct,
-    /// Starts from a moving gas in a fixed cell. Its grains collide and stick together until they form one cluster. The
+    /// Starts from a moving gas in a fixed cell. The grains collide and stick together until they form one cluster. The
     /// cluster is then brought to equilibrium, first at zero pressure and then at the first pressure (assembly of type
     /// 2).
     aggregation,
@@ -64,7 +64,7 @@ struct AssemblyOptions {
   std::optional<Vibration> vibration;
   SavedStart saved;  ///< saved packing from which the protocol `state` starts
   /// Box with walls around the grains; absent if the cell is periodic. If `solid_fraction` is zero, the sides in the
-  /// options of the box are lengths; otherwise they only give its proportions.
+  /// options of the box are lengths; otherwise they only give the proportions of the box.
   std::optional<BoxOptions> box;
 };
 

@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Kind of boundary along one axis of a box: of the two faces perpendicular to this axis.
+/// Kind of boundary at the two faces of a box that are perpendicular to one axis.
 enum class BoxSide {
   walls,     ///< two walls that move under the imposed pressure
   fixed,     ///< two walls that do not move

@@ -12,11 +12,12 @@
 namespace floc {
 namespace {
 
-/// Pairs of grains of different clusters are searched up to a distance that exceeds, by this length, the distance at
-/// which the flight ends (in largest diameters). The surfaces of all other pairs are farther apart.
+/// Pairs of grains of different clusters are searched up to a larger distance than the distance at which the flight
+/// ends. The difference of the two distances is this length (in largest diameters). The surfaces of all other pairs are
+/// farther apart.
 constexpr double kSearchDistance = 0.1;
-/// Largest number of intervals in one call of fly(). Each interval ends before the earliest time at which two clusters
-/// could meet.
+/// One call of fly() moves the clusters over at most this number of successive time intervals. Each interval ends
+/// before the earliest time at which two clusters could meet.
 constexpr int kMaxFlights = 1000;
 
 /// Largest angle by which a tumbling cluster may turn in one step of the time integration (radians).
@@ -80,7 +81,7 @@ struct Attitude<3> {
   /// Integrates Euler's equations for the rotation of a rigid body over `time`, by the Runge-Kutta method of fourth
   /// order. The angular momentum is constant, and the tensor of inertia rotates with the body.
   void advance(const Mat<3>& inertia, const RotationVector<3>& spin_at_start, double time, double /*flown*/) {
-    // A cluster that touches its own periodic image has no moment of inertia; its spin is 0.
+    // A cluster that touches its own periodic image has no moment of inertia; the spin of the cluster is 0.
     if (spin_at_start.isZero(0.0)) return;
     const Vec<3> angular_momentum = inertia * spin_at_start;
     const Mat<3> inverse = inertia.inverse();
@@ -110,7 +111,7 @@ struct Attitude<3> {
 
 /// Rotates the tangential vectors that each contact stores, such as the elongations of its springs, by the rotation of
 /// the cluster. Contact normals are not rotated, because they are computed anew before their next use.
-/// @param turned  function that rotates a vector as the cluster of a given grain has rotated
+/// @param turned  function that rotates a vector by the rotation of the cluster to which a given grain belongs
 template <class Turned>
 void turn_history(Packing<3>& packing, const Turned& turned) {
   for (const HistoryQuantity& q : history_quantities(packing.law, 3)) {
@@ -207,9 +208,10 @@ void ClusterFlight<Dim>::find_motions(const Packing<Dim>& packing) {
   inner_energy_ = 0.5 * twice_energy / g.size();
 }
 
-/// Returns a lower bound on the time until the surfaces of two clusters are within the distance `nearest` (length). Two
-/// surfaces approach each other at most with the relative speed of the centres of their clusters, plus, for each of the
-/// two clusters, its largest spin times the distance from its centre to its farthest grain.
+/// Returns a lower bound on the time until the surfaces of two clusters are within the distance `nearest` (length). The
+/// speed at which two surfaces approach each other is at most the sum of three speeds: the relative speed of the
+/// centres of the two clusters and, for each cluster, its largest spin times the distance from its centre to its
+/// farthest grain.
 template <int Dim>
 double ClusterFlight<Dim>::time_to_meet(const Packing<Dim>& packing, double nearest) const {
   const std::vector<double>& radius = packing.grains.radius;

@@ -12,15 +12,15 @@ namespace {
 /// the powers, d is computed as a multiple of min or max.
 double power_law_quantile(const DiameterDistribution& d, double share) {
   const double s = 1.0 - d.exponent, range = std::log(d.max / d.min);
-  // For s close to zero, d^s is linear in ln d up to rounding errors.
+  // If s is close to zero, d^s is linear in ln d up to rounding errors.
   if (std::abs(s * range) < 1e-9) return d.min * std::exp(share * range);
   if (s > 0.0) return d.max * std::exp(std::log1p((1.0 - share) * std::expm1(-s * range)) / s);
   return d.min * std::exp(std::log1p(share * std::expm1(s * range)) / s);
 }
 
-/// Returns the probability that a standard normal variable lies between x and y, x <= y. If both are positive, the
-/// interval from -y to -x is used instead: it has the same probability, and no digits are lost in a difference of two
-/// numbers close to 1.
+/// Returns the probability that a standard normal variable lies between x and y, x <= y. If x and y are positive, the
+/// interval from -y to -x, which has the same probability, is used instead. No digits are then lost in a difference of
+/// two numbers close to 1.
 double normal_share(double x, double y) {
   if (x > 0.0) return normal_share(-y, -x);
   const auto below = [](double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); };

@@ -21,8 +21,8 @@ struct DiameterDistribution {
     lognormal,
     sieve,  ///< for some sizes, the mass fraction of the grains finer than the size is given (SieveCurve)
   };
-  /// Choice of the diameters of N grains with the numbers i = 0 ... N - 1. The diameter of grain i is the quantile of
-  /// the distribution at the fraction given below.
+  /// Choice of the diameters of N grains with the numbers i = 0 ... N - 1. The diameter of grain i is a quantile of the
+  /// distribution; each enumerator gives the fraction of this quantile.
   enum class Quantiles {
     ends,    ///< i/(N - 1): there is one grain of the smallest and one of the largest diameter
     middle,  ///< (i + 1/2)/N: each grain stands for an equal share of the number of grains
@@ -50,8 +50,8 @@ inline constexpr double kUniformByVolume = 3.0;
 inline constexpr double kUniformByArea = 2.0;
 
 /// Returns a quantile of a uniform, power-law, lognormal or sieve distribution of diameters: the diameter below which a
-/// given fraction of the number of grains lies (length). For the fraction 0 it is exactly min, for the fraction 1
-/// exactly max.
+/// given fraction of the number of grains lies (length). The result is exactly min for the fraction 0, and exactly max
+/// for the fraction 1.
 /// @param share  fraction of the number of grains, 0 to 1
 double diameter_quantile(const DiameterDistribution& distribution, double share);
 
@@ -63,8 +63,8 @@ std::vector<double> equally_spaced_diameters(const DiameterDistribution& distrib
 /// Returns the smallest and the largest of equally_spaced_diameters() (length); min and max if n < 1.
 std::pair<double, double> smallest_and_largest(const DiameterDistribution& distribution, int n);
 
-/// Returns the fraction of the grains of a lognormal distribution without cut-offs whose diameters are between min and
-/// max.
+/// Returns the fraction of the grains with diameters between min and max, for a lognormal distribution that is not cut
+/// off at min and max.
 double share_within_bounds(const DiameterDistribution& lognormal);
 
 /// Returns the volume (area in 2D) of the grains below a diameter, divided by the volume of all grains, for a

@@ -80,9 +80,9 @@ class HardGrains {
     return free;
   }
 
-  /// Returns the smallest ratio of the distance between the centres of grain i and another grain to the sum of their
-  /// radii, with the centre of i at x and all diameters multiplied by `scale` <= 1. A result above 1 may be inexact and
-  /// only means that grain i overlaps no other grain.
+  /// Returns the smallest value, over all other grains j, of the distance between the centres of grains i and j,
+  /// divided by the sum of their radii. The centre of i is at x, and all diameters are multiplied by `scale` <= 1. A
+  /// result above 1 may be inexact and only means that grain i overlaps no other grain.
   double clearance(int i, const Vec<Dim>& x, double scale) const {
     double least = 2.0;
     visit_near(i, x, [&](int j, const Vec<Dim>& r) {
@@ -142,8 +142,9 @@ class HardGrains {
 
  private:
   /// kSurelyApart: two grains do not overlap, in spite of rounding errors, if the squared distance of their centres
-  /// divided by the squared sum of their radii is at least this number. kSurelyNearest: a component of a vector,
-  /// divided by the side of the region, up to which no periodic image of the vector is shorter.
+  /// divided by the squared sum of their radii is at least this number. kSurelyNearest: if a component of a vector,
+  /// divided by the side of the region, is at most this number, no periodic image of the vector has a shorter
+  /// component.
   static constexpr double kSurelyApart = 1.0 + 1e-9, kSurelyNearest = 0.499;
 
   struct Grid {
@@ -265,7 +266,7 @@ void shuffle(HardGrains<Dim>& grains, const std::vector<double>& diameter, doubl
   }
 }
 
-/// Returns true if no two of the n grains overlap with all diameters multiplied by `scale`.
+/// Returns true if no two of the n grains overlap when all diameters are multiplied by `scale`.
 template <int Dim>
 bool all_free(const HardGrains<Dim>& grains, int n, double scale) {
   for (int i = 0; i < n; ++i)

@@ -83,8 +83,9 @@ double densest_gas(const Grains<Dim>& grains) {
 
 namespace {
 
-/// Makes a gas of grains with shapes. The function place_balls() places their circumscribed circles or spheres (balls);
-/// its arguments are options with the diameters of the balls, and the solid fraction of the balls.
+/// Makes a gas of grains with shapes. The function place_balls() places the circumscribed circles or spheres (balls) of
+/// the grains. The arguments of place_balls() are options with the diameters of the balls, and the solid fraction of
+/// the balls.
 /// @param key  key of the solid fraction in a scene, for messages
 template <int Dim>
 Packing<Dim> shaped_gas(const GrainOptions& options, double solid_fraction, const char* key, std::uint64_t seed,

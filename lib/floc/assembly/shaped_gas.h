@@ -10,9 +10,9 @@ namespace floc {
 /// Returns grains with the shapes of a scene, at the origin and at rest, with random orientations. The shapes are
 /// assigned to the grains in random order, each shape to equally many grains (the numbers may differ by one). The
 /// radius of a grain is that of its circumscribed circle or sphere: half the diameter of the grain. The mass is the
-/// volume of the grain times the density of the scene; if the scene has no density, it is the density at which a disk
-/// or sphere of diameter 1 has mass 1.
-/// @param options  grains of a scene that gives their shapes
+/// volume of the grain times the density of the scene. If the scene has no density, the density is chosen such that a
+/// disk or sphere of diameter 1 has mass 1.
+/// @param options  options of the grains of a scene, including their shapes
 /// @param diameter  diameter of each grain (length)
 /// @param seed  seed of the run, which determines the shapes and the orientations
 /// @throws InputError if draw_shapes() throws it
@@ -30,7 +30,7 @@ double densest_gas(const Grains<Dim>& grains);
 
 /// Makes a gas of grains with shapes in a square (3D: cubic) cell. The circumscribed circles or spheres of the grains
 /// are placed by make_gas(), so the grains do not overlap in any orientation.
-/// @param options  grains of a scene that gives their shapes
+/// @param options  options of the grains of a scene, including their shapes
 /// @param solid_fraction  volume of the grains divided by the volume of the cell
 /// @param seed  seed of the run, which determines the shapes and the orientations
 /// @param random  random stream for the diameters and the positions

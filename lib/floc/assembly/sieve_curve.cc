@@ -19,8 +19,8 @@ double number_between(const SieveCurve& curve, int dimension, std::size_t k) {
          (dimension * range);
 }
 
-/// Returns the diameter d below which a fraction of the number of grains in one interval of the curve lies: the
-/// solution of (1 - (d/d1)^-Dim)/(1 - (d2/d1)^-Dim) = share, with the ends d1 and d2 of the interval.
+/// Returns the diameter d below which the fraction `share` of the number of grains in interval k of the curve lies: the
+/// solution of (1 - (d/d1)^-Dim)/(1 - (d2/d1)^-Dim) = share. The ends of the interval are d1 and d2.
 double quantile_between(const SieveCurve& curve, int dimension, std::size_t k, double share) {
   const double range = std::log(curve.sizes[k + 1] / curve.sizes[k]);
   const double d = curve.sizes[k] * std::exp(-std::log1p(share * std::expm1(-dimension * range)) / dimension);

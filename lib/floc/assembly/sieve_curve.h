@@ -17,8 +17,8 @@ struct SieveCurve {
 /// smallest size of the curve, the result is 0; above the largest size, it is the fraction at the largest size.
 double passing_at(const SieveCurve& curve, double diameter);
 
-/// Returns the part of a curve between the diameters `min` and `max`, with percentages of the mass of the grains
-/// between these two diameters.
+/// Returns the part of a curve between the diameters `min` and `max`, with percentages that refer to the mass of the
+/// grains between these two diameters.
 /// @param min, max  diameters with min < max (length); passing_at() must be smaller at `min` than at `max`
 SieveCurve cut_curve(const SieveCurve& curve, double min, double max);
 

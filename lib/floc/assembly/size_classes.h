@@ -17,7 +17,8 @@ struct SizeClass {
   int n_grains = 0;
   double share = 0.0;    ///< share of the grains in the interval
   double passing = 0.0;  ///< share of the grains with diameters up to `to`
-  /// values of `share` and `passing` according to the distribution; absent for distributions of single diameters
+  /// values that `share` and `passing` would have exactly for the distribution; absent for distributions of single
+  /// diameters
   std::optional<double> share_asked, passing_asked;
 };
 

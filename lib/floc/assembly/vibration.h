@@ -5,7 +5,7 @@
 
 namespace floc {
 
-/// Vibration of a packing: its grains are moved apart and collide for some time, before the packing is compressed
+/// Vibration of a packing: the grains are moved apart and collide for some time, and the packing is then compressed
 /// again.
 struct Vibration {
   /// Factor by which the cell and the distances between the centres of grains are multiplied first, to separate all

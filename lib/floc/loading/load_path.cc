@@ -11,8 +11,8 @@ namespace {
 /// fraction of the other steps is not made.
 constexpr double kRoundingPerStep = 1e-6;
 
-/// Returns n pressures in geometric progression after the pressure `from`, which is not one of them. The last pressure
-/// is exactly `to`.
+/// Returns n pressures in geometric progression that follow the pressure `from`; `from` itself is not in the list. The
+/// last pressure is exactly `to`.
 /// @param log10_factor  decimal logarithm of the ratio of two successive pressures; the last ratio may be closer to 1
 std::vector<double> geometric(double from, double to, double log10_factor, int n) {
   std::vector<double> pressures;

@@ -24,9 +24,9 @@ struct AxisLoad {
   bool operator==(const AxisLoad&) const = default;
 };
 
-/// One stage of a load path. It changes the present load to another load in steps, with an equilibrium after each step.
-/// By default the pressure on every axis changes to `to`, by an equal factor in each step. If the pressure already
-/// equals `to`, the stage consists of one new equilibrium, for example after `set` has changed the contact law.
+/// One stage of a load path. A stage changes the present load to another load in steps, with an equilibrium after each
+/// step. By default the pressure on every axis changes to `to`, by an equal factor in each step. If the pressure
+/// already equals `to`, the stage consists of one new equilibrium, for example after `set` has changed the contact law.
 struct LoadStage {
   std::string name;  ///< name of the stage ("load", "unload", ...), which its states record
   /// pressure on every axis at the end of the stage (stress unit of the scene), >= 0; unused if `axes` is not empty
@@ -35,8 +35,8 @@ struct LoadStage {
   /// The last step may be smaller.
   std::optional<double> steps_per_decade;
   std::optional<int> steps;  ///< number of steps of the stage, in place of steps_per_decade
-  /// Parameters of the contact law that change at the start of the stage. Each has the path of its key below the table
-  /// [contact], e.g. "adhesion.force", and its new value, e.g. 0.
+  /// Parameters of the contact law that change at the start of the stage. Each entry consists of the path of the key
+  /// below the table [contact], e.g. "adhesion.force", and the new value, e.g. 0.
   std::vector<std::pair<std::string, double>> set;
   CellResponse cell;    ///< mass of the periodic cell and caps on its strain rate during the stage
   std::string control;  ///< keyword for the kind of loading: "oedometric", "triaxial", ...
@@ -55,8 +55,8 @@ struct LoadStage {
 };
 
 /// Returns the pressure at each step of a stage that imposes equal pressures on all axes and starts at the pressure
-/// `from`. The last pressure is exactly `stage.to`. If `from` or `stage.to` is zero, the stage has only one step,
-/// because the ratio of two pressures is not finite or zero if one of them is zero.
+/// `from`. The last pressure is exactly `stage.to`. A stage from or to zero pressure has only one step, because a
+/// pressure cannot become zero, or increase from zero, by equal factors.
 std::vector<double> stage_pressures(double from, const LoadStage& stage);
 
 /// Load that one step of a stage imposes on an axis.

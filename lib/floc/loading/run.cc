@@ -44,8 +44,8 @@ void take_walls(const BoxOptions& box, const Law& law, Packing<Dim>& packing) {
     if (saved[w].open != packing.walls[w].open)
       throw InputError(
           "box.boundary",
-          fmt::format("the saved state {} at the {} end of axis {}: expected box.boundary to be \"floor\" on "
-                      "an axis of which only the upper end is open, and not \"floor\" on other axes",
+          fmt::format("the saved state {} at the {} end of axis {}: expected box.boundary = \"floor\" on "
+                      "every axis of which only the upper end is open, and another value on all other axes",
                       saved[w].open ? "is open" : "has a wall", saved[w].side < 0 ? "lower" : "upper",
                       saved[w].axis + 1));
   if (!packing.gravity.isZero(0.0) && box.gravity.isZero(0.0))
@@ -248,8 +248,8 @@ void Run<Dim>::start_step() {
   }
   begin_stage();
   if (packing_.law != target().law) {
-    // The new contact law changes the contact forces. They are computed here, because the relaxation begins by
-    // comparing the stress of these forces with the imposed stress.
+    // The new contact law changes the contact forces. The new forces are computed here, because the relaxation begins
+    // by comparing their stress with the imposed stress.
     packing_.law = target().law;
     if (options_.assembly.box) packing_.wall_law = wall_law(packing_.law, *options_.assembly.box);
     refresh_contacts(packing_);
@@ -266,9 +266,9 @@ void Run<Dim>::set_observer(MotionObserver<Dim> observer) {
   pass_observer();
 }
 
-/// Passes the observer on to the object that moves the packing: aggregation_ counts time from the beginning of the
-/// present chunk of time steps, equilibrator_ from the beginning of the relaxation. The earlier time of the run is
-/// added to their time.
+/// Passes the observer on to the object that moves the packing. The observer gets the time since the beginning of the
+/// run. However, aggregation_ counts time from the beginning of the present chunk of time steps, and equilibrator_ from
+/// the beginning of the relaxation, so the earlier time of the run is added.
 template <int Dim>
 void Run<Dim>::pass_observer() {
   if (!observer_.callback || finished()) return;
@@ -340,8 +340,8 @@ State<Dim> Run<Dim>::release_state() {
 }
 
 /// Moves the packing back into this object and continues the present step. The object that moved the packing
-/// (aggregation_ or equilibrator_) is constructed anew. Results do not change, because between two chunks of time steps
-/// all that follows is determined by point_ and the packing.
+/// (aggregation_ or equilibrator_) is constructed anew. Results do not change, because between two chunks of time
+/// steps, point_ and the packing determine the rest of the run.
 template <int Dim>
 void Run<Dim>::restore_packing(Packing<Dim> packing) {
   packing_ = std::move(packing);

@@ -17,7 +17,7 @@ namespace floc {
 /// is determined by this point, the options of the run and its packing.
 struct RunPoint {
   int step = 0;  ///< number of the equilibrium that is computed at present, from 0
-  /// whether the grains still move to form one cluster (protocol "aggregation")
+  /// whether the aggregation of the grains to one cluster is not finished yet (protocol "aggregation")
   bool aggregating = false;
   bool shaken = false;  ///< whether the packing has already been vibrated before this equilibrium
   /// progress of the relaxation to this equilibrium, as text; empty before the first chunk of time steps
@@ -38,8 +38,8 @@ struct RunPoint {
   StageReference turn;
 };
 
-/// Returns the point of a run just after an equilibrium was saved. This point and the packing of the state suffice to
-/// continue the run without a checkpoint.
+/// Returns the point of a run just after an equilibrium was saved. From this point and the packing of the state, the
+/// run can be continued without a checkpoint.
 /// @param sha256  SHA-256 checksum of the file in which the state was saved
 template <int Dim>
 RunPoint point_after(const State<Dim>& state, const std::string& sha256);
@@ -73,8 +73,8 @@ class Run {
   const std::vector<PlannedEquilibrium>& plan() const { return plan_; }
   bool finished() const { return point_.step == static_cast<int>(plan_.size()); }
 
-  /// Sets a function that is called while the packing moves. It gets the packing and the time since the beginning of
-  /// the run.
+  /// Sets the observer, a function that is called while the packing moves. Its arguments are the packing and the time
+  /// since the beginning of the run.
   /// @pre this object is not moved or copied afterwards, because it passes its own address on to the object that moves
   /// the packing
   void set_observer(MotionObserver<Dim> observer);
@@ -96,8 +96,8 @@ class Run {
   const RunPoint& point() const { return point_; }
   const Packing<Dim>& packing() const;
   const PlannedEquilibrium& target() const { return plan_[point_.step]; }
-  /// Returns the mean stress over all axes (force/length^(Dim-1)): for an axis with an imposed stress the imposed
-  /// value, for an axis with an imposed length the stress in the packing.
+  /// Returns the mean of the stresses on all axes (force/length^(Dim-1)). The stress on an axis is the imposed stress
+  /// or, for an axis with an imposed length, the stress in the packing.
   double pressure() const;
   /// Returns the stress on the moving packing as text for messages, in the form of imposed_pressure_text().
   std::string pressure_text() const;

@@ -39,8 +39,8 @@ struct Unmet {
 std::string in_words(const Unmet& unmet);
 
 /// Returns a text about the worst of the residuals of force, moment, stress and energy: the residual that is largest
-/// when divided by its tolerance. The text names the grain with this residual. It is empty if all residuals are below
-/// their tolerances.
+/// when divided by its tolerance. The text names the grain with this residual. The text is empty if all residuals are
+/// below their tolerances.
 /// @param id  identifiers of the grains; if empty, the text names grains by their indices
 std::string worst_residual(const Residuals& residuals, const EquilibriumTolerance& tolerance,
                            std::span<const std::int64_t> id = {});

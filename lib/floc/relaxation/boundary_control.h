@@ -38,7 +38,8 @@ struct StrainRamp {
   bool any() const { return from != to || shears(); }
   bool shears() const { return offset_from != offset_to; }
   bool over(double since) const { return begun + since >= duration; }
-  /// Returns the length of an axis after a further time `since` (length).
+  /// Returns the length of an axis (length) after a further time `since`, that is, at the time `begun` + `since` of the
+  /// ramp.
   double length(int axis, double since) const {
     if (over(since)) return to[axis];
     return from[axis] * std::pow(to[axis] / from[axis], share(since));
@@ -57,7 +58,7 @@ struct StrainRamp {
   }
 
  private:
-  /// Returns the share (0 to 1) of the total strain that is reached after a further time `since`.
+  /// Returns the share (0 to 1) of the total strain that is reached at the time `begun` + `since` of the ramp.
   double share(double since) const {
     const double t = (begun + since) / duration;
     return t * t * (3.0 - 2.0 * t);
@@ -75,7 +76,7 @@ struct BoundaryControl {
   /// (force/length^(Dim-1)). For a component with an imposed strain rate: this rate, shortening positive (1/time); for
   /// shear the rate of the engineering strain gamma.
   Eigen::Matrix<double, kSymmetric<Dim>, 1> target = Eigen::Matrix<double, kSymmetric<Dim>, 1>::Zero();
-  /// inertia M of each component of the lattice vectors that a stress accelerates (mass)
+  /// inertia M of those components of the lattice vectors that follow a stress (mass); equal for all of them
   double mass = 0.0;
   /// Largest strain rate of components that follow a stress (1/time).
   double rate_cap = std::numeric_limits<double>::infinity();

@@ -26,11 +26,11 @@ constexpr double kFinishVoidRatio = 1e-3;
 /// Longest duration of the final phase of a relaxation (power control), in time units T (compaction_time()). If the
 /// scene accepts states that are not equilibria, the state after this duration is recorded as it is.
 constexpr double kLongestFinish = 60.0;
-/// Ratio of the distance between two walls to their initial distance, above which walls that no grain touches count as
-/// lost.
+/// Two walls that no grain touches count as lost if their distance, divided by their initial distance, is above this
+/// number.
 constexpr double kLargestExpansion = 4.0;
-/// Distance between two walls below which a box counts as closed, in largest diameters. Overlaps are small, so that
-/// grains do not fit into a smaller box.
+/// A box counts as closed if the distance between two walls, in largest diameters, is below this number. Overlaps are
+/// small, so grains do not fit into a smaller box.
 constexpr double kBoxClosed = 0.5;
 
 /// Function that calls visit(name, member) for every member of a CompactionProgress, with the name that the member has
@@ -158,7 +158,7 @@ RelaxationStatus BoxRelaxer<Dim>::advance() {
                    progress_.time, time_step_);
   if (!dynamics->finite()) {
     // The packing is unchanged since the beginning of the chunk of time steps, except that its contacts were moved into
-    // the object `dynamics`. They have to be found again.
+    // the object `dynamics`. The contacts have to be found again.
     find_contacts(packing_);
     measure();
     return give_up(
@@ -178,7 +178,7 @@ RelaxationStatus BoxRelaxer<Dim>::advance() {
   const RelaxationStatus status = finishing ? check_finish() : check_motion();
   if (status != RelaxationStatus::running) return status;
   // If the scene sets a longest time, the state at that time is recorded as it is. If the final phase of the relaxation
-  // (power control) has begun before that time, it continues for the duration that check_finish() allows.
+  // (power control) has begun before that time, this phase continues for the duration that check_finish() allows.
   if (options_.compaction.longest) {
     if (finishing || progress_.time <= *options_.compaction.longest * time_unit_) return status;
     return stop_here();
@@ -218,7 +218,7 @@ std::string BoxRelaxer<Dim>::lost() const {
   const double a = largest_diameter(g);
   const std::vector<double> force = wall_forces(packing_);
   // Forces and pressures move the walls. If the grains cannot bear the pressure, the walls close the box; if no grain
-  // touches the walls, they move away without end.
+  // touches the walls, the walls move apart without end.
   for (std::size_t w = 0; w < packing_.walls.size(); ++w) {
     const int axis = packing_.walls[w].axis;
     const double side = packing_.cell.matrix(axis, axis);

@@ -102,9 +102,10 @@ void CellMotion<Dim>::kick_walls(double half_step) {
 }
 
 /// Returns the generalised forces that accelerate those components of the lattice that follow a stress. In a small
-/// strain of the lattice, the forces do the work of the matrix W - V Sigma, where W is the sum of the momentum flux and
-/// the virial (sum of force times branch vector), V the volume and Sigma the imposed stress. If all components follow a
-/// stress, the force is the upper part of (W - V Sigma) h^-T, with h the lattice matrix.
+/// strain e of the lattice, the work of these forces is the scalar product of e and the matrix W - V Sigma, where W is
+/// the sum of the momentum flux and the virial (sum of force times branch vector), V the volume and Sigma the imposed
+/// stress. If all components follow a stress, the force is the upper part of (W - V Sigma) h^-T, with h the lattice
+/// matrix.
 template <int Dim>
 Mat<Dim> CellMotion<Dim>::lattice_force(const std::vector<BlockSums<Dim>>& sums) const {
   Mat<Dim> work = Mat<Dim>::Zero();
@@ -182,9 +183,9 @@ void CellMotion<Dim>::impose_rates() {
   if (any) lattice_rate_ = upper_product<Dim>(gradient, lattice_);
 }
 
-/// Moves the boundary over a time step. The reduced coordinates s of a grain change by s' = h^-1 v, with the peculiar
-/// velocity v and the lattice matrix h. The matrix is taken in the middle of the step, so that the scheme is symmetric
-/// in time.
+/// Moves the boundary over a time step. The reduced coordinates s of a grain change at the rate s' = h^-1 v, with the
+/// peculiar velocity v and the lattice matrix h. This matrix is taken in the middle of the step, so that the scheme is
+/// symmetric in time.
 template <int Dim>
 Drift<Dim> CellMotion<Dim>::drift(double time_step) {
   const Mat<Dim> middle = lattice_ + 0.5 * time_step * lattice_rate_;
@@ -201,8 +202,8 @@ Drift<Dim> CellMotion<Dim>::drift(double time_step) {
 
 template <int Dim>
 Kick<Dim> CellMotion<Dim>::kick_of_grains(double half_step) const {
-  // The acceleration of a grain is v' = F/m - h' h^-1 v, with F its force, m its mass, v its peculiar velocity and h
-  // the lattice matrix. The second term is taken in the middle of the half step.
+  // The acceleration of a grain is v' = F/m - h' h^-1 v, with the force F on the grain, its mass m, its peculiar
+  // velocity v and the lattice matrix h. The second term is taken in the middle of the half step.
   const Mat<Dim> drag = 0.5 * half_step * strain_rate_;
   const Mat<Dim> one = Mat<Dim>::Identity();
   const Mat<Dim> gain = right_quotient<Dim>(one, Mat<Dim>(one + drag));

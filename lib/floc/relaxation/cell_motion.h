@@ -14,8 +14,8 @@ namespace floc {
 /// component of the boundary follows an imposed stress or has an imposed strain rate (BoundaryControl).
 ///
 /// The columns of the lattice matrix are the lattice vectors. This matrix and all other matrices of this class are
-/// upper triangular, and diagonal for a rectangular cell. Along an axis between walls, the lattice does not move, so
-/// that it does not carry the grains along.
+/// upper triangular, and diagonal for a rectangular cell. Along an axis between walls, the lattice does not move, since
+/// a moving lattice would also move the grains.
 template <int Dim>
 class CellMotion {
  public:
@@ -35,13 +35,13 @@ class CellMotion {
   const Mat<Dim, bool>& follows_stress() const { return follows_stress_; }
 
   /// Returns the vector from a grain to its periodic image (length).
-  /// @param image  number of each lattice vector by which the image is displaced
+  /// @param image  for each lattice vector, the number of times that it is added to the position of the grain
   Vec<Dim> image_shift(const Vec<Dim, int>& image) const;
   /// Moves a position into the cell by lattice vectors, except along axes between walls.
   /// @return the number of lattice vectors along each axis by which the position was moved
   Vec<Dim, int> wrap(Vec<Dim>& position) const;
-  /// Returns the boundary in the form in which the force kernels (compiled loops over pairs) read it. It contains
-  /// pointers to the arrays of the walls, which are valid for the lifetime of this object.
+  /// Returns the boundary in the form in which the force kernels (compiled loops over pairs) read it. The result
+  /// contains pointers to the arrays of the walls, which are valid for the lifetime of this object.
   /// @param slip_time  time for which the contact springs are stretched at the present relative velocities (time)
   PairCell<Dim> pair_cell(double slip_time) const;
 

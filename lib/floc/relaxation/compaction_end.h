@@ -5,7 +5,7 @@
 namespace floc {
 
 /// Criterion that ends the compaction of a packing between walls (docs/physics.md, "Boxes with walls"). Times are in
-/// units of T = sqrt(m/(P a^(Dim-2))), with m the mass and a the diameter of the largest grain and P the pressure.
+/// units of T = sqrt(m/(P a^(Dim-2))), with the mass m and the diameter a of the largest grain and the pressure P.
 struct CompactionEnd {
   enum class Criterion {
     /// The void ratio has changed by less than kSettledVoidRatio during the time kSettledTime (in units of T), every
@@ -21,14 +21,14 @@ struct CompactionEnd {
   /// Duration of the compaction (in units of T) after which the state is recorded as it is; if absent, the relaxation
   /// is given up after RelaxationOptions::max_time.
   std::optional<double> longest;
-  /// Speed at which the walls of an axis move towards or away from each other until they bear their pressure
+  /// Speed at which the walls of an axis move towards or away from each other until the walls bear the imposed pressure
   /// (length/time); if absent, the pressure acts from the beginning.
   std::optional<double> wall_speed;
 
   static constexpr double kSettledVoidRatio = 1e-4;
   static constexpr double kSettledTime = 3.0;
-  /// Largest relative difference between the measured and the imposed pressure of a wall that counts as bearing its
-  /// pressure.
+  /// A wall counts as bearing its pressure if the relative difference between the measured and the imposed pressure is
+  /// at most this number.
   static constexpr double kSettledPressure = 1e-3;
 };
 

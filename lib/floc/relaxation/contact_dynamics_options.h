@@ -27,13 +27,13 @@ struct ContactDynamicsOptions {
   /// Largest number of sweeps over the contacts in a time step. If the error is still above the tolerance after this
   /// number of sweeps, the step counts as unfinished.
   int max_sweeps = 2000;
-  /// Rate of imposed strains in units of 1/T. It is the largest rate |L'/L| of a length L or, in a shear, the rate of
-  /// the shear strain.
+  /// Rate of imposed strains in units of 1/T: the largest rate |L'/L| of a length L or, in a shear, the rate of the
+  /// shear strain.
   double inertial_number = 1e-2;
   double restitution = 0.0;  ///< coefficient of restitution of normal impacts, from 0 to 1
   RigidForces forces = RigidForces::closest;
-  /// Largest gap or overlap of a contact that carries a force, divided by the diameter of the smaller grain. If absent:
-  /// 1e-4 for disks and spheres, 1e-3 for grains with corners.
+  /// Largest gap or overlap, divided by the diameter of the smaller grain, that a contact with a force may have in
+  /// equilibrium. If absent: 1e-4 for disks and spheres, 1e-3 for grains with corners.
   std::optional<double> gap_tolerance;
 };
 

@@ -29,12 +29,13 @@ constexpr double kCalmVelocity = 6e-3;
 /// Factor by which kCalmRate and kCalmVelocity are larger for frictionless polyhedra, whose motion decays slowly
 /// because their corners alternate in contact.
 constexpr double kJitter = 4.0;
-/// Rate of approach below which impacts are inelastic, in units of a dt/T^2, with the largest diameter a, the time step
-/// dt and the time unit T. This unit is the velocity that the pressure gives to a grain in one time step.
+/// Impacts are inelastic if the rate of approach, in units of a dt/T^2, is below this number. Here a is the largest
+/// diameter, dt the time step and T the time unit. The unit a dt/T^2 is the velocity that the pressure gives to a grain
+/// in one time step.
 constexpr double kSlowImpact = 2.0;
 /// Factor by which the tolerance of the sweeps is larger while the packing counts as a gas.
 constexpr double kGasTolerance = 10.0;
-/// Largest mean stress of a packing that counts as a gas, divided by the mean imposed stress.
+/// A packing counts as a gas if its mean stress, divided by the mean imposed stress, is below this number.
 constexpr double kGasStress = 0.3;
 /// Longest and shortest time step of the phase `resting`, in units of T.
 constexpr double kLongestRest = 0.5;
@@ -49,18 +50,18 @@ constexpr int kSweptSteps = 2600;
 /// Largest number of grains for which contacts are solved all at once; grains with corners and without friction have no
 /// such limit.
 constexpr int kMostGrainsAtOnce = 1000;
-/// Longest time step for which contacts are solved all at once, in units of T: without separating plates and with them
-/// (separating_plates.h).
+/// Longest time step, in units of T, if contacts are solved all at once: without separating plates, and with separating
+/// plates (separating_plates.h).
 constexpr double kLongestAtOnce = 3.0;
 constexpr double kLongestWithPlates = 30.0;
-/// Largest gap of a contact that carries a force if contacts are solved all at once, divided by the diameter of the
-/// smaller grain.
+/// Largest gap, divided by the diameter of the smaller grain, at which a contact may have a force if contacts are
+/// solved all at once.
 constexpr double kGapAtOnce = 1e-6;
 /// Tolerance of the impulses in the phase `resting`, divided by the mean normal impulse: the sweeps of a step end when
 /// the error is below this tolerance.
 constexpr double kRestingTolerance = 1e-8;
-/// Largest net force on a grain for which balanced forces are sought, divided by the mean normal force: for round
-/// grains, and for grains with corners.
+/// The forces count as nearly balanced if the largest net force on a grain, divided by the mean repulsive force, is
+/// below this number: for round grains, and for grains with corners.
 constexpr double kNearBalanceRound = 1e-3;
 constexpr double kNearBalanceAngular = 3e-2;
 /// Number of steps of the phase `resting` between two searches for balanced forces. If the net forces are large, the
@@ -74,11 +75,13 @@ constexpr double kGapToleranceAngular = 1e-3;
 /// Number of steps of the test whether a packing with balanced forces is stable: in these steps the packing moves
 /// freely.
 constexpr int kFreeSteps = 50;
-/// Largest displacement of a grain in this test, divided by its diameter and by the gap tolerance.
+/// Largest displacement of a grain in the test of stability (kFreeSteps), divided by the product of the diameter of the
+/// grain and the gap tolerance.
 constexpr double kStaysWithin = 10.0;
-/// Largest force of a contact that counts as force-free, divided by the mean normal force.
+/// A contact counts as force-free if its force, divided by the mean repulsive force, is at most this number.
 constexpr double kCarries = 1e-9;
-/// Largest difference between the tangential force of a sliding contact and its Coulomb limit, divided by the limit.
+/// A contact counts as sliding if the difference between its tangential force and the Coulomb limit, divided by the
+/// limit, is at most this number.
 constexpr double kAtLimit = 1e-9;
 
 /// Function that calls visit(name, member) for every member of a ContactDynamicsProgress, with the name that the member
@@ -188,8 +191,8 @@ ContactDynamicsRelaxer<Dim>::ContactDynamicsRelaxer(const RelaxationOptions& opt
 }
 
 /// Returns whether the contacts of a step of the phase `resting` are solved all at once. For frictionless grains with
-/// corners this holds from the start. For other packings it holds if kSweptSteps steps with sweeps have not led to
-/// balance and there are at most kMostGrainsAtOnce grains.
+/// corners this holds from the start. For other packings it holds after kSweptSteps steps with sweeps, if there are at
+/// most kMostGrainsAtOnce grains.
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::solves_at_once() const {
   if (progress_.phase != ContactDynamicsProgress::resting) return false;
@@ -233,12 +236,12 @@ BoundaryLoad<Dim> ContactDynamicsRelaxer<Dim>::boundary_load() const {
   // In a box, periodic axes keep their lengths.
   for (int a = 0; a < Dim; ++a) load.under_stress[a] = packing_.walls.empty() && !load_.strained(a);
   load.cell_mass = options_.cell_mass;
-  // A cap on the rate makes the walls heavier than all grains together, so that sweeps converge slowly. At rest it is
-  // not needed.
+  // A cap on the rate makes the walls heavier than all grains together, so that sweeps converge slowly. In the phase
+  // `resting` the cap is not needed.
   if (!packing_.walls.empty() && progress_.phase == ContactDynamicsProgress::resting) return load;
   load.wall_speed = options_.compaction.wall_speed;
-  // A strained cell has no cap on its strain rate: the drag of a cap would bear a part of the stress on sides that
-  // grow.
+  // A strained cell has no cap on its strain rate: the drag that limits the strain rate would balance a part of the
+  // stress on sides that grow.
   if (progress_.phase != ContactDynamicsProgress::straining)
     load.strain_rate_cap = strain_rate_cap(options_, packing_, imposed_);
   return load;
@@ -267,7 +270,7 @@ double ContactDynamicsRelaxer<Dim>::rate_cap(const Packing<Dim>& packing) const 
 
 /// Returns whether the motion of the packing has nearly ended. Whether the stress is balanced is judged from the strain
 /// rate of the cell. This rate is proportional to the difference between the stress and the imposed stress, and the
-/// errors of single impulses cancel in it.
+/// errors of single impulses cancel in the strain rate.
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::is_calm(const Packing<Dim>& packing) const {
   const double jitter = are_smooth_polyhedra(packing) ? kJitter : 1.0;
@@ -296,7 +299,7 @@ void ContactDynamicsRelaxer<Dim>::make_steps(int n_steps) {
   progress_.n_steps += motion.counts().n_steps;
   progress_.n_sweeps += motion.counts().n_sweeps;
   // The small number of sweeps in a step of the phase `resting` is intended, since the next step starts from the
-  // impulses of the last one. These steps therefore do not count as unfinished.
+  // impulses of this step. Steps of the phase `resting` therefore do not count as unfinished.
   if (!at_rest) progress_.n_unfinished += motion.counts().n_unfinished;
   progress_.deepest_overlap = std::max(progress_.deepest_overlap, motion.counts().deepest_overlap);
   progress_.time_step = motion.time_step();
@@ -374,7 +377,8 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
         "the largest gap of a contact with a force, or the largest overlap, is {:.2g} times the diameter of "
         "the smaller grain, but the tolerance is {:.2g}",
         gap, reached_gap);
-    // Errors of the impulses displace grains in proportion to the square of the time step, so the steps become shorter.
+    // Errors of the impulses displace grains in proportion to the square of the time step, so the longest step is
+    // halved.
     if (!solves_at_once()) progress_.rest_length = std::max(0.5 * progress_.rest_length, kShortestRest);
     return false;
   }
@@ -387,8 +391,8 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
     if (options_.contact_dynamics.forces != RigidForces::stepped) set_balanced_forces(rested);
   } catch (const NoResult& reason) {
     progress_.obstacle = reason.what();
-    // A grain still moves, so the steps become longer. Without friction, many sweeps are needed to resolve a slow
-    // motion.
+    // A grain still moves, so the longest step is doubled. The number of sweeps is doubled, too: without friction, many
+    // sweeps are needed to resolve a slow motion.
     progress_.rest_length = std::min(2.0 * progress_.rest_length, kLongestRest);
     progress_.rest_sweeps = std::min(2 * progress_.rest_sweeps, kMostRestingSweeps);
     return false;
@@ -400,7 +404,8 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
     return false;
   }
   if (!stays_in_place(rested)) {
-    progress_.obstacle = "the balance is unstable: grains leave their places when the packing is free to move";
+    progress_.obstacle =
+        "the equilibrium is unstable: grains leave their places when the packing is free to move";
     progress_.phase = ContactDynamicsProgress::moving;
     progress_.calm_steps = 0;
     progress_.time_step = 0.0;

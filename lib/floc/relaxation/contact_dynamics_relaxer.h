@@ -32,7 +32,7 @@ struct ContactDynamicsProgress {
   double deepest_overlap = 0.0;  ///< deepest overlap so far, divided by the diameter of the smaller grain
   int calm_steps = 0;            ///< number of successive calm time steps up to the present (kCalmSteps)
   int resting_steps = 0;         ///< number of time steps of the phase `resting`
-  int next_trial = 0;            ///< value of resting_steps from which on balanced forces may be sought again
+  int next_trial = 0;            ///< balanced forces are not sought again before resting_steps has this value
   double rest_length = 0.0;      ///< longest time step of the phase `resting`, in units of T
   int rest_sweeps = 0;           ///< largest number of sweeps in a time step of the phase `resting`
   /// Sides of the cell before the strain (length).
@@ -47,12 +47,12 @@ struct ContactDynamicsProgress {
 /// velocity is below 6e-3 d/T and the strain rate of the cell or box is below 3 % of its cap, with the largest diameter
 /// d and the time unit T = sqrt(m/(P d^(Dim-2))).
 /// 2. All velocities are set to zero before each step, until the net forces are small. The contacts of frictionless
-/// grains with corners are solved all at once in each step (rigid/implicit_step.h), and so are those of other packings
-/// if sweeps have not brought them to rest.
+/// grains with corners are solved all at once in each step (rigid/implicit_step.h), and so are the contacts of other
+/// packings that sweeps have not brought to rest.
 /// 3. Without motion of the grains, forces are sought that satisfy Coulomb's conditions and balance all grains and the
-/// imposed stress (rigid/static_forces.h). If there are none, some grain still moves, and phase 2 continues.
+/// imposed stress (rigid/static_forces.h). If there are no such forces, some grain still moves, and phase 2 continues.
 ///
-/// Sides of the cell with an imposed length do not move during these phases. The stress on them results from the
+/// Sides of the cell with an imposed length do not move during these phases. The stress on these sides results from the
 /// forces.
 ///
 /// If the load changes a length or shears the cell, the relaxation is a motion instead: the cell is strained at a

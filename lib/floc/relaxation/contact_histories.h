@@ -8,8 +8,8 @@
 
 namespace floc {
 
-/// History variables of the contacts of a packing that is set in motion. This object stores them until the lists of
-/// neighbouring pairs have been built, and then copies them into these lists.
+/// History variables of the contacts of a packing that is set in motion. This object stores the variables until the
+/// lists of neighbouring pairs have been built, and then copies the variables into the lists.
 template <int Dim>
 class ContactHistories {
  public:

@@ -30,8 +30,8 @@ struct DynamicsSettings {
 /// Treatment of the velocities of a packing in motion.
 enum class Motion {
   free,  ///< the packing follows its equations of motion
-  /// Power control: all velocities are set to zero whenever the kinetic energy falls. It is used in the final phase of
-  /// a relaxation, when the grains hardly move.
+  /// Power control: all velocities are set to zero whenever the kinetic energy falls. Power control is used in the
+  /// final phase of a relaxation, when the grains hardly move.
   power_control,
 };
 
@@ -50,8 +50,8 @@ class Dynamics {
 
   virtual void advance(int n_steps, Motion motion) = 0;
 
-  /// Whether all positions are finite and at most 1e8 sides of the cell away from the origin. If they are not, the time
-  /// step was too large.
+  /// Whether all positions are finite and at most 1e8 sides of the cell away from the origin. If this is false, the
+  /// time step was too large.
   virtual bool finite() const = 0;
 
   /// Returns the packing in its present state, with its contacts. The grains are in the order of the initial packing.
@@ -59,7 +59,7 @@ class Dynamics {
   virtual Packing<Dim> packing() const = 0;
 
   /// Returns the packing like packing(), but frees most of the data of the dynamics, so that a very large packing is
-  /// not stored twice. No other time step can follow.
+  /// not stored twice. No time step can be made afterwards.
   virtual Packing<Dim> release_packing() = 0;
 
   /// Returns a first guess of the skin of the neighbour lists for the next chunk of time steps (length).

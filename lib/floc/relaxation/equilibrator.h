@@ -49,8 +49,9 @@ struct RelaxationReport {
   StepCounts counts;
 };
 
-/// Takes a packing to equilibrium under a load, in chunks of time steps. Between two chunks, its whole state consists
-/// of the packing and progress(): an equilibrator that is made from both continues with identical results.
+/// Takes a packing to equilibrium under a load, in chunks of time steps. Between two chunks, the whole state of the
+/// equilibrator consists of the packing and progress(): a new equilibrator that is made from these two continues with
+/// identical results.
 template <int Dim>
 class Equilibrator {
  public:

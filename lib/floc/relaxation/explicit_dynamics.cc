@@ -11,8 +11,8 @@
 namespace floc {
 namespace {
 
-/// Coordinate of a grain beyond which the motion counts as diverged, in units of the shortest side of the cell. The
-/// search for neighbours works for coordinates up to ten times as large.
+/// The motion counts as diverged if a coordinate of a grain, in units of the shortest side of the cell, exceeds this
+/// number. The search for neighbours works for coordinates up to ten times as large.
 constexpr double kFurthest = 1e8;
 
 template <int Dim>
@@ -25,8 +25,8 @@ LatticeShape shape_of(const Cell<Dim>& cell, const BoundaryControl<Dim>& control
 template <int Dim>
 SkinRule skin_rule(const Packing<Dim>& packing, const DynamicsSettings& settings) {
   // If the liquid is shared out whenever lists of neighbours are built, the skin (extra distance up to which pairs are
-  // listed) determines when the liquid is shared out. To keep results reproducible, this skin must not follow from
-  // measured computing times.
+  // listed) determines when the liquid is shared out. To keep results reproducible, this skin must not depend on
+  // computing times.
   return packing.law.liquid() && !settings.holds_liquid ? SkinRule::follows_reach : SkinRule::balances_costs;
 }
 

@@ -52,8 +52,8 @@ struct GrainArrays {
   Orientation<Dim> orientation_of(std::size_t k) const;
   /// Returns pointers to these arrays, in the form that kernels (compiled loops over grains or pairs) read.
   /// @param x_list  positions of the grains when the neighbour lists were built (length)
-  /// @param inverse_skin_squared  one over the square of the distance (skin) that each grain may move before new
-  /// neighbour lists are built (1/length^2)
+  /// @param inverse_skin_squared  the number 1/s^2 for each grain, where s is its skin: the distance that the grain may
+  /// move before new neighbour lists are built (1/length^2)
   GrainView<Dim> view(const std::array<Component, Dim>& x_list, const Component& inverse_skin_squared);
 
  private:

@@ -12,14 +12,14 @@ namespace floc {
 namespace {
 
 /// Largest strain rate |L'/L| of the axes with an imposed length L, times sqrt(a m/F1), with a the largest diameter, m
-/// the largest mass and F1 the force scale. At this rate, a strain of 1e-3 takes less time than the packing then takes
-/// to settle. If the scene sets a lower cap on the strain rate, that cap applies.
+/// the largest mass and F1 the force scale. At this rate, the ramp of a strain of 1e-3 takes less time than the packing
+/// needs afterwards to come to rest. If the scene sets a lower cap on the strain rate, that cap applies.
 constexpr double kRampInertialNumber = 1e-3;
 /// Reduced pressure (reduced_pressure()) below which axes with an imposed length count as carrying no stress. No
 /// packing is in equilibrium at so small a pressure.
 constexpr double kNoPressure = 1e-12;
-/// Side below which a cell counts as closed, in largest diameters. Overlaps are small, so grains do not fit into a
-/// smaller cell.
+/// A cell counts as closed if a side, in largest diameters, is below this number. Overlaps are small, so grains do not
+/// fit into a smaller cell.
 constexpr double kClosed = 0.5;
 
 }  // namespace
@@ -55,8 +55,8 @@ void Relaxer<Dim>::begin_strain_ramp() {
   if (strain > 0.0) progress_.ramp_duration = StrainRamp<Dim>::kPeak * strain / fastest;
 }
 
-/// Whether the packing carries no stress at the imposed lengths: with adhesion if no contact is left, without adhesion
-/// if the pressure is zero.
+/// Whether the packing carries no stress at the imposed lengths. With adhesion, this is so if no contact is left;
+/// without adhesion, this is so if the pressure is zero.
 template <int Dim>
 bool Relaxer<Dim>::carries_no_stress() const {
   if (!load_.any_strained()) return false;

@@ -8,8 +8,8 @@
 namespace floc {
 namespace {
 
-/// Adds the second and later contacts of two bodies to a list with one pair for any two bodies that are close. Contacts
-/// of bodies that are not in the list are left out.
+/// Adds the second and later contacts of two bodies to a list of pairs, which contains one pair for any two bodies that
+/// are close. Contacts of two bodies without a pair in the list are left out.
 template <int Dim>
 void add_further(std::vector<NeighborPair<Dim>> further, std::vector<NeighborPair<Dim>>& pairs) {
   if (further.empty()) return;

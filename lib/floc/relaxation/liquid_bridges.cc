@@ -8,7 +8,7 @@
 namespace floc {
 namespace {
 
-/// Gap up to which pairs are put on the lists of neighbours, divided by the largest gap that a liquid bridge spans at
+/// Pairs are put on the lists of neighbours up to this multiple of the largest gap that a liquid bridge spans at
 /// present. The margin makes it unlikely that the search for neighbours has to be repeated.
 constexpr double kReachMargin = 1.05;
 

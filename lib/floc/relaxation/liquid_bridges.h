@@ -10,8 +10,8 @@
 
 namespace floc {
 
-/// Liquid bridges of a packing in motion. This class computes up to which gap the lists of neighbours have to contain
-/// pairs of grains, and shares the liquid out among the listed pairs.
+/// Liquid bridges of a packing in motion. This class computes the largest gap of pairs of grains that the lists of
+/// neighbours have to contain, and shares the liquid out among the listed pairs.
 template <int Dim>
 class LiquidBridges {
  public:
@@ -21,11 +21,11 @@ class LiquidBridges {
   LiquidBridges(const Law& law, const GrainArrays<Dim>& grains, bool keeps_shares);
 
   bool keeps_shares() const { return keeps_shares_; }
-  /// Returns the gap up to which the first lists of neighbours have to contain pairs (length). With this gap, they
-  /// contain every pair that has liquid or may get some.
+  /// Returns the gap up to which the first lists of neighbours have to contain pairs (length). With this gap, the lists
+  /// contain every pair that has liquid or may get liquid.
   double first_reach(const Packing<Dim>& packing) const;
-  /// Returns the gap up to which new lists of neighbours have to contain pairs (length). With this gap, they contain
-  /// every pair that has liquid.
+  /// Returns the gap up to which new lists of neighbours have to contain pairs (length). With this gap, the lists
+  /// contain every pair that has liquid.
   double reach(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
                const Interaction<Dim>& between_grains) const;
   /// Shares the liquid out among the listed pairs of grains.

@@ -85,8 +85,8 @@ void MotionSinceList<Dim>::forget() {
 template <int Dim>
 double MotionSinceList<Dim>::shrinking() const {
   if (stretch_.isDiagonal(0.0)) return std::max(0.0, 1.0 - stretch_.diagonal().minCoeff());
-  // With the deformation gradient F of the lattice, a line r becomes F r, and |F r| >= |r| - |(F - 1) r|. The last term
-  // is at most |r| times the Frobenius norm of F - 1.
+  // With the deformation gradient F of the lattice, a vector r between two points of the lattice becomes F r, and |F r|
+  // >= |r| - |(F - 1) r|. The last term is at most |r| times the Frobenius norm of F - 1.
   return (stretch_ - Mat<Dim>::Identity()).norm();
 }
 

@@ -44,8 +44,8 @@ class MotionSinceList {
   double of_grains() const { return of_grains_; }
   /// Returns the largest displacement of a wall since the lists were built (length).
   double of_walls(const WallMotion<Dim>& walls) const { return walls.largest_displacement(walls_); }
-  /// Returns an upper bound of the relative shortening of lines since the lists were built, caused by the deformation
-  /// of the lattice.
+  /// Returns an upper bound of the relative shortening of distances that the deformation of the lattice has caused
+  /// since the lists were built.
   double shrinking() const;
 
   /// Returns pointers to the arrays of the grains for kernels (compiled loops over grains or pairs). The pointers are

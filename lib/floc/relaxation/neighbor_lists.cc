@@ -15,10 +15,11 @@ constexpr double kListCost = 23.0;
 /// grain may move before new neighbour lists are built.) Grains at rest need a skin, too, since other grains may hit
 /// them.
 constexpr double kMinSkinShare = 0.25;
-/// Smallest skin (extra distance up to which pairs are listed) of a neighbour list, in units of skin_length_unit().
+/// Smallest skin of a neighbour list, in units of skin_length_unit(). The skin is the extra distance up to which pairs
+/// are listed.
 constexpr double kMinSkin = 1e-4;
-/// Skin (extra distance up to which pairs are listed) divided by the range of the interaction, under
-/// SkinRule::follows_reach. The skin limits how far two surfaces may approach each other before new lists are built.
+/// Skin divided by the range of the interaction, under SkinRule::follows_reach. The skin limits how far two surfaces
+/// may approach each other before new lists are built.
 constexpr double kSkinOfReach = 0.25;
 /// Smallest skin of a neighbour list under SkinRule::follows_reach, in units of skin_length_unit().
 constexpr double kMinSkinOfReach = 1e-3;
@@ -48,8 +49,8 @@ double NeighborLists<Dim>::cost_share() const {
   return kListCost / steps_;
 }
 
-/// Returns an upper bound of the part of the skin that the motion has used up since the lists were built (length). It
-/// is the sum of the largest displacement of a body and the affine shortening of distances.
+/// Returns an upper bound of the part of the skin that the motion has used up since the lists were built (length): the
+/// sum of the largest displacement of a body and the affine shortening of distances.
 template <int Dim>
 double NeighborLists<Dim>::consumed_skin(const CellMotion<Dim>& cell, double range) const {
   return std::max(motion_.of_grains() * skin_, 2.0 * motion_.of_walls(cell.walls())) +
@@ -90,8 +91,8 @@ void NeighborLists<Dim>::adapt_skin(const CellMotion<Dim>& cell, const Interacti
   const double cost = cost_share();
   if (cost > share_out_of_range_)
     skin_ = std::min((cost > 4.0 * share_out_of_range_ ? 2.0 : 1.25) * skin_, 0.5 * largest_diameter_);
-  // If lists are used for as many steps as the present lists, it suffices that the skin is twice the distance that
-  // bodies have moved.
+  // If the next lists are used for as many steps as the present lists, it suffices that their skin is twice the
+  // distance that bodies have moved.
   if (cost < 0.5 * share_out_of_range_)
     skin_ = std::max(std::min(0.8 * skin_, 2.0 * consumed_skin(cell, between_grains.range())), min_skin());
 }
@@ -114,7 +115,7 @@ PairLists<Dim> NeighborLists<Dim>::find(const GrainArrays<Dim>& grains, const Ce
   return close;
 }
 
-/// Returns the pairs of an interaction that may interact before any body has moved by its skin.
+/// Returns the pairs of an interaction that may interact while no body has moved by more than its skin.
 /// @param with_skins  grains with their skins added to their radii
 template <int Dim>
 std::vector<NeighborPair<Dim>> NeighborLists<Dim>::find(const Interaction<Dim>& interaction,

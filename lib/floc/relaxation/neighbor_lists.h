@@ -19,7 +19,8 @@ enum class SkinRule {
 };
 
 /// Verlet lists of the neighbours of grains in motion. This class finds the pairs that may interact before the next
-/// lists are built, and chooses the time and the skin of the next lists. Its lists are stored in the interactions.
+/// lists are built, and chooses the skin of the next lists and the time at which they are built. The lists are stored
+/// in the interactions.
 template <int Dim>
 class NeighborLists {
  public:

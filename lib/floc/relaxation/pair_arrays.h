@@ -30,8 +30,8 @@ inline double lagging_damping(double coefficient, double effective_mass, double 
 /// with indices i <= j, or pairs of a grain i and a wall j. Grains form blocks of kGrainBlock, and a pair belongs to
 /// the block of its first grain. The pairs are sorted, so that the pairs of a block are contiguous. The pairs of each
 /// group of blocks are padded to whole vector registers with pairs that have no effect: a grain with a far image of
-/// itself, or a grain with a wall where the force is not summed. If all grains are equal, numbers that follow from
-/// their sizes are stored once for all pairs.
+/// itself, or a grain with a wall (the force of this pair is not summed). If all grains are equal, numbers that follow
+/// from their sizes are stored once for all pairs.
 template <int Dim>
 class PairArrays {
  public:

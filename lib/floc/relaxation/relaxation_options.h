@@ -20,10 +20,10 @@ enum class Finish {
   statics,
 };
 
-/// Largest kinetic energy, in units of its tolerance, with which a packing counts as being at rest if only its
-/// mechanisms (motions without stiffness) move. Without load, soft modes of a packing keep moving, since hardly any
-/// contact closes or opens and nothing dissipates the energy. In an observed case the energy was 70 times the
-/// tolerance, and only 6 contacts were added to 2200 in 400 time units.
+/// If only the mechanisms (motions without stiffness) of a packing move, the packing counts as being at rest as long as
+/// its kinetic energy is at most this multiple of the tolerance. Without load, soft modes of a packing keep moving,
+/// since hardly any contact closes or opens and nothing dissipates the energy. In an observed case the energy was 70
+/// times the tolerance, and only 6 contacts were added to 2200 in 400 time units.
 inline constexpr double kMechanismEnergy = 100.0;
 
 /// Numerical settings of a relaxation. Stresses, rates and masses are in the units of the scene (input file of the
@@ -38,14 +38,14 @@ struct RelaxationOptions {
   /// nominal restitution of 0.015 becomes on average 0.015 for two of the largest grains, 0.018 for a largest and a
   /// smallest grain, and 0.025 for two of the smallest.
   double time_step = 0.36;
-  /// Inertia M of the sides of the cell, which are accelerated by stresses, divided by the total mass of the grains.
-  /// This inertia influences the density of assembled packings.
+  /// Inertia M of each side of the cell that a stress accelerates, divided by the total mass of the grains. This
+  /// inertia influences the density of assembled packings.
   double cell_mass = 1.0;
-  /// Cap on the strain rate |L'/L| of the cell in scenes with adhesion, in units of 1/T0, with L a side of the cell, T0
-  /// = sqrt(a m/F0), a the largest diameter, m the largest mass and F0 the pull-off force.
+  /// Cap on the strain rate |L'/L| of the cell in scenes with adhesion, in units of 1/T0. Here L is a side of the cell,
+  /// and T0 = sqrt(a m/F0) with the largest diameter a, the largest mass m and the pull-off force F0.
   std::optional<double> strain_rate_cap;
-  /// Cap on the inertial number |L'/L| sqrt(m/P) of the cell in scenes without adhesion, with L a side of the cell, m
-  /// the largest mass and P the pressure.
+  /// Cap on the inertial number |L'/L| sqrt(m/(P a^(Dim-2))) of the cell in scenes without adhesion, with a side L of
+  /// the cell, the largest mass m, the pressure P and the largest diameter a.
   std::optional<double> inertial_number_cap;
   /// Skin of the Verlet lists (lists of neighbouring pairs): extra distance up to which pairs are listed, in units of
   /// the largest diameter. If absent, the skin is adapted to the motion.

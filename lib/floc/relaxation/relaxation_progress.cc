@@ -27,9 +27,9 @@ constexpr auto kProgressMembers = [](auto& p, const auto& visit) {
   visit("force_residual", p.force_residual);
 };
 
-/// Function that calls visit(name, member) for members of a RelaxationProgress that checkpoints contain only if they
-/// are not zero. These members were added in later versions of floc; if all are zero, a checkpoint has the format of
-/// earlier versions.
+/// Function that calls visit(name, member) for those members of a RelaxationProgress that were added in later versions
+/// of floc. A checkpoint contains such a member only if it is not zero; if all are zero, the checkpoint has the format
+/// of earlier versions.
 constexpr auto kLaterMembers = [](auto& p, const auto& visit) {
   visit("liquid_trials", p.liquid_trials);
   visit("steady_stretches", p.steady_chunks);

@@ -51,7 +51,7 @@ struct RelaxationProgress {
 /// Returns the progress of a relaxation as text: JSON, whose numbers can be read back without loss.
 std::string as_text(const RelaxationProgress& progress);
 /// Reads the progress of a relaxation from a text that as_text() made.
-/// @throws InputError if the text does not hold the progress of a relaxation
+/// @throws InputError if the text does not contain the progress of a relaxation
 RelaxationProgress relaxation_progress(const std::string& text);
 
 }  // namespace floc

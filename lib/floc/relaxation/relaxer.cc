@@ -20,24 +20,25 @@
 namespace floc {
 namespace {
 
-/// Criteria by which the motion of a packing counts as stopped: its kinetic energy is within the tolerance, and either
-/// its solid fraction has changed by less than kSteadyPhi over kSteadyWindow time units, or no contact has opened or
+/// Criteria by which the motion of a packing counts as stopped: the kinetic energy is within the tolerance, and either
+/// the solid fraction has changed by less than kSteadyPhi over kSteadyWindow time units, or no contact has opened or
 /// closed over kSteadyContactsWindow time units. (If power control began earlier, it would change the rearrangements of
 /// the grains.)
 constexpr double kSteadyPhi = 2e-5;
 constexpr double kSteadyWindow = 5.0;
 constexpr double kSteadyContactsWindow = 20.0;
 /// Criterion by which the motion of the grains counts as vibration, so that their kinetic energy may be above its
-/// tolerance. No contact may have opened or closed while the grains, at their r.m.s. speed, have covered a path of
-/// kVibrationPath largest diameters, and for at least kVibrationWindows times kSteadyContactsWindow time units.
-/// Vibrations of contact springs below their caps do not end, since nothing dissipates their energy. Grains that move
-/// freely meet another grain earlier: in five example scenes with 200 or 400 grains and an energy above its tolerance,
-/// the longest path was half a diameter, and the longest time under load was twice kSteadyContactsWindow.
+/// tolerance. The time since a contact last opened or closed has to meet two conditions: in this time, the grains at
+/// their r.m.s. speed would cover a path of kVibrationPath largest diameters; and the time is at least
+/// kVibrationWindows times kSteadyContactsWindow time units. Vibrations of contact springs below their caps do not end,
+/// since nothing dissipates their energy. Grains that move freely meet another grain earlier: in five example scenes
+/// with 200 or 400 grains and an energy above its tolerance, the longest path was half a diameter, and the longest time
+/// under load was twice kSteadyContactsWindow.
 constexpr double kVibrationPath = 2.0;
 constexpr double kVibrationWindows = 5.0;
-/// Time (in time units) after which a steady density means that only chains of freely rolling grains still move. Such
-/// chains swing between their ends without damping, with a kinetic energy above its tolerance. The time is twice the
-/// duration of the longest load step in the example scenes. During this time the solid fraction may change by
+/// If the density has been steady for this time (in time units), only chains of freely rolling grains can still be
+/// moving. Such chains swing between their ends without damping, with a kinetic energy above its tolerance. The time is
+/// twice the duration of the longest load step in the example scenes. During this time the solid fraction may change by
 /// kFinishPhi.
 constexpr double kMechanismWindow = 200.0;
 /// Number of Newton iterations before the decision whether a load step is elastic. The first iteration gives the
@@ -51,13 +52,13 @@ constexpr double kFinishPhi = 1e-4;
 /// control and Newton steps). F1 is the force scale, a the largest diameter and D the dimension.
 constexpr double kSteadyStress = 1e-3;
 constexpr double kFinishStress = 1e-2;
-/// Cap on the inertial number |L'/L| sqrt(m/P) of the cell in scenes without adhesion that set no cap.
+/// Cap on the inertial number |L'/L| sqrt(m/(P a^(D-2))) of the cell in scenes without adhesion that set no cap.
 constexpr double kDefaultInertialNumber = 1e-3;
 /// Largest number of equilibria that are rejected in one relaxation because sharing out the liquid once more would
 /// change the liquid bridges.
 constexpr int kLiquidTrials = 20;
-/// Force residual below which Newton refinement of the packing is tried, because the refinement is known to succeed
-/// below this residual.
+/// Newton refinement of the packing is tried when the force residual is below this value; the refinement then usually
+/// succeeds.
 constexpr double kRefinementResidual = 5e-3;
 /// Shortest pause after a failed Newton refinement, in chunks of time steps. The pause grows with the duration of the
 /// final phase of the relaxation.
@@ -255,8 +256,8 @@ double Relaxer<Dim>::stress_scale() const {
 }
 
 /// Whether no contact has opened or closed for so long that the packing has stopped rearranging. This test is needed
-/// where the density never becomes steady, because of undamped vibrations or because a floppy packing without load
-/// moves freely.
+/// where the density never becomes steady, either because of undamped vibrations, or because a packing without load and
+/// with many motions without stiffness moves freely.
 template <int Dim>
 bool Relaxer<Dim>::contacts_are_steady() {
   const std::uint64_t set = contact_fingerprint(packing_);
@@ -333,8 +334,8 @@ RelaxationStatus Relaxer<Dim>::check_motion() {
   return RelaxationStatus::running;
 }
 
-/// Returns the first criterion of a steady packing that this packing does not meet while it moves; Demand::none if it
-/// meets all.
+/// Returns the first criterion of a steady packing that the moving packing does not meet; Demand::none if all criteria
+/// are met.
 template <int Dim>
 Unmet Relaxer<Dim>::unsteadiness(bool responded) const {
   if (!responded) return {Demand::response, residuals_.stress, options_.tolerance.stress};
@@ -394,8 +395,9 @@ bool Relaxer<Dim>::is_stable(const Packing<Dim>& packing, Stability& found) {
   return found.may_be_stable();
 }
 
-/// Whether Newton steps are expected to take at most as much computing time as the dynamics of this relaxation: the
-/// time taken so far or, if this is longer, an estimate for the whole relaxation. In 2D the answer is always yes.
+/// Whether Newton steps are expected to take at most as much computing time as the dynamics of this relaxation. The
+/// time of the dynamics is the time taken so far or, if the estimate for the whole relaxation is longer, this estimate.
+/// In 2D the answer is always yes.
 template <int Dim>
 bool Relaxer<Dim>::newton_is_cheaper() const {
   if (Dim == 2) return true;

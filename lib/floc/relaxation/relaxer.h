@@ -106,8 +106,9 @@ template <int Dim>
 double inertial_time(const Packing<Dim>& packing, const Vec<Dim>& target_stress);
 
 /// Returns the largest strain rate |L'/L| that the options allow for a side L of the cell under this stress (1/time).
-/// If the options set no cap, the rate is infinite with adhesion. Without adhesion it is then 1e-3 times sqrt(P
-/// a^(D-2)/m), with the mean stress P, the largest diameter a, the largest mass m and the dimension D.
+/// If the options set no cap, the result is infinite for packings with adhesion, and 1e-3 times sqrt(P a^(D-2)/m) for
+/// packings without adhesion. Here P is the mean stress, a the largest diameter, m the largest mass and D the
+/// dimension.
 template <int Dim>
 double strain_rate_cap(const RelaxationOptions& options, const Packing<Dim>& packing,
                        const Vec<Dim>& target_stress);

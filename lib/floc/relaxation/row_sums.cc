@@ -35,7 +35,8 @@ int first_pair(const PairArrays<Dim>& pairs, const SweepPlan& plan, int group) {
 }
 
 /// Assigns a slot of memory to each group of blocks, for the rows (forces and moments) of its pairs. A group reuses the
-/// slot of an earlier group of its thread whose rows have all been summed; if there is none, it gets a new slot.
+/// slot of an earlier group of its thread whose rows have all been summed; if there is no such group, the later group
+/// gets a new slot.
 /// @return number of the slot of each group
 template <int Dim>
 std::vector<int> slots_of_groups(const PairArrays<Dim>& pairs, const SweepPlan& plan) {

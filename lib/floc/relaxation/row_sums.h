@@ -18,9 +18,9 @@ int row_place(std::int64_t pair, int row_size);
 
 /// Memory for the rows (force and moments of each pair) that force kernels write, and plans by which the rows are
 /// summed for each grain. For each grain, the rows of the pairs in which it is the first grain are summed first, then
-/// the rows of the pairs in which it is the second grain; both in the order of the lists and of the pairs in a list.
-/// After the rows of a group of pairs of grains have been summed, their memory is reused for a later group of the same
-/// thread. The memory thus stays small enough for the caches.
+/// the rows of the pairs in which it is the second grain. Within each of the two sums, the rows are in the order of the
+/// lists and, within a list, of the pairs. After the rows of a group of pairs of grains have been summed, their memory
+/// is reused for a later group of the same thread. The memory thus stays small enough for the caches.
 template <int Dim>
 class RowSums {
  public:
@@ -29,7 +29,7 @@ class RowSums {
   RowSums(RowSums&&) noexcept = default;
   RowSums& operator=(RowSums&&) noexcept = default;
   /// @param lists  list of the pairs of grains and, if there are walls, list of the pairs of grains with walls; the
-  /// memory of the latter rows is not reused
+  /// memory of the rows of pairs with walls is not reused
   /// @param plan  order in which the forces of pairs are computed and the forces on blocks of grains are summed
   RowSums(const std::vector<const PairArrays<Dim>*>& lists, RowKind rows, int n_grains, const SweepPlan& plan);
 

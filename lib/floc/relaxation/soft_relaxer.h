@@ -36,8 +36,8 @@ struct SoftProgress {
 /// equilibrium. A packing without contacts moves on soft springs from the start.
 ///
 /// Between two chunks of time steps the packing has its own contact law with full stiffness, together with the overlaps
-/// and elongations of the soft springs. Its forces are then larger than those of the soft springs by the factor of the
-/// softening.
+/// and elongations of the soft springs. The forces in this packing are larger than those of the soft springs by the
+/// factor RelaxationOptions::softening.
 template <int Dim>
 class SoftRelaxer final : public Equilibrator<Dim> {
  public:

@@ -12,12 +12,12 @@
 namespace floc {
 namespace {
 
-/// Weight of displacements across a contact, divided by the weight of displacements along its normal. The weights
-/// multiply the squared relative displacements of the two grains.
+/// Weight of relative displacements perpendicular to the normal of a contact, divided by the weight of those along the
+/// normal. The weights multiply the squared relative displacements of the two grains.
 constexpr double kAcross = 1e-4;
 /// Relative accuracy of the computed displacements of the grains.
 constexpr double kGapAccuracy = 1e-4;
-/// Largest number of iterations that compute these displacements.
+/// Largest number of iterations in which the displacements of the grains are computed.
 constexpr int kMostIterations = 5000;
 
 /// Multiplies the numbers in the histories of all contacts by factors that depend on the units of the numbers.

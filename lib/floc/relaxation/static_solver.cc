@@ -26,9 +26,9 @@
 namespace floc {
 namespace {
 
-/// Regularisation: stiffness that is added on the diagonal of the tangent matrix, divided by the stiffness of the
-/// stiffest contact. Without this term, motions without stiffness would make the matrix singular. Its value is far
-/// below the relative stiffness of the softest mode of a packing (5e-6) and far above rounding errors.
+/// Regularisation: this number times the stiffness of the stiffest contact is added on the diagonal of the tangent
+/// matrix. Without this term, motions without stiffness would make the matrix singular. The number is far below the
+/// relative stiffness of the softest mode of a packing (5e-6) and far above rounding errors.
 constexpr double kRegularisation = 1e-10;
 
 /// State of the packing in a Newton iteration: the cell, the positions of the grains, and the residuals of the
@@ -120,9 +120,9 @@ class StaticProblem {
   TangentLayout layout() const { return {kDofs<Dim>, n_strains()}; }
 
   /// Returns the smallest stress residual that can be reached, since each component of the lattice vectors is rounded
-  /// to a double (in the units of StaticSolverOptions::target). It is the stress caused by a strain of one rounding
-  /// error. The elastic modulus is estimated by its upper bound in a packing of disks, which is twice the normal
-  /// stiffness K_N.
+  /// to a double (in the units of StaticSolverOptions::target). This residual is the stress caused by a strain of one
+  /// rounding error. The elastic modulus is estimated by its upper bound in a packing of disks, which is twice the
+  /// normal stiffness K_N.
   double rounding_of_stress() const {
     return 2.0 * std::numeric_limits<double>::epsilon() * stiffness_ * scale_.length / scale_.force;
   }
@@ -150,8 +150,8 @@ class StaticProblem {
     Configuration<Dim> to = from;
     const Mat<Dim> lattice = from.cell.matrix;
     to.cell.matrix = lattice + lattice * wanted.transpose();
-    // Strain from the old to the new components of the lattice. It differs slightly from `wanted`, since the new
-    // components are rounded to doubles.
+    // Strain from the old to the new components of the lattice. This strain differs slightly from `wanted`, since the
+    // new components are rounded to doubles.
     const Mat<Dim> strain = strain_between(lattice, to.cell.matrix);
     // The unknown of the equations is the strain times the largest diameter. The strain is multiplied and divided by
     // this diameter, so that it contains the rounding error of the unknown.
@@ -209,8 +209,8 @@ class StaticProblem {
 
   /// Whether any two grains interact although they are not a candidate contact. The candidates are all pairs that
   /// displacements within the limits of the solver can bring together. However, if no contact joins two parts of the
-  /// packing, their relative motion has no stiffness, and a step may move them by any distance. Without stress, this
-  /// happens between a cluster of grains and its own periodic images.
+  /// packing, their relative motion has no stiffness, and a step may move the two parts by any distance. Without
+  /// stress, this happens between a cluster of grains and its own periodic images.
   bool meets_others(const Configuration<Dim>& at) const {
     Packing<Dim> here;
     here.contacts = at.remembered;
@@ -224,8 +224,8 @@ class StaticProblem {
     }
   }
 
-  /// Returns the packing of a configuration. It is at rest, its history variables are updated, and its grains are
-  /// inside the cell.
+  /// Returns the packing of a configuration. The packing is at rest, the history variables are updated, and the grains
+  /// are inside the cell.
   Packing<Dim> packing(const Configuration<Dim>& at) const {
     Packing<Dim> out = start_;
     out.cell = at.cell;

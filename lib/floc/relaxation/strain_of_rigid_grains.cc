@@ -14,13 +14,12 @@ namespace {
 
 /// Number of time steps of a strain in one call of advance().
 constexpr int kStrainingSteps = 20;
-/// Largest number of sweeps in the step whose forces are recorded in motion, divided by the largest number in other
-/// steps.
+/// The step whose forces are recorded in motion may have this many times as many sweeps as other steps.
 constexpr int kSweepsOfRecord = 50;
-/// Largest repulsive force of a contact that counts as force-free in a recorded motion, divided by the mean repulsive
-/// force.
+/// In a recorded motion, a contact counts as force-free if its repulsive force, divided by the mean repulsive force, is
+/// at most this number.
 constexpr double kIdle = 1e-9;
-/// Side below which a cell counts as closed, in largest diameters.
+/// A cell counts as closed if a side, in largest diameters, is below this number.
 constexpr double kClosedSide = 0.5;
 
 }  // namespace

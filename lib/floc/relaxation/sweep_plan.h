@@ -21,7 +21,8 @@ namespace floc {
 class SweepPlan {
  public:
   SweepPlan() = default;
-  /// @param blocks_of_group  number of blocks per group, a multiple of the number with which `pairs` was padded
+  /// @param blocks_of_group  number of blocks per group: a multiple of the number of blocks per group for which `pairs`
+  /// was padded
   template <int Dim>
   SweepPlan(const PairArrays<Dim>& pairs, int n_blocks, int n_threads, int blocks_of_group);
 
@@ -41,8 +42,8 @@ class SweepPlan {
     const auto first = [&](std::size_t t) { return shared_.size() * t / n_threads_; };
     return std::span(shared_).subspan(first(thread), first(thread + 1) - first(thread));
   }
-  /// Returns the blocks that drift just before the forces of the pairs of this group are computed. They are the blocks
-  /// that are not shared, are read by pairs of this group and are read by no earlier group.
+  /// Returns the blocks that drift just before the forces of the pairs of this group are computed: the blocks that are
+  /// not shared, are read by pairs of this group and are read by no earlier group.
   std::span<const int> drifting_for(int group) const {
     return std::span(drifting_).subspan(first_drifting_[group],
                                         first_drifting_[group + 1] - first_drifting_[group]);

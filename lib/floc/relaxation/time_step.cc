@@ -26,7 +26,8 @@ constexpr double kLargestForce = 8.0;
 /// contact force under a pressure is estimated with this product.
 constexpr double kFewContacts = 4.0;
 
-/// Solid fraction of the closest packing, from which the largest frequency at which the cell vibrates is estimated.
+/// Solid fraction of the closest packing. The largest frequency of vibrations of the cell is estimated for this solid
+/// fraction.
 template <int Dim>
 constexpr double kClosePacked = Dim == 2 ? 0.9069 : 0.7405;
 

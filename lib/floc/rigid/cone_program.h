@@ -98,12 +98,12 @@ struct ConeSolution {
   Eigen::VectorXd motion;  ///< dual unknown y
   double objective = 0.0;  ///< 1/2 x' Q x + c' x + 1/2 y' S y
   double residual = 0.0;   ///< largest |A x + S y - b|
-  /// duality gap x' z, with z = Q x + c - A' y: an upper bound of the objective minus its minimum
+  /// duality gap x' z, with z = Q x + c - A' y: an upper bound of the difference between the objective and its minimum
   double gap = 0.0;
   int n_factorizations = 0;
 
-  /// Returns whether the program was solved, or rounding ended the iteration when the residual and the gap were below
-  /// `nearly`.
+  /// Returns whether the program was solved. If rounding errors ended the iteration, the program also counts as solved
+  /// if the residual and the gap are below `nearly`.
   bool is_solved(double nearly) const {
     return status == ConeStatus::kSolved ||
            (status == ConeStatus::kFailed && residual < nearly && gap < nearly);

@@ -20,34 +20,34 @@ namespace {
 
 /// Largest allowed displacement of a grain in a time step, divided by the diameter of the grain.
 constexpr double kLongestMove = 2e-2;
-/// Largest allowed displacement, divided by the diameter, of a grain with corners on which a contact force acts. It is
-/// smaller because the closest features of two grains may change within a step.
+/// Largest allowed displacement, divided by the diameter, of a grain with corners on which a contact force acts. The
+/// limit is lower than kLongestMove because the closest features of two grains may change within a step.
 constexpr double kCarryingMove = 5e-3;
-/// Deepest overlap of two grains that is allowed after a step, divided by the diameter of the smaller grain.
+/// Deepest overlap of two grains, divided by the diameter of the smaller grain, that is allowed after a step.
 constexpr double kDeepest = 1e-2;
-/// Deepest allowed overlap, divided by the diameter of the smaller grain, after a step from rest that is made because
-/// shorter steps did not avoid overlaps. Shorter steps fail, for example, if two nearly parallel faces meet at a
+/// Deepest overlap, divided by the diameter of the smaller grain, that is allowed after a step from rest. A step from
+/// rest is made if shorter steps did not avoid overlaps, for example because two nearly parallel faces meet at a
 /// different corner in each step.
 constexpr double kDeepestAtRest = 5e-2;
 /// Largest number of times that a step is halved because overlaps after it are too deep.
 constexpr int kMostHalvings = 5;
-/// Shortest step that is still halved if overlaps after it are too deep, divided by the longest step.
+/// Shortest step, divided by the longest step, that is still halved if overlaps after it are too deep.
 constexpr double kShortestStep = 1e-3;
 /// Share of an overlap that a step removes if the step is solved by sweeps.
 constexpr double kStabilisation = 0.1;
-/// Overlap that is not removed if impacts are elastic, divided by the diameter of the smaller grain. Its removal would
+/// Overlap, divided by the diameter of the smaller grain, that is not removed if impacts are elastic. Its removal would
 /// add energy.
 constexpr double kElasticOverlap = 5e-3;
-/// Shortest time over which an overlap is removed, divided by the longest time step.
+/// Shortest time, divided by the longest time step, in which an overlap is removed.
 constexpr double kShortestRemoval = 0.125;
 /// If the largest displacement in a step is less than this share of its limit, the next time step is doubled.
 constexpr double kTimid = 0.4;
-/// A contact slides if its tangential impulse differs from Coulomb's limit by less than this number, as a fraction of
-/// the limit.
+/// A contact counts as sliding if its tangential impulse differs from Coulomb's limit by less than this fraction of the
+/// limit.
 constexpr double kAtLimit = 1e-9;
 
-/// Returns whether the adhesion of a contact acts in a step: the surfaces touch, or a repulsive force acted between
-/// them in the last step.
+/// Returns whether the adhesion of a contact acts in a step. It acts if the surfaces touch, or if a repulsive force
+/// acted between them in the last step.
 template <int Dim>
 bool sticks(const Contact<Dim>& c) {
   return c.gap <= 0.0 || c.elastic_force > 0.0;
@@ -118,8 +118,8 @@ double ContactDynamics<Dim>::reach() const {
   return 2.0 * kLongestMove * 2.0 * largest;
 }
 
-/// Returns the velocity gradient of the cell that is added to the velocities of the grains (1/time). It has no
-/// component along an axis with walls: along this axis, the velocities of the grains are relative to space.
+/// Returns the velocity gradient of the cell that is added to the velocities of the grains (1/time). The components
+/// along axes with walls are zero: along these axes, the velocities of the grains are relative to space.
 template <int Dim>
 Mat<Dim> ContactDynamics<Dim>::cell_rate() const {
   Mat<Dim> rate = packing_.cell.rate();
@@ -153,7 +153,7 @@ BodyMotion<Dim> ContactDynamics<Dim>::free_motion(double dt, bool at_rest) const
   return out;
 }
 
-/// Returns the terminal speed of a wall that no grain touches: the speed at which it finally moves inwards
+/// Returns the terminal speed of a wall: the speed at which a wall that no grain touches finally moves inwards
 /// (length/time).
 template <int Dim>
 double ContactDynamics<Dim>::terminal_speed(const Wall<Dim>& wall) const {
@@ -229,8 +229,8 @@ double ContactDynamics<Dim>::removal_time(double dt) const {
 }
 
 /// Returns the contact points as contacts of a step, with the impulses of the last step as initial values. If impacts
-/// are elastic, points with a gap are left out unless they stick. Otherwise the step would reduce the velocity of
-/// approach until the gap just closes, and the restitution could no longer use the original velocity.
+/// are elastic, points with a gap are left out unless their adhesion acts. With these points, the step would reduce the
+/// velocity of approach until the gap just closes, and the restitution could no longer use the original velocity.
 template <int Dim>
 std::vector<StepContact<Dim>> ContactDynamics<Dim>::step_contacts(double dt, double removed,
                                                                   std::vector<int>& source) const {
@@ -260,8 +260,8 @@ std::vector<StepContact<Dim>> ContactDynamics<Dim>::step_contacts(double dt, dou
           kStabilisation * std::min(0.0, c.gap + kElasticOverlap * 2.0 * smaller_radius(packing_, c)) / removal;
     else
       k.bias[0] += c.gap > 0.0 ? c.gap / dt : removed * c.gap / removal;
-    // The forces of an impact in a short step are too large for a longer step, so the impulses are those of the shorter
-    // of the two steps.
+    // An impact in a short step leaves large forces. Multiplied by a longer step, they would give too large impulses,
+    // so the forces are multiplied by the shorter of the last and the present time step.
     const double known = std::min(dt, last_step_);
     k.impulse = -known * (k.frame.transpose() * c.shear_force);
     k.impulse[0] = known * c.elastic_force;
@@ -402,8 +402,8 @@ double ContactDynamics<Dim>::error_of_forces() const {
   BodyMotion<Dim> motion = free_motion(time_step_, false);
   std::vector<int> source;
   std::vector<StepContact<Dim>> contacts = step_contacts(time_step_, kStabilisation, source);
-  // The recorded forces tell whether the adhesion of a contact acts. It cannot be computed anew: across a gap it
-  // depends on the forces of the previous step.
+  // The adhesion of each contact is computed from the recorded forces. The contact law alone does not give this
+  // adhesion, because adhesion across a gap acts only if a force acted in the previous step.
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Contact<Dim>& c = packing_.contacts[static_cast<std::size_t>(source[k])];
     contacts[k].adhesion = time_step_ * std::max(0.0, c.elastic_force - c.normal_force);

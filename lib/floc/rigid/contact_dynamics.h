@@ -26,8 +26,8 @@ struct BoundaryLoad {
   /// Terminal strain rate |L'/L|, where L is a side of the cell or the distance of two walls (1/time). Without
   /// contacts, the length L finally shrinks at this rate, because a drag acts on the side or on the walls.
   double strain_rate_cap = std::numeric_limits<double>::infinity();
-  /// Terminal speed at which two walls finally approach each other without contacts (length/time). If it is absent, the
-  /// speed is strain_rate_cap times the distance of the walls.
+  /// Terminal speed at which two walls finally approach each other without contacts (length/time). If no value is
+  /// given, the speed is strain_rate_cap times the distance of the walls.
   std::optional<double> wall_speed = {};
 };
 
@@ -43,8 +43,8 @@ struct ContactDynamicsSettings {
   double slow_impact = 0.0;
   int threads = 1;
   /// Whether the contacts of a step are solved all at once (implicit_step.h) and not by sweeps. If so, overlaps are
-  /// removed in one step, and the velocities of all grains are set to zero whenever the grains, as a whole, move
-  /// backwards. The grains come to rest faster in this way than if their velocities are set to zero before each step.
+  /// removed in one step, and the velocities of all grains are set to zero whenever the grains, as a whole, reverse
+  /// their motion. The grains then come to rest faster than if their velocities were set to zero before each step.
   bool at_once = false;
   /// Whether steps in 3D that are solved at once use separating plates (separating_plates.h). The grains must have
   /// corners, and neither friction nor adhesion.
@@ -56,8 +56,9 @@ struct ContactDynamicsSettings {
 /// (gauss_seidel.h). The time step is halved until no grain moves by more than 2e-2 of its diameter (5e-3 for grains
 /// with corners on which a contact force acts) and no overlap is deeper than 1e-2 of the diameter of the smaller grain.
 ///
-/// The contacts of the packing are all contact points whose gap could close within one step. Their forces are those of
-/// the last step (impulses divided by the time step), and give the initial impulses of the next step.
+/// The contacts of the packing are all contact points whose gap could close within one step. The forces of the contacts
+/// are those of the last step (impulses divided by the time step); the initial impulses of the next step are computed
+/// from these forces.
 template <int Dim>
 class ContactDynamics {
  public:
@@ -73,8 +74,8 @@ class ContactDynamics {
   /// @throws NoResult if overlaps are too deep even after this last step
   void step(bool at_rest);
 
-  /// Sets the velocity of the cell (length/time). For sides under stress, it is the velocity at the start of the next
-  /// step; all other sides keep it in later steps.
+  /// Sets the velocity of the cell (length/time). For sides under stress, `velocity` is the velocity at the start of
+  /// the next step; all other sides keep `velocity` in later steps.
   void set_cell_velocity(const Mat<Dim>& velocity) { packing_.cell.velocity = velocity; }
   /// Limits the length of the next step (time).
   void shorten_next_step(double longest) { time_step_ = std::min(time_step_, longest); }

@@ -30,13 +30,13 @@ Vec<2> sliding_impulse(const ContactProblem<2>& problem, const Vec<2>& sticking)
     return Vec<2>(p, sign * mu * p);
   };
   const double sign = sticking[1] > 0.0 ? 1.0 : -1.0;
-  // In a steep wedge, friction in one direction would pull the bodies together. The impulse then has the other
-  // direction.
+  // If the response couples slip strongly to the normal velocity (as in a steep wedge), friction in one direction would
+  // pull the bodies together. The impulse then has the other direction.
   return a(0, 0) + sign * mu * a(0, 1) > 0.0 ? along(sign) : along(-sign);
 }
 
 /// Tangential impulse p_t with |p_t| <= r that minimises the tangential velocity |A_t p + q_t| in the norm of A_tt^-1
-/// (see ContactProblem). This is a trust-region problem. It is solved in the axes in which A_tt is diagonal.
+/// (see ContactProblem). This trust-region problem is solved in the axes in which A_tt is diagonal.
 struct Slip {
   Vec<2> eigenvalue;
   Mat<2> axes;

@@ -8,10 +8,11 @@ namespace floc {
 /// contacts are fixed:
 ///
 ///     0 <= P  complementary to  A_n p + q_n >= 0,       p = (P, p_t)
-///     A_t p + q_t = 0 where |p_t| < mu P,               otherwise |p_t| = mu P, against A_t p + q_t
+///     A_t p + q_t = 0 if |p_t| < mu P,                  otherwise |p_t| = mu P, and p_t is opposite to A_t p + q_t
 ///
 /// Here p is the impulse on the second body in the frame of the contact (normal, tangents). The normal component P is
-/// only the repulsive part of the normal impulse. A p + q is the relative velocity after the step.
+/// only the repulsive part of the normal impulse. A p + q is the relative velocity after the step; the indices n and t
+/// denote its normal and tangential components, and A_tt is the tangential block of A.
 template <int Dim>
 struct ContactProblem {
   Mat<Dim> response;      ///< symmetric positive definite matrix A: relative velocity for a unit impulse
@@ -21,15 +22,15 @@ struct ContactProblem {
 
 /// Returns the impulse that solves a contact problem. In 2D a closed formula gives the impulse. In 3D the direction of
 /// slip depends on P; an iteration finds the P at which the normal velocity is zero, exactly up to rounding. If mu is
-/// large and the response couples slip to the normal velocity, several impulses may solve the problem. An impulse that
-/// sticks is then preferred, and otherwise an impulse whose slip is opposite to the tangential impulse that would be
-/// needed for sticking.
+/// large and the response couples slip to the normal velocity, several impulses may solve the problem. The function
+/// then returns an impulse with which the contact sticks, if there is one; otherwise it returns an impulse whose slip
+/// is opposite to the tangential impulse that sticking would need.
 template <int Dim>
 Vec<Dim> contact_impulse(const ContactProblem<Dim>& problem);
 
-/// Returns the error of an impulse p as a solution of a contact problem (impulse): the largest component of the natural
-/// map of the complementarity problem, that is, of p minus the projection of p - (velocity)/A onto the admissible
-/// impulses.
+/// Returns the error with which an impulse p solves a contact problem (unit of impulse). Let u be the relative velocity
+/// after the step. The error is the larger of |P - [P - u_n/A_nn]_+| and |p_t - proj(p_t - u_t/a)|. Here proj is the
+/// projection onto the vectors with |p_t| <= mu P, and a is the mean of the diagonal of A_tt.
 template <int Dim>
 double contact_error(const ContactProblem<Dim>& problem, const Vec<Dim>& impulse);
 

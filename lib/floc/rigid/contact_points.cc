@@ -11,8 +11,8 @@
 namespace floc {
 namespace {
 
-/// Largest distance of an earlier and a new contact point that match although their keys differ, divided by the smaller
-/// radius.
+/// Two contact points with different keys, an earlier point and a new point, are matched only if their distance,
+/// divided by the smaller radius, is at most this number.
 constexpr double kMatchingShare = 0.25;
 
 template <int Dim>

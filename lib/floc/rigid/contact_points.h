@@ -10,7 +10,7 @@ namespace floc {
 
 /// Search for the contact points of a packing. A pair of round grains has one point; a pair of grains with corners has
 /// up to two (2D) or four (3D). For each pair, the object stores the features that defined the separating axis in the
-/// last search, and the next search begins with these features. The result depends on the stored features only within
+/// last search, and the next search begins with these features. The stored features change the result by no more than
 /// the margins of contact_manifold().
 template <int Dim>
 class ContactPoints {

@@ -135,8 +135,8 @@ struct CoupledContacts {
     u -= cross<double>(i.angular_velocity, c.arm_i);
     c.add_velocity(stretch, u);
     Vec<Dim> q = c.frame.transpose() * u;
-    // The velocity of the bodies contains the effect of the present impulse, but not the term of the impulse due to the
-    // compliance.
+    // The velocities of the bodies contain the effect of the present impulse, but `response` also contains the
+    // compliance. The effect is subtracted without the compliance.
     q += c.bias - c.response.times(c.impulse) + c.tangential_compliance * c.impulse;
     q[0] += (c.normal_compliance - c.tangential_compliance) * c.impulse[0];
     return q;

@@ -22,7 +22,7 @@ class CoupledResponse<2> {
     const double nn = response(0, 0), nt = response(0, 1);
     for (const int up : {0, 1}) {
       double sign = up == 1 ? 1.0 : -1.0;
-      // Friction in this direction would pull the bodies together. The impulse then has the other direction.
+      // If friction in this direction would pull the bodies together, the impulse has the other direction.
       if (nn + sign * friction * nt <= 0.0) sign = -sign;
       slide_normal_[up] = -1.0 / (nn + sign * friction * nt);
       slide_tangent_[up] = sign * friction * slide_normal_[up];
@@ -40,8 +40,8 @@ class CoupledResponse<2> {
     const double stick_t = stick_(1, 0) * q[0] + stick_(1, 1) * q[1];
     const int up = stick_t > 0.0;
     const double slide_n = q[0] * slide_normal_[up], slide_t = q[0] * slide_tangent_[up];
-    // `outside` is positive if the sticking impulse is outside Coulomb's cone, also for a negative stick_n: q[0] is
-    // then negative, too, so stick_t is not zero.
+    // `outside` is positive if the sticking impulse is outside Coulomb's cone. It matters only for q[0] < 0; stick_n
+    // can then be negative only if stick_t is not zero, so `outside` is positive in this case, too.
     const double outside = std::abs(stick_t) - friction_ * stick_n;
     const double p_n = outside > 0.0 ? slide_n : stick_n, p_t = outside > 0.0 ? slide_t : stick_t;
     return {q[0] < 0.0 ? p_n : 0.0, q[0] < 0.0 ? p_t : 0.0};
@@ -54,7 +54,8 @@ class CoupledResponse<2> {
   double slide_normal_[2], slide_tangent_[2];
 };
 
-/// Contact problem in 3D. The tangents are the axes in which A_tt is diagonal: A = (a, c'; c, diag(l)).
+/// Contact problem in 3D. The tangents are the axes in which A_tt is diagonal. In block form, A = (a, c'; c, diag(l)),
+/// with a number a and vectors c and l.
 ///
 /// An impulse with slip u_t = -s p_t, s >= 0, solves (A + diag(0, s, s)) p = -q. By Cramer's rule its components are P
 /// = N_n(s)/D(s) and p_t = N_t(s)/D(s), where D is positive, N_n is quadratic and N_t is linear in s. A contact sticks

@@ -44,9 +44,9 @@ class BalanceRows {
   int n_boundary() const { return n_boundary_; }
   Eigen::VectorXd& load() { return load_; }
 
-  /// Returns the sum over the contacts of normal force times length of the branch vector that the load requires: the
-  /// trace of the stress times the volume. If the forces on walls are given, returns the sum of these forces and of the
-  /// weights of the grains.
+  /// Returns the sum, over all contacts, of the normal force times the length of the branch vector. The load determines
+  /// this sum: it is the trace of the stress times the volume. If the forces on walls are given, the function returns
+  /// the sum of these forces and of the weights of the grains.
   double sum_of_loads() const {
     if (by_wall_) return load_.cwiseAbs().sum();
     return std::abs(load_.segment(first_of_boundary(), Dim).sum());
@@ -107,9 +107,9 @@ Vec<Dim> present_force(const NetworkContact<Dim>& c) {
   return f;
 }
 
-/// Marks the contacts whose force must be zero in equilibrium: contacts without adhesion of a grain on which no other
-/// force acts. After such a contact is removed, another grain may have only one contact left, and the search continues
-/// with this grain. With gravity, no contact is marked.
+/// Marks the contacts whose force must be zero in equilibrium: a contact without adhesion is marked if it is the only
+/// contact of a grain. After such a contact is removed, another grain may have only one contact left, and the search
+/// continues with this grain. With gravity, no contact is marked.
 template <int Dim>
 std::vector<bool> idle_contacts(const Packing<Dim>& packing) {
   if (!packing.gravity.isZero(0.0)) return std::vector<bool>(packing.contacts.size(), false);
@@ -248,7 +248,8 @@ ForceBalance<Dim> force_balance(const std::string& place, const Packing<Dim>& pa
   const double branch = rows.boundary_scale() / std::sqrt(static_cast<double>(contacts.size()));
   out.unit = std::max(sum, rows.sum_of_loads() / branch) / n;
   if (!(out.unit > 0.0))
-    throw InputError(place, "its contacts carry no force: give the stress that their forces have to transmit");
+    throw InputError(
+        place, "all contact forces of the packing are zero: give the stress that the forces have to balance");
 
   // Only rows to which at least one contact contributes get numbers.
   std::vector<int> number(rows.n_rows(), -1);

@@ -21,7 +21,7 @@ struct ForceBalanceOptions {
   /// forces.
   std::optional<Mat<Dim>> stress;
   /// Stress on each axis that the forces have to give, compression positive (force/length^(Dim-1)); shear stresses are
-  /// then arbitrary. If it is absent, `stress` is used. At most one of the two may be given.
+  /// then arbitrary. If axis_stress is absent, `stress` is used. At most one of the two may be given.
   std::optional<Vec<Dim>> axis_stress;
   /// Axes along which the length of the cell is fixed; used only with `axis_stress`. The stress on these axes is
   /// arbitrary.
@@ -37,15 +37,16 @@ struct ForceBalanceOptions {
 /// Errors of the equations of balance for a set of forces.
 struct BalanceError {
   double force = 0.0;  ///< largest net force on a grain, divided by the mean normal force
-  /// largest net moment on a grain, divided by the mean normal force times the size of the grain
+  /// largest net moment on a grain, divided by the product of the mean normal force and the size of the grain
   double moment = 0.0;
-  /// largest error of a component of the stress, divided by the pressure if all contacts had the mean normal force
+  /// largest error of a component of the stress, divided by the pressure that would act if all contacts had the mean
+  /// normal force
   double stress = 0.0;
 };
 
-/// Contact whose force is unknown. A block of the unknown x in the cone program is (P, T/mu) of this contact, in units
-/// of ForceBalance::unit. P = F_N + F_a is the repulsive part of the normal force F_N, F_a the adhesion, T the
-/// tangential force and mu the friction coefficient.
+/// Contact whose force is unknown. The block of this contact in the unknown x of the cone program is (P, T/mu), in
+/// units of ForceBalance::unit. Here P = F_N + F_a is the repulsive part of the normal force F_N, F_a is the adhesion,
+/// T is the tangential force, and mu is the friction coefficient.
 template <int Dim>
 struct UnknownForce {
   int contact;       ///< index in the contacts of the packing
@@ -63,7 +64,8 @@ template <int Dim>
 struct ForceBalance {
   std::vector<UnknownForce<Dim>> unknowns;
   ConeProgram<Dim> program;  ///< constraints of the balance; the objective is zero
-  /// for each row of the program, the index of the grain; -1 for rows of the boundary
+  /// for each row of the program, the index of the grain; -1 for rows of the boundary (stress of the cell or forces on
+  /// walls)
   std::vector<int> row_grain;
   std::vector<bool> row_is_moment;  ///< for each row, whether it is a balance of moments
   /// unit of the forces in the program, close to the mean normal force (force)

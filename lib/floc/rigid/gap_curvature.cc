@@ -10,12 +10,12 @@
 namespace floc {
 namespace {
 
-/// Radius of curvature that is used for a face instead of infinity, divided by the size of the grain.
+/// Radius of curvature, divided by the size of the grain, that is used for a face instead of infinity.
 constexpr double kFlat = 1e5;
-/// Radius of curvature that is used for a corner instead of zero, divided by the size of the grain.
+/// Radius of curvature, divided by the size of the grain, that is used for a corner instead of zero.
 constexpr double kSharp = 1e-7;
-/// Largest distance from the support plane, divided by the size of the grain, of vertices that count as vertices of the
-/// face or edge in contact.
+/// A vertex counts as a vertex of the face or edge in contact if its distance from the support plane, divided by the
+/// size of the grain, is at most this number.
 constexpr double kOnPlane = 1e-6;
 
 template <int Dim>
@@ -51,8 +51,8 @@ TangentMatrix<Dim> radii_of_curvature(const Packing<Dim>& packing, int body, con
 }
 
 /// Returns the vector from the centre of a body to its surface at a contact.
-/// @param midway   result for walls and for grains with corners: the vector to the point midway between the two
-/// surfaces
+/// @param midway   vector from the centre to the point midway between the two surfaces; it is the result for walls and
+/// for grains with corners
 /// @param outward  normal of the body at the contact
 template <int Dim>
 Vec<Dim> surface_arm(const Packing<Dim>& packing, int body, const Vec<Dim>& midway, const Vec<Dim>& outward) {
@@ -91,7 +91,7 @@ PairMatrix<Dim> gap_curvature(const Packing<Dim>& packing, const Contact<Dim>& c
   }
   const TangentMatrix<Dim> radii_i = radii_of_curvature<Dim>(packing, c.i, n, tangents);
   const TangentMatrix<Dim> radii_j = radii_of_curvature<Dim>(packing, c.j, Vec<Dim>(-n), tangents);
-  // The depth of an overlap is limited to half of the sum of the radii of curvature.
+  // An overlap counts as at most half as deep as the smallest sum of the radii of curvature in any direction.
   const TangentMatrix<Dim> sum = radii_i + radii_j;
   const double least =
       Eigen::SelfAdjointEigenSolver<TangentMatrix<Dim>>(sum, Eigen::EigenvaluesOnly).eigenvalues()[0];

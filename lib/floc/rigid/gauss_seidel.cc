@@ -10,8 +10,8 @@
 namespace floc {
 namespace {
 
-/// Largest relative deviation from the geometry of a round grain at which a grain still counts as round. Rounding of
-/// positions in large cells causes small deviations.
+/// A grain counts as round if the relative deviation of its geometry from that of a round grain is at most this number.
+/// Rounding of positions in large cells causes small deviations.
 constexpr double kRound = 1e-12;
 
 /// Returns whether a body behaves like a round body at one of its contacts, as RoundContacts requires.

@@ -19,7 +19,7 @@ template <int Dim>
 class ContactSweeps;
 
 /// Non-linear Gauss-Seidel method for the contacts of one implicit time step (Moreau 1988; Jean 1999). Contacts of one
-/// colour share no body that moves, so the result does not depend on their order. It is bitwise identical for any
+/// colour share no body that moves, so the result does not depend on their order and is bitwise identical for any
 /// number of threads. After each sweep, the impulses are extrapolated in the direction of their earlier changes
 /// (Silcowitz-Hansen, Niebe and Erleben 2010); without this extrapolation, many times more sweeps would be needed.
 ///

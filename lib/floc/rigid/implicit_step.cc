@@ -12,8 +12,8 @@ namespace {
 
 /// Largest number of times that a step with friction is solved.
 constexpr int kMostSolutions = 10;
-/// Change of the opening velocities mu |u_t| from one solution to the next, in the units of the program, below which a
-/// step with friction is not solved again.
+/// A step with friction is not solved again if the opening velocities mu |u_t| (implicit_step.h) change by less than
+/// this value from one solution to the next, in the units of the program.
 constexpr double kSameOpening = 1e-6;
 
 /// If rounding errors ended the iteration, a solution is still accepted up to this error of the impulses and of the
@@ -34,8 +34,8 @@ struct Unknown {
 };
 
 /// Cone program for the impulses p of a step. Each row is the balance of momentum of one unknown velocity v_r with the
-/// mass M_r, sum H p - M_r v_r = -M_r v_free. H is the relative velocity at a contact for v_r = 1, v_free is the value
-/// of v_r without impulses, and the sum is over the contacts. The dual unknown of the row is -v_r. The units of
+/// mass M_r: sum H p - M_r v_r = -M_r v_free. Here H is the relative velocity at a contact for v_r = 1, v_free is the
+/// value of v_r without impulses, and the sum is over the contacts. The dual unknown of the row is -v_r. The units of
 /// impulses and velocities are chosen so that their values are of order one.
 template <int Dim>
 class StepProgram {
@@ -57,7 +57,7 @@ class StepProgram {
   const ConeProgram<Dim>& program() const { return program_; }
 
   /// Adds to the normal velocity of each contact the opening velocity mu |u_t| of a solution, with the friction
-  /// coefficient mu and the slip velocity u_t. It replaces the opening velocity of an earlier solution.
+  /// coefficient mu and the slip velocity u_t. This opening velocity replaces that of an earlier solution.
   /// @return largest change of an opening velocity
   double add_opening(const ConeSolution<Dim>& solution) {
     const std::vector<Vec<Dim>> motion = program_.relative_motion(Eigen::VectorXd(-solution.motion));

@@ -18,9 +18,9 @@ namespace floc {
 ///
 /// @param bodies    motion of the bodies with all external impulses; it gets the velocities at the end of the step
 /// @param contacts  contacts of the step; they get the impulses
-/// @param stiffness  for each contact, the matrix that gives the change of the momenta of its two bodies due to the
-/// rotation of its normal force, for the velocities of the bodies (mass). The matrix is positive semidefinite. The list
-/// may be empty if the rotation of the forces is neglected.
+/// @param stiffness  for each contact, a positive semidefinite matrix (mass). Multiplied by the velocities of the two
+/// bodies of the contact, it gives the change of their momenta that is due to the rotation of the normal force. The
+/// list may be empty if the rotation of the forces is neglected.
 /// @return whether the program was solved; otherwise nothing is changed. Only rounding errors can cause a failure, for
 /// example if the masses are negligible in a very long time step
 template <int Dim>

@@ -78,8 +78,8 @@ struct Point {
   bool is_finite() const {
     return std::isfinite(dot(x, x) + dot(z, z) + y.squaredNorm() + tau * tau + kappa * kappa);
   }
-  /// Returns the mean product of complementary variables (x and z, tau and kappa). It decreases to zero along the
-  /// central path.
+  /// Returns the mean product of complementary variables (x and z, tau and kappa). This mean decreases to zero along
+  /// the central path.
   double mu() const { return (dot(x, z) + tau * kappa) / (static_cast<double>(x.size()) + 1.0); }
 };
 
@@ -328,8 +328,8 @@ ConeSolution<Dim> InteriorPoint<Dim>::solve(const ConeProgram<Dim>& program, dou
   for (int iteration = 0, idle = 0; iteration < kMostIterations && idle < kPatience; ++iteration) {
     check_interruption();
     const ConeSolution<Dim> now = solution_at(program, at);
-    // The residual here includes the softness, which takes up the part of a load that is unbalanced by rounding. The
-    // residual without the softness is checked only at the end.
+    // The residual here includes the softness, which balances the small part of a load that rounding errors leave
+    // unbalanced. The residual without the softness is checked only at the end.
     const double residual =
         largest(Eigen::VectorXd(program.balance(now.x) + softened(program, now.motion) - program.load));
     const double error =
@@ -361,7 +361,7 @@ ConeSolution<Dim> InteriorPoint<Dim>::solve(const ConeProgram<Dim>& program, dou
     const Point<Dim> direction = step.direction();
     if (!direction.is_finite()) break;
     at.add(direction, kStepShare * longest_step(at, direction));
-    // In the homogeneous embedding only ratios of the values matter. They are scaled here to avoid overflow.
+    // In the homogeneous embedding only ratios of the values matter. The values are scaled here to avoid overflow.
     const double size = std::max(at.tau, at.kappa);
     for (Vec<Dim>& x : at.x) x /= size;
     for (Vec<Dim>& z : at.z) z /= size;

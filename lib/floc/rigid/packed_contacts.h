@@ -10,8 +10,8 @@
 /// the contacts for each axis a of space, with the branch vector r, the frame F and the impulse p.
 namespace floc {
 
-/// Branch vector r of a contact. It is stored only if the rate of stretch L of the cell is an unknown of the step. If L
-/// is imposed, the velocity L r is part of the bias.
+/// Branch vector r of a contact, stored only if the rate of stretch L of the cell is an unknown of the step. If L is
+/// imposed, the velocity L r is part of the bias.
 template <int Dim, bool Cell>
 struct CellArm {
   Vec<Dim> branch;
@@ -45,8 +45,8 @@ Mat<Dim> packed_response(const BodyMotion<Dim>& bodies, const StepContact<Dim>& 
   return out;
 }
 
-/// Returns the bias of a contact in its frame (length/time). If the stretch of the cell is imposed, its velocity at the
-/// contact is included.
+/// Returns the bias of a contact in its frame (length/time). If the rate of stretch of the cell is imposed, the bias
+/// includes the velocity that the stretch causes at the contact.
 template <int Dim, bool Cell>
 Vec<Dim> packed_bias(const BodyMotion<Dim>& bodies, const StepContact<Dim>& c) {
   if constexpr (Cell) return c.bias;

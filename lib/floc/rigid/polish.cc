@@ -71,7 +71,7 @@ struct KnownFaces {
     return out;
   }
 
-  /// Linearises the conditions of the blocks. If y changes by dy, x changes by flexibility A' dy + shift.
+  /// Linearises the conditions of the blocks. If y changes by dy, x changes by `flexibility` A' dy + `shift`.
   void linearise() {
     const std::vector<Vec<Dim>> z = gradient();
     error = (program.balance(x) - program.load).template lpNorm<Eigen::Infinity>();

@@ -64,7 +64,7 @@ struct RoundContacts {
     out.i = c.i;
     out.j = c.j;
     out.normal = c.frame.col(0);
-    // A body that does not rotate, such as a plane, may have any shape; its arm is set to zero.
+    // A body that does not rotate, such as a plane, may have any shape; the arm of such a body is set to zero.
     out.arm_i = bodies.inverse_inertia[c.i](0, 0) > 0.0 ? c.arm_i.dot(out.normal) : 0.0;
     out.arm_j = bodies.inverse_inertia[c.j](0, 0) > 0.0 ? -c.arm_j.dot(out.normal) : 0.0;
     // The sums of the absolute values in the rows give upper bounds of the response (Gershgorin): the first sum for the

@@ -15,8 +15,8 @@ constexpr double kPlateMass = 1e-3;
 constexpr double kSameGap = 1e-6;
 /// Number of sweeps in which the impulse of a pair is divided among at most four contacts.
 constexpr int kSharingSweeps = 50;
-/// Weight of the sum of the squared impulses in the function that these sweeps minimise. This sum makes the impulses of
-/// the contacts more equal.
+/// Weight of the sum of the squared impulses in the function that the sweeps of share_impulse() minimise. This sum
+/// makes the impulses of the contacts more equal.
 constexpr double kEvenly = 1e-3;
 
 /// Returns the extent of a grain along a unit vector, measured from the centre of the grain (length).
@@ -64,8 +64,8 @@ SeparatingPlates::SeparatingPlates(const Packing<3>& packing, const BodyMotion<3
   }
 }
 
-/// Adds the plate of a pair. Its first velocity is the mean of the velocities of the two grains at the centre of the
-/// plate.
+/// Adds the plate of a pair. The initial velocity of the plate is the mean of the velocities of the two grains at the
+/// centre of the plate.
 /// @param centre  vector from the centre of the first grain to the centre of the plate (length)
 /// @return index of the plate among the bodies
 int SeparatingPlates::add_plate(const StepContact<3>& c, const Vec<3>& centre) {
@@ -82,7 +82,8 @@ int SeparatingPlates::add_plate(const StepContact<3>& c, const Vec<3>& centre) {
 }
 
 /// Adds the contacts of a plate with the vertices of one of its grains.
-/// @param pattern  contact from which the new contacts are copied, with the indices of the grain and of the plate
+/// @param pattern  contact with the indices of the grain and of the plate; each new contact is a copy of this contact
+/// with its own arms, bias and impulse
 /// @param impulse  total normal impulse of the pair in the last step
 void SeparatingPlates::add_vertices(const PlacedShape<3>& grain, StepContact<3> pattern, bool is_second,
                                     const Vec<3>& centre, double impulse) {

@@ -33,8 +33,8 @@ class SeparatingPlates {
                    const std::vector<StepContact<3>>& contacts, const std::vector<double>& gaps, double reach,
                    const Rates& rates);
 
-  /// Solves the step twice: first without rotations of the forces, then with rotations of the forces found by the first
-  /// solution.
+  /// Solves the step twice: first with contact forces that do not rotate with the bodies, then with the rotation of the
+  /// forces that the first solution gave.
   /// @param bodies    bodies; they get the velocities at the end of the step
   /// @param contacts  contacts given to the constructor; they get the impulses
   /// @return whether both programs were solved; otherwise nothing is changed

@@ -135,7 +135,7 @@ void StaticForces<Dim>::fail(const ConeSolution<Dim>& solution) const {
   if (solution.status != ConeStatus::kInfeasible)
     throw NoResult(
         fmt::format("rounding errors ended the search for static forces: the residual is {:.1e} of the mean "
-                    "force and the duality gap {:.1e} after {} factorizations; there may be no solution",
+                    "force, and the duality gap is {:.1e}, after {} factorizations; there may be no solution",
                     solution.residual, solution.gap, solution.n_factorizations));
   // If no forces balance the load, the solver returns a motion as proof: the load does work in this motion, and no
   // contact resists it.

@@ -44,7 +44,7 @@ class StaticForces {
   /// Returns the balanced forces that are closest to the present forces: the elastic energy of the difference is
   /// smallest.
   /// @throws NoResult if no set of forces balances the load (the message names the grain that the load moves most), or
-  /// if rounding errors leave this open
+  /// if rounding errors do not allow a decision
   BalancedForces<Dim> closest();
 
   /// Returns the balanced forces with the least elastic energy. They depend on the geometry, the stiffnesses and the
@@ -83,10 +83,10 @@ std::vector<std::optional<double>> forces_on_moving_walls(const Packing<Dim>& pa
 template <int Dim>
 double force_distance(const BalancedForces<Dim>& f, const BalancedForces<Dim>& g);
 
-/// Returns the relative distance between the forces of a state and the forces with the least elastic energy that give
-/// the stress of the state, for its geometry; `floc forces` prints this number. The result is absent if the state is in
-/// motion, if no forces balance the state, if all contact forces are zero, or if the contact law resists rolling or
-/// twisting.
+/// Returns the relative distance between the forces of a state and its canonical forces (StaticForces::canonical()),
+/// which balance the stress of the state with the least elastic energy; `floc forces` prints this number. The result is
+/// absent if the state is in motion, if no forces balance the state, if all contact forces are zero, or if the contact
+/// law resists rolling or twisting.
 template <int Dim>
 std::optional<double> force_freedom(const State<Dim>& state);
 

@@ -13,7 +13,8 @@
 
 namespace floc {
 
-/// Interface of the sweeps of GaussSeidel over the contacts of one time step, for any type of the records.
+/// Interface of the sweeps of GaussSeidel over the contacts of one time step. It does not depend on the type of the
+/// records in which the contacts are stored.
 template <int Dim>
 class ContactSweeps {
  public:
@@ -109,8 +110,8 @@ class TeamSweeps final : public ContactSweeps<Model::kDim> {
   /// Number of contacts per chunk. Solving a chunk takes from 0.4 microseconds (disks) to 4 microseconds (bodies of any
   /// shape in 3D).
   static constexpr int kChunk = 64;
-  /// Smallest number of chunks of a colour at which several threads solve the colour. With fewer chunks, the time lost
-  /// by waiting for other threads would be as long as the time saved.
+  /// Several threads solve a colour only if it has at least this number of chunks. With fewer chunks, the time lost by
+  /// waiting for other threads would be as long as the time saved.
   static constexpr int kSharedChunks = 4;
 
   void divide(int threads) {

@@ -60,8 +60,8 @@ void clip(const Vec<Dim>& origin, const Vec<Dim>& outward, int side, const Polyg
   }
 }
 
-/// Returns the plane through side k of a face that is perpendicular to the face: a point of the plane, and a normal of
-/// any length that points away from the face.
+/// Returns the plane that contains side k of a face and is perpendicular to the face: a point of the plane, and a
+/// normal of any length that points away from the face.
 std::pair<Vec<3>, Vec<3>> side_plane(const Shape<3>& shape, int face, int k) {
   const std::span<const int> loop = shape.loop(face);
   const Vec<3>& from = shape.vertices[loop[k]];

@@ -26,8 +26,8 @@ struct ClippedFace {
 };
 
 /// Clips the incident face, a face of the shape `incident`, by the sides of the reference face, the face `face` of the
-/// shape `reference`. Returns the corners of the clipped polygon that are less than `reach` above the reference face,
-/// at most 2 in 2D and 4 in 3D.
+/// shape `reference`. Returns the corners of the clipped polygon that are less than `reach` above the reference face
+/// (at most 2 corners in 2D and 4 corners in 3D).
 ///
 /// Among the faces that meet at the vertex `lowest`, the incident face is the face whose normal is closest to the
 /// opposite of the normal of the reference face. (A face without this vertex may have a normal that is even closer.) If

@@ -175,8 +175,8 @@ ClosestPoints<Dim> closest_points(const Shape<Dim>& first, const Shape<Dim>& sec
       return found;
     }
     const Corner<Dim> next = support<Dim>(first, second, place, v);
-    // The search ends if no corner is closer to the origin, measured along v, by more than rounding errors. It also
-    // ends if the new corner is already a corner of the simplex.
+    // The search ends if no corner is closer to the origin than the end of v, measured along v, by more than rounding
+    // errors. It also ends if the new corner is already a corner of the simplex.
     if (distance2 - v.dot(next.difference) <= 1e-15 * (distance2 + size * std::sqrt(distance2))) break;
     bool is_known = false;
     for (int k = 0; k < s.n; ++k)

@@ -24,9 +24,9 @@ struct ClosestPoints {
 /// Computes the closest points of the cores of two shapes (the shapes without their rounding) by the algorithm
 /// of Gilbert, Johnson and Keerthi (IEEE J. Robot. Autom. 4, 1988). A core without vertices is a point.
 ///
-/// The error of the points is a few times the rounding error of the size of the shapes. The error of the normal is the
-/// error of the points divided by their distance. If the distance of the cores is below 1e-12 of their size, they count
-/// as overlapping.
+/// The error of the points is a few times the machine precision (2e-16) times the size of the shapes. The error of the
+/// normal is the error of the points divided by their distance. Two cores count as overlapping if their distance is
+/// below 1e-12 of their size.
 ///
 /// @param guess  estimate of the direction from the closest point of the first core to that of the second core; vector
 /// of any length > 0

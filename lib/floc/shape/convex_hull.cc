@@ -99,7 +99,8 @@ std::vector<int> corners_in_plane(const std::vector<Vec<2>>& points) {
 }
 
 /// Returns for each triangle the number of the face to which it belongs. Adjacent triangles with almost equal normals
-/// are merged. The normal of a very thin triangle is inaccurate; it is merged with the neighbour at its longest edge.
+/// are merged. The normal of a very thin triangle is inaccurate; such a triangle is merged with the neighbour at its
+/// longest edge.
 std::vector<int> joined_faces(const std::vector<Vec<3>>& points, const std::vector<HullTriangle>& triangles) {
   std::vector<int> group(triangles.size());
   std::iota(group.begin(), group.end(), 0);

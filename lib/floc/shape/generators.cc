@@ -18,7 +18,7 @@ namespace {
 
 constexpr WholeRange kCounts{.least = 1, .most = 100000};
 constexpr NumberRange kRounding{.least = 0.0, .most = 0.45};
-/// Largest number of random draws for one shape. If none of them gives a valid shape, the options are an error.
+/// Largest number of random draws for one shape. If none of them gives a valid shape, an error reports the options.
 constexpr int kMostDraws = 200;
 
 void add_fault(std::vector<std::string>& faults, std::string fault) {

@@ -15,10 +15,10 @@ struct HalfSpace {
   double offset = 0.0;
 };
 
-/// Returns the vertices of the intersection of half-spaces. They are computed from the convex hull of the points
-/// normal/offset, which are dual to the half-spaces.
-/// @return vertices; no value if the intersection is not bounded, or if a vertex is so far away that rounding errors do
-/// not allow a decision
+/// Returns the vertices of the intersection of half-spaces. The vertices are computed from the convex hull of the
+/// points normal/offset, which are dual to the half-spaces.
+/// @return vertices; no value if the intersection is not bounded, or if a vertex is so far away that, because of
+/// rounding errors, it is not certain whether the intersection is bounded
 template <int Dim>
 std::optional<std::vector<Vec<Dim>>> intersection_vertices(const std::vector<HalfSpace<Dim>>& half_spaces);
 

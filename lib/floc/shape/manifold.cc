@@ -81,8 +81,8 @@ class PairSearch {
  private:
   double world(double own) const { return first_.scale * own; }
 
-  /// Returns whether all contact points above a face lie higher than the lowest vertex of the other shape above the
-  /// plane of the face.
+  /// Returns whether the lowest vertex of the other shape above the plane of a face lies lower than all contact points
+  /// that were found above the face.
   bool misses_the_deepest(const Manifold<Dim>& found, const SeparatingAxis<Dim>& axis) const {
     return found.n == 0 ||
            found.least_gap() - (world(axis.separation) - roundings_) > kBesideFace * world(size_);
@@ -288,7 +288,8 @@ class PairSearch {
   const PlacedShape<Dim>&first_, &second_;
   const Shape<Dim>&a_, &b_;
   RelativePlace<Dim> place_;
-  double roundings_;  ///< sum of the radii of rounding of both shapes, at their scales in space (length)
+  /// sum of the radii of rounding of both shapes, each multiplied by the scale of its grain (length)
+  double roundings_;
   double reach_;
   double size_;  ///< smaller inner radius of the two shapes, in the unit of length of the first shape
 };

@@ -76,9 +76,9 @@ struct Manifold {
 /// gaps and points do not change, up to the margins.
 ///
 /// @param reach  largest gap of a contact point (length), >= 0
-/// @param last  features of the separating axis in the previous step; the search begins with them. They are replaced by
-/// the features found now. With the features of the previous step, most pairs that do not touch need only one search
-/// for a lowest vertex.
+/// @param last  features of the separating axis in the previous step, with which the search begins; the function
+/// replaces them by the features found now. With the features of the previous step, most pairs that do not touch need
+/// only one search for a lowest vertex.
 template <int Dim>
 Manifold<Dim> contact_manifold(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, double reach,
                                AxisFeatures* last = nullptr);

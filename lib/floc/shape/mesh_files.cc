@@ -83,7 +83,8 @@ Mesh<3> parse_obj(const std::string& place, std::string_view text) {
       const auto n = static_cast<std::int64_t>(mesh.vertices.size());
       if (lines.n_words() < 4)
         lines.refuse(
-            "the face has fewer than three corners: expected f and at least three numbers of vertices");
+            "the face has fewer than three corners: expected f, followed by the numbers of at least three "
+            "vertices");
       std::vector<int>& face = mesh.faces.emplace_back();
       for (std::size_t k = 1; k < lines.n_words(); ++k) {
         const std::string_view index = lines.word(k).substr(0, lines.word(k).find('/'));

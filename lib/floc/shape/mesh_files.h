@@ -27,7 +27,8 @@ struct Mesh {
 /// Functions that read mesh files. Their input is the text of the file or, for binary STL, its bytes. The argument
 /// `place` is the name of the file, for messages.
 ///
-/// Memory is allocated for the items that a file really contains, and not for a number of items in its header.
+/// Memory is allocated only for the items that a file really contains; a number of items in the header of the file is
+/// not trusted.
 /// @throws InputError if the file does not have the expected format, or if there are more than kMostHullPoints
 /// vertices. The message names the file and the line, and gives the text found there and the text expected.
 

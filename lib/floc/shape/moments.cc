@@ -17,7 +17,7 @@ Mat<Dim> symmetric_product(const Vec<Dim>& a, const Vec<Dim>& b) {
 }
 
 /// Arc of unit vectors w = cos(phi) a + sin(phi) t, which begins in the direction a; the unit vector t is normal to a.
-/// The members are integrals over the angle phi of w and of w w' (w' is the transpose of w).
+/// The members are the integrals of w and of w w' over the angle phi (w' is the transpose of w).
 template <int Dim>
 struct Arc {
   double angle;
@@ -93,12 +93,12 @@ Moments<3> edge_layer(const Vec<3>& from, const Vec<3>& to, const Arc<3>& arc, d
 using NormalCone = Moments<3>;
 
 /// Adds the contribution of one side of a normal cone to the integrals of the cone. The side is the arc between the
-/// normals of the two faces at an edge. The unit vector `outward` is normal to the arc and points out of the cone; it
-/// is the direction of the edge away from the vertex.
+/// normals of the two faces at an edge. The unit vector `outward` is normal to the arc and points out of the cone;
+/// `outward` is the direction of the edge away from the vertex.
 ///
-/// The integral of u is half the sum of angle * inward normal. The integral of u u' (Arvo 1995) is a third of
-/// the solid angle times the identity matrix, minus a third of the sum of outward normal times the integral of
-/// u along the arc.
+/// The integral of u is half the sum, over the sides, of the angle of the side times its inward normal. The integral of
+/// u u' (Arvo 1995) is a third of the solid angle times the identity matrix, minus a third of the sum, over the sides,
+/// of the outward normal times the integral of u along the arc.
 void add_arc(NormalCone& cone, const Vec<3>& outward, const Arc<3>& arc) {
   cone.first -= 0.5 * arc.angle * outward;
   cone.second -= symmetric_product<3>(outward, arc.first) / 6.0;

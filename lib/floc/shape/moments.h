@@ -15,9 +15,9 @@ struct Moments {
   Moments& operator+=(const Moments& other);
 };
 
-/// Returns the moments of a convex polytope. They are sums over triangles (2D) or tetrahedra (3D) with one corner at
-/// the origin. Let det be the determinant of the other corners and s their sum. The terms of the sums for the volume,
-/// the first moments and the second moments are:
+/// Returns the moments of a convex polytope. The moments are sums over triangles (2D) or tetrahedra (3D) with one
+/// corner at the origin. Let det be the determinant of the other corners, and s the sum of the other corners. The terms
+/// of the sums for the volume, the first moments and the second moments are:
 ///
 ///   polygon:     sum over sides of triangles (0, a, b):        det/2, det/6 (a+b), det/24 (aa' + bb' + ss')
 ///   polyhedron:  sum over faces of tetrahedra (0, a, b, c):    det/6, det/24 (a+b+c), det/120 (aa' + bb' + cc' + ss')

@@ -7,7 +7,7 @@
 
 namespace floc {
 
-/// For each contact point, the index of the contact point of the previous step from which it takes its history; -1 if
+/// For each contact point, the index of the matching contact point of the previous step, whose history is kept; -1 if
 /// there is none.
 template <int Dim>
 using PointMatches = std::array<int, Manifold<Dim>::kMostPoints>;

@@ -175,10 +175,10 @@ NamedShape<Dim> shape_of_mesh(const std::string& place, const Mesh<Dim>& mesh,
   const std::size_t n_before = hull.polytope.vertices.size();
   if (options.vertices != 0 && static_cast<int>(n_before) > options.vertices) {
     hull = convex_hull<Dim>(spread_points<Dim>(hull.polytope.vertices, options.vertices), place);
-    made.remarks.push_back(
-        fmt::format("{} of {} vertices of the convex hull are kept; their own hull has {:.4g} of the volume of "
-                    "the full hull",
-                    hull.points.size(), n_before, volume_of(hull.polytope) / whole));
+    made.remarks.push_back(fmt::format(
+        "{} of {} vertices of the convex hull are kept; the hull of these vertices has {:.4g} of the volume of "
+        "the full hull",
+        hull.points.size(), n_before, volume_of(hull.polytope) / whole));
   }
   made.shape = mesh.rounding > 0.0 ? polytope_shape<Dim>(hull.polytope, mesh.rounding, place)
                                    : with_rounding_share<Dim>(hull.polytope, options.rounding, place);

@@ -18,8 +18,8 @@ struct NamedShape {
 };
 
 struct ShapeFileOptions {
-  /// Number of vertices of the convex hull that are kept; the kept vertices are far from each other. If it is 0, all
-  /// vertices are kept.
+  /// Number of vertices of the convex hull that are kept; the kept vertices are far from each other. If the number is
+  /// 0, all vertices are kept.
   int vertices = 0;
   /// Radius of rounding divided by the diameter, from 0 to 0.45. The value has to be 0 for files of the program
   /// Rockable (.shp), because they give a radius for each shape.

@@ -34,8 +34,8 @@ class FaceSearch {
   }
 
   /// Finds the face with the largest separation.
-  /// @param begin  index of the face with which the search begins; if it is -1, the search begins with the face above
-  /// which the centre of the other shape is highest
+  /// @param begin  index of the face with which the search begins; for -1, the search begins with the face that has the
+  /// centre of the other shape highest above it
   FaceAxis best(int begin, double margin, double limit) {
     FaceAxis found;
     if (one_.n_faces() == 0) {
@@ -87,8 +87,8 @@ class FaceSearch {
     return best;
   }
 
-  /// Returns false if the separation of a face cannot exceed a threshold. The height of any point of the other shape
-  /// above the face is an upper bound of its separation.
+  /// Returns false if the separation of a face cannot exceed a threshold. The separation of the face is at most the
+  /// height of any point of the other shape above the face.
   bool may_exceed(int face, double threshold) const {
     for (int k = 0; k < n_points_; ++k)
       if (one_.normals[face].dot(points_[k]) - one_.offsets[face] <= threshold) return false;

@@ -43,7 +43,7 @@ struct AxisMargins {
   /// the first shape by more than this margin. The face of the previous step is kept unless the separation of another
   /// face is larger by more than this margin.
   double faces;
-  /// margin for edges: the separation of an edge pair has to exceed that of every face by more than this
+  /// margin for edges: the separation of an edge pair has to exceed that of every face by more than this margin
   double edges;
 };
 

@@ -15,7 +15,8 @@ namespace {
 /// Largest accepted relative error of recorded properties.
 constexpr double kRelative = 1e-9;
 /// Largest accepted height of a vertex above a face, relative to the size of the shape. A face may consist of merged
-/// faces whose normals differ by less than 1e-6 radians, so its vertices may be off its plane by about this fraction.
+/// faces whose normals differ by less than 1e-6 radians, so the distances of its vertices from its plane may be up to
+/// about 1e-6 of its size.
 constexpr double kFlat = 1e-5;
 
 bool differs(double found, double expected, double size) {
@@ -37,7 +38,7 @@ Polytope<Dim> core_of(const Shape<Dim>& shape) {
   return core;
 }
 
-/// Returns a fault if the numbers of vertices and faces do not belong to a shape.
+/// Returns a fault if no valid shape has these numbers of vertices and faces.
 template <int Dim>
 std::optional<ShapeFault> fault_of_counts(const Shape<Dim>& shape) {
   const int n = shape.n_vertices();

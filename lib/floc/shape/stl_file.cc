@@ -112,8 +112,8 @@ Mesh<3> parse_text(const std::string& place, std::string_view text) {
 }  // namespace
 
 Mesh<3> parse_stl(const std::string& place, std::string_view bytes) {
-  // Binary files, too, may begin with "solid". They are recognised by the length of the file: it follows from the
-  // number of triangles in the header.
+  // Binary files, too, may begin with "solid". A file is recognised as binary if its length agrees with the number of
+  // triangles in the header.
   const bool has_count = bytes.size() >= kHeader;
   const std::uint64_t n = has_count ? little_endian(bytes, 80) : 0;
   Mesh<3> mesh;

@@ -29,8 +29,8 @@ class HullBuilder {
 
   /// Extends the hull until no point lies outside. Of all points above a triangle, the furthest point is added first.
   std::vector<HullTriangle> build() {
-    // Because of rounding errors, a point may be assigned to a wrong triangle. All points are therefore assigned and
-    // added three times.
+    // Because of rounding errors, a point may be assigned to a wrong triangle. After the first round, the points
+    // outside the hull are therefore assigned and added again, in two more rounds.
     for (int round = 0; round < 3; ++round) {
       hand_out(no_corners(), 0);
       for (std::size_t t = 0; t < faces_.size(); ++t)
@@ -42,7 +42,7 @@ class HullBuilder {
 
  private:
   struct Face : HullTriangle {
-    /// Indices of the points that are assigned to this triangle; they lie above it.
+    /// Indices of the points that are assigned to this triangle; these points lie above the triangle.
     std::vector<int> outside;
     bool alive = true;
     int visited = -1;  ///< number of the last search that reached this triangle

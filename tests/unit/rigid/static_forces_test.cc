@@ -191,7 +191,7 @@ TEST(StaticForces, RefusesInWordsWhatHasNoSuchForces) {
       EXPECT_THAT(error.what(), HasSubstr(words));
     }
   };
-  expect(packing, {}, "its contacts carry no force: give the stress");
+  expect(packing, {}, "all contact forces of the packing are zero: give the stress");
   ForceBalanceOptions<2> options = under_pressure<2>(1.0);
   options.friction = -1.0;
   expect(packing, options, "friction = -1: expected a number >= 0");
@@ -199,7 +199,7 @@ TEST(StaticForces, RefusesInWordsWhatHasNoSuchForces) {
   options.kn = 0.0;
   expect(packing, options, "kn = 0: expected a positive stiffness");
   expect(packing, under_pressure<2>(NAN), "stress: expected finite components");
-  expect(packing, under_pressure<2>(0.0), "its contacts carry no force: give the stress");
+  expect(packing, under_pressure<2>(0.0), "all contact forces of the packing are zero: give the stress");
   Packing<2> rolling = packing;
   rolling.law += rolling_spring(0.1, 1.0);
   expect(rolling, under_pressure<2>(1.0), "resists rolling or twisting");

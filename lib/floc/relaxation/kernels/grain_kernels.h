@@ -87,8 +87,8 @@ struct GrainKernels {
     return pairs.row + static_cast<std::ptrdiff_t>(Layout::kSize) * (p - pairs.with_row);
   }
 
-  /// Returns the address of the masses of the grains of a block; also of their moments of inertia, or of the inverse of
-  /// either quantity.
+  /// Returns the address of the entries of a block in an array of masses, of moments of inertia, or of the inverses of
+  /// these.
   /// @param of_grains  array with the value of each grain; if all grains are equal, every block uses the values of the
   /// first block (GrainView::own_masses)
   /// @param begin  first grain of the block
@@ -195,7 +195,7 @@ struct GrainKernels {
     return largest;
   }
 
-  /// Computes the contribution of the pairs that interact across the periodic boundary to the virial: the force on the
+  /// Computes the contribution to the virial of the pairs that interact across the periodic boundary: the force on the
   /// second grain j times the vector from j to its periodic image.
   static void crossing_virial(const PairView<Dim>& pairs, const BlockSumsPlan& plan, const PairCell<Dim>& cell,
                               double (&virial)[Dim][Dim]) {

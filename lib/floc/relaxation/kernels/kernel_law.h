@@ -31,7 +31,8 @@
 namespace floc {
 
 /// Whether a law of the normal force has special kernels in addition to its general kernels. Special kernels leave out
-/// contact models that the law of the scene lacks, or work for rectangular lattices only; both make kernels faster.
+/// contact models that the law of the scene lacks, or work for rectangular lattices only; both restrictions make
+/// kernels faster.
 template <class Normal>
 inline constexpr bool kHasSpecialKernels = false;
 template <>
@@ -150,8 +151,8 @@ using AnyKernelLaw = typename detail::KernelLawsOf<Dim, AnyContactLaw>::Type;
 template <class KernelLaw, int Dim>
 inline constexpr bool kServesWalls = std::is_same_v<KernelLaw, KernelLawOf<KernelLaw, Dim, Partner::wall>>;
 
-/// Completes a contact law to its kernel law, in which models without effect replace absent models and for which a
-/// force kernel is compiled.
+/// Completes a contact law to its kernel law, for which a force kernel is compiled. In the kernel law, models without
+/// effect replace absent models.
 /// @pre the law exists in this dimension
 template <int Dim>
 AnyKernelLaw<Dim> kernel_law(const AnyContactLaw& law, Partner partner);

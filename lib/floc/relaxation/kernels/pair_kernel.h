@@ -183,7 +183,7 @@ struct PairKernel {
       const P along = per_length * a.motion.gap_rate;
       a.turn = {n, along, V(per_length * centres - along * n), RotationVector<Dim, P>(i.spin + j.spin), time};
       // `middle` is the time step times the length of the branch vector in the middle of the step. The velocities of
-      // the grains are those at this time.
+      // the grains, too, are those in the middle of the step.
       const P middle = distance * (time - P(0.5 * cell.slip_time) * along);
       const P arm_i = number(pairs.share_i, pairs, p) * middle;
       a.motion.slip = a.turn.slip(distance, RotationVector<Dim, P>(arm_i * i.spin + (middle - arm_i) * j.spin));

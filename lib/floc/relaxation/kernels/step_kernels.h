@@ -34,7 +34,7 @@ enum class RowKind {
   forces,  ///< rows without moments, for grains that do not rotate
   /// rows of spheres without rolling and twisting resistance. Such a row contains the moment that the tangential force
   /// would have with a lever arm of unit length, and the lengths of the lever arms of i and j. The moment on a grain is
-  /// the product of the two.
+  /// the product of this moment and the length of the lever arm of the grain.
   levers,
   moments,  ///< rows with the moment on i and the moment on j
 };
@@ -111,9 +111,9 @@ struct GrainView {
 /// pairs that do not interact.
 template <int Dim>
 struct PairView {
-  /// Indices of the two grains of each pair. The indices i ascend. Within kPairPadding consecutive pairs of grains,
-  /// they differ by less than kWindow; for pairs with walls they may differ by more. For pairs with walls, j is the
-  /// index of the wall.
+  /// Indices of the two grains of each pair. The indices i ascend. Within kPairPadding consecutive pairs of grains, the
+  /// indices i differ by less than kWindow; for pairs with walls, the indices i may differ by more. For pairs with
+  /// walls, j is the index of the wall.
   const int *i, *j;
   const float* image[Dim];  ///< periodic image of j: number of lattice vectors along each axis (whole numbers)
   /// Bit mask applied to the index of a pair before the arrays from `radii` to `reduced_mass` are read: -1 if every
@@ -134,8 +134,8 @@ struct PairView {
   double*
       row;  ///< row (force and moments) of the pair with index `with_row`, followed by the rows of later pairs
   int with_row;
-  /// Kind of the rows of all pairs. It follows from the law between grains, and pairs with walls write rows of this
-  /// kind, too.
+  /// Kind of the rows of all pairs. The law between grains determines the kind, and the rows of pairs with walls have
+  /// this kind, too.
   RowKind rows;
 };
 
@@ -156,7 +156,8 @@ struct SideSumsPlan {
   int depth[kGroups];
   /// Number of rows of grain[k] beyond the depth of its group; they are added one by one.
   int n_beyond[kGrainBlock];
-  int n_deep;  ///< number of leading entries of `grain` up to the last grain with rows beyond the depth of its group
+  /// number of entries of `grain` from the first to the last grain with rows beyond the depth of its group
+  int n_deep;
   /// Places of the rows (forces and moments) of the pairs up to the depth of each group, group by group, followed by
   /// the places of the rows beyond the depth, grain by grain.
   const int* row;
@@ -181,8 +182,8 @@ struct alignas(64) BlockSums {
   double momentum_flux[Dim][Dim] = {};
   double rotation = 0.0;  ///< sum over the grains of I w^2, with moment of inertia I and spin w (energy)
   /// Upper bound of (|v| + |F half_step/m|)^2/s^2 over the grains of the block, with the velocity v, force F, mass m
-  /// and skin s of a grain. It bounds the speeds after the next kick. The skin is the distance that a grain may move
-  /// before new neighbour lists are built.
+  /// and skin s of a grain. This value limits the speeds after the next kick. The skin is the distance that a grain may
+  /// move before new neighbour lists are built.
   double next_speed_squared = 0.0;
 };
 

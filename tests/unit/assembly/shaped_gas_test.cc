@@ -41,7 +41,7 @@ TEST(ShapedGas, HasTheSolidFractionOfTheGrainsThemselves) {
   for (const double phi : {0.05, 0.3, 0.45}) {
     const Packing<2> gas = gas_of<2>(grains_with(pentagons()), phi);
     EXPECT_NEAR(solid_fraction(gas), phi, 1e-13);
-    // The circumscribed circles do not overlap, so the grains do not overlap in any orientation.
+    // Grains whose circumscribed circles do not overlap cannot overlap in any orientation.
     EXPECT_TRUE(find_pairs(gas.cell, gas.grains, 0.0).empty()) << phi;
   }
   for (const double phi : {0.05, 0.12})

@@ -136,7 +136,8 @@ TEST(SymmetricFactor, CountsAndSolvesWhateverTheSigns) {
               << n << " " << bound;
         const Eigen::MatrixXd X = Eigen::MatrixXd::Random(n, 2);
         ASSERT_TRUE(factor.factorize_indefinite(0.3));
-        // Without pivoting, entries of the factor grow, which amplifies rounding errors.
+        // The factorization does not pivot, so entries of the factor can be large. Large entries amplify rounding
+        // errors.
         EXPECT_LT((factor.solve(factor.multiply(X) + 0.3 * X, 0) - X).norm(), 1e-8)
             << n << " " << positive_share;
         EXPECT_EQ(factor.factorize_positive(), (values.array() > 0.0).all());

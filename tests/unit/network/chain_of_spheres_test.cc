@@ -30,8 +30,8 @@ Packing<3> straight_chain(int n) {
   return packing;
 }
 
-/// Returns the compliance of the last sphere, that is its motion under forces and moments. The first sphere is
-/// fixed.
+/// Returns the compliance of the last sphere: its displacement and rotation under unit forces and moments. The first
+/// sphere is fixed.
 Eigen::Matrix<double, 6, 6> end_compliance(int n) {
   const ContactNetwork<3> network = contact_network(straight_chain(n));
   EXPECT_EQ(static_cast<int>(network.contacts.size()), n - 1);

@@ -35,7 +35,7 @@ TEST(Spheres, VectorInstructionsLeaveNoTraceInTheBits) {
   test::expect_no_trace_of_instructions<3>(30u);
 }
 
-/// Different vectors of the same lattice describe the same boundary, so the motion is the same.
+/// Other vectors of the same lattice describe the same periodic boundary, so the motion does not change.
 TEST(Spheres, MoveAlikeInLatticesOfOtherVectors) {
   Packing<3> gas = agitated_gas<3>(150, cohesive_law());
   Packing<3> leaning = gas;

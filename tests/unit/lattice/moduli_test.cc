@@ -90,7 +90,7 @@ TEST(Laminate, OfRowsHasTheClosedFormForAnyContrastWithTheInterfaceInSeries) {
     EXPECT_NEAR(C_of(0, 1) / C22, 1.0 / 3, 1e-9) << soft;
     EXPECT_NEAR(C_of(0, 0) / (2 * kRoot3 / 3 * mean + C22 / 9), 1.0, 1e-9) << soft;
   }
-  // 0.55 is the arithmetic mean of both stiffnesses. As the stiffness of the interface, it makes the laminate too stiff.
+  // 0.55 is the arithmetic mean of both stiffnesses. As the interface stiffness, it makes the laminate too stiff.
   EXPECT_NEAR(laminate(0.1, 0.55)(1, 1) / C(1, 1), 1.11, 0.005);
 }
 

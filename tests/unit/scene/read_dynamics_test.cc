@@ -118,7 +118,7 @@ TEST(ReadDynamics, RigidGrainsHaveDefaultsOfTheirOwn) {
   EXPECT_EQ(scene.load[0].cell.inertial_number_cap, 0.02);
   EXPECT_EQ(scene.load[0].cell.cell_mass, 0.1);
   EXPECT_EQ(parsed(kRigidScene, {"assembly.gas=equilibrated"}).assembly.gas, GasKind::equilibrated);
-  // Adhesion does not change the cap of the strain rate.
+  // Adhesion does not change the default cap of the strain rate.
   const Scene sticky = parsed(kRigidScene, {"contact.adhesion={law=\"constant\", force=1.0}"});
   EXPECT_EQ(sticky.relaxation.inertial_number_cap, 0.02);
   EXPECT_FALSE(sticky.relaxation.strain_rate_cap);
@@ -232,7 +232,7 @@ TEST(ReadDynamics, GasInABoxIsNoDenserThanCircumscribedCircles) {
                         "circumscribed circles"));
 }
 
-/// Returns the faults of the scene of rigid grains with another loading stage.
+/// Replaces the loading stage of the scene of rigid grains by another stage, and returns the faults of the scene.
 std::string stage_faults(const std::string& stage) {
   return dynamics_faults(kRigidScene.substr(0, kRigidScene.find("to = 2.0")) + stage);
 }

@@ -168,8 +168,8 @@ TEST_F(ConvertLists, AreComparedWithGeometryAndLawAndStrictAcceptsNoDoubt) {
   EXPECT_EQ(convert(good, "normal.stiffness=50", {"--strict", "--tolerance", "100"}).code, 0);
 }
 
-/// One bead under Hertz's law in a simple cubic cell. It has three contacts with its own images, with given
-/// stiffnesses.
+/// A simple cubic cell with one bead, under Hertz's law. The bead has three contacts with its own images. The file
+/// gives the stiffnesses of these contacts.
 TEST_F(ConvertLists, WithStiffnessesOfAnotherLawAreSaidToHaveThemByConvertModuliAndVerify) {
   const double E = 1e4, nu = 0.3, overlap = 1e-3;
   const double kn = E / (1 - nu * nu) * std::sqrt(0.25 * overlap), force = 2.0 / 3.0 * kn * overlap;

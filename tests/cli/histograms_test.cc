@@ -14,14 +14,15 @@ namespace {
 
 using testing::HasSubstr;
 
-/// File with several histograms, and the columns that distinguish the histograms.
+/// File with several histograms, and the columns whose values tell the histograms apart.
 struct Histograms {
   std::string command;
   std::vector<std::string> key;
 };
 
 /// Checks every distribution of a file: bins are ordered and have finite ends, and every value is counted either in a
-/// bin or as outside of the bins. @return number of distributions
+/// bin or as outside of the bins.
+/// @return number of distributions
 int check_bins(const CsvTable& table, const std::vector<std::string>& key, const std::string& what) {
   std::map<std::string, std::int64_t> counted, n, outside;
   std::map<std::string, double> last;

@@ -119,8 +119,8 @@ constexpr int kLoops = 8;
 /// Error of the trapezoidal rule, divided by the largest work along the path.
 constexpr double kWorkError = 1e-4;
 
-/// Returns the work done by the normal force when the gap goes through a closed loop. @param gap  gap as a function of
-/// the phase from 0 to 1
+/// Returns the work done by the normal force when the gap goes through a closed loop.
+/// @param gap  gap as a function of the phase from 0 to 1
 template <int Dim, class Law, class Gap>
 test::NormalWork<Law, Dim> normal_work_around(const Law& law, const Gap& gap) {
   test::NormalWork<Law, Dim> work(law, gap(0.0));
@@ -145,8 +145,8 @@ TEST(NormalForce, TakesNoWorkFromAClosedLoop) {
   });
 }
 
-/// Presses a new contact and releases it, under a law with a separate unloading line. @return work that is lost in the
-/// cycle, and largest work along the path
+/// Presses a new contact and releases it, under a law with a separate unloading line.
+/// @return work that is lost in the cycle, and largest work along the path
 std::array<double, 2> work_of_pressing(double unloading) {
   ContactLaw<test::HystereticRepulsion, NoAdhesion, NoDamping, NoFriction, NoRolling, NoTwisting> law{};
   law.repulsion = {1e5, unloading};

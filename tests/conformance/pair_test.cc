@@ -162,7 +162,8 @@ TEST(Objectivity, APairTurnedRigidlyIn3DKeepsItsForces) {
 }
 
 /// Simulates a head-on collision with the classical Runge-Kutta method. The collision starts beyond the range of the
-/// law. @param step  time step in units of sqrt(m_eff/K_N)
+/// law.
+/// @param step  time step in units of sqrt(m_eff/K_N)
 /// @return speed of separation divided by speed of approach, 0 if the pair sticks
 template <class Law>
 double collide(const Law& law, double speed, double step) {

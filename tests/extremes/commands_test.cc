@@ -30,7 +30,8 @@ void PrintTo(const Given& given, std::ostream* out) {
   *out << given.name;
 }
 
-/// Four disks of a triangular lattice. @param unit  length of the lattice spacing
+/// Four disks of a triangular lattice.
+/// @param unit  length of the lattice spacing
 Given crystal(const char* name, double unit, double overlap, double stiffness) {
   const double r = 0.5 * (1.0 + overlap) * unit;
   std::string grains = "x,y,r\n";

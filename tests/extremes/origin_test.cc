@@ -85,7 +85,8 @@ TEST(Positions, OfAStiffCrystalAreWholeInItsFile) {
   EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
 }
 
-/// Returns the decimal text of x + by, with up to 34 digits. @param x  coordinate >= 0
+/// Returns the decimal text of x + by, with up to 34 digits.
+/// @param x  coordinate >= 0
 std::string displaced_text(const DoubleDouble& x, std::int64_t by) {
   const double whole = std::floor(x.high) - (x.high == std::floor(x.high) && x.low < 0.0 ? 1.0 : 0.0);
   DoubleDouble rest = x - DoubleDouble{whole, 0.0};

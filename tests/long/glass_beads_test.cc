@@ -32,8 +32,8 @@ class GlassBeads : public ::testing::Test {
     }
   }
 
-  /// Returns the mean of a column over the samples. @param state  index of the state; a negative index counts
-  /// from the end
+  /// Returns the mean of a column over the samples.
+  /// @param state  index of the state; a negative index counts from the end
   double mean(const std::string& column, int state) const {
     double sum = 0.0;
     for (const json& sample : rows_) {

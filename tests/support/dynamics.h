@@ -117,7 +117,8 @@ void expect_no_trace_of_kept_rows(const Packing<Dim>& gas) {
 }
 
 /// Expects that all instruction sets give identical results bit for bit, for laws with and without friction and rolling
-/// resistance. @param n_contacts  lower limit of the number of contacts at the end
+/// resistance.
+/// @param n_contacts  lower limit of the number of contacts at the end
 template <int Dim>
 void expect_no_trace_of_instructions(std::size_t n_contacts) {
   Law frictionless = cohesive_law();

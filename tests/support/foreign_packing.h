@@ -132,7 +132,8 @@ inline std::string fortran_number(double x) {
   return text;
 }
 
-/// Replaces a part of the text of a file. @pre the file contains `from`
+/// Replaces a part of the text of a file.
+/// @pre the file contains `from`
 inline void change_file(const std::string& path, const std::string& from, const std::string& to) {
   std::string text = content_of(path);
   const std::size_t at = text.find(from);

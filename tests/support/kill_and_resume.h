@@ -33,7 +33,8 @@ checkpoint_every = 0.02
 )";
 }
 
-/// Starts floc run in the background. @return its process id
+/// Starts floc run in the background.
+/// @return its process id
 inline pid_t start_run(const std::string& directory, const std::string& arguments) {
   const pid_t child = ::fork();
   if (child == 0) {
@@ -44,7 +45,8 @@ inline pid_t start_run(const std::string& directory, const std::string& argument
   return child;
 }
 
-/// Waits for a process. @return its exit status, as waitpid() gives it
+/// Waits for a process.
+/// @return its exit status, as waitpid() gives it
 inline int wait_for(pid_t child) {
   int status = 0;
   ::waitpid(child, &status, 0);

@@ -45,8 +45,8 @@ inline std::vector<const SamplePath*> pointers_to(const std::vector<SamplePath>&
   return all;
 }
 
-/// Returns the setting of a scene that a row of its table of prices describes. @param name  parameter and value
-/// of the row
+/// Returns the setting of a scene that a row of its table of prices describes.
+/// @param name  parameter and value of the row
 inline StudiedSetting studied(const Scene& scene, const std::string& name) {
   for (const StudiedSetting& setting : studied_settings(scene))
     if (setting.parameter + " " + setting.value == name) return setting;

@@ -51,8 +51,8 @@ struct Published {
 inline constexpr Published kNoRolling{0.349, 0.7808, 0.91, 0.0237, 0.469};
 inline constexpr Published kSmallRolling{0.194, 0.7745, 1.08, 0.0316, 0.515};
 
-/// Returns the curve with normally distributed relative errors of 1/Phi. @param noise  relative standard
-/// deviation
+/// Returns the curve with normally distributed relative errors of 1/Phi.
+/// @param noise  relative standard deviation
 inline ConsolidationCurve with_relative_noise(ConsolidationCurve curve, double noise, RandomStream& random) {
   for (double& phi : curve.phi) phi = 1 / (1 / phi * (1 + noise * random.normal()));
   return curve;

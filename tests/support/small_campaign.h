@@ -70,7 +70,8 @@ inline pid_t start_snakemake(const std::string& directory, const std::string& ar
   return child;
 }
 
-/// Runs snakemake and waits for its end. @return exit code of snakemake, with its messages in `out`
+/// Runs snakemake and waits for its end.
+/// @return exit code of snakemake, with its messages in `out`
 inline Outcome snakemake(const std::string& directory, const std::string& arguments = "--cores 2") {
   const int status = wait_for(start_snakemake(directory, arguments));
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(directory + ".snakemake"), ""};

@@ -39,7 +39,8 @@ std::string lammps_columns(int dimension) {
   return text;
 }
 
-/// Returns grains by id. @param x, radius  column of the first coordinate, and column of the radius
+/// Returns grains by id.
+/// @param x, radius  column of the first coordinate, and column of the radius
 std::map<std::int64_t, HandGrain> grains_of(const std::vector<std::vector<double>>& rows, int x, int radius) {
   std::map<std::int64_t, HandGrain> grains;
   for (const std::vector<double>& row : rows)

@@ -20,7 +20,8 @@ TEST(IncompleteBeta, HasItsClosedForms) {
   }
 }
 
-/// Returns the residuals of y from its best straight line. @param hat  matrix that projects y on the best straight line
+/// Returns the residuals of y from its best straight line.
+/// @param hat  matrix that projects y on the best straight line
 Eigen::VectorXd of_line(const Eigen::VectorXd& y, const Eigen::MatrixXd& hat) {
   return y - hat * y;
 }

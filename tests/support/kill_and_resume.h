@@ -85,8 +85,8 @@ inline void expect_same_results(const std::string& a, const std::string& b, int 
   EXPECT_EQ(rows_without_seconds(a + "/path.csv"), rows_without_seconds(b + "/path.csv"));
 }
 
-/// Kills a run with SIGKILL at random times and resumes it each time; if the run ends before all kills have been made,
-/// a new run is started. Expects that the final results equal the results of an uninterrupted run.
+/// Kills a run with SIGKILL at random times, and resumes it after each kill. If the run ends before all kills have been
+/// made, a new run is started. Expects that the final results equal the results of a run without interruptions.
 /// @param n_states  number of states of the scene
 inline void kill_and_resume(int n_kills, std::uint64_t seed, const std::string& scene = small_scene(),
                             int n_states = 9) {

@@ -11,7 +11,7 @@
 #include "floc/lattice/lattice_solution.h"
 #include "support/contact_laws.h"
 
-/// Samples on a lattice, with prescribed or random phases instead of a packing.
+/// Samples on a lattice whose nodes have prescribed or random phases. They do not come from a packing.
 namespace floc::test {
 
 /// Returns a sample in which a function of the position gives the phase and the grain of each node.

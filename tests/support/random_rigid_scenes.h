@@ -12,7 +12,7 @@
 /// Small scenes of rigid grains with random parameters.
 namespace floc::test {
 
-/// Draws a random kind of shape in a dimension; disks or spheres are among the kinds.
+/// Returns a random kind of shape in a dimension; absent for disks or spheres.
 template <int Dim>
 std::optional<ShapeOptions> random_shape(RandomStream& random) {
   ShapeOptions shape;

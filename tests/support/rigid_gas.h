@@ -42,8 +42,8 @@ Packing<Dim> make_rigid_gas(const RigidGas& gas) {
   // fraction of the cell that the circumscribed circles or spheres fill
   constexpr double kSolidFraction = Dim == 2 ? 0.4 : 0.3;
   if (!gas.shape) return make_gas<Dim>(grains, law, kSolidFraction, random);
-  // The gas draws its diameters from this stream. A copy of the stream gives equal diameters, from which the share of
-  // the grains is computed.
+  // make_gas() draws the diameters from this stream. A copy of the stream gives the same diameters in advance, from
+  // which the volume fraction of the grains is computed.
   RandomStream copy = random;
   const std::vector<double> diameters = draw_diameters(grains, copy);
   const double share = share_of_bounding_balls(shaped_grains<Dim>(grains, diameters, gas.seed));

@@ -77,8 +77,7 @@ inline Outcome snakemake(const std::string& directory, const std::string& argume
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(directory + ".snakemake"), ""};
 }
 
-/// Returns the processes whose working directory is `directory` and whose arguments, joined by spaces, contain
-/// `text`.
+/// Returns the processes that work in `directory` and whose arguments, joined by spaces, contain `text`.
 inline std::vector<pid_t> processes_in(const std::string& directory, const std::string& text) {
   namespace fs = std::filesystem;
   std::vector<pid_t> found;

@@ -55,8 +55,8 @@ inline ConsolidationCurve noisy_curve(const std::function<double(double)>& phi_o
   return curve;
 }
 
-/// Returns a curve that is read from a table of a creeping sample. Under every second load, the table has one or two
-/// additional rows at the same pressure, in which the sample is looser than in the last row. Only the last row at each
+/// Returns a curve as it is read from the table of a creeping sample. At every second pressure, the table has one or
+/// two rows before the last row at this pressure, in which the sample is still looser. Only the last row at each
 /// pressure counts.
 inline ConsolidationCurve through_creep(const ConsolidationCurve& curve, RandomStream& random) {
   std::vector<PathRow> rows;

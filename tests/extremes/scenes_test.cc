@@ -127,7 +127,7 @@ const Extreme kExtremes[] = {
     {"mu_0", {"contact.friction.coefficient=0"}},
     {"mu_10", {"contact.friction.coefficient=10"}},
     {"mu_R_0", {"contact.rolling.coefficient=0"}},
-    // Springs below their limit have no damping, and neither do collisions without loss. The grains then vibrate for
+    // Collisions without loss have no damping, and neither have springs below their limit. Grains then vibrate for
     // ever, but the equilibrium can still be found.
     {"mu_R_10", {"contact.rolling.coefficient=10"}},
     {"collisions_without_loss", {"contact.damping.restitution=1", "grains.count=15"}},

@@ -23,7 +23,7 @@ using testing::Not;
 const std::string kPackings = source_directory() + "/data/packings/";
 const std::string kLammpsLaw = "normal.stiffness=1000,friction.coefficient=0.5,friction.stiffness=800";
 
-/// Returns the value of the option --columns for a file of the LAMMPS command `dump local` that contains the output of
+/// Returns the value of the option --columns for a file that the LAMMPS command `dump local` wrote with the output of
 /// two computes.
 std::string lammps_columns(const std::string& pair, const std::string& force) {
   return "id1=c_" + pair + "[1],id2=c_" + pair + "[2],force1=c_" + force + "[1],force2=c_" + force +

@@ -184,8 +184,8 @@ TEST_F(ForeignPacking, IsAStepOfAPipeline) {
   const Outcome head = shell("\"$0\" moduli " + all + " --format csv | head -1");
   EXPECT_THAT(head.out, StartsWith("file,dimension,"));
   EXPECT_THAT(head.err, IsEmpty());
-  // If the reader of the pipe exits before the table is written, floc prints nothing. Its exit code is the code of a
-  // program that SIGPIPE ended, even if the parent process ignores SIGPIPE.
+  // If the reader of the pipe exits before the table is written, floc prints nothing. The exit code of floc is that of
+  // a program that was ended by SIGPIPE, even if the parent process ignores SIGPIPE.
   for (const std::string ignored : {"", "trap '' PIPE; "}) {
     const Outcome gone =
         shell(ignored + "{ sleep 0.2; \"$0\" moduli " + all + " --format csv; echo code $? >&2; } | true");

@@ -75,8 +75,8 @@ TEST_F(HistogramsOfCommands, HoldEveryValueOrSayThatItIsOutside) {
   EXPECT_GT(n_distributions, 100);
 }
 
-/// Two states with forces of order F0. One is at P* = 1e-6; the other is at P = 0, and its printed P is within the
-/// tolerance of equilibrium.
+/// Two states with forces of order F0. One state is at P* = 1e-6. The other state is at P = 0, but its printed P is a
+/// small number within the tolerance of equilibrium.
 TEST(Histograms, OfSmallPressuresHaveNoUnitOfNoise) {
   const ScratchDirectory scratch;
   write_text(scratch.file("s.toml"), R"([scene]

@@ -75,7 +75,7 @@ TEST_F(ModuliCommand, OfAConvertedPackingGiveItsShearModulus) {
   const json diagonal = json::parse(moduli("packing.h5 --format json").out).at(0);
   EXPECT_FALSE(diagonal.contains("C33"));
   EXPECT_TRUE(diagonal.at("G_shear").is_null());
-  // One call solves for two strains at a time and the other for three, and the BLAS library may round the two
+  // One call solves for two strains at a time, and the other call for three. The BLAS library may round the two calls
   // differently.
   EXPECT_NEAR(diagonal.at("B").get<double>() / row.at("B_without_prestress").get<double>(), 1.0, 1e-13);
 }

@@ -41,8 +41,8 @@ class ClosedCurve {
 template <int Dim>
 class Loop {
  public:
-  /// @param reach  scale of slip and rotation: with 1, the springs reach their friction limits; with 1e-3, they stay
-  /// far below the limits
+  /// @param reach  scale of slip and rotation. With 1, the springs reach their friction limits. With 1e-3, they stay
+  /// far below the limits.
   Loop(RandomStream& random, double mean_gap, double gap_amplitude, double reach)
       : gap_(random, mean_gap, gap_amplitude) {
     // In 3D, the slip is in the plane normal to the third axis; in 2D, the slip has one component.
@@ -193,8 +193,8 @@ TEST(Dissipation, IsNeverNegativeAroundAClosedLoop) {
       SCOPED_TRACE(k);
       const Loop<Dim> loop(random, -1e-4, 1e-4, 1.0);
       const LoopWork work = work_around(law, loop, kSteps);
-      // A spring at its friction limit may reverse through zero within one step. The error of the work is then of the
-      // order of the energy in this step: the largest energy times about (step/loop)^2.
+      // A spring at its friction limit may reverse its force within one step. The error of the work is then of the
+      // order of the energy that such a step changes: the largest energy times about (step/loop)^2.
       const double rounding = 1e-6 * work.largest + 1e-18;
       EXPECT_GE(work.viscous, 0.0);
       EXPECT_GE(work.tangential, -rounding);

@@ -37,7 +37,7 @@ pressure = 0.01
 solid_fraction = 0.4
 )";
 
-/// Adds a stage that increases the pressure tenfold.
+/// kPowder with an additional stage that increases the pressure tenfold.
 const std::string kScene = kPowder + R"(mass = 1.0
 strain_rate_cap = 0.05
 [[load]]
@@ -45,7 +45,7 @@ to = 0.1
 steps = 1
 )";
 
-/// Adds a stage that compresses the sample along one axis.
+/// kPowder with an additional stage that compresses the sample along one axis.
 const std::string kTriaxial = kPowder + R"([[load]]
 control = "triaxial"
 strain = 5e-3

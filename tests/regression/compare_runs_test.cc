@@ -123,7 +123,7 @@ TEST(MeansOfRuns, ComeWithTheirPairedErrorAndStudentsT) {
   std::vector<std::string> arguments = {"--means"};
   arguments.insert(arguments.end(), samples[0].begin(), samples[0].end());
   arguments.emplace_back("--against");
-  // samples are paired by name, not by order
+  // samples are paired by name; here they are given in reverse order
   arguments.insert(arguments.end(), samples[1].rbegin(), samples[1].rend());
   const Outcome result = compare_runs(arguments);
   EXPECT_EQ(result.code, 0) << result.err;

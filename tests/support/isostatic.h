@@ -10,8 +10,8 @@
 /// Counts the constraints in packings of rigid grains.
 namespace floc::test {
 
-/// Number of constraints of the contacts that have a force, and number of motions (degrees of freedom) of the grains of
-/// these contacts.
+/// Number of constraints of the contacts with a force, and number of motions (degrees of freedom) of the grains that
+/// have such contacts.
 struct ConstraintCount {
   int constraints = 0, motions = 0;
 };

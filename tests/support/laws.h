@@ -127,7 +127,7 @@ void for_each_law(Check&& check) {
 }
 
 /// Kinds of laws that the table does not contain yet: laws that dissipate energy in the normal direction, laws whose
-/// surfaces separate while they still overlap, and laws whose surfaces stay connected across a gap.
+/// surfaces separate while the grains still overlap, and laws whose surfaces stay connected across a gap.
 using LawsOfOtherKinds = std::variant<
     ContactLaw<HystereticRepulsion, NoAdhesion, NoDamping, NoFriction, NoRolling, NoTwisting>,
     ContactLaw<HystereticRepulsion, TailAdhesion, ViscousDamping, CoulombFriction, RollingSpring,

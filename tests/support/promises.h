@@ -24,8 +24,8 @@ struct KeptPromises {
   int n = 0, kept = 0;
 
   void add(bool is_kept) { ++n, kept += is_kept; }
-  /// Returns the probability that at most `kept` of n promises are kept, if each promise is kept with the probability
-  /// `confidence`.
+  /// Returns the probability that at most `kept` of n promises are kept. Each single promise is kept with the
+  /// probability `confidence`.
   double probability(double confidence) const {
     double sum = 0.0;
     for (int k = 0; k <= kept; ++k)
@@ -116,7 +116,7 @@ inline PromisesOfTable count_promises(const Scene& scene, const PriceTable& tabl
   return promises;
 }
 
-/// Error that a plan promises for an observable, and the difference between the samples of the plan and a reference
+/// Error that a plan promises for an observable, and actual difference between the samples of the plan and a reference
 /// ensemble.
 struct PlanOutcome {
   std::string observable;

@@ -87,8 +87,8 @@ void relax_random_scene(RandomStream& random, std::uint64_t seed) {
   if (rest.status == RelaxationStatus::converged) strain_at_random(seed, rest.packing, options);
 }
 
-/// Relaxes random scenes, as many in 2D as in 3D. Each relaxation must end in a state at rest that meets all criteria,
-/// or give a reason for the failure.
+/// Relaxes n random scenes, half of them in 2D and half in 3D. Each relaxation must end in a state at rest that meets
+/// all criteria, or give a reason for the failure.
 inline void relax_random_scenes(int n, std::uint64_t first_seed) {
   for (int k = 0; k < n; ++k) {
     const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(k);

@@ -35,7 +35,7 @@ Packing<Dim> make_rigid_gas(const RigidGas& gas) {
   grains.diameter.min = gas.least;
   grains.diameter.max = 1.0;
   grains.diameter.exponent =
-      gas.least < 0.2 ? Dim : 0.0;  // with the exponent Dim, grains of every size fill equal volumes
+      gas.least < 0.2 ? Dim : 0.0;  // with the exponent Dim, equal intervals of ln d fill equal volumes
   grains.shape = gas.shape;
   const Law law = rigid_law(gas.friction, gas.adhesion);
   RandomStream random(gas.seed, 1);

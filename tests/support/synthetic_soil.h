@@ -36,7 +36,7 @@ struct Noise {
   }
 };
 
-/// Returns `n` pressures with equal ratios, from low to high.
+/// Returns `n` pressures from low to high. The ratio of successive pressures is constant.
 inline std::vector<double> geometric_pressures(double low, double high, int n) {
   std::vector<double> P;
   for (int i = 0; i < n; ++i) P.push_back(low * std::pow(high / low, i / (n - 1.0)));

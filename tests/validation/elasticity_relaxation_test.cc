@@ -93,7 +93,7 @@ TEST(Bounds, AreInOrderOnEquilibria) {
     for (const double pressure : {0.1, 1.0, 10.0}) {
       const Packing<2> packing = solved(equilibrium(40, law, pressure, seed), Vec<2>::Constant(pressure));
       const Moduli m = elastic_moduli(packing, {});
-      const double slack = 1e-9 * m.B;  // forces balance within this fraction
+      const double slack = 1e-9 * m.B;  // relative error of the balance of forces
       EXPECT_GT(m.bounds.B_reuss, 0.0);
       EXPECT_LE(m.bounds.B_reuss, m.B_S + slack);
       EXPECT_LE(m.B_S, m.B + slack);

@@ -48,8 +48,8 @@ std::map<std::int64_t, HandGrain> grains_of(const std::vector<std::vector<double
   return grains;
 }
 
-/// Returns the cell of a dump, computed from the three lines of the dump with the bounds, which may contain tilt
-/// factors.
+/// Returns the cell of a dump. The cell is computed from the three lines of the dump that contain the bounds, and tilt
+/// factors if the cell is tilted.
 Mat<3> lammps_cell(const std::string& dump) {
   const auto rows = numbers_behind(dump, "ITEM: BOX BOUNDS");
   const auto tilt = [&](int a) { return rows[a].size() > 2 ? rows[a][2] : 0.0; };

@@ -33,7 +33,7 @@ void append(std::vector<double>& list, std::vector<double> more, bool sorted = f
   list.insert(list.end(), more.begin(), more.end());
 }
 
-/// Returns disks at random positions, with some contacts and with gaps in which rattlers are possible. The radii are
+/// Returns disks at random positions, with some contacts, and with gaps that leave room for rattlers. The radii are
 /// reduced until disks hardly overlap.
 Packing<2> loose_packing() {
   Packing<2> packing = random_packing<2>(80, 3, elastic_law(1.0, 0.5, 0.1), 0.85);

@@ -74,8 +74,8 @@ TEST(Lammps, StressOfItsPackingIsItsOwn) {
   EXPECT_NEAR(0.5 * stress.trace(), own[0], kRounding * own[0]);
   EXPECT_NEAR(stress(0, 0), own[1], kRounding * own[0]);
   EXPECT_NEAR(stress(1, 1), own[2], kRounding * own[0]);
-  // floc computes the stress from force times branch. This stress is symmetric if moments balance; here they balance up
-  // to the difference between the lever arms of the two programs.
+  // floc computes the stress from force times branch. This stress is symmetric if moments balance. Here, moments
+  // balance up to the difference between the lever arms of LAMMPS and floc.
   EXPECT_NEAR(stress(1, 0), own[3], kRounding * own[0]);
 }
 

@@ -86,7 +86,7 @@ struct FilePacking {
     }
     return shift;
   }
-  /// Sum of the normal components of the forces on a wall, outwards.
+  /// Outward force on a wall: the sum of the normal components of the forces of its contacts.
   double wall_force(int axis, int side) const {
     double sum = 0.0;
     for (const FileContact& c : contacts)

@@ -64,7 +64,7 @@ TEST(ShapedGas, MassIsDensityTimesVolume) {
     const Grains<2> g = gas_of<2>(grains, 0.2).grains;
     return g.mass[i] / g.volume(i);
   };
-  // Without a density in the scene, a disk of diameter 1 has mass 1.
+  // If the scene gives no density, a disk of diameter 1 has the mass 1.
   EXPECT_DOUBLE_EQ(mass_over_volume(3), 4.0 / std::numbers::pi);
   grains.density = 7.0;
   EXPECT_DOUBLE_EQ(mass_over_volume(3), 7.0);

@@ -76,8 +76,7 @@ Eigen::Matrix3d compliance_by_statics(const std::vector<Vec<2>>& branches, doubl
     const Vec<2> contact = centre + R * b - 0.5 * end;  // from the middle of the chord to the contact
     centre += 2.0 * R * b;
     const Vec<2> t(-b[1], b[0]);
-    // Three unit loads: a force along the chord, a force across it (both at the middle of the chord), and a
-    // moment.
+    // Three unit loads: a force along the chord and a force across the chord, both at its middle, and a moment.
     Eigen::RowVector3d normal(along.dot(b), across.dot(b), 0.0), shear(along.dot(t), across.dot(t), 0.0);
     const auto moment_of = [&](const Vec<2>& force) {
       return -(contact[0] * force[1] - contact[1] * force[0]);

@@ -124,9 +124,9 @@ struct Met {
   int with_mechanisms = 0, unstable = 0, with_free_motions = 0, with_rattlers = 0, without_contacts = 0;
 };
 
-/// Scales the normal forces so that the largest ratio of a force to its branch length lies between two
-/// successive eigenvalues, at several positions in the spectrum. Expects that count_near_mechanisms() counts
-/// the smaller eigenvalues.
+/// Scales the normal forces, so that the largest ratio of a force to its branch length lies between two successive
+/// eigenvalues. Does this at several positions in the spectrum. Expects that count_near_mechanisms() counts the
+/// eigenvalues below the ratio.
 template <int Dim>
 void expect_dense_count(ContactNetwork<Dim> network, Met& met) {
   // rounding error of the compared eigenvalues, which are divided by the largest stiffness

@@ -34,9 +34,9 @@ TEST(ModuliWithin, TakeTheBoundsWhereTheyMeet) {
   expect_accuracy_met(m, elastic_moduli(crystal, {}), accuracy);
 }
 
-/// Square frames: two small disks lie between neighbouring large disks. All overlaps are equal, so all forces
-/// are equal, as they are under isotropic stress, and B_reuss = B. B_voigt is larger by the factor 3 (1 + 0.4^2
-/// + 1)/2.4^2 = 9/8, because an affine strain stretches long branches more.
+/// Square frames: two small disks lie between neighbouring large disks. All overlaps are equal, so all forces are
+/// equal, as they are under isotropic stress, and B_reuss = B. B_voigt is larger than B by the factor 3 (1 + 0.4^2 +
+/// 1)/2.4^2 = 9/8, because an affine strain stretches long branches more.
 Packing<2> uneven_frames() {
   Packing<2> packing = test::square_frames(4, 1.0, test::elastic_law(1.0, 0.7, 0.05));
   const double overlap = 1e-4, along[] = {0.0, 1.0, 1.4};

@@ -41,8 +41,8 @@ TEST(Elastic, IntervalsCoverTheTruthAndCurvatureIsSaid) {
     const FittedParameter B = fit_elastic(P, phi).parameters[0];
     covered += *B.low95 <= 500 && 500 <= *B.high95;
   }
-  // If each interval contains the truth with probability 0.95, the number of these intervals among 200 is
-  // between 180 and 198 with probability 0.995.
+  // If each interval contains the true value with probability 0.95, between 180 and 198 of 200 intervals contain it,
+  // with probability 0.995.
   EXPECT_GE(covered, 180);
   EXPECT_LE(covered, 198);
 

@@ -105,7 +105,7 @@ Beyond compacted(const char* parameter, double e_min, double C) {
   return {parameter, 0.0, kAny, fit.parameters, fit.warnings};
 }
 
-/// Data of an intensity that decays faster with k than the intensity of any surface.
+/// Data of an intensity that decays with k faster than the scattering by any surface.
 Beyond scattered(double dF) {
   std::vector<ScatteredPoint> points;
   for (double k = 0.1; k < 4.0; k *= 1.1) points.push_back({k, scattered_intensity(1.0, 9.0, dF, k), 1000000});

@@ -41,8 +41,8 @@ LatticeNetwork<3> fcc(double second) {
       for (int n = 0; n < 27; ++n) {
         const Vec<3, int> image(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
         const Vec<3> branch = points[j] + cell.shift(image) - points[i];
-        // Each bond is visited from both ends. It is added only from the end from which the first non-zero
-        // component of its branch is positive.
+        // The loop visits each bond from both of its ends. It adds the bond only from the end at which the first
+        // non-zero component of the branch is positive.
         int axis = 0;
         while (axis < 3 && std::abs(branch[axis]) < 1e-9) ++axis;
         if (axis == 3 || branch[axis] < 0.0) continue;

@@ -39,8 +39,7 @@ TEST(TriangularLattice, HasTheModuliOfItsSpringsWhateverTheBending) {
     }
 }
 
-/// Under a uniaxial stress, the bonds in each of the three directions carry equal forces, and all nodes have
-/// the same stress.
+/// Under a uniaxial stress, all bonds of the same direction have equal forces, and all nodes have the same stress.
 TEST(TriangularLattice, UnderUniaxialStressLoadsItsBondsByTheirDirection) {
   const double l = 0.3, sigma = 1.7;
   const Lattice<2> lattice = triangular_lattice(6, 6, l);
@@ -63,7 +62,7 @@ TEST(TriangularLattice, UnderUniaxialStressLoadsItsBondsByTheirDirection) {
   }
 }
 
-/// A laminate has the stiffness 1 in 5 of 12 rows, and a smaller stiffness in the others.
+/// A laminate has the stiffness 1 in 5 of its 12 rows, and the stiffness `soft` in the other rows.
 TEST(Laminate, OfRowsHasTheClosedFormForAnyContrastWithTheInterfaceInSeries) {
   const auto laminate = [](double soft, std::optional<double> interface) {
     const double height = kRoot3 / 2;

@@ -202,8 +202,8 @@ TEST(Tangent, WithoutTangentialForcesIsTheSymmetricStiffness) {
   EXPECT_LT((k - k.transpose()).topLeftCorner(n, n).cwiseAbs().maxCoeff(), 1e-14);
 }
 
-/// Expects that the stiffness for stability is the symmetric part of the tangent of the forces on grains, if no
-/// contact slides.
+/// If no contact slides, the stiffness matrix with which stability is tested must equal the symmetric part of the
+/// tangent matrix.
 template <int Dim>
 void expect_symmetric_part(const Packing<Dim>& packing) {
   const ContactNetwork<Dim> network = contact_network(test::at_rest(packing));

@@ -224,7 +224,7 @@ TEST(BoxRelaxer, MovesTheWallsUnderPressureAlone) {
   EXPECT_NEAR(wall_pressure(rest)[0], 0.1, 0.05);
 }
 
-/// With a wall speed, the walls first move at this speed; the pressure acts afterwards.
+/// If a wall speed is given, the walls first move at this speed. The pressure acts on them only afterwards.
 TEST(BoxRelaxer, ClosesTheBoxAtTheSpeedGiven) {
   const BoxOptions box = box_of(0.4, 0.0, 0.0);
   const Packing<2> gas = boxed_gas<2>(60, sticky(0.0, 1e3), box, 0.35);

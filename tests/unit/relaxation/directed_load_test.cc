@@ -145,9 +145,9 @@ TEST(DirectedLoad, OfDensePackingsIsThatOfTheirModuli) {
   expect_answers_of_moduli(dense_packing<3>(60, 1e-3, 4));
 }
 
-/// Returns C_ab = R_ab/V + sigma_a. R is the derivative of the virial (sum of f r over contacts) with respect
-/// to the strains, after relaxation of the grains. It is computed with the consistent tangent of all forces,
-/// including tangential ones.
+/// Returns C_ab = R_ab/V + sigma_a. R is the derivative of the virial (sum of f r over contacts) with respect to the
+/// strains, after relaxation of the grains. R is computed with the consistent tangent of all forces, including
+/// tangential ones.
 template <int Dim>
 Mat<Dim> consistent_stiffness(const Packing<Dim>& packing) {
   const Eigen::MatrixXd whole = test::consistent_tangent(packing, Dim);

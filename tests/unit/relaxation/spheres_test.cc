@@ -108,7 +108,7 @@ Law frictional_law() {
 
 /// Tangential force of a pair after a rigid rotation, compared with the exactly rotated force.
 struct Turned {
-  double length;  ///< length divided by that at the start
+  double length;  ///< magnitude of the force, divided by the magnitude at the start
   double angle;   ///< angle between the two forces (radians)
 };
 Turned turned_rigidly(const Vec<3>& axis, int n, InstructionSet set) {

@@ -82,8 +82,8 @@ double residual_after_one_step(const Packing<Dim>& equilibrium, const BoundaryCo
   return solve_statics(disturbed(equilibrium, size), control, one_step).residual;
 }
 
-/// With the exact tangent, the residual after one step is quadratic in the disturbance: a tenth of the
-/// disturbance gives a hundredth of the residual. With an inexact tangent, the residual would only be a tenth.
+/// With the exact tangent, the residual after one step is quadratic in the disturbance: a tenth of the disturbance
+/// gives a hundredth of the residual. With an inexact tangent, it would only give a tenth of the residual.
 template <int Dim>
 void expect_quadratic(const Packing<Dim>& equilibrium, const BoundaryControl<Dim>& control) {
   const double after_large = residual_after_one_step(equilibrium, control, 1e-4);

@@ -108,7 +108,7 @@ ContactProblem<Dim> problem_of(const BodyMotion<Dim>& bodies, const StepContact<
   return out;
 }
 
-/// Two random bodies in contact. Unless the contact is round, the bodies are in a cell under stress.
+/// Two random bodies in contact. Bodies that are not round are in a cell under stress.
 template <int Dim>
 class Pairs {
  public:

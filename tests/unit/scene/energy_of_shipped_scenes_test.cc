@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 /// Inputs of an energy account. Scenes with the same inputs share one entry.
 struct LawPath {
   std::vector<std::string> scenes;
-  GrainOptions grains;  ///< with a reduced number of grains
+  GrainOptions grains;  ///< grains of the scenes, but fewer
   int dimension = 2;
   std::vector<Law> laws;  ///< laws of the path, in order
   double pressure = 0.0;  ///< largest imposed pressure

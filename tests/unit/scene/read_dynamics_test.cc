@@ -313,7 +313,7 @@ TEST(ReadDynamics, GroupsOfRigidGrainsAreFinite) {
     }
     EXPECT_THAT(scene_warnings(scene), IsEmpty());
   }
-  // With m = 1 and P = 1, the longest time step is 0.05 T.
+  // With m = 1 and P = 1, the time scale T is 1, and the longest time step is 0.05 T.
   EXPECT_EQ(time_step_of_scene(parsed(kRigidScene)), 0.05);
   EXPECT_EQ(time_step_of_scene(parsed(kRigidScene, {"assembly.pressure=4.0"})), 0.025);
 }

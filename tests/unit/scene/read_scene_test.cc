@@ -320,7 +320,7 @@ TEST(ReadScene, AggregationNeedsAnAdhesionWithATail) {
               HasSubstr("the model \"constant\" of contact.adhesion has no range"));
 }
 
-/// Returns the scene with liquid bridges instead of the tail, compressed in one step.
+/// Returns the scene with liquid bridges instead of the tail adhesion. The sample is compressed in one step.
 std::string wet_scene(const std::string& adhesion) {
   std::string text =
       with("adhesion = {law = \"tail\", force = 1.0, range = 1e-3}", "adhesion = {" + adhesion + "}");

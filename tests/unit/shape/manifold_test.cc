@@ -173,8 +173,8 @@ TEST(Manifold, IsUnchangedByExchangeAndRigidMotions) {
   }
 }
 
-/// Compares gaps with the largest separation over all directions. The search for this separation does not use
-/// faces and edges.
+/// Compares gaps with the largest separation along any direction. The search for this separation does not use faces and
+/// edges.
 template <int Dim>
 void expect_gaps_of_a_search_over_directions(double rounding) {
   RandomStream random(22, 1);
@@ -209,7 +209,8 @@ TEST(Manifold, HasTheDepthOfASearchOverDirections) {
   }
 }
 
-/// The depth of overlapping polyhedra is the depth over all axes. For most pairs, both agree up to rounding.
+/// Compares the depth of overlapping polyhedra with the largest separation along the axes of separation_by_all_axes().
+/// For most pairs, the two agree up to rounding.
 TEST(Manifold, OfPolyhedraHasTheDepthOfAllAxes) {
   RandomStream random(28, 1);
   int n_overlapping = 0, n_exact = 0, n_edges = 0;

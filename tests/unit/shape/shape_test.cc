@@ -109,8 +109,8 @@ TEST(MassProperties, RoundedBoxHasItsClosedForm) {
   const double volume =
       a * b * c + 2.0 * r * (a * b + b * c + c * a) + kPi * r * r * (a + b + c) + 4.0 / 3.0 * kPi * r * r * r;
   EXPECT_NEAR(box.volume, volume, 1e-14);
-  // The moment of x^2 is integrated over slices. For |x| < a/2 a slice is the rectangle b x c rounded by r. At
-  // a distance s beyond the core, the rectangle is rounded by sqrt(r^2 - s^2).
+  // The moment of x^2 is integrated over slices at constant x. For |x| < a/2, a slice is the rectangle b x c rounded by
+  // r. At a distance s beyond the end of the core, it is the rectangle rounded by sqrt(r^2 - s^2).
   const auto area = [&](double rho) { return b * c + 2.0 * (b + c) * rho + kPi * rho * rho; };
   double xx = a * a * a / 12.0 * area(r);
   constexpr int kSlices = 2000;

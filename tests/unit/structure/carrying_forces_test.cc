@@ -71,7 +71,7 @@ TEST(CarryingForces, HaveTheMomentsOfAHandfulOfContacts) {
   EXPECT_NEAR(f.fabric(0, 0), 1.0 / 3.0, 1e-15);
   EXPECT_NEAR(f.fabric(1, 1), 0.0, 1e-15);
   EXPECT_NEAR(f.fabric(2, 2), -1.0 / 3.0, 1e-15);
-  // Only the third contact carries more than <N>.
+  // Only the third contact has a normal force above <N>.
   EXPECT_NEAR(f.strong_fabric(0, 0), -1.0 / 9.0, 1e-15);
   EXPECT_NEAR(f.strong_fabric(1, 1), 2.0 / 9.0, 1e-15);
   EXPECT_NEAR(f.weak_fabric(0, 0), 4.0 / 9.0, 1e-15);

@@ -33,8 +33,8 @@ TEST(BallTransform, IsTheIntegralOfItsShells) {
 }
 
 TEST(Scattering, OfOneSphereIsItsFormFactor) {
-  // The first bin contains the wave vectors (1,0,0), 3 of them, and (1,1,0), 6 of them. The second bin contains
-  // 4 of the kind (1,1,1), 3 (2,0,0), 12 (2,1,0) and 12 (2,1,1). Opposite vectors count once.
+  // The first bin contains 3 wave vectors of the kind (1,0,0) and 6 of the kind (1,1,0). The second bin contains 4 of
+  // the kind (1,1,1), 3 of (2,0,0), 12 of (2,1,0) and 12 of (2,1,1). Two opposite vectors count as one.
   const double R = 0.3;
   const Packing<3> packing = crystal_of(simple_cubic(), 1.0, 2.0 * R, elastic_law(1.0, 0.0, 0.0));
   const Scattering s = scattering(packing);

@@ -79,9 +79,10 @@ TEST(Comparison, ANewTurnStartsFromTheReferenceAgain) {
 TEST(Comparison, ErrorsAreAgainstTheReferenceBeforeACollapseAndTheSettledStateAfter) {
   const SamplePath reference = path(0.0);
   SamplePath other = path(0.0);
-  other.states[1].observation[kPhi] *= 1.0 + 1e-6;                          // differs from the reference
-  other.states[3].observation[kPhi] *= 1.0 + 1e-3;                          // not settled
-  other.states[2].observation[kPhi] = other.states[2].settled[kPhi] = 0.7;  // another collapse, but settled
+  other.states[1].observation[kPhi] *= 1.0 + 1e-6;  // differs from the reference
+  other.states[3].observation[kPhi] *= 1.0 + 1e-3;  // not settled
+  other.states[2].observation[kPhi] = other.states[2].settled[kPhi] =
+      0.7;  // a further collapse, to a settled state
   const ObservableError e = compare({&reference}, {&other}, std::nullopt)[kPhi];
   EXPECT_EQ(e.before.n, 1);
   EXPECT_NEAR(e.before.high, 1e-6, 1e-12);
@@ -127,8 +128,8 @@ TEST(Comparison, ShearTestsHaveTheirPeakAndTheirCriticalState) {
 TEST(Comparison, SamplingErrorFallsWithTheRootOfTheirNumber) {
   const SamplePath a = path(0.0), b = path(0.02);
   const double one = sampling_errors({&a, &b}, 1, std::nullopt)[kPhi].mean.standard_error;
-  // The relative standard deviation of two samples a and b is sqrt(2) times the mean over all states of
-  // 0.02/(Phi_a + Phi_b).
+  // For two samples a and b, the relative standard deviation is sqrt(2) times the mean of 0.02/(Phi_a + Phi_b) over all
+  // states.
   EXPECT_NEAR(one, std::sqrt(2.0) * 0.25 * (0.02 / 1.02002 + 0.02 / 1.22 + 0.02 / 1.22002), 1e-9);
   EXPECT_DOUBLE_EQ(sampling_errors({&a, &b}, 4, std::nullopt)[kPhi].mean.standard_error, 0.5 * one);
 }

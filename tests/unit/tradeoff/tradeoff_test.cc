@@ -83,7 +83,7 @@ TEST(Tradeoff, PairedPathsStartFromTheSameStatesAndTheReferenceEqualsItself) {
   SamplePath reference = make_sample(options, {}, nullptr, never);
   ASSERT_TRUE(reference.whole()) << reference.failure;
   settle(options.relaxation, never, reference);
-  // Starting from the same states, the same options give the same bits.
+  // With the same initial states and the same options, results must be identical bit for bit.
   const SamplePath again = make_sample(options, {}, &reference, never);
   ASSERT_EQ(again.states.size(), reference.states.size());
   for (std::size_t k = 0; k < again.states.size(); ++k) {

@@ -50,9 +50,8 @@ TEST(StepResponse, OfASquareLatticeLoadsBothContactsAlike) {
   const auto pressed = step_response(network, elastic_response(network, {}), StressStep::isotropic);
   ASSERT_TRUE(pressed);
   for (int c = 0; c < 2; ++c) {
-    EXPECT_NEAR(pressed->increments[c].normal, 1.0,
-                1e-14);                            // a unit stress on a unit length exerts a unit force
-    EXPECT_NEAR(pressed->energy[c], 0.25, 1e-14);  // a unit force stores the energy 1/(2 K_N)
+    EXPECT_NEAR(pressed->increments[c].normal, 1.0, 1e-14);  // unit stress on a unit length
+    EXPECT_NEAR(pressed->energy[c], 0.25, 1e-14);            // a unit force stores the energy 1/(2 K_N)
   }
   EXPECT_EQ(pressed->energy_share_95, 1.0);
   const auto sheared = step_response(network, elastic_response(network, {}), StressStep::deviatoric);

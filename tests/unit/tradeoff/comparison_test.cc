@@ -79,10 +79,9 @@ TEST(Comparison, ANewTurnStartsFromTheReferenceAgain) {
 TEST(Comparison, ErrorsAreAgainstTheReferenceBeforeACollapseAndTheSettledStateAfter) {
   const SamplePath reference = path(0.0);
   SamplePath other = path(0.0);
-  other.states[1].observation[kPhi] *= 1.0 + 1e-6;  // differs from the reference
-  other.states[3].observation[kPhi] *= 1.0 + 1e-3;  // not settled
-  other.states[2].observation[kPhi] = other.states[2].settled[kPhi] =
-      0.7;  // a further collapse, to a settled state
+  other.states[1].observation[kPhi] *= 1.0 + 1e-6;                          // differs from the reference
+  other.states[3].observation[kPhi] *= 1.0 + 1e-3;                          // not settled
+  other.states[2].observation[kPhi] = other.states[2].settled[kPhi] = 0.7;  // another collapse, but settled
   const ObservableError e = compare({&reference}, {&other}, std::nullopt)[kPhi];
   EXPECT_EQ(e.before.n, 1);
   EXPECT_NEAR(e.before.high, 1e-6, 1e-12);

@@ -70,8 +70,8 @@ TEST_F(CampaignPage, HoldsEverythingInOneFile) {
   EXPECT_THAT(html, Not(AnyOf(HasSubstr("url(http"), HasSubstr("@import"), HasSubstr("fetch("))));
 }
 
-/// Script that is appended to the page. When the page has been loaded, the script clicks as a reader would. It then
-/// writes the visible content of the page into the document, as JSON.
+/// Script that is added to the page. After the page has been loaded, the script clicks like a reader. It then writes
+/// the visible content of the page into the document, as JSON.
 constexpr const char* kClicks = R"(<pre id="seen"></pre><script>addEventListener('load', () => {
   const seen = {};
   const table = document.getElementById('means');
@@ -159,7 +159,7 @@ TEST_F(CampaignInBrowser, ShowsTheNumbersOfTheCsv) {
     for (std::size_t k = 0; k < columns.size(); ++k)
       EXPECT_EQ(seen_.at("cells").at(static_cast<std::size_t>(row)).at(k),
                 means.text(row, means.column(columns[k])));
-  // A cell of the table shows its number with five digits, but rows are sorted by the number with all digits.
+  // The cells of the table show numbers with five digits, but rows are sorted by the numbers with all digits.
   EXPECT_THAT(page(), HasSubstr("data-v=\"" + means.text(0, means.column("mean")) + "\">" +
                                 fmt::format("{:.5g}", means.number(0, means.column("mean"))) + "</td>"));
 }

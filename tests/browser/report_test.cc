@@ -98,8 +98,8 @@ TEST_F(Browser, PrintsThePage) {
   EXPECT_EQ(o.code, 0);
   const std::string pdf = content_of(file("report.pdf"));
   EXPECT_THAT(pdf, StartsWith("%PDF"));
-  // The PDF has several pages (A4 or letter) and contains the pictures. As vector graphics, the pictures take more than
-  // 100 kB.
+  // The PDF has several pages (A4 or letter) and contains the pictures. The pictures are vector graphics, so the PDF is
+  // larger than 100 kB.
   const std::regex page_object("/Type ?/Page\\b");
   EXPECT_GT(std::distance(std::sregex_iterator(pdf.begin(), pdf.end(), page_object), std::sregex_iterator()),
             2);

@@ -21,7 +21,7 @@ std::string shipped(const std::string& scene) {
   return source_directory() + "/data/scenes/" + scene + ".toml --set grains.count=40 ";
 }
 
-/// Kind of states, with the arguments of `floc run` for making them.
+/// Kind of states, with the arguments with which `floc run` makes states of this kind.
 struct StateKind {
   const char* name;
   std::string scene;
@@ -48,13 +48,13 @@ double number(const json& row, const char* name) {
   return row.at(name).is_null() ? std::nan("") : row.at(name).get<double>();
 }
 
-/// Numbers of states by the result of the test: the bounds hold, the bounds on B_S hold too, and the bounds are
-/// refused.
+/// Numbers of states in which the bounds hold, in which they also hold for B_S, and in which the bounds are refused.
 struct Coverage {
   int hold = 0, hold_B_S = 0, refused = 0;
 };
 
-/// Relative amount by which B_reuss may exceed a modulus because forces are balanced only to 1e-5.
+/// Relative tolerance of the bounds: forces are balanced only to 1e-5, so B_reuss may exceed a modulus by this
+/// fraction.
 constexpr double kSlack = 1e-5;
 
 /// Checks that the moduli of a state lie within their bounds, and agree with the estimates of the method `bounds`
@@ -94,7 +94,8 @@ void check_state(const std::string& what, const json& exact, const json* by_boun
   expect_within("B_S", "error_B_S", B_S);
 }
 
-/// Checks every state of a run. @param options  options of `floc moduli`
+/// Checks every state of a run.
+/// @param options  options of `floc moduli`
 void check_run(const ScratchDirectory& scratch, const std::string& run, const std::string& options,
                Coverage& covered) {
   const auto moduli = [&](const std::string& method) {

@@ -56,9 +56,8 @@ std::string scene_of(const BoxKind& kind) {
          "solid_fraction = 0.3\n[[load]]\nto = 0.3\nsteps = 1\n[equilibrium]\n";
 }
 
-/// A state has the ending "stopped" only if the scene gives a stop_time. The run and floc verify find the same number
-/// of negative eigenvalues. In 3D, some groups of the wet grains of seed 2, whose bridges form on contact, can roll
-/// without a change of energy.
+/// A state must not have the ending "stopped" if the scene gives no stop_time. The run and floc verify must find the
+/// same number of negative eigenvalues.
 TEST(BoxEndings, NoStateIsStoppedUnlessTheSceneSaysWhen) {
   const ScratchDirectory scratch;
   int n_runs = 0, n_states = 0, n_given_up = 0;
@@ -87,7 +86,8 @@ TEST(BoxEndings, NoStateIsStoppedUnlessTheSceneSaysWhen) {
   std::cout << n_runs << " kinds of boxes, " << n_states << " states, " << n_given_up << " given up\n";
 }
 
-/// If the scene gives a stop_time that is too short, the run gives up and names the condition that is not met.
+/// If the scene gives a stop_time that is too short, the run gives up and names the condition of an equilibrium that is
+/// not met.
 TEST(BoxEndings, WhatDoesNotSettleIsGivenUpAndSaysWhatBlocks) {
   const ScratchDirectory scratch;
   const std::string scene = scene_of(box_kinds().front());

@@ -110,7 +110,7 @@ TEST_P(BoxRun, IsMeasuredBetweenItsGrains) {
       "--profile p.csv --format csv --columns phi,xi");
   ASSERT_EQ(structure.code, 0) << structure.err;
   const CsvTable probes = CsvTable::read(file("e.csv"));
-  // The two void ratios differ by the overlaps of grains with walls.
+  // The two void ratios differ because grains overlap the walls.
   EXPECT_NEAR(probes.number(probes.n_rows() - 1, probes.column("void_ratio_cell")),
               path.number(1, path.column("void_ratio")), 1e-4);
   EXPECT_EQ(CsvTable::read(file("g.csv")).n_rows(), 75);
@@ -133,7 +133,7 @@ TEST_P(BoxRun, SurvivesTenKillsWithoutATrace) {
   kill_and_resume(10, 11, box_scene(GetParam()), 2);
 }
 
-/// A run can start from a saved box: the walls of the new run start at their saved places.
+/// A run can start from a saved box. The walls of the new run then start at their positions in the saved box.
 TEST_P(BoxRun, StartsFromAStateWithWalls) {
   ASSERT_EQ(run(box_scene(GetParam()), "--until 0 -o first").code, 0);
   std::string next =
@@ -171,12 +171,13 @@ TEST_P(BoxRun, HasModuliBetweenItsBounds) {
   const CsvTable row = CsvTable::read(file("moduli.csv"));
   const auto value = [&row](const char* name) { return row.number(0, row.column(name)); };
   EXPECT_GT(value("B_reuss"), 0.0);
-  // The forces on the grains and the pressures on the walls are balanced only within 1e-3.
+  // The forces on the grains and the pressures on the walls are balanced only within 1e-3, so B_reuss may exceed B_S a
+  // little.
   EXPECT_LE(value("B_reuss"), 1.01 * value("B_S"));
   EXPECT_LE(value("B_S"), value("B") * (1.0 + 1e-9));
   EXPECT_LE(value("B"), value("B_voigt"));
   EXPECT_NEAR(value("p_wall"), 0.1, 2e-4);
-  // Every command prints the mean stress of the contacts as P and the pressure of the walls as p_wall.
+  // Every command prints the mean stress of the contacts as P, and the pressure on the walls as p_wall.
   const CsvTable path = CsvTable::read(file("out/path.csv"));
   EXPECT_NEAR(value("P"), path.number(0, path.column("p")), 1e-12);
   EXPECT_GT(std::abs(value("P") - value("p_wall")), 1e-4);

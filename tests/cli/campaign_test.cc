@@ -63,8 +63,8 @@ class CampaignOnSnakemake : public testing::Test {
   inline static Outcome whole_;
 };
 
-/// Returns the number in the column `column` of a table. `row` selects the row of the table by the texts in its
-/// columns.
+/// Returns the number in the column `column` of a table. The number is taken from the row whose columns contain the
+/// texts in `row` (key: name of a column).
 double number_at(const CsvTable& table, const std::map<std::string, std::string>& row,
                  const std::string& column) {
   for (int k = 0; k < table.n_rows(); ++k) {
@@ -274,7 +274,8 @@ TEST_F(Campaigns, HaveARuleARunWithSceneChangesAndSeed) {
         "--table '0008-3-compare.csv: compare state-0001.h5 state-0008.h5'", "rule table_means:", "rule page:"})
     EXPECT_THAT(rules, HasSubstr(part));
   EXPECT_THAT(rules, Not(HasSubstr("run_13")));
-  EXPECT_EQ(floc("campaign plan planned.toml -o planned").code, 0);  // from the list of seeds, a second time
+  // plans the campaign a second time; the seeds are given as a list
+  EXPECT_EQ(floc("campaign plan planned.toml -o planned").code, 0);
   EXPECT_EQ(content_of(file("planned/campaign.toml")), small_campaign());
 }
 

@@ -209,7 +209,7 @@ TEST_F(Columns, AreAllDescribedAndNothingElseIs) {
       {"export --grains", content_of(file("eg.csv"))},
       {"export --contacts", content_of(file("ec.csv"))},
   };
-  // Columns that appear only with other dimensions, options or boundaries.
+  // Columns that appear only with other dimensions, options or boundaries than in this test.
   const std::set<std::string> elsewhere = {"isotropic_rolling?",
                                            "deviatoric_rolling?",
                                            "isotropic_twisting",

@@ -92,7 +92,7 @@ TEST_F(ContinuedState, GoesOnInASkewedCell) {
   EXPECT_EQ(printed("b/state-0000.h5", "cell"), printed("a/state-0002.h5", "cell"));
   EXPECT_THAT(printed("b/state-0000.h5", "cell"), testing::Not(HasSubstr(",0;0,")));
   const CsvTable b = path("b"), whole = path("whole");
-  // Each stage computes the shear strain from the height of the cell at the start of the stage, so the two steps differ
+  // In each stage, the shear strain refers to the height of the cell at the start of the stage, so the two runs differ
   // slightly.
   for (const char* column : {"P", "phi", "stress_1", "stress_2"}) expect_same(b, 1, whole, 3, column, 5e-2);
   EXPECT_EQ(run_floc("verify b", scratch_.path()).code, 0);

@@ -23,7 +23,7 @@ using testing::Not;
 const std::string kPackings = source_directory() + "/data/packings/";
 const std::string kLammpsLaw = "normal.stiffness=1000,friction.coefficient=0.5,friction.stiffness=800";
 
-/// Returns the value of the option --columns for a file of the LAMMPS command `dump local` that contains the output of
+/// Returns the value of the option --columns for a file that the LAMMPS command `dump local` wrote with the output of
 /// two computes.
 std::string lammps_columns(const std::string& pair, const std::string& force) {
   return "id1=c_" + pair + "[1],id2=c_" + pair + "[2],force1=c_" + force + "[1],force2=c_" + force +
@@ -168,8 +168,8 @@ TEST_F(ConvertLists, AreComparedWithGeometryAndLawAndStrictAcceptsNoDoubt) {
   EXPECT_EQ(convert(good, "normal.stiffness=50", {"--strict", "--tolerance", "100"}).code, 0);
 }
 
-/// One bead under Hertz's law in a simple cubic cell. It has three contacts with its own images, with given
-/// stiffnesses.
+/// A simple cubic cell with one bead, under Hertz's law. The bead has three contacts with its own images. The file
+/// gives the stiffnesses of these contacts.
 TEST_F(ConvertLists, WithStiffnessesOfAnotherLawAreSaidToHaveThemByConvertModuliAndVerify) {
   const double E = 1e4, nu = 0.3, overlap = 1e-3;
   const double kn = E / (1 - nu * nu) * std::sqrt(0.25 * overlap), force = 2.0 / 3.0 * kn * overlap;

@@ -42,7 +42,8 @@ TEST(Convert, TakesAPackingFromStdin) {
   EXPECT_EQ(said["law"], "normal.stiffness=2");
   EXPECT_EQ(said["source"], "stdin");
   EXPECT_EQ(said["target"], "0.01,0.02");
-  // One contact along x, with force 0.2 and branch length 0.9, in a cell of area 16: P = 0.2 * 0.9/16/2.
+  // There is one contact along x, with the force 0.2 and the branch length 0.9, in a cell of area 16. The pressure is
+  // therefore P = 0.2 * 0.9/16/2.
   EXPECT_NEAR(said["P"].get<double>(), 0.18 / 32.0, 1e-16);
 }
 

@@ -54,8 +54,8 @@ TEST_F(Draw, MakesAFilmStripOfAPath) {
   EXPECT_THAT(spread[3]["file"].get<std::string>(), HasSubstr("state-0008.h5"));
 }
 
-/// Returns whether any pixel in the last columns of a png is not white. @param margin  width of these columns
-/// (points); pixels are 1/200 inch wide
+/// Returns whether a pixel near the right edge of a png is not white.
+/// @param margin  width of the tested columns (points); pixels are 1/200 inch wide
 bool writes_into_margin(const std::string& png, double margin) {
   cairo_surface_t* image = cairo_image_surface_create_from_png(png.c_str());
   const int width = cairo_image_surface_get_width(image), height = cairo_image_surface_get_height(image);
@@ -85,8 +85,8 @@ TEST_F(Draw, KeepsEveryWordOnThePageHoweverNarrowItIs) {
 }
 
 TEST_F(Draw, ShowsOfAForceNoMoreThanALineOfTheLegend) {
-  // Six large disks fill the page. A line with a width of 0.15 of their diameter would be thicker than the text of the
-  // caption is high.
+  // Six large disks fill the page. A line of 0.15 of their diameter would be wider than the height of the letters of
+  // the caption.
   ASSERT_EQ(floc("run small.toml -o six --set grains.count=6 --until 2").code, 0);
   ASSERT_EQ(floc("draw six --columns 1 --bare -o bare.svg").code, 0);
   ASSERT_EQ(floc("draw six --columns 1 -o six.svg").code, 0);

@@ -7,15 +7,15 @@
 #include "support/places.h"
 #include "support/run_program.h"
 
-/// Tests that results are printed together with their largest source of error.
+/// Tests that the program prints the largest source of error together with a result.
 namespace floc::test {
 namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// Prints the moduli of one disk that touches its own images in a square cell of side 1. The pressure P is the
-/// stiffness times the overlap.
+/// Prints the moduli of a square lattice: one disk in a square cell of side 1, which touches its own images. The
+/// pressure P is the stiffness times the overlap.
 Outcome moduli_of_a_square_lattice(const ScratchDirectory& scratch, const std::string& radius,
                                    const std::string& stiffness) {
   write_text(scratch.file("one.csv"), "x,y,radius\n0.3,0.4," + radius + "\n");

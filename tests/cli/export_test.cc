@@ -105,7 +105,8 @@ TEST_F(Export, RollingStiffnessesOfAContactAreThoseListed) {
   EXPECT_THAT(none.err, HasSubstr("one.csv:2"));
 }
 
-/// Reads contacts in the format of LAMMPS together with grains in another format, and then the other way round.
+/// Reads contacts in the format of LAMMPS with grains in another format, and contacts in another format with grains in
+/// the format of LAMMPS.
 TEST_F(Export, AnyContactFileGoesWithAnyGrainFile) {
   const std::string lammps = source_directory() + "/data/packings/lammps/";
   const std::string law = " --law normal.stiffness=1000,friction.coefficient=0.5,friction.stiffness=800";

@@ -51,7 +51,7 @@ TEST(FitCompression, InADieRowsAboveTheSolidAreReadWhereTheBoundIsLifted) {
     const Outcome o = run_floc(compression + lifted, ".", table);
     ASSERT_EQ(o.code, 0) << lifted << o.err;
     for (const json& fit : json::parse(o.out))
-      if (fit["law"] == "walker") {  // the law of Heckel is fitted to a part of the rows
+      if (fit["law"] == "walker") {  // the fit of Heckel's law uses only a part of the rows
         EXPECT_EQ(fit["rows_used"].back(), 8) << o.out;
       }
   }

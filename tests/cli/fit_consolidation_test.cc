@@ -21,8 +21,8 @@ using testing::Not;
 const ConsolidationLawParameters kLaw{0.349, 0.91, 0.7808, 0.27};
 const double kP0 = std::pow(10.0, -13.0 / 8);
 
-/// Path table that follows kLaw: a row at P* = 0, a row of the assembly, the loading with pressures in ratios of
-/// 10^(1/8), and the unloading.
+/// Path table that follows kLaw: a row at P* = 0, a row of the assembly, the loading, in which each pressure is
+/// 10^(1/8) times the previous one, and the unloading.
 /// @param shift  added to every 1/Phi
 std::string path_table(double shift = 0.0) {
   std::string text = "step,branch,P_star,phi\n0,assembly,0,0.45\n";
@@ -68,8 +68,8 @@ TEST(FitConsolidation, AnEnsembleIsFittedSampleBySampleAndPooled) {
   EXPECT_THAT(fits[0]["sample"], HasSubstr("seed-2/"));
   EXPECT_THAT(fits[1]["sample"], HasSubstr("seed-10/"));
   EXPECT_EQ(fits[2]["sample"], "pooled");
-  // The shifts of 1/Phi have a mean of zero. Phi_max is therefore exact for the pooled samples, and shifted only for
-  // each single sample.
+  // The shifts of 1/Phi have a mean of zero. Phi_max is therefore exact for the pooled samples, although it is shifted
+  // for each single sample.
   EXPECT_NEAR(fits[2]["parameters"]["Phi_max"]["value"], kLaw.phi_max, 1e-8);
   EXPECT_NEAR(fits[0]["parameters"]["Phi_max"]["value"], 1 / (1 / kLaw.phi_max + 0.01), 1e-8);
   for (const json& fit : fits) EXPECT_NEAR(fit["parameters"]["lambda"]["value"], kLaw.lambda, 1e-8);

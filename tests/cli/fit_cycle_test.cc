@@ -25,7 +25,8 @@ TEST(FitCycle, PrintsWhatEachPressureKeeps) {
   EXPECT_EQ(rows[0].at("phi_down"), 0.55);
   EXPECT_NEAR(rows[0].at("dphi_irr").get<double>(), 0.05, 1e-15);
   EXPECT_EQ(rows[0].at("P_turn"), 3.0);
-  // The work is -integral P d(1/Phi): loading and unloading together give 2 (1/0.5 - 1/0.55).
+  // The work is minus the integral of P d(1/Phi). The contributions of loading and unloading add up to 2 (1/0.5 -
+  // 1/0.55).
   EXPECT_NEAR(rows[0].at("work").get<double>(), 2.0 * (2.0 - 1.0 / 0.55), 1e-14);
   EXPECT_EQ(rows[0].at("unit"), "kPa");
 }

@@ -33,7 +33,7 @@ TEST(FitModuli, OfTheFirstLoadingOfEachSampleAndTheirMean) {
   const Outcome o = run_floc("fit moduli - --format json", ".", powers());
   ASSERT_EQ(o.code, 0) << o.err;
   const json fits = json::parse(o.out);
-  ASSERT_EQ(fits.size(), 12u);  // two samples and their mean, two moduli, two quantities
+  ASSERT_EQ(fits.size(), 12u);  // (two samples and their mean) * two moduli * two quantities
   EXPECT_EQ(fits[0]["sample"], "run-0.3");
   EXPECT_EQ(fits[0]["modulus"], "B");
   EXPECT_EQ(fits[0]["against"], "P");

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 const std::string kOedometer = source_directory() + "/data/tables/oedometer/oedometer.csv";
 const std::string kReload = source_directory() + "/data/tables/reload";
 
-/// Parameters of the clay that data/tables/oedometer/make.py used to compute the table.
+/// Parameters of the clay with which data/tables/oedometer/make.py computed the table.
 constexpr double kLambda = 0.110, kKappa = 0.020, kLargestStress = 1600.0;
 
 void expect_inside(const json& parameter, double truth) {
@@ -30,8 +30,8 @@ TEST(Oedometer, VirginSlopeIsThatItWasMadeWith) {
                              " --loading virgin --law log --window 200,6400 --format json");
   ASSERT_EQ(o.code, 0) << o.err;
   const json fit = json::parse(o.out).at(0);
-  // The table has two rows per load, and the second row of each load is fitted. At 1600 kPa, the row of the first
-  // loading is used.
+  // The table has two rows per load, and the second row of each load is fitted. At 1600 kPa, where the path was
+  // unloaded and loaded again, the fit uses the row of the first loading.
   EXPECT_EQ(fit["rows_used"], json({12, 14, 16, 18, 35, 37}));
   EXPECT_EQ(fit["pressure_unit"], "kPa");
   expect_inside(fit["parameters"]["lambda"], kLambda);
@@ -57,7 +57,7 @@ TEST(Oedometer, ReloadingTellsThePressureItHadSeen) {
   EXPECT_EQ(fit["largest_before"], kLargestStress);
   const json P_c = fit["parameters"]["P_c"];
   expect_inside(P_c, kLargestStress);
-  // Neighbouring pressures of the table differ by a factor of two.
+  // The interval may be as wide as the distance of neighbouring pressures of the table, a factor of two.
   EXPECT_LT(P_c["high95"].get<double>() / P_c["low95"].get<double>(), 2.1);
   expect_inside(fit["parameters"]["kappa"], kKappa);
 }
@@ -70,7 +70,8 @@ TEST(ShippedPaths, GiveLambdaOfTheModelWithinItsErrors) {
   const json pooled = fits.back();
   EXPECT_EQ(pooled["sample"], "pooled");
   EXPECT_EQ(pooled["errors_from"], "samples");
-  // For samples that collapse in jumps, the scatter of the points does not give the weights of the fit.
+  // Samples that collapse in jumps need weights from the scatter between the samples. The scatter of the points of a
+  // sample does not give the weights.
   EXPECT_EQ(pooled["law"], "log");
   EXPECT_EQ(pooled["weights"], "between");
   EXPECT_GT(pooled["regimes"]["jump_distance"], 0.05);
@@ -106,7 +107,7 @@ TEST(ShippedPaths, ReloadingTellsThePressureTheyHadSeen) {
   ASSERT_EQ(fits.size(), 2u);
   for (const json& fit : fits) {
     EXPECT_EQ(fit["largest_before"], 1.0);
-    // Neighbouring pressures differ by a factor of 1.33.
+    // P_c is right within the distance of neighbouring pressures, a factor of 1.33.
     EXPECT_NEAR(std::log(fit["parameters"]["P_c"]["value"].get<double>()), 0.0, std::log(1.34));
     EXPECT_LT(fit["parameters"]["P_c"]["low95"], 1.0);
     EXPECT_GT(fit["parameters"]["P_c"]["high95"], 1.0);
@@ -139,7 +140,8 @@ TEST(ShippedPaths, UnloadingsThatAreCurvedHaveTheModulusOfTheirStraightPart) {
 }
 
 TEST(ShippedTables, ThePrintedPlateauDoesNotIdentifyTheDenseSideOfACompaction) {
-  // Only adhesive samples have p_crit >= p_D. In a fit to these samples alone, e_min has no finite best value.
+  // Only adhesive samples have p_crit >= p_D. In a fit to these samples alone, the misfit decreases without end as
+  // e_min changes, so e_min has no best value.
   const std::string sweep = source_directory() + "/data/tables/compaction/sweep_4000.csv";
   const Outcome o = run_floc("fit dynamic-compaction " + sweep + " --plateau p_crit --format json");
   ASSERT_EQ(o.code, 0) << o.err;
@@ -204,8 +206,8 @@ TEST(Units, ComeFromTheHeaderAndStayWithPressures) {
   EXPECT_THAT(csv.out, HasSubstr("P0_star,100,,,,true,kPa"));
 }
 
-/// Table of samples that follow the law, rounded to six decimals. @param at_p_crit  evaluates the plateau at
-/// p_crit = sc^2/se instead of p
+/// Table of samples that follow the law, rounded to six decimals.
+/// @param at_p_crit  evaluates the plateau at p_crit = sc^2/se instead of p
 std::string compacted_samples(bool at_p_crit) {
   std::string table = "e,p,sc,se\n";
   for (const double p : {0.01, 1.0, 10.0, 100.0})
@@ -264,7 +266,7 @@ TEST(FitForceDistribution, FitsEveryFormOfATable) {
   // 2 % too small.
   EXPECT_NEAR(fits[0]["parameters"]["f_0"]["value"], 2.0, 0.06);
   EXPECT_NEAR(fits[1]["parameters"]["f_0"]["value"], 0.5, 0.015);
-  // The quadratic form with beta = 1 is an exponential.
+  // With beta = 1, the quadratic form is an exponential distribution.
   EXPECT_NEAR(fits[3]["parameters"]["beta"]["value"], 1.0, 0.1);
   for (const json& fit : fits) EXPECT_GT(fit["p_value"], 0.01) << fit["form"];
 }

@@ -137,7 +137,7 @@ TEST(FitStrength, OfSimpleShearIsTheLineOfItsPlanes) {
     EXPECT_NEAR(value_of(o.out, "pooled", "simple-shear", std::string("cohesion_") + state), 12, 1e-6);
   }
   EXPECT_NEAR(value_of(o.out, "a.csv", "simple-shear", "strain_peak"), 0.05, 1e-12);
-  // At the peak the volume grows by 0.02 % for each 0.5 % of shear.
+  // In the rows at the peak, the volume grows by 0.02 % while the shear strain grows by 0.5 %.
   EXPECT_NEAR(value_of(o.out, "a.csv", "simple-shear", "dilatancy_angle"),
               std::atan(0.04) * 180.0 / std::numbers::pi, 2.0);
   const Outcome rows =

@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// The small scene without rolling resistance, because rolling moments would have a separate limit.
+/// The small scene without rolling resistance, which would add a separate limit for rolling moments.
 std::string scene_without_rolling() {
   std::string text = small_scene();
   const std::size_t begin = text.find("rolling =");
@@ -66,7 +66,7 @@ TEST_F(ForcesCommand, LeaveAnEquilibriumWithFrictionAsItIs) {
   EXPECT_LT(closest.at("moved").get<double>(), 1e-4);
   EXPECT_LT(closest.at("net_force").get<double>(), 1e-10);
   EXPECT_LT(closest.at("stress_error").get<double>(), 1e-10);
-  // The geometry does not determine the forces: they depend on the loading history.
+  // Other forces also balance on the same geometry; the saved forces depend on the loading history.
   EXPECT_GT(closest.at("force_freedom").get<double>(), 1e-3);
   const json canonical = row("slipping/state-0001.h5 --selection canonical");
   EXPECT_EQ(canonical.at("force_freedom"), 0.0);

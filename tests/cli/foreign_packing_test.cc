@@ -135,8 +135,8 @@ TEST_F(ForeignPacking, OfLammpsAndYadeIsReadAnalysedAndWrittenInOtherFormats) {
     for (const std::string extension : {".vtu", ".xyz", ".data"})
       EXPECT_EQ(floc_arguments({"convert", scratch_.file(name + ".h5"), scratch_.file(name + extension)}).code,
                 0);
-  // Forces are computed again from the geometry. The error of the pressure comes from the rounding of the positions,
-  // times the stiffness of a contact.
+  // The forces are computed again from the positions in the file. The rounding of the positions, times the stiffness of
+  // a contact, gives the error of the pressure.
   ASSERT_EQ(floc_arguments({"convert", scratch_.file("disks.xyz"), scratch_.file("again.h5"), "--law",
                             kLammpsLaw, "--tolerance", "1"})
                 .code,
@@ -152,8 +152,8 @@ TEST_F(ForeignPacking, ThatIsNoEquilibriumIsSaidToBeAndRefusedUnlessForced) {
   const Outcome converted = floc_arguments(
       {"convert", file("g.csv", kGrains), state, "--law", "normal.stiffness=2", "--cell", "4,0;0,4"});
   EXPECT_EQ(converted.code, 0);
-  // One contact with force 0.2 pushes both grains. With P = 0.2 * 0.9/16/2 and F1 = P a, its force is 0.2/F1 =
-  // 35.6.
+  // The two grains share one contact with the force 0.2, which nothing balances. With P = 0.2 * 0.9/16/2 and the force
+  // scale F1 = P a, the net force is 0.2/F1 = 35.6.
   EXPECT_THAT(converted.err, HasSubstr("warning: this state is not in equilibrium: net force of grain 1 in "
                                        "units of the force scale F1 is 35.6, but the limit is 0.001"));
   const Outcome refused = floc_arguments({"moduli", state, "--format", "csv"});
@@ -184,8 +184,8 @@ TEST_F(ForeignPacking, IsAStepOfAPipeline) {
   const Outcome head = shell("\"$0\" moduli " + all + " --format csv | head -1");
   EXPECT_THAT(head.out, StartsWith("file,dimension,"));
   EXPECT_THAT(head.err, IsEmpty());
-  // If the reader of the pipe exits before the table is written, floc prints nothing. Its exit code is the code of a
-  // program that SIGPIPE ended, even if the parent process ignores SIGPIPE.
+  // If the reader of the pipe exits before the table is written, floc prints nothing. The exit code of floc is that of
+  // a program that was ended by SIGPIPE, even if the parent process ignores SIGPIPE.
   for (const std::string ignored : {"", "trap '' PIPE; "}) {
     const Outcome gone =
         shell(ignored + "{ sleep 0.2; \"$0\" moduli " + all + " --format csv; echo code $? >&2; } | true");

@@ -9,8 +9,8 @@
 #include "support/places.h"
 #include "support/run_arguments.h"
 
-/// Tests of packings of other programs, from the input file to the printed table. They cover walls, free sides,
-/// gravity, bonds, gaps and formats.
+/// Tests of commands on packings of other programs, from the input file to the printed table. The packings have walls,
+/// free sides, gravity, bonds or gaps, in several formats.
 namespace floc::test {
 namespace {
 
@@ -123,15 +123,16 @@ TEST_F(Imports, HoldBondsAcrossGaps) {
     EXPECT_NEAR(moduli.at("C33").get<double>(), 250.0, 1e-9);
     EXPECT_EQ(row("verify").at("equilibrium"), true);
   }
-  // In a narrower cell, grains touch their images across the sides of the cell, and the single bond joins another pair.
+  // In this narrower cell, grains touch their images across the sides of the cell. The file has only one bond, between
+  // another pair of grains.
   write("one.csv", "id1,id2,kn\n0,1,7\n");
   ASSERT_EQ(convert("grains.csv", {"--bonds", scratch_.file("one.csv"), "--cell", "2.97,0;0,3.03"}).code, 0);
   EXPECT_EQ(row("network").at("n_contacts"), 4);
   EXPECT_EQ(row("network").at("n_solid_bonds"), 1);
 }
 
-/// Two disks that touch walls and each other. The contacts with walls are read from columns of LAMMPS' fix wall/gran,
-/// or found from the positions.
+/// Two disks that touch walls and each other. The contacts with walls are read from the columns that LAMMPS' fix
+/// wall/gran writes, or are found from the positions.
 TEST_F(Imports, HaveTheContactsWithWallsOfColumnsOrOfTheGeometry) {
   write("s.dump",
         "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff ff\n0 1.994\n0 1.994\n-0.5 "

@@ -71,8 +71,8 @@ TEST_F(Increments, OfASquareLatticeAreThoseOfItsTwoContacts) {
                           "deviatoric_in_95", "dead_end", "backbone", "scalar_backbone"));
   for (int k = 1; k <= 2; ++k) {
     EXPECT_EQ(rows[k][0], "square.h5");
-    EXPECT_NEAR(std::stod(rows[k][7]), 1.0, 1e-12);    // force of a unit stress on a unit length
-    EXPECT_NEAR(std::stod(rows[k][11]), 0.25, 1e-12);  // energy of a unit force, 1/(2 K_N)
+    EXPECT_NEAR(std::stod(rows[k][7]), 1.0, 1e-12);    // a unit stress on a unit length exerts a unit force
+    EXPECT_NEAR(std::stod(rows[k][11]), 0.25, 1e-12);  // a unit force stores the energy 1/(2 K_N)
     EXPECT_EQ(rows[k][21], "false");
     EXPECT_EQ(rows[k][22], "true");
     EXPECT_EQ(rows[k][23], "true");

@@ -8,8 +8,8 @@
 #include "support/places.h"
 #include "support/run_arguments.h"
 
-/// Tests that every fit of a load path reads tables of measurements with other quantities, names and units than
-/// phi and void_ratio.
+/// Tests that every fit of a load path reads tables with other quantities than phi and void_ratio, and with names and
+/// units that laboratories use.
 namespace floc::test {
 namespace {
 

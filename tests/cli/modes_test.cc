@@ -18,8 +18,8 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// Fixture: square frames of disks. One more disk is attached to a node of a frame and can roll on this node; another
-/// disk touches nothing.
+/// Fixture: square frames of disks. An additional disk is attached to a node of a frame and can roll on this node.
+/// Another additional disk touches nothing.
 class ModesCommand : public testing::Test {
  protected:
   void SetUp() override {

@@ -75,7 +75,7 @@ TEST_F(ModuliCommand, OfAConvertedPackingGiveItsShearModulus) {
   const json diagonal = json::parse(moduli("packing.h5 --format json").out).at(0);
   EXPECT_FALSE(diagonal.contains("C33"));
   EXPECT_TRUE(diagonal.at("G_shear").is_null());
-  // One call solves for two strains at a time and the other for three, and the BLAS library may round the two
+  // One call solves for two strains at a time, and the other call for three. The BLAS library may round the two calls
   // differently.
   EXPECT_NEAR(diagonal.at("B").get<double>() / row.at("B_without_prestress").get<double>(), 1.0, 1e-13);
 }
@@ -89,13 +89,14 @@ TEST_F(ModuliCommand, AreToldAxisByAxis) {
   EXPECT_NEAR(number("E_2") / (C22 - C12 * C12 / C11), 1.0, 1e-12);
   EXPECT_NEAR(number("nu_12") / (C12 / C22), 1.0, 1e-12);
   EXPECT_NEAR(number("nu_21") / (C12 / C11), 1.0, 1e-12);
-  // Axial moduli are lower if shear strains are free.
+  // If shear strains are free (--strains full), axial moduli are lower.
   const json full = json::parse(moduli("packing.h5 --strains full --format json").out).at(0);
   EXPECT_LT(full.at("E_1").get<double>(), number("E_1"));
 }
 
 TEST_F(ModuliCommand, HaveMeanFieldEstimatesBesideTheBounds) {
-  // All springs are equal, so the estimate for unequal springs equals the printed bound.
+  // B_reuss_mean_field allows for unequal springs and B_reuss_printed does not. Here all springs are equal, so the two
+  // values agree.
   const json row = json::parse(moduli("packing.h5 --format json").out).at(0);
   const auto number = [&](const char* key) { return row.at(key).get<double>(); };
   EXPECT_NEAR(number("B_reuss_mean_field") / number("B_reuss_printed"), 1.0, 1e-12);
@@ -151,7 +152,8 @@ TEST_F(ModuliCommand, AreZeroAlongAMechanismThatIsCountedAndWarnedAbout) {
   const json row = json::parse(o.out).at(0);
   EXPECT_EQ(row.at("n_coupled_mechanisms"), 2);
   for (const char* key : {"C11", "C22", "C12", "B", "B_S", "G"}) EXPECT_EQ(row.at(key), 0.0) << key;
-  // In this contact, adhesion and repulsion cancel exactly. The pressure is therefore zero, and forces have no scale.
+  // In the only contact, adhesion and repulsion cancel exactly. The pressure is therefore zero, and forces have no
+  // scale.
   EXPECT_EQ(row.at("B_reuss"), 0.0);
   EXPECT_TRUE(row.at("Z2").is_null());
 }

@@ -107,8 +107,8 @@ TEST_F(Bonds, ExponentsOfEitherSideAndOfBoth) {
         return r;
     return -1;
   };
-  // The exponent is the inverse of the mean of the force minus the lower limit (0 or 0.1), and all forces are 0.5. In
-  // the window from 0 to 1, which is used for tensions, the exponent is 0.
+  // All forces are 0.5. The fitted exponent is 1/(mean force - lower limit), where the lower limit is 0 or 0.1. In the
+  // window from 0 to 1, which is used for tensions, the exponent is 0.
   const int tail = find("layers.h5", "+", 0.0, true), from = find("layers.h5", "+", 0.1, true);
   ASSERT_GE(tail, 0);
   ASSERT_GE(from, 0);
@@ -143,7 +143,7 @@ TEST_F(Bonds, PhasesAndPressuresGoToFiles) {
 }
 
 TEST_F(Bonds, ForcesAreMeasuredInThePressureToo) {
-  // The mean stress is zero, so forces cannot be divided by it.
+  // The mean stress is zero, so the command cannot give forces in units of P.
   const Outcome none = floc("network layers.h5 --pdf f.csv --unit P");
   EXPECT_THAT(none.err, HasSubstr("P cannot be distinguished from zero, because of rounding or the tolerance "
                                   "of equilibrium: give --unit mean"));

@@ -62,7 +62,7 @@ TEST_F(Network, CountsAndWeighsContacts) {
   EXPECT_EQ(row.at("pulled_share"), 0.0);
   EXPECT_EQ(row.at("indeterminacy"), 3);
   EXPECT_EQ(row.at("energy_share_95"), 1.0);
-  EXPECT_TRUE(row.at("correlation_normal").is_null());  // equal forces have no correlation
+  EXPECT_TRUE(row.at("correlation_normal").is_null());  // the correlation of equal forces is not defined
   EXPECT_NEAR(row.at("P").get<double>(), 0.04, 1e-14);
 }
 

@@ -21,8 +21,7 @@ struct Kind {
   bool is_fitted = false;  ///< whether the path is long enough for a fit
 };
 
-/// Scene of spheres under Hertz's law, with neither liquid nor tail adhesion. @param stages  tables [[load]] of the
-/// scene
+/// Scene of spheres under Hertz's law without adhesion and without liquid.
 std::string spheres(const std::string& stages) {
   return scene_text("hertz") + stages;
 }

@@ -169,8 +169,8 @@ TEST_F(Petsc, OnAFullDiskIsAFailureWithItsReason) {
   EXPECT_FALSE(fs::exists(file("out.csv")));
 }
 
-/// The first process waits for data from a pipe, which never come. The second process waits for the first process, and
-/// is then killed.
+/// The first process waits for data from a pipe, which never arrive. The second process waits for the first one. Then
+/// the second process is killed.
 TEST_F(Petsc, EndsWithinAMinuteWhereAProcessDiesAndLeavesNoTable) {
   const auto start = std::chrono::steady_clock::now();
   const Outcome o = shell(

@@ -85,8 +85,8 @@ TEST_F(PlotCommand, ModuliOfStatesAndOfTheirTableAreTheSame) {
   ASSERT_EQ(states.size(), 7u);
   ASSERT_EQ(rows.size(), 7u);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    // The pressures in the table are computed from the contact forces, and the pressures of the states are the imposed
-    // pressures. The two agree within the tolerance of stress.
+    // The table contains pressures computed from the contact forces; the states contain the imposed pressures. Both
+    // agree within the tolerance of the stress.
     EXPECT_NEAR(rows[i][0], states[i][0], 1e-5);
     for (std::size_t k = 1; k < 7; ++k) {
       if (std::isnan(rows[i][k]) && std::isnan(states[i][k])) continue;
@@ -95,12 +95,12 @@ TEST_F(PlotCommand, ModuliOfStatesAndOfTheirTableAreTheSame) {
   }
   int n_bounded = 0;
   for (const auto& row : states) {
-    EXPECT_LE(row[3], row[6]);  // G and its Voigt bound
+    EXPECT_LE(row[3], row[6]);  // Voigt bound of G
     EXPECT_EQ(std::isnan(row[4]), std::isnan(row[5]));
     if (std::isnan(row[4])) continue;  // there are no bounds for states with attractions at a distance
     ++n_bounded;
-    EXPECT_LE(row[4], row[1]);  // Reuss bound and B
-    EXPECT_LE(row[1], row[5]);  // B and its Voigt bound
+    EXPECT_LE(row[4], row[1]);  // Reuss bound of B
+    EXPECT_LE(row[1], row[5]);  // Voigt bound of B
   }
   EXPECT_GT(n_bounded, 0);
 }
@@ -164,7 +164,7 @@ TEST_F(PlotCommand, WordsOfGnuplotStayWithItUnlessItFails) {
 }
 
 TEST_F(PlotCommand, RegimesAreNamedAboveTheCurveAndApart) {
-  // The mean of these samples shows where all three regimes begin.
+  // The mean curve of these samples has all three regimes, so that the plot names each of them.
   ASSERT_EQ(floc("plot " + demo_tables() + " -o regimes.svg").code, 0);
   const std::string script = content_of(file("regimes.gp"));
   std::vector<double> places;
@@ -174,7 +174,7 @@ TEST_F(PlotCommand, RegimesAreNamedAboveTheCurveAndApart) {
     places.push_back(std::log10(std::atof(line.c_str() + line.find("first ") + 6)));
   }
   ASSERT_EQ(places.size(), 3u);
-  // Names are at least 0.2 decades apart, on an axis of 3.1 decades.
+  // The axis covers 3.1 decades. Names that are 0.2 decades apart do not overlap.
   EXPECT_GT(places[1] - places[0], 0.2);
   EXPECT_GT(places[2] - places[1], 0.2);
 }

@@ -385,7 +385,7 @@ const Refusal kOfCommands[] = {
 INSTANTIATE_TEST_SUITE_P(Commands, Refused, ::testing::ValuesIn(kOfCommands),
                          [](const auto& test) { return std::string(test.param.name); });
 
-/// When a run is resumed, it rejects files in its directory that it did not write.
+/// A run that is resumed refuses a directory with files that the run did not write.
 TEST(RefusedRun, FindsWhatIsNotItsOwn) {
   const ScratchDirectory scratch;
   const std::string run = "run " + source_directory() +

@@ -36,7 +36,7 @@ TEST(RigidRun, BetweenWallsVerifies) {
     const Outcome verified = run_floc("verify out/state-0000.h5 out/state-0001.h5", scratch.path());
     EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
     const CsvTable path = CsvTable::read(scratch.file("out/path.csv"));
-    // The pressure on the lid is the pressure that the load imposes.
+    // The pressure on the lid must be the pressure of the load.
     EXPECT_NEAR(path.number(1, path.column("P")), 4.0, 1e-9);
     EXPECT_EQ(run_floc("report out -o r.html", scratch.path()).code, 0);
     ASSERT_TRUE(run_with_threads(scratch.file("s.toml"), scratch.file("two"), 2));
@@ -45,7 +45,7 @@ TEST(RigidRun, BetweenWallsVerifies) {
   }
 }
 
-/// The report of a run of grains with corners describes the contacts instead of the moduli.
+/// In the report of a run of grains with corners, the section on moduli is replaced by a section on contacts.
 TEST(RigidRun, IsReported) {
   const ScratchDirectory scratch;
   write_text(scratch.file("s.toml"), rigid_scene(kPentagons));

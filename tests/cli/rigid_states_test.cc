@@ -119,7 +119,7 @@ TEST_F(RigidStates, AreExportedWithShapesAndPoints) {
   EXPECT_EQ(CsvTable::read(scratch_.file("s.csv")).n_rows(), 8);
 }
 
-/// All contact points of a pair count as one contact, no matter on which vertices, edges or faces they lie.
+/// All contact points of a pair count together as one contact, even if they lie on different vertices, edges or faces.
 TEST_F(RigidStates, AreComparedByPairs) {
   const std::string row = run("compare cubes.h5 cubes.h5 --format json").out;
   EXPECT_THAT(row, HasSubstr("\"n_kept\": 24"));

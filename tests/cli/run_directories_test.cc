@@ -66,8 +66,8 @@ TEST_F(RunDirectories, OfOtherRunsSayWhereTheyPart) {
   EXPECT_THAT(o.err, HasSubstr("different from step 0 on"));
   const json rows = json::parse(o.out);
   ASSERT_EQ(rows.size(), 9u);
-  // The scenes stored in the state files differ in all states, including the first state. The values in the first row
-  // of the path do not differ yet.
+  // All state files of the two runs differ, even the first ones, because they contain different scenes. In the first
+  // row of the path, no value differs yet.
   EXPECT_EQ(rows[0].at("identical"), false);
   EXPECT_EQ(rows[1].at("n_values"), 0);
   EXPECT_TRUE(rows[8].at("after").is_null());
@@ -90,7 +90,8 @@ TEST_F(RunDirectories, WarningsThatRepeatAreSaidOnceWithTheWorst) {
   for (std::size_t at = 0; (at = o.err.find("above the tolerance of", at)) != std::string::npos; ++at) ++lines;
   EXPECT_EQ(lines, 1) << o.err;
   EXPECT_THAT(o.err, HasSubstr("states have this warning; this one is for the worst state)"));
-  // The summary names the worst state: its value is the largest of the values that floc prints for single states.
+  // The summary names the state with the largest error bound. This error bound must be the largest one that floc prints
+  // for single states.
   double largest = 0.0;
   const std::string words = "error bound of B or G is ";
   for (int k = 0; k <= 8; ++k) {

@@ -100,8 +100,8 @@ TEST_F(RunDirectoryOf, AnEnsembleHasOneScene) {
 
 TEST_F(RunDirectoryOf, ACutRowIsRefusedUntilResumeHasMendedIt) {
   const std::string whole = content_of(file("run/path.csv"));
-  // Cuts off the end of the table in three ways: in the middle of the last row, within the last cell of this row, and
-  // before the final newline.
+  // Cuts off the end of the table at three places: in the middle of the last row, within the last cell of this row,
+  // and before the final newline.
   for (const std::size_t cut : {std::size_t{90}, std::size_t{4}, std::size_t{1}}) {
     copy_run(file("run"), file("cut"));
     write_text(file("cut/path.csv"), whole.substr(0, whole.size() - cut));

@@ -10,8 +10,8 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-/// Scene that starts from four copies of an equilibrium of the small scene and increases the pressure in two steps. Its
-/// run takes one or two seconds.
+/// Scene that starts from four copies of an equilibrium of the small scene, side by side, and increases the pressure in
+/// two steps. A run of the scene takes one or two seconds.
 std::string tiled_scene() {
   std::string text = small_scene();
   const auto cut = [&text](const std::string& from, const std::string& to, const std::string& instead) {
@@ -50,8 +50,8 @@ TEST_F(RunFromAState, CopiesOfAnEquilibriumAreThatEquilibrium) {
   EXPECT_EQ(four.at("n_grains").get<int>(), 4 * one.at("n_grains").get<int>());
   EXPECT_EQ(four.at("n_contacts").get<int>(), 4 * one.at("n_contacts").get<int>());
   EXPECT_EQ(four.at("n_negative"), 0);
-  // The solution of a periodic network is periodic. The error of solver and rounding is at most 1e-10 (see
-  // moduli --tolerance).
+  // The four copies have the moduli of the single packing, because the response of a periodic network is periodic. The
+  // error of the solver and of rounding is at most 1e-10 (see moduli --tolerance).
   for (const char* modulus : {"phi", "B", "B_S", "G", "B_reuss", "B_voigt"})
     EXPECT_NEAR(four.at(modulus).get<double>() / one.at(modulus).get<double>(), 1.0, 1e-9) << modulus;
   const auto about = row("info copies/state-0000.h5"), parent = row("info run/state-0003.h5");

@@ -47,7 +47,7 @@ std::string contact_tables(LawParameters law) {
   return text;
 }
 
-/// Scene of a few equal grains under a pressure at which the mean overlap of contacts is about a tenth of a radius.
+/// Scene of a few equal grains under a pressure that gives a mean overlap of about a tenth of a radius.
 std::string soft_scene(const Law& law, int dimension) {
   const double pressure = law.contact_modulus(dimension, 1.0) / (law.force_exponent() != 1.0 ? 180.0 : 12.0);
   return fmt::format(

@@ -79,8 +79,8 @@ TEST_F(SpheresRun, ShakesWhatItHasPutTogetherAndSurvivesKills) {
   kill_and_resume(5, 8, shaken, 5);
 }
 
-/// A run that starts from the first equilibrium and shakes it gives another packing with the same number of beads. This
-/// packing depends on the seed.
+/// A run that starts from the first equilibrium and shakes it gives another packing of the same beads, which depends on
+/// the seed.
 TEST_F(SpheresRun, StartsFromAShakenState) {
   ASSERT_EQ(run(beads(), "--until 0 -o first").code, 0);
   std::string shaken = exchanged(beads(), "protocol = \"direct\"",

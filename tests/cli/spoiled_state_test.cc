@@ -49,9 +49,9 @@ std::vector<Kind> kinds() {
   };
 }
 
-/// Changes the datasets and attributes of states of every kind one by one, except datasets and attributes that may have
-/// any value (listed in the script). Each time floc verify must report that the file is no valid state or no
-/// equilibrium.
+/// Changes datasets and attributes of states of every kind, one at a time. Each time, floc verify must report that the
+/// file is not a valid state or not an equilibrium. The script lists the datasets and attributes that may have any
+/// value; they are left out.
 TEST(SpoiledState, IsNoticedWhateverIsChanged) {
   const ScratchDirectory scratch;
   std::string states;

@@ -67,7 +67,7 @@ TEST_F(TrackContacts, RowsAddUpAndEndWithWhatCompareFinds) {
 }
 
 TEST_F(TrackContacts, GoesOnWhereItStopped) {
-  // The run is stopped once between two steps, and then at random times within steps.
+  // The run is first stopped between two load steps, and then several times at random within load steps.
   ASSERT_EQ(run_floc("run small.toml -o halves --track-contacts 0.05 --until 2", scratch_->path()).code, 0);
   int n_interrupted = 0;
   for (double seconds = 0.05; seconds < 5.0 && n_interrupted < 2; seconds *= 1.3) {

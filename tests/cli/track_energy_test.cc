@@ -45,7 +45,8 @@ TEST_F(TrackEnergy, ClosesAndLosesNoEnergyTwice) {
   const int last = rows.n_rows() - 1;
   EXPECT_GT(at(last, "viscous"), 0.0);
   EXPECT_LT(at(last, "kinetic"), 1e-9);
-  // The time step is the largest stable time step. With a quarter of this step, the error is five times smaller.
+  // The time step is the largest stable time step. A quarter of this time step would give an error that is five times
+  // smaller.
   EXPECT_LT(std::abs(at(last, "error")), 0.1 * (at(last, "viscous") + at(last, "sliding")));
 }
 
@@ -61,8 +62,8 @@ TEST_F(TrackEnergy, GoesOnWhereItStoppedWithTheSameTable) {
   EXPECT_EQ(content_of(file("halves/state-0001.h5")), content_of(file("whole/state-0001.h5")));
 }
 
-/// In a stage that changes the law, the change of the stored energy is added to the column `law`. The balance continues
-/// correctly when the run is resumed.
+/// In a stage that changes the law, the change of the stored energy is added to the column `law`. The balance must also
+/// be correct after the run is resumed.
 TEST_F(TrackEnergy, HasAColumnForChangesOfTheLaw) {
   const std::string scene = small_scene();
   write_text(file("small.toml"),
@@ -82,7 +83,7 @@ TEST_F(TrackEnergy, HasAColumnForChangesOfTheLaw) {
   EXPECT_GT(std::abs(at(first, "law")), 0.0);
   const int last = rows.n_rows() - 1;
   EXPECT_EQ(at(last, "law"), at(first, "law"));
-  // The change of the law does not contribute to the error; only the motion causes the error.
+  // The change of the law adds nothing to the error. Only the motion does.
   EXPECT_LT(std::abs(at(last, "error") - at(first - 1, "error")), 0.1 * std::abs(at(last, "law")));
 }
 
@@ -101,8 +102,8 @@ TEST_F(TrackEnergy, IsRefusedWhereNoMotionLeadsToAnEquilibrium) {
   for (const char* directory : {"none", "sheared"}) EXPECT_FALSE(std::filesystem::exists(file(directory)));
 }
 
-/// Returns the reason why --track-energy is refused for a shipped scene, empty if it is accepted. @param
-/// dynamic  whether equilibrium.finish = "dynamic" is set
+/// Returns the reason why --track-energy is refused for a shipped scene, empty if it is accepted.
+/// @param dynamic  whether equilibrium.finish = "dynamic" is set
 std::string refusal_of(const Scene& scene, bool dynamic) {
   if (scene.assembly.box) return "the scene has walls (table [box])";
   if (scene.law.is_rigid()) return dynamic ? "" : "store no elastic energy";
@@ -113,7 +114,7 @@ std::string refusal_of(const Scene& scene, bool dynamic) {
   return scene.assembly.vibration ? "assembly.vibration displaces the grains" : "";
 }
 
-/// The refusal comes before any file is written, both for a single run and for several runs.
+/// --track-energy must be refused before any file is written, both for a single run and for several runs.
 TEST_F(TrackEnergy, IsRefusedForShippedScenesOfWhichNoAccountIsKept) {
   std::map<std::string, int> n_refused;
   for (const auto& entry : std::filesystem::directory_iterator(source_directory() + "/data/scenes")) {
@@ -138,8 +139,8 @@ TEST_F(TrackEnergy, IsRefusedForShippedScenesOfWhichNoAccountIsKept) {
   EXPECT_GE(n_refused["assembly.vibration displaces the grains"], 2);
 }
 
-/// A shipped scene, and the number of an equilibrium. The run up to this equilibrium uses every kind of control of the
-/// scene.
+/// A shipped scene, and the number of an equilibrium of its run. All kinds of loads of the scene occur before this
+/// equilibrium.
 struct ShippedPath {
   const char* scene;
   int until;

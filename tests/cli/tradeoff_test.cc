@@ -134,7 +134,7 @@ TEST(TradeoffCommand, ComparesTheParametersThatAreNamed) {
     knobs.insert(row["knob"]);
     const bool soft = row["knob"] == "softening";
     EXPECT_EQ(row["softening"] > 1.0, soft) << row["knob"];
-    // Packings that were assembled with other springs are compared by their means.
+    // If the springs of the assembly differ, the packings differ, so only mean values are compared.
     if (soft) {
       EXPECT_TRUE(row["error_before_high"].is_null() && row["mean_difference"].is_number());
     }
@@ -270,7 +270,7 @@ TEST(ModuliWithinAnAccuracy, AreThoseOfTheCheapestMethodThatKeepsIt) {
   EXPECT_EQ(exact[0]["method"], "factor");
 }
 
-/// Required accuracies are met for packings of disks and spheres from other programs.
+/// For packings of disks and spheres from other programs, the moduli must have the requested accuracy.
 TEST(ModuliWithinAnAccuracy, AreKeptOnShippedPackings) {
   const ScratchDirectory scratch;
   const std::string packings = source_directory() + "/data/packings/";

@@ -24,7 +24,8 @@ struct NamedUnit {
 constexpr NamedUnit kPressures[] = {{"Pa", 1.0},  {"hPa", 1e2}, {"kPa", 1e3},   {"MPa", 1e6},
                                     {"GPa", 1e9}, {"bar", 1e5}, {"kN/m2", 1e3}, {"N/mm^2", 1e6}};
 
-/// Table of one loading with lambda = 0.2 and a little scatter. @param header  name of the pressure column
+/// Table of one loading with lambda = 0.2 and a little scatter.
+/// @param header  name of the pressure column
 /// @param size  unit of the printed pressures (Pa)
 std::string path_in(const std::string& header, double size, int sample) {
   std::string text = header + ",phi\n";
@@ -36,8 +37,8 @@ std::string path_in(const std::string& header, double size, int sample) {
   return text;
 }
 
-/// Commands that pool several tables or columns convert the units of these tables or columns. Every pair of units must
-/// give the same result as a single unit, and a missing unit is refused.
+/// Some commands pool several tables or columns and convert their units. Every pair of units must give the same result
+/// as equal units, and a table without a unit is refused.
 TEST(UnitsOfTables, AreConvertedOrRefusedWhereTablesArePooled) {
   const ScratchDirectory scratch;
   int n_pairs = 0, n_refused = 0;
@@ -189,7 +190,8 @@ TEST_F(UnitsOfRuns, AreConvertedOrRefusedWhereRunsAreCompared) {
   EXPECT_EQ(compared("P [kPa]", "P").code, 4);
   EXPECT_EQ(compared("P", "P [m]").code, 4);
   with_header("run", "P");
-  // Some commands recognise the columns of floc by their exact names; such commands reject names with another unit.
+  // Some commands recognise columns only by the exact names that floc writes. These commands refuse such a name with
+  // another unit.
   with_header("other", "P_star [kPa]");
   write_text(file("m.csv"), "P_star [kPa],B,B_S,G,B_reuss,B_voigt,G_voigt\n1,1,1,1,1,1,1\n");
   EXPECT_EQ(floc("plot m.csv --show moduli -o m.svg").code, 4);
@@ -229,8 +231,8 @@ energy = 1e-7
   inline static ScratchDirectory* scratch_ = nullptr;
 };
 
-/// B and M are slopes against ln Phi, between neighbouring states of the unloading: B of the mean stress, and M of the
-/// stress on the driven axis.
+/// B and M are the slopes of stresses against ln Phi between neighbouring states of the unloading: B of the mean
+/// stress, and M of the stress on the driven axis.
 TEST_F(OedometerOfBeads, HasBOfItsMeanAndMOfItsDrivenStress) {
   const Outcome o = floc("fit elastic run --format json");
   ASSERT_EQ(o.code, 0) << o.err;
@@ -302,7 +304,7 @@ TEST_F(OedometerOfBeads, NamesTheStressOnItsDrivenAxisBesideTheMean) {
   EXPECT_THAT(content_of(scratch_->file("f.gp")) + content_of(scratch_->file("f.svg")), HasSubstr("(driven)"));
 }
 
-/// A stage triples the adhesion. This triples the stress that corresponds to P* = 1.
+/// A stage triples the adhesion, and therefore the stress that corresponds to P* = 1.
 TEST(UnitOfReducedPressure, IsThatOfTheFirstRows) {
   const ScratchDirectory scratch;
   write_text(scratch.file("path.csv"), R"(step,branch,P_star,P,phi,state

@@ -138,8 +138,8 @@ TEST(Verify, HoldsMassesAgainstTheDensityOfTheScene) {
   expect_failed(with_masses(1.5), "mass", "of grain 3, whose radius is");
 }
 
-/// If a contact is removed, or if it refers to the wrong periodic image of a grain, the stress computed from the
-/// contacts differs from the stress transmitted through the faces of the cell. All other checks of the file may pass.
+/// If a contact is removed, or if it refers to the wrong periodic image of a grain, the contacts give another stress
+/// than the forces across the faces of the cell. All other checks of the file may pass.
 TEST(Verify, HoldsTheForcesAcrossTheFacesOfTheCellAgainstTheStress) {
   const auto expect_both = [](const Outcome& result) {
     EXPECT_EQ(result.code, 5);

@@ -21,8 +21,8 @@ void expect_rest(const std::string& options) {
   EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
 }
 
-/// One grain has few contacts and is held in place by its liquid bridges. The energy of the state is a minimum only if
-/// the geometric terms of the capillary forces are included; without these terms, the state would be a saddle point.
+/// One grain has few contacts and is held in place by its liquid bridges. With the geometric terms of the capillary
+/// forces, the energy has a minimum at this state. Without these terms, it would have a saddle point.
 TEST(WetRun, ComesToRestWhereTheirPullAloneHoldsAGrain) {
   expect_rest("--seed 1");
 }

@@ -41,8 +41,8 @@ class ClosedCurve {
 template <int Dim>
 class Loop {
  public:
-  /// @param reach  scale of slip and rotation: with 1, the springs reach their friction limits; with 1e-3, they stay
-  /// far below the limits
+  /// @param reach  scale of slip and rotation. With 1, the springs reach their friction limits. With 1e-3, they stay
+  /// far below the limits.
   Loop(RandomStream& random, double mean_gap, double gap_amplitude, double reach)
       : gap_(random, mean_gap, gap_amplitude) {
     // In 3D, the slip is in the plane normal to the third axis; in 2D, the slip has one component.
@@ -66,8 +66,8 @@ class Loop {
   std::vector<ClosedCurve> slip_, rotation_;
 };
 
-/// Work done on a contact along a loop. The trapezoidal rule is exact for the springs as long as they are
-/// elastic.
+/// Work done on a contact along a loop. The work is integrated by the trapezoidal rule, which is exact for springs
+/// below their friction limit.
 struct LoopWork {
   double viscous = 0.0;
   double tangential = 0.0;
@@ -119,8 +119,8 @@ constexpr int kLoops = 8;
 /// Error of the trapezoidal rule, divided by the largest work along the path.
 constexpr double kWorkError = 1e-4;
 
-/// Returns the work done by the normal force when the gap goes through a closed loop. @param gap  gap as a function of
-/// the phase from 0 to 1
+/// Returns the work done by the normal force when the gap goes through a closed loop.
+/// @param gap  gap as a function of the phase from 0 to 1
 template <int Dim, class Law, class Gap>
 test::NormalWork<Law, Dim> normal_work_around(const Law& law, const Gap& gap) {
   test::NormalWork<Law, Dim> work(law, gap(0.0));
@@ -145,8 +145,8 @@ TEST(NormalForce, TakesNoWorkFromAClosedLoop) {
   });
 }
 
-/// Presses a new contact and releases it, under a law with a separate unloading line. @return work that is lost in the
-/// cycle, and largest work along the path
+/// Presses a new contact and releases it, under a law whose force follows another line on unloading than on loading.
+/// @return work that is lost in the cycle, and largest work along the path
 std::array<double, 2> work_of_pressing(double unloading) {
   ContactLaw<test::HystereticRepulsion, NoAdhesion, NoDamping, NoFriction, NoRolling, NoTwisting> law{};
   law.repulsion = {1e5, unloading};
@@ -163,8 +163,8 @@ TEST(NormalForce, OfALawThatCreatesEnergyIsFoundByTheSameMeasure) {
   EXPECT_LT(created, -100 * kWorkError * more);
 }
 
-/// Viscous forces act only while the surfaces touch by the criterion of the law. Surfaces may cease to touch before
-/// they cease to overlap.
+/// Viscous forces act only while the surfaces touch according to the law. Under some laws, surfaces cease to touch
+/// while the grains still overlap.
 TEST(Dissipation, EndsWhereSurfacesNoLongerPressThoughTheyOverlap) {
   ContactLaw<test::HystereticRepulsion, NoAdhesion, ViscousDamping, NoFriction, NoRolling, NoTwisting> law{};
   law.repulsion = {1e5, 2e5};
@@ -178,7 +178,7 @@ TEST(Dissipation, EndsWhereSurfacesNoLongerPressThoughTheyOverlap) {
   };
   EXPECT_LT(viscous(-2e-4), 0.0);
   EXPECT_LT(viscous(-1.01e-4), 0.0);
-  EXPECT_EQ(viscous(-0.99e-4), 0.0);  // for K2 = 2 K1, half of the largest overlap remains
+  EXPECT_EQ(viscous(-0.99e-4), 0.0);  // for K2 = 2 K1, the surfaces separate at half of the largest overlap
   EXPECT_FALSE(law.touches<2>(test::pair_at(-0.99e-4), history));
   EXPECT_EQ(law.stiffness<2>(test::pair_at(-0.99e-4), history).normal, 0.0);
 }
@@ -193,8 +193,8 @@ TEST(Dissipation, IsNeverNegativeAroundAClosedLoop) {
       SCOPED_TRACE(k);
       const Loop<Dim> loop(random, -1e-4, 1e-4, 1.0);
       const LoopWork work = work_around(law, loop, kSteps);
-      // A spring at its friction limit may reverse through zero within one step. The error of the work is then of the
-      // order of the energy in this step: the largest energy times about (step/loop)^2.
+      // A spring at its friction limit may reverse its force within one step. The error of the work is then of the
+      // order of the energy that such a step changes: the largest energy times about (step/loop)^2.
       const double rounding = 1e-6 * work.largest + 1e-18;
       EXPECT_GE(work.viscous, 0.0);
       EXPECT_GE(work.tangential, -rounding);
@@ -216,8 +216,8 @@ TEST(Dissipation, IsNeverNegativeAroundAClosedLoop) {
 TEST(Dissipation, IsZeroWhereNothingSlidesOrParts) {
   for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
-    // If the shear force decreases together with the tangential stiffness, energy is dissipated even if only the normal
-    // force changes.
+    // Under such laws, a decrease of the normal force reduces the tangential stiffness and the shear force together,
+    // which dissipates energy.
     if (kFollowsNormalStiffness<typename std::decay_t<decltype(law)>::TangentialModel>) return;
     RandomStream random(8, Dim);
     for (int k = 0; k < kLoops; ++k) {

@@ -21,8 +21,8 @@ double holding_range(const auto& law) {
   return law.holding_range(pair_at(0.0).reduced_radius);
 }
 
-/// Returns gaps at which surfaces overlap, attract each other, or do not interact. The gaps avoid the kinks of the
-/// force at 0 and at the end of the attractive range.
+/// Returns gaps at which surfaces overlap, attract each other, or do not interact. None of the gaps is at a kink of the
+/// force, which are at 0 and at the end of the attractive range.
 std::vector<double> gaps(const auto& law) {
   const double range = std::max(law.range(), holding_range(law));
   return {
@@ -137,7 +137,8 @@ TEST(NormalForce, EnergyHasNoJumpWhereSurfacesPartOrTheTailEnds) {
     const double step = 1e-12;
     for (const double kink : {0.0, law.range(), holding_range(law)}) {
       SCOPED_TRACE(kink);
-      // On either side of the kink, the magnitude of the force is at most F0 + K_N times the step.
+      // The force has a magnitude of at most F0 + K_N times the step on either side of the kink, so the energy changes
+      // by less than this bound.
       EXPECT_NEAR(test::pressed_energy(law, kink + step), test::pressed_energy(law, kink - step),
                   2 * step * (pull_off_force(law) + 1e-6));
     }
@@ -162,7 +163,7 @@ TEST(PullOff, LargestTensionIsF0AndIsReachedInContact) {
 TEST(PullOff, EquilibriumIsAtOverlapF0OverKN) {
   for_each_kind_of_law([](const auto& law) {
     const double h0 = test::free_overlap(law);
-    // The error is the rounding error of K_N h0, which equals F0.
+    // At the overlap h0, K_N h0 equals F0; their difference has the rounding error of F0.
     EXPECT_NEAR(new_force(law, -h0), 0.0, 4e-16 * pull_off_force(law));
     if (h0 > 0) {
       EXPECT_GT(new_force(law, -1.01 * h0), 0.0);

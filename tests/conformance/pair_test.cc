@@ -32,7 +32,7 @@ Vec<Dim> direction() {
 }
 
 /// Two unequal grains away from the origin, with an overlap of 1e-2 and stretched springs. The overlap is so large that
-/// the test would notice a wrong lever arm (the radius R instead of the distance l to the contact).
+/// the test would notice a wrong lever arm (the radius R instead of the distance l from the centre to the contact).
 template <int Dim>
 Packing<Dim> stretched_pair(const LawParameters& law) {
   Packing<Dim> packing;
@@ -162,7 +162,8 @@ TEST(Objectivity, APairTurnedRigidlyIn3DKeepsItsForces) {
 }
 
 /// Simulates a head-on collision with the classical Runge-Kutta method. The collision starts beyond the range of the
-/// law. @param step  time step in units of sqrt(m_eff/K_N)
+/// law.
+/// @param step  time step in units of sqrt(m_eff/K_N)
 /// @return speed of separation divided by speed of approach, 0 if the pair sticks
 template <class Law>
 double collide(const Law& law, double speed, double step) {
@@ -195,8 +196,8 @@ TEST(Collision, RestitutionWithoutAdhesionIsTheOneAskedFor) {
       for (const double e : {0.015, 0.3, 0.9, 1.0}) {
         SCOPED_TRACE(e);
         if constexpr (Law::kHasDamping) law.damping.restitution = e;
-        // The last step continues for up to 1e-4 sqrt(m/K_N) after the end of the contact. During this time, the
-        // relative deceleration is at most 2 zeta sqrt(K_N/m), with a damping ratio zeta < 1.
+        // The integration ends up to 1e-4 sqrt(m/K_N) after the end of the contact. During this time, damping reduces
+        // the speed by at most the fraction 2 zeta sqrt(K_N/m) per unit of time, with a damping ratio zeta < 1.
         EXPECT_NEAR(collide(law, 1.0, 1e-4) / (Law::kHasDamping ? e : 1.0), 1.0, 3e-4);
       }
     }
@@ -207,8 +208,8 @@ TEST(Collision, AdhesionAloneTakesNoEnergy) {
   for_each_law([](const auto& law) {
     using Law = std::decay_t<decltype(law)>;
     if constexpr (!Law::kHasDamping && test::kForgetsOverlap<Law>) {
-      // The initial speed is 1, the escape speed 0.09. The force has a kink or, for constant adhesion, a jump of F0.
-      // The error there is of first order in the step of 1.8e-7.
+      // The initial speed is 1, and the escape speed is 0.09. At a kink of the force, or at the jump of F0 under
+      // constant adhesion, the error is of first order in the step of 1.8e-7.
       EXPECT_NEAR(collide(law, 1.0, 1e-4), 1.0, 1e-5);
     }
   });

@@ -18,7 +18,7 @@ using test::slip_by;
 constexpr double kSofter = 8.0;
 constexpr double kStiffOverlap = 1e-4;
 
-/// Overlap of the softened contact at which its elastic force equals the force of the stiff contact at the overlap
+/// Overlap at which the elastic force of the softened contact equals the force of the stiff contact at the overlap
 /// kStiffOverlap.
 template <class Law>
 double softer_overlap() {
@@ -95,10 +95,10 @@ TEST(SofteningLimit, IsATenthOfTheRangeAndAHundredthOfTheModulus) {
   LawParameters p;
   p.normal = LinearRepulsion{1e5};
   p.adhesion = TailAdhesion{1.0, 1e-3};
-  EXPECT_NEAR(softening_limit(p, 2, 1.0, 1.0).largest, 10.0, 1e-9);    // adhesion limits: s F0/K_N = D0/10
-  EXPECT_NEAR(softening_limit(p, 2, 1.0, 200.0).largest, 5.0, 1e-9);   // pressure limits: s P/K_N = 1/100
-  EXPECT_NEAR(softening_limit(p, 3, 0.1, 400.0).largest, 10.0, 1e-9);  // adhesion still limits
-  EXPECT_NEAR(softening_limit(p, 3, 0.1, 2e3).largest, 5.0, 1e-9);     // pressure limits: s P a/K_N = 1/100
+  EXPECT_NEAR(softening_limit(p, 2, 1.0, 1.0).largest, 10.0, 1e-9);    // limited by adhesion: s F0/K_N = D0/10
+  EXPECT_NEAR(softening_limit(p, 2, 1.0, 200.0).largest, 5.0, 1e-9);   // limited by pressure: s P/K_N = 1/100
+  EXPECT_NEAR(softening_limit(p, 3, 0.1, 400.0).largest, 10.0, 1e-9);  // limited by adhesion
+  EXPECT_NEAR(softening_limit(p, 3, 0.1, 2e3).largest, 5.0, 1e-9);     // limited by pressure: s P a/K_N = 1/100
   p.adhesion.reset();
   EXPECT_NEAR(softening_limit(p, 2, 1.0, 1.0).largest, 1000.0, 1e-6);
   EXPECT_EQ(softening_limit(p, 2, 1.0, 0.0).fault(1e300), "");

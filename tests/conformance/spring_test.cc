@@ -46,7 +46,7 @@ TEST(TangentialStiffness, IsTheSlopeOfTheShearForceInTheTangentPlane) {
     using Dual = ceres::Jet<double, n>;
     test::ContactHistoryOf<Law, Dim, Dual> history;
     ContactMotion<Dim, Dual> motion = at_gap<Dim, Dual>(Dual(-kOverlap));
-    // The slips of about 1e-6 are a hundredth of the slip at which friction is mobilised.
+    // The slips of about 1e-6 are a hundredth of the slip at which the contact slides.
     for (int a = 0; a < n; ++a) motion.slip[a] = Dual(1e-6 * (a + 1), a);
     const auto forces = law.respond(motion, history);
     const double kt = stiffness_at(law, -kOverlap).tangential;

@@ -30,7 +30,8 @@ void PrintTo(const Given& given, std::ostream* out) {
   *out << given.name;
 }
 
-/// Four disks of a triangular lattice. @param unit  length of the lattice spacing
+/// Four disks of a triangular lattice.
+/// @param unit  length of the lattice spacing
 Given crystal(const char* name, double unit, double overlap, double stiffness) {
   const double r = 0.5 * (1.0 + overlap) * unit;
   std::string grains = "x,y,r\n";
@@ -47,8 +48,8 @@ Given row(const char* name, int n, const std::string& cell, const char* header, 
   return {name, grains, cell};
 }
 
-/// Row of a thousand small disks, on which one disk rests that is a thousand times larger. The large disk also touches
-/// the periodic image of the row above it.
+/// A row of a thousand small disks, and one disk that is a thousand times larger. The large disk lies between the row
+/// and the periodic image of the row, and touches both.
 Given large_and_small() {
   std::string grains = "x,y,r\n0.5,0.5,0.4995\n";
   for (int k = 0; k < 1000; ++k) grains += fmt::format("{},1,0.000500001\n", 0.001 * k);

@@ -33,8 +33,9 @@ Eigen::Matrix3d isotropic(double B, double G) {
   return c;
 }
 
+/// Expects that each modulus agrees with its closed form within the error bound of the modulus.
 /// @param relative  largest allowed error bound, divided by the largest modulus
-/// @param given     error of the input, whose rounded numbers differ from the numbers in the closed form
+/// @param given     additional error, because the numbers of the input are rounded
 void expect_right(const Moduli& m, const Eigen::MatrixXd& closed, double relative, const std::string& what,
                   double given = 0.0) {
   ASSERT_TRUE(m.C.allFinite()) << what;
@@ -65,8 +66,8 @@ TEST(Stiffness, AcrossContactsFromAMillionthToAThousandTimesThatAlong) {
   }
 }
 
-/// Frames of chains deform by rolling alone. C33 is proportional to K_R over twelve decades, with errors below the
-/// error bound of C33.
+/// Frames of chains deform only by rolling at the contacts. C33 must be proportional to K_R over twelve decades, with
+/// errors below the error bound of C33.
 TEST(Stiffness, AgainstRollingFromATrillionthToOne) {
   for (const double kr : {1e-12, 1e-8, 1e-4, 1.0})
     for (const int n : {3, 10, 40}) {
@@ -77,8 +78,7 @@ TEST(Stiffness, AgainstRollingFromATrillionthToOne) {
       ASSERT_TRUE(m.C.allFinite()) << what;
       EXPECT_LE(std::abs(m.C(2, 2) - 0.5 / transverse), m.C_error(2, 2)) << what;
       EXPECT_LE(std::abs(m.C(0, 0) - 1.0 / (n - 1)), m.C_error(0, 0)) << what;
-      // For the softest frames, C33 has no significant digit: it cannot be distinguished from zero, and a mechanism is
-      // reported.
+      // The C33 of the softest frames cannot be distinguished from zero. C33 is then zero, and a mechanism is reported.
       if (m.n_coupled_mechanisms > 0) {
         EXPECT_EQ(m.C(2, 2), 0.0) << what;
         EXPECT_LT(kr / (n * n), 1e-14) << what;
@@ -99,7 +99,7 @@ TEST(Chain, OfTenThousandDisksHoldsItsOwnLine) {
 }
 
 /// A tree of ten thousand disks, each attached at a random angle to an earlier one. The tree is isostatic and does not
-/// percolate. It can therefore be strained without elastic energy, no matter what its contacts are.
+/// percolate. It can therefore be strained without elastic energy, for any stiffness of its contacts.
 TEST(Tree, OfTenThousandDisksHoldsNothing) {
   Packing<2> packing;
   packing.law = test::elastic_law(1.0, 0.7, 0.03);
@@ -122,8 +122,8 @@ TEST(Tree, OfTenThousandDisksHoldsNothing) {
   ASSERT_EQ(packing.contacts.size(), 9999u);
   for (const double force : {0.0, 1e-5}) {
     ModuliOptions options;
-    // a tolerance of 0 keeps every contact; with the default tolerance, all grains of the tree would be rattlers,
-    // because there is no adhesion
+    // With a tolerance of 0, every contact counts. With the default tolerance, all grains of the tree are rattlers,
+    // because there is no adhesion.
     options.force_tolerance = force;
     const Moduli m = elastic_moduli(packing, options);
     EXPECT_EQ(m.B, 0.0);
@@ -134,15 +134,15 @@ TEST(Tree, OfTenThousandDisksHoldsNothing) {
   }
 }
 
-/// One disk that touches its own images up to a distance of `reach` spacings. The disk has up to hundreds of contacts,
-/// all with its own images.
+/// One disk that touches its own images up to a distance of `reach` spacings. If `reach` is large, the disk has
+/// hundreds of contacts with its images.
 TEST(Lattice, OfOneGrainThatTouchesManyOfItsOwnImagesHasTheSumOverThem) {
   for (const double reach : {1.05, 2.5, 10.2}) {
     Packing<2> packing = test::triangular(kSpacing, test::elastic_law(1.0, 0.7, 0.03));
     packing.grains.radius[0] = 0.5 * reach * kSpacing;
     find_contacts(packing);
-    // Sum over all branches, each counted once. Since the response is affine, C_abcd = sum [K_N n_a n_b n_c n_d
-    // + K_T (tangential part)] r^2/area.
+    // Sum over all branches, each counted once. The response is affine: C_abcd = sum [K_N n_a n_b n_c n_d + K_T
+    // (tangential part)] r^2/area.
     double bulk = 0.0, shear = 0.0;
     int n_contacts = 0;
     const int far = static_cast<int>(2.0 * reach) + 2;
@@ -178,8 +178,8 @@ TEST(Cell, OfAnyShapeHoldsTheSameCrystal) {
     slanted.cell.matrix.row(1) += slant * slanted.cell.matrix.row(0);
     find_contacts(slanted);
     ASSERT_EQ(slanted.contacts.size(), 48u) << slant;
-    // The longer lattice vector is `slant` cells long. The rounding of this vector to doubles shears the crystal by up
-    // to half a unit in the last place of the length.
+    // The longer lattice vector is `slant` cells long. Rounded to doubles, the vector is wrong by up to half a unit in
+    // the last place of its length, which shears the crystal.
     const double sheared = std::numeric_limits<double>::epsilon() * slant;
     expect_right(full_moduli(slanted), closed, 1e-9, "slant " + std::to_string(slant), 4.0 * sheared);
   }
@@ -242,8 +242,9 @@ TEST(Packing, OfAGrainVeryMuchLargerThanItsCellIsRefused) {
   }
 }
 
-/// A row of small disks across the cell, between a disk that is a thousand times larger and the periodic image of this
-/// disk. The small disks and the large disk form two chains of springs that do not interact.
+/// A row of small disks lies across the cell, between a disk that is a thousand times larger and the periodic image of
+/// this disk. The small disks form a chain of springs, and the large disk forms another chain, which does not interact
+/// with the first.
 TEST(Sizes, OfOneToAThousandMeetInOnePacking) {
   constexpr double kLarge = 0.4995, kSmall = 0.000500001, kHeight = 2.0 * (kLarge + kSmall - 1e-9);
   Packing<2> packing;

@@ -15,7 +15,7 @@
 #include "support/lattices.h"
 #include "support/run_program.h"
 
-/// Tests that positions keep all digits on which forces depend, even with stiffnesses of 1e9 F0/a, or at a distance of
+/// Tests that positions keep all digits that matter for forces, even with stiffnesses of 1e9 F0/a, or at a distance of
 /// a billion diameters from the origin.
 namespace floc {
 namespace {
@@ -62,7 +62,7 @@ TEST(Positions, OfAStiffCrystalReachAnEquilibriumTheyCanHold) {
   EXPECT_LT(r.force, 1e-6);
   EXPECT_LT(r.moment, 1e-6);
   EXPECT_LT(r.stress, 1e-6);
-  // If positions are rounded to doubles, the net forces are far above the tolerance of an equilibrium.
+  // In a packing with positions rounded to doubles, the net forces are far above the tolerance of an equilibrium.
   Packing<2> rounded = crystal.packing;
   ASSERT_FALSE(rounded.grains.position_low.empty());
   rounded.grains.position_low.clear();
@@ -85,7 +85,8 @@ TEST(Positions, OfAStiffCrystalAreWholeInItsFile) {
   EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
 }
 
-/// Returns the decimal text of x + by, with up to 34 digits. @param x  coordinate >= 0
+/// Returns the decimal text of x + by, with up to 34 digits.
+/// @param x  coordinate >= 0
 std::string displaced_text(const DoubleDouble& x, std::int64_t by) {
   const double whole = std::floor(x.high) - (x.high == std::floor(x.high) && x.low < 0.0 ? 1.0 : 0.0);
   DoubleDouble rest = x - DoubleDouble{whole, 0.0};
@@ -119,7 +120,7 @@ TEST(Positions, ABillionDiametersAwayAreReadWithTheDigitsTheyAreWrittenWith) {
     Packing<2> read = std::get<State<2>>(read_csv_packing(scratch.file("far.csv"), options).state).packing;
     find_contacts(read);
     ASSERT_EQ(read.contacts.size(), smooth.contacts.size()) << far;
-    // Positions with 24 decimals give forces with an error of 1e-24 K_N.
+    // With 24 decimals of the positions, forces have an error of 1e-24 K_N.
     const auto sum_of_forces = [](const Packing<2>& packing) {
       double sum = 0.0;
       for (const Contact<2>& c : packing.contacts) sum += c.normal_force;

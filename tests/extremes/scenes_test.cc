@@ -37,7 +37,7 @@ pressure = 0.01
 solid_fraction = 0.4
 )";
 
-/// Adds a stage that increases the pressure tenfold.
+/// kPowder with an additional stage that increases the pressure tenfold.
 const std::string kScene = kPowder + R"(mass = 1.0
 strain_rate_cap = 0.05
 [[load]]
@@ -45,7 +45,7 @@ to = 0.1
 steps = 1
 )";
 
-/// Adds a stage that compresses the sample along one axis.
+/// kPowder with an additional stage that compresses the sample along one axis.
 const std::string kTriaxial = kPowder + R"([[load]]
 control = "triaxial"
 strain = 5e-3
@@ -127,7 +127,7 @@ const Extreme kExtremes[] = {
     {"mu_0", {"contact.friction.coefficient=0"}},
     {"mu_10", {"contact.friction.coefficient=10"}},
     {"mu_R_0", {"contact.rolling.coefficient=0"}},
-    // Springs below their limit have no damping, and neither do collisions without loss. The grains then vibrate for
+    // Collisions without loss have no damping, and neither have springs below their limit. Grains then vibrate for
     // ever, but the equilibrium can still be found.
     {"mu_R_10", {"contact.rolling.coefficient=10"}},
     {"collisions_without_loss", {"contact.damping.restitution=1", "grains.count=15"}},

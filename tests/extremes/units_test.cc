@@ -106,8 +106,8 @@ std::vector<Packing<2>> path(const RunOptions& options) {
   return states;
 }
 
-/// Units that are powers of two, even very large ones, cause no rounding. The whole path is therefore identical bit for
-/// bit.
+/// If the units are powers of two, even very large ones, results are not rounded differently. The whole path is
+/// therefore identical bit for bit.
 void expect_same_path(AssemblyOptions::Protocol protocol) {
   const std::vector<Packing<2>> reference = path(run_options(protocol, {}));
   // The unit of time is a power of two as well. 2^100 is 1.3e30.

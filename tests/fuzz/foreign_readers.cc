@@ -35,7 +35,7 @@ class Directory {
   std::filesystem::path path_;
 };
 
-/// Splits the input at lines "@@" into several files.
+/// Splits the input at the lines "@@" into the contents of several files.
 std::vector<std::string> parts_of(const std::string& bytes) {
   std::vector<std::string> parts(1);
   std::istringstream in(bytes);
@@ -99,7 +99,7 @@ void read_gzip_bytes(const std::string& bytes) {
   } catch (const InputError&) {
   }
 }
-/// Reads contacts with walls, and the option with the positions of the walls.
+/// Reads a file of contacts with walls. The option that gives the positions of the walls is read too.
 void read_wall_bytes(const std::string& bytes) {
   const std::vector<std::string> parts = parts_of(bytes);
   const MemoryFile contacts(parts[0]);
@@ -118,7 +118,7 @@ void read_script_bytes(const std::string& bytes) {
                [&](ImportOptions& options) { options.walls = script.path(); });
 }
 
-/// Reads a dump that has columns for contacts with walls. The list of contacts between grains is empty.
+/// Reads a dump that has columns for contacts with walls. There are no contacts between grains.
 void read_wall_column_bytes(const std::string& bytes) {
   const MemoryFile contacts("id1,id2\n");
   read_packing(read_lammps_dump, bytes, [&](ImportOptions& options) {

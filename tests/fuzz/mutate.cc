@@ -16,10 +16,10 @@
 
 /// Feeds readers with mutations of valid files, without any fuzzing engine.
 ///
-/// floc_mutate READER RUNS [SEED] reads mutated files. An input with which the reader crashes, hangs or takes too much
-/// memory is written to a file.
+/// floc_mutate READER RUNS [SEED] reads mutated files. If the reader crashes, hangs or takes too much memory, the input
+/// is written to a file.
 /// floc_mutate READER FILE... reads each of these files once.
-/// floc_mutate --seeds DIR writes the valid inputs, from which libFuzzer can start, to one folder per reader.
+/// floc_mutate --seeds DIR writes the valid inputs to one folder per reader. libFuzzer can start from these inputs.
 namespace floc::fuzz {
 namespace {
 
@@ -30,8 +30,7 @@ constexpr std::size_t kLongestInput = 1 << 16;
 std::string current;  ///< input that is being read, which the signal handler saves
 const char* reader_name = "";
 
-/// Saves the input that has ended the process by a signal. Only functions that are allowed in a signal handler are
-/// called.
+/// Saves the input that has ended the process by a signal. Calls only functions that are allowed in a signal handler.
 void keep_input(int signal) {
   char name[200];
   std::snprintf(name, sizeof name, "crash-%s-%d", reader_name, signal);
@@ -43,7 +42,7 @@ void keep_input(int signal) {
   _exit(1);
 }
 
-/// Numbers and tokens on which readers may fail.
+/// Numbers and words at which a reader may fail.
 const char* const kTokens[] = {"0",
                                "-1",
                                "1e308",

@@ -37,7 +37,7 @@ namespace {
 
 const std::filesystem::path kData = std::filesystem::path(FLOC_SOURCE_DIR) / "data";
 
-/// Returns the positions of all bytes of datasets in an HDF5 file.
+/// Returns the positions of all bytes of an HDF5 file that belong to datasets.
 std::vector<std::size_t> dataset_bytes(const std::string& image) {
   const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
   H5Pset_fapl_core(access, 1 << 16, false);
@@ -99,8 +99,8 @@ void read_contacts_bytes(const std::string& bytes) {
   });
 }
 
-/// Reads a table of measurements as `floc fit` does. The height of the solid grains stands for all options that a user
-/// can give.
+/// Reads a table of measurements as `floc fit` does. Of the options of a user, only the height of the solid grains is
+/// tested.
 void read_path_bytes(const std::string& bytes) {
   const MemoryFile file(bytes);
   try {
@@ -221,7 +221,7 @@ std::vector<std::string> scene_seeds() {
   return seeds;
 }
 
-/// Returns edits that write invalid lengths, counts and indices at positions throughout the file.
+/// Returns edits that write invalid lengths, counts and indices. Their positions are spread over the whole file.
 std::vector<std::string> edit_seeds() {
   std::vector<std::string> seeds;
   const double values[] = {0.0, -1.0, 1e300, 1e-300, std::nan(""), std::numeric_limits<double>::infinity()};

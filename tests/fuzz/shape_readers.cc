@@ -28,8 +28,8 @@ void use(const Shape<Dim>& shape) {
   }
 }
 
-/// Reads a file twice: without options, and with options for few vertices and a radius of rounding. The file has the
-/// extension of `path`.
+/// Reads a file twice: without options, and with options for few vertices and a radius of rounding. The extension of
+/// `path` determines the format of the file.
 template <int Dim>
 void read_shape_bytes(const char* path, const std::string& bytes) {
   for (const ShapeFileOptions& options :

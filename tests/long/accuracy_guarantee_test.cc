@@ -28,7 +28,7 @@ constexpr HeldOut kHeldOut[] = {{"demo", 501},
                                 {"type1_no_rolling", 505}};
 constexpr int kSamplesOfStudy = 4;
 
-/// Accuracy that a scene requests, with the guaranteed error of each observable (by index).
+/// Accuracy that a scene requests, and guaranteed error of each observable (given by its index).
 struct Guarantee {
   WantedAccuracy wanted;
   std::vector<std::pair<int, double>> of_observables;
@@ -48,8 +48,8 @@ std::vector<const SamplePath*> pointers(const std::vector<SamplePath>& paths) {
   return all;
 }
 
-/// Counts the values of observable `k` in the states of a sample, and the values among them that differ from the
-/// reference sample by at most the guaranteed error.
+/// Counts the values of observable `k` in the states of a sample. Also counts those values that differ from the values
+/// of the reference sample by at most the guaranteed error.
 void count_states(int k, double guaranteed_error, const SamplePath& reference, const SamplePath& path,
                   Guarantee& guarantee) {
   const std::vector<bool> same = before_collapse(reference, path);
@@ -82,7 +82,7 @@ Scene scene_of(const HeldOut& held, const WantedAccuracy& wanted) {
   return read_scene(test::source_directory() + "/data/scenes/" + held.scene + ".toml", changes);
 }
 
-/// Makes a complete sample, and the strict equilibrium to which each of its states relaxes.
+/// Makes a complete sample. Also relaxes each of its states to an equilibrium under strict settings.
 SamplePath sample(const RunOptions& options, const RelaxationOptions& strict, const SamplePath* reference) {
   const Deadline never(1e6);
   SamplePath path = make_sample(options, {}, reference, never);
@@ -133,7 +133,7 @@ TEST(AccuracyGuarantee, HoldsForScenesAndSeedsThatDidNotMakeTheTable) {
     print(guarantee);
     EXPECT_GE(guarantee.kept_share(), 0.95);
   }
-  // The accuracy of 1 % in phi and 5 % in moduli takes little processor time.
+  // An accuracy of 1 % in phi and 5 % in moduli must save at least four fifths of the processor time.
   EXPECT_GE(guarantees.back().gain(), 5.0);
 }
 

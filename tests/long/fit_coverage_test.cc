@@ -91,8 +91,8 @@ TEST(FitCoverage, OfEnsemblesThatCollapseInJumps) {
       const std::string what = std::to_string(n_samples) + " samples, gap " + std::to_string(gap);
       EXPECT_GE(n, 0.95 * kDraws) << what;
       EXPECT_GE(held, 0.935 * n) << what;
-      // If samples have few jumps, the scatter differs from slope to slope, and Student's interval is a little too
-      // wide.
+      // With few jumps per sample, the slopes of the samples have different errors, and Student's interval is a little
+      // too wide.
       EXPECT_LE(held, (gap < 0.4 ? 0.965 : 0.98) * n) << what;
     }
 }

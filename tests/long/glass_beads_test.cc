@@ -15,7 +15,7 @@ using nlohmann::json;
 constexpr int kSeeds = 2;
 
 /// Fixture: one of the series of [AR2007], from the gas to 100 MPa and back, with 500 beads instead of 4000. The tests
-/// compare means over the samples, with tolerances for 500 beads.
+/// compare means over the samples with the published values, within tolerances for 500 beads.
 class GlassBeads : public ::testing::Test {
  protected:
   void make(const std::string& state) {
@@ -32,8 +32,8 @@ class GlassBeads : public ::testing::Test {
     }
   }
 
-  /// Returns the mean of a column over the samples. @param state  index of the state; a negative index counts
-  /// from the end
+  /// Returns the mean of a column over the samples.
+  /// @param state  index of the state; a negative index counts from the end
   double mean(const std::string& column, int state) const {
     double sum = 0.0;
     for (const json& sample : rows_) {

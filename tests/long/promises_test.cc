@@ -18,8 +18,8 @@
 namespace floc {
 namespace {
 
-/// Shipped scene of a kind, with parameters other than those used for the table of prices. Lists of these scenes begin
-/// with the fastest scene.
+/// Shipped scene of a kind, with parameters other than those used for the table of prices. In lists of scenes, the
+/// fastest scene comes first.
 struct HeldOutScene {
   const char* file;
   std::vector<std::string> changes;
@@ -48,8 +48,8 @@ Scene scene_of(const HeldOutScene& held) {
   return read_scene(test::source_directory() + "/data/scenes/" + held.file + ".toml", held.changes);
 }
 
-/// Returns two names of settings: the settings of the scene, and the cheapest settings whose error in phi is below one
-/// percent.
+/// Returns the names of two settings: the settings of the scene, and the cheapest settings whose error in phi is below
+/// 1 %.
 std::vector<std::string> promised_settings(const PriceTable& table) {
   for (const PricedSettings& settings : settable_prices(table))
     if (settings.parameter != "scene" && settings_error(settings, "phi") < 0.01)
@@ -87,7 +87,7 @@ struct BudgetOfScene {
   double budget;
 };
 
-/// Three kinds with three budgets each, the smallest budgets first.
+/// Returns three kinds of scenes with three budgets each. The smallest budgets come first.
 std::vector<BudgetOfScene> planned_scenes() {
   std::vector<BudgetOfScene> planned;
   for (const double budget : {5.0, 15.0, 45.0})
@@ -97,7 +97,7 @@ std::vector<BudgetOfScene> planned_scenes() {
 
 class OfPlans : public testing::TestWithParam<BudgetOfScene> {
  protected:
-  /// Of nine promised errors, eight must not be exceeded. A single plan may exceed one.
+  /// Expects that at least eight of nine promised errors are not exceeded. Single plans may exceed an error.
   static void TearDownTestSuite() {
     EXPECT_GE(errors_.kept * 9, errors_.n * 8) << errors_.kept << " of " << errors_.n << " errors are kept";
   }

@@ -8,8 +8,8 @@
 namespace floc::test {
 namespace {
 
-/// A loose powder of 1400 disks whose contacts become stiffer, up to kappa = 1e9. Every state must reach an equilibrium
-/// within the usual tolerance, and the file of the state must pass floc verify.
+/// A loose powder of 1400 disks with stiffer and stiffer contacts, up to kappa = 1e9. Every state must reach an
+/// equilibrium within the usual tolerance, and the file of the state must pass floc verify.
 TEST(StiffContacts, OfALoosePowderReachAnEquilibriumThatTheirFileHolds) {
   const ScratchDirectory scratch;
   const Outcome run =

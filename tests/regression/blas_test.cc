@@ -19,8 +19,9 @@ std::string origin(void (*function)()) {
   return dladdr(reinterpret_cast<void*>(function), &where) != 0 ? where.dli_fname : "nowhere";
 }
 
-// Ceres also links ATLAS, which makes CHOLMOD 2.6 times slower. All libraries of a program use the definition of a
-// function that was linked first, so CHOLMOD and UMFPACK call the functions that this test checks.
+// Ceres also links ATLAS, which makes CHOLMOD 2.6 times slower. If several libraries define a function, the whole
+// program uses the definition that was linked first. This test therefore checks the functions that CHOLMOD and UMFPACK
+// call.
 TEST(Blas, MatrixProductsAndFactorsAreThoseOfOpenBlas) {
   EXPECT_NE(origin(&dgemm_).find("openblas"), std::string::npos) << origin(&dgemm_);
   EXPECT_NE(origin(&dpotrf_).find("openblas"), std::string::npos) << origin(&dpotrf_);

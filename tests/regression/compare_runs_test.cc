@@ -93,7 +93,7 @@ TEST_F(TwoRuns, DifferInPathsButNotInTheirSeconds) {
 }
 
 TEST_F(TwoRuns, AreTheSameWhereverTheFileKeepsItsMemory) {
-  // Files of version 1 store the history only in datasets of contacts/.
+  // In files of version 1, only datasets of contacts/ store the history.
   const std::string move_memory =
       "import h5py, sys\n"
       "with h5py.File(sys.argv[1], 'r+') as f:\n"
@@ -105,7 +105,7 @@ TEST_F(TwoRuns, AreTheSameWhereverTheFileKeepsItsMemory) {
 }
 
 // The samples differ by 0.01, 0.02 and 0.03 (mean 0.02, standard error 0.01/sqrt(3), t = 2 sqrt(3)). B differs by the
-// factor e in all samples, so the differences of ln B have no scatter.
+// factor e (2.718) in all samples, so the differences of ln B have no scatter.
 TEST(MeansOfRuns, ComeWithTheirPairedErrorAndStudentsT) {
   const ScratchDirectory scratch;
   std::vector<std::string> samples[2];
@@ -123,7 +123,7 @@ TEST(MeansOfRuns, ComeWithTheirPairedErrorAndStudentsT) {
   std::vector<std::string> arguments = {"--means"};
   arguments.insert(arguments.end(), samples[0].begin(), samples[0].end());
   arguments.emplace_back("--against");
-  // samples are paired by name, not by order
+  // samples are paired by name; here they are given in reverse order
   arguments.insert(arguments.end(), samples[1].rbegin(), samples[1].rend());
   const Outcome result = compare_runs(arguments);
   EXPECT_EQ(result.code, 0) << result.err;

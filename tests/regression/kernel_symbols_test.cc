@@ -23,15 +23,15 @@ std::vector<std::string> symbols(const std::string& options) {
   return lines;
 }
 
-// If several translation units define an inline function, the linker keeps an arbitrary one of the copies. A copy
-// compiled for AVX-512 would crash on processors without AVX-512.
+// The linker keeps only one copy of an inline function that several source files define. If this copy is compiled for
+// AVX-512, it crashes on processors without AVX-512.
 TEST(StepKernels, ShareNoInlineFunctionWithCodeForOtherProcessors) {
   int n_own = 0;
   bool of_wide_kernels = false;
   for (const std::string& line : symbols("--defined-only")) {
     if (line.ends_with(".o:")) of_wide_kernels = line.starts_with("step_kernels_avx");
     if (!of_wide_kernels || line.size() < 20) continue;
-    const char kind = line[17];  // a line of nm is: address, space, type, space, name
+    const char kind = line[17];  // the columns of nm are: address, space, type, space, name
     if (kind != 'W' && kind != 'V' && kind != 'u') continue;
     EXPECT_TRUE(line.find("4Avx2E") != std::string::npos || line.find("6Avx512E") != std::string::npos) << line;
     ++n_own;

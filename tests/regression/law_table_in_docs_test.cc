@@ -27,7 +27,7 @@ bool goes_together(const LawParameters& law) {
   return law.faults_between_slots().empty();
 }
 
-/// Returns a list, as text, of those models of a slot that are compatible with a law.
+/// Lists the models of a slot that are compatible with a law, as text.
 std::string models_beside(const LawParameters& law, const std::string& key) {
   std::vector<std::string> with_any, with_friction;
   for (const DeclaredModel& model : slot_of(key).models) {

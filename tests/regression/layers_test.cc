@@ -54,7 +54,7 @@ TEST(Library, NeverPrints) {
 }
 
 /// An exception that leaves a thread or a parallel region of OpenMP ends the program, but run_in_team() passes
-/// exceptions to its caller. Therefore no other code may start threads.
+/// exceptions to its caller. Therefore only run_in_team() may start threads.
 TEST(Library, StartsThreadsInATeamAlone) {
   const std::regex starting(
       R"re(#\s*pragma\s+omp\b|_Pragma|std::(jthread|async)\b|std::thread\b(?!::)|pthread_create)re");

@@ -14,7 +14,7 @@
 #include "floc/shape/generators.h"
 #include "support/foreign_packing.h"
 
-/// Packings of grains with corners, with forces at their contacts. Tests write these packings in formats of other
+/// Packings of grains with corners, whose contacts have forces. Tests write these packings in the formats of other
 /// programs.
 namespace floc::test {
 

@@ -30,7 +30,7 @@ void choose_keyword(LawParameters& law, const std::string& key, const std::strin
 }
 
 /// Returns a value for a parameter that is not listed in `numbers`. The value depends on the unit of the parameter. A
-/// stiffness is 1.5 times the normal stiffness, because an unloading stiffness must exceed it.
+/// stiffness gets 1.5 times the normal stiffness, because the stiffness of unloading must exceed the normal stiffness.
 double number_like(Unit unit, const std::map<std::string, double>& numbers) {
   switch (unit) {
     case Unit::stiffness:

@@ -44,8 +44,8 @@ Law law_of(std::initializer_list<Part> parts);
 /// Returns the contact law of [GRC2008] in units F0 = a = m = 1, with small rolling resistance.
 Law cohesive_law();
 
-/// Returns a number of a law by its key in a scene, for instance "normal.stiffness". @pre the law has this
-/// number
+/// Returns a number of a law by its key in a scene, for instance "normal.stiffness".
+/// @pre the law has this number
 double law_number(const Law& law, const std::string& key);
 
 }  // namespace floc::test

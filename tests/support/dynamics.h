@@ -36,7 +36,7 @@ Packing<Dim> agitated_gas(int n, const Law& law) {
 }
 
 /// Returns an agitated gas with so many blocks of grains that the forces of the first blocks are summed before those of
-/// the last blocks are computed. The cell is so long that only few blocks are shared by two threads.
+/// the last blocks are computed. The cell is so long that two threads share only few blocks.
 template <int Dim>
 Packing<Dim> large_agitated_gas(const Law& law) {
   Vec<Dim, int> copies = Vec<Dim, int>::Ones();
@@ -106,8 +106,8 @@ void expect_no_trace_of_threads() {
   expect_same_bits(one, two);
 }
 
-/// Expects that results are independent of the rows of forces that are kept: one thread overwrites earlier rows with
-/// later rows, but several threads keep the rows that they share.
+/// Expects that results do not depend on the rows of forces that are kept in memory. One thread overwrites earlier rows
+/// with later rows; several threads keep the rows that they share.
 template <int Dim>
 void expect_no_trace_of_kept_rows(const Packing<Dim>& gas) {
   const double dt = time_step_of(gas, RelaxationOptions{}.time_step);
@@ -117,7 +117,8 @@ void expect_no_trace_of_kept_rows(const Packing<Dim>& gas) {
 }
 
 /// Expects that all instruction sets give identical results bit for bit, for laws with and without friction and rolling
-/// resistance. @param n_contacts  lower limit of the number of contacts at the end
+/// resistance.
+/// @param n_contacts  lower limit of the number of contacts at the end
 template <int Dim>
 void expect_no_trace_of_instructions(std::size_t n_contacts) {
   Law frictionless = cohesive_law();

@@ -22,13 +22,13 @@ namespace floc::test {
 
 const std::string kForeignLaw = "normal.stiffness=1000,friction.coefficient=0.5,friction.stiffness=800";
 
-/// Ends of each axis of a packing: "p" for a periodic axis, otherwise two letters, the first for the lower end. The
-/// letter "w" is a wall, and "o" an open end.
+/// Ends of each axis of a packing: "p" for a periodic axis, otherwise two letters. The first letter is for the lower
+/// end and the second letter for the upper end: "w" is a wall, and "o" an open end.
 template <int Dim>
 using Ends = std::array<std::string, Dim>;
 
-/// Returns randomly placed grains in a box of about four diameters. Neighbours overlap a little, with random forces at
-/// their contacts.
+/// Returns randomly placed grains in a box of about four diameters. Neighbours overlap a little, and their contacts
+/// have random forces.
 template <int Dim>
 State<Dim> packing_with_forces(const Ends<Dim>& ends, unsigned seed = 1) {
   std::mt19937 random(seed);
@@ -132,7 +132,8 @@ inline std::string fortran_number(double x) {
   return text;
 }
 
-/// Replaces a part of the text of a file. @pre the file contains `from`
+/// Replaces a part of the text of a file.
+/// @pre the file contains `from`
 inline void change_file(const std::string& path, const std::string& from, const std::string& to) {
   std::string text = content_of(path);
   const std::size_t at = text.find(from);

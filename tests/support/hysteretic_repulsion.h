@@ -12,9 +12,9 @@
 namespace floc::test {
 
 /// Normal law with two stiffnesses: K1 while the overlap increases beyond its largest value so far, and K2 below this
-/// value [Walton and Braun, J. Rheol. 30, 949 (1986)]. This law is used to test laws with a history. A contact
-/// dissipates energy if K2 > K1, and would gain energy if K2 < K1. Surfaces separate when the force becomes zero; if K2
-/// > K1, they still overlap then.
+/// value [Walton and Braun, J. Rheol. 30, 949 (1986)]. Tests use it as a law with a history. A contact dissipates
+/// energy if K2 > K1, and would gain energy if K2 < K1. Surfaces separate when the force becomes zero. For K2 > K1,
+/// this happens while the grains still overlap.
 struct HystereticRepulsion {
   double normal_stiffness;  ///< K1, while the overlap grows (force/length)
   double unloading;         ///< K2, below the largest overlap (force/length)
@@ -39,7 +39,7 @@ struct HystereticRepulsion {
   T elastic_stiffness(const PairGeometry<T>& pair, const T* history) const {
     return lanes::select(touches(pair, history), T(unloading), T(0));
   }
-  /// Elastic energy that is recovered on unloading.
+  /// Elastic energy that the contact gives back when it is unloaded.
   template <class T>
   T energy(const PairGeometry<T>& pair, const T* history) const {
     const T elastic = force(pair, history);

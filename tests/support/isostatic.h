@@ -10,14 +10,14 @@
 /// Counts the constraints in packings of rigid grains.
 namespace floc::test {
 
-/// Number of constraints of the contacts that have a force, and number of motions (degrees of freedom) of the grains of
-/// these contacts.
+/// Number of constraints of the contacts with a force, and number of motions (degrees of freedom) of the grains that
+/// have such contacts.
 struct ConstraintCount {
   int constraints = 0, motions = 0;
 };
 
 /// Counts the constraints of contacts with forces above 1e-6 of the mean force. Each contact point of a pair gives one
-/// constraint, up to the number of independent constraints: two for an edge on a side or face, three for two faces.
+/// constraint, but a pair has at most two constraints for an edge on a side or face, and at most three for two faces.
 template <int Dim>
 ConstraintCount count_constraints(const Packing<Dim>& packing, int motions_per_grain) {
   double mean = 0.0;
@@ -37,7 +37,7 @@ ConstraintCount count_constraints(const Packing<Dim>& packing, int motions_per_g
   }
   for (const bool one : carries) out.motions += one ? motions_per_grain : 0;
   // Contacts do not constrain uniform translations of all grains, but they do constrain the free side lengths of the
-  // cell. There are as many translations as side lengths, so the two numbers cancel.
+  // cell. The number of translations equals the number of side lengths, so the two cancel.
   return out;
 }
 

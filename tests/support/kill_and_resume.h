@@ -33,7 +33,8 @@ checkpoint_every = 0.02
 )";
 }
 
-/// Starts floc run in the background. @return its process id
+/// Starts floc run in the background.
+/// @return its process id
 inline pid_t start_run(const std::string& directory, const std::string& arguments) {
   const pid_t child = ::fork();
   if (child == 0) {
@@ -44,7 +45,8 @@ inline pid_t start_run(const std::string& directory, const std::string& argument
   return child;
 }
 
-/// Waits for a process. @return its exit status, as waitpid() gives it
+/// Waits for a process.
+/// @return its exit status, as waitpid() gives it
 inline int wait_for(pid_t child) {
   int status = 0;
   ::waitpid(child, &status, 0);
@@ -83,8 +85,8 @@ inline void expect_same_results(const std::string& a, const std::string& b, int 
   EXPECT_EQ(rows_without_seconds(a + "/path.csv"), rows_without_seconds(b + "/path.csv"));
 }
 
-/// Kills a run with SIGKILL at random times and resumes it each time; if the run ends before all kills have been made,
-/// a new run is started. Expects that the final results equal the results of an uninterrupted run.
+/// Kills a run with SIGKILL at random times, and resumes it after each kill. If the run ends before all kills have been
+/// made, a new run is started. Expects that the final results equal the results of a run without interruptions.
 /// @param n_states  number of states of the scene
 inline void kill_and_resume(int n_kills, std::uint64_t seed, const std::string& scene = small_scene(),
                             int n_states = 9) {

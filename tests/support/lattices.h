@@ -46,7 +46,8 @@ inline Packing<2> triangular(double spacing, const Law& law) {
   return disks(cell, {Vec<2>::Zero()}, spacing, law);
 }
 
-/// Triangular lattice of n columns and n rows in a rectangular cell. @pre n is even
+/// Triangular lattice of n columns and n rows in a rectangular cell.
+/// @pre n is even
 inline Packing<2> triangular_crystal(int n, double spacing, const Law& law) {
   const double row = std::sqrt(0.75) * spacing;
   std::vector<Vec<2>> places;

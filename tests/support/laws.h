@@ -13,12 +13,12 @@
 #include "support/hysteretic_repulsion.h"
 #include "support/sticky_spring.h"
 
-/// Lists all rows of the law table for the conformance tests, in every dimension, with sample parameters.
+/// Calls tests for all rows of the law table, in every dimension, with sample parameters.
 namespace floc::test {
 
-/// Sample parameters of a model in reduced units, similar to the parameters of [GRC2008]. No two numbers are equal, so
-/// that a test notices if two numbers are exchanged. Each kind of model needs a specialization, without which the tests
-/// do not compile.
+/// Sample parameters of a model in reduced units, similar to the parameters of [GRC2008]. All parameters have different
+/// values, so that a test notices if two of them are exchanged. Each kind of model needs a specialization, without
+/// which the tests do not compile.
 template <class Slot>
 struct Sample;
 
@@ -57,7 +57,7 @@ struct Sample<ConstantAdhesion> {
   static constexpr ConstantAdhesion value{1.25};
   static std::string name() { return " constant"; }
 };
-/// The bridges contain so little liquid that they break at a gap of a hundredth of a diameter.
+/// The bridges contain so little liquid that they rupture at a gap of a hundredth of a diameter.
 template <>
 struct Sample<CapillaryAdhesion> {
   static constexpr CapillaryAdhesion value{0.4, 20.0, 4e-7, 2.5};
@@ -127,7 +127,7 @@ void for_each_law(Check&& check) {
 }
 
 /// Kinds of laws that the table does not contain yet: laws that dissipate energy in the normal direction, laws whose
-/// surfaces separate while they still overlap, and laws whose surfaces stay connected across a gap.
+/// surfaces separate while the grains still overlap, and laws whose surfaces stay connected across a gap.
 using LawsOfOtherKinds = std::variant<
     ContactLaw<HystereticRepulsion, NoAdhesion, NoDamping, NoFriction, NoRolling, NoTwisting>,
     ContactLaw<HystereticRepulsion, TailAdhesion, ViscousDamping, CoulombFriction, RollingSpring,
@@ -214,8 +214,7 @@ double stiffness_bound(const Law& law) {
 }
 
 /// Returns the overlap of a free pair, at which adhesion and repulsion balance; zero without adhesion. The overlap is
-/// computed by Newton's method, which starts with the largest stiffness. For linear repulsion, one step is therefore
-/// enough.
+/// computed by Newton's method. The first step uses the largest stiffness, which is exact for linear repulsion.
 template <class Law>
 double free_overlap(const Law& law) {
   if (pull_off_force(law) == 0.0) return 0.0;
@@ -244,7 +243,7 @@ ContactHistoryOf<Law, Dim, T> pressed_memory(const Law& law) {
   }
   return history;
 }
-/// Returns the static normal response of a contact with the history of pressed_memory(). The next function returns the
+/// Returns the static normal response of a contact with the history of pressed_memory(). pressed_energy() returns the
 /// energy of this contact.
 template <class T, class Law>
 NormalResponse<T> pressed_response(const Law& law, const T& gap) {

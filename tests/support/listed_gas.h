@@ -10,7 +10,7 @@
 
 namespace floc::test {
 
-/// Gas of spheres in an elongated cell, with the list of close pairs in the form that the force loop uses.
+/// Gas of spheres in an elongated cell, and the list of close pairs in the format of the force loop.
 struct ListedGas {
   enum class Sizes { equal, unequal };
 

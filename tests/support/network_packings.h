@@ -18,8 +18,8 @@ inline Law elastic_law(double kn, double kt, double kr) {
   return law;
 }
 
-/// Returns randomly placed grains of radius 0.35 to 0.65 in a skewed cell. The packing is so dense that grains cannot
-/// move freely, but it is not in equilibrium. If there are few grains, the cell is so small that grains touch their own
+/// Returns randomly placed grains of radius 0.35 to 0.65 in a skewed cell. The grains are so dense that they cannot
+/// move freely, but they are not in equilibrium. With few grains, the cell is so small that grains touch their own
 /// images.
 template <int Dim>
 Packing<Dim> random_packing(int n_grains, unsigned seed, const Law& law, double grains_per_volume = 1.6) {

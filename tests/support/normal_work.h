@@ -9,8 +9,8 @@ namespace floc::test {
 
 /// Computes the work on a contact along its normal while a test prescribes its gap: minus the integral of the static
 /// normal force over the gap. The work is computed by the trapezoidal rule, which is exact for a linear force. The
-/// force may jump when surfaces begin or cease to touch; the step is then divided at the jump, up to the last bit of
-/// the gap.
+/// force may jump when surfaces begin or cease to touch. A step with a jump is divided there, and the gap of the jump
+/// is found to the last bit.
 template <class Law, int Dim>
 class NormalWork {
  public:
@@ -29,7 +29,7 @@ class NormalWork {
     integrate_to(before);
     const double until_here = work_;
     integrate_to(after);
-    work_ = until_here;  // this step is one rounding unit wide and crosses the jump, so it contributes no work
+    work_ = until_here;  // the step across the jump is one rounding unit wide, so it contributes no work
     integrate_to(gap);
   }
 

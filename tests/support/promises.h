@@ -15,17 +15,17 @@
 #include "floc/tradeoff/sample_path.h"
 #include "floc/tradeoff/studied_setting.h"
 
-/// Counts how often the errors promised by a table of prices, or by plans, are not exceeded in samples that are not in
-/// the table.
+/// Counts how often an error exceeds its promise. Tables of prices and plans promise the errors; the samples are not in
+/// the tables.
 namespace floc::test {
 
-/// Number of promised errors, and number of promised errors that were not exceeded.
+/// Number of promised errors, and number of those that the samples did not exceed.
 struct KeptPromises {
   int n = 0, kept = 0;
 
   void add(bool is_kept) { ++n, kept += is_kept; }
-  /// Returns the probability that at most `kept` of n promises are kept, if each promise is kept with the probability
-  /// `confidence`.
+  /// Returns the probability that at most `kept` of n promises are kept. Each single promise is kept with the
+  /// probability `confidence`.
   double probability(double confidence) const {
     double sum = 0.0;
     for (int k = 0; k <= kept; ++k)
@@ -45,8 +45,8 @@ inline std::vector<const SamplePath*> pointers_to(const std::vector<SamplePath>&
   return all;
 }
 
-/// Returns the setting of a scene that a row of its table of prices describes. @param name  parameter and value
-/// of the row
+/// Returns the setting of a scene that a row of its table of prices describes.
+/// @param name  parameter and value of the row
 inline StudiedSetting studied(const Scene& scene, const std::string& name) {
   for (const StudiedSetting& setting : studied_settings(scene))
     if (setting.parameter + " " + setting.value == name) return setting;
@@ -54,7 +54,7 @@ inline StudiedSetting studied(const Scene& scene, const std::string& name) {
   return studied_settings(scene)[1];
 }
 
-/// Counts the errors of single states, and the errors among them that do not exceed the error of the table.
+/// Counts the single states of a sample, and the states whose error does not exceed the error in the table.
 inline void count_states(const PricedSettings& priced, const SamplePath& reference, const SamplePath& path,
                          KeptPromises& promises) {
   const std::vector<bool> same = before_collapse(reference, path);
@@ -75,8 +75,8 @@ inline void count_states(const PricedSettings& priced, const SamplePath& referen
 }
 
 /// Runs samples of a scene with seeds that the table does not use, and counts how many of their errors do not exceed
-/// the errors of the table. It counts errors of single states and errors of means; means may also deviate by their
-/// confidence interval.
+/// the errors of the table. Counts errors of single states and errors of means. Errors of means may exceed the error of
+/// the table by their confidence interval.
 inline PromisesOfTable count_promises(const Scene& scene, const PriceTable& table,
                                       const std::vector<std::string>& names, std::uint64_t seed,
                                       int n_samples) {
@@ -116,7 +116,7 @@ inline PromisesOfTable count_promises(const Scene& scene, const PriceTable& tabl
   return promises;
 }
 
-/// Error that a plan promises for an observable, and the difference between the samples of the plan and a reference
+/// Error that a plan promises for an observable, and actual difference between the samples of the plan and a reference
 /// ensemble.
 struct PlanOutcome {
   std::string observable;

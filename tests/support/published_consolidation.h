@@ -10,7 +10,8 @@
 
 namespace floc::test {
 
-/// Returns the pressures of the published path from `low` up to 13.3. The ratio of successive pressures is 10^(1/8).
+/// Returns the pressures of the published path, from `low` up to 13.3. Each pressure is 10^(1/8) times the previous
+/// one.
 inline std::vector<double> published_pressures(double low) {
   std::vector<double> P;
   for (int k = 0; k <= 25; ++k)
@@ -38,7 +39,7 @@ struct Published {
     return {lambda, alpha, phi_max, P0_star * std::exp((1 / phi0 - 1 / phi_max) / lambda)};
   }
 
-  /// Returns the whole published path: constant up to P0*, then the law.
+  /// Returns the curve of the published path: a constant solid fraction up to P0*, and the law above.
   ConsolidationCurve with_plateau() const {
     ConsolidationCurve curve;
     for (const double P : published_pressures(0.01)) {
@@ -51,8 +52,8 @@ struct Published {
 inline constexpr Published kNoRolling{0.349, 0.7808, 0.91, 0.0237, 0.469};
 inline constexpr Published kSmallRolling{0.194, 0.7745, 1.08, 0.0316, 0.515};
 
-/// Returns the curve with normally distributed relative errors of 1/Phi. @param noise  relative standard
-/// deviation
+/// Returns the curve with normally distributed relative errors of 1/Phi.
+/// @param noise  relative standard deviation
 inline ConsolidationCurve with_relative_noise(ConsolidationCurve curve, double noise, RandomStream& random) {
   for (double& phi : curve.phi) phi = 1 / (1 / phi * (1 + noise * random.normal()));
   return curve;

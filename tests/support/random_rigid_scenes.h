@@ -12,7 +12,7 @@
 /// Small scenes of rigid grains with random parameters.
 namespace floc::test {
 
-/// Draws a random kind of shape in a dimension; disks or spheres are among the kinds.
+/// Returns a random kind of shape in a dimension; absent for disks or spheres.
 template <int Dim>
 std::optional<ShapeOptions> random_shape(RandomStream& random) {
   ShapeOptions shape;
@@ -87,8 +87,8 @@ void relax_random_scene(RandomStream& random, std::uint64_t seed) {
   if (rest.status == RelaxationStatus::converged) strain_at_random(seed, rest.packing, options);
 }
 
-/// Relaxes random scenes, as many in 2D as in 3D. Each relaxation must end in a state at rest that meets all criteria,
-/// or give a reason for the failure.
+/// Relaxes n random scenes, half of them in 2D and half in 3D. Each relaxation must end in a state at rest that meets
+/// all criteria, or give a reason for the failure.
 inline void relax_random_scenes(int n, std::uint64_t first_seed) {
   for (int k = 0; k < n; ++k) {
     const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(k);

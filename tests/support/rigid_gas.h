@@ -35,15 +35,15 @@ Packing<Dim> make_rigid_gas(const RigidGas& gas) {
   grains.diameter.min = gas.least;
   grains.diameter.max = 1.0;
   grains.diameter.exponent =
-      gas.least < 0.2 ? Dim : 0.0;  // with the exponent Dim, grains of every size fill equal volumes
+      gas.least < 0.2 ? Dim : 0.0;  // with the exponent Dim, equal intervals of ln d fill equal volumes
   grains.shape = gas.shape;
   const Law law = rigid_law(gas.friction, gas.adhesion);
   RandomStream random(gas.seed, 1);
   // fraction of the cell that the circumscribed circles or spheres fill
   constexpr double kSolidFraction = Dim == 2 ? 0.4 : 0.3;
   if (!gas.shape) return make_gas<Dim>(grains, law, kSolidFraction, random);
-  // The gas draws its diameters from this stream. A copy of the stream gives equal diameters, from which the share of
-  // the grains is computed.
+  // make_gas() draws the diameters from this stream. A copy of the stream gives the same diameters in advance, from
+  // which the volume fraction of the grains is computed.
   RandomStream copy = random;
   const std::vector<double> diameters = draw_diameters(grains, copy);
   const double share = share_of_bounding_balls(shaped_grains<Dim>(grains, diameters, gas.seed));

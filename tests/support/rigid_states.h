@@ -22,8 +22,7 @@ inline Law rigid_law(double friction, std::optional<double> adhesion = std::null
   return law;
 }
 
-/// Adds all contacts with gaps of at most 1e-9 to a packing, and computes the properties of the state under an
-/// isotropic pressure.
+/// Adds all contacts with gaps of at most 1e-9 to a packing, and measures the state under an isotropic pressure.
 /// @param force  function that returns the normal force of a contact
 template <int Dim, class Force>
 void load_contacts(State<Dim>& state, double pressure, const Force& force) {
@@ -95,7 +94,8 @@ inline State<2> brick_bond(double pressure, double friction) {
   return state;
 }
 
-/// Removes the contacts between blocks that meet only in an edge or corner, and measures the state again.
+/// Removes the contacts between blocks that meet only in an edge or corner, and computes the quantities of the state
+/// again.
 template <int Dim>
 void keep_neighbours_across_faces(State<Dim>& state) {
   const Packing<Dim>& packing = state.packing;

@@ -14,7 +14,8 @@ inline std::string scene_text(const std::string& name) {
   return read_file(source_directory() + "/tests/support/scenes/" + name + ".toml");
 }
 
-/// Returns the text with one part replaced. @pre the text contains `old`
+/// Returns the text with one part replaced.
+/// @pre the text contains `old`
 inline std::string exchanged(std::string text, const std::string& old, const std::string& replacement) {
   const std::size_t at = text.find(old);
   if (at == std::string::npos) throw std::invalid_argument("nowhere in the text: " + old);

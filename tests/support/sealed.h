@@ -16,7 +16,8 @@ inline std::string sealed(const std::string& content) {
   return content + seal_of(sha256(content));
 }
 
-/// Returns the content of a state file without its seal. @pre the file is sealed
+/// Returns the content of a state file without its seal.
+/// @pre the file is sealed
 inline std::string without_seal(const std::string& bytes) {
   return bytes.substr(0, bytes.size() - kSealSize);
 }

@@ -70,14 +70,14 @@ inline pid_t start_snakemake(const std::string& directory, const std::string& ar
   return child;
 }
 
-/// Runs snakemake and waits for its end. @return exit code of snakemake, with its messages in `out`
+/// Runs snakemake and waits for its end.
+/// @return exit code of snakemake, with its messages in `out`
 inline Outcome snakemake(const std::string& directory, const std::string& arguments = "--cores 2") {
   const int status = wait_for(start_snakemake(directory, arguments));
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(directory + ".snakemake"), ""};
 }
 
-/// Returns the processes whose working directory is `directory` and whose arguments, joined by spaces, contain
-/// `text`.
+/// Returns the processes that work in `directory` and whose arguments, joined by spaces, contain `text`.
 inline std::vector<pid_t> processes_in(const std::string& directory, const std::string& text) {
   namespace fs = std::filesystem;
   std::vector<pid_t> found;

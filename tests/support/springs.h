@@ -35,8 +35,8 @@ inline double& twisting_spring(Contact<3>& c) {
   return c.history[HistoryLayout<3>::kTwisting];
 }
 
-/// Gives every contact of a packing small random springs in the tangent plane, and small twisting springs if
-/// the law has them.
+/// Gives every contact of a packing a small random elongation of its spring in the tangent plane, and a small random
+/// twist if the law has twisting springs.
 template <int Dim>
 void stretch_at_random(Packing<Dim>& packing) {
   std::mt19937 engine(4);

@@ -65,8 +65,8 @@ State<Dim> busy_state() {
   return s;
 }
 
-/// Returns busy_state() with walls: a grain lies between two walls across the first axis, one of which is fixed, and
-/// there is a fixed wall across the last axis. In 2D, all sides have walls.
+/// Returns busy_state() with walls. A grain touches the two walls across the first axis; the lower wall is fixed.
+/// Two walls that can move lie across the last axis.
 template <int Dim>
 State<Dim> boxed_state() {
   State<Dim> s = busy_state<Dim>();

@@ -11,7 +11,7 @@
 namespace floc::test {
 
 /// Ensemble of samples that collapse in jumps. All samples share one curve: a plateau up to P0, then a line of slope
-/// lambda. A sample jumps to this curve at random pressures of its own, and keeps its density between the jumps. The
+/// lambda. Each sample jumps to this curve at its own random pressures, and keeps its density between the jumps. The
 /// distances between successive jumps in ln P are exponentially distributed with the mean `gap`. Each sample also has a
 /// constant shift.
 struct Staircases {

@@ -36,7 +36,7 @@ struct Noise {
   }
 };
 
-/// Returns `n` pressures with equal ratios, from low to high.
+/// Returns `n` pressures from low to high. The ratio of successive pressures is constant.
 inline std::vector<double> geometric_pressures(double low, double high, int n) {
   std::vector<double> P;
   for (int i = 0; i < n; ++i) P.push_back(low * std::pow(high / low, i / (n - 1.0)));
@@ -55,8 +55,8 @@ inline ConsolidationCurve noisy_curve(const std::function<double(double)>& phi_o
   return curve;
 }
 
-/// Returns a curve that is read from a table of a creeping sample. Under every second load, the table has one or two
-/// additional rows at the same pressure, in which the sample is looser than in the last row. Only the last row at each
+/// Returns a curve as it is read from the table of a creeping sample. At every second pressure, the table has one or
+/// two rows before the last row at this pressure, in which the sample is still looser. Only the last row at each
 /// pressure counts.
 inline ConsolidationCurve through_creep(const ConsolidationCurve& curve, RandomStream& random) {
   std::vector<PathRow> rows;

@@ -6,7 +6,7 @@
 
 namespace floc::test {
 
-/// Returns the total volume of all bridges of a packing, including broken ones.
+/// Returns the total volume of all bridges of a packing. The volume of broken bridges is included.
 template <int Dim>
 double all_volumes(const Packing<Dim>& packing) {
   double sum = 0.0;

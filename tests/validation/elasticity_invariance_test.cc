@@ -19,7 +19,7 @@ Moduli full_moduli(const Packing<Dim>& packing) {
   return elastic_moduli(packing, options);
 }
 
-/// Relative tolerance. In the changed packing, sums have another order, and branches have other rounding errors, which
+/// Relative tolerance. The changed packing gives sums in another order and branches with other rounding errors, which
 /// are multiplied by a condition number of about 1e3. Long branches need a larger tolerance.
 constexpr double kSame = 1e-10;
 

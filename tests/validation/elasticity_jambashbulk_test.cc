@@ -83,8 +83,8 @@ TEST_F(FormatOfJamBashbulk, ModuliWithPrestressAreDerivativesOfTheCauchyStress) 
         (static_stress(strained(packing_, kStep * e)) - static_stress(strained(packing_, -kStep * e))) /
         (2.0 * kStep);
     for (int a = 0; a < 3; ++a) {
-      // The rounding of positions of order 10, divided by the step, gives an error of 1e-9. The truncation error is of
-      // the order of step^2, divided by overlaps of 1e-3.
+      // Positions of order 10 are rounded, which gives an error of 1e-9 after the division by the step. The truncation
+      // error is of the order of step^2, divided by the overlap of 1e-3.
       const double expected = m.C(a, b) + 0.5 * (convected(a, b) - convected(b, a));
       EXPECT_NEAR((change * unit_strain<2>(a)).trace(), expected, 1e-7) << a << " " << b;
     }

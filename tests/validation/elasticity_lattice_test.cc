@@ -12,7 +12,7 @@ constexpr double kN = 1.0;
 constexpr double kT = 0.7;
 constexpr double kR = 0.03;
 constexpr double kSpacing = 1.3;
-/// Tolerance for rounding of sums of a few terms; the condition numbers are about 10.
+/// Tolerance for rounding errors of sums of a few terms, which condition numbers of about 10 amplify.
 constexpr double kRounding = 1e-12;
 
 Moduli full_moduli(const Packing<2>& packing) {
@@ -126,8 +126,8 @@ TEST(Lattice, FaceCentredCubicSpheresHaveTheirClosedForm) {
   ModuliOptions options;
   options.strains = StrainSet::full;
   const Moduli m = elastic_moduli(packing, options);
-  // Every sphere is a centre of symmetry, so displacements are affine. The volume per sphere is d^3/sqrt(2). The sum
-  // over the 6 branch directions n of a sphere is C_abcd = (sqrt(2)/d) sum [(K_N - K_T) n_a n_b n_c n_d + K_T (n_a n_c
+  // Every sphere is a centre of symmetry, so displacements are affine. The volume per sphere is d^3/sqrt(2). With a sum
+  // over the 6 branch directions n of a sphere, C_abcd = (sqrt(2)/d) sum [(K_N - K_T) n_a n_b n_c n_d + K_T (n_a n_c
   // delta_bd + ...)/4].
   const double unit = std::sqrt(2.0) / kSpacing;
   const Eigen::MatrixXd closed = cubic(unit * (kN + kT), unit * 0.5 * (kN - kT), unit * 0.5 * (kN + kT));
@@ -163,8 +163,8 @@ TEST(Chain, OfThreeDisksIsASeriesOfSpringsThatHoldsOnlyItsOwnLine) {
   EXPECT_NEAR(m.C(0, 0), 3.0 * kSpacing / (2.0 * compliance), kRounding);
   EXPECT_EQ(m.C(1, 1), 0.0);
   EXPECT_EQ(m.n_coupled_mechanisms, 1);
-  // The transverse motion has 3 displacements and 3 rotations. The 3 springs and the 1 translation reduce these 6 to 2
-  // mechanisms; the cell adds a third mechanism.
+  // The transverse motion has 3 displacements and 3 rotations. Of these 6 motions, 3 stretch the springs and 1 is a
+  // translation, so 2 mechanisms remain. The strain of the cell across the chain is a third mechanism.
   EXPECT_EQ(m.n_mechanisms, 3);
   EXPECT_EQ(m.n_negative, 0);
   EXPECT_EQ(m.B_S, 0.0);

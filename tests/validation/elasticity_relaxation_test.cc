@@ -31,14 +31,13 @@ Packing<2> solved(const Packing<2>& start, const Vec<2>& target) {
   options.target = 1e-11;
   options.max_iterations = 30;
   const StaticSolution<2> solution = solve_statics(start, target, options);
-  // The residual cannot be smaller than the rounding error of absolute positions, which is close to the target of the
-  // residual.
+  // The rounding error of absolute positions limits the residual. This limit is close to the target of the solver.
   EXPECT_LT(solution.residual, 1e-9) << solution.reason;
   return solution.packing;
 }
 
-/// Returns half the difference between the logarithmic strains of two equilibria, at pressure + step and at pressure -
-/// step.
+/// Solves for the equilibria at pressure + step and at pressure - step. Returns half the difference of their
+/// logarithmic strains.
 Vec<2> strain_found(const Packing<2>& start, double pressure, const Vec<2>& step) {
   const Packing<2> more = solved(start, Vec<2>::Constant(pressure) + step);
   const Packing<2> less = solved(start, Vec<2>::Constant(pressure) - step);
@@ -49,8 +48,8 @@ Vec<2> strain_found(const Packing<2>& start, double pressure, const Vec<2>& step
   return -0.5 * (more.cell.matrix.diagonal().array().log() - less.cell.matrix.diagonal().array().log());
 }
 
-/// Returns the largest relative difference between the imposed stress steps and the stress steps that the moduli
-/// predict from the strains.
+/// Imposes small stress steps, and computes from the resulting strains and the moduli the stress steps that belong to
+/// them. Returns the largest relative difference between these and the imposed stress steps.
 double worst_difference(const Packing<2>& start, double pressure, double relative_step, bool prestress) {
   ModuliOptions options;
   options.prestress = prestress;
@@ -88,13 +87,13 @@ TEST(ModuliAndRelaxation, AgreeOnAFrictionlessPackingWherePrestressCounts) {
 
 TEST(Bounds, AreInOrderOnEquilibria) {
   Law law = test::cohesive_law();
-  // Acts only in contact, because the theorem excludes attractions at a distance.
+  // adhesion only in contact, because the theorem excludes attractions at a distance
   law += test::constant_adhesion(1.0);
   for (const std::uint64_t seed : {1, 2})
     for (const double pressure : {0.1, 1.0, 10.0}) {
       const Packing<2> packing = solved(equilibrium(40, law, pressure, seed), Vec<2>::Constant(pressure));
       const Moduli m = elastic_moduli(packing, {});
-      const double slack = 1e-9 * m.B;  // forces balance within this fraction
+      const double slack = 1e-9 * m.B;  // relative error of the balance of forces
       EXPECT_GT(m.bounds.B_reuss, 0.0);
       EXPECT_LE(m.bounds.B_reuss, m.B_S + slack);
       EXPECT_LE(m.B_S, m.B + slack);

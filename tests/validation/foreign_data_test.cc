@@ -84,8 +84,8 @@ TEST_F(ForeignData, FstatOfAChuteListsItsPairsTwice) {
   options.drop_tensile = true;
   const State<3> state = read<3>("mercurydpm/chute_periodic.restart", options);
   EXPECT_EQ(state.packing.grains.size(), 107);
-  // The 171 rows contain 92 pairs; the force of one pair is attractive. The sum of f r over the other pairs does not
-  // depend on the position of the free end.
+  // The 171 rows contain 92 pairs; the force of one pair is attractive. For the other pairs, the sum of force times
+  // branch does not depend on the position of the free end.
   EXPECT_EQ(state.packing.contacts.size(), 91u);
   EXPECT_NEAR(state.stress.trace() / 3.0 * state.packing.cell.volume(), 3.1817834280059e-06, 1e-18);
   EXPECT_FALSE(between_walls(state.packing.walls, 0));

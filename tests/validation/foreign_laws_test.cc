@@ -12,8 +12,8 @@
 #include "support/places.h"
 
 /// Packings that LAMMPS and YADE have simulated under laws that floc also has (data/packings). They are converted as
-/// described in docs/commands/convert.md. The normal forces must follow from the positions, and the moduli must equal
-/// the moduli of a network that is built directly from the rows of the files.
+/// described in docs/commands/convert.md. The laws must give the same normal forces at the positions in the files. The
+/// moduli must equal those of a network that is built directly from the rows of the files.
 namespace floc::test {
 namespace {
 
@@ -39,7 +39,8 @@ std::string lammps_columns(int dimension) {
   return text;
 }
 
-/// Returns grains by id. @param x, radius  column of the first coordinate, and column of the radius
+/// Returns grains by id.
+/// @param x, radius  column of the first coordinate, and column of the radius
 std::map<std::int64_t, HandGrain> grains_of(const std::vector<std::vector<double>>& rows, int x, int radius) {
   std::map<std::int64_t, HandGrain> grains;
   for (const std::vector<double>& row : rows)
@@ -47,8 +48,8 @@ std::map<std::int64_t, HandGrain> grains_of(const std::vector<std::vector<double
   return grains;
 }
 
-/// Returns the cell of a dump, computed from the three lines of the dump with the bounds, which may contain tilt
-/// factors.
+/// Returns the cell of a dump. The cell is computed from the three lines of the dump that contain the bounds, and tilt
+/// factors if the cell is tilted.
 Mat<3> lammps_cell(const std::string& dump) {
   const auto rows = numbers_behind(dump, "ITEM: BOX BOUNDS");
   const auto tilt = [&](int a) { return rows[a].size() > 2 ? rows[a][2] : 0.0; };
@@ -160,9 +161,9 @@ HandNetwork<3> yade_hand(const std::string& file) {
   return {cell, grains_of(numbers_behind(file, ""), 1, 4)};
 }
 
-/// Compares the normal forces listed by YADE with the normal forces of the law. The listed forces are compared, and not
-/// the converted forces, because YADE's tangential forces have a small component along the branch that the conversion
-/// adds to the normal force.
+/// Compares the normal forces listed by YADE with the normal forces of the law. Converted forces cannot be compared:
+/// the tangential forces of YADE have a small component along the branch, which the conversion adds to the normal
+/// force.
 double largest_difference_of_yade(const Imported& converted, const std::vector<std::vector<double>>& rows) {
   const Packing<3>& packing = std::get<State<3>>(converted.state).packing;
   std::map<std::pair<int, int>, double> listed;

@@ -38,8 +38,8 @@ class HertzAverages : public testing::Test {
   double mean_force() const {
     return mean([](const Contact<3>& c) { return c.normal_force; });
   }
-  /// Stiffness number (E/P)^(2/3), with the pressure P = z Phi <N>/(pi a^2), which assumes that all branches have the
-  /// length a.
+  /// Stiffness number (E/P)^(2/3), with the pressure P = z Phi <N>/(pi a^2), in which all branches are assumed to have
+  /// the length a.
   double kappa() const { return std::cbrt(std::pow(kE * kPi / (forces_.z * phi() * mean_force()), 2)); }
   double phi() const { return solid_fraction(packing_); }
 
@@ -68,7 +68,7 @@ TEST_F(HertzAverages, GiveTheElasticEnergy) {
   EXPECT_GT(Z, forces_.Z_five_thirds);
   const double w = kE * 2.80345735 * Z * std::pow(forces_.z, -2.0 / 3.0) * std::pow(phi(), -5.0 / 3.0) *
                    std::pow(kappa(), -2.5);
-  EXPECT_NEAR(elastic_energy_per_grain(packing_) / w, 1.0, 1e-8);  // limited by the digits of the prefactor
+  EXPECT_NEAR(elastic_energy_per_grain(packing_) / w, 1.0, 1e-8);  // the prefactor has only nine digits
 }
 
 TEST_F(HertzAverages, GiveTheLargestPressure) {

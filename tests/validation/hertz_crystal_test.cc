@@ -39,7 +39,7 @@ TEST(HertzCrystal, HasItsPressureSolidFractionAndBulkModulus) {
   for (int k = 0; k < 3; ++k) {
     const CubicCrystal crystal = cubic_crystals()[k];
     const Packing<3> packing = hertz_crystal(crystal, closed[k][0]);
-    // The overlap h is given with seven digits. P is proportional to h^1.5, and B to h^0.5.
+    // The overlap h is given with seven digits, and P is proportional to h^1.5. B is proportional to h^0.5.
     EXPECT_NEAR(pressure(packing), P, 5e-7 * P) << crystal.name;
     EXPECT_NEAR(solid_fraction(packing), closed[k][1], 2e-8) << crystal.name;
     EXPECT_NEAR(full_moduli(packing).B, closed[k][2], 1e-8) << crystal.name;

@@ -33,7 +33,7 @@ void append(std::vector<double>& list, std::vector<double> more, bool sorted = f
   list.insert(list.end(), more.begin(), more.end());
 }
 
-/// Returns disks at random positions, with some contacts and with gaps in which rattlers are possible. The radii are
+/// Returns disks at random positions, with some contacts, and with gaps that leave room for rattlers. The radii are
 /// reduced until disks hardly overlap.
 Packing<2> loose_packing() {
   Packing<2> packing = random_packing<2>(80, 3, elastic_law(1.0, 0.5, 0.1), 0.85);
@@ -59,7 +59,8 @@ Measured measure(const Packing<2>& packing) {
   append(m.exact, contact_forces(packing, ForceKind::normal), true);
   const std::vector<double> p = particle_pressure(packing);
   append(m.exact, p, true);
-  // Half of the grains are treated as grains under tension. They are chosen by their sizes, and not by their numbers.
+  // Half of the grains are treated as grains under tension. They are chosen by size, so that the choice does not depend
+  // on the numbering of the grains.
   std::vector<double> signed_pressure;
   for (const double R : packing.grains.radius) signed_pressure.push_back(R - 0.5);
   const PressurePhases phases = pressure_phases(contact_network(packing), signed_pressure);

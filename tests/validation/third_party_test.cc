@@ -25,9 +25,8 @@ const std::string kData = test::source_directory() + "/data/packings/";
 /// Relative rounding error of a sum of a hundred products.
 constexpr double kRounding = 1e-13;
 
-/// Returns the error of the net force on a grain with up to six contacts. The error comes from the rounding of
-/// positions as large as the cell, because both programs compute branches across the cell boundary from shifted
-/// positions.
+/// Returns the error of the net force on a grain with up to six contacts. Both programs compute branches across the
+/// cell boundary from shifted positions, so the positions have rounding errors in proportion to the size of the cell.
 template <int Dim>
 double force_rounding(const Packing<Dim>& packing) {
   double stiffest = 0.0;
@@ -75,8 +74,8 @@ TEST(Lammps, StressOfItsPackingIsItsOwn) {
   EXPECT_NEAR(0.5 * stress.trace(), own[0], kRounding * own[0]);
   EXPECT_NEAR(stress(0, 0), own[1], kRounding * own[0]);
   EXPECT_NEAR(stress(1, 1), own[2], kRounding * own[0]);
-  // floc computes the stress from force times branch. This stress is symmetric if moments balance; here they balance up
-  // to the difference between the lever arms of the two programs.
+  // floc computes the stress from force times branch. This stress is symmetric if moments balance. Here, moments
+  // balance up to the difference between the lever arms of LAMMPS and floc.
   EXPECT_NEAR(stress(1, 0), own[3], kRounding * own[0]);
 }
 
@@ -95,8 +94,8 @@ TEST(Lammps, NetForcesInItsPackingAreItsOwn) {
   }
 }
 
-/// LAMMPS has the same normal law as floc: the forces computed from positions alone equal the forces that LAMMPS
-/// listed. Tangential springs are not compared.
+/// LAMMPS and floc have the same normal law, so the forces computed from positions alone must equal the forces that
+/// LAMMPS listed. Tangential springs are not compared.
 TEST(Lammps, NormalForcesFollowFromItsGeometry) {
   const Packing<2> packing = std::get<State<2>>(read_lammps().state).packing;
   ASSERT_EQ(packing.contacts.size(), 87u);
@@ -150,8 +149,8 @@ TEST(Yade, StiffnessesAreThoseOfEachContactAndTheLawHasTheirMeans) {
   EXPECT_NEAR(test::law_number(state.packing.law, "friction.coefficient"), std::tan(0.4), 1e-15);
 }
 
-/// Small net moments remain, because the other programs use other lever arms. The lever arms of LAMMPS are the whole
-/// radii, which are longer than the lever arms of floc by the factor 1 + overlap/branch.
+/// Small net moments remain, because LAMMPS and YADE use other lever arms than floc. The lever arms of LAMMPS are the
+/// whole radii, which are longer than the lever arms of floc by the factor 1 + overlap/branch.
 TEST(ThirdParties, PackingsAreInEquilibriumToTheirConventionOfContactPoints) {
   const Packing<2> disks = std::get<State<2>>(read_lammps().state).packing;
   const Residuals of_disks = residuals<2>(disks, static_stress(disks).diagonal());

@@ -86,7 +86,7 @@ struct FilePacking {
     }
     return shift;
   }
-  /// Sum of the normal components of the forces on a wall, outwards.
+  /// Outward force on a wall: the sum of the normal components of the forces of its contacts.
   double wall_force(int axis, int side) const {
     double sum = 0.0;
     for (const FileContact& c : contacts)
@@ -106,7 +106,7 @@ struct FilePacking {
 
 /// Computes the moduli of a packing. The unknowns are 6 displacements and rotations of each grain, a common shift of
 /// the two walls of each axis, and the three strains. Under a strain, walls move along their normals relative to the
-/// middle between them; along periodic axes, they are stretched with the cell.
+/// middle between them; along periodic axes, walls are stretched with the cell.
 class HandModuli {
  public:
   explicit HandModuli(const FilePacking& packing) : packing_(packing) {
@@ -122,8 +122,8 @@ class HandModuli {
   Eigen::Matrix3d stiffness() const {
     Eigen::SparseMatrix<double> all(n_ + 3, n_ + 3);
     all.setFromTriplets(entries_.begin(), entries_.end());
-    // Free motions of rattlers, and shifts of walls without contacts, get a stiffness so small that it changes no digit
-    // of the result.
+    // Free motions of rattlers, and shifts of walls without contacts, get a very small stiffness, which does not change
+    // any printed digit of the result.
     Eigen::SparseMatrix<double> inner = all.topLeftCorner(n_, n_);
     for (int k = 0; k < n_; ++k) inner.coeffRef(k, k) += 1e-12 * largest_;
     const Eigen::MatrixXd loads = Eigen::MatrixXd(all.topRightCorner(n_, 3));
@@ -135,7 +135,8 @@ class HandModuli {
   }
 
  private:
-  /// Relative displacement at a contact per unit of each unknown: the key is the index of the unknown.
+  /// Derivatives of the relative displacement at a contact with respect to the unknowns. The key is the index of the
+  /// unknown.
   using Row = std::map<int, Vector>;
 
   static void rotate(int first, const Vector& arm, double sign, Row& row) {

@@ -15,9 +15,9 @@
 namespace floc {
 namespace {
 
-constexpr double kOverlap = 1e-5;  ///< overlap F0/K_N of a cohesive pair at rest
+constexpr double kOverlap = 1e-5;  ///< overlap F0/K_N of two grains that stick together at rest
 
-/// Returns equal disks of unit diameter at given positions in a square cell of side 10, with their contacts.
+/// Returns equal disks of unit diameter at the given positions in a square cell of side 10, and finds their contacts.
 Packing<2> disks_at(const std::vector<Vec<2>>& places) {
   Packing<2> packing;
   packing.law = test::cohesive_law();
@@ -55,8 +55,9 @@ TEST(ClusterFlight, MovesAClusterAsItsDynamicsDo) {
   dynamics->advance(static_cast<int>(20.0 / dt), Motion::free);
   const Packing<2> moved = dynamics->packing();
   for (int i = 0; i < 3; ++i) {
-    // The final positions of both computations differ by less than the motion in one time step. In the
-    // computation with time steps, the rotation stretches the contact by 5e-10.
+    // ClusterFlight moves the clusters in one step; make_dynamics() moves the grains in many time steps. The final
+    // positions differ by less than the motion in one time step. In the many steps, the rotation stretches the contact
+    // by 5e-10.
     EXPECT_LT((flown.cell.wrapped(flown.grains.position[i]) - moved.grains.position[i]).norm(), 0.05 * dt);
     EXPECT_LT((flown.grains.velocity[i] - moved.grains.velocity[i]).norm(), 1e-6);
     EXPECT_NEAR(flown.grains.orientation[i], moved.grains.orientation[i], 0.02 * dt);
@@ -81,8 +82,8 @@ TEST(ClusterFlight, EndsAfterTheLongestTimeWhereNothingMeets) {
   EXPECT_NEAR(packing.grains.position[0][0], 41.0, 1e-9);
 }
 
-/// A chain that closes across the cell boundary cannot rotate. If its grains move up on one side and down on
-/// the other, they move relative to each other.
+/// A chain whose two ends touch across the cell boundary cannot rotate as a rigid body. The first half of its grains
+/// moves up and the second half moves down, so the chain deforms.
 TEST(ClusterFlight, DoesNotTurnWhatWindsAroundTheCell) {
   std::vector<Vec<2>> places;
   for (int k = 0; k < 10; ++k) places.emplace_back(k + 0.5, 2.0);
@@ -115,8 +116,8 @@ TEST(ClusterFlight, MovesSpheresThatWindAroundTheCellWithoutTurningThem) {
     EXPECT_LT((packing.grains.position[k] - (places[k] + Vec<3>(0.2, 0.0, 0.4))).norm(), 1e-12);
 }
 
-/// The springs of a tumbling cluster rotate with the cluster. The forces on its spheres therefore rotate with
-/// the cluster too, and do not change otherwise.
+/// The springs of a rotating cluster rotate with the cluster. So do the forces and moments on its spheres, which do not
+/// change otherwise.
 TEST(ClusterFlight, TurnsWhatContactsOfSpheresRemember) {
   Packing<3> packing;
   packing.law = test::cohesive_law();

@@ -81,7 +81,7 @@ TEST(Diameters, ATightLognormalIsNotCutOff) {
   const DiameterDistribution d = lognormal(0.1, 10, 1, 0.1);
   EXPECT_DOUBLE_EQ(share_within_bounds(d), 1.0);
   EXPECT_NEAR(diameter_quantile(d, 0.5), 1.0, 1e-12);
-  // With this probability, a normal variable lies less than one standard deviation above its mean.
+  // A normal variable lies below its mean plus one standard deviation with the probability 0.8413.
   EXPECT_NEAR(diameter_quantile(d, 0.8413447460685429), std::exp(0.1), 1e-12);
 }
 

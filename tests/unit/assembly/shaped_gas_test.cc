@@ -41,7 +41,7 @@ TEST(ShapedGas, HasTheSolidFractionOfTheGrainsThemselves) {
   for (const double phi : {0.05, 0.3, 0.45}) {
     const Packing<2> gas = gas_of<2>(grains_with(pentagons()), phi);
     EXPECT_NEAR(solid_fraction(gas), phi, 1e-13);
-    // The circumscribed circles do not overlap, so the grains do not overlap in any orientation.
+    // Grains whose circumscribed circles do not overlap cannot overlap in any orientation.
     EXPECT_TRUE(find_pairs(gas.cell, gas.grains, 0.0).empty()) << phi;
   }
   for (const double phi : {0.05, 0.12})
@@ -64,7 +64,7 @@ TEST(ShapedGas, MassIsDensityTimesVolume) {
     const Grains<2> g = gas_of<2>(grains, 0.2).grains;
     return g.mass[i] / g.volume(i);
   };
-  // Without a density in the scene, a disk of diameter 1 has mass 1.
+  // If the scene gives no density, a disk of diameter 1 has the mass 1.
   EXPECT_DOUBLE_EQ(mass_over_volume(3), 4.0 / std::numbers::pi);
   grains.density = 7.0;
   EXPECT_DOUBLE_EQ(mass_over_volume(3), 7.0);

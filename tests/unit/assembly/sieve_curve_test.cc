@@ -104,7 +104,7 @@ TEST(SizeClasses, OfSphereVolumesDrawnAtTheMiddleOfEqualSharesAreEqual) {
     EXPECT_NEAR(c.share, 0.25, 0.0031);
     EXPECT_NEAR(*c.share_asked, 0.25, 1e-15);
   }
-  // If the quantiles include both ends, one grain has the largest size.
+  // If the quantiles include both ends of the size distribution, one grain has the largest size.
   GrainOptions ends = drawn_from(Kind::power_law, kUniformByVolume, 300);
   ends.diameter.quantiles = DiameterDistribution::Quantiles::ends;
   EXPECT_NEAR(size_quarters(ends, 3).back().share, 0.354, 5e-4);

@@ -33,7 +33,7 @@ TEST(Vibration, TwoGrainsBounceAsElasticOnesDo) {
   pair.grains.velocity = {Vec<3>(1.0, 0.5, 0.0), Vec<3>(0.0, 0.5, 0.0)};
   pair.grains.radius = {0.5, 0.25};
   pair.grains.mass = {1.0, 0.125};
-  collide(pair, 1.0);  // one collision, at t = 0.25: the gap along x closes from 0.25 at a speed of 1
+  collide(pair, 1.0);  // one collision, at t = 0.25: along x, the initial gap of 0.25 closes at the speed 1
   EXPECT_NEAR(pair.grains.position[0][0], 3.15, 1e-12);
   EXPECT_NEAR(pair.grains.position[1][1], 1.125, 1e-12);
   EXPECT_NEAR(pair.grains.velocity[0][0], 0.875 / 1.125, 1e-12);

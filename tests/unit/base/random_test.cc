@@ -73,7 +73,7 @@ TEST(RandomStream, BelowReachesEveryIntegerAndNoOther) {
   RandomStream random(5, 1);
   std::vector<int> hits(7, 0);
   for (int k = 0; k < 7000; ++k) ++hits.at(random.below(7));
-  // The counts have a binomial distribution with mean 1000 and standard deviation 29. The tolerance is six
+  // The counts have a binomial distribution with mean 1000 and standard deviation 29. The tolerance is six of these
   // standard deviations.
   for (const int count : hits) EXPECT_NEAR(count, 1000, 6 * 29);
 }

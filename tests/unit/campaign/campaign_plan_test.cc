@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Campaign of the shipped oedometer scene, which is loaded along axis 2 to P* = 13.33.
+/// Campaign with the shipped oedometer scene, in which the stress on axis 2 increases to P* = 13.33.
 Campaign oedometer() {
   Campaign campaign;
   campaign.scene_file = source_directory() + "/data/scenes/oedometer.toml";

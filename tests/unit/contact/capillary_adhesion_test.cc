@@ -135,7 +135,8 @@ struct Doublet {
     const ContactMotion<3> motion{gap, 0.0, 0.0, Shear<3>::Zero(), RotationVector<3>::Zero()};
     return law.respond<3, double>(motion, history, law.pair_parameters<3>(1e-3, 1e-3, history)).normal.force();
   }
-  /// Work (energy) of the normal force on the grains between two gaps, integrated by the trapezoidal rule.
+  /// Returns the work that the normal force does on the grains while their gap changes from one value to another,
+  /// integrated by the trapezoidal rule.
   double work(double from, double to) {
     constexpr int n = 200000;
     double sum = 0.0, before = force(from);
@@ -160,8 +161,8 @@ TEST(Doublet, RestsPullsOffAndPartsAsTheClosedFormsSay) {
   expect_relative(pair.law.energy<double>(PairGeometry<>(2.0 * b.reach), nullptr, b) -
                       pair.law.energy<double>(PairGeometry<>(-h0), nullptr, b),
                   separation, 1e-14);
-  // The error comes from the integration step that contains the rupture distance, where the force jumps to
-  // zero.
+  // At the rupture distance, the force jumps to zero. The error comes from the integration step that contains this
+  // jump.
   expect_relative(-pair.work(-h0, 1.1 * b.reach), separation, 2e-5);
 }
 

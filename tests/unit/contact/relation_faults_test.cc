@@ -5,7 +5,7 @@
 namespace floc {
 namespace {
 
-/// Model of two numbers. The second number must be at least as large as the first.
+/// Model with two parameters, the second of which must be at least as large as the first.
 struct TwoSlopes {
   double loading;
   double unloading;

@@ -59,14 +59,14 @@ void expect_moduli_of_chains(int n) {
   const double expected = kn * std::pow(n, Dim - 1) / ((n + 1) * std::pow(side, Dim - 2));
   for (int a = 0; a < Dim; ++a)
     for (int b = 0; b < Dim; ++b) EXPECT_NEAR(m.C(a, b), a == b ? expected : 0.0, 1e-9 * expected);
-  // The springs of a chain in series carry equal forces, so B_reuss is exact. For n > 1 the displacements are
-  // not affine, because the springs at walls are shorter than the others; B_voigt is then larger than B.
+  // The springs of a chain in series carry equal forces, so B_reuss is exact. For n > 1 the displacements are not
+  // affine, because the branches at walls are shorter than the branches between grains. Then B_voigt is larger than B.
   EXPECT_GE(m.bounds.B_voigt, n == 1 ? m.B * (1.0 - 1e-9) : 1.01 * m.B);
   EXPECT_NEAR(m.bounds.B_reuss, m.B, 1e-9 * m.B);
   EXPECT_NEAR(m.pressure, wall_pressure(packing)[0], 1e-9 * m.pressure);
   EXPECT_EQ(m.n_mechanisms, 0);
   EXPECT_EQ(m.response.n_free_shifts,
-            Dim);  // smooth walls across one axis let all grains translate together with them
+            Dim);  // across each axis, the grains can move together with the two smooth walls
   EXPECT_EQ(m.response.free.count(FreeMotionKind::translation), 0);
 }
 
@@ -101,9 +101,9 @@ Packing<Dim> chain_betweekWalls(int n, const Law& law, const Law& wall_law) {
   return packing;
 }
 
-/// A chain consists of two wall contacts (k_w) and n - 1 contacts of grains (k_n) in series, so its stiffness k
-/// follows from 1/k = 2/k_w + (n - 1)/k_n. Expects the modulus k times the side, divided by the area of a wall.
-/// The moduli along the other axes are zero.
+/// A chain has two contacts with walls (stiffness k_w) and n - 1 contacts between grains (stiffness k_n), all in
+/// series. The stiffness k of the chain follows from 1/k = 2/k_w + (n - 1)/k_n. Expects that the modulus along the
+/// chain is k times the side, divided by the area of a wall, and that the moduli along the other axes are zero.
 template <int Dim>
 void expect_moduli_of_a_chain(int n, double kt) {
   const double kn = 1e4, kw = 3e4;
@@ -117,8 +117,8 @@ void expect_moduli_of_a_chain(int n, double kt) {
   EXPECT_EQ(m.n_coupled_mechanisms, Dim - 1);
   EXPECT_EQ(m.n_negative, 0);
   if (n > 1) return;
-  // On smooth walls a sphere can slide at no cost, which does not count as a mechanism. On rough walls it
-  // cannot slide.
+  // On smooth walls a sphere can slide without energy. This motion does not count as a mechanism. On rough walls the
+  // sphere cannot slide.
   EXPECT_EQ(m.response.free.count(FreeMotionKind::translation), kt == 0.0 ? Dim - 1 : 0);
   EXPECT_EQ(m.n_mechanisms, m.n_coupled_mechanisms);
 }
@@ -133,9 +133,9 @@ TEST(BoxModuli, OfAChainBetweenTwoWallsAreThoseOfSpringsInSeries) {
     }
 }
 
-/// A crystal of smooth disks may buckle under its own load, even between fixed walls. Chains along an axis
-/// resist the displacements along this axis, as springs K_N with fixed ends. Chains across the axis favour the
-/// displacements, as springs of negative stiffness -F/r with free ends (normal force F, branch length r).
+/// A crystal of smooth disks may buckle under its own load, even between fixed walls. For displacements along an axis,
+/// the chains along this axis act like springs K_N with fixed ends. The chains across the axis act like springs with
+/// free ends and the negative stiffness -F/r (normal force F, branch length r).
 TEST(BoxModuli, CompressedCrystalBucklesInAsManyWaysAsItsChainsSay) {
   const double kn = 1e4, pi = std::acos(-1.0);
   for (const auto& [n, overlap] : {std::pair(4, 1e-3), {8, 0.03}, {8, 0.1}}) {
@@ -180,7 +180,7 @@ Eigen::MatrixXd stiffness_of_bodies(const Packing<2>& packing) {
   return K;
 }
 
-/// Returns the strains caused by pressures on the walls, with one column for each pressure.
+/// Returns the strains that unit pressures on the walls cause. Each column belongs to the pressure on one axis.
 Eigen::MatrixXd compliance_by_bodies(const Packing<2>& packing) {
   const Eigen::MatrixXd K = stiffness_of_bodies(packing);
   const Eigen::Index n = K.rows() - kWalls;
@@ -201,14 +201,14 @@ TEST(BoxModuli, AreTheInverseOfWhatPressuresOnFreeWallsDo) {
   const Eigen::MatrixXd C = compliance_by_bodies(packing).inverse();
   EXPECT_LT((m.C - C).cwiseAbs().maxCoeff(), 1e-8 * C(0, 0)) << m.C << "\n\n" << C;
   EXPECT_GE(m.bounds.B_voigt, m.B);
-  // the two walls of an axis also move together, in the same direction
+  // the two walls of an axis also move in the same direction
   EXPECT_GT(m.response.wall_shift.cwiseAbs().maxCoeff(), 1e-6);
   EXPECT_EQ(m.response.n_free_shifts, 0);
 }
 
-/// Attractions at a distance have negative stiffness. The number of unstable modes is compared with that of the
-/// dense matrix of all bodies. This matrix contains the displacement of each wall, not the strains and the
-/// common displacements of walls.
+/// Attractions at a distance have negative stiffness. The number of unstable modes is compared with the number of
+/// negative eigenvalues of a dense stiffness matrix. The unknowns of this matrix are the displacements of each grain
+/// and of each wall, instead of strains and common displacements of two walls.
 TEST(BoxModuli, AttractionsAcrossGapsDestabiliseInAsManyWaysAsTheMatrixOfAllBodiesSays) {
   int n_stable = 0, n_unstable = 0;
   for (const double force : {1.0, 30.0, 100.0, 300.0}) {
@@ -248,8 +248,8 @@ TEST(BoxModuli, DoNotDependOnTheUnitOfLength) {
   EXPECT_EQ(after.response.n_free_shifts, 2);
 }
 
-/// The force increments on every grain are in balance. The force increments on a wall add up to the increment
-/// of pressure.
+/// The force increments on every grain add up to zero. The force increments on a wall add up to the increment of
+/// pressure times the area of the wall.
 TEST(BoxModuli, IncrementsAreInBalanceWithTheStepOfPressure) {
   const Packing<2> packing = disordered();
   const ModuliOptions options;
@@ -276,7 +276,7 @@ TEST(BoxModuli, IncrementsAreInBalanceWithTheStepOfPressure) {
     EXPECT_NEAR(on_wall[w], wall_area(packing, packing.walls[w].axis), 1e-8 * largest) << w;
 }
 
-/// A disk whose only contact is with a wall can roll there. This motion is not a mechanism of the other grains.
+/// A disk whose only contact is with a wall can roll on this wall. This motion is not a mechanism of the other grains.
 TEST(BoxModuli, DiskOnAWallAloneIsADeadEnd) {
   Packing<2> packing = crystal<2>(2, linear(1e4, 8e3), linear(1e4, 8e3), 1e-3);
   const Moduli before = elastic_moduli(packing, ModuliOptions{});

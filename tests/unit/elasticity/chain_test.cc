@@ -63,8 +63,8 @@ TEST(Chain, BeyondDoublePrecisionTheBoundSaysThatNoDigitIsLeft) {
   EXPECT_FALSE(solve_chain(bent_chain(2000, 0.0), kR, stiffness(1e-28)).transverse.resolved());
 }
 
-/// Returns the compliance of the end of a chain whose first disk is fixed. The chain is statically determinate,
-/// so each contact adds its own contribution to the motion of the end under a load.
+/// Returns the compliance of the end of a chain whose first disk is fixed. The chain is statically determinate, so the
+/// motion of the end under a load is the sum of the contributions of all contacts.
 Eigen::Matrix3d compliance_by_statics(const std::vector<Vec<2>>& branches, double R, const ChainStiffness& k) {
   Vec<2> end = Vec<2>::Zero();
   for (const Vec<2>& b : branches) end += 2.0 * R * b;
@@ -73,11 +73,10 @@ Eigen::Matrix3d compliance_by_statics(const std::vector<Vec<2>>& branches, doubl
   Vec<2> centre = Vec<2>::Zero();
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (const Vec<2>& b : branches) {
-    const Vec<2> contact = centre + R * b - 0.5 * end;  // from the middle of the chord
+    const Vec<2> contact = centre + R * b - 0.5 * end;  // from the middle of the chord to the contact
     centre += 2.0 * R * b;
     const Vec<2> t(-b[1], b[0]);
-    // Three unit loads: a force along the chord, a force across it (both at the middle of the chord), and a
-    // moment.
+    // Three unit loads: a force along the chord and a force across the chord, both at its middle, and a moment.
     Eigen::RowVector3d normal(along.dot(b), across.dot(b), 0.0), shear(along.dot(t), across.dot(t), 0.0);
     const auto moment_of = [&](const Vec<2>& force) {
       return -(contact[0] * force[1] - contact[1] * force[0]);
@@ -97,7 +96,8 @@ TEST(Chain, BentIsWhatStaticsSays) {
         const auto branches = bent_chain(n, degrees * std::numbers::pi / 180.0);
         const Eigen::Matrix3d exact = compliance_by_statics(branches, kR, k);
         const SolvedChain solved = solve_chain(branches, kR, k);
-        // soft and stiff directions mix, so the bound is larger than for a straight chain
+        // a curved chain is soft in some directions and stiff in others, so the bound is larger than for a straight
+        // chain
         constexpr double size = 1e-6;
         expect_within_bound(solved.axial, exact(0, 0), size, "axial", n, rolling);
         expect_within_bound(solved.transverse, exact(1, 1), size, "transverse", n, rolling);

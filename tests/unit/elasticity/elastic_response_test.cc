@@ -17,8 +17,8 @@ struct DenseAnswer {
   int n_negative;
 };
 
-/// Computes the response of a network directly, with the pseudo-inverse of the part of the stiffness matrix
-/// that belongs to the grains.
+/// Computes the response of a network directly, with the pseudo-inverse of the block of the stiffness matrix for the
+/// unknowns of the grains.
 template <int Dim>
 DenseAnswer dense_response(const ContactNetwork<Dim>& network, bool prestress) {
   const StiffnessMatrix k = stiffness_matrix(network, {StrainSet::full, prestress});
@@ -58,7 +58,7 @@ void expect_dense_answer(const ContactNetwork<Dim>& network, double tolerance) {
   EXPECT_LT(response.residual, 1e-12);
 }
 
-/// Tolerance for the rounding errors of the compared results; condition numbers are up to 1e4.
+/// Tolerance for rounding errors of the compared results, which are multiplied by condition numbers of up to 1e4.
 constexpr double kTolerance = 1e-10;
 
 TEST(ElasticResponse, EqualsThePseudoInverseWithEveryKindOfContact) {
@@ -93,7 +93,7 @@ Eigen::MatrixXd extended_response(const ContactNetwork<Dim>& network, const std:
 }
 
 TEST(ElasticResponse, LiesWithinItsErrorBound) {
-  // rounding error of the result in extended precision, if a modulus vanishes
+  // rounding error in extended precision, used as the tolerance if a modulus vanishes
   constexpr double kReference = 1e-17;
   ResponseOptions options;
   options.strains = StrainSet::full;
@@ -144,8 +144,9 @@ TEST(ElasticResponse, CountsEveryZeroModeOnceByStructureOrAsAMechanism) {
   EXPECT_GT(n_mechanisms, 0);
 }
 
-/// The matrix columns of distant disks in a long chain depend on each other through many other columns. No
-/// mechanism of the chain may be mistaken for a motion with a small stiffness.
+/// In a long chain, the matrix columns of two distant disks depend on each other only through the columns of many other
+/// disks. The solver must count every mechanism of the chain, and must not take a mechanism for a motion with a small
+/// stiffness.
 TEST(ElasticResponse, CountsTheMechanismsOfLongChainsWithoutRollingStiffness) {
   for (const int n : {5, 20, 40}) {
     const auto network = contact_network(test::square_frames(n, 1.0, test::elastic_law(1.0, 0.6, 0.0)));

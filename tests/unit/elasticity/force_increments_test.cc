@@ -22,8 +22,8 @@ void expect_work_and_balance(const ContactNetwork<Dim>& network, StressStep step
   Eigen::VectorXd stress = Eigen::VectorXd::Ones(Dim);
   if (step == StressStep::deviatoric) stress.tail(Dim - 1).setConstant(-1.0 / (Dim - 1));
   EXPECT_LT((response.relaxed * found->strain / network.volume - stress).norm(), 1e-11);
-  // By Clapeyron's theorem the energy is half the work. The smallest moduli are about 1e-3, so errors of 1e-12
-  // are amplified to 1e-9.
+  // By Clapeyron's theorem the energy is half the work. Divided by the smallest moduli of about 1e-3, errors of 1e-12
+  // become errors of 1e-9.
   const double energy = std::accumulate(found->energy.begin(), found->energy.end(), 0.0);
   EXPECT_NEAR(energy / (0.5 * network.volume * found->strain.dot(stress)), 1.0, 1e-9);
   EXPECT_GT(found->n_holding, 0);
@@ -50,8 +50,8 @@ TEST(StepResponse, OfASquareLatticeLoadsBothContactsAlike) {
   const auto pressed = step_response(network, elastic_response(network, {}), StressStep::isotropic);
   ASSERT_TRUE(pressed);
   for (int c = 0; c < 2; ++c) {
-    EXPECT_NEAR(pressed->increments[c].normal, 1.0, 1e-14);  // force of a unit stress on a unit length
-    EXPECT_NEAR(pressed->energy[c], 0.25, 1e-14);            // energy of a unit force, 1/(2 K_N)
+    EXPECT_NEAR(pressed->increments[c].normal, 1.0, 1e-14);  // unit stress on a unit length
+    EXPECT_NEAR(pressed->energy[c], 0.25, 1e-14);            // a unit force stores the energy 1/(2 K_N)
   }
   EXPECT_EQ(pressed->energy_share_95, 1.0);
   const auto sheared = step_response(network, elastic_response(network, {}), StressStep::deviatoric);
@@ -103,8 +103,7 @@ TEST(ForceCorrelation, OfForcesInProportionIsOne) {
   EXPECT_NEAR(*same.size, 1.0, 1e-12);
   for (auto& c : network.contacts) c.normal_force = 5.0 - c.normal_force;
   EXPECT_NEAR(*force_correlation(network, step->increments).normal, -1.0, 1e-12);
-  // Attractions at a distance do not contribute to the correlation. If all forces are equal, there is no
-  // correlation.
+  // The correlation omits contacts at a distance. If all forces are equal, the correlation is not defined.
   network.contacts[0].distant = true;
   network.contacts[0].normal_force = 1e6;
   EXPECT_NEAR(*force_correlation(network, step->increments).normal, -1.0, 1e-12);

@@ -48,8 +48,8 @@ TEST(Indeterminacy, IsTheNumberOfSelfStressesOfRandomNetworks) {
 }
 
 TEST(Indeterminacy, OfAFrictionlessTriangularLatticeCountsItsSpareContacts) {
-  // One disk with three contacts: 3 force components, 3 displacements and 2 strains, with 2 free translations
-  // and 1 free rotation.
+  // One disk has three contacts with its images, and therefore 3 force components. Of the 3 motions of the disk and the
+  // 2 strains, 2 translations and 1 rotation are free.
   const auto network = contact_network(test::triangular(1.0, test::elastic_law(1.0, 0.0, 0.0)));
   const Indeterminacy found = force_indeterminacy(network, elastic_response(network, {}));
   EXPECT_EQ(found.n_components, 3);

@@ -68,7 +68,8 @@ TEST(MeanField, BoundsOfShearAreTheClosedSumsOverContacts) {
 }
 
 TEST(MeanField, OfHertzContactsDependsOnTheDistributionOfForces) {
-  // A face-centred cubic crystal with several overlaps and with tangential forces. The forces need not balance.
+  // A face-centred cubic crystal with different overlaps and with tangential forces. For this test, the forces need not
+  // balance.
   Packing<3> packing = tiled<3>(
       test::crystal_of(test::face_centred_cubic(), 0.99, 1.0, test::elastic_law(1.0, 0.5, 0.0)), {2, 2, 2});
   const double ratio = 14.0 / 17.0, E = 2.0;

@@ -25,7 +25,8 @@ TEST(StrainMechanisms, OfAChainLeaveTheOtherAxisFree) {
   const StrainMechanisms found = mechanisms_of(network, StrainSet::diagonal);
   ASSERT_EQ(found.strains.cols(), 1);
   EXPECT_NEAR(std::abs(found.strains(1, 0)), 1.0, 1e-12);
-  // An isotropic stress does work on this strain, so the modulus B_S vanishes too.
+  // The mechanism is a strain along the second axis. An isotropic stress does work on this strain, so the modulus B_S
+  // vanishes too.
   EXPECT_THAT(found.vanishing, ElementsAre("C22", "B_S"));
 }
 
@@ -36,7 +37,7 @@ TEST(StrainMechanisms, OfAFrictionlessSquareLatticeIsItsShear) {
 }
 
 TEST(StrainMechanisms, OfABraceAtFortyFiveDegreesIsPureShear) {
-  // There is only one contact, along (1, 1). It resists compression, but not the shear strain of the modulus G.
+  // There is only one contact, along (1, 1). The contact resists compression, but not the shear strain that defines G.
   Packing<2> packing = test::triangular(1.0, test::elastic_law(1.0, 0.0, 0.0));
   packing.cell.matrix << 1.0, 1.0, -2.0, 2.0;
   packing.cell.matrix *= std::sqrt(0.5);
@@ -56,7 +57,8 @@ TEST(StrainMechanisms, MoveTheGrainsAtNoCost) {
     Eigen::MatrixXd motion(network.n_unknowns() + 3, found.strains.cols());
     motion << found.motions, found.strains;
     const FreeMotions free = find_free_motions(network);
-    // A dead end moves with the grain to which it is attached. The response omits dead ends.
+    // A dead end moves together with the grain to which it is attached. The response omits dead ends, so they are
+    // removed from the network here.
     const auto core = without_grains(network, free.dead_end);
     EXPECT_LT((scaled_rigidity_matrix(core, StrainSet::full) * motion).cwiseAbs().maxCoeff(), 1e-6);
   }
@@ -82,8 +84,8 @@ TEST(StructuralMechanisms, AreTheNullSpaceOfRandomNetworks) {
 }
 
 TEST(StructuralMechanisms, AreNotThoseOfACoincidence) {
-  // The network has one node and two chains of n - 2 hinged disks: 3 (2n - 3) unknowns, 4 (n - 1) conditions
-  // and 2 translations. The count is valid if the disks of a chain are not exactly on a line. On a straight
+  // The network has one node and two chains of n - 2 hinged disks: 3 (2n - 3) unknowns, 4 (n - 1) conditions and 2
+  // translations. This count of mechanisms is valid if the disks of a chain are not exactly on a line. On a straight
   // line, two of the conditions are redundant (one for n = 3), which adds mechanisms.
   for (const auto& [n, by_count, straight] : {std::array{3, 0, 1}, {4, 1, 3}, {5, 3, 5}}) {
     const auto network = contact_network(test::square_frames(n, 1.0, test::elastic_law(1.0, 0.6, 0.0)));

@@ -43,7 +43,7 @@ void expect_dense_eigenvalues(const ContactNetwork<Dim>& network, int count) {
   const auto n_negative = (dense.array() < -1e-12).count();
   for (int m = 0; m < count; ++m) {
     const double expected = dense[m < n_negative ? m : m + soft.free.modes.cols()];
-    // The tolerance covers the rounding errors of both eigenvalues, and the squared error of the eigenvectors.
+    // The two eigenvalues differ by their rounding errors and by the squared error of the eigenvector.
     EXPECT_NEAR(soft.modes[m].eigenvalue, expected, 1e-12) << "mode " << m;
   }
 }
@@ -93,8 +93,8 @@ TEST(SoftModes, AllTogetherTakeOffWhatRelaxationDoes) {
 }
 
 TEST(SoftModes, NameANearMechanismAndWhatPrestressDoesToIt) {
-  // A chain across the cell whose disks deviate from a line by 1e-5 and 2e-5, so that buckling needs very
-  // little energy.
+  // A chain of disks across the cell. Two of the disks lie off the straight line, by 1e-5 and 2e-5, so that the chain
+  // buckles with very little energy.
   Packing<2> packing = test::chain_across(4, 1.0, 4.0, test::elastic_law(1.0, 0.5, 0.0));
   packing.grains.position[1][1] += 1e-5;
   packing.grains.position[3][1] -= 2e-5;
@@ -117,15 +117,16 @@ TEST(SoftModes, NameANearMechanismAndWhatPrestressDoesToIt) {
   EXPECT_GT(stretched.modes.front().with_prestress, stretched.modes.front().eigenvalue);
 }
 
-/// Numbers of tested states that have certain properties.
+/// Numbers of tested states, of near mechanisms that were counted in these states, and of states with certain
+/// properties.
 struct Met {
   int states = 0, without_any = 0, near = 0, largest = 0;
   int with_mechanisms = 0, unstable = 0, with_free_motions = 0, with_rattlers = 0, without_contacts = 0;
 };
 
-/// Scales the normal forces so that the largest ratio of a force to its branch length lies between two
-/// successive eigenvalues, at several positions in the spectrum. Expects that count_near_mechanisms() counts
-/// the smaller eigenvalues.
+/// Scales the normal forces, so that the largest ratio of a force to its branch length lies between two successive
+/// eigenvalues. Does this at several positions in the spectrum. Expects that count_near_mechanisms() counts the
+/// eigenvalues below the ratio.
 template <int Dim>
 void expect_dense_count(ContactNetwork<Dim> network, Met& met) {
   // rounding error of the compared eigenvalues, which are divided by the largest stiffness
@@ -223,8 +224,8 @@ TEST(NearMechanisms, AreNotCountedWhereTheFactorWouldNotFit) {
 }
 
 TEST(SoftModes, NearMechanismsKeepTheirDigitsDownToTheRoundingOfTheGeometry) {
-  // A chain whose disks deviate from a line by `off` and 2 `off`. One eigenvalue is proportional to off^2, and
-  // two mechanisms remain.
+  // A chain in which two disks lie off the straight line, by `off` and 2 `off`. One eigenvalue is proportional to
+  // off^2, and two mechanisms remain.
   double ratio_before = 0.0;
   for (const double off : {1e-4, 1e-5, 1e-6, 1e-7}) {
     Packing<2> packing = test::chain_across(4, 1.0, 4.0, test::elastic_law(1.0, 0.5, 0.0));
@@ -237,8 +238,8 @@ TEST(SoftModes, NearMechanismsKeepTheirDigitsDownToTheRoundingOfTheGeometry) {
     EXPECT_EQ(soft.modes[1].kind, ModeKind::mechanism);
     EXPECT_EQ(soft.modes[2].kind, ModeKind::near_mechanism);
     const double ratio = soft.modes[2].eigenvalue / (off * off);
-    // Positions of order one have rounding errors of 1e-16. The relative error of the deviation is therefore
-    // 1e-16/off, and that of its square is twice as large.
+    // Positions of order one have rounding errors of 1e-16. The relative error of `off` is therefore 1e-16/off, and the
+    // relative error of its square is twice as large.
     if (ratio_before > 0.0) {
       EXPECT_NEAR(ratio / ratio_before, 1.0, 1e-4) << off;
     }
@@ -263,8 +264,8 @@ TEST(SoftModes, MechanismsAreAsManyAsTheRankOfTheRigidityMatrixLeaves) {
 }
 
 TEST(SoftModes, ParticipationOfOneGrainAgainstTheOthers) {
-  // One disk of a stiff lattice has soft contacts. In the softest mode, this disk moves by 1 - 1/n, and all
-  // others move by -1/n.
+  // One disk of a stiff lattice has soft contacts. In the softest mode of the n disks, this disk moves by 1 - 1/n, and
+  // each of the others moves by -1/n.
   auto network = contact_network(test::square_frames(4, 1.0, test::elastic_law(1.0, 1.0, 1.0)));
   for (NetworkContact<2>& c : network.contacts)
     if (c.i == 2 || c.j == 2) c.kn = c.kt = c.kr = 1e-8;
@@ -272,7 +273,7 @@ TEST(SoftModes, ParticipationOfOneGrainAgainstTheOthers) {
   const double n = network.n_grains;
   const double sum = (n - 1.0) / n;
   const double fourth = std::pow(sum, 4) + (n - 1.0) * std::pow(n, -4);
-  // The other disks move relative to each other only by about the ratio of the stiffnesses.
+  // The other disks move relative to each other by only about 1e-8, the ratio of the soft stiffness to the stiff one.
   EXPECT_NEAR(soft.modes.front().participation, sum * sum / (n * fourth), 1e-7);
   EXPECT_EQ(soft.modes.front().grains, std::vector<int>{2});
 }

@@ -95,7 +95,7 @@ TEST(Moduli, ShearOfAnIsotropicNetworkIsReadAlikeFromEitherKindOfStrain) {
   options.strains = StrainSet::full;
   options.prestress = true;
   const Moduli m = elastic_moduli(packing, options);
-  // Prestress keeps an isotropic lattice isotropic, up to the rounding of a few sums.
+  // Prestress does not destroy the isotropy of an isotropic lattice, except for the rounding of a few sums.
   EXPECT_NEAR(m.G, m.C(2, 2), 1e-13);
   EXPECT_NE(m.G, *m.G_without_prestress);
 }
@@ -110,7 +110,7 @@ TEST(Bounds, ReussVanishesWhereForcesCancelInThePressure) {
 }
 
 TEST(Stability, OfALineOfDistantBondsIsLost) {
-  // A chain along x. Its disks attract their images along y at a distance. The contacts along x do not resist a
+  // A chain along x. Each disk also attracts its own images along y, across a gap. The contacts along x do not resist a
   // strain along y.
   Law law = test::elastic_law(1.0, 0.7, 0.1);
   law += test::tail_adhesion(0.02, 0.1);

@@ -34,9 +34,9 @@ TEST(ModuliWithin, TakeTheBoundsWhereTheyMeet) {
   expect_accuracy_met(m, elastic_moduli(crystal, {}), accuracy);
 }
 
-/// Square frames: two small disks lie between neighbouring large disks. All overlaps are equal, so all forces
-/// are equal, as they are under isotropic stress, and B_reuss = B. B_voigt is larger by the factor 3 (1 + 0.4^2
-/// + 1)/2.4^2 = 9/8, because an affine strain stretches long branches more.
+/// Square frames: two small disks lie between neighbouring large disks. All overlaps are equal, so all forces are
+/// equal, as they are under isotropic stress, and B_reuss = B. B_voigt is larger than B by the factor 3 (1 + 0.4^2 +
+/// 1)/2.4^2 = 9/8, because an affine strain stretches long branches more.
 Packing<2> uneven_frames() {
   Packing<2> packing = test::square_frames(4, 1.0, test::elastic_law(1.0, 0.7, 0.05));
   const double overlap = 1e-4, along[] = {0.0, 1.0, 1.4};
@@ -64,8 +64,8 @@ TEST(ModuliWithin, FallBackFromBoundsThatAreTooFarApart) {
   }
 }
 
-/// G has only the bounds 0 and G_voigt. The middle between them has an error of 100 %, so G must be computed
-/// otherwise.
+/// G has only the bounds 0 and G_voigt. The value halfway between these bounds may be wrong by 100 %, so G has to be
+/// computed from the factorization.
 TEST(ModuliWithin, SolveForAShearModulus) {
   const Packing<2> packing = test::random_packing<2>(100, 7, test::elastic_law(1.0, 0.8, 0.01));
   for (const ModuliAccuracy& accuracy : {ModuliAccuracy{kAny, 0.9}, ModuliAccuracy{0.9, 0.9}}) {
@@ -75,8 +75,8 @@ TEST(ModuliWithin, SolveForAShearModulus) {
   }
 }
 
-/// The bounds B_reuss <= B <= B_voigt hold only without prestress, without attractions at a distance and with
-/// equal principal stresses. Single entries of C have no bounds of this kind.
+/// The bounds B_reuss <= B <= B_voigt hold only without prestress, without attractions at a distance and with equal
+/// principal stresses. There are no such bounds for single entries of C.
 TEST(ModuliWithin, TrustBoundsOnlyWhereTheyAreSome) {
   const Packing<2> crystal = test::triangular(0.999, test::elastic_law(1.0, 0.7, 0.0));
   const ModuliAccuracy accuracy{0.5, kAny};
@@ -95,8 +95,8 @@ TEST(ModuliWithin, TrustBoundsOnlyWhereTheyAreSome) {
   EXPECT_NE(moduli_within(pulled, {}, accuracy).method, ModuliMethod::bounds);
 }
 
-/// A mechanism makes a modulus zero, so that a relative accuracy does not apply to this modulus. Only the
-/// factorization detects mechanisms.
+/// If a mechanism makes a modulus zero, a relative accuracy of this modulus has no meaning. Only the factorization
+/// detects mechanisms.
 TEST(ModuliWithin, LeaveMechanismsToTheFactor) {
   const Packing<2> chain = test::chain_across(10, 0.999, 2.0, test::elastic_law(1.0, 0.7, 0.03));
   const Moduli m = moduli_within(chain, {}, {1e-6, 1e-6});
@@ -118,7 +118,7 @@ TEST(ModuliWithin, GiveTheFactorWhereNothingIsEnoughAndTellSo) {
 TEST(ModuliWithin, MeanErrorsRelativeToTheModulusItself) {
   Moduli m;
   m.B = 3.0;
-  m.B_error = 1.0;  // the exact B may be 2, and 3 differs from it by 50 %
+  m.B_error = 1.0;  // the exact B may be 2; the computed value 3 differs from 2 by 50 %
   EXPECT_TRUE((ModuliAccuracy{0.5, kAny}.met_by(m)));
   EXPECT_FALSE((ModuliAccuracy{0.49, kAny}.met_by(m)));
   m.B_error = kAny;

@@ -14,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// The only solver of this process, because MPI can be started only once.
+/// The only solver of this test program, because a process can start MPI only once.
 ParallelSolver& solver() {
   static const std::unique_ptr<ParallelSolver> only = load_parallel_solver();
   return *only;
@@ -101,8 +101,8 @@ TEST(ParallelModuli, EqualThoseOfAFactorInEveryEntry) {
   }
 }
 
-/// Without friction, this loose random packing has floppy modes. If the strains couple to a mode, a modulus
-/// vanishes; otherwise the mode has no effect. All moduli must be right in both cases.
+/// Without friction, this loose random packing has floppy modes. If a strain excites a floppy mode, a modulus vanishes.
+/// Floppy modes that no strain excites do not change the moduli. The moduli must be right in both cases.
 TEST(ParallelModuli, OfAStateWithFloppyModesAreThoseOfTheFactor) {
   if (!has_parallel_solver()) GTEST_SKIP() << "built without PETSc";
   const auto packing = test::random_packing<2>(120, 5, test::elastic_law(1.0, 0.0, 0.0), 1.3);

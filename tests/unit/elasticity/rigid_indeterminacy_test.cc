@@ -50,8 +50,8 @@ TEST(RigidIndeterminacy, IsTheNumberOfComponentsMinusTheRankOfTheBalance) {
   }
 }
 
-/// The crystal has 27 lines of three spheres. Each line carries one force. The three given stresses along the
-/// axes determine three of these forces.
+/// The crystal has 27 lines of three spheres. The contacts of a line have equal forces, so there are 27 different
+/// forces. The three given stresses along the axes determine three of them.
 TEST(RigidIndeterminacy, OfACubicCrystalWithoutFrictionIsThatOfItsLines) {
   EXPECT_EQ(rigid_indeterminacy(cubic_crystal(0.7, 0.0).packing, 0.0).degree, 27 - 3);
 }

@@ -10,8 +10,8 @@
 #include "floc/packing/law/named_stiffness.h"
 #include "support/rigid_states.h"
 
-/// Compares the moduli of lattices of angular grains with closed forms. Each contact point is a spring without
-/// force, with the stiffnesses K_N and K_T.
+/// Compares the moduli of lattices of angular grains with closed forms. Each contact point acts like a spring with the
+/// stiffnesses K_N and K_T, without prestress.
 namespace floc::test {
 namespace {
 

@@ -11,8 +11,7 @@
 namespace floc {
 namespace {
 
-/// Law with a strong attraction of long range. Some packings are unstable under this law, some of them in many
-/// modes.
+/// Law with a strong attraction of long range, under which some packings are unstable in one or many modes.
 Law tail_law(double force) {
   Law law = test::elastic_law(1.0, 0.7, 0.05);
   law += test::tail_adhesion(force, 0.08);
@@ -49,8 +48,8 @@ TEST(Stability, CountsWhatTheModuliCountIn3D) {
   expect_inertia_of_the_moduli<3>(12, 0.9);
 }
 
-/// Tests the method that needs no factorization: it must find every eigenvalue that lies below zero by more
-/// than the bound.
+/// Tests the method that needs no factorization: it must find a negative eigenvalue if the factorization counts one,
+/// and only then. The method cannot find negative eigenvalues that are closer to zero than its bound.
 template <int Dim>
 void expect_sign_of_the_inertia(int n_grains, double grains_per_volume) {
   StabilityOptions iterative;
@@ -88,8 +87,8 @@ TEST(Stability, ThatIsTooDearToTestIsSaidToBeUnknownAndRefusesNothing) {
 }
 
 TEST(Stability, DoesNotCountMechanisms) {
-  // Without tangential springs, a square lattice can be sheared at no cost. A chain has no resistance against a
-  // strain across it.
+  // Without tangential springs, a square lattice can be sheared without energy. A chain does not resist a strain across
+  // the chain.
   const Law bare = test::elastic_law(1.0, 0.0, 0.0);
   EXPECT_EQ(stability(test::square_frames(4, 1.0, bare)).n_negative, 0);
   EXPECT_EQ(stability(test::chain_across(5, 1.0, 2.0, bare)).n_negative, 0);

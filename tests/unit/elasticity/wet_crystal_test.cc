@@ -27,7 +27,7 @@ ModuliOptions of_all_strains() {
 }
 
 TEST(WetCrystal, AtRestHasTheModuliOfTheDryOne) {
-  const double distance = 1.0 - 1e-4;  // the overlap at equilibrium is Gamma R/K_N
+  const double distance = 1.0 - 1e-4;  // distance at equilibrium: the overlap is Gamma R/K_N = 1e-4
   const Packing<3> wet = test::crystal_of(test::simple_cubic(), distance, 1.0, wet_law(2e-3));
   const Packing<3> dry = test::crystal_of(test::simple_cubic(), distance, 1.0, wet_law(0.0));
   EXPECT_NEAR(static_stress(wet).trace(), 0.0, 1e-10);

@@ -120,7 +120,7 @@ TEST(CompressionLaws, ALawThatIsNotThatOfTheDataIsSaidSo) {
 }
 
 TEST(Heckel, IsFittedToTheStraightPart) {
-  // At low pressures, particles rearrange. Beyond 30, the density follows Heckel's law.
+  // At low pressures, particles rearrange. Above a pressure of 30, the density follows Heckel's law.
   std::vector<double> P, D;
   for (double p = 2; p < 300; p += 8) {
     P.push_back(p);

@@ -126,7 +126,8 @@ TEST(Profile, IntervalsAreAsymmetricWhereTheLawIs) {
   ASSERT_TRUE(fit.found()) << fit.failure_reason;
   EXPECT_THAT(fit.profiled, testing::ElementsAre("alpha", "Phi_max"));
   const FittedParameter& p = *fit.find("Phi_max");
-  // The data rule out small limits Phi_max, but they determine the upper end of the interval less well.
+  // The data rule out small limits Phi_max more clearly than large ones, so the upper end of the interval is farther
+  // from the value than the lower end.
   EXPECT_GT(*p.high95 - *p.value, *p.value - *p.low95);
 }
 
@@ -160,8 +161,8 @@ TEST(Samples, ErrorsOfTheirMeanAreTheScatterOfRepeatedMeans) {
     stated += std::pow(error(fit, "lambda"), 2);
   }
   const double variance = squares / kRepeats - std::pow(sum / kRepeats, 2);
-  // The variance of 200 repeats has an error of 10 % (one sigma). The weights add to this error, since they are
-  // estimated from the data.
+  // The variance of 200 repeats has an error of 10 % (one sigma). The fit estimates its weights from the data, which
+  // adds a further error.
   EXPECT_NEAR(stated / kRepeats / variance, 1.0, 0.35);
 }
 

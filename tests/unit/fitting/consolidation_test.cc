@@ -44,7 +44,8 @@ TEST(ConsolidationLaw, MatchesThePrintedFormWhereThatKeepsItsDigits) {
     const double printed =
         1 / kNoRolling.phi0 -
         law.lambda * std::log(P / kNoRolling.P0_star * std::pow(1 - std::exp(-u), 1 / law.alpha));
-    // The printed form subtracts large terms, so a fraction of about P/P1* of its digits is lost.
+    // For u << 1, 1 - exp(-u) in the printed form is a small difference of large terms, which multiplies rounding
+    // errors by about 1/u.
     EXPECT_NEAR(law.inverse_phi(P), printed, 1e-14);
   }
 }
@@ -61,8 +62,8 @@ TEST(ConsolidationLaw, TendsToRegimeTwoAndRegimeThreeOverTwentyFourDecades) {
     const double P = law.P1_star * std::pow(10.0, k);
     const double u = std::pow(10.0, -k * law.alpha);
     const double beyond = -law.lambda * consolidation_bracket(std::log(P / law.P1_star), law.alpha);
-    // The next term of the expansion is u/12 times this one; pow() has rounding errors of 1e-12 at these
-    // arguments.
+    // The compared value is the first term of an expansion in u; the next term is u/12 times as large. pow() has
+    // rounding errors of 1e-12 at these arguments.
     EXPECT_NEAR(beyond / (A * std::pow(P, -law.alpha)), 1.0, u / 12 * 1.01 + 1e-12) << k;
   }
 }
@@ -91,8 +92,8 @@ TEST(ConsolidationLaw, IsSmoothWhereItsFormsMeet) {
       const double step = 1e-9;
       const double below = consolidation_bracket(x - step, alpha);
       const double above = consolidation_bracket(x + step, alpha);
-      // The slope of the law is at most 1. The difference can therefore exceed 2 steps plus rounding only if
-      // the two forms disagree.
+      // The law is computed by different formulas below and above each u. The slope of the law is at most 1, so its
+      // change over two steps exceeds 2 steps plus rounding only if the two formulas disagree.
       EXPECT_GE(above, below);
       EXPECT_LE(above - below, 2 * step + 1e-14);
     }
@@ -156,8 +157,8 @@ TEST(FitConsolidation, FindsTheEndOfThePlateau) {
   for (const Published& set : {kNoRolling, kSmallRolling}) {
     const auto fit = fit_consolidation(with_plateau(set, 0.0, random), {});
     ASSERT_TRUE(fit.found()) << fit.failure_reason;
-    // P0* is 0.01 * 10^(3/8) or 0.01 * 10^(4/8), so three or four pressures lie below it. The fit may assign
-    // the point at P0* to the plateau or to the law.
+    // P0* is 0.01 * 10^(3/8) or 0.01 * 10^(4/8), so three or four pressures of the curve lie below P0*. The fit may
+    // assign the point at P0* to the plateau or to the law.
     const int before = set.P0_star < 0.03 ? 3 : 4;
     EXPECT_GE(fit.n_plateau, before);
     EXPECT_LE(fit.n_plateau, before + 1);
@@ -168,8 +169,8 @@ TEST(FitConsolidation, FindsTheEndOfThePlateau) {
 }
 
 TEST(FitConsolidation, ThePlateauEndsWhereTheLawReachesItsLevel) {
-  // In this curve the plateau extends too far, up to P* = 0.1, where Phi jumps to the exact law. The line of
-  // the law reaches the level of the plateau at a much lower pressure.
+  // In this curve the plateau extends too far, up to P* = 0.1, where Phi jumps to the exact law. Extended to lower
+  // pressures, the line of the law reaches the level of the plateau far below 0.1.
   ConsolidationCurve jump = curve_of(kNoRolling.law(), published_pressures(0.01));
   for (std::size_t i = 0; i < 9; ++i) jump.phi[i] = kNoRolling.phi0;
   const auto fit = fit_consolidation(jump, {});
@@ -210,8 +211,8 @@ TEST(FitConsolidation, StatedErrorsAreTheScatterOfRepeatedFits) {
   }
   const double mean = sum / kRepeats;
   const double scatter = std::sqrt(squares / kRepeats - mean * mean);
-  // The standard deviation from 400 repeats has an error of 3.5 % (one sigma). The fraction of intervals that
-  // contain the truth has an error of 1.1 %.
+  // The standard deviation from 400 repeats has an error of 3.5 % (one sigma). The fraction of intervals that contain
+  // the true value has an error of 1.1 %.
   EXPECT_NEAR(stated / kRepeats / scatter, 1.0, 0.14);
   EXPECT_NEAR(covered / double{kRepeats}, 0.95, 0.044);
 }
@@ -238,8 +239,8 @@ TEST(FitConsolidation, DataThatEndBeforeRegimeThreeBoundItOnly) {
 }
 
 TEST(FitConsolidation, ASharpKneeLeavesAlphaOpenAndTheRestKnown) {
-  // These data follow a line that ends in a constant, between two pressures. The law describes them with every
-  // large alpha, so alpha is not determined.
+  // These data follow a line in ln P down to a constant value of 1/Phi. The corner lies between two pressures of the
+  // data. The law describes the data with every large alpha, so alpha is not determined.
   RandomStream random(4, 0);
   ConsolidationCurve knee;
   for (const double P : published_pressures(0.01)) {

@@ -34,7 +34,7 @@ TEST(CutExponential, OfAFlatWindowIsZero) {
   const ExponentEstimate fit = fit_exponent({{2.0, 1200, 1.0}});
   ASSERT_TRUE(fit.found);
   EXPECT_NEAR(fit.b, 0.0, 1e-9);
-  // A uniform variable on a window of width w has the variance w^2/12.
+  // A variable that is uniform in a window of width w has the variance w^2/12.
   EXPECT_NEAR(fit.error, 1.0 / std::sqrt(1200 * 4.0 / 12.0), 1e-12);
 }
 
@@ -44,7 +44,7 @@ TEST(CutExponential, ErrorsAreTheScatterOfTheEstimates) {
     constexpr int kRepeats = 400;
     double squares = 0.0, bias = 0.0;
     for (int k = 0; k < kRepeats; ++k) {
-      // Two samples of one distribution. The second sample may be truncated at another width.
+      // Two samples of one distribution. The window of the second sample may have another width.
       const double other = b > 0 ? kEnd : 1.5;
       const auto x = drawn(200, b, 0.5, random), y = drawn(100, b, other, random);
       const ExponentEstimate fit = fit_exponent({cut_sample(x, 0.0, 0.5), cut_sample(y, 0.0, other)});

@@ -41,8 +41,7 @@ std::vector<CompactedSample> sweep(double noise, RandomStream& random) {
   return samples;
 }
 
-/// Samples for which the printed form of the law holds. The pressures extend to 1e4 p_0, so that some samples
-/// are dense.
+/// Samples that follow the printed form of the law. The pressures extend to 1e4 p_0, so that some samples are dense.
 std::vector<CompactedSample> printed_samples(double noise, RandomStream& random) {
   std::vector<CompactedSample> samples;
   for (const double p : {1e-2, 1.0, 10.0, 100.0})
@@ -86,7 +85,8 @@ TEST(DynamicCompaction, TheReferencePressureIsFreeToChoose) {
   EXPECT_NEAR(*fit.parameters[2].value, 0.24, 1e-6);
 }
 
-/// Expects that at least 34 of 40 intervals of 95 % contain the truth. The probability of fewer is 1/300.
+/// Fits 40 noisy copies of the samples. Expects for each parameter that at least 34 of the 40 confidence intervals (95
+/// %) contain the true value. By chance alone, fewer than 34 do so with the probability 1/300.
 void expect_coverage(std::vector<CompactedSample> (*draw)(double, RandomStream&),
                      const CompactionReference& reference) {
   constexpr int kRepeats = 40;

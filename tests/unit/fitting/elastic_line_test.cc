@@ -22,7 +22,7 @@ TEST(Elastic, RecoversTheModulusOfAStraightBranch) {
   }
   const auto fit = fit_elastic(P, phi);
   ASSERT_TRUE(fit.found()) << fit.failure_reason;
-  // Phi changes by only 5e-4, so its rounding errors of 1e-16 are relative errors of 2e-13 of this change.
+  // Phi changes by only 5e-4, so the rounding errors of Phi, 1e-16, are relative errors of 2e-13 of its change.
   EXPECT_NEAR(*fit.parameters[0].value, 2.6e4, 1e-10 * 2.6e4);
   EXPECT_NEAR(*fit.parameters[1].value, 0.77, 1e-14);
   EXPECT_TRUE(fit.warnings.empty());
@@ -41,8 +41,8 @@ TEST(Elastic, IntervalsCoverTheTruthAndCurvatureIsSaid) {
     const FittedParameter B = fit_elastic(P, phi).parameters[0];
     covered += *B.low95 <= 500 && 500 <= *B.high95;
   }
-  // If each interval contains the truth with probability 0.95, the number of these intervals among 200 is
-  // between 180 and 198 with probability 0.995.
+  // If each interval contains the true value with probability 0.95, between 180 and 198 of 200 intervals contain it,
+  // with probability 0.995.
   EXPECT_GE(covered, 180);
   EXPECT_LE(covered, 198);
 
@@ -59,8 +59,8 @@ TEST(Elastic, IntervalsCoverTheTruthAndCurvatureIsSaid) {
 }
 
 TEST(Elastic, OfACurvedBranchIsThatOfItsStraightPartOrNotIdentified) {
-  // The first part of the unloading includes plastic strain. Below P = 3 the unloading is elastic. A line
-  // through all points would have another slope.
+  // The first part of the unloading includes plastic strain. Below P = 3 the unloading is elastic. A line through all
+  // points would have a different, wrong slope.
   std::vector<double> P = {13.0, 10.0, 7.0, 3.0, 2.0, 1.0, 0.5, 0.1}, phi;
   for (const double p : P)
     phi.push_back(0.77 * std::exp(p / 2.5e4 - 3e-6 * std::pow(std::max(p - 3.0, 0.0), 2)));
@@ -90,7 +90,7 @@ TEST(Elastic, OfACurvedBranchIsThatOfItsStraightPartOrNotIdentified) {
 }
 
 TEST(Elastic, OfABranchWhoseBeginningCollapsesIsThatOfTheRest) {
-  // In the first step the packing rearranges and becomes denser; the rest is elastic.
+  // In the first step the packing rearranges and becomes denser; all later steps are elastic.
   const std::vector<double> P = {13.0, 7.0, 3.0, 2.0, 1.0, 0.5, 0.1};
   std::vector<double> phi = {0.760};
   for (std::size_t k = 1; k < P.size(); ++k) phi.push_back(0.762 * std::exp(P[k] / 2.5e4));
@@ -102,7 +102,7 @@ TEST(Elastic, OfABranchWhoseBeginningCollapsesIsThatOfTheRest) {
   EXPECT_THAT(fit.warnings.at(0),
               HasSubstr("its solid fraction grows as the pressure falls; B is the modulus of the "
                         "straight part of the branch, at pressures from 0.1 to 7"));
-  // If the solid fraction increases in another step too, no elastic part is found.
+  // If the solid fraction also increases in a later step, the fit finds no elastic part.
   phi[5] = 0.9;
   EXPECT_THAT(fit_elastic(P, phi).failure_reason, HasSubstr("does not fall"));
 }

@@ -57,7 +57,7 @@ TEST(ForceLaws, CumulativeIsTheIntegralOfTheDensity) {
 TEST(ForceLaws, PowerAndExponentialMeetAtTheMean) {
   const ForceLaw& law = power_exponential();
   EXPECT_NEAR(law.log_density(0.3, 1 - 1e-12), law.log_density(0.3, 1.0), 1e-10);
-  // The slope beyond the mean is beta, with beta^2 = (1 - alpha)(2 - alpha).
+  // Beyond the mean force, ln P(f) falls with the slope -beta, with beta^2 = (1 - alpha)(2 - alpha).
   EXPECT_NEAR(law.log_density(0.3, 2.0) - law.log_density(0.3, 3.0), std::sqrt(0.7 * 1.7), 1e-12);
 }
 
@@ -105,8 +105,8 @@ TEST(ExponentialTail, IsTheMeanExcessWithItsError) {
     covered += *fit.parameters[0].low95 <= 2.5 && 2.5 <= *fit.parameters[0].high95;
     rejected += fit.p_value < 0.05;
   }
-  // If each interval contains the truth with probability 0.95, the number of these intervals among 200 is
-  // between 180 and 198 with probability 0.995. A true law is rejected 10 +- 3 times.
+  // If each interval contains the truth with probability 0.95, the number of these intervals among 200 is between 180
+  // and 198 with probability 0.995. A correct law is rejected in 10 +- 3 of 200 fits.
   EXPECT_GE(covered, 180);
   EXPECT_LE(covered, 198);
   EXPECT_LE(rejected, 20);

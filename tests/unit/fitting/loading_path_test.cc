@@ -52,7 +52,8 @@ TEST(PathSteps, OfSuccessiveRowsOfOnePressureTheLastCounts) {
   EXPECT_EQ(reloadings(rows)[0].largest_before, 2.0);
 }
 
-/// A branch that keeps the pressure of the previous branch adds no points to the curve, not even its last row.
+/// A branch at the constant pressure of the previous branch adds no points to the curve; its last row is not used
+/// either.
 TEST(PathSteps, ABranchThatHoldsThePressureIsLeftOut) {
   using enum PathStep;
   const std::vector<PathRow> rows = {
@@ -95,8 +96,8 @@ TEST(MeanCurve, IsTheMeanOfInversePhiAtCommonPressures) {
   EXPECT_THAT(mean_curve({}).P_star, IsEmpty());
 }
 
-/// Along a branch, the stress on an axis with prescribed length may decrease. Of all tests with a driven axis,
-/// only oedometer tests are consolidations.
+/// In tests with a driven axis, the stress on an axis with prescribed length may decrease along a branch. Of these
+/// tests, only oedometer tests are consolidations.
 TEST(LoadingPath, TestsWithADrivenAxisAreLeftOut) {
   const std::vector<PathRow> rows = {{"assembly", 1.0, 0.5},
                                      {"load", 2.0, 0.6, PathLoad::oedometric},

@@ -59,7 +59,7 @@ Beyond heckel() {
   return {"Phi_max", 0.0, 1.0, fit.parameters, fit.warnings};
 }
 
-/// Data of a power law with a limit of 1.05, at pressures where Phi is below one.
+/// Data of a power law with the limit Phi_max = 1.05, at pressures where Phi is below one.
 Beyond power_law() {
   ConsolidationCurve curve;
   for (double p = 1.0; p < 14.0; p *= 1.1) {
@@ -74,7 +74,7 @@ Beyond power_law() {
   return {"Phi_max", 0.0, 1.0, fit.parameters, fit.warnings};
 }
 
-/// Data of a reloading along which the sample dilates before it yields.
+/// Data of a reloading branch along which the sample expands before it yields.
 Beyond dilating() {
   std::vector<double> P, phi;
   for (double p = 0.1; p < 20.0; p *= 1.3) {
@@ -86,8 +86,8 @@ Beyond dilating() {
   return {"kappa", 0.0, kAny, fit.parameters, fit.warnings};
 }
 
-/// The published series [SVI2024] with other values of e_min and C. Samples with a negative void ratio are left
-/// out.
+/// Samples like those of the published series [SVI2024], but with other values of e_min and C. Samples with a negative
+/// void ratio are left out.
 Beyond compacted(const char* parameter, double e_min, double C) {
   std::vector<CompactedSample> samples;
   for (const double p : {0.01, 0.1, 0.5, 1.0})
@@ -105,7 +105,7 @@ Beyond compacted(const char* parameter, double e_min, double C) {
   return {parameter, 0.0, kAny, fit.parameters, fit.warnings};
 }
 
-/// Data of an intensity that decays faster with k than the intensity of any surface.
+/// Data of an intensity that decays with k faster than the scattering by any surface.
 Beyond scattered(double dF) {
   std::vector<ScatteredPoint> points;
   for (double k = 0.1; k < 4.0; k *= 1.1) points.push_back({k, scattered_intensity(1.0, 9.0, dF, k), 1000000});
@@ -113,8 +113,8 @@ Beyond scattered(double dF) {
   return {"dF", 0.0, 4.0, fit.parameters, fit.warnings};
 }
 
-/// In each of these fits, one parameter would leave its physical range. This parameter gets no value, and all
-/// printed values are within their ranges.
+/// In each of these fits, one parameter would leave its physical range. The fit must give no value for this parameter,
+/// and all values that it gives must be within their ranges.
 TEST(PhysicalRange, HoldsForEveryFit) {
   const std::vector<Beyond> fits = {
       heckel(),      power_law(), dilating(), compacted("e_min", -0.15, 0.24), compacted("C", 0.76, -0.05),

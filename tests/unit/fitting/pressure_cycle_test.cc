@@ -31,7 +31,8 @@ TEST(PressureCycle, OfStraightLinesEnclosesItsTriangle) {
     EXPECT_NEAR(c.phi_up[k], 1.0 / (2.0 - 0.01 * c.P[k]), 1e-15);
     EXPECT_NEAR(c.phi_down[k], 1.0 / (1.96 - 0.005 * c.P[k]), 1e-15);
   }
-  // The work is the integral of 0.04 - 0.005 P from 1 to 8, minus 1 * (1.955 - 1.99).
+  // The work is the integral of the difference 0.04 - 0.005 P of the two branches from P = 1 to 8, minus the term 1 *
+  // (1.955 - 1.99) at P = 1.
   EXPECT_NEAR(c.work.value(), 0.04 * 7.0 - 0.0025 * 63.0 + 0.035, 1e-14);
 }
 
@@ -66,7 +67,7 @@ TEST(PressureCycle, OfPowerLawsConvergesToTheirIntegral) {
 TEST(PressureCycle, IsFoundInEachPartOfAPath) {
   std::vector<PathRow> rows = straight_cycle();
   rows.insert(rows.begin(), {"assembly", 0.0, 0.4});
-  // the hold adds a second row at P = 4, which gives Phi there
+  // the branch `hold` adds a second row at P = 4; its Phi is used for this pressure
   rows.insert(rows.begin() + 4, {"hold", 4.0, rows[3].phi + 0.01});
   rows.push_back({"reload", 2.0, 0.52});
   rows.push_back({"reload", 16.0, 0.6});

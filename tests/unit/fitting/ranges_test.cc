@@ -12,7 +12,8 @@
 #include "floc/fitting/force_distribution.h"
 #include "floc/fitting/scattering_fit.h"
 
-/// Tests that the library itself refuses invalid options of fits, independently of the program.
+/// Tests that the functions of the library refuse invalid options of fits themselves, without the checks of the
+/// program.
 namespace floc::test {
 namespace {
 

@@ -20,7 +20,8 @@ TEST(IncompleteBeta, HasItsClosedForms) {
   }
 }
 
-/// Returns the residuals of y from its best straight line. @param hat  projection on straight lines
+/// Returns the residuals of y from its best straight line.
+/// @param hat  matrix that projects y on the best straight line
 Eigen::VectorXd of_line(const Eigen::VectorXd& y, const Eigen::MatrixXd& hat) {
   return y - hat * y;
 }
@@ -45,8 +46,8 @@ TEST(ResidualPattern, IndependentResidualsAreSystematicInOneOfAHundred) {
       low += pattern.smoothness_p < 0.1;
     }
     EXPECT_LE(systematic, 0.013 * kDraws) << n;
-    // smoothness_p is uniformly distributed, so it is below 0.1 in 10 % of the draws. Four standard deviations
-    // of this fraction are 0.019.
+    // If the residuals are random, the p-value smoothness_p is uniformly distributed, so it is below 0.1 in 10 % of the
+    // draws. Four standard deviations of this fraction are 0.019.
     EXPECT_NEAR(low / static_cast<double>(kDraws), 0.1, 0.019) << n;
   }
 }

@@ -74,11 +74,11 @@ TEST(ScatteringFit, SaysWhatTheDataDoNotTell) {
   const ScatteringFit few = fit_scattering(points_of(1.0, 9.0, 1.6, 10, nullptr), 0.0, 0.15);
   EXPECT_FALSE(few.found());
   EXPECT_THAT(few.failure_reason, HasSubstr("the law needs 6"));
-  // A power law has no plateau at small k.
+  // The intensity of a power law has no plateau at small k.
   std::vector<ScatteredPoint> power;
   for (double k = 0.1; k < 4.0; k *= 1.1) power.push_back({k, std::pow(k, -1.5), 50});
   EXPECT_THAT(fit_scattering(power, 0.0, 4.0).warnings, Contains(HasSubstr("does not level off")));
-  // A constant intensity contains no length.
+  // A constant intensity does not determine a correlation length.
   std::mt19937 engine(2);
   const ScatteringFit flat = fit_scattering(points_of(1.0, 1e-3, 1.0, 50, &engine), 0.0, 4.0);
   ASSERT_TRUE(flat.found());

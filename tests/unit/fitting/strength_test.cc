@@ -78,8 +78,7 @@ TEST(MohrCoulomb, TestsThatHaveNoLineSayWhy) {
               HasSubstr("differ by less than 5 %"));
   EXPECT_THAT(fit_mohr_coulomb({{300, 100}, {310, 200}, {305, 300}}, "").failure_reason,
               HasSubstr("no friction angle"));
-  // The line through the points of an envelope that bends upwards has a negative cohesion. With an envelope
-  // that bends downwards, this never happens.
+  // An envelope that bends upwards gives a line with a negative cohesion. An envelope that bends downwards never does.
   EXPECT_THAT(fit_mohr_coulomb({{120, 50}, {300, 100}, {660, 200}, {1380, 400}}, "").warnings,
               testing::ElementsAre(HasSubstr("the cohesion of the line is negative")));
 }
@@ -121,7 +120,7 @@ TEST(ShearTest, GivesBackItsAnglesInCompressionAndExtension) {
                 std::asin(0.6) * 180 / std::numbers::pi, 1e-9);
     EXPECT_NEAR(*parameter_named(test.parameters, "strain_peak").value, 0.02, 1e-12);
     EXPECT_NEAR(*parameter_named(test.parameters, "dilatancy_angle").value, 12, 1e-9);
-    // From a strain of 0.15 on, less than exp(-6.5) of the softening remains.
+    // Beyond a strain of 0.15, less than exp(-6.5) of the decrease from peak to critical state is still to come.
     EXPECT_NEAR(*parameter_named(test.parameters, "secant_angle_critical").value,
                 std::asin(0.4) * 180 / std::numbers::pi, 0.02);
     ASSERT_TRUE(test.critical_stress.has_value());

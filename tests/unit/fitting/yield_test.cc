@@ -81,8 +81,9 @@ TEST(Yield, ByAllConstructionsIsThatOfTwoLines) {
   const PreconsolidationFit fit = fit_preconsolidation(curve.P, curve.phi);
   ASSERT_TRUE(fit.found()) << fit.failure_reason;
   EXPECT_NEAR(std::log(*find(fit, "P_c")->value / kPc), 0.0, 0.03);
-  // Butterfield's plot of ln y against ln P is straight where y is linear in ln P, except for terms of second
-  // order in the slope. Becker's work is linear in P there; it is known at pressures that differ by 22 %.
+  // Butterfield's plot of ln y against ln P is straight, up to terms of second order in the slope, where y is linear in
+  // ln P. In the same range, Becker's work is linear in P. Becker's construction uses only the pressures of the data,
+  // which differ by 22 %.
   for (const char* name : {"P_c_butterfield", "P_c_becker"})
     EXPECT_NEAR(std::log(*find(fit, name)->value / kPc), 0.0, 0.2) << name;
   // If kappa > 0, Casagrande's bisector and Pacheco Silva's horizontal line meet the virgin line beyond the

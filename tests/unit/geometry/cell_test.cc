@@ -53,7 +53,8 @@ TEST(Cell, OnlyADiagonalLatticeIsRectangular) {
 }
 
 TEST(Cell, RateIsTheVelocityGradientOfTheLattice) {
-  // A lattice point moves with the lattice vectors: rate * shift(image) = d/dt shift(image).
+  // A lattice point moves with the lattice vectors. Its velocity is therefore the rate (velocity gradient) times its
+  // position.
   Cell<2> cell = skewed();
   cell.velocity << 0.5, 0.25, -1.0, 2.0;
   for (const Vec<2>& image : {Vec<2>(1, 0), Vec<2>(0, 1), Vec<2>(2, -3)}) {

@@ -50,7 +50,7 @@ TEST(Transport, TurnsWithTheNormalWhereTheAxisLiesInTheTangentPlane) {
   for (const double angle : {1e-8, 0.1, 1.5, 3.0}) {
     SCOPED_TRACE(angle);
     const Mat<3> turn = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
-    const Vec<3> spring(0.4, -1.2, 0.9);  // like a rolling spring, it also has a normal component
+    const Vec<3> spring(0.4, -1.2, 0.9);  // like a rolling spring, this vector also has a normal component
     const Vec<3> carried = transport<double>(Shear<3>(spring), kNormal, Vec<3>(turn * kNormal), 0.0);
     // Near half a turn, the factor 1/(1 + cos) amplifies rounding errors: 1 + cos 3 = 0.01.
     EXPECT_NEAR((carried - turn * spring).norm(), 0.0, 1e-13);

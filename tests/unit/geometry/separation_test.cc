@@ -15,7 +15,7 @@ TEST(Separation, OfFarPlacesAndImagesIsExact) {
   const DoubleDoubleVec<2> from = double_double<2>(x, low);
   const DoubleDoubleVec<2> there = displaced<2>(from, cell, image);
   const DoubleDoubleVec<2> back = displaced<2>(there, cell, Vec<2, int>(-image));
-  // At a distance of 1e9, the last bit of the second part is 1e9 * 2^-106.
+  // At a distance of 1e9, the last bit of the second double is 1e9 * 2^-106.
   for (int a = 0; a < 2; ++a) EXPECT_NEAR((back[a] - from[a]).rounded(), 0.0, 1e9 * 0x1p-104);
   const DoubleDoubleVec<2> r = difference<2>(there, from);
   for (int a = 0; a < 2; ++a)
@@ -24,14 +24,14 @@ TEST(Separation, OfFarPlacesAndImagesIsExact) {
                 0.0, 1e9 * 0x1p-104);
 }
 
-/// The branch (3, -4) has the exact length 5. The computed gap must therefore be right to its last digit,
-/// however small the gap is.
+/// The branch (3, -4) has exactly the length 5. The computed gap must therefore be right to its last digit, even if it
+/// is very small.
 TEST(Separation, GivesGapsToTheirOwnLastDigit) {
   const DoubleDoubleVec<2> r = double_double<2>(Vec<2>(3.0, -4.0), Vec<2>::Zero());
   EXPECT_EQ(surface_gap<2>(r, 2.0, 3.0), 0.0);
   for (const double overlap : {0x1p-10, 0x1p-30, 0x1p-50})
     EXPECT_NEAR(surface_gap<2>(r, 2.0, 3.0 + overlap) / -overlap, 1.0, 4e-16) << overlap;
-  // This branch is shorter by 2^-80, which the leading doubles of the coordinates cannot represent.
+  // This branch is shorter by 2^-80. The leading doubles of its coordinates cannot represent this difference.
   const DoubleDoubleVec<2> nearer = double_double<2>(Vec<2>(3.0, -4.0), Vec<2>(-0.6 * 0x1p-80, 0.8 * 0x1p-80));
   EXPECT_NEAR(surface_gap<2>(nearer, 2.0, 3.0) / -0x1p-80, 1.0, 1e-7);
 }

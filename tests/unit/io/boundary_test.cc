@@ -8,7 +8,8 @@
 #include "floc/io/settle_space.h"
 #include "support/foreign_packing.h"
 
-/// Tests of periodic, walled and open ends of a packing, given in a file or by the user.
+/// Tests of packings whose axes have periodic ends, walls or open ends. The ends are given in the file of the packing
+/// or by options.
 namespace floc {
 namespace {
 
@@ -17,7 +18,8 @@ using testing::ThrowsMessage;
 
 const std::vector<std::string> kEnds = {"p", "ww", "wo", "ow", "oo"};
 
-/// Writes a packing and reads it back. It has no friction forces, because the formats do not store them.
+/// Writes a packing in a format and reads it back. The packing has no friction forces, because the formats do not store
+/// them.
 template <int Dim>
 void expect_round_trip(const std::string& keyword, const test::Ends<Dim>& ends) {
   SCOPED_TRACE(keyword + " " + testing::PrintToString(ends));

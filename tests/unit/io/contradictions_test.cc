@@ -164,7 +164,8 @@ TEST_F(Contradictions, OfGrainsAreRefusedInEveryFormat) {
     const std::string keyword = format.keyword;
     const auto fault = [&](const Columns& columns) { return fault_of(keyword, format.text(columns)); };
     accepted(fault(kGrains));
-    for (const auto& column : kGrains) {  // gives each column twice; points of VTK have no names
+    // Gives each column twice, except in VTK, where positions have no names.
+    for (const auto& column : kGrains) {
       if (keyword == "vtu" && column.second == kGrains[1].second) continue;
       if (keyword == "vtu" && column.first.size() == 1) continue;
       Columns twice = kGrains;

@@ -17,8 +17,8 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-/// Fixture: three disks in a skewed cell of 4 x 3 with an offset of 1. Disks 0 and 1 overlap by 0.1 across the
-/// side of the cell. Disks 1 and 2 overlap by 0.2 inside the cell.
+/// Fixture: three disks in a skewed cell of 4 x 3 with an offset of 1. Disks 0 and 1 overlap by 0.1 across a side of
+/// the cell, and disks 1 and 2 by 0.2 inside the cell.
 class CsvPacking : public testing::Test {
  protected:
   CsvPacking() {
@@ -128,7 +128,8 @@ TEST_F(CsvPacking, KeepsForcesOfTheListAndStretchesTheSpringsToThem) {
   EXPECT_NEAR(c.normal[0], -1.0, 1e-15);
   EXPECT_EQ(c.normal_force, 2.5);
   EXPECT_NEAR(c.shear_force[1], -0.3, 1e-15);
-  // For a normal along -x, the tangent is along -y. The spring along this tangent is F/K_T = 0.3/4.
+  // The normal is along -x, so the tangent is along -y. The elongation of the spring along this tangent is F/K_T =
+  // 0.3/4.
   EXPECT_NEAR(test::shear_spring(c)[0], 0.075, 1e-15);
   EXPECT_NEAR(c.rolling_moment[0], -0.04, 1e-15);
   EXPECT_NEAR(test::rolling_spring(c)[0], 0.02, 1e-15);

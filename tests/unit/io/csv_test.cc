@@ -106,7 +106,7 @@ TEST(Csv, FindsTheNamesBelowTitlesAndTheUnitsBelowTheNames) {
   EXPECT_THAT(t.description(),
               AllOf(HasSubstr("columns named in line 5, below a title"), HasSubstr("units in line 6")));
   EXPECT_EQ(parse("x,y\n1,2\n").description(), "");
-  // Below a line of names, a row without any number is a row of data.
+  // After a line of column names, even a row without numbers is a row of data.
   EXPECT_THAT(
       [] {
         parse("p,e\nabc,def\n1,2\n", {"p", "e"}).number(0, 0);
@@ -121,7 +121,7 @@ TEST(Csv, ReadsQuotedNamesOfSeveralLines) {
   const CsvTable t = parse("\"Effective\nstress (kPa)\",\"Void\r\nratio\"\n1,2\n3,4\n");
   EXPECT_THAT(t.columns(), ElementsAre("Effective stress (kPa)", "Void ratio"));
   EXPECT_EQ(t.place(1), "t.csv:5");
-  // The inch sign is not a quotation mark.
+  // The inch sign (") inside a text is not a quotation mark.
   EXPECT_THAT(parse("Pipe of 5\" bore\nSample of 3\" bore\nx,y\n1,2\n").columns(), ElementsAre("x", "y"));
 }
 

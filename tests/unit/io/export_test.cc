@@ -57,12 +57,12 @@ TEST(ExtendedXyz, ReadsWhatItWroteToTheLastDigit) {
   expect_written_grains(written_and_read("extended-xyz", test::busy_state<3>()), test::busy_state<3>().packing);
 }
 
-/// LAMMPS requires the first lattice vector along x, and small tilts. An export may therefore rotate the
-/// packing and describe its lattice by other vectors. Distances in the lattice stay the same.
+/// LAMMPS requires the first lattice vector along x, and small tilts. An export may therefore rotate the packing and
+/// replace the lattice vectors by other vectors of the same lattice. All distances stay the same.
 template <int Dim>
 void expect_same_lattice_and_distances() {
   State<Dim> state = test::busy_state<Dim>();
-  // the first lattice vector is no longer along x, although LAMMPS requires this
+  // after this, the first lattice vector is not along x, so the export has to rotate the packing
   state.packing.cell.matrix(0, 1) = 0.3;
   state.packing.cell.matrix.row(1) += 2.0 * state.packing.cell.matrix.row(0);
   const Packing<Dim>& written = state.packing;
@@ -123,8 +123,8 @@ TEST(Vtu, DrawsContactsAndCutsThoseAcrossTheSide) {
   }
 }
 
-/// Fixture: two points in the encodings of VTK, which are text and binary data (base64 or raw). The length of
-/// binary data precedes the data.
+/// Fixture: a file with two points, in each encoding of VTK: as text and as binary data (base64 or raw). Binary data
+/// follow a number that gives their length.
 class VtuEncodings : public testing::Test {
  protected:
   static std::string bytes_of(const std::vector<double>& values) {

@@ -30,7 +30,7 @@ State<2> read(const std::string& path, int index = 0) {
 TEST(Jambashbulk, PackingIsTheEquilibriumThatWasWritten) {
   State<2> state = read(kPacking);
   find_contacts(state.packing);
-  // These values are printed by floc moduli and floc network: 33 contacts (z = 4.125), solid fraction
+  // The program (floc moduli and floc network) prints the same values: 33 contacts (z = 4.125), solid fraction
   // 0.81991651554.
   const Mat<2> stress = static_stress(state.packing);
   EXPECT_NEAR(stress(0, 0), 1e-3, 1e-12);
@@ -39,7 +39,7 @@ TEST(Jambashbulk, PackingIsTheEquilibriumThatWasWritten) {
   EXPECT_EQ(state.packing.contacts.size(), 33u);
   EXPECT_NEAR(solid_fraction(state.packing), 0.8199165155404775, 1e-15);
   EXPECT_EQ(state.target_stress, Vec<2>(1e-3, 1e-3));
-  // Forces of about 1e-3 are computed from distances of 1 with rounding errors of 2e-16, so they balance within
+  // Distances of about 1 have rounding errors of 2e-16. The forces computed from them are about 1e-3 and balance within
   // 1e-12.
   EXPECT_LT(residuals(state.packing, state.target_stress).force, 1e-11);
 }

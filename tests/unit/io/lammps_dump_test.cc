@@ -57,7 +57,7 @@ class LammpsDump : public testing::Test {
 TEST_F(LammpsDump, WhoseGrainsAllHaveOneHeightIsTwoDimensional) {
   const Packing<2> p = packing<2>();
   EXPECT_EQ(p.cell.matrix, (Mat<2>() << 4, 0, 0, 3).finished());
-  // Grain 7 must be at (1.4, 3); the other grains may be shifted by whole lattice vectors.
+  // Expected positions of the grains, up to whole lattice vectors.
   for (int i = 0; i < 3; ++i) {
     const Vec<2> apart = p.cell.reduced(p.grains.position[i] - Vec<2>(i == 0 ? 1.4 : i == 1 ? 4.5 : 3.7, 3.0));
     EXPECT_NEAR((apart.array() - apart.array().round()).abs().maxCoeff(), 0.0, 1e-15);
@@ -105,8 +105,8 @@ TEST_F(LammpsDump, OfSeveralFramesIsReadLastUnlessOneIsNamed) {
 }
 
 TEST_F(LammpsDump, TakesForcesOnTheFirstGrainFromADumpLocal) {
-  // Grains 3 and 7 touch across the side of the box. The force of grain 7 on grain 3 points to the left (1) and
-  // up (0.3).
+  // Grains 3 and 7 touch across the side of the box. Grain 7 exerts a force of 1 to the left and 0.3 upwards on grain
+  // 3.
   contacts("3 7 -1 0 0 0 0.3\n5 3 -2 0 0 0 -0.5\n");
   const Packing<2> p = packing<2>();
   ASSERT_EQ(p.contacts.size(), 2u);
@@ -170,7 +170,8 @@ TEST_F(LammpsDump, NamesWhatIsWrongInItsContacts) {
   EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("the law has no friction")));
 }
 
-/// The grains are 2.9 apart in a cell of height 4. At this distance, two images of a grain can be equally near.
+/// The grains are 2.9 apart in a cell of height 4. At more than half of the height, two images of a grain can be
+/// equally near.
 TEST_F(LammpsDump, DoesNotGuessTheImageOfAContactOfHalfTheCell) {
   contacts("7 3 1 0 0 0 0\n");
   options_.cell = {{6, 0}, {0, 4}};

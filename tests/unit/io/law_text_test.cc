@@ -26,7 +26,8 @@ TEST(LawText, GivesBackEveryLawItWrites) {
   EXPECT_EQ(parse_law("", law_text(law)), law);
 }
 
-/// A friction coefficient is enough for elastic spheres. Linear contacts also need a tangential stiffness.
+/// For elastic spheres, friction needs only a friction coefficient. For linear contacts, it also needs a tangential
+/// stiffness.
 TEST(LawText, KnowsAModelByItsNumbersAndByWhatItGoesWith) {
   Law law;
   law += test::hertz(70.0, 0.3);

@@ -30,8 +30,8 @@ std::string wall_line(int index, int axis, int side, double position) {
                      index, three_numbers(at), orientations[axis][side > 0]);
 }
 
-/// Returns a packing as the text of a restart file of MercuryDPM. In this file, a force acts on the first
-/// particle of its contact.
+/// Returns a packing as the text of a restart file of MercuryDPM. Each force in this file acts on the first of the two
+/// particles of a contact.
 template <int Dim>
 std::string restart(const Packing<Dim>& p) {
   std::string text = "MercuryDPM 1.0 name test\nxMin 0 xMax 4 yMin 0 yMax 4 zMin 0 zMax 4\n";

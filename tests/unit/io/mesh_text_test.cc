@@ -62,7 +62,7 @@ TEST(MeshText, EnclosesTheVolumeOfTheGrains) {
   write_stl(scratch.file("p.stl"), state);
   const Mesh<3> obj = parse_obj("p.obj", test::content_of(scratch.file("p.obj")));
   EXPECT_NEAR(enclosed(obj), volume, 1e-12 * volume);
-  // floc reads only files with one solid, so each solid is written to a separate file.
+  // floc refuses a file with several solids, so each solid is written to a separate file.
   const std::string stl = test::content_of(scratch.file("p.stl"));
   double of_solids = 0.0;
   for (std::size_t at = 0, end; (end = stl.find("endsolid", at)) != std::string::npos;

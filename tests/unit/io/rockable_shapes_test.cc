@@ -109,7 +109,8 @@ TEST(RockableShapes, ReadsHomothetyNormalsAndTypes) {
   EXPECT_EQ(read(point(3, 0.4, 0.4, 1)).contacts[0].type, ContactType::kEdgeEdge);
   EXPECT_EQ(read(point(2, 0.4, 0.4, 1)).contacts[0].type, ContactType::kVertexFace);
   EXPECT_EQ(read(point(2, 0.4, 0.4, 1) + point(3, 0.0, 0.4, 1)).contacts[0].type, ContactType::kDouble);
-  // If the file has more points for a pair than floc finds from the shapes, each point still gets its own key.
+  // The file may have more contact points for a pair than floc finds from the shapes. Even then, each point gets its
+  // own key.
   std::string many;
   for (int k = 0; k < 12; ++k) many += point(2, 0.4 - 0.05 * k, 0.4, 1);
   const Packing<3> twelve = read(many);

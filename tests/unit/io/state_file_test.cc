@@ -148,7 +148,7 @@ State<3> pressed_beads(double overlap) {
   return s;
 }
 
-/// Returns the message with which the reader rejects a state; empty if it accepts the state.
+/// Returns the message with which the reader refuses a written state; empty if the reader accepts the state.
 template <int Dim>
 std::string refusal_of(const State<Dim>& state, const std::string& progress = "") {
   const ScratchDirectory scratch;
@@ -233,8 +233,8 @@ TEST(StateFile, ComesThroughAPipeAsFromADisk) {
   second.join();
 }
 
-/// The operating system limits the size of files. Whatever the limit, the old state file stays unchanged and no
-/// other file remains.
+/// A limit of the operating system for the size of files makes the writing of a state fail. For every limit, the old
+/// state file must stay unchanged and no other file may remain.
 TEST(StateFile, ThatDoesNotFitTheDiskLeavesTheOldOne) {
   const ScratchDirectory scratch;
   write_state(scratch.file("s.h5"), busy_state<2>());
@@ -278,7 +278,7 @@ TEST(StateFileRefuses, SealedBytesThatAreNoHdf5Inside) {
   EXPECT_THAT(refusal(scratch.file("s.h5")), HasSubstr("HDF5 library cannot open"));
 }
 
-/// The signature of the HDF5 heap that contains the texts was overwritten before the file was sealed.
+/// The HDF5 heap that contains the texts begins with a signature, which was overwritten before the file was sealed.
 TEST(StateFileRefuses, SealedBytesThatAreDamagedInside) {
   const ScratchDirectory scratch;
   write_state(scratch.file("s.h5"), busy_state<2>(), "progress");
@@ -350,7 +350,7 @@ TEST(StateFile, KeepsIdentifiersThatAreNotTheIndices) {
               AllOf(HasSubstr("/grains/imported_id"), HasSubstr("entry 2 is 5, as is entry 0")));
 }
 
-/// Returns the position of a sequence of integers in a file.
+/// Returns the position of a sequence of 32-bit integers in the bytes of a file.
 std::size_t find_integers(const std::string& bytes, const std::vector<std::int32_t>& values) {
   return bytes.find(
       std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof values[0]));

@@ -239,7 +239,7 @@ TEST(StateWithShapes, IsRefusedIfAShapeIsNoConvexBody) {
     Spoiled(cubes()).set("shapes/" + name, 1, nan).expect_refused("shapes/" + name, "finite");
   Spoiled(cubes()).set("grains/scale", 1, nan).expect_refused("grains/scale", "finite");
   Spoiled(cubes()).set("contacts/point", 1, nan).expect_refused("contacts/point", "finite");
-  // Moving one vertex of a cube makes the normals inconsistent with the faces.
+  // A cube whose vertex was moved has normals that do not fit its faces.
   Spoiled(cubes()).set("shapes/vertices", 0, 0.9).expect_refused("shapes/", "shape 0");
   Spoiled(cubes()).set("shapes/normals", 0, 0.9).expect_refused("shapes/normals", "not normal");
   Spoiled(cubes()).set("shapes/offsets", 0, 0.9).expect_refused("shapes/offsets", "face 0");
@@ -253,7 +253,7 @@ TEST(StateWithShapes, IsRefusedIfAShapeIsNoConvexBody) {
 }
 
 TEST(StateWithShapes, IsRefusedIfItsPolygonIsNotConvex) {
-  // A pentagram has the vertices of a pentagon, and each vertex occurs once in its outline.
+  // A pentagram has the same vertices as a pentagon, but its outline visits them in another order.
   Shape<2> star = regular_polygon(5, 0.0);
   star.corners = {0, 2, 2, 4, 4, 1, 1, 3, 3, 0};
   EXPECT_FALSE(fault_of_faces(star));

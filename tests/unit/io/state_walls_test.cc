@@ -48,8 +48,8 @@ TEST(StateWithWalls, ComesBackAsItWas) {
   expect_walls_kept<3>();
 }
 
-/// The file has attributes for the boundary of each axis, for the forces, and for a required feature: older
-/// programs reject the file because they do not know this feature.
+/// The file has attributes for the boundary of each axis, for the forces, and for a required feature. Older programs do
+/// not know this feature, and therefore refuse the file.
 TEST(StateWithWalls, SaysWhatItHasInItsAttributes) {
   const State<3> state = test::boxed_state<3>();
   const test::ScratchDirectory scratch;
@@ -91,8 +91,8 @@ TEST(StateWithWalls, IsRefusedWhereTheyMakeNoBox) {
   state.packing.walls.pop_back();
   expect_refused(state, "expected two for each axis");
   state = test::boxed_state<2>();
-  // The file contains the index of a wall beyond the last one, as another program may write it. A packing in
-  // memory cannot have such an index.
+  // A file of another program may contain the index of a wall that does not exist. A packing in memory cannot have such
+  // an index, so the file is changed.
   const test::ScratchDirectory scratch;
   write_state(scratch.file("box.h5"), state);
   const auto id2 = [](std::int32_t last) {

@@ -11,8 +11,8 @@
 #include "support/contact_laws.h"
 #include "support/scratch_directory.h"
 
-/// Tests that one table in hundreds of dialects, as different programs and countries write it, gives the same
-/// numbers when read as a load path, as grains and as contacts.
+/// Writes one table in hundreds of dialects, which different programs and countries use. Each dialect must give the
+/// same numbers when the table is read as a load path, as grains or as contacts.
 namespace floc {
 namespace {
 
@@ -20,7 +20,7 @@ using Rows = std::vector<std::vector<std::string>>;
 
 enum class Encoding { utf8, utf8_with_mark, latin1, utf16_little, utf16_big };
 
-/// The way in which a table is written.
+/// Format in which a table is written.
 struct Dialect {
   char separator = ',';
   bool decimal_comma = false;
@@ -119,8 +119,8 @@ std::string encoded(const std::string& utf8, Encoding encoding) {
   return bytes;
 }
 
-/// Returns dialects with every separator, every decimal mark that the separator allows, every encoding and
-/// every line end. The other features are drawn at random.
+/// Returns dialects with each separator, each decimal mark that is allowed with this separator, each encoding and each
+/// line end. The other features of a dialect are drawn at random.
 std::vector<Dialect> dialects() {
   std::vector<Dialect> all;
   std::mt19937 random(47);

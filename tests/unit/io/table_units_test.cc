@@ -32,7 +32,7 @@ TEST(TableUnits, AreAlsoKnownUnitsBehindTheName) {
   EXPECT_THAT(name_and_unit("sigma_kPa"), Pair("sigma", "kPa"));
   EXPECT_THAT(name_and_unit("e_percent"), Pair("e", "percent"));
   EXPECT_THAT(name_and_unit("Void ratio (%)"), Pair("Void ratio", "%"));
-  // These names contain parts, or texts in brackets, that look like units. They are not units.
+  // These column names contain parts, or texts in brackets, that look like units but are not.
   for (const char* name :
        {"sigma_bar", "F_N", "P/P_ref", "P_m", "x in", "sigma (effective)", "Void ratio (e)", "Spannung"})
     EXPECT_THAT(name_and_unit(name), Pair(name, ""));
@@ -67,9 +67,9 @@ TEST(TableUnits, AreConvertedByTheirSizes) {
   EXPECT_THROW(factor("potatoes", "Pa"), InputError);
 }
 
-/// For all pairs of units with prefixes, the conversion factors of both directions have the product one.
-/// Conversion through a third unit gives the same factor. Units of other quantities, and missing units, are
-/// refused.
+/// Converts between all pairs of units, with their prefixes. The product of the factors for both directions is one. A
+/// conversion through a third unit gives the same factor as a direct conversion. Units of other quantities, and missing
+/// units, are refused.
 TEST(TableUnits, OfAllPairsConvertOrAreRefused) {
   std::vector<std::string> units = known_units();
   for (const char* name :

@@ -35,7 +35,7 @@ class YadeText : public testing::Test {
   ImportOptions options_;
 };
 
-/// The image of the second sphere is at x = -0.4, so the normal is (-0.9, 0, 0.3)/0.9487. Forces in YADE act on
+/// The nearest image of the second sphere is at x = -0.4, so the normal is (-0.9, 0, 0.3)/0.9487. Forces in YADE act on
 /// the second sphere.
 TEST_F(YadeText, HasForcesOnTheSecondSphereAndItsCellDistance) {
   write(kSpheres, kNames + "4 9 -1 0 0 -1.8 0 0.6 0 0.5 0 1000 400 0.6\n");

@@ -12,7 +12,7 @@ namespace {
 using test::exactly;
 using test::sample_of;
 
-/// Returns a sample of a few grains side by side, with random holes and drops of matrix.
+/// Returns a sample of four grains side by side. Some nodes, chosen at random, are void or matrix instead of grain.
 CementedSample<2> random_sample(RandomStream& random, int columns, int rows) {
   const Lattice<2> lattice = triangular_lattice(columns, rows, 1.0);
   std::vector<Vec<2>> centres;
@@ -36,9 +36,9 @@ ElementStiffness random_stiffness(RandomStream& random) {
   return stiffness;
 }
 
-/// Minimises the energy under an imposed strain by moving one unknown at a time to its best value, until no
-/// move lowers the energy. This method is slow and independent of the solver.
-/// @return forces of the rows
+/// Minimises the energy under an imposed strain by moving one unknown at a time to its best value, until no move lowers
+/// the energy. This method is slow and independent of the solver.
+/// @return force of each row of `springs`
 std::vector<double> brute_force(const SpringRows<2, 2>& springs, const Eigen::Vector3d& strain) {
   using Row = SpringRows<2, 2>::Row;
   Eigen::VectorXd u = Eigen::VectorXd::Zero(springs.n_unknowns());
@@ -96,7 +96,7 @@ TEST(ActiveSet, EqualsABruteForceMinimiserOnSmallRandomCases) {
       if (network.elements[e].unilateral) ++(solution.open[e] ? n_open : n_closed);
     }
   }
-  EXPECT_GT(n_open, 1000);  // otherwise the test would be trivial
+  EXPECT_GT(n_open, 1000);  // enough contacts open to make the test meaningful
   EXPECT_GT(n_closed, 1000);
 }
 
@@ -122,8 +122,8 @@ TEST(ActiveSet, NeverCycles) {
   EXPECT_GT(n_held, 300);
 }
 
-/// If contacts are bilateral, the response to tension is minus the response to compression. With unilateral
-/// contacts, it is different.
+/// If contacts are bilateral, the response to tension is minus the response to compression. With unilateral contacts,
+/// this is not true.
 TEST(ActiveSet, TensionIsMinusCompressionOnlyWhereAllIsBilateral) {
   RandomStream random(5, 0);
   CementedSample<2> sample = random_sample(random, 12, 12);
@@ -158,7 +158,8 @@ TEST(ActiveSet, ScalesWithTheLoad) {
     EXPECT_NEAR(b.normal_force[e], 3.0 * a.normal_force[e], 1e-9);
 }
 
-/// Two halves touch but are not bonded, so they do not resist tension. The solver must report this.
+/// Two halves touch but are not bonded, so they do not resist tension. The solver must report that nothing resists the
+/// load.
 TEST(ActiveSet, SaysWhenNothingResists) {
   const CementedSample<2> sample =
       sample_of<2>(triangular_lattice(6, 8, 1.0), [](const Vec<2>& x) { return x[1] < 3.46 ? 0 : 1; });

@@ -11,8 +11,8 @@
 namespace floc {
 namespace {
 
-/// Expects that branches agree with positions and images. Each pair must occur once, and each node must have
-/// six bonds.
+/// Expects that the branches of a lattice agree with the positions and images of its nodes. Each pair of neighbours
+/// must occur once, and each node must have six bonds.
 void expect_whole(const Lattice<2>& lattice) {
   std::vector<int> degree(lattice.node.size(), 0);
   for (const LatticeBond<2>& b : lattice.bonds) {

@@ -39,8 +39,7 @@ TEST(TriangularLattice, HasTheModuliOfItsSpringsWhateverTheBending) {
     }
 }
 
-/// Under a uniaxial stress, the bonds in each of the three directions carry equal forces, and all nodes have
-/// the same stress.
+/// Under a uniaxial stress, all bonds of the same direction have equal forces, and all nodes have the same stress.
 TEST(TriangularLattice, UnderUniaxialStressLoadsItsBondsByTheirDirection) {
   const double l = 0.3, sigma = 1.7;
   const Lattice<2> lattice = triangular_lattice(6, 6, l);
@@ -63,7 +62,7 @@ TEST(TriangularLattice, UnderUniaxialStressLoadsItsBondsByTheirDirection) {
   }
 }
 
-/// A laminate has the stiffness 1 in 5 of 12 rows, and a smaller stiffness in the others.
+/// A laminate has the stiffness 1 in 5 of its 12 rows, and the stiffness `soft` in the other rows.
 TEST(Laminate, OfRowsHasTheClosedFormForAnyContrastWithTheInterfaceInSeries) {
   const auto laminate = [](double soft, std::optional<double> interface) {
     const double height = kRoot3 / 2;
@@ -90,12 +89,12 @@ TEST(Laminate, OfRowsHasTheClosedFormForAnyContrastWithTheInterfaceInSeries) {
     EXPECT_NEAR(C_of(0, 1) / C22, 1.0 / 3, 1e-9) << soft;
     EXPECT_NEAR(C_of(0, 0) / (2 * kRoot3 / 3 * mean + C22 / 9), 1.0, 1e-9) << soft;
   }
-  EXPECT_NEAR(laminate(0.1, 0.55)(1, 1) / C(1, 1), 1.11,
-              0.005);  // the arithmetic mean of the two stiffnesses would be too stiff
+  // 0.55 is the arithmetic mean of both stiffnesses. As the interface stiffness, it makes the laminate too stiff.
+  EXPECT_NEAR(laminate(0.1, 0.55)(1, 1) / C(1, 1), 1.11, 0.005);
 }
 
-/// Compares all entries of C with those that the elasticity commands give for the same elements: with central
-/// forces alone, and with shear and bending.
+/// Compares all entries of C with the moduli that the code for contact networks gives for the same elements: with
+/// central forces alone, and with shear and bending.
 TEST(LatticeModuli, AreThoseOfItsContactNetwork) {
   RandomStream random(3, 0);
   for (const double shear : {0.0, 0.5}) {

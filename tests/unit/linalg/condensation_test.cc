@@ -35,7 +35,7 @@ Eigen::MatrixXd exact(const SpringSystem& s) {
   return relaxed.cast<double>();
 }
 
-/// Returns the inverse of K with relative errors of up to `noise` in every entry.
+/// Returns the inverse of K. Every entry has a random relative error of up to `noise`.
 ApproximateInverse noisy_inverse(const SpringSystem& s, double noise) {
   Eigen::MatrixXd inverse = stiffness_of(s).inverse();
   const Eigen::MatrixXd random = Eigen::MatrixXd::Random(inverse.rows(), inverse.rows());
@@ -56,8 +56,8 @@ TEST(Condensation, IsTheSchurComplementWithinItsBound) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     std::srand(seed);
     const SpringSystem s = random_springs(30, 20, 3, 0.1);
-    // Each entry has an error of 8 rounding units. The elimination multiplies this error by the ratio of the
-    // sum of a row to the entry that remains.
+    // Each entry of the matrix has an error of 8 rounding units. The elimination multiplies the relative error by the
+    // sum of a row divided by the entry that remains after the elimination.
     expect_within_bound(condense(s, noisy_inverse(s, 0.0), {}), exact(s), 1e-12);
   }
 }

@@ -41,8 +41,7 @@ TEST(LeastSquaresFactor, LeavesDependentColumnsOut) {
   a.col(4) = a.col(0) - 2.0 * a.col(1);
   const LeastSquaresFactor factor(a.sparseView(), 1e-13);
   EXPECT_EQ(factor.rank(), 5);
-  // If the right-hand side is in the range of a^T a, the system is solved. The solution does not depend on the
-  // column that was left out.
+  // If the right-hand side is in the range of a^T a, the solution is exact, although one column was left out.
   const Eigen::VectorXd b = a.transpose() * Eigen::VectorXd::Random(20);
   EXPECT_LT((a.transpose() * (a * factor.solve(b)) - b).norm(), 1e-12);
 }

@@ -22,8 +22,8 @@ TEST(SingleFactor, SolvesToTheDigitsOfSinglePrecision) {
   ASSERT_TRUE(factor.positive());
   const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(50, -1.0, 1.0);
   const Eigen::VectorXd b = a.selfadjointView<Eigen::Lower>() * x;
-  // The condition number is 5, and the rounding unit is 6e-8. The shift is 1e-6 times the smallest eigenvalue,
-  // which is 1.
+  // The condition number is 5, and the rounding unit of single precision is 6e-8. The shift is 1e-6 times the smallest
+  // eigenvalue, which is 1.
   EXPECT_LT((factor.solve(b) - x).lpNorm<Eigen::Infinity>(), 5e-6);
 }
 

@@ -45,8 +45,8 @@ TEST(SymmetricFactor, PredictsWhatItsFactorTakes) {
   EXPECT_NEAR(dense.operations, n * n * n / 3.0, 0.02 * dense.operations);
   factor.set_matrix(chain(n));
   EXPECT_LT(factor.predicted_cost().operations, 10.0 * n);
-  ASSERT_TRUE(factor.factorize_positive());            // uses the same symbolic analysis
-  EXPECT_EQ(factor.count_eigenvalues_below(1.0), 66);  // those with k pi/201 < pi/3
+  ASSERT_TRUE(factor.factorize_positive());  // uses the symbolic analysis of the previous factorization
+  EXPECT_EQ(factor.count_eigenvalues_below(1.0), 66);  // the eigenvalues with k pi/201 < pi/3
 }
 
 TEST(SymmetricFactor, SolvesWithEitherOrderingAndEitherFactor) {
@@ -136,7 +136,8 @@ TEST(SymmetricFactor, CountsAndSolvesWhateverTheSigns) {
               << n << " " << bound;
         const Eigen::MatrixXd X = Eigen::MatrixXd::Random(n, 2);
         ASSERT_TRUE(factor.factorize_indefinite(0.3));
-        // Without pivoting, entries of the factor grow, which amplifies rounding errors.
+        // The factorization does not pivot, so entries of the factor can be large. Large entries amplify rounding
+        // errors.
         EXPECT_LT((factor.solve(factor.multiply(X) + 0.3 * X, 0) - X).norm(), 1e-8)
             << n << " " << positive_share;
         EXPECT_EQ(factor.factorize_positive(), (values.array() > 0.0).all());

@@ -51,7 +51,7 @@ TEST(TangentSolver, SolvesByEachMethod) {
   }
 }
 
-/// The factorization of the first matrix can also be used for the second one. The third matrix has scaled rows
+/// The solver uses the factorization of the first matrix for the second one as well. The third matrix has scaled rows
 /// and columns and needs a new factorization.
 TEST(TangentSolver, KeepsAFactorWhileItServes) {
   TangentSolver solver({TangentMethod::cholesky, 0.0, false}, kLayout);
@@ -74,8 +74,8 @@ TEST(TangentSolver, SaysThatItHasNoSolution) {
     EXPECT_FALSE(TangentSolver({method}, kLayout).set_matrix(matrix));
 }
 
-/// The antisymmetric part of the matrix is so large that a factorization of the symmetric part does not help
-/// the iteration.
+/// The antisymmetric part of the matrix is so large that an iteration with a factorization of the symmetric part does
+/// not converge.
 TEST(TangentSolver, TakesAFactorWhereTheIterationDoesNotConverge) {
   const Eigen::SparseMatrix<double> matrix = ring_of_grains(400, 1e3, 1.0);
   const Eigen::VectorXd expected = Eigen::VectorXd::Random(matrix.rows());
@@ -92,7 +92,7 @@ TEST(TangentSolver, TakesAFactorWhereTheIterationDoesNotConverge) {
   }
 }
 
-/// The factors of the matrix of a ring have hardly any fill-in.
+/// The matrix of a ring has a factorization with very few non-zero entries.
 TEST(TangentSolver, PlansAFactorWhereItIsCheap) {
   EXPECT_EQ(plan_tangent(ring_of_grains(300, 0.3, 1.0), kLayout).method, TangentMethod::lu);
   const auto seconds = [](int n) { return plan_tangent(ring_of_grains(n, 0.3, 1.0), kLayout).seconds; };

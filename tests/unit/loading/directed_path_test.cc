@@ -88,7 +88,8 @@ steps = 2
     EXPECT_EQ(sides(states[k])[0], sides(states[0])[0]);
     EXPECT_EQ(states[k].target_side, Vec<2>(sides(states[0])[0], 0.0));
     EXPECT_NEAR(states[k].stress(1, 1), std::pow(2.0, 0.5 * k), 1e-4);
-    EXPECT_EQ(states[k].target_stress[0], states[k].stress(0, 0));  // stress on the axis of fixed length
+    // on the axis of fixed length, the target is the present stress
+    EXPECT_EQ(states[k].target_stress[0], states[k].stress(0, 0));
   }
   const double kept = states[2].target_stress[1];
   EXPECT_EQ(kept, 2.0);
@@ -102,7 +103,7 @@ steps = 2
   EXPECT_TRUE(states[7].target_side.isZero(0.0));
 }
 
-/// The strain step is too large for Newton steps, even if Newton steps solved the previous step.
+/// The strain of the single load step is too large for Newton's method, so time steps impose it.
 TEST(DirectedPath, LargeStrainsOfOneStepAreImposed) {
   const auto states = states_of("[[load]]\ncontrol = \"triaxial\"\nstrain = 0.08\nsteps = 1\n");
   ASSERT_EQ(states.size(), 2u);
@@ -155,8 +156,8 @@ TEST(DirectedPath, DissipatesAndNeverGains) {
               (from.stress(a, a) * from.packing.cell.volume() + to.stress(a, a) * to.packing.cell.volume()) *
               std::log(sides(from)[a] / sides(to)[a]);
     const double dissipated = work - (energy(to) - energy(from));
-    // The work is computed with the mean stress of the two states. If the stress collapses in between, the
-    // error of the work is at most half the change of stress times the strain step and the volume.
+    // The work is computed with the mean stress of the two states. If the stress collapses between the two states, the
+    // error of the work is at most half of the change of stress, times the strain increment, times the volume.
     const double open = 0.5 * (to.stress - from.stress).cwiseAbs().maxCoeff() * 1e-3 * to.packing.cell.volume();
     EXPECT_GT(dissipated, -open) << k;
     total += dissipated;

@@ -27,7 +27,7 @@ TEST(StagePressures, UnloadingGoesDownByTheSameFactorAndEndsExactly) {
   stage.steps_per_decade = 4;
   const auto p = stage_pressures(13.33, stage);
   ASSERT_EQ(p.size(), 13u);
-  // The rounding errors of pow() and of two more operations are a few units in the last place.
+  // pow() and two more operations have rounding errors of a few units in the last place.
   for (std::size_t k = 1; k + 1 < p.size(); ++k) EXPECT_NEAR(p[k - 1] / p[k], std::pow(10.0, 0.25), 1e-14);
   EXPECT_LT(p[p.size() - 2] / p.back(), std::pow(10.0, 0.25));
   EXPECT_EQ(p.back(), 0.01);

@@ -54,8 +54,8 @@ void expect_measured(const State<2>& state) {
   EXPECT_EQ(state.residuals.energy, r.energy);
 }
 
-/// The relaxer computes some quantities of an equilibrium. The state reuses their values, which must agree with
-/// the state.
+/// The relaxer measures some quantities of a packing, and the state takes over their values. They must equal the values
+/// that are computed again from the packing of the state.
 TEST(Run, StatesCarryWhatWasMeasuredOfThem) {
   for (const Finish finish : {Finish::automatic, Finish::dynamic}) {
     RunOptions options = losing_adhesion();
@@ -86,8 +86,8 @@ TEST(Run, StatesCarryWhatWasMeasuredOfThem) {
   }
 }
 
-/// Returns the root mean square speed at the start of a run. The run starts from a saved packing of disks with
-/// diameters up to a = 1; a disk with diameter a has the mass m = 1.
+/// Returns the root mean square speed at the start of a run. The run starts from a saved packing of disks. The largest
+/// disk has the diameter a = 1 and the mass m = 1.
 double starting_speed(const Law& law, double agitation, double pressure) {
   RunOptions options;
   options.law = law;

@@ -120,7 +120,7 @@ TEST(Pairs, OfPointsBesideAGrainAreFound) {
 }
 
 TEST(Pairs, OfOneGrainAThousandTimesAsLargeAsManyAreFound) {
-  // All small grains are within reach of the large one. A search with a single grid would test 3e9 pairs.
+  // All small grains are within reach of the large one. A search with one grid for all sizes would test 3e9 pairs.
   constexpr int kSmall = 50000;
   Cell<2> cell;
   cell.matrix *= 2.0;
@@ -160,8 +160,8 @@ TEST(Pairs, RefuseValuesThatAreNotFinite) {
 }
 
 TEST(Pairs, OfMoreThanAThousandNeighboursAGrainAreRefused) {
-  // A disk of radius 50 in a cell of side 1 touches all its images within a distance of 100. These are pi
-  // 100^2/2 pairs, about 15 700. The limit is 10 000 + 1000.
+  // A disk of radius 50 in a cell of side 1 touches all its images within a distance of 100. The number of pairs is pi
+  // 100^2/2, about 15 700. The limit for this cell is 10 000 + 1000 pairs.
   Grains<2> grains = Grains<2>::with_size(1);
   grains.radius[0] = 50.0;
   EXPECT_THAT(
@@ -198,7 +198,7 @@ TEST(SpaceOrder, OfManySpheresHasNeighboursWithinAFewLayers) {
   EXPECT_THAT(place, testing::Each(testing::Ge(0)));
   int furthest = 0, n_pairs = 0;
   for (const NeighborPair<3>& pair : find_pairs(cell, grains, 0.0)) {
-    if (!pair.image.isZero()) continue;  // grains on either side of the boundary are far apart in the order
+    if (!pair.image.isZero()) continue;  // grains of pairs across the boundary are far apart in the order
     furthest = std::max(furthest, std::abs(place[pair.i] - place[pair.j]));
     ++n_pairs;
   }

@@ -96,7 +96,7 @@ TEST(SpreadLiquid, CountsWhatFormsAndBreaksWhenGrainsHaveMoved) {
   for (int i = 0; i < packing.grains.size(); ++i)
     packing.grains.position[i] += Vec<3>::Constant(i % 2 ? 0.03 : -0.03);
   refresh_contacts(packing);
-  EXPECT_NEAR(all_volumes(packing), liquid_of(packing), 1e-12 * liquid_of(packing));  // volumes are kept
+  EXPECT_NEAR(all_volumes(packing), liquid_of(packing), 1e-12 * liquid_of(packing));  // no volume is lost
   const LiquidChange change = spread_liquid(packing);
   EXPECT_GT(change.n_formed, 0);
   EXPECT_GT(change.n_broken, 0);

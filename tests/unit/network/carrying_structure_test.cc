@@ -39,7 +39,7 @@ TEST(CarryingStructure, LeavesOutWhatHangsOnWeakContacts) {
   EXPECT_THAT(held.contacts, ElementsAre(0, 1, 2));
   EXPECT_THAT(held.degree, ElementsAre(2, 2, 2, 0, 0));
   EXPECT_EQ(held.n_held(), 3);
-  // With a lower threshold, the weak contact carries a force too, so that two contacts hold grain 3.
+  // With a lower threshold of force, the weak contact counts too, so that grain 3 has two contacts.
   EXPECT_THAT(carrying_structure(packing, 1e-4, 2).contacts, ElementsAre(0, 1, 2, 3, 4));
 }
 

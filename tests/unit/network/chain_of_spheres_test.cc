@@ -30,8 +30,8 @@ Packing<3> straight_chain(int n) {
   return packing;
 }
 
-/// Returns the compliance of the last sphere, that is its motion under forces and moments. The first sphere is
-/// fixed.
+/// Returns the compliance of the last sphere: its displacement and rotation under unit forces and moments. The first
+/// sphere is fixed.
 Eigen::Matrix<double, 6, 6> end_compliance(int n) {
   const ContactNetwork<3> network = contact_network(straight_chain(n));
   EXPECT_EQ(static_cast<int>(network.contacts.size()), n - 1);
@@ -50,8 +50,8 @@ TEST(ChainOfSpheres, TwistsBendsAndShearsAsSpringsInSeries) {
     EXPECT_NEAR(c(0, 0), (n - 1) / kN, 1e-11 * n);
     EXPECT_NEAR(c(3, 3), (n - 1) / kTwisting, 1e-11 * n);
     for (const int axis : {4, 5}) EXPECT_NEAR(c(axis, axis), (n - 1) / kRolling, 1e-10 * n);
-    // A transverse force acts at the middle of the chain. It exerts no moment there, so the ends do not rotate
-    // relative to each other.
+    // A transverse force that acts at the middle of the chain exerts no moment about the middle, so the ends do not
+    // rotate relative to each other.
     for (const auto& [along, about, sign] : {std::tuple(1, 5, 1.0), std::tuple(2, 4, -1.0)}) {
       Eigen::Matrix<double, 6, 1> middle = Eigen::Matrix<double, 6, 1>::Zero();
       middle[along] = 1.0;

@@ -86,8 +86,8 @@ int expect_modes_of_no_energy(const ContactNetwork<Dim>& network) {
   const StiffnessMatrix k = stiffness_matrix(network, {});
   const int n = network.n_unknowns();
   const Eigen::MatrixXd grains = Eigen::MatrixXd(k.whole()).topLeftCorner(n, n);
-  // Sums of a few terms of order one have rounding errors. Motions of long dead ends are about 10 times larger,
-  // and so are their errors.
+  // Sums of a few terms of order one have rounding errors. In long dead ends, displacements are about 10 times larger,
+  // and errors are too.
   if (free.modes.cols() > 0) {
     EXPECT_LT((grains * free.modes).cwiseAbs().maxCoeff(), 1e-12);
   }
@@ -151,7 +151,8 @@ TEST(FreeMotions, SphereBetweenTwoContactsSpinsAboutTheLineThroughThem) {
   EXPECT_EQ(free.count(FreeMotionKind::spin), 2);
   EXPECT_EQ(free.count(FreeMotionKind::translation), 3);
   expect_modes_of_no_energy(zigzag);
-  // In a straight column, a rotation of the whole column about its axis is a sum of the spins of its spheres.
+  // In a straight column, each sphere can spin about the axis. The rotation of the whole column about its axis is the
+  // sum of these spins.
   packing.grains.position[1] = Vec<3>(1.0, 1.0, 1.0);
   packing.cell.matrix(2, 2) = 2.0;
   find_contacts(packing);
@@ -173,8 +174,8 @@ TEST(Rattlers, OfACohesivePackingAreAlone) {
 
 TEST(Rattlers, OfACohesionlessPackingCarryNothingOrHangOnOneContact) {
   Packing<2> packing = test::chain_across(4, 1.0, 4.0, test::elastic_law(1.0, 0.5, 0.0));
-  // One disk leans on two disks of the chain with almost no force. A second disk touches only the first one. A
-  // third disk touches the chain at one contact with a force.
+  // One disk touches two disks of the chain with almost no force. A second disk touches only the first one. A third
+  // disk touches the chain at one contact with a force.
   const double lean = std::sqrt(1.02 * 1.02 - 0.25) - 1e-9;
   for (const Vec<2>& x : {Vec<2>(0.5, lean), Vec<2>(0.5, lean + 1.0), Vec<2>(3.0, -1.0)}) {
     packing.grains.position.push_back(x);

@@ -40,7 +40,7 @@ ContactNetwork<2> ring_around_cells(int n, int cells) {
   return network;
 }
 
-/// The eight images of 2^29 cells each add up to 2^32 cells. In an int this sum would overflow to 0.
+/// Each of the eight contacts crosses 2^29 cells, and their sum is 2^32 cells. In an int this sum would overflow to 0.
 TEST(Percolation, AddsUpImagesThatAnIntDoesNotHold) {
   const ContactNetwork<2> network = ring_around_cells(8, 1 << 29);
   const Percolation p = find_percolation(network);
@@ -98,8 +98,8 @@ TEST(Percolation, OfGrainsInAClusterIsNone) {
   EXPECT_EQ(count(p.dead_end), 3);
 }
 
-/// Returns the currents in a network of random conductances under random gradients along the lattice vectors.
-/// The currents come from a dense solution.
+/// Returns the currents in a network of random conductances under random gradients along the lattice vectors. The
+/// equations are solved with a dense matrix.
 template <int Dim>
 Eigen::VectorXd currents(const ContactNetwork<Dim>& network, unsigned seed) {
   std::mt19937 engine(seed);

@@ -46,8 +46,8 @@ Packing<Dim> displaced(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
   return out;
 }
 
-/// Returns the generalised forces that keep the packing in balance: the force and moment on every grain, then
-/// for each strain the sum of the forces times the branches of the reference packing. If the packing is its own
+/// Returns the generalised forces that keep the packing in balance: the force and moment on every grain, then for each
+/// strain the sum over contacts of the force times the branch in the reference packing. If the packing is its own
 /// reference, these sums are the volume times the stress.
 template <int Dim>
 Eigen::VectorXd load(const Packing<Dim>& packing, const Packing<Dim>& reference, StrainSet strains) {
@@ -81,8 +81,8 @@ double difference_error(const Packing<Dim>& packing, StrainSet strains) {
   return (differences - k).cwiseAbs().maxCoeff() / k.cwiseAbs().maxCoeff();
 }
 
-/// Tolerance of finite differences. The truncation error is (step/r)^2 = 1e-10, the rounding error 1e-16/step =
-/// 1e-11, both relative to the largest entry.
+/// Tolerance of finite differences. The truncation error is (step/r)^2 = 1e-10, the rounding error 1e-16/step = 1e-11,
+/// both divided by the largest entry.
 constexpr double kDifferenceTolerance = 1e-8;
 
 Law cohesive_law() {
@@ -118,8 +118,8 @@ void expect_derivative_of_bridges(const std::string& form) {
     EXPECT_GT(std::count_if(packing.contacts.begin(), packing.contacts.end(),
                             [](const auto& c) { return c.distant && c.kn < 0.0; }),
               2);
-    // The force of a bridge decays over a tenth of a branch length, so the truncation error is a hundred times
-    // larger.
+    // The force of a bridge decays with the gap within a tenth of a branch length, so the truncation error is a hundred
+    // times larger than for contacts.
     EXPECT_LT(difference_error(packing, StrainSet::full), 100.0 * kDifferenceTolerance) << "seed " << seed;
   }
 }
@@ -144,8 +144,8 @@ TEST(Stiffness, HoldsForGrainsThatTouchTheirOwnImages) {
   EXPECT_LT(difference_error(three, StrainSet::full), kDifferenceTolerance);
 }
 
-/// Returns laws in each of which one term of the stiffness is much larger than the others. The largest entries
-/// of K then come from this term.
+/// Returns several laws. Under each law, one term of the stiffness is much larger than the others, so the largest
+/// entries of K come from this term.
 std::vector<Law> laws_by_term() {
   Law tails = test::elastic_law(1.0, 0.7, 0.05);
   tails += test::tail_adhesion(8.0, 0.08);  // F0/D0 = 100
@@ -168,7 +168,7 @@ TEST(Stiffness, IsTheDerivativeOfTheForcesOfSpheresThatResistTwisting) {
     EXPECT_LT(difference_error(test::random_packing<3>(8, 7, law), StrainSet::full), kDifferenceTolerance);
 }
 
-/// Returns the packing with every contact twice. Rough grains that touch at two points are like this.
+/// Returns the packing with every contact twice, as if rough grains touched at two points.
 template <int Dim>
 Packing<Dim> doubly_in_contact(Packing<Dim> packing) {
   std::vector<Contact<Dim>> twice;

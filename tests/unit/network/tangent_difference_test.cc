@@ -16,7 +16,7 @@
 namespace floc {
 namespace {
 
-/// Law under which tangential forces and rolling moments of the springs exceed their limits by up to a half, so
+/// Law with low limits of the tangential force and the rolling moment. Springs exceed these limits by up to a half, so
 /// that a third of the contacts slide.
 Law sliding_law(int dimension) {
   Law law = test::elastic_law(1.0, 0.7, 0.05);
@@ -137,9 +137,9 @@ double difference_error(const Packing<Dim>& packing) {
   return (differences - k).cwiseAbs().maxCoeff() / k.cwiseAbs().maxCoeff();
 }
 
-/// Tolerance of finite differences, relative to the largest entry. The rounding error is 1e-16/step = 1e-10. If
-/// the direction of sliding rotates, the truncation error is (step/spring)^2; the shortest springs at their
-/// limit have a length of about 1e-3.
+/// Tolerance of finite differences, relative to the largest entry. The rounding error is 1e-16/step = 1e-10. If the
+/// direction of sliding rotates, the truncation error is the square of the step divided by the elongation of the
+/// spring. At the limit, the smallest elongations are about 1e-3.
 constexpr double kTangentTolerance = 1e-7;
 
 template <int Dim>
@@ -180,7 +180,7 @@ TEST(Tangent, HoldsForGrainsThatTouchTheirOwnImages) {
   EXPECT_LT(difference_error(packing), kTangentTolerance);
 }
 
-/// Checks each contact of a packing alone. Large terms of other contacts can then not hide an error.
+/// Checks each contact of a packing alone, so that large terms of other contacts cannot hide an error.
 template <int Dim>
 void expect_each_contact(const Packing<Dim>& packing) {
   for (const Contact<Dim>& c : packing.contacts) {
@@ -202,8 +202,8 @@ TEST(Tangent, WithoutTangentialForcesIsTheSymmetricStiffness) {
   EXPECT_LT((k - k.transpose()).topLeftCorner(n, n).cwiseAbs().maxCoeff(), 1e-14);
 }
 
-/// Expects that the stiffness for stability is the symmetric part of the tangent of the forces on grains, if no
-/// contact slides.
+/// If no contact slides, the stiffness matrix with which stability is tested must equal the symmetric part of the
+/// tangent matrix.
 template <int Dim>
 void expect_symmetric_part(const Packing<Dim>& packing) {
   const ContactNetwork<Dim> network = contact_network(test::at_rest(packing));

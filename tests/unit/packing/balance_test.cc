@@ -31,8 +31,8 @@ TEST(NetForces, OfOneContactAreThoseComputedByHand) {
   const Balance<2> net = net_forces(two_disks());
   EXPECT_NEAR((net.force[0] - Vec<2>(-3.0, 0.5)).norm(), 0.0, 1e-15);
   EXPECT_NEAR((net.force[1] - Vec<2>(3.0, -0.5)).norm(), 0.0, 1e-15);
-  // The lever arms are l = R r/(Ri + Rj) with r = 1.4, which gives 14/15 and 7/15. The tangential force on disk
-  // j points down and acts at its left side.
+  // The lever arms are l = R r/(Ri + Rj) with r = 1.4, which gives 14/15 and 7/15. The tangential force on disk j
+  // points down and acts on the left side of the disk.
   EXPECT_NEAR(net.moment[0][0], 14.0 / 15.0 * 0.5 + 0.25, 1e-15);
   EXPECT_NEAR(net.moment[1][0], 7.0 / 15.0 * 0.5 - 0.25, 1e-15);
 }
@@ -49,8 +49,8 @@ TEST(StaticStress, OfOneContactIsForceTimesBranchOverArea) {
 TEST(StaticStress, TakesTheBranchThroughTheBoundary) {
   Packing<2> packing = two_disks();
   packing.cell.matrix << 10.0, 0.0, 3.0, 10.0;
-  // The contact of two_disks(), but its second disk is stored as an image: one cell below, along the skewed
-  // lattice vector.
+  // The contact of two_disks(), but the stored position of the second disk is one cell lower: it is shifted by minus
+  // the skewed lattice vector.
   packing.grains.position[1] -= Vec<2>(3.0, 10.0);
   packing.contacts[0].image = {0, 1};
   EXPECT_NEAR(static_stress(packing)(0, 0), 3.0 * 1.4 / 100, 1e-16);

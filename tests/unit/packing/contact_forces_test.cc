@@ -43,7 +43,7 @@ TEST(RefreshContact, RecomputesForcesFromPositionsAndSprings) {
   EXPECT_NEAR(c.gap, -0.1, 1e-14);
   EXPECT_NEAR((c.normal - Vec<2>(0.6, 0.8)).norm(), 0.0, 1e-14);
   EXPECT_NEAR(c.elastic_force, 10.0, 1e-12);
-  EXPECT_NEAR(c.normal_force, 8.0, 1e-12);  // a static force: the velocity of grain 0 has no effect
+  EXPECT_NEAR(c.normal_force, 8.0, 1e-12);  // static force: the velocity of grain 0 does not change it
   EXPECT_NEAR((c.shear_force - 0.8 * Vec<2>(-0.8, 0.6)).norm(), 0.0, 1e-13);
   EXPECT_NEAR(c.rolling_moment[0], 0.06, 1e-15);
   EXPECT_EQ(c.kn, 100.0);

@@ -66,8 +66,7 @@ Touching<Dim> touching(double tangential, double rolling, unsigned seed) {
   test::rolling_spring(t.contact) = 0.6 * rolling * furthest * axis;
   t.motion.relative_rotation = 0.4 * rolling * furthest * axis;
   if constexpr (Dim == 3) {
-    // If the rolling spring exceeds its limit, the twisting spring does not. Otherwise the twisting spring
-    // does.
+    // The twisting spring exceeds its limit if the rolling spring stays below its own limit, and only then.
     const double twist = (rolling > 1.0 ? 0.5 : -1.3) * 0.2 * elastic / 5.0;
     test::twisting_spring(t.contact) = 0.2 * twist;
     t.motion.twist = 0.8 * twist;
@@ -132,8 +131,8 @@ void expect_tangents() {
         EXPECT_EQ(after(t).sliding, tangential > 1.0);
         EXPECT_EQ(after(t).rolling_yield, rolling > 1.0);
         EXPECT_EQ(after(t).twisting_yield, Dim == 3 && rolling < 1.0);
-        // The truncation error is (step/spring)^2, about 1e-9. The rounding error is 1e-16/step. Both are
-        // multiplied by stiffnesses of up to 100.
+        // The truncation error is the square of the step divided by the elongation of the spring, about 1e-9. The
+        // rounding error is 1e-16/step. Both are multiplied by stiffnesses of up to 100.
         EXPECT_LT((tangent_at(t) - by_differences(t)).cwiseAbs().maxCoeff(), 1e-6)
             << tangential << " " << rolling;
       }

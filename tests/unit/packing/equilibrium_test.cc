@@ -47,7 +47,7 @@ TEST(ForceScale, In3DIsPressureOnTheSquareOfTheDiameter) {
   EXPECT_DOUBLE_EQ(force_scale(packing, Vec<3>(2.0, 2.0, 2.0)).force, 2.0 * 9.0);
 }
 
-/// Returns the residuals of squeezed() with two more disks that share one contact. The contact exerts a normal
+/// Returns the residuals of squeezed() with two additional disks, which touch each other. Their contact exerts a normal
 /// force of 0.5 and a tangential force of 0.1, which causes moments.
 /// @param smallest  radius of the last disk
 /// @param change    change of the packing before the residuals are computed
@@ -120,7 +120,7 @@ TEST(Residuals, AreInUnitsOfTheForceScaleAndNameTheWorstGrain) {
   c.shear_force = {0.1, 0.0};
   packing.contacts.push_back(c);
   packing.grains.position[1] = {0.0, 0.2};
-  packing.grains.position[2] = {0.0, 0.2};  // the branch is zero, so the contact adds nothing to the stress
+  packing.grains.position[2] = {0.0, 0.2};  // the branch is now zero, so the contact adds nothing to the stress
   const Residuals r = residuals(packing, kStress);
   const double f1 = 2 / 1.9 * 2.0;
   EXPECT_NEAR(r.force, std::hypot(0.5, 0.1) / f1, 1e-15);

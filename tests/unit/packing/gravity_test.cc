@@ -10,9 +10,8 @@
 namespace floc {
 namespace {
 
-/// Checks that the net forces contain the weight. Also checks that the stress from the boundary and the stress
-/// from the contacts differ exactly by the part that the net forces of the grains cause, whatever the values of
-/// these forces.
+/// Checks that the net forces contain the weight. Also checks the difference between the stress from the boundary and
+/// the stress from the contacts: it must equal the contribution of the net forces on the grains, for any net forces.
 template <int Dim>
 void expect_identity(const test::Ends<Dim>& ends) {
   Packing<Dim> p = test::packing_with_forces<Dim>(ends).packing;

@@ -50,8 +50,8 @@ bool all_in_reach(const CapillaryAdhesion& law, double liquid, const std::vector
   return true;
 }
 
-/// Whether every pair inside a set is reached at least as easily as every pair outside the set. Touching pairs
-/// are reached first, then pairs in the order of decreasing R'/gap^3.
+/// Whether no pair outside a set is easier to reach than a pair inside the set. Touching pairs are reached first, and
+/// then the pairs in the order of decreasing R'/gap^3.
 bool leaves_out_no_closer_pair(const std::vector<BridgeablePair>& pairs, unsigned set) {
   const auto ease = [](const BridgeablePair& p) {
     return p.gap > 0.0 ? p.radius / (p.gap * p.gap * p.gap) : std::numeric_limits<double>::infinity();
@@ -119,9 +119,9 @@ TEST(ShareLiquid, NoLargerSetOfPairsOfEqualGrainsIsInReachAtAll) {
   EXPECT_GT(n_partial, 300);
 }
 
-/// share_liquid() does not accept a set of pairs if a pair outside the set is closer than a pair inside it. In
-/// this test, pair 1 is closer than pair 2, so pairs 0 and 2 are not accepted. Pairs 0 and 1 cannot share the
-/// liquid, because their bridges would be too small. So only pair 0 gets liquid.
+/// share_liquid() does not accept a set of pairs if a pair outside the set is closer than a pair inside it. In this
+/// test, pair 1 is closer than pair 2, so pairs 0 and 2 are not accepted. Pairs 0 and 1 cannot share the liquid,
+/// because their bridges would be too small. Therefore only pair 0 gets liquid.
 TEST(ShareLiquid, APairBehindOneThatIsNotReachedStaysDry) {
   const auto gap_of = [](double radius, double q) { return std::cbrt(radius / q); };
   const std::vector<BridgeablePair> pairs{{-0.1, 1.0}, {gap_of(10.0, 9.0), 10.0}, {gap_of(1.0, 8.0), 1.0}};
@@ -131,7 +131,7 @@ TEST(ShareLiquid, APairBehindOneThatIsNotReachedStaysDry) {
 }
 
 TEST(ShareLiquid, PairsOfOneRankGoByTheirOrder) {
-  // Each of the two pairs could have a bridge alone, but not both together.
+  // Either pair could have a bridge alone, but both together cannot, because the two bridges would be too small.
   const double reach = kWater.reach(1.0), gap = 0.9 * reach;
   const LiquidShares shares = share_liquid(kWater, 1.0, std::vector<BridgeablePair>{{gap, 1.0}, {gap, 1.0}});
   EXPECT_EQ(shares.n_bonds, 1);

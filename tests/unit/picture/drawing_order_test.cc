@@ -54,7 +54,7 @@ struct Cells {
   }
 };
 
-/// Returns the depth at which a line of sight leaves a polyhedron towards the eye, or no value if the line
+/// Returns the depth at which a line of sight leaves a polyhedron on the side of the eye, or no value if the line
 /// misses the polyhedron.
 std::optional<double> front_depth(const PlacedShape<3>& placed, const Vec<3>& eye, const Vec<3>& on_line) {
   const Vec<3> from = placed.rotation.transpose() * (on_line - placed.position) / placed.scale;
@@ -101,14 +101,13 @@ TEST(DrawingOrder, APlankOverASphereIsDrawnLaterThoughItsCentreIsFarther) {
   const Shape<3> plank = box<3>({6.0, 1.0, 0.4}, 0.0), ball = round_shape<3>(0.3), rod = capsule<3>(10.0);
   const double slope = std::atan(2.0 / 3.0);
   const auto tilted = [&](const Shape<3>& shape) {
-    // The longest axis of a shape is its first one.
+    // The first axis of a shape is its longest axis.
     return PlacedShape<3>{&shape, 6.0, Vec<3>::Zero(),
                           rotation_matrix(Eigen::Quaterniond(Eigen::AngleAxisd(-slope, Vec<3>::UnitY())))};
   };
   const auto at = [&](const Vec<3>& x) { return PlacedShape<3>{&ball, 1.0, x, Mat<3>::Identity()}; };
   for (const Shape<3>& long_one : {plank, rod}) {
-    // At x = 2, where the sphere is, the long body is at height 1.33. The centre of the long body is at height
-    // 0.
+    // At x = 2, where the sphere is, the long body is at height 1.33, although its centre is at height 0.
     EXPECT_EQ(drawing_order({tilted(long_one), at({2.0, 0.0, 0.4})}, Camera(order_from_above())),
               (std::vector<int>{1, 0}));
     EXPECT_EQ(drawing_order({at({-2.0, 0.0, -0.4}), tilted(long_one)}, Camera(order_from_above())),
@@ -132,8 +131,8 @@ TEST(DrawingOrder, HoldsEachBodyOfACycleOnce) {
 }
 
 TEST(HiddenBodies, AreBehindASphereInsideAnother) {
-  // A wall of bodies with inscribed spheres, and three more bodies: one behind the wall, one beside the wall
-  // and further back, and one within the wall. The last one may stick out in front.
+  // A wall of bodies, whose inscribed spheres hide what is behind them, and three more bodies: one behind the wall, one
+  // beside the wall and further back, and one within the wall. The body within the wall may stick out in front.
   std::vector<BodyExtent> bodies;
   for (int x = -6; x <= 6; ++x)
     for (int y = -6; y <= 6; ++y) bodies.push_back({{0.5 * x, 0.5 * y, 1.0}, 0.5, 0.8});

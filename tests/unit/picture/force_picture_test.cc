@@ -114,7 +114,7 @@ TEST(IncrementForces, OfASquareLatticeAreTheStressTimesTheSpacing) {
   ASSERT_EQ(isotropic.lines.size(), 2u);
   for (const ContactLine<2>& line : isotropic.lines) {
     EXPECT_EQ(line.kind, LineKind::compression);
-    // The force of a unit stress on a unit length is divided by the diameter of 1.02.
+    // A unit stress on a unit length exerts a unit force, which is divided by the diameter of 1.02.
     EXPECT_NEAR(line.force, 1.0 / 1.02, 1e-12);
   }
   const PackingPicture<2> deviatoric = step(StressStep::deviatoric);
@@ -144,8 +144,8 @@ TEST(IncrementForces, OfACubicLatticeAreTheStressTimesTheFace) {
   }
 }
 
-/// In a brick pattern all grains touch along sides, with two contact points per pair. If one of these points
-/// carries no force, the pair is drawn as touching at a vertex.
+/// In a brick pattern, each pair of neighbours touches along sides, at two contact points. If one of the two points has
+/// no force, the pair is drawn as touching at a vertex.
 TEST(ContactKindsOf, ColoursGoByCarryingPoints) {
   Packing<2> packing = test::brick_bond(1.0, 0.3).packing;
   PackingPicture<2> picture = contact_kinds_of(packing, 1e-6);

@@ -41,8 +41,8 @@ std::vector<Matrix3d> sights() {
   return m;
 }
 
-/// Returns the smallest difference of two colours in CIE L*a*b* over all kinds of vision. A difference of about
-/// 2.3 is just noticeable.
+/// Returns the difference of two colours in CIE L*a*b* for the kind of vision with the smallest difference. A
+/// difference of about 2.3 is just noticeable.
 double least_difference(const Color& a, const Color& b) {
   double least = 1e9;
   for (const Matrix3d& sight : sights())
@@ -59,7 +59,8 @@ TEST(Palette, KindsOfContactsStayApartForColourBlindReaders) {
     for (std::size_t j = 0; j < i; ++j)
       EXPECT_GT(least_difference(kinds[i], kinds[j]), 20.0) << i << " and " << j;
   EXPECT_GT(least_difference(palette::kLost, palette::kGained), 20.0);
-  // This checks the measure itself: the colour-blind can hardly distinguish red and green of equal lightness.
+  // This tests least_difference() itself: with colour blindness, red and green of equal lightness can hardly be
+  // distinguished.
   EXPECT_LT(least_difference(hex_color(0xC00000), hex_color(0x5A6E00)), 20.0);
 }
 

@@ -20,7 +20,7 @@ TEST(PlainSvg, LeavesOtherNamesAndTextAlone) {
 TEST(PlainSvg, CoordinatesOfPathsHaveTwoDecimals) {
   EXPECT_EQ(plain_svg(R"svg(<path d="M 1.234567 -0.001 L 10.5 200 C 3.999 1e-9 0.25 0.1 -7.125 6"/>)svg"),
             R"svg(<path d="M 1.23 0 L 10.5 200 C 4 0 0.25 0.1 -7.12 6"/>)svg");
-  // Widths and matrices keep all their digits.
+  // The function shortens numbers, but line widths and matrices keep all their digits.
   const std::string kept =
       R"svg(<path style="stroke-width:0.123456" transform="matrix(0.123456,0,0,1,0,0)"/>)svg";
   EXPECT_EQ(plain_svg(kept), kept);

@@ -15,7 +15,7 @@ using Part = SeenPacking::Part;
 
 constexpr double kSeenRounding = 1e-12;
 
-/// View from far up the z axis, with x to the right and y upwards. Seen coordinates therefore equal the
+/// View from far up the z axis, with x to the right and y upwards. The coordinates in this view therefore equal the
 /// coordinates in the cell.
 View from_above() {
   View view;
@@ -43,7 +43,7 @@ TEST(SeenPacking, NearerSpheresAreDrawnLater) {
   ASSERT_EQ(seen.order.size(), 4u);
   std::vector<int> grains;
   for (const auto& mark : seen.order) grains.push_back(seen.spheres[mark.index].grain);
-  // The last sphere is moved into the cell, to z = 1.5.
+  // The last sphere is outside the cell; its image at z = 1.5 is drawn.
   EXPECT_EQ(grains, (std::vector<int>{1, 3, 2, 0}));
   EXPECT_NEAR(seen.far, 1.0, kSeenRounding);
   EXPECT_NEAR(seen.near, 3.0, kSeenRounding);
@@ -96,8 +96,8 @@ TEST(SeenPacking, TubesReachFromSphereToSphere) {
   EXPECT_TRUE(seen.tubes[0].to.isApprox(Vec<3>(2.0 - inside, 2, 2), kSeenRounding));
   EXPECT_EQ(seen.tubes[0].from_end, TubeEnd::at_sphere);
   EXPECT_NEAR(seen.tubes[0].width, 0.3, kSeenRounding);
-  // If a tube is wider than the spheres, it ends at their centres. Between spheres drawn at full size, no tube
-  // is visible.
+  // If a tube is wider than the spheres, it ends at their centres. If spheres are drawn at full size, they hide all
+  // tubes.
   view.sphere_size = 0.2;
   const auto wide = seen_packing(picture, view, scale);
   EXPECT_TRUE(wide.tubes.at(0).from.isApprox(Vec<3>(1, 2, 2), kSeenRounding));
@@ -136,8 +136,8 @@ TEST(SeenPacking, ContactsWithAWallEndFlatOnIt) {
 
 TEST(SeenPacking, ASphereHidesWhatIsInItAndBehindIt) {
   const SeenSphere sphere{{0, 0, 0}, 1.0, 0};
-  // A line that passes the sphere at the depth of its equator, or behind it, is hidden over the width of the
-  // outline. A line in front of the sphere is not hidden.
+  // The sphere hides a line over the full width of its outline if the line passes the sphere at the depth of the
+  // equator or behind it. The sphere does not hide a line in front of it.
   EXPECT_EQ(hidden_part({-2, 0, -3}, {2, 0, -3}, sphere), (std::pair{0.25, 0.75}));
   EXPECT_FALSE(hidden_part({-2, 0, 1.5}, {2, 0, 1.5}, sphere));
   EXPECT_FALSE(hidden_part({-2, 1.5, -3}, {2, 1.5, -3}, sphere));
@@ -190,8 +190,8 @@ TEST(SeenPacking, ThreeEdgesOfACellLieBehindAndSixAreItsOutline) {
 }
 
 TEST(SeenPacking, EdgesBehindASphereAreBroken) {
-  // The sphere lies on the upper edge along x that is nearest to the eye. Towards x = 0 this edge recedes from
-  // the eye. There the outline of the sphere hides a longer part of the edge than the part inside the sphere.
+  // The sphere lies on the upper edge along x that is nearest to the eye. Towards x = 0, this edge recedes from the
+  // eye. On this side, the outline of the sphere hides more of the edge than the part inside the sphere.
   const double sine = std::cos(20.0 * std::numbers::pi / 180.0) * std::cos(65.0 * std::numbers::pi / 180.0);
   const auto seen = seen_packing(spheres_at({{2, 0, 4.0 - 1e-9}}), View(), {});
   for (const SeenEdge& edge : seen.cell_edges) {
@@ -209,7 +209,7 @@ TEST(PartInSlab, HoldsCentresAndTheLinesBetweenThem) {
                    line_between(picture, 2, 3, {1, 1, 2.9}), line_between(picture, 2, 4, {1, 0, 2.0})};
   picture.arrows = {{{1, 1, 0.5}, {0, 0, 1}, 0}, {{1, 1, 2}, {0, 0, 1}, 2}};
   const PackingPicture<3> part = part_in_slab(picture, {2, 0.5, 0.75});
-  // The fourth sphere is moved into the cell, to z = 2.9; body 4 is a wall.
+  // The fourth sphere is outside the cell; its image at z = 2.9 is drawn. Body 4 is a wall.
   ASSERT_EQ(part.position.size(), 2u);
   EXPECT_EQ(part.position[0], picture.position[2]);
   EXPECT_EQ(part.position[1], picture.position[3]);

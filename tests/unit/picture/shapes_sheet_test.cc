@@ -82,8 +82,8 @@ Packing<3> cubes() {
   return packing;
 }
 
-/// Returns the area (length^2) that has the blue at the end of the colour scale. Pixels at edges have mixed
-/// colours and count in part.
+/// Returns the area (length^2) in the blue at the end of the colour scale. Pixels at edges have mixed colours and count
+/// as parts of a pixel.
 double blue_area(const std::string& png, double pixels_per_length) {
   const Pixels pixels(png);
   const int red = rgb_of(palette::diverging(1.0)) >> 16;
@@ -291,7 +291,7 @@ TEST(SeenPackingOfShapes, TubesLeadFromFaceToFaceThroughTheContactPoint) {
   const SeenPacking seen = seen_packing(picture, view, {});
   ASSERT_EQ(seen.tubes.size(), 2u);
   const Vec<3> bend(2.5, 2.0, 2.0);
-  // The tubes end at z = 1.5 and z = 2.5, up to the sagitta of the tube's width.
+  // The tubes end on the faces at z = 1.5 and z = 2.5, up to a small correction for the width of a tube.
   EXPECT_TRUE(seen.tubes[0].from.isApprox(Vec<3>(2.25, 2.0, 1.5), 1e-3));
   EXPECT_TRUE(seen.tubes[0].to.isApprox(bend));
   EXPECT_EQ(seen.tubes[0].to_end, TubeEnd::round);

@@ -44,8 +44,8 @@ TEST(Sheet, WidthsOfLinesAreProportionalToForces) {
   const Pixels pixels(draw_sheet<2>({two_lines()}, test::plain_png()));
   ASSERT_EQ(pixels.width(), 410);
   ASSERT_EQ(pixels.height(), 410);
-  // A line with the root mean square force is 0.15 diameters wide, and a diameter is 100 pixels. Pixels at
-  // edges have mixed colours.
+  // The width of a line is proportional to its force; for the root mean square force it is 0.15 diameters. A diameter
+  // is 100 pixels. Pixels at edges have mixed colours.
   const double rms = std::sqrt(2.5);
   EXPECT_NEAR(count_in_column(pixels, 205, palette::kCompression), 15.0 * 2.0 / rms, 2.0);
   EXPECT_NEAR(count_in_column(pixels, 205, palette::kTension), 15.0 * 1.0 / rms, 2.0);
@@ -113,7 +113,8 @@ TEST(Sheet, AStripHasOneLengthScale) {
   options.width = 10.0 + 2 * 400.0 + 12.0;
   const Pixels pixels(draw_sheet<2>({two_lines(), half}, options));
   EXPECT_EQ(pixels.height(), 410);
-  // The second picture has half the side. It is at the upper left of its column.
+  // The cell of the second picture has half the side of the first cell. The second picture is at the upper left of its
+  // column.
   const auto grey = rgb_of(palette::kGrain);
   EXPECT_EQ(pixels.rgb(5 + 412 + 100, 5 + 100), grey);
   EXPECT_EQ(pixels.rgb(5 + 412 + 100, 5 + 300), 0xFFFFFF);
@@ -140,7 +141,7 @@ TEST(Sheet, AHundredThousandGrainsAreNoBlackSquare) {
   options.format = PictureFormat::png;
   const Pixels dense(draw_sheet<2>({many(100'000)}, options));
   const Pixels sparse(draw_sheet<2>({many(100)}, options));
-  // Except for the outlines, the picture is as light as a picture of a hundred similar grains.
+  // Except for the outlines, the mean brightness of the picture is that of a picture of a hundred similar grains.
   EXPECT_NEAR(dense.ink(), sparse.ink(), 0.05);
   EXPECT_LT(dense.ink(), 0.4);
   EXPECT_LE(std::max(dense.width(), dense.height()), 3000);
@@ -211,7 +212,8 @@ TEST(SheetOfSpheres, ManyAreAnImageUnlessOthersHideThem) {
     picture.radius.assign(picture.position.size(), radius);
     return picture;
   };
-  // Of 8000 touching spheres, only those at three faces are visible, and parts of other spheres between them.
+  // Of 8000 touching spheres, only the spheres at three faces of the cell are visible, and parts of other spheres in
+  // the gaps between them.
   const std::string dense = draw_sheet<3>({crystal(20, 0.5)}, {});
   EXPECT_THAT(dense, Not(HasSubstr("data:image/png")));
   EXPECT_LT(count_in(dense, "<radialGradient"), 4000);

@@ -41,7 +41,7 @@ TEST(Camera, LooksAlongTheDirectionOfItsAngles) {
   const Vec<3> eye(std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e));
   const Camera camera(from(a * degrees, e * degrees));
   EXPECT_TRUE(camera.seen(eye).isApprox(Vec<3>(0.0, 0.0, 1.0), 4.0 * kRounding));
-  // The z axis is drawn vertically and foreshortened.
+  // The z axis is drawn vertically. It is foreshortened by the cosine of the elevation.
   EXPECT_NEAR(camera.seen(Vec<3>::UnitZ())[0], 0.0, kRounding);
   EXPECT_NEAR(camera.seen(Vec<3>::UnitZ())[1], std::cos(e), kRounding);
 }

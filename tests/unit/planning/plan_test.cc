@@ -51,7 +51,8 @@ Scene scene(const std::vector<std::string>& changes = {}) {
   return read_scene(test::source_directory() + "/data/scenes/demo.toml", changes);
 }
 
-/// Returns a scene with as many equilibria as the table has: 2 in the assembly and 8 in the loading.
+/// Returns a scene with ten equilibria, as many as the samples of prices() have: 2 in the assembly and 8 in the
+/// loading.
 Scene scene_of_ten_states() {
   return scene({"assembly.pressure=0.01", "load.0.to=1", "load.0.steps_per_decade=3", "load.1.to=0.01",
                 "load.1.steps_per_decade=1"});
@@ -85,11 +86,11 @@ TEST_F(Plans, PricesFollowTheLawsOfTheModel) {
   const PricedError one = model_.error(phi, plain, 100, 1), many = model_.error(phi, plain, 400, 16);
   EXPECT_NEAR(one.scatter, student_t_95(8) * 0.02, 1e-12);
   EXPECT_NEAR(many.scatter, one.scatter / 8.0, 1e-12) << "sqrt(4 x 16) as small";
-  // The size error is c/N for N grains, where c follows from 0.02 = c (1/25 - 1/100). For 100 grains the error
-  // is 0.02/3.
+  // The error due to finite size is c/N for N grains, where c follows from 0.02 = c (1/25 - 1/100). For 100 grains,
+  // this error is 0.02/3.
   EXPECT_NEAR(one.size, 0.02 / 3.0, 1e-6);
   EXPECT_NEAR(many.size, one.size / 4.0, 1e-12);
-  // The means agree within their error, so the error of the settings is that of single states.
+  // The means with both settings agree within their statistical error, so only the error of single states counts.
   EXPECT_DOUBLE_EQ(one.settings, 1e-5);
 }
 
@@ -98,7 +99,7 @@ TEST_F(Plans, MoreStatesAndOtherRangesOfStepsCostAccordingly) {
   const PriceModel longer(
       scene({"load.0.to=1", "load.0.steps_per_decade=8", "load.1.to=0.01", "load.1.steps_per_decade=2"}),
       prices());
-  // The path has 22 states instead of 10. Each additional state takes 0.3 times as long as one of the first 10
+  // The path has 22 states instead of 10. An additional state takes only 0.3 times as long as each of the first 10
   // states.
   EXPECT_NEAR(longer.core_seconds(plain, 100) / model_.core_seconds(plain, 100),
               1.0 + 0.3 * (22.0 / 10.0 - 1.0), 1e-9);
@@ -195,7 +196,7 @@ TEST_F(Plans, WhatCannotBeHadIsRefusedWithTheNearestThatCan) {
   dear.budget = 5.0;
   EXPECT_THAT(refusal(dear), AllOf(HasSubstr("the requested errors take "),
                                    HasSubstr("; the nearest errors that the budget allows are phi=0.0")));
-  // The message names the nearest error that is possible. A request for this error is accepted.
+  // The message names the smallest error that is possible. A request for this error must be accepted.
   const std::string words = refusal(below);
   const std::size_t at = words.find("at least ") + 9;
   below.wants = {{"phi", std::stod(words.substr(at))}};
@@ -212,7 +213,7 @@ TEST_F(Plans, WantsAreNamesOfObservablesOrKeysOfAccuracy) {
   EXPECT_THROW((void)wants_of({"phi=1", "phi=2"}, names), InputError);
 }
 
-/// The table of prices() with more rows: softer springs that take half of the time.
+/// The table of prices() with additional rows for softer springs. With these springs, a sample takes half of the time.
 PriceTable soft_prices() {
   PriceTable table = prices();
   for (const char* name : {"phi", "B"}) {
@@ -241,8 +242,8 @@ TEST(PriceModelOfAScene, CostsAsMuchAsItsSofteningSays) {
   const double tenth = 0.3 + 0.7 / std::sqrt(10.0);
   EXPECT_NEAR(seconds(prices(), {"equilibrium.softening=10"}), 2.0 * tenth, 1e-9);
   EXPECT_NEAR(seconds(prices(), {"assembly.softening=10"}), 2.0 * (0.57 * tenth + 0.43), 1e-9);
-  // If the table has a row for softening, the time of this row counts. For smaller softenings, a power law
-  // interpolates.
+  // If the table has a row for a softening, the time in this row counts. For smaller softenings, the time is
+  // interpolated by a power law.
   EXPECT_NEAR(seconds(soft_prices(), {"equilibrium.softening=10"}), 1.0, 1e-9);
   EXPECT_NEAR(seconds(soft_prices(), {"load.0.softening=10", "load.1.softening=10"}), 2.0 * (0.57 + 0.43 * 0.5),
               1e-9);
@@ -262,8 +263,8 @@ TEST(ChangesOfAScene, GiveItTheSofteningOfThePlan) {
   EXPECT_THAT(softened(scene(), {10.0, 1.0}),
               testing::IsSupersetOf({"equilibrium.softening=1", "assembly.softening=10"}));
   EXPECT_THAT(softened(scene(), {}), testing::Each(Not(HasSubstr("softening"))));
-  // The changes also replace the softening of a single stage. They are accepted by scenes with stages that
-  // impose a strain.
+  // changes_of() also replaces the softening that a single stage sets. Scenes with stages that impose a strain accept
+  // the changes.
   EXPECT_THAT(softened(scene({"load.1.softening=3"}), {}), testing::Contains("load.1.softening=1"));
   const Scene oedometer = read_scene(test::source_directory() + "/data/scenes/oedometer.toml", {});
   const std::vector<std::string> changes = softened(oedometer, {2.0, 2.0});

@@ -17,8 +17,9 @@
 namespace floc {
 namespace {
 
-/// Contact law of the published study in units of diameter, mass and pressure. sc is the adhesion force f_c,
-/// and se is the stiffness k_n.
+/// Contact law of the published study, in units of diameter, mass and pressure.
+/// @param sc  adhesion force f_c
+/// @param se  stiffness k_n
 Law sticky(double sc, double se, double friction = 0.4) {
   Law law;
   law += test::linear(se);
@@ -108,7 +109,8 @@ TEST_P(CubicCrystal, BetweenWallsHasTheSideOfItsEquilibrium) {
   EXPECT_EQ(end.report.ending, "dynamic");
   EXPECT_EQ(end.report.n_mechanisms, 0);
   const double side = side_at_rest(n, sc, se, f_w, p);
-  // The force p L^2 = n^2 on a wall is accurate to 1e-3 of its value, which changes each overlap by 1e-3/K_N.
+  // The pressure on a wall is accurate to 1e-3. The total force on a wall is p L^2 = n^2, so each overlap has an error
+  // of 1e-3/K_N.
   for (int a = 0; a < 3; ++a) EXPECT_NEAR(relaxer.packing().cell.matrix(a, a), side, 2e-3 * n / se);
   for (int a = 0; a < 3; ++a) EXPECT_NEAR(wall_pressure(relaxer.packing())[a], p, 1e-3 * p);
 }
@@ -116,7 +118,7 @@ TEST_P(CubicCrystal, BetweenWallsHasTheSideOfItsEquilibrium) {
 INSTANTIATE_TEST_SUITE_P(Boxes, CubicCrystal,
                          testing::Values(Crystal{1, 1.0}, Crystal{4, 1.0}, Crystal{3, 0.0}));
 
-/// Compares the closed form with the published values.
+/// Compares the void ratios of the closed form with the published values.
 TEST(CubicCrystal, OfOneAndOf64SpheresHasTheVoidRatiosOfTheSpecification) {
   const auto e = [](int n) {
     const double side = side_at_rest(n, 1.0, 1e4, 1.0, 1.0);
@@ -143,8 +145,8 @@ TEST(EmptyCube, ClosesAsItsEnergySays) {
   for (int a = 0; a < 3; ++a) EXPECT_NEAR(dynamics->packing().cell.matrix(a, a), 0.5 * side, 1e-3);
 }
 
-/// At rest, the contact stress along an axis is the pressure on the walls across this axis, minus the stress
-/// that friction on the parallel walls carries.
+/// At rest, the contact stress along an axis is the pressure on the walls across this axis, minus the stress due to
+/// friction on the parallel walls.
 template <int Dim>
 void expect_sum_rule(const Packing<Dim>& packing, double bound) {
   const Vec<Dim> difference =
@@ -181,8 +183,8 @@ TYPED_TEST(SettledGasOf, BearsThePressureAndObeysTheSumRule) {
   EXPECT_EQ(end.report.n_mechanisms, 0);
   EXPECT_LT(wall_imbalance<Dim>(relaxer.packing(), Vec<Dim>::Constant(p)), 1e-3 * p);
   EXPECT_GT(stress_borne_by_friction(relaxer.packing()).norm(), 1e-3 * p);
-  // Net forces of 1e-6 F1 = 2e-7 act on 80 grains within a distance of 10 from the origin, in a volume of at
-  // least 60.
+  // The net forces of 1e-6 F1 = 2e-7 cause this error of the stress: they act on 80 grains within a distance of 10 from
+  // the origin, in a volume of at least 60.
   expect_sum_rule(relaxer.packing(), 3e-6);
 }
 
@@ -222,7 +224,7 @@ TEST(BoxRelaxer, MovesTheWallsUnderPressureAlone) {
   EXPECT_NEAR(wall_pressure(rest)[0], 0.1, 0.05);
 }
 
-/// With a wall speed, the walls first move at this speed; the pressure acts afterwards.
+/// If a wall speed is given, the walls first move at this speed. The pressure acts on them only afterwards.
 TEST(BoxRelaxer, ClosesTheBoxAtTheSpeedGiven) {
   const BoxOptions box = box_of(0.4, 0.0, 0.0);
   const Packing<2> gas = boxed_gas<2>(60, sticky(0.0, 1e3), box, 0.35);
@@ -246,7 +248,7 @@ TEST(BoxRelaxer, SaysThatWallsRunAway) {
   EXPECT_THAT(end.report.blocking, testing::HasSubstr("and no grain touches them"));
 }
 
-/// If walls would push grains out of the box, the relaxer gives up with a message.
+/// If the walls cannot keep the grains in the box, the relaxer gives up with a message.
 TEST(BoxRelaxer, SaysThatGrainsLeaveTheBox) {
   const Packing<2> gas = boxed_gas<2>(30, sticky(0.0, 10.0), box_of(0.0, 0.0, 0.0), 0.5);
   BoxRelaxer<2> relaxer(RelaxationOptions{}, gas, Vec<2>(20.0, 20.0));

@@ -38,7 +38,7 @@ TEST(ContactDynamicsRelaxer, FrictionlessSpheresAreIsostatic) {
   expect_isostatic<3>(std::nullopt, 3);
 }
 
-/// Expects the same bits for several numbers of threads. Also expects them if a new relaxer is created after
+/// Expects identical results, bit for bit, for several numbers of threads, and also if a new relaxer is created after
 /// each chunk of steps.
 template <int Dim>
 void expect_repeatable(const RigidGas& gas) {
@@ -69,8 +69,8 @@ TEST(ContactDynamicsRelaxer, PolyhedraRepeatTheirBits) {
   expect_repeatable<3>({.count = 20, .shape = cut_stones(), .friction = 0.5});
 }
 
-/// Removes the forces of a packing and computes canonical forces from its positions alone. Compares them with
-/// the forces of a relaxation, which depend on history.
+/// Removes the forces of a packing and computes canonical forces from its positions alone. These must equal the
+/// canonical forces at the end of the relaxation.
 TEST(ContactDynamicsRelaxer, CanonicalForcesDependOnPositionsAlone) {
   RelaxationOptions options = rigid_options();
   options.contact_dynamics.forces = RigidForces::canonical;

@@ -65,8 +65,8 @@ Packing<Dim> solved(const Packing<Dim>& from, const LoadTarget<Dim>& load) {
   return solution.packing;
 }
 
-/// Returns a gas that was compressed without friction. It is solved again with friction, starting without
-/// tangential forces.
+/// Compresses a gas without friction, then switches friction on. Returns the equilibrium that is found with friction,
+/// without initial tangential forces.
 template <int Dim>
 Packing<Dim> dense_packing(int n, double pressure, std::uint64_t seed) {
   Law smooth = linear_law(0.5);
@@ -77,7 +77,7 @@ Packing<Dim> dense_packing(int n, double pressure, std::uint64_t seed) {
       options, test::gas_of<Dim>(n, smooth, Dim == 2 ? 0.6 : 0.45, seed), Vec<Dim>::Constant(pressure));
   while (relaxer->advance() == RelaxationStatus::running) continue;
   Packing<Dim> packing = relaxer->packing();
-  packing.law = linear_law(1e3);  // so large that no contact slides
+  packing.law = linear_law(1e3);  // friction coefficient so large that no contact slides
   refresh_contacts(packing);
   return solved<Dim>(packing, LoadTarget<Dim>::normal_stress(Vec<Dim>::Constant(pressure)));
 }
@@ -91,8 +91,8 @@ Mat<Dim> stiffness(const Packing<Dim>& packing) {
 
 constexpr double kStrain = 3e-7;
 
-/// Half the differences between two small steps of opposite sign: changes of stress and changes of logarithmic
-/// strain.
+/// Half the difference between the results of two small load steps of opposite sign: the changes of stress and of
+/// logarithmic strain.
 template <int Dim>
 struct Answer {
   Vec<Dim> stress, strain;
@@ -145,9 +145,9 @@ TEST(DirectedLoad, OfDensePackingsIsThatOfTheirModuli) {
   expect_answers_of_moduli(dense_packing<3>(60, 1e-3, 4));
 }
 
-/// Returns C_ab = R_ab/V + sigma_a. R is the derivative of the virial (sum of f r over contacts) with respect
-/// to the strains, after relaxation of the grains. It is computed with the consistent tangent of all forces,
-/// including tangential ones.
+/// Returns C_ab = R_ab/V + sigma_a. R is the derivative of the virial (sum of f r over contacts) with respect to the
+/// strains, after relaxation of the grains. R is computed with the consistent tangent of all forces, including
+/// tangential ones.
 template <int Dim>
 Mat<Dim> consistent_stiffness(const Packing<Dim>& packing) {
   const Eigen::MatrixXd whole = test::consistent_tangent(packing, Dim);
@@ -168,8 +168,8 @@ double largest_mobilisation(const Packing<Dim>& packing) {
   return largest;
 }
 
-/// A packing was compressed along one axis by many times its elastic strain, so that its contacts carry
-/// tangential forces. The response of the packing follows the consistent tangent. The moduli differ from it,
+/// A packing was compressed along one axis by many times its elastic strain, so that its contacts carry tangential
+/// forces. The response of the packing follows the consistent tangent. The elastic moduli differ from this response,
 /// because they omit the geometric terms of the tangential forces.
 template <int Dim>
 void expect_answers_of_the_consistent_tangent(std::uint64_t seed) {
@@ -220,8 +220,8 @@ TEST(DirectedLoad, OfSimpleShearIsThatOfTheShearModuli) {
   expect_shear_answers(test::crystal_of(test::face_centred_cubic(), 0.99, 1.0, linear_law(0.5)));
 }
 
-/// Expects that the relaxer solves the steps of a closed cycle of strains statically, and that the cycle
-/// restores the positions.
+/// Imposes a closed cycle of strains. Expects that the relaxer solves each step statically, and that the cycle restores
+/// the positions of the grains.
 template <int Dim>
 void expect_closed_cycle(const Packing<Dim>& start) {
   Packing<Dim> packing = start;
@@ -310,7 +310,7 @@ TEST(DirectedLoad, AShearedLatticeMovesToItsOffsetAndStandsStill) {
   EXPECT_NEAR(end.cell.matrix(0, 0) / load.side[0], 1.0, 1e-14);
   const Mat<2> stress = static_stress(end);
   EXPECT_NEAR(stress(1, 1), 1e-3, 2e-8);
-  EXPECT_LT(stress(0, 1), static_stress(start)(0, 1) - 1e-4);  // shear stress resists the shear
+  EXPECT_LT(stress(0, 1), static_stress(start)(0, 1) - 1e-4);  // the packing resists the shear
 }
 
 TEST(DirectedLoad, IsContinuedFromItsProgressBitByBit) {
@@ -340,7 +340,7 @@ RelaxationReport refused(const Packing<2>& start, const LoadTarget<2>& load) {
   return relaxer->report();
 }
 
-/// If every axis is extended, the grains lose contact, and the packing would never come to rest.
+/// If every axis is extended, the grains lose contact and never come to rest. The relaxer must say so.
 TEST(DirectedLoad, APackingDrawnApartEndsInWords) {
   const Packing<2> start = dense_packing<2>(60, 1e-3, 3);
   LoadTarget<2> load;
@@ -348,7 +348,7 @@ TEST(DirectedLoad, APackingDrawnApartEndsInWords) {
   EXPECT_THAT(refused(start, load).blocking, testing::HasSubstr("stress zero"));
 }
 
-/// Adhesion without contacts cannot carry a load either.
+/// Grains with adhesion but without contacts cannot carry a load either.
 TEST(DirectedLoad, CohesiveGrainsWithoutContactsEndInWords) {
   Packing<2> start = test::unit_grains<2>({{1.0, 1.0}, {3.0, 3.0}}, 4.0, test::cohesive_law());
   find_contacts(start);

@@ -84,13 +84,13 @@ double energy_drift_of_sheared(double dt, int n_steps) {
   Law law;
   law += test::linear(1.0);
   Packing<2> gas = test::gas_of(100, law, 0.7, 3);
-  // Grains overlap along the edges of the sheared cell. The energy of these overlaps sets the cell in motion.
+  // Grains overlap across the faces of the sheared cell. The energy of these overlaps sets the cell in motion.
   gas.cell.matrix(1, 0) = 0.3 * gas.cell.matrix(0, 0);
   RandomStream random(4, 2);
   agitate(gas, 0.02, random);
   const BoundaryControl<2> control = all_under_stress(gas, 1e-3);
   const auto dynamics = make_dynamics(gas, control, {dt, 0.1});
-  dynamics->advance(1, Motion::free);  // finds the contacts, on which the energy depends
+  dynamics->advance(1, Motion::free);  // finds the contacts, whose energy is part of the total
   const double initial = total_energy(dynamics->packing(), control);
   double largest = 0.0;
   for (int k = 0; k < 10; ++k) {
@@ -146,13 +146,13 @@ TEST(Dynamics, FrictionlessUndampedCellConservesEnergyToSecondOrder) {
   const double coarse = energy_drift(0.1, 4000);
   const double fine = energy_drift(0.025, 16000);
   EXPECT_LT(coarse, 2e-3);
-  // With a quarter of the step, the error of a method of second order ideally falls to 1/16. Contacts that open
-  // and close are not smooth, so only half of this gain is required.
+  // With a quarter of the step, the error of a method of second order ideally falls to 1/16. Contacts that open and
+  // close are not smooth, so a decrease to 1/8 is enough.
   EXPECT_LT(fine, coarse / 8.0);
 }
 
-/// Returns the coefficient of restitution of two disks that collide head on without adhesion. The time step is
-/// that for diameters in [1/2, 1].
+/// Returns the coefficient of restitution of two disks that collide head on without adhesion. The time step is the
+/// usual step for disks with diameters in [1/2, 1].
 /// @param phase  fraction of a step at which the first overlap occurs
 double measured_restitution(double diameter_i, double diameter_j, double phase) {
   Law law;
@@ -231,7 +231,7 @@ void expect_mirror_images(const Law& law) {
   const Grains<2> m = parted(unequal_pair(law, true));
   const double restitution = (g.velocity[1][0] - g.velocity[0][0]) / 2.0;
   EXPECT_GT(restitution, 0.0);
-  EXPECT_LT(restitution, 1.01);  // 1 without damping; the first step with overlap adds an error
+  EXPECT_LT(restitution, 1.01);  // 1 without damping, up to the error of the first step with overlap
   // The rounding errors of positions differ by 1e-15 between the two collisions; overlaps are 1e-3.
   constexpr double kRounding = 1e-9;
   EXPECT_NEAR((m.velocity[0][0] - m.velocity[1][0]) / -2.0, restitution, kRounding);
@@ -297,8 +297,8 @@ double growth_in_crystal(int n_steps, double time_step, double restitution, doub
   return mean_kinetic_energy(dynamics->packing()) / mean_kinetic_energy(crystal);
 }
 
-/// The expected limits of the time step are those in the comment of RelaxationOptions::time_step. From a
-/// rolling stiffness of about 0.2 on, the step is shortened.
+/// The expected limits of the time step are those in the comment of RelaxationOptions::time_step. For rolling
+/// stiffnesses above about 0.2, the default step is shorter.
 TEST(TimeStep, LeavesCrystalsStable) {
   for (const double restitution : {0.015, 0.5}) {
     EXPECT_LT(growth_in_crystal(3000, 0.40, restitution, 0.0), 1.0);

@@ -53,8 +53,8 @@ EnergyTerms deformed(const Law& law, std::uint64_t seed, double step_share) {
   return account.terms();
 }
 
-/// Tests ten random loadings. Viscous forces use velocities half a step earlier. The error of the account is
-/// therefore of first order in the step.
+/// Tests ten random loadings. Viscous forces are computed from the velocities half a step earlier, so the error of the
+/// energy account is of first order in the time step.
 template <int Dim>
 void expect_to_close(const Law& law) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
@@ -90,8 +90,8 @@ Law wet_law(const std::string& formation, const std::string& form) {
   return law;
 }
 
-/// The energy of bridges that form, and of liquid that is redistributed, is a separate term. The error of the
-/// balance is of first order in the time step.
+/// The account has a separate term for the energy of bridges that form and of liquid that is redistributed. The error
+/// of the balance is of first order in the time step.
 TEST(EnergyAccount, ClosesForWetGrainsToFirstOrder) {
   std::cout << "formation form: error at a step, at half of it, order; work, liquid\n";
   for (const char* const formation : {"gap", "contact"})
@@ -124,7 +124,7 @@ Packing<2> strained_packing(const Law& law) {
   return dynamics->packing();
 }
 
-/// If a stage of a run changes the law, contacts keep their histories, as in this test.
+/// A stage of a run may change the law while contacts keep their histories, as in this test.
 TEST(EnergyAccount, KeepsSpringsWhereTheLawChanges) {
   const Packing<2> packing = strained_packing(full_law<2>());
   Law rougher = packing.law, stiffer = packing.law;

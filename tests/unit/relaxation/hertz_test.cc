@@ -81,7 +81,7 @@ TEST(Hertz, UnloadingAtFixedSlipScalesTheShearForceThenSlides) {
   }
 }
 
-/// Overlap and slip increase in proportion and return along the same path.
+/// Overlap and slip increase in a constant ratio, and then decrease along the same path.
 TEST(Hertz, ObliqueLoadingFollowsTheGrowingStiffness) {
   constexpr int kSteps = 4000;
   for (const InstructionSet set : instruction_sets()) {

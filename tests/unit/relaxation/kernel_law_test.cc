@@ -44,7 +44,7 @@ class PairUnder {
   typename Law::template PairParameters<> parameters_;
 };
 
-/// Returns motions of a pair: into contact, within contact, out of contact, and to an overlap of exactly zero.
+/// Returns motions of a pair: into contact, within contact, out of contact, and to a gap of exactly zero.
 template <int Dim>
 std::vector<ContactMotion<Dim>> motions() {
   std::mt19937 random(1);

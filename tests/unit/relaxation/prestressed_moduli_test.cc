@@ -23,8 +23,8 @@ Law glass(double friction) {
   return law;
 }
 
-/// Returns beads in state A: they are assembled without friction; then friction is switched on, without
-/// tangential forces.
+/// Assembles beads without friction, then switches friction on. Returns this packing, which has no tangential forces
+/// (state A).
 Packing<3> beads_put_together_without_friction(int n, double pressure, std::uint64_t seed) {
   RelaxationOptions options;
   options.inertial_number_cap = 1e-2;
@@ -47,8 +47,8 @@ Packing<3> solved(const Packing<3>& from, const Vec<3>& stress) {
   return solution.packing;
 }
 
-/// Returns the compliance of a packing under isotropic pressure by finite differences. An entry is the
-/// shortening of a side divided by the change of a stress.
+/// Returns the compliance of a packing under isotropic pressure by finite differences. An entry is the logarithmic
+/// shortening of a side, divided by the change of the stress on an axis.
 Mat<3> compliance_by_differences(const Packing<3>& packing, double pressure) {
   const double step = 1e-4 * pressure;
   Mat<3> compliance;
@@ -77,7 +77,8 @@ double error_of_moduli(const Packing<3>& start, double pressure) {
 
 TEST(PrestressedModuli, OfAnFccCrystalAreRelaxedDifferences) {
   const Packing<3> crystal = test::crystal_of(test::face_centred_cubic(), 0.99, 1.0, glass(0.3));
-  // P = z N/(6 c r^2), with the force N of a contact, the coordination number z and the volume c r^3 per sphere
+  // P = z N/(6 c r^2), with the force N of a contact, the coordination number z, the branch length r and the volume c
+  // r^3 per sphere
   const double pressure = 12.0 / (6.0 / std::sqrt(2.0) * 0.99 * 0.99) * std::pow(0.01, 1.5) / 3.0;
   EXPECT_NEAR(pressure, 9.619519e-4, 1e-9);
   EXPECT_LT(error_of_moduli(crystal, pressure), 1e-6);
@@ -100,7 +101,8 @@ TEST(PrestressedModuli, OfAnHcpCrystalAreRelaxedDifferences) {
   EXPECT_LT(error_of_moduli(crystal, pressure), 1e-6);
 }
 
-/// The contacts carry no tangential force and do not change, so the effect of friction is of second order.
+/// The contacts have no tangential force, and no contact opens or closes, so the effect of friction is of second order
+/// in the step.
 TEST(PrestressedModuli, OfBeadsPutTogetherWithoutFrictionAreRelaxedDifferences) {
   const double pressure = std::pow(400.0, -1.5);
   EXPECT_LT(error_of_moduli(beads_put_together_without_friction(500, pressure, 1), pressure), 1e-6);

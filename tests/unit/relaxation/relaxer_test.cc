@@ -23,7 +23,7 @@ RelaxationOptions options() {
   return o;
 }
 
-/// Returns the relaxer after its last step.
+/// Runs a relaxer until it ends, and returns the relaxer.
 Relaxer<2> run_to_end(const RelaxationOptions& with, const Packing<2>& start, double pressure) {
   Relaxer<2> relaxer(with, start, Vec<2>::Constant(pressure));
   RelaxationStatus status = RelaxationStatus::running;
@@ -50,8 +50,8 @@ TEST(Relaxer, ReachesAllFourCriteria) {
 
 TEST(Relaxer, TheForcesAcrossTheFacesOfTheCellAreTheStress) {
   const Mat<2> stress = static_stress(equilibrium());
-  // Net forces of 1e-8 act on 60 grains within a distance of 5 from the centre of a cell of area 70. Their
-  // contributions to the stress add up to 5e-8.
+  // Net forces of 1e-8 act on 60 grains within a distance of 5 from the centre of a cell of area 70. The difference of
+  // the two stresses is therefore at most 5e-8.
   EXPECT_LT((boundary_stress(equilibrium()) - stress).cwiseAbs().maxCoeff(), 5e-8);
   // error of the stress after the Newton refinement, in F0/a
   for (int a = 0; a < 2; ++a) EXPECT_NEAR(stress(a, a), 0.1, 1e-8);
@@ -103,8 +103,8 @@ TEST(Relaxer, AStaticStepEndsWhereMotionEnds) {
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Contact<2>&p = contacts[k], &q = moved.packing().contacts[k];
     ASSERT_EQ(std::tie(p.i, p.j), std::tie(q.i, q.j));
-    // Forces are of order 1. Errors of 1e-8 in the forces on grains cause errors of about 1e-6 in contact
-    // forces along the softest directions.
+    // Contact forces are of order 1. Along the softest directions, errors of 1e-8 in the net forces on grains cause
+    // errors of about 1e-6 in contact forces.
     EXPECT_NEAR(p.normal_force, q.normal_force, 1e-5);
     EXPECT_NEAR((p.shear_force - q.shear_force).norm(), 0.0, 1e-5);
     largest_change =
@@ -168,7 +168,7 @@ TEST(Relaxer, SaysThatTheMotionDiverged) {
 TEST(Relaxer, IsNotHeldUpByRattlersThatSpin) {
   Packing<2> start = equilibrium();
   Grains<2>& g = start.grains;
-  g.position_low.clear();  // an added grain has only its rounded position
+  g.position_low.clear();  // the added grain has no second double of its position
   // Even in the largest hole, a grain of normal size would touch others. A tiny spinning grain fits anywhere
   // without contacts.
   const Packing<2> rest = start;
@@ -185,7 +185,7 @@ TEST(Relaxer, IsNotHeldUpByRattlersThatSpin) {
   }
   EXPECT_GT(residuals(start, Vec<2>(0.1, 0.1)).energy, EquilibriumTolerance{}.energy);
   RelaxationOptions coarse = options();
-  // unit: contact time of the tiny grain; this is the usual step for the other grains
+  // two contact times of the tiny grain, which is about the usual step for the other grains
   coarse.time_step = 2.0;
   Relaxer<2> relaxer(coarse, start, Vec<2>::Constant(0.1));
   RelaxationStatus status = RelaxationStatus::running;
@@ -249,7 +249,7 @@ Packing<2> swinging_chain(double speed) {
   return packing;
 }
 
-/// Nothing damps the chain. Its energy alone exceeds the tolerance for an equilibrium.
+/// Nothing damps the swinging chain. The energy of the chain alone exceeds the tolerance for an equilibrium.
 TEST(Relaxer, EndsWhereChainsSwingForEver) {
   const Packing<2> start = swinging_chain(0.01);
   const double energy = residuals(start, Vec<2>(Vec<2>::Constant(0.1))).energy;

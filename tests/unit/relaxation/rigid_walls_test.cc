@@ -138,8 +138,8 @@ TEST(RigidWalls, FloorBearsTheLoadOnTheLidAndTheWeight) {
   EXPECT_NEAR(force[2], 46.0, 1e-7);
 }
 
-/// Two walls that no grain touches approach each other at the speed of the load. The grains between them stay
-/// in place.
+/// No grain touches the two walls. The walls approach each other at the speed of the load, and the grains between them
+/// stay in place.
 TEST(RigidWalls, FreeWallsReachTheirSpeed) {
   Packing<2> p = balls_in_box<2>({{20.0, 20.0}}, 0.0);
   p.walls[0].mass = p.walls[1].mass = 2.0;
@@ -176,8 +176,8 @@ Packing<Dim> boxed_gas(int count, const std::optional<ShapeOptions>& shape, cons
                                     GasKind::sequential_addition);
 }
 
-/// Compresses a gas of grains between moving walls, with each of the given boundaries of the lateral axes.
-/// Expects the pressure 1 on all walls that move.
+/// Compresses a gas of grains between moving walls, once for each kind of boundary of the lateral axes. Expects a
+/// pressure of 1 on all walls that move.
 template <int Dim>
 void expect_walls_bear_pressure(int count, const std::optional<ShapeOptions>& shape,
                                 const std::vector<BoxSide>& laterals) {

@@ -13,7 +13,8 @@ namespace floc {
 namespace {
 
 TEST(RowPlace, HoldsBeyondTheRowsThatTwoGigabytesHold) {
-  constexpr int kPairs = 1 << 26;  // with rows of 32 bytes, the byte offset does not fit into an int
+  // Number of pairs. With rows of 32 bytes, byte offsets do not fit into an int.
+  constexpr int kPairs = 1 << 26;
   EXPECT_EQ(row_place(kPairs, row_size<2>(RowKind::moments)), 4LL * kPairs);
   EXPECT_EQ(row_place(2 * kPairs, row_size<2>(RowKind::forces)), 4LL * kPairs);
 }
@@ -105,8 +106,8 @@ TEST_P(Sweeps, DriftEveryBlockOnceAndNoLaterThanPairsReadIt) {
   EXPECT_EQ(drifted.size(), static_cast<std::size_t>(gas_.n_blocks()));
 }
 
-/// A block that the pairs of several threads read is marked as shared. Every other block is moved and summed by
-/// the only thread whose pairs read it.
+/// A block of grains is shared if the pairs of several threads read it. The positions and sums of every other block are
+/// updated by the only thread whose pairs read it.
 TEST_P(Sweeps, ShareWhatSeveralThreadsRead) {
   EXPECT_EQ(plan_.shared_of(0).empty(), plan_.n_threads() == 1);
   EXPECT_FALSE(plan_.drifting_for(0).empty());

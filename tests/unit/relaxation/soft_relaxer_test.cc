@@ -52,8 +52,8 @@ const Packing<3>& beads() {
   return packing;
 }
 
-/// Relative changes of the forces in the contacts that two packings have in common, and number of the other
-/// contacts.
+/// Relative changes of the forces of contacts that exist in both packings, and number of contacts that exist in only
+/// one packing.
 struct Change {
   double normal = 0.0, shear = 0.0, rolling = 0.0;
   int n_unshared = 0;
@@ -127,8 +127,9 @@ TEST(ChangeOfSoftening, InPlaceChangesForcesByTheRatio) {
     EXPECT_EQ(softer.contacts[k].shear_force, disks().contacts[k].shear_force);
 }
 
-/// A change of softening keeps the tangential force of Mindlin friction, not the elongation of its spring.
-/// Beads have more contacts than displacements can satisfy, so their normal forces change more.
+/// A change of softening keeps the tangential force of Mindlin friction, not the elongation of its spring. Beads have
+/// so many contacts that no displacements can restore all normal forces, so normal forces change more than tangential
+/// forces.
 TEST(ChangeOfSoftening, KeepsTangentialForcesOfBeads) {
   const Packing<3>& p = beads();
   ASSERT_GT(p.contacts.size(), 100u);
@@ -159,7 +160,7 @@ void expect_strict(const Packing<Dim>& packing, const Law& law, double pressure,
                    const EquilibriumTolerance& tolerance) {
   EXPECT_EQ(packing.law, law);
   EXPECT_TRUE(residuals(packing, Vec<Dim>(Vec<Dim>::Constant(pressure))).within(tolerance));
-  // Forces must follow from the law at the given positions and histories. No contact may be missing.
+  // The law must give the same forces at the given positions and histories, and no contact may be missing.
   Packing<Dim> anew = packing;
   refresh_contacts(anew);
   ASSERT_EQ(anew.contacts.size(), packing.contacts.size());
@@ -198,9 +199,9 @@ TEST(SoftRelaxer, AnElasticStepIsTheOneOfTheLaw) {
   EXPECT_EQ(p.grains.position, q.grains.position);
 }
 
-/// Before every chunk, a new relaxer is created from the packing and the progress of the old one. Through all
-/// stages, the new relaxers must give the same bits as a relaxer without interruption, for a gas and for a
-/// packing that collapses under a load.
+/// Before every chunk of steps, a new relaxer is created from the packing and the progress of the old relaxer. The
+/// results must be identical, bit for bit, to the results without interruption. This must hold in all stages, for a gas
+/// and for a packing that collapses under a load.
 TEST(SoftRelaxer, ContinuedFromItsProgressGivesTheSameBits) {
   for (const Packing<2>& start : {test::gas_of(60, test::cohesive_law(), 0.5), disks()}) {
     const auto target = LoadTarget<2>::normal_stress(Vec<2>(20.0, 20.0));

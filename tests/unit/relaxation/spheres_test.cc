@@ -35,7 +35,7 @@ TEST(Spheres, VectorInstructionsLeaveNoTraceInTheBits) {
   test::expect_no_trace_of_instructions<3>(30u);
 }
 
-/// Different vectors of the same lattice describe the same boundary, so the motion is the same.
+/// Other vectors of the same lattice describe the same periodic boundary, so the motion does not change.
 TEST(Spheres, MoveAlikeInLatticesOfOtherVectors) {
   Packing<3> gas = agitated_gas<3>(150, cohesive_law());
   Packing<3> leaning = gas;
@@ -108,7 +108,7 @@ Law frictional_law() {
 
 /// Tangential force of a pair after a rigid rotation, compared with the exactly rotated force.
 struct Turned {
-  double length;  ///< length divided by that at the start
+  double length;  ///< magnitude of the force, divided by the magnitude at the start
   double angle;   ///< angle between the two forces (radians)
 };
 Turned turned_rigidly(const Vec<3>& axis, int n, InstructionSet set) {

@@ -20,8 +20,8 @@ namespace {
 
 const Vec<2> kTarget(0.5, 0.5);
 
-/// Returns an equilibrium of grains so soft that overlaps are a tenth of a diameter. The terms of the tangent
-/// of order force/branch length are then as large as the stiffness terms.
+/// Returns an equilibrium of grains so soft that overlaps are a tenth of a diameter. For such overlaps, the terms of
+/// the tangent that are proportional to a force divided by a branch length are as large as the stiffness terms.
 Packing<2> soft_equilibrium() {
   Law law = test::cohesive_law();
   law += test::linear(10.0);
@@ -37,9 +37,9 @@ Packing<2> soft_equilibrium() {
   return relaxer.packing();
 }
 
-/// Returns the soft equilibrium with one sliding contact and one contact at its rolling limit. The sliding
-/// contact is the one that was nearest to sliding. Its spring is stretched beyond the limit, so that the
-/// contact slides under any displacement of the grains.
+/// Returns the soft equilibrium with one sliding contact and one contact at its rolling limit. The contact that is
+/// nearest to sliding is chosen, and its spring is stretched beyond the limit, so that the contact slides under any
+/// displacement of the grains.
 Packing<2> with_yielding_contacts(Packing<2> packing) {
   const auto mobilised = [](const Contact<2>& c) {
     return c.distant ? 0.0 : c.shear_force.norm() / c.elastic_force;
@@ -82,8 +82,8 @@ double residual_after_one_step(const Packing<Dim>& equilibrium, const BoundaryCo
   return solve_statics(disturbed(equilibrium, size), control, one_step).residual;
 }
 
-/// With the exact tangent, the residual after one step is quadratic in the disturbance: a tenth of the
-/// disturbance gives a hundredth of the residual. With an inexact tangent, the residual would only be a tenth.
+/// With the exact tangent, the residual after one step is quadratic in the disturbance: a tenth of the disturbance
+/// gives a hundredth of the residual. With an inexact tangent, it would only give a tenth of the residual.
 template <int Dim>
 void expect_quadratic(const Packing<Dim>& equilibrium, const BoundaryControl<Dim>& control) {
   const double after_large = residual_after_one_step(equilibrium, control, 1e-4);
@@ -238,8 +238,8 @@ TEST(StaticSolver, ComesToTheSameEquilibriumByEachWayOfSolving) {
   }
 }
 
-/// A gas has no contacts that could balance the pressure. A Newton step must not invert the lattice vectors of
-/// its cell.
+/// A gas has no contacts that could balance the pressure, so no equilibrium exists. Newton steps must not invert the
+/// lattice vectors of the cell.
 template <int Dim>
 void expect_no_equilibrium_of_a_gas() {
   for (const double pressure : {1e-3, 0.5, 10.0})

@@ -36,8 +36,8 @@ void expect_holds(const std::vector<Criterion>& criteria) {
     EXPECT_TRUE(c.holds) << c.name << " " << c.value.value_or(0.0) << " " << c.where;
 }
 
-/// Shears a packing at rest. Expects the imposed lengths and the forces of the last time step. Also expects the
-/// same bits with several threads and after interruptions.
+/// Shears a packing at rest. Expects the imposed lengths and the forces of the last time step. Also expects results
+/// that are identical, bit for bit, with several threads and after interruptions.
 template <int Dim>
 void expect_sheared(const RigidGas& gas, double strain) {
   const RigidEnd<Dim> rest = relaxed<Dim>(make_rigid_gas<Dim>(gas));
@@ -73,8 +73,8 @@ TEST(StrainOfRigidGrains, ShearsPolyhedra) {
                     0.01);
 }
 
-/// Without contacts, grains move only with the imposed strain. Their reduced coordinates are constant, and the
-/// duration follows from the rate.
+/// Without contacts, grains move only with the imposed strain. Their reduced coordinates are constant, and the duration
+/// of the motion follows from the strain rate.
 TEST(StrainOfRigidGrains, CarriesAGasAlong) {
   Packing<2> gas = make_rigid_gas<2>({.count = 10});
   gas.cell.matrix *= 4.0;
@@ -95,8 +95,8 @@ TEST(StrainOfRigidGrains, CarriesAGasAlong) {
         1e-7);
 }
 
-/// Repeats the momentum balance of the recorded time step with the recorded forces: at the end of the step, two
-/// disks in contact neither separate nor overlap.
+/// Computes the momentum balance of the recorded time step again, with the recorded forces. At the end of the step, two
+/// disks in contact must neither separate nor approach each other.
 TEST(StrainOfRigidGrains, RecordedForcesStopTheApproach) {
   const RigidEnd<2> rest = relaxed<2>(make_rigid_gas<2>({.count = 60, .friction = 0.5}));
   const LoadTarget<2> load = under_shear(rest.packing, 0.02);

@@ -94,8 +94,8 @@ TEST(Walls, ApproachEachOtherAtTheRateGiven) {
   EXPECT_NEAR(std::log(dynamics->packing().cell.matrix(0, 0) / 11.0), -0.1, 1e-5);
 }
 
-/// Returns the ratio of the speeds after and before an impact of a disk on a wall at rest, in units K_N = m =
-/// F0 = 1; zero if the disk sticks. The contact has the adhesion F0 and a damping ratio of 0.248139. The closed
+/// Returns the ratio of the speeds after and before an impact of a disk on a wall at rest, in units K_N = m = F0 = 1.
+/// The ratio is zero if the disk sticks. The contact has the adhesion F0 and a damping ratio of 0.248139. The closed
 /// form is that of a damped oscillation (Bouzid et al. 2024, corrected).
 double rebound(double speed) {
   Packing<2> packing = boxed(one_disk(), 1, {});
@@ -216,7 +216,7 @@ TEST(Walls, HoldADiskInTheEquilibriumOfTheirPressure) {
   EXPECT_NEAR(net_forces(rest).force[0].norm(), 0.0, 1e-6);
 }
 
-/// The friction of two walls stops a disk that spins between them. The two tangential forces form a couple.
+/// A disk spins between two walls. The friction of the walls stops the disk; the two tangential forces form a couple.
 TEST(Walls, FrictionActsWithTheDistanceOfThePlaneAsItsArm) {
   Law law = cohesive_law();
   law += test::without("rolling");
@@ -298,7 +298,7 @@ TEST(Walls, ListsThreadsAndInstructionsLeaveNoTraceInTheBits) {
   }
 }
 
-/// A run saves the packing with its walls and the histories of their contacts. The motion can therefore
+/// A run saves the packing with its walls and with the histories of contacts with walls, so that the motion can
 /// continue from the saved packing.
 TEST(Walls, MotionGoesOnFromThePackingThatItLeft) {
   const Packing<2> box = boxed(agitated_gas(100, cohesive_law()), 2, cohesive_law());
@@ -311,7 +311,8 @@ TEST(Walls, MotionGoesOnFromThePackingThatItLeft) {
   expect_same_bits(middle, again);
 }
 
-/// Rough walls around frictionless grains. Only the friction at the walls can make the grains spin.
+/// The walls are rough, but the grains have no friction with each other. Only the friction at the walls can make the
+/// grains spin.
 TEST(Walls, MayHaveFrictionWhereGrainsHaveNone) {
   Law smooth;
   smooth += test::linear(1e5);

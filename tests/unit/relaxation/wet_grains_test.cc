@@ -24,7 +24,8 @@ using test::all_volumes;
 using test::expect_same_bits;
 using test::liquid_of;
 
-/// Law with liquid bridges. The units are the force F0 and the diameter a of two grains with diameter one.
+/// Law with liquid bridges. The units are the diameter a of a grain and the force F0 of a bridge between two grains of
+/// this diameter.
 Law wet_law(double water, const std::string& formation = "gap") {
   Law law;
   law += test::linear(1e5);
@@ -90,7 +91,7 @@ void expect_liquid_kept(const std::string& formation) {
     packing = after(packing, {dt, 0.05}, {200});
     if (packing.contacts.empty()) continue;
     const double sum = all_volumes(packing);
-    if (sum == 0.0) continue;  // no grains have touched yet
+    if (sum == 0.0) continue;  // no bridges yet, because no grains have touched
     EXPECT_NEAR(sum, liquid_of(packing), 1e-12 * liquid_of(packing)) << "chunk " << chunk;
     ++n_chunks_with_liquid;
   }

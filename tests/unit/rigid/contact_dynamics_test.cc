@@ -61,7 +61,8 @@ void add_shaped(Packing<Dim>& packing, const Vec<Dim>& position, int shape, doub
   g.scale.push_back(diameter / own.diameter());
 }
 
-/// Returns a block with the given sides that stands on the floor. On the other axes its centre is at 20.
+/// Returns a block with the given sides that stands on the floor. Along the other axes, the centre of the block is at
+/// 20.
 template <int Dim>
 Packing<Dim> block_on_floor(const Vec<Dim>& sides, double friction) {
   Packing<Dim> packing = empty_packing<Dim>(friction);
@@ -95,7 +96,8 @@ Vec<Dim> slope(double tangent) {
   return g;
 }
 
-// A stack of disks. After the first step, each contact carries the weight above it, for any time step.
+// A stack of disks, computed with several time steps. After the first step, each contact must carry the weight above
+// it, whatever the length of the step is.
 TEST(ContactDynamics, StackOfDisksCarriesItsWeightInOneStep) {
   Packing<2> packing = empty_packing<2>(0.0);
   add_floor(packing);
@@ -111,7 +113,7 @@ TEST(ContactDynamics, StackOfDisksCarriesItsWeightInOneStep) {
   }
 }
 
-// The first ball hits a row of equal balls. Newton's law of restitution holds for all contacts simultaneously.
+// The first ball hits a row of equal balls. Newton's law of restitution must hold at all contacts simultaneously.
 TEST(ContactDynamics, RowOfBallsSharesTheImpact) {
   for (const double e : {0.0, 0.5, 1.0}) {
     constexpr int kBalls = 3;
@@ -231,8 +233,8 @@ TEST(ContactDynamics, SpinningCubeStops) {
   EXPECT_NEAR(time, 0.9 * std::numbers::sqrt2 / (6.0 * 0.3), 2e-3);
 }
 
-// Column of ten cubes. Each cube is shifted by 0.04 relative to the cube below it. The force under a cube is
-// the weight above, and the centre of pressure is below the centre of mass of the cubes above.
+// Column of ten cubes, each of which is shifted by 0.04 relative to the cube below it. The force under a cube is the
+// weight of the cubes above, and acts below their common centre of mass.
 TEST(ContactDynamics, LeaningColumnOfCubesStands) {
   constexpr int kCubes = 10;
   constexpr double kShift = 0.04;
@@ -293,7 +295,7 @@ TEST(ContactDynamics, CollisionsKeepMomentumAndNeverAddEnergy) {
     double last = energy(start);
     for (int k = 0; k < 300; ++k) {
       motion.step(false);
-      // The correction of overlaps may add energy. The tolerance allows for this.
+      // The correction of overlaps may add energy, so the tolerance allows for a small increase.
       EXPECT_LE(energy(motion.packing()), last * (1.0 + 1e-3)) << k;
       last = energy(motion.packing());
     }

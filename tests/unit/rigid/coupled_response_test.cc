@@ -60,7 +60,7 @@ void expect_the_impulses_of_the_reference() {
     n_stick += expected[0] > 0.0 && size < 0.999999 * limit;
     n_slide += expected[0] > 0.0 && size >= 0.999999 * limit;
   }
-  // In 3D a steep wedge may have several solutions, so that contact_impulse() may find another one.
+  // In 3D a steep wedge may have several solutions, and the two functions may find different ones.
   EXPECT_LE(n_other, Dim == 2 ? 0 : 2);
   EXPECT_GT(n_stick, kProblems / 20);
   EXPECT_GT(n_slide, kProblems / 20);
@@ -94,7 +94,7 @@ BodyMotion<Dim> after(BodyMotion<Dim> bodies, const StepContact<Dim>& c, const V
   return bodies;
 }
 
-/// Returns the problem of a contact. Its response is computed from unit impulses.
+/// Returns the problem of a contact. The response to an impulse is computed with unit impulses.
 template <int Dim>
 ContactProblem<Dim> problem_of(const BodyMotion<Dim>& bodies, const StepContact<Dim>& c) {
   ContactProblem<Dim> out;
@@ -108,7 +108,7 @@ ContactProblem<Dim> problem_of(const BodyMotion<Dim>& bodies, const StepContact<
   return out;
 }
 
-/// Two random bodies in contact. Unless the contact is round, the bodies are in a cell under stress.
+/// Two random bodies in contact. Bodies that are not round are in a cell under stress.
 template <int Dim>
 class Pairs {
  public:
@@ -141,7 +141,7 @@ class Pairs {
     }
     out.branch = out.arm_i - out.arm_j;
     out.bias = vector<Dim>();
-    // The tangent vectors may form a left-handed frame.
+    // Some frames of tangent vectors are left-handed.
     if (n % 3 == 0) out.frame.col(1) *= -1.0;
     if (n % 2 == 0) out.normal_compliance = positive();
     if (n % 4 == 0) out.tangential_compliance = positive();
@@ -170,8 +170,8 @@ void expect_one_sweep_to_solve_a_pair(bool round) {
     const ContactProblem<Dim> problem = problem_of(bodies, contacts[0]);
     const SweepResult result = GaussSeidel<Dim>(bodies, contacts).solve(0.0, 1);
     const Vec<Dim> expected = contact_impulse(problem);
-    // Velocities are of order 1, and responses are at least 0.4. The rounding errors of the impulses follow
-    // from these values.
+    // Velocities are of order 1, and responses are at least 0.4. The impulses are therefore of order 1 as well, and
+    // their rounding errors are far below the tolerance.
     EXPECT_LT((contacts[0].impulse - expected).norm(), 1e-12 * expected.norm() + 1e-300) << "pair " << n;
     EXPECT_LT(result.residual, 1e-12) << "pair " << n;
     const BodyMotion<Dim> moved = after(before, contacts[0], expected);

@@ -45,7 +45,7 @@ int compare_with_differences(const Packing<Dim>& packing, RandomStream& random) 
     const Contact<Dim>& c = contacts[k];
     const auto same = [&](const Contact<Dim>& d) { return d.i == c.i && d.j == c.j && d.image == c.image; };
     if (c.i == c.j || std::ranges::count_if(contacts, same) > 1) continue;
-    // In deep overlaps, the contact is between other features than on touching surfaces.
+    // At deep overlaps, the features in contact differ from those on touching surfaces.
     if (!packing.grains.are_round() && c.gap < 0.0) continue;
     const PairMatrix<Dim> curvature = gap_curvature(packing, c);
     for (int trial = 0; trial < 3; ++trial) {

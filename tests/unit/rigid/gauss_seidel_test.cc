@@ -27,12 +27,12 @@ TEST(GaussSeidel, CarriesAStackOfDisksInTheFirstStep) {
       EXPECT_NEAR(contacts[k].impulse[0] / kStep, (k + 1) * kMass * kGravity, 1e-8);
     return result.n_sweeps;
   };
-  // In a stack of n disks, the slowest error decreases by the factor exp(-pi^2/(4 n^2)) per plain sweep. With
-  // conjugate directions, this factor is about exp(-pi/n).
+  // In a stack of n disks, the error of the slowest mode decreases by the factor exp(-pi^2/(4 n^2)) per plain sweep.
+  // With conjugate directions, this factor is about exp(-pi/n).
   const double plain =
       4.0 / (std::numbers::pi * std::numbers::pi) * kDisks * kDisks * std::log(1.0 / kTolerance);
   EXPECT_LT(solve(), 0.15 * plain);
-  // If the sweeps start from the solution, they only remove its remaining error.
+  // Sweeps that start from the solution only have to remove the remaining error of the solution.
   EXPECT_LT(solve(), 100);
 }
 
@@ -45,8 +45,8 @@ TEST(GaussSeidel, BallsInARowTakeTheImpulsesOfTheClosedForm) {
     std::vector<StepContact<3>> contacts;
     for (int k = 0; k + 1 < kBalls; ++k) {
       contacts.push_back(touching<3>(k, k + 1, {0.5, 0.0, 0.0}, {-0.5, 0.0, 0.0}, {1.0, 0.0, 0.0}, 0.0));
-      // The bias is the relative velocity before the step, times `restitution`. The step reverses this part of
-      // the velocity.
+      // The bias is `restitution` times the relative velocity before the step, so the step reverses this part of the
+      // velocity.
       contacts.back().bias[0] = restitution * (k == 0 ? -kVelocity : 0.0);
     }
     GaussSeidel<3> solver(bodies, contacts);
@@ -60,7 +60,7 @@ TEST(GaussSeidel, BallsInARowTakeTheImpulsesOfTheClosedForm) {
   }
 }
 
-/// Block of width w, height h and weight w h on a slope, in axes along and across the slope. Its two contact
+/// Block of width w, height h and weight w h on a slope, in coordinates along and across the slope. Its two contact
 /// points are the lower and the upper end of its base.
 struct BlockOnSlope {
   double width, height, slope, friction;
@@ -146,8 +146,9 @@ TEST(GaussSeidel, RoundGrainsRollDownASlopeUntilItIsTooSteep) {
   EXPECT_NEAR(acceleration_on_slope<3>(0.5, 0.1), 0.8, 1e-12);
 }
 
-// The forces N and T of the two contacts are not unique. The only condition of balance is 2 (N cos b + T sin b)
-// = 1, so T may have any value with |T| <= mu N.
+// The two contacts have equal normal forces N and friction forces T, which are not unique: with the angle b of the
+// sides and the weight 1, the only condition of balance is 2 (N cos b + T sin b) = 1. Any T with |T| <= mu N is
+// possible.
 TEST(GaussSeidel, ADiskInAGrooveRestsOnForcesWithinTheLimitOfFriction) {
   constexpr double kAngle = std::numbers::pi / 3.0, kFriction = 0.3, kStep = 0.01;
   BodyMotion<2> bodies = balls_and_ground<2>(1, 1.0, 1.0);
@@ -181,7 +182,7 @@ TEST(GaussSeidel, ASpinningCubeIsSlowedByFriction) {
   for (const Vec<3>& arm : corners(-0.5, 0.5, 0.5, -0.5))
     contacts.push_back(touching<3>(0, 1, arm, arm, {0.0, 0.0, -1.0}, kFriction));
   ASSERT_TRUE(GaussSeidel<3>(bodies, contacts).solve(kTolerance, 100'000).converged);
-  // The spin stops after the time w0 sqrt(2)/(6 mu g).
+  // The spin w0 stops after the time w0 sqrt(2)/(6 mu g).
   const double slowing = 6.0 * kFriction * kGravity / std::numbers::sqrt2;
   EXPECT_NEAR(bodies.angular_velocity[0][2], kSpin - slowing * kStep, 1e-12);
   EXPECT_LT(bodies.velocity[0].norm(), 1e-12);
@@ -227,8 +228,8 @@ TEST(GaussSeidel, AnAdhesivePairPartsAboveItsAdhesion) {
 TEST(GaussSeidel, ContactsOfOneColourShareNoBodyThatMoves) {
   BodyMotion<2> bodies = balls_and_ground<2>(4, 1.0, 0.5);
   std::vector<StepContact<2>> contacts;
-  // Four disks form a ring, and each touches the ground. The contacts of the ring need two colours, and the
-  // contacts with the ground need a third one.
+  // Four disks form a ring on the ground, and each disk also touches the ground. Contacts of one colour have no disk in
+  // common. The contacts of the ring need two colours, and the contacts with the ground need a third colour.
   for (int k = 0; k < 4; ++k)
     contacts.push_back(touching<2>(k, (k + 1) % 4, {0.0, 0.0}, {0.0, 0.0}, {1.0, 0.0}, 0.0));
   for (int k = 0; k < 4; ++k) contacts.push_back(touching<2>(k, 4, {0.0, 0.0}, {0.0, 0.0}, {0.0, -1.0}, 0.0));

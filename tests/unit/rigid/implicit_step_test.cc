@@ -38,7 +38,8 @@ TEST(ImplicitStep, ABallSlidesDownASlope) {
   EXPECT_NEAR(contacts[0].impulse[0], kStep * kMass * across, 1e-7);
 }
 
-/// Balls in a closing cell with one adhesive contact. The solution must equal that of Gauss-Seidel sweeps.
+/// Balls in a cell that is closing, with one adhesive contact. The implicit step must give the same impulses as
+/// Gauss-Seidel sweeps.
 TEST(ImplicitStep, AgreesWithSweepsOnABallInACell) {
   BodyMotion<2> bodies = balls_and_ground<2>(2, 1.0, 0.5);
   bodies.velocity[0] = {0.3, 0.1};

@@ -38,7 +38,8 @@ struct Groove {
     out.load = Eigen::Vector3d(0.0, load, 0.0);
     return out;
   }
-  /// Normal force of each contact if friction is fully mobilised upwards (direction = 1) or downwards (-1).
+  /// Normal force of each contact if friction acts upwards (direction = 1) or downwards (-1) with its largest possible
+  /// value.
   double mobilised_force(double direction) const {
     return load / (2.0 * (std::cos(angle) + direction * friction * std::sin(angle)));
   }
@@ -67,7 +68,7 @@ TEST(InteriorPoint, ProvesThatADiskCanBeWedgedWithoutBound) {
 }
 
 TEST(InteriorPoint, LeastEnergyInAGrooveIsThatOfSprings) {
-  // A vertical displacement stretches the springs in the ratio T/P = (K_T/K_N) tan b.
+  // A vertical displacement of the disk gives the forces P and T of the springs the ratio T/P = (K_T/K_N) tan b.
   const Groove groove{.friction = 1.0, .kn = 2.0, .kt = 1.0};
   const ConeProgram<2> program = groove.program();
   const ConeSolution<2> found = InteriorPoint<2>(program).solve(program);
@@ -80,8 +81,8 @@ TEST(InteriorPoint, ProvesThatNoForceHoldsADiskThatIsPulledOut) {
   const ConeProgram<2> program = Groove{.load = -1.0}.program();
   const ConeSolution<2> found = InteriorPoint<2>(program).solve(program);
   ASSERT_EQ(found.status, ConeStatus::kInfeasible);
-  // The load does work on the motion, and the contacts open. This proves that no contact forces can balance the
-  // load.
+  // The program gives a motion on which the load does work while the contacts open. Such a motion proves that no
+  // contact forces can balance the load.
   EXPECT_GT(program.load.dot(found.motion), 0.0);
   for (int k = 0; k < program.n_blocks(); ++k) {
     Vec<2> opening = Vec<2>::Zero();
@@ -154,8 +155,8 @@ TEST(InteriorPoint, NoFeasibleDirectionLowersALinearMinimum) {
     const ConeProgram<2> program = random_program<2>(seed);
     const ConeSolution<2> minimum = InteriorPoint<2>(program).minimise_linear(program, -1e9);
     ASSERT_EQ(minimum.status, ConeStatus::kSolved);
-    // At the last proximal point, the gradient of the proximal term is zero. The multipliers are therefore
-    // those of the linear program.
+    // At the last proximal point, the gradient of the proximal term is zero, so the multipliers solve the linear
+    // program as well.
     ConeProgram<2> linear = program;
     linear.compliance.assign(program.n_blocks(), Vec<2>::Zero());
     expect_optimal<2>(linear, minimum, 1e-6);
@@ -173,7 +174,8 @@ TEST(SecondOrderCone, ScalingMapsThePairToOnePoint) {
     };
     const Vec<3> x = inside(), z = inside();
     const cone::Scaling<3> scaling(x, z);
-    // Rounding errors of x and z change the scaling W by eps/margin.
+    // The vectors x and z lie inside the cone, at a distance of about `margin` from its surface. Rounding errors of x
+    // and z are therefore multiplied by 1/margin in the scaling.
     EXPECT_LT((scaling.scaled(z) - scaling.unscaled(x)).norm(), 1e-14 / margin);
     EXPECT_LT((scaling.unscaled(scaling.scaled(z)) - z).norm(), 1e-14 / margin);
   }

@@ -51,14 +51,14 @@ void expect_a_cell_to_come_to_rest(int side, double cell_mass) {
   const SweepResult result = GaussSeidel<Dim>(bodies, contacts).solve(1e-12, 200'000, 10);
   EXPECT_TRUE(result.converged) << result.residual;
   EXPECT_LT(bodies.stretch.norm(), 1e-9);
-  // Rows of grains may carry different parts of the pressure. Only their mean is known.
+  // The pressure determines only the mean of the forces along the rows of grains; single rows may carry more or less.
   Vec<Dim> mean = Vec<Dim>::Zero();
   for (const StepContact<Dim>& c : contacts) mean += c.impulse[0] / kStep / lattice.size() * c.branch;
   for (int a = 0; a < Dim; ++a) EXPECT_NEAR(mean[a], kPressure, 1e-9);
 }
 
 TEST(GaussSeidel, ACellUnderPressureComesToRestOnItsGrains) {
-  // A light cell responds to the simultaneous contacts of one colour more strongly than any grain.
+  // Contacts of one colour are solved simultaneously. If the cell is light, they move the cell more than any grain.
   for (const double cell_mass : {1.0, 0.01, 1e-4}) {
     expect_a_cell_to_come_to_rest<2>(5, cell_mass);
     expect_a_cell_to_come_to_rest<2>(20, cell_mass);
@@ -71,8 +71,7 @@ TEST(GaussSeidel, AnImposedRateOfStretchIsPartOfTheRelativeVelocity) {
   BodyMotion<2> bodies = lattice.bodies();
   bodies.stretch = {0.3, 0.2};
   std::vector<StepContact<2>> contacts = lattice.contacts();
-  // The contacts are springs that close with the speed 1. The stretch of the cell cancels only a part of this
-  // speed.
+  // The contacts are springs that close with the speed 1. The motion of the cell cancels only a part of this speed.
   for (StepContact<2>& c : contacts) {
     c.normal_compliance = 2.0;
     c.bias[0] = -1.0;
@@ -154,7 +153,7 @@ TEST(GaussSeidel, AWallMovesAlongItsAxisOnly) {
   for (const int n : {2, 100}) {
     RowUnderWall row(n, 3.0);
     ASSERT_TRUE(GaussSeidel<2>(row.bodies, row.contacts, 2).solve(1e-12, 100'000).converged);
-    // The wall slides over the disks, so friction makes them roll.
+    // The wall slides over the disks, and its friction makes the disks roll.
     EXPECT_EQ(row.bodies.velocity[n][0], 0.5);
     EXPECT_NEAR(row.bodies.velocity[n][1], 0.0, 1e-12);
     double carried = 0.0;

@@ -110,7 +110,8 @@ TYPED_TEST(StaticForcesOf, CanonicalForcesComeBackFromTheirGeometry) {
 TYPED_TEST(StaticForcesOf, ClosestForcesToBalancedOnesAreThose) {
   constexpr int Dim = TypeParam::value;
   Packing<Dim> packing = packing_without_forces<Dim>(3);
-  // These balanced forces were computed with other stiffnesses, so they do not have the least energy.
+  // The forces balance, but they are the result for other stiffnesses, so they do not have the least energy for the
+  // default stiffnesses.
   ForceBalanceOptions<Dim> options = under_pressure<Dim>(1.0);
   options.kn = 1.0;
   options.kt = 50.0;
@@ -156,8 +157,8 @@ TYPED_TEST(StaticForcesOf, RangesContainTheForcesThatBalance) {
 TYPED_TEST(StaticForcesOf, AdhesionLetsContactsPull) {
   constexpr int Dim = TypeParam::value;
   Packing<Dim> packing = packing_without_forces<Dim>(6);
-  // An elastic force of 1 in each contact cancels the adhesion. Without load, balanced forces are then zero
-  // everywhere.
+  // In each contact, the adhesion is cancelled by an elastic force of 1. The total forces are zero, and they balance
+  // the load of zero.
   for (Contact<Dim>& c : packing.contacts) c.elastic_force = 1.0;
   const BalancedForces<Dim> closest = StaticForces<Dim>("s.h5", packing, ForceBalanceOptions<Dim>{}).closest();
   for (const double force : closest.normal_force) EXPECT_NEAR(force, 0.0, 1e-9);

@@ -14,8 +14,8 @@
 namespace floc {
 namespace {
 
-/// Returns a scene of disks without adhesion with the given loads. If `finish` is "dynamic", equilibria are
-/// found by motion alone, so that the run takes enough steps to be stopped.
+/// Returns a scene of disks without adhesion with the given loads. If `finish` is "dynamic", equilibria are found by
+/// motion alone, so that the run takes many steps and can be stopped between them.
 Scene scene_of(const std::string& loads, const std::string& finish) {
   const std::string disks = test::exchanged(test::scene_text("disks"), "count = 40", "count = 30");
   return parse_scene(disks + loads + "[equilibrium]\nfinish = \"" + finish + "\"\n", "directed.toml", ".");
@@ -113,7 +113,7 @@ TEST(DirectedDrive, ASimpleShearStoppedAnywhereVerifiesAndIsTheUnbrokenRun) {
   EXPECT_TRUE(path.is_empty(3, path.column("shear_strain")));
 }
 
-/// A state fails the verification if its offset differs from the imposed one, as it does if a length differs.
+/// If the offset of the lattice in a state differs from the imposed offset, the state fails the verification.
 TEST(DirectedDrive, AnOffsetThatIsOffIsFound) {
   const test::ScratchDirectory scratch;
   DriveOptions<2> driving;
@@ -127,7 +127,7 @@ TEST(DirectedDrive, AnOffsetThatIsOffIsFound) {
     EXPECT_EQ(c.holds, c.name != std::string("length")) << c.name;
 }
 
-/// A state whose length differs from the imposed one fails verification.
+/// If a length in a state differs from the imposed length, the state fails the verification.
 TEST(DirectedDrive, ALengthThatIsOffIsFound) {
   const test::ScratchDirectory scratch;
   DriveOptions<2> driving;

@@ -18,7 +18,7 @@ using test::ScratchDirectory;
 /// Number of equilibria of twenty_disks().
 constexpr int kEquilibria = 5;
 
-/// Continues the run in a directory as far as the options allow.
+/// Continues the run in a directory until the options stop it or until it is complete.
 DriveReport drive_in(const std::string& path, const DriveOptions<2>& driving) {
   const Scene scene = test::twenty_disks();
   RunDirectory directory(path, Existing::resume, scene);
@@ -59,7 +59,7 @@ TEST(Drive, TellsOfEachStretchAndOfEachEquilibriumOnceItIsSaved) {
 TEST(Drive, SaysWhatBlocksAStepThatGivesUp) {
   const ScratchDirectory scratch;
   Scene scene = test::twenty_disks();
-  scene.relaxation.tolerance.force = 1e-300;  // forces cannot be balanced this precisely
+  scene.relaxation.tolerance.force = 1e-300;  // a tolerance that no forces can meet
   scene.relaxation.max_time = 500.0;
   RunDirectory directory(scratch.file("run"), Existing::refuse, scene);
   floc::Run<2> run = start_or_resume<2>(directory, scene);

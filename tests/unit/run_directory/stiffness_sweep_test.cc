@@ -14,8 +14,9 @@
 #include "support/contact_laws.h"
 #include "support/law_list.h"
 
-/// Tests every law in both dimensions, every stiffness of a contact, and several factors by which another
-/// program's stiffness may differ: in contact lists, in states read for moduli, and in verification.
+/// Tests that floc reports and refuses stiffnesses that differ from those of the contact law, as another program may
+/// give them. The tests cover every law in both dimensions, every stiffness of a contact and several factors, in
+/// contact lists, in states read for moduli, and in verification.
 namespace floc {
 namespace {
 
@@ -67,8 +68,8 @@ double* stiffness(Contact<Dim>& c, std::size_t kind) {
   return members[kind];
 }
 
-/// Returns the differences that are reported for a contact list with only the touching contact.
-/// @param factor  factor by which one of its stiffnesses is wrong
+/// Returns the reported differences of the stiffnesses in a contact list that contains only the touching contact.
+/// @param factor  factor by which the list multiplies the stiffness `kind`
 template <int Dim>
 std::vector<std::string> said_of_list(const Packing<Dim>& packing, std::size_t kind, double factor) {
   ListedPacking listed;

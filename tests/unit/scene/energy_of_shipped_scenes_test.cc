@@ -23,10 +23,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Inputs of the energy account. Scenes with equal inputs share one entry.
+/// Inputs of an energy account. Scenes with the same inputs share one entry.
 struct LawPath {
   std::vector<std::string> scenes;
-  GrainOptions grains;  ///< with a reduced number of grains
+  GrainOptions grains;  ///< grains of the scenes, but fewer
   int dimension = 2;
   std::vector<Law> laws;  ///< laws of the path, in order
   double pressure = 0.0;  ///< largest imposed pressure
@@ -88,7 +88,7 @@ Packing<Dim> pressed_packing(const LawPath& path, std::uint64_t seed) {
   return packing;
 }
 
-/// Returns random strain rates. Within `time`, they deform a packing by a length of about its mean overlap.
+/// Returns random strain rates, which are so large that within `time` the packing deforms by about its mean overlap.
 template <int Dim>
 BoundaryControl<Dim> straining(double overlap, double size, double time, RandomStream& random) {
   BoundaryControl<Dim> control = BoundaryControl<Dim>::fixed();
@@ -97,7 +97,7 @@ BoundaryControl<Dim> straining(double overlap, double size, double time, RandomS
   return control;
 }
 
-/// Returns a load with the present stress of the packing plus half the pressure, on each axis.
+/// Returns a load that adds half of the pressure to the present stress on each axis.
 template <int Dim>
 BoundaryControl<Dim> pressing(const Packing<Dim>& packing, double pressure) {
   const Vec<Dim> carried = static_stress(packing).diagonal();
@@ -140,13 +140,13 @@ EnergyTerms account_of(const LawPath& path, Packing<Dim> packing, std::uint64_t 
   return account.terms();
 }
 
-/// Returns the sum of the magnitudes of all energies that entered or left the motion.
+/// Returns the sum of the magnitudes of all energies that the motion gained or lost.
 double throughput(const EnergyTerms& t) {
   return std::abs(t.work) + t.viscous + t.sliding + t.scaling;
 }
 
-/// Returns the errors of the energy balance divided by the throughput, as means over samples. The three values
-/// are for 0.2, 0.1 and 0.05 of the time step of runs.
+/// Returns the errors of the energy balance divided by the throughput, each averaged over the samples. The three values
+/// belong to time steps of 0.2, 0.1 and 0.05 times the time step of runs.
 template <int Dim>
 std::array<double, 3> errors_of(const LawPath& path, EnergyTerms& last) {
   constexpr int kSamples = 2;

@@ -52,7 +52,8 @@ TEST(AccuracyOfAScene, SetsWhatItChoosesAndSaysSoInItsText) {
   EXPECT_EQ(NumericalSettings::of(scene.relaxation), expected.settings);
   EXPECT_EQ(scene.relaxation.tolerance.energy, expected.settings.energy());
   EXPECT_EQ(scene.accuracy, expected.name + ": " + expected.reason);
-  // States store this text. It gives the same scene when it is read again; settings are not chosen anew.
+  // States store the text of the scene. When this text is read again, it gives the same scene, and no new settings are
+  // chosen.
   const Scene again = parse_scene(scene.text, "state", ".");
   EXPECT_EQ(NumericalSettings::of(again.relaxation), expected.settings);
   EXPECT_EQ(again.accuracy, scene.accuracy);

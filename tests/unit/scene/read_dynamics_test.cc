@@ -118,7 +118,7 @@ TEST(ReadDynamics, RigidGrainsHaveDefaultsOfTheirOwn) {
   EXPECT_EQ(scene.load[0].cell.inertial_number_cap, 0.02);
   EXPECT_EQ(scene.load[0].cell.cell_mass, 0.1);
   EXPECT_EQ(parsed(kRigidScene, {"assembly.gas=equilibrated"}).assembly.gas, GasKind::equilibrated);
-  // Adhesion does not change the cap of the strain rate.
+  // Adhesion does not change the default cap of the strain rate.
   const Scene sticky = parsed(kRigidScene, {"contact.adhesion={law=\"constant\", force=1.0}"});
   EXPECT_EQ(sticky.relaxation.inertial_number_cap, 0.02);
   EXPECT_FALSE(sticky.relaxation.strain_rate_cap);
@@ -233,7 +233,7 @@ TEST(ReadDynamics, GasInABoxIsNoDenserThanCircumscribedCircles) {
                         "circumscribed circles"));
 }
 
-/// Returns the faults of the scene of rigid grains with another loading stage.
+/// Replaces the loading stage of the scene of rigid grains by another stage, and returns the faults of the scene.
 std::string stage_faults(const std::string& stage) {
   return dynamics_faults(kRigidScene.substr(0, kRigidScene.find("to = 2.0")) + stage);
 }
@@ -314,7 +314,7 @@ TEST(ReadDynamics, GroupsOfRigidGrainsAreFinite) {
     }
     EXPECT_THAT(scene_warnings(scene), IsEmpty());
   }
-  // With m = 1 and P = 1, the longest time step is 0.05 T.
+  // With m = 1 and P = 1, the time scale T is 1, and the longest time step is 0.05 T.
   EXPECT_EQ(time_step_of_scene(parsed(kRigidScene)), 0.05);
   EXPECT_EQ(time_step_of_scene(parsed(kRigidScene, {"assembly.pressure=4.0"})), 0.025);
 }

@@ -146,7 +146,7 @@ TEST(ReadLoad, StrainsTogetherDoNotCloseTheCell) {
   EXPECT_EQ(faults(2, thinner), "");
 }
 
-/// The sample is unloaded to zero stress. A later stage cannot keep zero stress on an axis and also remove the
+/// The sample is unloaded to zero stress. A later stage that keeps zero stress on an axis cannot also remove the
 /// adhesion.
 TEST(ReadLoad, AStressOfZeroIsNotKeptWithoutAdhesion) {
   std::string cohesive =
@@ -165,8 +165,8 @@ TEST(ReadLoad, AStressOfZeroIsNotKeptWithoutAdhesion) {
   }
 }
 
-/// Steps per decade need a known stress at the start. The stress on a strained axis becomes known only during
-/// the run.
+/// A number of steps per decade needs a known stress at the start of the stage. The stress on a strained axis becomes
+/// known only during the run.
 TEST(ReadLoad, StepsADecadeNeedAStressThatIsKnown) {
   const std::string first = "[[load]]\ncontrol = \"triaxial\"\nstrain = 0.1\nsteps = 2\n";
   EXPECT_THAT(faults(2, first + "[[load]]\nto = 2\nsteps_per_decade = 4\n"), HasSubstr("expected steps"));

@@ -282,7 +282,8 @@ TEST(ReadScene, WhatTheCellDoesIsSaidByTheStageElseByTheCellElseBuiltIn) {
     EXPECT_EQ(of_assembly(s).strain_rate_cap, 0.04);
     EXPECT_EQ(of_load(s).cell_mass, 0.02);
     EXPECT_EQ(of_load(s).strain_rate_cap, 0.03);
-    EXPECT_EQ(of_load(s, 1).cell_mass, text == silent ? kLoadCellMass : 1.0);  // set in the first stage only
+    EXPECT_EQ(of_load(s, 1).cell_mass,
+              text == silent ? kLoadCellMass : 1.0);  // only the first stage sets a mass
   }
 }
 
@@ -319,7 +320,7 @@ TEST(ReadScene, AggregationNeedsAnAdhesionWithATail) {
               HasSubstr("the model \"constant\" of contact.adhesion has no range"));
 }
 
-/// Returns the scene with liquid bridges instead of the tail, compressed in one step.
+/// Returns the scene with liquid bridges instead of the tail adhesion. The sample is compressed in one step.
 std::string wet_scene(const std::string& adhesion) {
   std::string text =
       with("adhesion = {law = \"tail\", force = 1.0, range = 1e-3}", "adhesion = {" + adhesion + "}");
@@ -363,8 +364,8 @@ TEST(ReadScene, LiquidThatCannotBeIsRefusedInWords) {
               HasSubstr("form = 'linear'"));
 }
 
-/// A cap on strain rates in units of the pressure is zero at zero pressure, so that nothing could move. This
-/// holds for every kind of adhesion.
+/// A cap of the strain rate that is proportional to the pressure vanishes at zero pressure, so that nothing could move.
+/// This is refused for every kind of adhesion.
 TEST(ReadScene, ZeroPressureIsRefusedWhereTheCapOnRatesVanishes) {
   std::string text = wet_scene(
       "law = \"capillary\", surface_tension = 0.072, contact_angle = 10, water_content = 0, density_ratio = "

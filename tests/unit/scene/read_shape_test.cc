@@ -192,7 +192,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(ReadShape, AGasDenserThanItsCircumscribedBallsAllowIsRefused) {
   const std::string pentagon = "{kind = \"polygon\", sides = 5}";
-  // A pentagon fills 0.757 of its circumscribed circle, and these circles may fill at most 0.6 of the cell.
+  // A pentagon fills 0.757 of its circumscribed circle, and the circumscribed circles may fill at most 0.6 of the cell.
+  // The limit is therefore 0.757 * 0.6 = 0.454.
   EXPECT_NO_THROW(parse_scene(text_with_shape(pentagon, 2, 0.45), "s.toml", "."));
   EXPECT_THAT([&] { parse_scene(text_with_shape(pentagon, 2, 0.46), "s.toml", "."); },
               testing::ThrowsMessage<InputError>(
@@ -206,7 +207,7 @@ TEST(ReadShape, AFileIsFoundBesideTheSceneAndItsRemarksAreWarnings) {
   const Scene scene = shaped(shape, 2, scratch.path());
   EXPECT_THAT(scene_warnings(scene), testing::ElementsAre(AllOf(HasSubstr("square.csv: "),
                                                                 HasSubstr("1 of 5 points are not vertices"))));
-  // The stored text of the scene contains a hash of the file. A file with changed content is therefore refused.
+  // The stored text of the scene contains a hash of the file. If the file has changed, the scene is therefore refused.
   const std::string sha256 = sha256_of_file(scratch.file("square.csv"));
   EXPECT_THAT(scene.text, HasSubstr(sha256));
   EXPECT_NO_THROW(parse_scene(scene.text, "s.toml", scratch.path()));
@@ -259,7 +260,7 @@ TEST(ReadShape, GroupsDescribeTheDrawnShapes) {
   EXPECT_EQ(shape_group(squares, "n_shapes"), 1.0);
   EXPECT_NEAR(shape_group(squares, "V/V_ball"), 2.0 / (1.25 * std::numbers::pi), 1e-14);
   EXPECT_NEAR(shape_group(squares, "aspect"), 2.0, 1e-14);
-  // The mass is the volume times the density of a disk with diameter 1 and mass 1.
+  // The mass is the volume times the density at which a disk of diameter 1 has the mass 1.
   EXPECT_NEAR(shape_group(squares, "T"), std::sqrt(2.0 / (1.25 * std::numbers::pi)), 1e-14);
   EXPECT_NEAR(shape_group(shaped("{kind = \"capsule\", aspect = 3}", 3), "aspect"), 3.0, 1e-14);
   EXPECT_EQ(shape_group(shaped("{kind = \"hull\", count = 9}", 3), "n_shapes"), 9.0);

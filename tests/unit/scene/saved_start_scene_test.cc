@@ -39,7 +39,7 @@ to = 1.0
 steps = 2
 )";
 
-/// Fixture: a directory with a state of 30 disks that have half the usual mass.
+/// Fixture: a directory with a state of 30 disks, whose masses are half of the default masses.
 class SceneOfAState : public testing::Test {
  protected:
   SceneOfAState() {
@@ -68,8 +68,8 @@ class SceneOfAState : public testing::Test {
   test::ScratchDirectory scratch_;
 };
 
-/// For the first pressure, the default mass of the cell is that of a loading stage. With vibration, the sample
-/// is assembled again, so the default is that of the assembly.
+/// At the first pressure of a run from a state, the default mass of the cell is the default of loading stages. With
+/// vibration, the sample is assembled again, so the default of the assembly applies.
 TEST_F(SceneOfAState, TakesTheResponseOfLoadsWhereNoneIsSaid) {
   const std::string cell = "[cell]\nmass = 1\nstrain_rate_cap = 0.05\n";
   std::string text = kSavedStartScene;
@@ -191,7 +191,7 @@ TEST_F(SceneOfAState, WithoutAPressureKeepsItsStresses) {
   save(saved_);
   EXPECT_FALSE(read({}, text).assembly.saved.kept.has_value());
   EXPECT_DOUBLE_EQ(read({}, text).assembly.pressure, 0.4);
-  // A pressure in the scene replaces the stress of the state.
+  // A pressure in the scene replaces the stress that the state had.
   EXPECT_FALSE(read({}).assembly.saved.kept.has_value());
   saved_.target_stress << 0.4, -0.5;
   save(saved_);

@@ -34,7 +34,7 @@ TEST(ContinuesPath, FailsForAnyOtherChange) {
                                  {"strain = 0.1", "strain = 0.1\naxis = 1"}})
     EXPECT_FALSE(continues_path(exchanged(old, now), kTwoStages)) << now;
   EXPECT_FALSE(continues_path(exchanged("count = 40", "count = 41") + "[[load]]\nto = 3.0\n", kTwoStages));
-  // A longer path is not continued by a shorter one.
+  // A path with fewer stages does not continue a path with more stages.
   EXPECT_FALSE(continues_path(kTwoStages, kTwoStages + "[[load]]\nto = 3.0\n"));
 }
 

@@ -13,7 +13,7 @@ Scene softened_scene(const std::string& name, const std::vector<std::string>& ch
   return read_scene(test::source_directory() + "/data/scenes/" + name + ".toml", changes);
 }
 
-/// Softening in the assembly and in each stage of a run.
+/// Returns the softening in the assembly and in each stage of a run.
 std::vector<double> factors_of(const RunOptions& run) {
   std::vector<double> factors = {run.assembly.cell.applied_to(run.relaxation).softening};
   for (const LoadStage& stage : run.load) factors.push_back(stage.cell.applied_to(run.relaxation).softening);
@@ -28,8 +28,8 @@ TEST(SceneSoftening, IsThatOfItsParts) {
 }
 
 TEST(SceneSoftening, TheLargestCanBeGivenAndAnyLargerIsRefused) {
-  // Disks with kappa = 1e5 and D0 = 1e-3 a. On springs that are softer by a factor of 10, the overlap is a
-  // tenth of D0.
+  // Disks with kappa = 1e5 and D0 = 1e-3 a. If springs are softer by a factor of 10, the overlap is a tenth of D0,
+  // which is the limit.
   EXPECT_NEAR(largest_softening(softened_scene("demo")).load, 10.0, 1e-9);
   for (const char* name : {"demo", "cohesionless_cycle", "spheres_demo", "powder3d", "oedometer"}) {
     const Softening largest = largest_softening(softened_scene(name));
@@ -43,7 +43,7 @@ TEST(SceneSoftening, TheLargestCanBeGivenAndAnyLargerIsRefused) {
   }
   for (const char* name : {"rigid_disks_demo", "compaction_demo"})
     EXPECT_EQ(largest_softening(softened_scene(name)), Softening{}) << name;
-  // Grains are put together dry; liquid bridges cannot be softened.
+  // The assembly is dry. Liquid bridges cannot be softened, so the loading has no softening.
   EXPECT_EQ(largest_softening(softened_scene("wet_demo")).load, 1.0);
 }
 

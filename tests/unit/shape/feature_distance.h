@@ -7,16 +7,16 @@
 
 #include "unit/shape/pairs.h"
 
-/// Computes the distance and the overlap depth of two shapes from all pairs of their features. From the library
-/// it uses only the lists of vertices, faces and edges; it does not use the search, the filters or other code.
+/// Computes the distance and the overlap depth of two shapes from all pairs of their features. The code uses only the
+/// lists of vertices, faces and edges from the library, and neither the contact search nor its filters.
 namespace floc::test {
 
 /// Distance between the cores (shapes without rounding) of two separate shapes, and the kind of their closest
 /// features.
 struct FeatureDistance {
   double distance = std::numeric_limits<double>::max();
-  /// Whether the closest points are a vertex and a point inside a face, or lie inside two edges (in 2D: a
-  /// vertex and a point inside a side). In these cases separating_axis() also examines the line between the
+  /// Whether the closest points are a vertex and a point inside a face, or lie inside two edges (in 2D: a vertex and a
+  /// point inside a side). In these cases separating_axis() also examines the direction of the line between the two
   /// points.
   bool is_axis = false;
 };
@@ -45,15 +45,15 @@ std::vector<std::array<int, 2>> edges_of(const Shape<Dim>& shape) {
 
 template <int Dim>
 void take(FeatureDistance& least, const Vec<Dim>& between, bool is_axis) {
-  // If two distances are equal up to rounding, the distance along an axis is taken.
+  // If two distances are equal up to rounding, the one with `is_axis` is taken.
   const double distance = between.norm();
   if (distance < least.distance - 1e-13 || (distance < least.distance + 1e-13 && is_axis))
     least.is_axis = is_axis;
   least.distance = std::min(least.distance, distance);
 }
 
-/// Adds the distance of two segments if the closest points of their lines lie inside both. Otherwise
-/// vertex_to_edge() examines their ends.
+/// Adds the distance of two segments if the closest points of their two lines lie inside the segments. Otherwise
+/// vertex_to_edge() examines the ends of the segments.
 inline void edge_to_edge(FeatureDistance& least, const Vec<3>& p, const Vec<3>& u, const Vec<3>& q,
                          const Vec<3>& v) {
   const Vec<3> n = u.cross(v);
@@ -69,7 +69,7 @@ void vertex_to_edge(FeatureDistance& least, const Vec<Dim>& x, const Vec<Dim>& p
   take<Dim>(least, x - p - std::clamp(s, 0.0, 1.0) * u, Dim == 2 && s >= 0.0 && s <= 1.0);
 }
 
-/// Adds the distances of the vertices of one shape from the faces of another, in 3D.
+/// Updates `least` with the distances of the vertices of one shape from the faces of the other, in 3D.
 inline void vertices_to_faces(FeatureDistance& least, const PlacedShape<3>& one, const PlacedShape<3>& other) {
   const std::vector<Vec<3>> corners = vertices_in_space<3>(one), points = vertices_in_space<3>(other);
   for (int f = 0; f < one.shape->n_faces(); ++f) {
@@ -107,9 +107,9 @@ FeatureDistance distance_of_cores(const PlacedShape<Dim>& first, const PlacedSha
   return least;
 }
 
-/// Returns the largest separation of the cores of two shapes over the normals of all faces and, in 3D, over all
-/// pairs of edges. If the cores overlap, this is minus the depth. If the cores are separate, it is at most the
-/// distance.
+/// Returns the largest separation of the cores of two shapes. The separation is measured along the normals of all faces
+/// and, in 3D, along the common normals of all pairs of edges. If the cores overlap, the result is minus the depth. If
+/// the cores are separate, it is at most their distance.
 template <int Dim>
 double separation_over_axes(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second) {
   const std::vector<Vec<Dim>> a = vertices_in_space<Dim>(first), b = vertices_in_space<Dim>(second);

@@ -22,8 +22,9 @@ void compare(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, cons
   EXPECT_NEAR(contact.normal.norm(), 1.0, 1e-14);
   const double inner = std::min(first.inner_radius(), second.inner_radius()), outer = second.outer_radius();
   const double error = std::abs(contact.least_gap() - expected.gap), rounding_error = 1e-14 * outer;
-  // A contact may choose a face although an edge pair is better by up to a margin. The gap of separate shapes
-  // may have this error too, because the chosen axis decides whether shapes count as separate.
+  // A contact may use the normal of a face although the common normal of an edge pair gives a larger separation, by up
+  // to a margin. The gap of separate shapes may have the same error, because the chosen normal decides whether shapes
+  // count as separate.
   EXPECT_LT(error, 1.01e-4 * inner) << expected.gap;
   ++counts.compared;
   counts.exact += error < 4.0 * rounding_error ? 1 : 0;
@@ -50,7 +51,7 @@ void expect_depths_of_all_features(const std::vector<Shape<Dim>>& shapes) {
     compare<Dim>(first, second, reached, counts);
     if (testing::Test::HasFatalFailure()) return;
   }
-  // The other pairs choose a face instead of an edge pair, within the margin.
+  // In the other pairs, the contact uses a face instead of an edge pair that is better by less than the margin.
   EXPECT_EQ(counts.compared, 500);
   EXPECT_GE(counts.exact, 490);
 }

@@ -40,8 +40,8 @@ struct ExtremePair {
   double inner_radius() const { return std::min(first.inner_radius(), second.inner_radius()); }
 };
 
-/// Calls check(rounding, scale, shapes) for sharp, slightly rounded and strongly rounded shapes. The two shapes
-/// have equal sizes or the size ratio 49.
+/// Calls check(rounding, scale, shapes) for sharp, slightly rounded and strongly rounded shapes. Either both shapes
+/// have the same size, or one is 49 times larger.
 template <int Dim>
 void for_extremes(const auto& check) {
   for (const double rounding : {0.0, 1e-6, 0.05}) {
@@ -103,7 +103,7 @@ void expect_exchange_to_keep_gaps() {
       EXPECT_NEAR(one.least_gap(), other.least_gap(), 1.01e-4 * pair.inner_radius() + 1e-13 * scale);
       n_opposite += (one.normal + other.normal).norm() < 1e-9 && one.n == other.n ? 1 : 0;
     }
-    // If two axes are equal within the margin, the choice depends on the order of the shapes.
+    // If two normals give equal gaps within the margin, the choice between them depends on the order of the shapes.
     EXPECT_GE(n_opposite, 140);
   });
 }
@@ -129,7 +129,7 @@ void expect_small_motions_to_change_gaps_little() {
       AxisFeatures last;
       double before[2] = {};
       for (int step = 0; step < 300; ++step) {
-        // The second shape moves on a circle: into the first shape, along it and out of it.
+        // The second shape moves along a circle: into the first shape, along it and out of it.
         const double phase = 2.0 * std::numbers::pi * step / 300;
         pair.second.position -= kStep * std::sin(phase) * pair.second.position.normalized();
         pair.second.position += 0.5 * kStep * random_direction<Dim>(random);
@@ -194,7 +194,8 @@ TEST(ManifoldExtremes, RoundOnesWithOneCentreOverlapByTheirRadii) {
   }
 }
 
-/// With a reach of 0, only overlapping shapes are in contact, however large or far away they are.
+/// If the reach is 0, only overlapping shapes are in contact. This must hold for shapes of any size and at any
+/// distance.
 template <int Dim>
 void expect_no_contact_of_shapes_apart() {
   RandomStream random(65, 1);
@@ -222,7 +223,7 @@ TEST(ManifoldExtremes, OnAPlateHaveTheirClosedForms) {
                  cube = shape_of<3>(box_points(1, 1, 1));
   RandomStream random(66, 1);
   for (int trial = 0; trial < 100; ++trial) {
-    // Both bodies are rotated together; in addition, the upper one is rotated about the normal of the plate.
+    // Both bodies are rotated together; in addition, the upper body is rotated about the normal of the plate.
     const Mat<3> turn = random_turn<3>(random);
     const double angle = random.uniform(0.0, 2.0 * std::numbers::pi), gap = random.uniform(-1e-3, 1e-3);
     const Mat<3> about_z = Eigen::AngleAxisd(angle, Vec<3>::UnitZ()).toRotationMatrix();
@@ -241,7 +242,8 @@ TEST(ManifoldExtremes, OnAPlateHaveTheirClosedForms) {
         EXPECT_NEAR(own.head<2>().squaredNorm(), area, 1e-11);
       }
     };
-    // All corners lie over the plate of size 49 * 20, at a distance of sqrt(20^2 + 1)/2 from the centre.
+    // All corners of the upper body lie over the plate of size 49 * 20, at a distance of sqrt(20^2 + 1)/2 from the
+    // centre.
     expect_support(needle, 1.0, 49.0, 4, 0.25 * 401.0);
     expect_support(cube, 1.0, 49.0, 4, 0.5);
     expect_support(cube, 1.0, 1.0, 4, 0.5);

@@ -43,7 +43,8 @@ TEST(Manifold, OfCubesTurnedBy45DegreesHasFourCornersOfTheOctagon) {
     EXPECT_NEAR(p[2], 0.4995, kExact);
     angles.push_back(std::atan2(p[1], p[0]));
   }
-  // Every second corner of the octagon of intersection is a contact point. Together these points form a square.
+  // The two squares intersect in an octagon. Every second corner of the octagon is a contact point, and the contact
+  // points form a square.
   std::sort(angles.begin(), angles.end());
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(angles[k + 1] - angles[k], 0.5 * std::numbers::pi, 1e-12);
 }
@@ -136,8 +137,8 @@ void expect_exchange_and_rigid_motions_to_change_nothing(double rounding) {
     n_touching += contact.n > 0 ? 1 : 0;
     ASSERT_EQ(contact.n, exchanged.n) << trial;
     if (contact.n == 0) continue;
-    // If two axes are equal within the margin, the first shape decides. An exchange of the shapes could then
-    // change the normal. These pairs have no equal axes.
+    // If two normals gave equal gaps within the margin, the first shape would decide between them, and an exchange of
+    // the shapes could change the normal. These pairs have no such normals.
     EXPECT_NEAR((contact.normal + exchanged.normal).norm(), 0.0, 1e-11) << trial;
     EXPECT_NEAR(contact.least_gap(), exchanged.least_gap(), 1e-12) << trial;
     const Mat<Dim> turn = random_turn<Dim>(random);
@@ -172,8 +173,8 @@ TEST(Manifold, IsUnchangedByExchangeAndRigidMotions) {
   }
 }
 
-/// Compares gaps with the largest separation over all directions. The search for this separation does not use
-/// faces and edges.
+/// Compares gaps with the largest separation along any direction. The search for this separation does not use faces and
+/// edges.
 template <int Dim>
 void expect_gaps_of_a_search_over_directions(double rounding) {
   RandomStream random(22, 1);
@@ -183,16 +184,16 @@ void expect_gaps_of_a_search_over_directions(double rounding) {
     const Manifold<Dim> contact = contact_manifold<Dim>(pair.first(), pair.second(), 1e-3);
     const double expected = separation_by_search(pair.first(), pair.second());
     ASSERT_GT(contact.n, 0) << trial;
-    // The search may end below the largest separation. The contact may choose a face instead of an edge pair
-    // within a margin of 1e-4 of the inner radius.
+    // The search may end below the largest separation. Within a margin of 1e-4 of the inner radius, the contact may use
+    // a face instead of an edge pair.
     EXPECT_GT(contact.least_gap(), expected - 1e-4 * 0.5) << trial;
-    // Along the contact normal, the separation equals the gap. For rounded shapes only the distance is exact,
-    // since a face normal may differ by 1e-3 from the line between the closest points.
+    // Along the contact normal, the separation equals the gap. For rounded shapes, the separation may be smaller, since
+    // a face normal may deviate by 1e-3 radians from the line between the closest points.
     if (rounding == 0.0) {
       EXPECT_NEAR(separation_along(pair.first(), pair.second(), contact.normal), contact.least_gap(), 0.5e-6)
           << trial;
     }
-    // A translation by the gap along the normal makes the gap zero.
+    // A translation of the second shape by the gap along the normal brings the shapes into touch.
     auto moved = pair.second();
     moved.position -= contact.least_gap() * contact.normal;
     const Manifold<Dim> touching = contact_manifold<Dim>(pair.first(), moved, 1e-3);
@@ -208,7 +209,8 @@ TEST(Manifold, HasTheDepthOfASearchOverDirections) {
   }
 }
 
-/// The depth of overlapping polyhedra is the depth over all axes. For most pairs, both agree up to rounding.
+/// Compares the depth of overlapping polyhedra with the largest separation along the axes of separation_by_all_axes().
+/// For most pairs, the two agree up to rounding.
 TEST(Manifold, OfPolyhedraHasTheDepthOfAllAxes) {
   RandomStream random(28, 1);
   int n_overlapping = 0, n_exact = 0, n_edges = 0;
@@ -216,7 +218,7 @@ TEST(Manifold, OfPolyhedraHasTheDepthOfAllAxes) {
     RandomPair<3> pair(random, 0.0);
     pair.set_depth(random, std::pow(10.0, random.uniform(-6.0, -1.0)));
     const double expected = separation_by_all_axes(pair.first(), pair.second());
-    if (expected > 0.0) continue;  // an edge pair separates the shapes
+    if (expected > 0.0) continue;  // the common normal of an edge pair separates the shapes
     const Manifold<3> contact = contact_manifold<3>(pair.first(), pair.second(), 1.0);
     const double margin = 1e-4 * std::min(pair.first().inner_radius(), pair.second().inner_radius());
     EXPECT_NEAR(contact.least_gap(), expected, margin) << trial;
@@ -238,13 +240,14 @@ TEST(Manifold, OfRoundedShapesApartHasTheirDistance) {
     const PlacedShape<3> a = pair.first(), b = pair.second();
     const ClosestPoints<3> closest =
         closest_points<3>(*a.shape, *b.shape, RelativePlace<3>(a, b), Vec<3>::UnitX());
-    // The separation along any direction is at most the distance of the shapes. This distance is at most that
-    // of any two of their points. Here both bounds are equal.
+    // The separation along any direction is at most the distance of the shapes. The distance of the shapes is at most
+    // the distance of any two of their points. Here both bounds are equal, so they give the distance.
     const double expected = a.scale * closest.distance - a.rounding() - b.rounding();
     EXPECT_NEAR(separation_along<3>(a, b, a.rotation * closest.normal), expected, 1e-14) << trial;
     EXPECT_NEAR((closest.on_second - closest.on_first - closest.distance * closest.normal).norm(), 0.0, 1e-13);
-    // If a face is chosen, its normal may deviate by 1e-3 radians. This changes the gap by half of the squared
-    // deviation times the distance of the cores. Points may lie 1e-6 of the inner radius further away.
+    // If the contact uses a face, its normal may deviate by 1e-3 radians from the line between the closest points. The
+    // deviation changes the gap by half of its square times the distance of the cores. Contact points may lie farther
+    // away by 1e-6 of the inner radius.
     const Manifold<3> contact = contact_manifold<3>(a, b, 0.1);
     ASSERT_GT(contact.n, 0);
     EXPECT_NEAR(contact.least_gap(), expected, 6e-7) << trial;
@@ -312,8 +315,8 @@ TEST(Manifold, OfCapsulesHasOnePointOrTwoSideBySide) {
   EXPECT_NEAR(in_line.points[0].gap, -0.01, kExact);
 }
 
-/// The edge of the upper cube rotates and becomes parallel to the lower edge for a moment. Gaps must stay
-/// continuous, and points must stay on the edge.
+/// An edge of the upper cube rotates about the vertical axis and is parallel to an edge of the lower cube at the angle
+/// 0. The gap must change continuously, and must equal the separation of the cubes along the contact normal.
 TEST(Manifold, OfEdgesThatTurnThroughParallelIsContinuous) {
   const Shape<3> cube = shape_of<3>(box_points(1, 1, 1));
   const auto below = placed<3>(cube, Vec<3>::Zero(), turn_about(Vec<3>::UnitX(), 45.0));
@@ -342,8 +345,8 @@ TEST(Manifold, OfEdgesThatTurnThroughParallelIsContinuous) {
 }
 
 TEST(Manifold, KeepsTheFeaturesOfTheStepBeforeWithinTheMargin) {
-  // The corners of two squares overlap along their diagonals. Two faces then have the same depth, and noise
-  // would decide between them.
+  // A corner of one square overlaps a corner of the other along the diagonal. Two faces then have the same depth, and
+  // without memory rounding errors would decide between them.
   const Shape<2> square = shape_of<2>({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
   const PlacedShape<2> one{&square, 1.0, {0, 0}, Mat<2>::Identity()};
   RandomStream random(2, 1);
@@ -359,8 +362,8 @@ TEST(Manifold, KeepsTheFeaturesOfTheStepBeforeWithinTheMargin) {
   EXPECT_EQ(keys.size(), 1u);
 }
 
-/// The contact remembers the features of the previous step to save time. They change the gap by at most the
-/// margin.
+/// To save time, the contact remembers the features of the previous step. The remembered features may change the gap by
+/// at most the margin.
 TEST(Manifold, WithFeaturesOfTheStepBeforeIsThatWithout) {
   RandomStream random(24, 1);
   for (int trial = 0; trial < 200; ++trial) {

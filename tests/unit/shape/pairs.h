@@ -10,7 +10,8 @@
 /// Random pairs of shapes. Their separation is found by a search that does not use faces and edges.
 namespace floc::test {
 
-/// Returns the distance of the two planes that are normal to n and touch the shapes.
+/// Returns the separation of two shapes along n: the lowest point of the second shape minus the highest point of the
+/// first shape, both measured along n. The separation is negative if these projections of the shapes overlap.
 /// @param n  direction from the first shape to the second
 template <int Dim>
 double separation_along(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, const Vec<Dim>& n) {
@@ -22,8 +23,8 @@ double separation_along(const PlacedShape<Dim>& first, const PlacedShape<Dim>& s
   return extent(second, n) + extent(first, -n);
 }
 
-/// Returns the largest separation over all directions. It is the distance of separate shapes, or minus the
-/// depth of overlapping shapes. The search climbs from many directions, with decreasing steps.
+/// Returns the largest separation along any direction: the distance of separate shapes, or minus the depth of
+/// overlapping shapes. The search starts from many directions and improves each of them in decreasing steps.
 template <int Dim>
 double separation_by_search(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second,
                             Vec<Dim>* normal = nullptr) {
@@ -52,8 +53,8 @@ double separation_by_search(const PlacedShape<Dim>& first, const PlacedShape<Dim
   return best;
 }
 
-/// Returns the largest separation of two sharp polyhedra over the normals of all faces and the common normals
-/// of all pairs of edges, including pairs that cannot touch each other.
+/// Returns the largest separation of two sharp polyhedra along the normals of all faces and along the common normals of
+/// all pairs of edges, including pairs that cannot touch each other.
 inline double separation_by_all_axes(const PlacedShape<3>& first, const PlacedShape<3>& second) {
   double most = -1e9;
   const auto try_axis = [&](const Vec<3>& n) { most = std::max(most, separation_along<3>(first, second, n)); };
@@ -115,7 +116,7 @@ class RandomPair {
                                 : hull_shapes<Dim>({least, most, 1.3}, 1, rounding, seed)[0];
   }
 
-  /// Returns the largest separation over the normals of all faces.
+  /// Returns the largest separation along the normals of all faces.
   double largest_separation() const {
     double most = -1e9;
     for (const Vec<Dim>& n : a_.normals)

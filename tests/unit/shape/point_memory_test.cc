@@ -27,8 +27,8 @@ TEST(PointMemory, GoesByKeyHoweverFar) {
 
 TEST(PointMemory, GoesToTheNearestUnclaimedPointInTheRadius) {
   const Points before = {point(0, 0, 1), point(1, 0, 2), point(2, 0, 3)};
-  // Point 0 keeps its key. The old point nearest to point 1 is already taken, so point 1 gets the next nearest
-  // old point. Point 2 is too far from all old points.
+  // Point 0 keeps its key. The old point that is nearest to point 1 belongs to point 0, so point 1 is matched with the
+  // next nearest old point. Point 2 is too far from all old points.
   EXPECT_EQ(matched({point(0.5, 0, 1), point(0.4, 0, 9), point(5, 0, 10)}, before, 0.7),
             (PointMatches<3>{0, 1, -1, -1}));
   // Two new points are near one old point. The nearer one of the new points is matched.

@@ -17,7 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Returns a polytope in the OFF format; the functions below return it in other formats.
+/// Returns the text of a polytope in the OFF format. The functions below return other formats.
 std::string off_text(const Polytope<3>& p) {
   std::string text = fmt::format("OFF\n# a comment\n{} {} 0\n", p.vertices.size(), p.faces.size());
   for (const Vec<3>& v : p.vertices) text += fmt::format("{} {} {}\n", v[0], v[1], v[2]);

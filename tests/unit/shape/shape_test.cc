@@ -37,8 +37,8 @@ double distance_to_core(const Shape<Dim>& shape, const Vec<Dim>& point) {
   return (point - x).norm();
 }
 
-// Expected values with a closed form are compared up to rounding. Printed decimals are compared up to their
-// last digit.
+// Volumes and moments with a closed form are compared up to rounding. Values that were given as decimals are compared
+// up to their last digit.
 TEST(MassProperties, BoxAndRegularSolidsHaveTheirClosedForms) {
   const Shape<3> box = shape_of<3>(box_points(1, 2, 3));
   EXPECT_NEAR(box.volume, 6.0, 1e-14);
@@ -102,14 +102,15 @@ TEST(MassProperties, RoundOnesAndCapsulesHaveTheirClosedForms) {
 }
 
 TEST(MassProperties, RoundedBoxHasItsClosedForm) {
-  // The rounded box consists of a box a x b x c, slabs on its faces, quarter cylinders and eighths of a ball.
+  // The rounded box consists of a box a x b x c, slabs on its faces, quarter cylinders at its edges and eighths of a
+  // ball at its corners.
   const double a = 1.0, b = 0.7, c = 0.4, r = 0.3;
   const Shape<3> box = shape_of<3>(box_points(a, b, c), r);
   const double volume =
       a * b * c + 2.0 * r * (a * b + b * c + c * a) + kPi * r * r * (a + b + c) + 4.0 / 3.0 * kPi * r * r * r;
   EXPECT_NEAR(box.volume, volume, 1e-14);
-  // The moment of x^2 is integrated over slices. For |x| < a/2 a slice is the rectangle b x c rounded by r. At
-  // a distance s beyond the core, the rectangle is rounded by sqrt(r^2 - s^2).
+  // The moment of x^2 is integrated over slices at constant x. For |x| < a/2, a slice is the rectangle b x c rounded by
+  // r. At a distance s beyond the end of the core, it is the rectangle rounded by sqrt(r^2 - s^2).
   const auto area = [&](double rho) { return b * c + 2.0 * (b + c) * rho + kPi * rho * rho; };
   double xx = a * a * a / 12.0 * area(r);
   constexpr int kSlices = 2000;
@@ -118,7 +119,7 @@ TEST(MassProperties, RoundedBoxHasItsClosedForm) {
     xx += 2.0 * x * x * area(r * std::cos(angle)) * r * std::cos(angle) * 0.5 * kPi / kSlices;
   }
   const double trace = 0.5 * box.inertia.sum();
-  EXPECT_NEAR(trace - box.inertia[0], xx, 1e-7);  // error of the quadrature, which is of second order
+  EXPECT_NEAR(trace - box.inertia[0], xx, 1e-7);  // the quadrature is of second order
 }
 
 template <int Dim>
@@ -158,7 +159,7 @@ TEST(MassProperties, AgreeWithRandomPointsSharpAndRounded) {
   }
 }
 
-/// A rounded shape is the limit of convex hulls of more and more points on its rounded corners.
+/// With more and more points on the rounded corners, the convex hull of the points approaches the rounded shape.
 TEST(MassProperties, RoundedOnesAreTheLimitOfFineHulls) {
   const std::vector<Vec<2>> core = {{0, 0}, {1, 0.1}, {0.3, 0.8}};
   const double rho = 0.2;
@@ -193,8 +194,8 @@ void expect_invariance_under_rotation() {
     EXPECT_NEAR((a - b).norm(), 0.0, 1e-13);
     EXPECT_NEAR((turn * one.centre + shift - other.centre).norm(), 0.0, 1e-13);
     EXPECT_NEAR(other.axes.determinant(), 1.0, 1e-13);
-    // Vertices in the shape's own coordinates, together with its centre and axes, give back the original
-    // points.
+    // The original points must follow from the centre and the axes of the shape and from its vertices in its own
+    // coordinates.
     for (int v = 0; v < other.n_vertices(); ++v) {
       const Vec<Dim> given = other.centre + other.axes * other.vertices[v];
       double nearest = 1.0;

@@ -38,7 +38,7 @@ TEST(BondSigns, AreCountedWithAClassNearZero) {
   EXPECT_DOUBLE_EQ(bonds.minus_share, 0.5);
   EXPECT_DOUBLE_EQ(bonds.mean_plus, 3.0);
   EXPECT_DOUBLE_EQ(bonds.mean_minus, 2.0);
-  // Without a threshold, only bonds with zero force count as near zero.
+  // If the threshold is zero, only bonds with zero force count as near zero.
   EXPECT_DOUBLE_EQ(bond_signs(packing, 0.0).z_near, 0.5);
 }
 

@@ -48,8 +48,8 @@ TEST(CarryingForces, CountRattlersAndGrainsOfTwoContacts) {
 }
 
 TEST(CarryingForces, HaveTheMomentsOfAHandfulOfContacts) {
-  // Three contacts with normal forces N = 1, 8 and 27 (mean <N> = 12) along x, x and y, and with |T|/N = 0.5,
-  // 0.5 and 0.25. The last one slides.
+  // Three contacts with normal forces N = 1, 8 and 27 (mean <N> = 12). Their normals are along x, x and y, and |T|/N =
+  // 0.5, 0.5 and 0.25. The last contact slides.
   Packing<3> packing;
   packing.grains = Grains<3>::with_size(3);
   for (int k = 0; k < 3; ++k) {
@@ -71,7 +71,7 @@ TEST(CarryingForces, HaveTheMomentsOfAHandfulOfContacts) {
   EXPECT_NEAR(f.fabric(0, 0), 1.0 / 3.0, 1e-15);
   EXPECT_NEAR(f.fabric(1, 1), 0.0, 1e-15);
   EXPECT_NEAR(f.fabric(2, 2), -1.0 / 3.0, 1e-15);
-  // Only the third contact carries more than <N>.
+  // Only the third contact has a normal force above <N>.
   EXPECT_NEAR(f.strong_fabric(0, 0), -1.0 / 9.0, 1e-15);
   EXPECT_NEAR(f.strong_fabric(1, 1), 2.0 / 9.0, 1e-15);
   EXPECT_NEAR(f.weak_fabric(0, 0), 4.0 / 9.0, 1e-15);

@@ -85,16 +85,16 @@ TEST(ContactChanges, NameWhatWasLostAndGained) {
   EXPECT_EQ(before.contacts[found.lost[0]].i, 1);
   EXPECT_EQ(after.contacts[found.gained[0]].i, 0);
   EXPECT_EQ(after.contacts[found.gained[0]].j, 2);
-  // One of three grains moved by (-2, 1). Relative to the mean displacement, this grain moved by 2/3 of this
-  // vector, and the other two moved by -1/3 of it.
+  // Only the last of the three grains moved, by (-2, 1). Relative to the mean displacement, this grain moved by 2/3 of
+  // the vector (-2, 1), and each of the others by -1/3 of it.
   EXPECT_LT((found.displacement[2] - 2.0 / 3.0 * Vec<2>(-2, 1)).norm(), 1e-13);
   EXPECT_LT((found.displacement[0] + 1.0 / 3.0 * Vec<2>(-2, 1)).norm(), 1e-13);
   EXPECT_NEAR(found.rms_displacement(), std::sqrt(5.0 * (4.0 + 1.0 + 1.0) / 9.0 / 3.0), 1e-13);
 }
 
 TEST(ContactChanges, TellContactsOfOnePairThroughDifferentSidesApart) {
-  // Two disks in a narrow cell touch on both sides, directly and through the periodic boundary. Afterwards they
-  // touch on one side only.
+  // Two disks in a narrow cell touch on both sides, directly and through the periodic boundary. In the second state
+  // they touch on one side only.
   Mat<2> cell;
   cell << 2.0, 0.0, 0.0, 5.0;
   const Packing<2> before = disks(cell, {{0.1, 1}, {1.1, 1}}, 1.0, elastic_law(1.0, 0.0, 0.0));

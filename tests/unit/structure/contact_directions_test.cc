@@ -15,7 +15,7 @@ Contact<2> contact(const Vec<2>& normal, double force) {
   return c;
 }
 
-/// Opposite directions count as one. Contacts under tension and contacts at a distance are not counted.
+/// Opposite directions count as the same direction. Contacts under tension and contacts at a distance are not counted.
 TEST(ContactDirections, AreADensityOverHalfATurn) {
   Packing<2> packing;
   packing.contacts = {contact({1.0, 0.1}, 1.0), contact({-1.0, -0.1}, 1.0), contact({0.1, 1.0}, 4.0),

@@ -62,8 +62,8 @@ TEST(ContactStatistics, AnisotropiesOfKnownDensities) {
   EXPECT_NEAR(found->tangential_force, c / mean, 1e-6);
   EXPECT_NEAR(found->branch_normal, 0.0, 1e-12);
   EXPECT_NEAR(found->branch_tangential, 0.0, 1e-12);
-  // For branches of equal length, the prediction neglects only products of two anisotropies: that of tangential
-  // forces and that of directions.
+  // For branches of equal length, the only error of the prediction is the product of the anisotropies of tangential
+  // forces and of directions.
   EXPECT_NEAR(found->stress_ratio, 0.5 * (a + b + c) / mean, 1e-6);
   EXPECT_NEAR(found->predicted_ratio, found->stress_ratio, 1e-6);
 }
@@ -81,7 +81,7 @@ TEST(ContactStatistics, AxialAnisotropyInSpace) {
   packing.grains = Grains<3>::with_size(2);
   constexpr int kPolar = 400, kAround = 8;
   for (int k = 0; k < kPolar; ++k) {
-    // With cos t = 1 - 2 s, a fraction (1 - a) s + a (1 - (1 - 2 s)^3)/2 of the directions has a smaller angle.
+    // With cos t = 1 - 2 s, the fraction of directions with angles below t is (1 - a) s + a (1 - (1 - 2 s)^3)/2.
     const auto share = [&](double s) { return (1.0 - a) * s + 0.5 * a * (1.0 - std::pow(1.0 - 2.0 * s, 3)); };
     const double cosine = 1.0 - 2.0 * argument_of(share, (k + 0.5) / kPolar),
                  sine = std::sqrt(1.0 - cosine * cosine);
@@ -97,8 +97,8 @@ TEST(ContactStatistics, AxialAnisotropyInSpace) {
   const auto found = contact_anisotropy(packing, all_of(packing));
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->normals, a, 1e-4);
-  // The difference of the principal stresses divided by their mean is 6/5 a. The stress ratio is a third of
-  // this value.
+  // The difference of the principal stresses, divided by their mean, is 6/5 a. The stress ratio is a third of this
+  // quotient.
   EXPECT_NEAR(found->stress_ratio, 0.4 * a, 1e-4);
   EXPECT_NEAR(found->predicted_ratio, found->stress_ratio, 1e-12);
 }
@@ -129,8 +129,9 @@ TEST(ContactStatistics, FewForcesHaveNoShape) {
   EXPECT_FALSE(force_shape(std::vector<double>(50, 1.0)).alpha);
 }
 
-/// In a brick pattern each square touches its six neighbours along sides. Each neighbour in the same row
-/// carries half of the pressure. Each neighbour in another row, which shares half of a side, carries a quarter.
+/// In a brick pattern each square touches its six neighbours along sides, at two contact points per neighbour. At the
+/// pressure P, each point on a side between neighbours in a row has the force P/2, and each point between neighbours in
+/// different rows, which share half of a side, has the force P/4.
 TEST(ContactStatistics, BricksMeetAlongSides) {
   const State<2> state = brick_bond(0.7, 0.3);
   const CarryingStructure held = carrying_structure(state.packing, 1e-6, 2);

@@ -26,7 +26,7 @@ TEST(Coordination, CountsContactsBySignAndDistantOnesApart) {
   EXPECT_DOUBLE_EQ(c.z_plus, 2.0 / 5.0);
   EXPECT_DOUBLE_EQ(c.z_minus, 2.0 / 5.0);
   EXPECT_DOUBLE_EQ(c.z_zero, 2.0 / 5.0);
-  EXPECT_DOUBLE_EQ(c.rattler_fraction, 1.0 / 5.0);  // grain 4; grain 3 is held by an attraction at a distance
+  EXPECT_DOUBLE_EQ(c.rattler_fraction, 1.0 / 5.0);  // only grain 4; an attraction holds grain 3
 }
 
 TEST(Coordination, LeavesRattlersOutAndCountsPairsOfTwo) {

@@ -38,7 +38,7 @@ TEST(DiskPolygonOverlap, OfAWedgeAtTheCentreIsASector) {
 TEST(CoverageMap, HoldsTheSolidFractionExactlyInSkewedCells) {
   for (const unsigned seed : {1u, 2u, 3u}) {
     Packing<2> packing = random_packing<2>(20, seed, elastic_law(1.0, 0.0, 0.0));
-    if (seed == 2) packing.cell.matrix.row(0) *= -1.0;  // left-handed
+    if (seed == 2) packing.cell.matrix.row(0) *= -1.0;  // makes the lattice vectors left-handed
     const CoverageMap map = coverage_map(packing, {17, 12});
     const double mean = std::accumulate(map.share.begin(), map.share.end(), 0.0) / (17.0 * 12.0);
     EXPECT_NEAR(mean, solid_fraction(packing), 1e-13);

@@ -48,7 +48,7 @@ TEST(ForceDistribution, ByTheMeanIsOfMeanOne) {
   EXPECT_DOUBLE_EQ(force_distribution(packing, ForceKind::normal, ForceUnit::mean, 0.1).unit, 3.0);
   const ForceDistribution t = force_distribution(packing, ForceKind::tangential, ForceUnit::mean, 0.1);
   EXPECT_DOUBLE_EQ(t.unit, 1.5);
-  EXPECT_EQ(t.first, 3);  // the smallest size is 0.5/1.5
+  EXPECT_EQ(t.first, 3);  // index of the first bin: the smallest size is 0.5/1.5
   EXPECT_DOUBLE_EQ(force_distribution(packing, ForceKind::rolling, ForceUnit::mean, 0.1).unit, 0.03);
   packing.contacts[0].distant = true;
   EXPECT_EQ(force_distribution(packing, ForceKind::tangential, ForceUnit::mean, 0.1).n, 3);
@@ -76,7 +76,8 @@ TEST(ForceDistribution, OfAnyValuesIsInTheirUnit) {
 }
 
 TEST(ForceDistribution, CountsWhatLiesBeyondItsBinsAndPutsItInNone) {
-  // There are at most 1e5 bins on each side of zero, here from -1e4 to 1e4. The upper end belongs to no bin.
+  // There are at most 1e5 bins on each side of zero, here from -1e4 to 1e4. The upper end of the last bin belongs to no
+  // bin.
   const ForceDistribution d =
       distribution_of({-2e4, -1e4, -0.05, 0.0, 9999.95, 1e4, 3e7, std::nan("")}, 1.0, 0.1);
   EXPECT_EQ(d.n, 8);

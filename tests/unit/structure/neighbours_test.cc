@@ -77,7 +77,8 @@ TEST(GapCoordination, WithoutAGapIsThatOfContacts) {
 }
 
 TEST(Neighbours, OfCubicCrystalsAreTheirShells) {
-  // Distance of each shell, divided by that of the first, and number of spheres in the shell.
+  // For each crystal: the distance of each shell divided by the distance of the first shell, and the number of spheres
+  // in the shell.
   const std::vector<std::vector<std::pair<double, int>>> shells = {
       {{1.0, 6}, {std::sqrt(2.0), 12}, {std::sqrt(3.0), 8}, {2.0, 6}},
       {{1.0, 8}, {std::sqrt(4.0 / 3.0), 6}, {std::sqrt(8.0 / 3.0), 12}, {std::sqrt(11.0 / 3.0), 24}},

@@ -11,7 +11,7 @@
 namespace floc::test {
 namespace {
 
-/// Returns grains in contact with arbitrary forces.
+/// Returns a packing whose contacts have arbitrary forces.
 template <int Dim>
 Packing<Dim> loaded_packing() {
   Packing<Dim> packing = random_packing<Dim>(30, 5, elastic_law(1.0, 0.5, 0.1));

@@ -58,12 +58,12 @@ TEST(PhaseStructure, ShuffledSignsHaveTheShareOfTheClosedForm) {
   const PhaseStructure phases = phase_structure(contact_network(packing), packing.cell, pressure, options);
   EXPECT_DOUBLE_EQ(phases.like_share, 760.0 / 800.0);
   EXPECT_DOUBLE_EQ(phases.like_expected, (300.0 * 299.0 + 100.0 * 99.0) / (400.0 * 399.0));
-  // If the signs are shuffled, the bonds are nearly independent of each other. The standard deviation is
-  // therefore that of 800 independent bonds.
+  // If the signs of the grains are shuffled, the signs at different bonds are nearly independent, so the standard
+  // deviation is that of 800 independent bonds.
   const double q = phases.like_expected;
   EXPECT_NEAR(phases.like_deviation, std::sqrt(q * (1 - q) / 800.0), 0.5 * std::sqrt(q * (1 - q) / 800.0));
-  // Site percolation on the square lattice starts at a fraction of 0.593: three quarters of the sites
-  // percolate, one quarter does not.
+  // Site percolation on the square lattice starts at a fraction of 0.593: if the fraction is three quarters, the sites
+  // percolate; if it is one quarter, they do not.
   EXPECT_GT(phases.positive.shuffled_percolates, 0.95);
   EXPECT_LT(phases.negative.shuffled_percolates, 0.01);
   EXPECT_GT(phases.positive.largest_shuffled, 250.0);
@@ -86,7 +86,7 @@ TEST(PhaseStructure, InThreeDimensionsAPlaneWindsAlongTwoLatticeVectors) {
   EXPECT_THAT(phases.negative.along, ElementsAre(true, true, false));
   EXPECT_EQ(phases.negative.n_directions, 2);
   EXPECT_DOUBLE_EQ(phases.like_share, 160.0 / 192.0);
-  // Grains in the plane have six neighbours, four of them within the plane.
+  // Each grain in the plane of tension has six neighbours, four of which lie in the same plane.
   EXPECT_EQ(phases.negative.by_share[6].n_grains, 16);
   EXPECT_DOUBLE_EQ(phases.negative.by_share[6].mean_size, 8.5);
   EXPECT_NEAR(phases.negative.by_share[6].mean_error, std::sqrt(255.0 / 12.0 / 15.0), 1e-12);

@@ -58,9 +58,9 @@ TEST(Pores, OfASquareLatticeAreExact) {
 TEST(Pores, OfATriangularLatticeAreTwoOfAKind) {
   const Pores found = find_pores(of_radius(triangular(2.0, elastic_law(1.0, 0.0, 0.0)), 1.0));
   ASSERT_THAT(found.pores, SizeIs(2));
-  // The second moment of a triangle of side 2 about its centre is side^2 area/12. Three sectors of 60 degrees
-  // are subtracted. Each has its own second moment, the first moment 2 sin(30 deg) R^3/3 towards the centre,
-  // and its corner at the distance 2/sqrt 3 from the centre.
+  // The second moment of a triangle of side 2 about its centre is side^2 area/12. Three sectors of the disks, of 60
+  // degrees each, are subtracted from it. The corner of a sector is at the distance 2/sqrt 3 from the centre. About
+  // this corner, a sector has its own second moment, and the first moment 2 sin(30 deg) R^3/3 towards the centre.
   const double area = std::sqrt(3.0) - std::numbers::pi / 2.0;
   const double sector = std::numbers::pi / 6.0;
   const double second = sector / 2.0 + sector * 4.0 / 3.0 - 2.0 * (1.0 / 3.0) * 2.0 / std::sqrt(3.0);
@@ -100,7 +100,7 @@ TEST(Pores, OfDifferentSizesCountByTheirArea) {
 }
 
 TEST(Pores, HoldIslandsAndDeadEnds) {
-  // A frame that contains a side branch of one disk, a single disk and a pair.
+  // A frame in which there are a side branch of one disk, a single disk and a pair of disks.
   Packing<2> packing = square_frames(9, 1.0, elastic_law(1.0, 0.0, 0.0));
   add_disks(packing, {{3.0, 1.0}, {6.0, 5.5}, {2.3, 4.0}, {2.3, 5.0}}, std::vector<double>(4, 0.51));
   packing = of_radius(packing, 0.5);
@@ -122,8 +122,8 @@ TEST(Pores, HoldIslandsAndDeadEnds) {
   EXPECT_NEAR(found.pores[0].gyration_radius, std::sqrt(second / area - (first / area).squaredNorm()), 1e-11);
 }
 
-/// Returns a distorted triangular net in which some edges are missing. The contacts of the packing are the
-/// edges of the net. Disks do not overlap.
+/// Returns a packing of disks that do not overlap. The contacts of the packing are the edges of a distorted triangular
+/// net, from which some edges were removed.
 Packing<2> net(int side, unsigned seed) {
   std::mt19937 engine(seed);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);

@@ -79,7 +79,7 @@ TEST(PorosityProbe, BetweenWallsHasNoImages) {
   Packing<3> packing = one_sphere(Vec<3>(0.5, 1.0, 1.0), 2.0);
   packing.walls = {{0, -1, 0.0}, {0, 1, 2.0}};
   EXPECT_NEAR(*porosity_probes(packing, 1)[0].in_cell, kPi / 6.0 / 8.0, 1e-13);
-  // A cap of the height R/2 lies in the wall. It is missing and does not reappear at the opposite wall.
+  // A cap of the height R/2 lies in the wall. This cap does not count, and it does not reappear at the opposite wall.
   packing.grains.position[0][0] = 0.25;
   const double cap = kPi * 0.25 * 0.25 * (1.5 - 0.25) / 3.0;
   EXPECT_NEAR(*porosity_probes(packing, 1)[0].in_cell, (kPi / 6.0 - cap) / 8.0, 1e-13);

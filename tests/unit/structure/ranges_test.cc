@@ -23,7 +23,7 @@
 #include "floc/structure/scattering.h"
 #include "support/network_packings.h"
 
-/// Tests that the library itself refuses invalid arguments, independently of the program.
+/// Tests that the functions of the library refuse invalid arguments themselves, without the checks of the program.
 namespace floc::test {
 namespace {
 
@@ -38,7 +38,7 @@ Packing<2> some_disks() {
   return random_packing<2>(20, 1, elastic_law(100.0, 100.0, 0.0));
 }
 
-/// Name of an argument, and a function that passes a value for it.
+/// Name of an argument of a function, and a call of the function with a given value of this argument.
 struct Argument {
   const char* name;
   std::function<void(double)> call;

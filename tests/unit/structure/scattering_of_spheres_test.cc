@@ -17,7 +17,7 @@ using testing::ElementsAre;
 constexpr double kTau = 2.0 * std::numbers::pi;
 
 TEST(BallTransform, IsTheIntegralOfItsShells) {
-  // Compares with 4 pi times the integral of r sin(kr)/k from 0 to R.
+  // Compares the transform with 4 pi times the integral of r sin(kr)/k over r from 0 to R.
   for (const double R : {0.5, 2.0})
     for (const double k : {1e-4, 0.03, 0.05, 1.0, 7.0}) {
       constexpr int kSteps = 2000;
@@ -28,13 +28,13 @@ TEST(BallTransform, IsTheIntegralOfItsShells) {
       }
       EXPECT_NEAR(ball_transform(k, R), sum, 1e-5 * R * R * R) << k;
     }
-  // ball_transform() has two forms. They agree at k R = 0.02, where one form replaces the other.
+  // ball_transform() uses a series for small k R and a closed form above k R = 0.02, where both agree.
   EXPECT_NEAR(ball_transform(0.02 - 1e-12, 1.0) / ball_transform(0.02, 1.0), 1.0, 1e-11);
 }
 
 TEST(Scattering, OfOneSphereIsItsFormFactor) {
-  // The first bin contains the wave vectors (1,0,0), 3 of them, and (1,1,0), 6 of them. The second bin contains
-  // 4 of the kind (1,1,1), 3 (2,0,0), 12 (2,1,0) and 12 (2,1,1). Opposite vectors count once.
+  // The first bin contains 3 wave vectors of the kind (1,0,0) and 6 of the kind (1,1,0). The second bin contains 4 of
+  // the kind (1,1,1), 3 of (2,0,0), 12 of (2,1,0) and 12 of (2,1,1). Two opposite vectors count as one.
   const double R = 0.3;
   const Packing<3> packing = crystal_of(simple_cubic(), 1.0, 2.0 * R, elastic_law(1.0, 0.0, 0.0));
   const Scattering s = scattering(packing);
@@ -76,7 +76,7 @@ TEST(Scattering, OfIndependentSpheresIsThatOfOneTimesTheirDensity) {
     double expected = 0.0;
     for (const double R : packing.grains.radius)
       expected += std::pow(ball_transform(s.k[b], R), 2) * density / packing.grains.size();
-    if (s.n_vectors[b] < 30 || s.k[b] > 4.0) continue;  // beyond this k, I varies within a bin
+    if (s.n_vectors[b] < 30 || s.k[b] > 4.0) continue;  // at larger k, the intensity varies within a bin
     EXPECT_NEAR(s.I[b] / expected, 1.0, 4.0 / std::sqrt(static_cast<double>(s.n_vectors[b]))) << s.k[b];
     EXPECT_LE(s.n_vectors[b], 300);
     ++n;

@@ -21,7 +21,7 @@ double form_factor(double k, double R) {
   return kTwoPi * R * std::cyl_bessel_j(1.0, k * R) / k;
 }
 
-/// Closed form of I(k) for disks. The mean of each bin is taken over the same wave vectors as in scattering().
+/// Closed form of I(k) for disks, averaged in each bin over the same wave vectors as in scattering().
 struct Exact {
   std::vector<double> I, envelope;
 };
@@ -115,8 +115,8 @@ TEST(Scattering, OfASquareLatticeIsInItsBraggPeaks) {
   EXPECT_NEAR(expected.envelope[3], peak(std::sqrt(2.0) * kTwoPi), 1e-9 * peak(kTwoPi));
 }
 
-/// Different vectors of the same lattice must give equal results. A mesh along a lattice vector that spans a
-/// million cells would take forever.
+/// Different vectors of the same lattice must give equal results. Here, a lattice vector spans a million cells; a mesh
+/// along this vector would be too large.
 TEST(Scattering, OfALatticeDoesNotDependOnItsCell) {
   Packing<2> packing = one_disk(0.4, Mat<2>::Identity() * 3.0);
   const Scattering straight = scattering(packing);
@@ -187,8 +187,8 @@ CoverageMap aggregate_field(int n, double side, double xi, double dF, unsigned s
     for (int column = 0; column <= n / 2; ++column) {
       const int m = row <= n / 2 ? row : row - n;
       const double k = kTwoPi * std::hypot(m, column) / side;
-      // The Fourier transform of white noise has the mean square n^2. The factors kept() account for the
-      // average of a wave over a mesh cell.
+      // The Fourier transform of white noise has the mean square n^2. A mesh stores averages over its cells, which
+      // reduces the amplitude of a wave by the factors kept().
       const double amplitude = std::sqrt(scattered_intensity(1.0, xi, dF, k)) * kept(m) * kept(column);
       hat[static_cast<std::size_t>(row) * (n / 2 + 1) + column] *= amplitude / (static_cast<double>(n) * n);
     }

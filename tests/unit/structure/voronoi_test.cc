@@ -46,8 +46,8 @@ TEST(Voronoi, OfCubicCrystalsHasTheirCellsAndHoles) {
 }
 
 TEST(Voronoi, OfAnyPackingFillsTheCell) {
-  // Cells are skewed, with right-handed and left-handed lattice vectors. Spheres have many sizes, and the unit
-  // of length varies widely.
+  // The cells are skewed, with right-handed or left-handed lattice vectors. The spheres have many different sizes, and
+  // the unit of length takes very different values.
   for (const unsigned seed : {1u, 2u, 3u})
     for (const double unit : {1.0, 1e-30, 1e12}) {
       Packing<3> packing = random_packing<3>(60, seed, elastic_law(1.0, 0.0, 0.0), 0.7);

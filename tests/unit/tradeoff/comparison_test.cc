@@ -71,7 +71,8 @@ TEST(Comparison, StatesAreComparedUntilTheFirstCollapseOfEither) {
 TEST(Comparison, ANewTurnStartsFromTheReferenceAgain) {
   SamplePath reference = path(0.0), other = path(0.01);
   reference.states.push_back(state(1, 0.04, 0.6, 2000.0));
-  other.states.push_back(state(1, 0.04, 0.6, 2000.0));  // Phi is 0.01 below the previous state of this path
+  // at this state, Phi is 0.01 lower than at the previous state of this path
+  other.states.push_back(state(1, 0.04, 0.6, 2000.0));
   EXPECT_TRUE(before_collapse(reference, other).back());
 }
 
@@ -99,13 +100,14 @@ TEST(Comparison, MeansOfOtherStepsAreOverEqualLoads) {
                    state(0, 0.08, 0.60001, 2000.0)};
   const MeanDifference mean = compare_means({&reference}, {&coarse}, std::nullopt)[kPhi].mean;
   EXPECT_EQ(mean.n, 1);
-  EXPECT_NEAR(mean.difference, (0.03 / 0.615) / 3.0, 1e-12);  // only the second of three pairs differs
+  EXPECT_NEAR(mean.difference, (0.03 / 0.615) / 3.0,
+              1e-12);  // of three pairs of states, only the second differs
   SamplePath fine = reference;
   fine.states.insert(fine.states.begin() + 2, state(0, 0.03, 0.9, 1.0));
   EXPECT_EQ(compare_means({&reference}, {&fine}, std::nullopt)[kPhi].mean.difference, 0.0);
 }
 
-/// A shear test with known peak ratio and known mean over its last quarter.
+/// A shear test whose peak ratio and mean over the last quarter of the test are known.
 TEST(Comparison, ShearTestsHaveTheirPeakAndTheirCriticalState) {
   SamplePath test;
   const std::vector<double> ratios = {0.1, 0.3, 0.5, 0.45, 0.4, 0.4, 0.38, 0.36, 0.34, 0.33, 0.32, 0.31};
@@ -125,8 +127,8 @@ TEST(Comparison, ShearTestsHaveTheirPeakAndTheirCriticalState) {
 TEST(Comparison, SamplingErrorFallsWithTheRootOfTheirNumber) {
   const SamplePath a = path(0.0), b = path(0.02);
   const double one = sampling_errors({&a, &b}, 1, std::nullopt)[kPhi].mean.standard_error;
-  // The relative standard deviation of two samples a and b is sqrt(2) times the mean over all states of
-  // 0.02/(Phi_a + Phi_b).
+  // For two samples a and b, the relative standard deviation is sqrt(2) times the mean of 0.02/(Phi_a + Phi_b) over all
+  // states.
   EXPECT_NEAR(one, std::sqrt(2.0) * 0.25 * (0.02 / 1.02002 + 0.02 / 1.22 + 0.02 / 1.22002), 1e-9);
   EXPECT_DOUBLE_EQ(sampling_errors({&a, &b}, 4, std::nullopt)[kPhi].mean.standard_error, 0.5 * one);
 }

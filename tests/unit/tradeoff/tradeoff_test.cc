@@ -26,8 +26,8 @@ TEST(Tradeoff, KeepsItsBudgetAndSaysWhatItLeftOut) {
     options.budget = budget;
     const double start = processor_seconds();
     const Tradeoff tradeoff = study_tradeoff(small_scene(60), options);
-    // A run can be interrupted only between chunks of 500 steps, which take a few ms here. After that, the
-    // moduli of a sample still have to be computed.
+    // A run can be interrupted only between chunks of 500 steps, which take a few ms here. After an interruption, the
+    // moduli of the sample still have to be computed.
     EXPECT_LT(processor_seconds() - start, budget + 0.2);
     EXPECT_FALSE(tradeoff.left_out.empty());
   }
@@ -83,13 +83,13 @@ TEST(Tradeoff, PairedPathsStartFromTheSameStatesAndTheReferenceEqualsItself) {
   SamplePath reference = make_sample(options, {}, nullptr, never);
   ASSERT_TRUE(reference.whole()) << reference.failure;
   settle(options.relaxation, never, reference);
-  // Starting from the same states, the same options give the same bits.
+  // With the same initial states and the same options, results must be identical bit for bit.
   const SamplePath again = make_sample(options, {}, &reference, never);
   ASSERT_EQ(again.states.size(), reference.states.size());
   for (std::size_t k = 0; k < again.states.size(); ++k) {
     EXPECT_EQ(again.states[k].observation[kPhi], reference.states[k].observation[kPhi]) << k;
     EXPECT_EQ(again.states[k].observation[kB], reference.states[k].observation[kB]) << k;
-    // With strict settings, states are already settled.
+    // The states of the reference were made with strict settings, so they do not change when they are settled.
     EXPECT_EQ(reference.states[k].settled[kPhi], reference.states[k].observation[kPhi]) << k;
   }
   const ObservableErrors errors = compare({&reference}, {&again}, std::nullopt);

@@ -107,7 +107,7 @@ TEST(ShippedPaths, ReloadingTellsThePressureTheyHadSeen) {
   ASSERT_EQ(fits.size(), 2u);
   for (const json& fit : fits) {
     EXPECT_EQ(fit["largest_before"], 1.0);
-    // P_c is right within the distance of neighbouring pressures, a factor of 1.33.
+    // The fitted P_c agrees with the true value 1 to within the ratio of neighbouring pressures, 1.33.
     EXPECT_NEAR(std::log(fit["parameters"]["P_c"]["value"].get<double>()), 0.0, std::log(1.34));
     EXPECT_LT(fit["parameters"]["P_c"]["low95"], 1.0);
     EXPECT_GT(fit["parameters"]["P_c"]["high95"], 1.0);

@@ -19,8 +19,8 @@ Moduli full_moduli(const Packing<Dim>& packing) {
   return elastic_moduli(packing, options);
 }
 
-/// Relative tolerance. The changed packing gives sums in another order and branches with other rounding errors, which
-/// are multiplied by a condition number of about 1e3. Long branches need a larger tolerance.
+/// Relative tolerance. In the changed packing, sums are taken in another order, and branch vectors are rounded
+/// differently. A condition number of about 1e3 amplifies both errors. Long branch vectors need a larger tolerance.
 constexpr double kSame = 1e-10;
 
 template <int Dim>

@@ -13,8 +13,8 @@ namespace {
 /// StepResponse::n_holding counts the contacts with the largest elastic energies that together have this share of the
 /// elastic energy of all touching contacts.
 constexpr double kHeldShare = 0.95;
-/// If no stiffness resists a strain, the work of a unit stress on this strain counts as zero up to this number, because
-/// the strain is a computed eigenvector and has rounding errors.
+/// Largest work that counts as zero. It is the work of a unit stress on a strain that no stiffness resists. Such a strain
+/// is a computed eigenvector, and its rounding errors change the work.
 constexpr double kNoWork = 1e-9;
 
 template <int Dim>

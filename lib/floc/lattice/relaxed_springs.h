@@ -55,8 +55,8 @@ struct SpringRelaxationReport {
 
 /// Springs between nodes in a cell. The positions of the nodes and the strain of the cell are relaxed to the smallest
 /// energy. Some springs are one-sided: they carry compression only. With the overlap o and the stiffness k of a spring,
-/// the energy is 1/2 sum k o^2 over the two-sided springs + 1/2 sum k max(o, 0)^2 over the one-sided springs - load .
-/// strain. This energy is a convex function.
+/// the energy is E = sum_two k o^2/2 + sum_one k max(o, 0)^2/2 - dot(load, strain), where sum_two is over the two-sided
+/// and sum_one over the one-sided springs. It is a convex function.
 ///
 /// Newton's method finds the minimum of the energy. The active set consists of the one-sided springs in compression.
 /// The first relaxation starts with all springs in the active set, and later relaxations start with the last active

@@ -28,9 +28,10 @@ struct ContactProblem {
 template <int Dim>
 Vec<Dim> contact_impulse(const ContactProblem<Dim>& problem);
 
-/// Returns the error with which an impulse p solves a contact problem (unit of impulse). Let u be the relative velocity
-/// after the step. The error is the larger of |P - [P - u_n/A_nn]_+| and |p_t - proj(p_t - u_t/a)|. Here proj is the
-/// projection onto the vectors with |p_t| <= mu P, and a is the mean of the diagonal of A_tt.
+/// Returns how far an impulse is from a solution of a contact problem (unit of impulse). Let P and p_t be the normal and
+/// the tangential part of the impulse, u_n and u_t those of the relative velocity after the step, and A the matrix of the
+/// problem. The error is the larger of |P - [P - u_n/A_nn]_+| and |p_t - proj(p_t - u_t/a)|. Here proj is the projection
+/// onto the vectors with |p_t| <= mu P, and a is the mean of the diagonal of A_tt.
 template <int Dim>
 double contact_error(const ContactProblem<Dim>& problem, const Vec<Dim>& impulse);
 

@@ -33,8 +33,9 @@ struct Arc {
   }
 };
 
-/// Returns the arc between the outward normals of two faces that meet at an edge in the direction of the unit vector
-/// `axis`. The face `left` lies to the left of the edge.
+/// Returns the arc between the outward normals `left` and `right` of two faces that share an edge. The unit vector `axis`
+/// is parallel to the edge. For a viewer outside the body who looks along `axis`, the face with the normal `left` is on
+/// the left.
 Arc<3> arc_of_edge(const Vec<3>& left, const Vec<3>& right, const Vec<3>& axis) {
   return {left, axis.cross(left), std::atan2(axis.dot(left.cross(right)), left.dot(right))};
 }

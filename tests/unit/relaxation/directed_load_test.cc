@@ -91,8 +91,8 @@ Mat<Dim> stiffness(const Packing<Dim>& packing) {
 
 constexpr double kStrain = 3e-7;
 
-/// Half the difference between the results of two small load steps of opposite sign: the changes of stress and of
-/// logarithmic strain.
+/// Changes of stress and of logarithmic strain in a small load step. Each is half the difference between the changes in
+/// two steps of opposite sign.
 template <int Dim>
 struct Answer {
   Vec<Dim> stress, strain;

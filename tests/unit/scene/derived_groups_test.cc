@@ -23,7 +23,7 @@ double group(const Scene& scene, const std::string& name) {
 
 TEST(DerivedGroups, DoNotDependOnTheUnitsOfAScene) {
   const Scene scene = shipped("demo");
-  // The same scene in other units: lengths are doubled and forces tripled. The mass density still gives m = 1 at d = a.
+  // The scene in other units: lengths are doubled and forces tripled. The mass density still gives m = 1 at d = a.
   const Scene other =
       shipped("demo", {"grains.diameter.min=1", "grains.diameter.max=2", "grains.density=0.3183098861837907",
                        "contact.adhesion.force=3", "contact.adhesion.range=2e-3",

@@ -176,7 +176,7 @@ TEST_F(CsvPacking, NamesWhatIsMissingOrMalformed) {
               ThrowsMessage<InputError>(HasSubstr("\"r\" is not the name of a grain column that floc reads")));
   options_ = good;
   options_.index = 1;
-  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("holds only one packing")));
+  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("the file contains only one packing")));
   options_ = good;
   grains("x,y,radius\n1,1,0\n");
   EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("g.csv:2: radius = 0, must be positive")));

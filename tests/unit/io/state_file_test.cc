@@ -328,7 +328,7 @@ TEST(StateFileRefuses, NumbersThatNoStateHolds) {
                 s.packing.grains = Grains<2>::with_size(0);
                 s.packing.contacts.clear();
               }),
-              HasSubstr("holds no grains"));
+              HasSubstr("the dataset contains no grains"));
   EXPECT_THAT(refusal_of_spoiled([](State<2>& s) { s.units = "imperial"; }), HasSubstr("imperial"));
 }
 

@@ -225,7 +225,9 @@ TEST(StateWithShapes, IsRefusedIfAnIndexIsOutOfRange) {
   Spoiled(cubes()).set("shapes/first_vertex", 1, 17).expect_refused("shapes/first_vertex", "entry 1 is 17");
   Spoiled(cubes()).set("shapes/first_face", 1, -1).expect_refused("shapes/first_face", "ascend");
   Spoiled(cubes()).set("shapes/first_corner", 2, 1).expect_refused("shapes/first_corner", "ascend");
-  Spoiled(cubes()).set("shapes/faces", 3, 8).expect_refused("shapes/faces", "vertex 8, expected 0 to 7");
+  Spoiled(cubes())
+      .set("shapes/faces", 3, 8)
+      .expect_refused("shapes/faces", "it has the vertex 8: expected vertices from 0 to 7");
   Spoiled(cubes()).set("shapes/faces", 3, -1).expect_refused("shapes/faces", "vertex -1");
   Spoiled(cubes()).set("grains/shape", 1, 2).expect_refused("grains/shape", "expected a shape from 0 to 1");
   Spoiled(cubes()).set("contacts/type", 1, 4).expect_refused("contacts/type", "entry 1 is 4");

@@ -196,8 +196,8 @@ TEST(ReadShape, AGasDenserThanItsCircumscribedBallsAllowIsRefused) {
   // The limit is therefore 0.757 * 0.6 = 0.454.
   EXPECT_NO_THROW(parse_scene(text_with_shape(pentagon, 2, 0.45), "s.toml", "."));
   EXPECT_THAT([&] { parse_scene(text_with_shape(pentagon, 2, 0.46), "s.toml", "."); },
-              testing::ThrowsMessage<InputError>(
-                  AllOf(HasSubstr("s.toml:12: cell.solid_fraction = 0.46: "), HasSubstr("of 0.4541"))));
+              testing::ThrowsMessage<InputError>(AllOf(HasSubstr("s.toml:12: cell.solid_fraction = 0.46: "),
+                                                       HasSubstr("up to the solid fraction 0.4541"))));
 }
 
 TEST(ReadShape, AFileIsFoundBesideTheSceneAndItsRemarksAreWarnings) {

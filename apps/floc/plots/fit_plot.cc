@@ -36,18 +36,15 @@ void add_blocks(const ConsolidationPlot& of, Plot& plot) {
   for (std::size_t i = 0; i < curve.phi.size(); ++i)
     if (std::find(fit.used.begin(), fit.used.end(), static_cast<int>(i)) == fit.used.end())
       others.push_back({curve.P_star[i], 1.0 / curve.phi[i], error_of_mean(curve, i)});
-  plot.add(
-      "points fitted: reduced pressure P*, inverse solid fraction 1/Phi, standard error of its mean, residual",
-      std::move(used));
-  plot.add("points left out: reduced pressure P*, inverse solid fraction 1/Phi, standard error of its mean",
-           std::move(others));
-  plot.add("law: reduced pressure P*, inverse solid fraction 1/Phi", law_points(fit));
-  plot.add("unloading and reloading: reduced pressure P*, inverse solid fraction 1/Phi", of.loops);
+  plot.add("points fitted: P_star 1/phi error_of_mean residual", std::move(used));
+  plot.add("points left out: P_star 1/phi error_of_mean", std::move(others));
+  plot.add("law: P_star 1/phi", law_points(fit));
+  plot.add("unloading and reloading: P_star 1/phi", of.loops);
   std::vector<std::vector<double>> recompression = recompression_points(fit);
   std::vector<std::vector<double>> yield;
   if (!recompression.empty()) yield.push_back(recompression.back());
-  plot.add("recompression line: reduced pressure P*, inverse solid fraction 1/Phi", std::move(recompression));
-  plot.add("yield point: reduced pressure P*, inverse solid fraction 1/Phi", std::move(yield));
+  plot.add("recompression line: P_star 1/phi", std::move(recompression));
+  plot.add("yield: P_star 1/phi", std::move(yield));
 }
 
 std::string title_of(const ConsolidationPlot& plot) {

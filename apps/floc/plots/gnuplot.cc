@@ -104,16 +104,22 @@ int Plot::add(const std::string& columns, std::vector<std::vector<double>> rows)
   return static_cast<int>(blocks.size()) - 1;
 }
 
-std::string range_script(const Plot& plot, const std::string& axis, const std::vector<int>& blocks, int column,
-                         bool logarithmic) {
+std::pair<double, double> value_range(const Plot& plot, const std::vector<int>& blocks, int column,
+                                      bool positive) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const int b : blocks)
     for (const std::vector<double>& row : plot.blocks[static_cast<std::size_t>(b)].rows) {
       const double x = row[static_cast<std::size_t>(column)];
-      if (!std::isfinite(x) || (logarithmic && x <= 0.0)) continue;
+      if (!std::isfinite(x) || (positive && x <= 0.0)) continue;
       low = std::min(low, x);
       high = std::max(high, x);
     }
+  return {low, high};
+}
+
+std::string range_script(const Plot& plot, const std::string& axis, const std::vector<int>& blocks, int column,
+                         bool logarithmic) {
+  const auto [low, high] = value_range(plot, blocks, column, logarithmic);
   if (!(low < high)) return "";
   const double factor = std::pow(10.0, 0.1);
   const double margin = 0.05 * (high - low);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace floc {
@@ -20,6 +21,12 @@ struct Plot {
   /// Adds a block. @return index of the block
   int add(const std::string& columns, std::vector<std::vector<double>> rows);
 };
+
+/// Returns the smallest and the largest finite value in column `column` of the blocks with the indices `blocks`. Without
+/// such a value, the first of the two returned numbers is larger than the second.
+/// @param positive  whether only values above zero count
+std::pair<double, double> value_range(const Plot& plot, const std::vector<int>& blocks, int column,
+                                      bool positive);
 
 /// Returns the gnuplot command that sets the range of an axis ("x" or "y") so that the range contains the values in
 /// column `column` of the blocks with the indices `blocks`. The margin is a tenth of a decade on a logarithmic axis and

@@ -203,12 +203,11 @@ Plot consolidation_plot(const std::vector<PathTable>& samples, const FittedConso
   }
   for (std::size_t i = 0; i < curve.phi.size(); ++i)
     mean.push_back({curve.P_star[i], 1.0 / curve.phi[i], error_of_mean(curve, i)});
-  plot.add("loading of each sample: reduced pressure P*, inverse solid fraction 1/Phi", std::move(each));
-  plot.add("loading fitted: reduced pressure P*, inverse solid fraction 1/Phi, standard error of its mean",
-           std::move(mean));
-  plot.add("unloading: reduced pressure P*, inverse solid fraction 1/Phi", std::move(down));
-  plot.add("elastic lines: reduced pressure P*, inverse solid fraction 1/Phi", std::move(elastic));
-  plot.add("law: reduced pressure P*, inverse solid fraction 1/Phi",
+  plot.add("loading of each sample: P_star 1/phi", std::move(each));
+  plot.add("loading fitted: P_star 1/phi error_of_mean", std::move(mean));
+  plot.add("unloading: P_star 1/phi", std::move(down));
+  plot.add("elastic lines: P_star 1/phi", std::move(elastic));
+  plot.add("law: P_star 1/phi",
            fitted.fit.found() ? law_points(fitted.fit) : std::vector<std::vector<double>>{});
   const std::string& unit = samples.front().unit;
   const std::vector<int> all = {0, 1, 2, 3, 4};

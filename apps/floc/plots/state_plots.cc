@@ -26,7 +26,7 @@ namespace {
 
 /// Colours and markers of the samples. Both are easy to distinguish, the markers also if they are printed in grey. The
 /// seventh sample has the first colour and marker again.
-constexpr const char* kColors =
+constexpr const char* kSampleStyles =
     "array color[6] = ['#0072b2', '#d55e00', '#00b377', '#202020', '#cc79a7', '#e69f00']\n"
     "array marker[6] = [7, 8, 4, 12, 10, 2]\n";
 constexpr int kDrawsForNoPValue = 1;
@@ -216,9 +216,9 @@ set bars 0.4
 set xlabel {xlabel}
 set ylabel 'probability density'
 set key tmargin center vertical font ',16'
-{colors}{curves})",
+{styles}{curves})",
                   fmt::arg("axes", density_axes(plot, all, shown)), fmt::arg("xlabel", gnuplot_quoted(xlabel)),
-                  fmt::arg("colors", kColors), fmt::arg("curves", plot_command(plot, curves)));
+                  fmt::arg("styles", kSampleStyles), fmt::arg("curves", plot_command(plot, curves)));
   return plot;
 }
 
@@ -349,9 +349,9 @@ set format y '10^{{%T}}'
 set xlabel 'k a/2π'
 set ylabel 'I(k)/a^{dimension}'
 set key tmargin center vertical font ',16'
-{colors}{curves})",
+{styles}{curves})",
                             fmt::arg("range", range_script(plot, "x", all, 0, true)),
-                            fmt::arg("dimension", samples.front().dimension), fmt::arg("colors", kColors),
+                            fmt::arg("dimension", samples.front().dimension), fmt::arg("styles", kSampleStyles),
                             fmt::arg("curves", plot_command(plot, curves)));
   return plot;
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numbers>
 
 #include "floc/base/error.h"
@@ -87,9 +86,7 @@ plot data index 1 using 1:2 with linespoints pointtype 7 pointsize 0.7 linecolor
 
 /// Returns the gnuplot command that marks about four round values on the axis of the driven stress.
 std::string driven_stress_tics(const Plot& plot) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const std::vector<double>& row : plot.blocks[1].rows)
-    if (std::isfinite(row[0])) low = std::min(low, row[0]), high = std::max(high, row[0]);
+  const auto [low, high] = value_range(plot, {1}, 0, false);
   return low < high ? fmt::format("set xtics {}\n", 2.0 * round_number_below((high - low) / 8.0)) : "";
 }
 
@@ -130,10 +127,12 @@ Plot axial_test_plot(const CsvTable& path) {
       first = i - 1;
       if (!is_sheared(i)) add(first, axis, first);
     }
-    if (is_sheared(i))
-      any_sheared = true, test.push_back(sheared_row(path, columns, i, first, axis));
-    else
+    if (is_sheared(i)) {
+      any_sheared = true;
+      test.push_back(sheared_row(path, columns, i, first, axis));
+    } else {
       add(i, axis, first);
+    }
   }
   if (test.empty()) throw InputError("--show test", "no row of the path belongs to a test with a driven axis");
   const bool any_lateral = std::any_of(lateral.begin(), lateral.end(),

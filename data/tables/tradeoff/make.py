@@ -48,30 +48,30 @@ MATRIX = {"disks-cemented": 0.1, "spheres-cemented": 0.2}
 UNSTUDIED = {"softening": "1", "assembly_softening": "1"}
 
 
-def append(table, text):
-    """Appends the rows of a later study of some parameters, its CSV text, to a table of the same samples.
+def append(table, new):
+    """Appends the rows of a later study of some parameters to a table of the same samples. Returns whether the samples are the same.
 
     Processor times become those of the machine that made the table: the strict settings take as long as in the table. Rows of the same
     parameters that the table has already are replaced.
     """
     with open(table, newline="") as file:
         old = list(csv.DictReader(file))
-    new = list(csv.DictReader(text.splitlines()))
     strict_of = [next(row for row in rows if row["knob"] == "strict") for rows in (old, new)]
     if strict_of[0]["sample_scatter"] != strict_of[1]["sample_scatter"]:
-        sys.exit(f"{table}: the samples of the strict settings are not those of the new study")
+        return False
     added = [row for row in new if row["knob"] not in {"strict", "scene", "samples"}]
     for row in added:
         for column in ("core_seconds", "moduli_seconds"):
             if row[column]:
                 row[column] = repr(float(row[column]) * float(strict_of[0][column]) / float(strict_of[1][column]))
     studied = {row["knob"] for row in added}
-    columns = list(new[0]) if new else list(old[0])
+    columns = list(new[0])
     kept = [{column: row.get(column) or UNSTUDIED.get(column, "") for column in columns} for row in old if row["knob"] not in studied]
     with open(table, "w", newline="") as out:
         writer = csv.DictWriter(out, columns, lineterminator="\n")
         writer.writeheader()
         writer.writerows(kept + added)
+    return True
 
 
 def make(kind, floc, budget, samples, folder, knobs=None):
@@ -94,12 +94,12 @@ def make(kind, floc, budget, samples, folder, knobs=None):
     code = os.waitstatus_to_exitcode(status)
     if code != 0:
         return f"{kind}: exit code {code} after {seconds:.0f} s of processor time; its messages are in {log}", False
-    if knobs:
-        append(table, text.decode())
-    else:
+    rows = list(csv.DictReader(text.decode().splitlines()))
+    if not knobs:
         with open(table, "wb") as out:
             out.write(text)
-    rows = list(csv.DictReader(text.decode().splitlines()))
+    elif not append(table, rows):
+        return f"{kind}: the samples of the strict settings are not those of {table}", False
     strict = next(row for row in rows if row["knob"] == "strict")
     return (f"{kind}: {seconds:.0f} s of processor time, {strict['n_samples']} samples of {strict['n_grains']} grains "
             f"and {strict['n_states']} states", True)

@@ -31,14 +31,19 @@ constexpr double kShareOfManyGrains = 0.5;
 /// Limits of the number of grains of this sample, divided by the number of grains of a larger sample.
 constexpr double kLeastGrowth = 2.0, kLargestGrowth = 20.0;
 
-std::vector<SamplePath> samples(const Scene& scene, int n_grains, int n_samples, const Deadline& deadline,
-                                double limit) {
+/// Runs the k-th sample with the settings of the scene.
+SamplePath sample(const Scene& scene, int n_grains, int k, const Deadline& deadline) {
   StudiedSetting setting = studied_settings(scene)[1];
   if (n_grains != scene.grains.count) setting.n_grains = n_grains;
+  return make_sample(run_options(scene, setting, scene.seed + static_cast<std::uint64_t>(k)), {}, nullptr,
+                     deadline);
+}
+
+std::vector<SamplePath> samples(const Scene& scene, int n_grains, int n_samples, const Deadline& deadline,
+                                double limit) {
   std::vector<SamplePath> paths;
   for (int k = 0; k < n_samples; ++k) {
-    SamplePath path = make_sample(run_options(scene, setting, scene.seed + static_cast<std::uint64_t>(k)), {},
-                                  nullptr, deadline);
+    SamplePath path = sample(scene, n_grains, k, deadline);
     if (path.out_of_time)
       throw InputError("--pilot",
                        fmt::format("the samples of {} grains are not complete within {} of processor time: "
@@ -67,14 +72,13 @@ void measure_many_grains(const Scene& scene, const Deadline& deadline, PilotResu
   const double growth =
       std::min(std::pow(seconds / result.core_seconds, 1.0 / result.cost_exponent), kLargestGrowth);
   if (growth < kLeastGrowth) return;
-  StudiedSetting setting = studied_settings(scene)[1];
-  setting.n_grains = static_cast<int>(result.n_grains * growth);
-  const SamplePath path = make_sample(run_options(scene, setting, scene.seed), {}, nullptr, deadline);
+  const int n_grains = static_cast<int>(result.n_grains * growth);
+  const SamplePath path = sample(scene, n_grains, 0, deadline);
   if (!path.whole()) return;
-  result.largest_grains = setting.n_grains;
-  result.cost_exponent = std::clamp(exponent_between(result.core_seconds, path.core_seconds,
-                                                     static_cast<double>(setting.n_grains) / result.n_grains),
-                                    kLeastFarExponent, kLargestFarExponent);
+  result.largest_grains = n_grains;
+  result.cost_exponent = std::clamp(
+      exponent_between(result.core_seconds, path.core_seconds, static_cast<double>(n_grains) / result.n_grains),
+      kLeastFarExponent, kLargestFarExponent);
 }
 
 double mean_seconds(const std::vector<SamplePath>& paths) {

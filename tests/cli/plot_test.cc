@@ -31,8 +31,7 @@ TEST_F(PlotCommand, WritesDataAndScriptFromWhichGnuplotMakesThePictureAgain) {
   EXPECT_EQ(row.at("data"), "the curve.dat");
   const std::string picture = content_of(file("the curve.svg"));
   EXPECT_THAT(picture, AllOf(HasSubstr("<svg"), HasSubstr("</svg>"), HasSubstr("unloading"), HasSubstr("III")));
-  EXPECT_THAT(content_of(file("the curve.dat")),
-              HasSubstr("# elastic lines: reduced pressure P*, inverse solid fraction 1/Phi"));
+  EXPECT_THAT(content_of(file("the curve.dat")), HasSubstr("# elastic lines: P_star 1/phi"));
   std::filesystem::remove(file("the curve.svg"));
   ASSERT_EQ(std::system(("cd '" + file("") + "' && gnuplot 'the curve.gp'").c_str()), 0);
   EXPECT_TRUE(content_of(file("the curve.svg")) == picture);

@@ -13,8 +13,8 @@ namespace floc {
 struct Spread {
   double error = 0.0;  ///< 95 % quantile of the relative errors: 95 % of them are at most this large
   /// Upper 95 % confidence limit of the 95 % quantile. With at least 59 errors, the limit is one of the sorted errors
-  /// (order statistics). With fewer errors, none of the sorted errors is a limit, and the member contains the largest
-  /// error.
+  /// (order statistics). With fewer errors, none of the sorted errors is a limit. The limit is then the largest error
+  /// times a factor, which is exact for errors that are normally distributed around zero.
   double high = 0.0;
   int n = 0;  ///< number of relative errors; 0 if no states were compared
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <random>
 
 #include "floc/tradeoff/path_fits.h"
 #include "floc/tradeoff/tradeoff.h"
@@ -45,12 +46,31 @@ TEST(Comparison, QuantileOfErrorsAndItsConfidenceLimitAreOrderStatistics) {
   EXPECT_EQ(spread.high, 99.0);
 }
 
-TEST(Comparison, WithFewErrorsTheLimitIsTheLargest) {
+TEST(Comparison, LimitOfFewErrorsIsAMultipleOfTheLargest) {
   const Spread spread = spread_of({0.3, kNoNumber, 0.1, 0.2});
   EXPECT_EQ(spread.n, 3);
   EXPECT_EQ(spread.error, 0.3);
-  EXPECT_EQ(spread.high, 0.3);
+  // All three of |x| are below 0.479 standard deviations with the probability 0.3684^3 = 0.05; 1.960/0.479 = 4.09.
+  EXPECT_NEAR(spread.high, 0.3 * 4.09, 0.3 * 0.01);
   EXPECT_EQ(spread_of({}).n, 0);
+}
+
+TEST(Comparison, LimitsOfNormalErrorsHaveTheirConfidence) {
+  std::mt19937 generator(5);
+  std::normal_distribution<double> normal;
+  constexpr int kDraws = 4000;
+  for (const int n : {1, 2, 5, 8, 20, 40, 58, 59, 80}) {
+    int above = 0;
+    for (int draw = 0; draw < kDraws; ++draw) {
+      std::vector<double> errors(n);
+      for (double& e : errors) e = std::abs(normal(generator));
+      above += spread_of(errors).high >= 1.959964;
+    }
+    // Order statistics are limits with a probability that is larger than 95 % for most n. Three standard errors of the
+    // fraction are 0.0103.
+    EXPECT_GE(above, (0.95 - 0.0103) * kDraws) << n;
+    if (n < 59) EXPECT_LE(above, (0.95 + 0.0103) * kDraws) << n;
+  }
 }
 
 TEST(Comparison, MeanOfPairsHasTheirStandardError) {

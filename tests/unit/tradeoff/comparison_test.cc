@@ -105,9 +105,9 @@ TEST(Comparison, ErrorsAreAgainstTheReferenceBeforeACollapseAndTheSettledStateAf
   other.states[2].observation[kPhi] = other.states[2].settled[kPhi] = 0.7;  // another collapse, but settled
   const ObservableError e = compare({&reference}, {&other}, std::nullopt)[kPhi];
   EXPECT_EQ(e.before.n, 1);
-  EXPECT_NEAR(e.before.high, 1e-6, 1e-12);
+  EXPECT_NEAR(e.before.error, 1e-6, 1e-12);
   EXPECT_EQ(e.after.n, 3);
-  EXPECT_NEAR(e.after.high, 1e-3, 1e-6);
+  EXPECT_NEAR(e.after.error, 1e-3, 1e-6);
   // Mean over three states: the assembled state, the state at the collapse and the state after it. Their
   // differences are 0, 0.1/0.65 and 1e-3.
   EXPECT_NEAR(e.mean.difference, (0.1 / 0.65 + 1e-3) / 3.0, 1e-6);

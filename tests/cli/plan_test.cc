@@ -119,7 +119,7 @@ TEST_F(PlanCommand, WritesACampaignWhoseRunsItChecks) {
     EXPECT_NEAR(row["ratio"], double(row["achieved"]) / double(row["promised"]), 1e-9);
   }
   EXPECT_LE(checked["phi"]["promised"], 0.03);
-  // A campaign file without the table [plan] contains no promised errors.
+  // Without the table [plan], a campaign file does not contain the errors that the plan predicted.
   const std::string text = content_of(scratch_.file("p.toml"));
   write_text(scratch_.file("q.toml"), text.substr(0, text.find("[plan]")));
   ASSERT_EQ(run_floc("campaign plan q.toml -o q", scratch_.path()).code, 0);

@@ -70,10 +70,9 @@ struct Loading {
   std::vector<int> rows;  ///< for each point of the curve: index of its row
 };
 
-/// Returns the rows of the first loading. If `virgin` is true, adds the rows of later loadings at pressures above the
-/// largest earlier pressure. The first loading is found from the pressures. If there is a branch "load", the first
-/// loading consists only of rows of the branch "assembly" and of the rows of the branch "load" up to the first row of
-/// another branch.
+/// Returns the rows of the first loading, which path_steps() finds from the pressures. If there is a branch "load", rows
+/// of other branches than "assembly" and "load" are left out, and so are all rows from the end of the first branch
+/// "load" on. If `virgin` is true, the rows of later loadings at pressures above the largest earlier pressure are added.
 Loading first_loading(const std::vector<PathRow>& rows, bool virgin = false);
 
 /// A loading that starts again after an unloading.

@@ -106,7 +106,8 @@ PreconsolidationFit fit_preconsolidation(const std::vector<double>& P, const std
     if (is_open_below) P_c.low95 = std::nullopt;
     if (is_open_above) P_c.high95 = std::nullopt;
     fit.warnings.push_back(
-        "the preconsolidation pressure may lie at an end of the branch: its interval has no bound there");
+        "the preconsolidation pressure may lie at an end of the branch, so its 95 % interval is open at this "
+        "end");
   }
   const Eigen::MatrixXd c = fewer * variance * unit_covariance(lines.jacobian);
   fit.parameters = {P_c, from_value("kappa", kappa, std::sqrt(c(1, 1)), t95),

@@ -92,7 +92,7 @@ class PriceModel {
   PricedError error(const ObservablePrice& observable, const PricedSettings& settings, double n_grains,
                     double n_samples) const;
   /// Returns the row of the table that has the same settings as the scene. If there is no such row, returns the row
-  /// "scene" with its processor time converted to the time step and the softening of the scene.
+  /// for the parameter "scene", with the processor time converted to the time step and the softening of the scene.
   PricedSettings settings_of_scene() const;
   /// Returns the processor time of a run with softer springs, divided by the time without softening. The ratio is
   /// interpolated between the rows of softening in the table, separately for the assembly, which takes a fixed share of

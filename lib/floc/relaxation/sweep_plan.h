@@ -36,8 +36,9 @@ class SweepPlan {
   /// groups.
   int first_group(int thread) const { return n_groups() * thread / n_threads_; }
   bool is_shared(int block) const { return is_shared_[block]; }
-  /// Returns those shared blocks (blocks that pairs of several threads read) that are assigned to a thread. This thread
-  /// moves their grains and sums the forces on the grains. Every thread gets about equally many shared blocks.
+  /// Returns the shared blocks that are assigned to a thread. A block is shared if several threads compute pairs with
+  /// grains of the block. The assigned thread moves these grains and sums the forces on them. Every thread gets about
+  /// equally many shared blocks.
   std::span<const int> shared_of(int thread) const {
     const auto first = [&](std::size_t t) { return shared_.size() * t / n_threads_; };
     return std::span(shared_).subspan(first(thread), first(thread + 1) - first(thread));

@@ -45,6 +45,40 @@ TEST(RigidRun, BetweenWallsVerifies) {
   }
 }
 
+TEST(RigidRun, KillsOfARunOfElasticPentagonsLeaveNoTrace) {
+  kill_and_resume(3, 24, elastic_scene(2), 2);
+}
+
+/// Elastic grains with corners give states that verify, the same ones with two threads, and moduli of their own springs.
+TEST(RigidRun, ElasticGrainsWithCornersVerifyAndHaveModuli) {
+  for (const int dimension : {2, 3}) {
+    SCOPED_TRACE(dimension);
+    const ScratchDirectory scratch;
+    write_text(scratch.file("s.toml"), elastic_scene(dimension));
+    const Outcome made = run_floc("run s.toml -o out --no-timing", scratch.path());
+    ASSERT_EQ(made.code, 0) << made.err;
+    const Outcome verified = run_floc("verify out/state-0000.h5 out/state-0001.h5", scratch.path());
+    EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
+    const Outcome moduli = run_floc("moduli out/state-0001.h5 --format csv", scratch.path());
+    ASSERT_EQ(moduli.code, 0) << moduli.err;
+    write_text(scratch.file("m.csv"), moduli.out);
+    const CsvTable table = CsvTable::read(scratch.file("m.csv"));
+    const double B = table.number(0, table.column("B"));
+    EXPECT_LE(table.number(0, table.column("B_reuss")), B);
+    EXPECT_LE(B, table.number(0, table.column("B_voigt")));
+    EXPECT_THAT(run_floc("moduli out/state-0001.h5 --prestress", scratch.path()).err,
+                testing::HasSubstr("moduli with prestress are computed only for disks and spheres"));
+    EXPECT_THAT(run_floc("moduli out/state-0001.h5 --kn 1", scratch.path()).err,
+                testing::HasSubstr("are elastic and have stiffnesses of their own"));
+    EXPECT_THAT(run_floc("run s.toml -o tracked --track-energy", scratch.path()).err,
+                testing::HasSubstr("the grains of the scene have shapes"));
+    EXPECT_EQ(run_floc("report out -o r.html", scratch.path()).code, 0);
+    ASSERT_TRUE(run_with_threads(scratch.file("s.toml"), scratch.file("two"), 2));
+    EXPECT_EQ(rows_without_seconds(scratch.file("out/path.csv")),
+              rows_without_seconds(scratch.file("two/path.csv")));
+  }
+}
+
 /// In the report of a run of grains with corners, the section on moduli is replaced by a section on contacts.
 TEST(RigidRun, IsReported) {
   const ScratchDirectory scratch;

@@ -80,6 +80,36 @@ checkpoint_every = 0.02
 )";
 }
 
+/// Scene of elastic grains with rounded corners, compressed from a gas and loaded to twice the pressure: two states in a
+/// second or so.
+inline std::string elastic_scene(int dimension) {
+  const bool plane = dimension == 2;
+  return "[scene]\nname = \"elastic\"\nunits = \"reduced\"\ndimension = " + std::string(plane ? "2" : "3") +
+         "\n[grains]\ncount = " + (plane ? "40" : "16") + R"(
+diameter = {distribution = "uniform", min = 0.5, max = 1.0}
+shape = )" +
+         (plane ? R"({kind = "polygon", sides = 5, rounding = 0.05})"
+                : R"({kind = "cut", count = 10, rounding = 0.05})") +
+         R"(
+[contact]
+normal = {law = "linear", stiffness = 1e4}
+friction = {coefficient = 0.5, stiffness = 1e4}
+[assembly]
+protocol = "direct"
+pressure = 1.0
+[cell]
+solid_fraction = )" +
+         (plane ? "0.25" : "0.1") + R"(
+[[load]]
+name = "load"
+to = 2.0
+steps = 1
+[run]
+seed = 1
+checkpoint_every = 0.02
+)";
+}
+
 inline const char* const kCutStones = R"(shape = {kind = "cut", count = 5})";
 inline const char* const kPentagons = R"(shape = {kind = "polygon", sides = 5})";
 

@@ -26,6 +26,9 @@ struct RunOptions {
   /// text of the scene file in TOML, after the user's overrides; it is stored in every saved state
   std::string text;
 
+  /// Whether contact dynamics moves the grains: their contacts are rigid, or they have corners.
+  bool has_contact_dynamics() const { return law.is_rigid() || grains.shape.has_value(); }
+
   static constexpr WholeRange kThreads{.least = 1, .most = 1024};
 };
 

@@ -54,6 +54,11 @@ constexpr int kMostGrainsAtOnce = 1000;
 /// plates (separating_plates.h).
 constexpr double kLongestAtOnce = 3.0;
 constexpr double kLongestWithPlates = 30.0;
+/// Longest time step of elastic grains that is solved all at once, in units of T.
+constexpr double kLongestOnSprings = 30.0;
+/// Smallest mean stress of elastic grains at rest, divided by the mean imposed stress, at which the relaxation begins with
+/// the phase `resting`.
+constexpr double kLoadedStress = 0.3;
 /// Largest gap, divided by the diameter of the smaller grain, at which a contact may have a force if contacts are
 /// solved all at once.
 constexpr double kGapAtOnce = 1e-6;
@@ -104,6 +109,19 @@ constexpr auto kMembers = [](auto& p, const auto& visit) {
   visit("offset_before", p.offset_before);
   visit("obstacle", p.obstacle);
 };
+
+void start_resting(ContactDynamicsProgress& progress) {
+  progress.phase = ContactDynamicsProgress::resting;
+  progress.rest_length = kLongestRest;
+  progress.rest_sweeps = kRestingSweeps;
+  progress.time_step = 0.0;
+}
+
+template <int Dim>
+bool is_at_rest(const Packing<Dim>& packing) {
+  return packing.cell.velocity.isZero(0.0) &&
+         std::ranges::all_of(packing.grains.velocity, [](const Vec<Dim>& v) { return v.isZero(0.0); });
+}
 
 /// Returns the root mean square velocity of the grains. The mean is weighted with the masses, since light grains may
 /// fly about in voids for a long time.
@@ -188,14 +206,19 @@ ContactDynamicsRelaxer<Dim>::ContactDynamicsRelaxer(const RelaxationOptions& opt
   time_unit_ = inertial_time(packing_, imposed_);
   if (progress.empty()) begin_strain();
   measure();
+  // Motion, with the errors of its sweeps, would slip contacts that the load does not slip.
+  if (progress.empty() && is_elastic() && is_at_rest(packing_) &&
+      stress_.trace() > kLoadedStress * imposed_.sum())
+    start_resting(progress_);
 }
 
-/// Returns whether the contacts of a step of the phase `resting` are solved all at once. For frictionless grains with
-/// corners this holds from the start. For other packings it holds after kSweptSteps steps with sweeps, if there are at
-/// most kMostGrainsAtOnce grains.
+/// Returns whether the contacts of a step of the phase `resting` are solved all at once. For elastic grains and for
+/// frictionless grains with corners this holds from the start. For other packings it holds after kSweptSteps steps with
+/// sweeps, if there are at most kMostGrainsAtOnce grains.
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::solves_at_once() const {
   if (progress_.phase != ContactDynamicsProgress::resting) return false;
+  if (is_elastic()) return true;
   const Grains<Dim>& grains = packing_.grains;
   const bool frictionless = packing_.law.friction_coefficient() == 0.0;
   return (frictionless && !grains.are_round()) ||
@@ -215,6 +238,7 @@ ContactDynamicsSettings ContactDynamicsRelaxer<Dim>::settings() const {
   const bool is_gas = stress_.trace() < kGasStress * imposed_.sum();
   const bool plates = has_plates();
   const double longest = !resting           ? own.time_step
+                         : is_elastic()     ? kLongestOnSprings
                          : plates           ? kLongestWithPlates
                          : solves_at_once() ? kLongestAtOnce
                                             : progress_.rest_length;
@@ -287,10 +311,11 @@ void ContactDynamicsRelaxer<Dim>::make_steps(int n_steps) {
   const double first =
       progress_.time_step > 0.0 ? std::min(progress_.time_step, chosen.longest_step) : chosen.longest_step;
   const bool at_rest = progress_.phase == ContactDynamicsProgress::resting;
+  const bool stops = at_rest && (!chosen.at_once || chosen.plates || is_elastic());
   ContactDynamics<Dim> motion(std::move(packing_), boundary_load(), chosen, first, progress_.last_step);
   for (int k = 0; k < n_steps; ++k) {
     if (progress_.phase == ContactDynamicsProgress::straining && !impose_strain(motion)) break;
-    motion.step(at_rest && (!chosen.at_once || chosen.plates));
+    motion.step(stops);
     // Steps of the phase `resting` do not count as simulated time.
     if (!at_rest) progress_.time += motion.last_step();
     progress_.calm_steps = is_calm(motion.packing()) ? progress_.calm_steps + 1 : 0;
@@ -313,15 +338,10 @@ void ContactDynamicsRelaxer<Dim>::make_steps(int n_steps) {
 
 template <int Dim>
 RelaxationStatus ContactDynamicsRelaxer<Dim>::advance() {
-  if (progress_.phase == ContactDynamicsProgress::resting) return rest();
+  if (progress_.phase == ContactDynamicsProgress::resting) return is_elastic() ? rest_on_springs() : rest();
   if (progress_.phase == ContactDynamicsProgress::straining) return strain();
   make_steps(kSteps);
-  if (progress_.calm_steps >= kCalmSteps) {
-    progress_.phase = ContactDynamicsProgress::resting;
-    progress_.rest_length = kLongestRest;
-    progress_.rest_sweeps = kRestingSweeps;
-    progress_.time_step = 0.0;
-  }
+  if (progress_.calm_steps >= kCalmSteps) start_resting(progress_);
   return progress_.time > options_.max_time * time_unit_ ? RelaxationStatus::gave_up
                                                          : RelaxationStatus::running;
 }
@@ -431,6 +451,7 @@ bool ContactDynamicsRelaxer<Dim>::stays_in_place(const Packing<Dim>& rested) con
   }
   ContactDynamicsSettings chosen = settings();
   chosen.longest_step = options_.contact_dynamics.time_step * time_unit_;
+  if (is_elastic()) chosen.at_once = false;
   ContactDynamics<Dim> motion(rested, boundary_load(), chosen, chosen.longest_step);
   for (int k = 0; k < kFreeSteps; ++k) motion.step(false);
   // A drift of the walls together with all grains between them is allowed.
@@ -485,6 +506,7 @@ template <int Dim>
 RelaxationReport ContactDynamicsRelaxer<Dim>::report() const {
   RelaxationReport report;
   report.residuals = residuals_;
+  report.stability = stability_;
   report.ending = ending_;
   report.motion = motion_;
   const bool resting = progress_.phase == ContactDynamicsProgress::resting;

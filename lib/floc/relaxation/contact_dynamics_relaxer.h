@@ -41,8 +41,8 @@ struct ContactDynamicsProgress {
   std::string obstacle;  ///< reason why the last search found no balanced forces; empty before the first search
 };
 
-/// Brings a packing of rigid grains to equilibrium under its weight and under stresses imposed on the axes of its cell
-/// or on its walls. There are three phases:
+/// Brings a packing of rigid grains, or of elastic grains with corners, to equilibrium under its weight and under
+/// stresses imposed on the axes of its cell or on its walls. There are three phases:
 /// 1. The grains move under the load (contact_dynamics.h) until they have been calm for 40 steps: the root mean square
 /// velocity is below 6e-3 d/T and the strain rate of the cell or box is below 3 % of its cap, with the largest diameter
 /// d and the time unit T = sqrt(m/(P d^(Dim-2))).
@@ -54,6 +54,10 @@ struct ContactDynamicsProgress {
 ///
 /// Sides of the cell with an imposed length do not move during these phases. The stress on these sides results from the
 /// forces.
+///
+/// Elastic grains with corners go through the first two phases in the same way, with the springs of their contacts
+/// (rigid/elastic_contacts.h). In phase 2 each step is solved at once, which makes it a Newton step of the balance of
+/// all forces. The relaxation ends when the forces of the contact law balance all grains and the stress.
 ///
 /// If the load changes a length or shears the cell, the relaxation is a motion instead: the cell is strained at a
 /// constant rate (ContactDynamicsOptions::inertial_number), and the packing is recorded in motion when it reaches the
@@ -78,6 +82,7 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
  private:
   bool solves_at_once() const;
   bool has_plates() const;
+  bool is_elastic() const { return !packing_.law.is_rigid(); }
   void begin_strain();
   ImposedStrain<Dim> imposed_strain() const;
   bool impose_strain(ContactDynamics<Dim>& motion) const;
@@ -98,6 +103,8 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
   bool stays_in_place(const Packing<Dim>& rested) const;
   void set_balanced_forces(Packing<Dim>& packing) const;
   RelaxationStatus rest();
+  RelaxationStatus rest_on_springs();
+  bool springs_balance();
   void measure();
 
   RelaxationOptions options_;
@@ -112,6 +119,7 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
   ContactDynamicsProgress progress_;
   Mat<Dim> stress_;  ///< static stress of the packing (force/length^(Dim-1))
   Residuals residuals_;
+  Stability stability_;
   std::string ending_;
   std::optional<MotionRecord> motion_;
   /// time unit T = sqrt(m/(P d^(Dim-2))), with the mass m and the diameter d of the largest grain and the pressure P

@@ -10,7 +10,7 @@ namespace floc {
 template <int Dim>
 std::unique_ptr<Equilibrator<Dim>> make_equilibrator(const RelaxationOptions& options, Packing<Dim> packing,
                                                      const LoadTarget<Dim>& load, const std::string& progress) {
-  if (packing.law.is_rigid())
+  if (packing.law.is_rigid() || !packing.grains.are_round())
     return std::make_unique<ContactDynamicsRelaxer<Dim>>(options, std::move(packing), load, progress);
   if (!packing.walls.empty())
     return std::make_unique<BoxRelaxer<Dim>>(options, std::move(packing), load, progress);

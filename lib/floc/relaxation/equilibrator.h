@@ -76,9 +76,9 @@ class Equilibrator {
   virtual std::string progress() const = 0;
 };
 
-/// Makes the equilibrator of a packing: a ContactDynamicsRelaxer if its contacts are rigid, otherwise a BoxRelaxer if
-/// the packing has walls, otherwise a SoftRelaxer if the options contain a softening of the springs, otherwise a
-/// Relaxer.
+/// Makes the equilibrator of a packing: a ContactDynamicsRelaxer if its contacts are rigid or its grains have corners,
+/// otherwise a BoxRelaxer if the packing has walls, otherwise a SoftRelaxer if the options contain a softening of the
+/// springs, otherwise a Relaxer.
 /// @param load  stress or length imposed on each axis
 /// @param progress  text from progress() of an equilibrator that was stopped; if empty, the relaxation starts from the
 /// beginning

@@ -12,6 +12,7 @@
 #include "floc/packing/grain_sizes.h"
 #include "floc/packing/law/contact_forces.h"
 #include "floc/packing/wall_forces.h"
+#include "floc/rigid/elastic_contacts.h"
 #include "floc/rigid/implicit_step.h"
 #include "floc/rigid/separating_plates.h"
 
@@ -29,6 +30,8 @@ constexpr double kDeepest = 1e-2;
 /// rest is made if shorter steps did not avoid overlaps, for example because two nearly parallel faces meet at a
 /// different corner in each step.
 constexpr double kDeepestAtRest = 5e-2;
+/// Deepest overlap of elastic grains, divided by the diameter of the smaller grain.
+constexpr double kDeepestElastic = 0.1;
 /// Largest number of times that a step is halved because overlaps after it are too deep.
 constexpr int kMostHalvings = 5;
 /// Shortest step, divided by the longest step, that is still halved if overlaps after it are too deep.
@@ -61,6 +64,16 @@ Orientation<Dim> turned(const Orientation<Dim>& orientation, const RotationVecto
     const double size = angle.norm();
     if (size == 0.0) return orientation;
     return (Eigen::Quaterniond(Eigen::AngleAxisd(size, angle / size)) * orientation).normalized();
+  }
+}
+
+/// Returns a vector after a rotation.
+template <int Dim>
+Vec<Dim> rotated(const Vec<Dim>& vector, const RotationVector<Dim>& angle) {
+  if constexpr (Dim == 2) {
+    return Eigen::Rotation2Dd(angle[0]) * vector;
+  } else {
+    return turned<3>(Eigen::Quaterniond::Identity(), angle) * vector;
   }
 }
 
@@ -108,6 +121,7 @@ void ContactDynamics<Dim>::find_contacts(Packing<Dim>& packing) {
   std::vector<Contact<Dim>> contacts = points_.find(packing, reach());
   carry_forces(packing, packing.contacts, contacts);
   packing.contacts = std::move(contacts);
+  if (!packing.law.is_rigid()) set_spring_forces(packing);
 }
 
 /// Returns the largest gap of contact points that take part in a step: two grains can approach each other by at most
@@ -253,16 +267,19 @@ std::vector<StepContact<Dim>> ContactDynamics<Dim>::step_contacts(double dt, dou
     k.friction = law.friction_coefficient();
     k.adhesion = sticks(c) ? dt * law.pull_off_force() : 0.0;
     k.bias = k.frame.transpose() * (shear * k.branch);
+    const bool rigid = law.is_rigid();
     const double removal = removal_time(dt);
-    if (elastic_impact)
+    if (!rigid)
+      add_springs(packing_, c, dt, k);
+    else if (elastic_impact)
       k.bias[0] +=
           restitution(c) * std::min(0.0, gap_rate(c)) +
           kStabilisation * std::min(0.0, c.gap + kElasticOverlap * 2.0 * smaller_radius(packing_, c)) / removal;
     else
       k.bias[0] += c.gap > 0.0 ? c.gap / dt : removed * c.gap / removal;
-    // An impact in a short step leaves large forces. Multiplied by a longer step, they would give too large impulses,
-    // so the forces are multiplied by the shorter of the last and the present time step.
-    const double known = std::min(dt, last_step_);
+    // An impact of rigid grains in a short step leaves large forces. Multiplied by a longer step, they would give too
+    // large impulses, so the forces are multiplied by the shorter of the last and the present time step.
+    const double known = rigid ? std::min(dt, last_step_) : dt;
     k.impulse = -known * (k.frame.transpose() * c.shear_force);
     k.impulse[0] = known * c.elastic_force;
   }
@@ -365,6 +382,11 @@ Packing<Dim> ContactDynamics<Dim>::moved(const Trial& trial, double dt) const {
     out.cell.velocity(wall.axis, wall.axis) += wall.side * wall.velocity;
   }
   set_forces(trial, dt, out);
+  // The tangential forces of springs turn with the two grains.
+  if (!out.law.is_rigid())
+    for (Contact<Dim>& c : out.contacts)
+      c.shear_force =
+          rotated<Dim>(c.shear_force, 0.5 * dt * (g.angular_velocity[c.i] + g.angular_velocity[c.j]));
   return out;
 }
 
@@ -426,7 +448,8 @@ double ContactDynamics<Dim>::deepest_overlap(const Packing<Dim>& packing, const 
 template <int Dim>
 void ContactDynamics<Dim>::step(bool at_rest) {
   const Contact<Dim>* where = nullptr;
-  double allowed = std::max(kDeepest, deepest_overlap(packing_, where));
+  double allowed =
+      std::max(packing_.law.is_rigid() ? kDeepest : kDeepestElastic, deepest_overlap(packing_, where));
   Method method{at_rest, settings_.at_once};
   double dt = time_step_;
   bool rescues = false;

@@ -64,7 +64,9 @@ class StepProgram {
     double change = 0.0;
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       const Vec<Dim> own = bias(contacts_[k]);
-      const double opened = own[0] + (motion[k] + own).template tail<Dim - 1>().norm();
+      // An elastic spring takes up a part of the relative motion.
+      const Vec<Dim> slip = motion[k] + own + program_.compliance[k].cwiseProduct(solution.x[k]);
+      const double opened = own[0] + slip.template tail<Dim - 1>().norm();
       change = std::max(change, std::abs(opened - program_.linear[k][0]));
       program_.linear[k][0] = opened;
     }

@@ -82,6 +82,11 @@ void require_energy_account(const RunOptions& options) {
         "--track-energy",
         "the contacts of the scene are rigid and store no elastic energy, so the energy balance cannot be "
         "recorded; expected a scene with elastic contacts");
+  if (options.grains.shape)
+    throw InputError(
+        "--track-energy",
+        "the grains of the scene have shapes and move in implicit time steps, which dissipate energy, so "
+        "the energy balance cannot be recorded; expected disks or spheres");
   if (options.relaxation.finish != Finish::dynamic)
     throw InputError("--track-energy",
                      "Newton steps may find the equilibria of this scene without any motion, so that there is "

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "floc/contact/law.h"
+#include "floc/loading/run_options.h"
 #include "floc/relaxation/cell_response.h"
 
 namespace floc {
@@ -20,18 +20,18 @@ inline constexpr double kStrainRateCap = 0.05;
 /// its rate of change L', mass m of the largest grain, pressure P).
 inline constexpr double kLargestInertialNumber = 1e-3;
 
-/// Default cap on the inertial number of the cell for rigid grains, with or without adhesion. This cap is larger than
-/// the cap for elastic grains, because the number of time steps for a given strain is inversely proportional to the
-/// inertial number.
-inline constexpr double kInertialNumberOfRigidGrains = 0.02;
+/// Default cap on the inertial number of the cell for grains that contact dynamics moves, with or without adhesion. This
+/// cap is larger than the cap for other grains, because the number of time steps for a given strain is inversely
+/// proportional to the inertial number.
+inline constexpr double kInertialNumberOfContactDynamics = 0.02;
 
-/// Returns the default cap on the rate at which the cell deforms: kInertialNumberOfRigidGrains for rigid contacts, else
-/// kStrainRateCap if the grains adhere, otherwise kLargestInertialNumber.
-inline CellResponse default_cap(const Law& law) {
+/// Returns the default cap on the rate at which the cell deforms: kInertialNumberOfContactDynamics for contact
+/// dynamics, else kStrainRateCap if the grains adhere, otherwise kLargestInertialNumber.
+inline CellResponse default_cap(const RunOptions& run) {
   CellResponse response;
-  if (law.is_rigid())
-    response.inertial_number_cap = kInertialNumberOfRigidGrains;
-  else if (law.adheres())
+  if (run.has_contact_dynamics())
+    response.inertial_number_cap = kInertialNumberOfContactDynamics;
+  else if (run.law.adheres())
     response.strain_rate_cap = kStrainRateCap;
   else
     response.inertial_number_cap = kLargestInertialNumber;
@@ -40,8 +40,8 @@ inline CellResponse default_cap(const Law& law) {
 
 /// Returns the default mass of the cell and the default cap on its strain rate on the load path. A default value
 /// applies to a stage if neither the stage itself nor the table [cell] of the scene gives the value.
-inline CellResponse default_load_response(const Law& law) {
-  CellResponse response = default_cap(law);
+inline CellResponse default_load_response(const RunOptions& run) {
+  CellResponse response = default_cap(run);
   response.cell_mass = kLoadCellMass;
   return response;
 }

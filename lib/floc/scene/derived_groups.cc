@@ -342,7 +342,7 @@ double hertz_kappa(const Scene& scene, double pressure) {
 }
 
 double time_step_of_scene(const Scene& scene) {
-  if (scene.law.is_rigid())
+  if (scene.has_contact_dynamics())
     return scene.relaxation.contact_dynamics.time_step * time_unit_of_rigid_grains(scene);
   return scene.dimension == 2 ? time_step<2>(scene) : time_step<3>(scene);
 }
@@ -350,7 +350,7 @@ double time_step_of_scene(const Scene& scene) {
 double expected_cost(const Scene& scene) {
   // Processor time per sphere and time step (s), with about two contacts per sphere, on a core of the year 2023.
   constexpr double kSecondsPerGrainStep = 4.3e-8;
-  if (scene.law.is_rigid()) {
+  if (scene.has_contact_dynamics()) {
     const Steps stages = count_steps(scene);
     return cost_of_rigid_grains(scene, stages.up + stages.down);
   }
@@ -407,7 +407,7 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene) {
   else
     add_rates(scene, a, m, groups);
   groups.push_back({"time_step", time_step_of_scene(scene),
-                    scene.law.is_rigid()
+                    scene.has_contact_dynamics()
                         ? "longest time step of the motion at the first pressure (time unit of the scene)"
                         : "time step of the motion (time unit of the scene)"});
   const Steps steps = count_steps(scene);

@@ -48,8 +48,8 @@ void write_choice(const AccuracyChoice& choice, toml::table& root) {
 
 bool read_accuracy(TableReader& root, SceneSource& source, const std::string& prices, Scene& scene) {
   TableReader t = root.table("accuracy", "a table [accuracy]", TableReader::Need::optional);
-  // For rigid contacts, check_rigid() records the fault.
-  if (!t || scene.law.is_rigid()) return false;
+  // For contact dynamics, check_rigid() records the fault.
+  if (!t || scene.has_contact_dynamics()) return false;
   WantedAccuracy wanted;
   for (const std::string& key : accuracy_keys())
     if (const auto error = t.number(key, kRelativeError, TableReader::Need::optional))

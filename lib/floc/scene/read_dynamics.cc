@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "floc/contact/law_parameters.h"
+
 namespace floc {
 namespace {
 
@@ -17,8 +19,8 @@ bool knows_normal_law(TableReader& root, const SceneSource& source) {
          !source.is_faulty("contact.normal.law");
 }
 
-/// Reads the settings of contact dynamics.
-void read_contact_dynamics(TableReader& t, ContactDynamicsOptions& options) {
+/// Reads the settings of contact dynamics that rigid and elastic grains share.
+void read_steps(TableReader& t, ContactDynamicsOptions& options) {
   options.time_step =
       t.number("time_step",
                {[](double x) { return x > 0 && x <= 1; },
@@ -39,6 +41,10 @@ void read_contact_dynamics(TableReader& t, ContactDynamicsOptions& options) {
                 {1, 1'000'000, "the largest number of sweeps in a time step, a whole number from 1 to 1000000"},
                 Need::optional)
           .value_or(options.max_sweeps));
+}
+
+/// Reads the settings of contact dynamics that only rigid contacts have.
+void read_rigid_settings(TableReader& t, ContactDynamicsOptions& options) {
   options.restitution = t.number("restitution",
                                  {[](double x) { return x >= 0 && x <= 1; },
                                   "a number from 0 to 1 (coefficient of restitution of normal impacts)"},
@@ -61,7 +67,21 @@ struct KeyInPlace {
   const char* expectation;
 };
 
-/// Records a fault for each setting of contact dynamics in a scene of elastic contacts.
+/// Records a fault for each setting of contact dynamics that elastic contacts do not have.
+void refuse_rigid_settings(TableReader& t) {
+  constexpr KeyInPlace kRefusedKeys[] = {
+      {"finish", "the overlaps of elastic grains determine their forces, so that there is no choice"},
+      {"restitution", "the springs of elastic contacts determine their impacts"},
+      {"gap_tolerance", "elastic grains carry a force where they overlap"}};
+  for (const auto& [key, reason] : kRefusedKeys)
+    t.refuse(
+        key,
+        fmt::format("{} is not allowed here: it is a setting of rigid contacts, but the contacts are elastic: "
+                    "{}; remove the key",
+                    t.path_of(key), reason));
+}
+
+/// Records a fault for each setting of contact dynamics in a scene of elastic disks or spheres.
 void refuse_contact_dynamics(TableReader& t) {
   constexpr const char* kNone = "no key";
   constexpr KeyInPlace kRefusedKeys[] = {{"time_step", "run.time_step"},
@@ -78,19 +98,24 @@ void refuse_contact_dynamics(TableReader& t) {
                       expectation == kNone ? fmt::format(" {}", key) : std::string(" in its place")));
 }
 
-/// Records a fault for each key of smooth dynamics, the motion of elastic grains, in a scene of rigid contacts.
-void refuse_smooth_dynamics(TableReader& root) {
+/// Records a fault for each key of smooth dynamics, the motion of elastic disks and spheres, in a scene that contact
+/// dynamics moves.
+/// @param rigid  whether the contacts are rigid
+void refuse_smooth_dynamics(TableReader& root, bool rigid) {
   constexpr KeyInPlace kRefusedInRun[] = {
-      {"time_step", "the time step of rigid grains is given by dynamics.time_step"},
+      {"time_step", "the time step of contact dynamics is given by dynamics.time_step"},
       {"skin", "the skin of the neighbour lists is chosen from dynamics.time_step; remove the key"}};
-  constexpr KeyInPlace kRefusedInEquilibrium[] = {
+  const KeyInPlace kRefusedInEquilibrium[] = {
       {"finish",
-       "dynamics.finish chooses among the possible forces of rigid grains at rest; give this key instead"},
+       rigid
+           ? "dynamics.finish chooses among the possible forces of rigid grains at rest; give this key instead"
+           : "contact dynamics ends in Newton steps; remove the key"},
       {"patience", "contact dynamics has its own criteria for the end of motion; remove the key"}};
   TableReader run = root.table("run", "", Need::optional);
   TableReader equilibrium = root.table("equilibrium", "", Need::optional);
-  const auto refuse = [](TableReader& t, const KeyInPlace& k) {
-    t.refuse(k.key, fmt::format("{} is not allowed with rigid contacts: {}", t.path_of(k.key), k.expectation));
+  const auto refuse = [&](TableReader& t, const KeyInPlace& k) {
+    t.refuse(k.key, fmt::format("{} is not allowed with {}: {}", t.path_of(k.key),
+                                rigid ? "rigid contacts" : "shapes of grains", k.expectation));
   };
   for (const KeyInPlace& k : kRefusedInRun) refuse(run, k);
   for (const KeyInPlace& k : kRefusedInEquilibrium) refuse(equilibrium, k);
@@ -132,48 +157,91 @@ void check_assembly(TableReader& root, const Scene& scene) {
       "in this version of floc; remove the key");
 }
 
+/// Records a fault for each part of a scene of elastic grains with shapes that only disks, spheres or rigid grains can
+/// have.
+void check_elastic_shapes(TableReader& root, const Scene& scene) {
+  constexpr const char* kRefused =
+      "{} is not allowed with elastic contacts of grains with shapes in this version of floc: {}; expected {}";
+  TableReader contact = root.table("contact", "", Need::optional);
+  const auto refuse = [&](const char* key, bool present, const char* reason, const char* expectation) {
+    if (present) contact.fault(key, fmt::format(kRefused, contact.path_of(key), reason, expectation));
+  };
+  const LawParameters& law = scene.law.parameters();
+  refuse("normal", !law.normal.holds<LinearRepulsion>(), "each contact point is a linear spring",
+         "contact.normal = {law = \"linear\", stiffness}, or {law = \"rigid\"}");
+  refuse("friction", law.friction && !law.friction.holds<CoulombFriction>(),
+         "each contact point is a linear spring", "contact.friction = {coefficient, stiffness}");
+  refuse("adhesion", static_cast<bool>(law.adhesion), "their contacts only repel", "no key adhesion");
+  refuse("damping", static_cast<bool>(law.damping), "implicit time steps dissipate energy by themselves",
+         "no key damping");
+  refuse("rolling", static_cast<bool>(law.rolling), "their corners resist rolling", "no key rolling");
+  refuse("twisting", static_cast<bool>(law.twisting), "their corners resist twisting", "no key twisting");
+  root.refuse("box",
+              fmt::format(kRefused, "[box]", "they are compressed in a periodic cell", "a table [cell]"));
+  TableReader assembly = root.table("assembly", "", Need::optional);
+  assembly.refuse("vibration", fmt::format(kRefused, "assembly.vibration",
+                                           "only disks and spheres are vibrated", "no key vibration"));
+  if (scene.load.empty()) return;
+  std::vector<TableReader> stages = root.tables("load", "tables [[load]]");
+  for (std::size_t k = 0; k < std::min(stages.size(), scene.load.size()); ++k)
+    if (scene.load[k].largest_strain() > 0.0 || scene.load[k].shear != 0.0)
+      stages[k].fault("control",
+                      fmt::format(kRefused, stages[k].path_of("control"), "they are loaded by stresses alone",
+                                  "a stage that imposes stresses, or rigid contacts"));
+}
+
 }  // namespace
 
 void read_dynamics(TableReader& root, const SceneSource& source, Scene& scene) {
   TableReader t = root.table("dynamics", "a table [dynamics]", Need::optional);
   const bool knows_law = knows_normal_law(root, source);
   const auto method = t.choice("method", {"smooth", "contact_dynamics"}, Need::optional);
-  const bool rigid = knows_law ? scene.law.is_rigid() : method != std::optional<std::size_t>(0);
-  if (knows_law && method && rigid && *method == 0)
-    t.fault("method",
-            "dynamics.method = \"smooth\": rigid contacts have no stiffness, so only contact dynamics can move "
-            "the grains; expected method = \"contact_dynamics\", or no key method");
-  if (knows_law && method && !rigid && *method == 1)
+  const bool implicit = knows_law ? scene.has_contact_dynamics() : method != std::optional<std::size_t>(0);
+  if (knows_law && method && implicit && *method == 0)
     t.fault(
         "method",
-        fmt::format("dynamics.method = \"contact_dynamics\": contact dynamics moves rigid grains only, but "
-                    "contact.normal.law is \"{}\"; expected contact.normal = {{law = \"rigid\"}}, or method = "
-                    "\"smooth\"",
-                    scene.law.normal_keyword()));
-  if (rigid || (method && *method == 1))
-    read_contact_dynamics(t, scene.relaxation.contact_dynamics);
+        fmt::format(
+            "dynamics.method = \"smooth\": {}, so only contact dynamics can move the grains; expected method "
+            "= \"contact_dynamics\", or no key method",
+            scene.law.is_rigid() ? "rigid contacts have no stiffness"
+                                 : "contacts of grains with shapes jump where their corners change"));
+  if (knows_law && method && !implicit && *method == 1)
+    t.fault("method",
+            fmt::format(
+                "dynamics.method = \"contact_dynamics\": contact dynamics moves rigid grains and grains with "
+                "shapes only, but contact.normal.law is \"{}\"; expected contact.normal = {{law = \"rigid\"}}, "
+                "or method = "
+                "\"smooth\"",
+                scene.law.normal_keyword()));
+  const bool steps = implicit || (method && *method == 1);
+  if (steps)
+    read_steps(t, scene.relaxation.contact_dynamics);
   else
     refuse_contact_dynamics(t);
+  if (steps && knows_law && !scene.law.is_rigid())
+    refuse_rigid_settings(t);
+  else if (steps)
+    read_rigid_settings(t, scene.relaxation.contact_dynamics);
   t.refuse_other_keys();
 }
 
 void check_rigid(TableReader& root, const SceneSource& source, const Scene& scene) {
   if (!knows_normal_law(root, source)) return;
-  TableReader grains = root.table("grains", "", Need::optional);
-  if (grains.has("shape") && !scene.law.is_rigid())
-    grains.fault(
-        "shape",
-        fmt::format("grains.shape: grains with shapes need rigid contacts in this version of floc, but "
-                    "contact.normal.law is \"{}\"; expected contact.normal = {{law = \"rigid\"}}",
-                    scene.law.normal_keyword()));
-  if (!scene.law.is_rigid()) return;
+  const bool rigid = scene.law.is_rigid();
+  if (!scene.has_contact_dynamics()) return;
   root.refuse(
       "accuracy",
-      "[accuracy] is not allowed with rigid contacts: the errors in the table shipped with floc were measured "
-      "on elastic grains; remove [accuracy] and give the numerical settings ([equilibrium], [dynamics])");
-  check_assembly(root, scene);
-  check_stages(root, scene);
-  refuse_smooth_dynamics(root);
+      fmt::format(
+          "[accuracy] is not allowed with {}: the errors in the table shipped with floc were measured "
+          "on elastic {}; remove [accuracy] and give the numerical settings ([equilibrium], [dynamics])",
+          rigid ? "rigid contacts" : "shapes of grains", rigid ? "grains" : "disks and spheres"));
+  if (rigid) {
+    check_assembly(root, scene);
+    check_stages(root, scene);
+  } else {
+    check_elastic_shapes(root, scene);
+  }
+  refuse_smooth_dynamics(root, rigid);
 }
 
 }  // namespace floc

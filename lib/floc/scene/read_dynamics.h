@@ -6,8 +6,9 @@
 namespace floc {
 
 /// Reads the table [dynamics] of a scene: the method that moves the grains, and the settings of contact dynamics. The
-/// contacts determine the method: rigid contacts require contact dynamics, all other contacts require smooth dynamics.
-/// @pre the table [contact] has been read
+/// scene determines the method: rigid contacts and grains with shapes require contact dynamics, all others smooth
+/// dynamics.
+/// @pre the tables [contact] and [grains] have been read
 void read_dynamics(TableReader& root, const SceneSource& source, Scene& scene);
 
 /// Records a fault for every table and key of a scene that cannot be combined with rigid contacts, or with shapes of

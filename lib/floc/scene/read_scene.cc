@@ -103,10 +103,10 @@ CellResponse read_cell(TableReader& root, Scene& scene) {
   CellResponse said = read_rate_caps(t);
   said.cell_mass = t.number("mass", kCellMass, Need::optional);
   t.refuse_other_keys();
-  CellResponse assembling = default_cap(scene.law);
+  CellResponse assembling = default_cap(scene);
   assembling.cell_mass = kAssemblyCellMass;
   scene.relaxation = said.or_else(assembling).applied_to(scene.relaxation);
-  CellResponse unsaid = default_load_response(scene.law);
+  CellResponse unsaid = default_load_response(scene);
   if (said.has_cap()) unsaid.strain_rate_cap = unsaid.inertial_number_cap = std::nullopt;
   if (said.cell_mass) unsaid.cell_mass.reset();
   // If the run starts from a saved packing that is not vibrated, the assembly only brings the packing to its first
@@ -371,12 +371,14 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
   scene.law = read_law(root, scene.dimension);
   read_assembly(root, directory, scene);
   read_grains(root, source, directory, scene);
+  if (scene.grains.shape && !root.table("assembly", "", Need::optional).has("gas"))
+    scene.assembly.gas = GasKind::sequential_addition;
   CellResponse unsaid;
   if (has_box(root)) {
     read_box(root, scene);
     // The default cap on the strain rate also applies to walls around rigid grains: a drag acts on these walls, as on
     // the sides of a periodic cell.
-    if (scene.law.is_rigid()) scene.relaxation = default_cap(scene.law).applied_to(scene.relaxation);
+    if (scene.law.is_rigid()) scene.relaxation = default_cap(scene).applied_to(scene.relaxation);
     root.refuse(
         "cell",
         "[cell] is not allowed together with [box]: expected either a periodic cell ([cell]) or walls ([box])");

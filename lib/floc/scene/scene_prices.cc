@@ -19,7 +19,7 @@ namespace {
 /// K_N/P, with the largest diameter a, the normal stiffness K_N, the pull-off force F0, the first pressure P and E~ =
 /// E/(1 - nu^2). Scenes with rigid contacts have no stiffness number.
 std::optional<double> stiffness_number(const Scene& scene) {
-  if (scene.law.is_rigid()) return std::nullopt;
+  if (scene.has_contact_dynamics()) return std::nullopt;
   const double a = scene.grains.largest(), modulus = scene.law.contact_modulus(scene.dimension, a);
   if (scene.law.adheres()) return std::pow(a, scene.dimension - 1) * modulus / pull_off_force(scene);
   if (scene.law.force_exponent() != 1.0) return hertz_kappa(scene, scene.assembly.pressure);
@@ -49,7 +49,7 @@ std::string errors_in(const PriceTable& table) {
 /// on the strain rate. For grains without adhesion the default cap is on the inertial number, and its value differs
 /// between materials.
 bool has_default_cells(const Scene& scene) {
-  return default_cap(scene.law).strain_rate_cap.has_value();
+  return default_cap(scene).strain_rate_cap.has_value();
 }
 
 /// Returns the reason why a table of prices does not apply to the cell of a scene; empty if it applies.

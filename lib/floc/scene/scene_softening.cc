@@ -53,7 +53,7 @@ Softening softening_of(const RunOptions& run) {
 }
 
 Softening largest_softening(const RunOptions& run) {
-  if (run.assembly.box || run.law.is_rigid()) return {};
+  if (run.assembly.box || run.has_contact_dynamics()) return {};
   constexpr double kNoLimit = std::numeric_limits<double>::infinity();
   Softening largest{kNoLimit, kNoLimit};
   double before = 0.0;

@@ -36,7 +36,7 @@ void warn_of_tolerances(const Scene& scene, Warnings& warnings) {
           "equilibrium.{} = {}: this tolerance cannot be reached in double precision, because rounding errors "
           "leave a residual of about {}; each step would continue until it is given up at equilibrium.max_time",
           key, value, kRounding));
-    else if (value < newton && !scene.assembly.box && !scene.law.is_rigid())
+    else if (value < newton && !scene.assembly.box && !scene.has_contact_dynamics())
       warnings.push_back(fmt::format(
           "equilibrium.{} = {}: the Newton iteration stops at a residual of {}, which is larger than this "
           "tolerance; unless the residual falls further by chance, a step is given up at equilibrium.max_time",
@@ -208,8 +208,8 @@ double lightest(const Scene& scene) {
 /// Warns if the cell is so light that the time step must be much smaller than for the grains alone: a cell that is
 /// lighter than a few grains vibrates faster than the grains (see cell_time_step_of()).
 void warn_of_light_cell(const Scene& scene, Warnings& warnings) {
-  // The implicit time steps of rigid grains are stable with cells of any mass.
-  if (scene.assembly.box || scene.law.is_rigid()) return;
+  // Implicit time steps are stable with cells of any mass.
+  if (scene.assembly.box || scene.has_contact_dynamics()) return;
   // there is a warning if the time step, divided by the time step that the grains alone allow, is below this number
   constexpr double kSlow = 0.1;
   const double along = scene.dimension == 2 ? 1.5 : 2.0;
@@ -245,6 +245,19 @@ void warn_of_light_walls(const Scene& scene, Warnings& warnings) {
         fmt::format("box.mass = {:g}: walls of such a small mass vibrate too fast for the time step, and their "
                     "motion diverges; expected a mass above {:.2g}, or a smaller run.time_step",
                     scene.assembly.box->mass, least));
+}
+
+/// Warns of sharp corners of elastic grains: the force between them is not continuous.
+void warn_of_sharp_corners(const Scene& scene, Warnings& warnings) {
+  const auto& shape = scene.grains.shape;
+  if (!shape || scene.law.is_rigid() || shape->rounding > 0.0 ||
+      std::holds_alternative<FileShapeOptions>(shape->kind) ||
+      std::holds_alternative<CapsuleOptions>(shape->kind))
+    return;
+  warnings.emplace_back(
+      "grains.shape.rounding = 0: the force between sharp corners jumps where the corners that meet change, so "
+      "that "
+      "elastic grains may find no rest; expected a rounding wider than the overlaps, such as 0.05");
 }
 
 /// Warns if contacts are so stiff relative to the load that the motion into equilibrium takes very many time steps.
@@ -342,6 +355,7 @@ std::vector<std::string> scene_warnings(const Scene& scene) {
   warn_of_light_cell(scene, warnings);
   warn_of_light_walls(scene, warnings);
   warn_of_stiff_contacts(scene, warnings);
+  warn_of_sharp_corners(scene, warnings);
   warn_of_no_sticking(scene, warnings);
   warn_of_cost(scene, warnings);
   return warnings;

@@ -50,6 +50,14 @@ ModuliRow described(const std::string& file, const State<Dim>& state) {
 /// not given.
 const std::string kNeedsStiffness = "without named stiffnesses --kn and --kt, moduli are computed";
 
+/// Requires a packing whose moduli can be computed: its contacts are elastic and, for moduli with prestress, its grains
+/// round, because the geometric terms are those of contacts that roll on round grains.
+template <int Dim>
+void require_stiffness(const Packing<Dim>& packing, bool prestress, const std::string& file) {
+  require_elastic(packing, kNeedsStiffness, file);
+  if (prestress) require_round(packing, "moduli with prestress are computed", file);
+}
+
 /// Returns a state of rigid grains with the stiffnesses --kn and --kt in its contacts, and warns that these stiffnesses
 /// are not a property of the grains.
 template <int Dim>
@@ -114,7 +122,7 @@ void add_network(const State<Dim>& state, ModuliOptions options, ModuliRow& row,
             "mechanisms let the cell change its shape without elastic energy, so these moduli are zero: {}",
             fmt::join(vanishing, ", ")));
   row.n_near_mechanisms = count_near_mechanisms(network, response, options.largest_factor);
-  if (options.prestress || row.n_near_mechanisms.value_or(0) > 0) {
+  if (options.prestress || (row.n_near_mechanisms.value_or(0) > 0 && packing.grains.are_round())) {
     const Moduli with = options.prestress ? row.moduli
                                           : prestressed_moduli(network, network_load(packing, options.unloaded),
                                                                options, row.moduli);
@@ -243,7 +251,7 @@ std::vector<ModuliRow> ModuliRows::of(const std::string& file, const State<Dim>&
 template <int Dim>
 std::vector<ModuliRow> ModuliRows::of_elastic(const std::string& file, const State<Dim>& state,
                                               Table* increments, const Remarks& remarks) {
-  require_elastic(state.packing, kNeedsStiffness, file);
+  require_stiffness(state.packing, options_.moduli.prestress, file);
   const ModuliRow description = described(file, state);
   warn_of_rounding(file, state, remarks);
   warn_of_stiffnesses(file, state, remarks);
@@ -276,7 +284,7 @@ std::vector<ModuliRow> parallel_moduli_rows(const std::string& file, State<Dim> 
   const double began = processor_seconds();
   if (asked.kn || asked.kt)
     state = with_named_stiffness(file, std::move(state), asked, solver.rank() == 0 ? remarks : Remarks{});
-  require_elastic(state.packing, kNeedsStiffness, file);
+  require_stiffness(state.packing, asked.moduli.prestress, file);
   ModuliOptions options = asked.moduli;
   options.unloaded = state.target_stress.isZero(0.0);
   const bool speaks = solver.rank() == 0;

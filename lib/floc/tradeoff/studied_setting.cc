@@ -26,7 +26,7 @@ void add(const StudiedSetting& base, const std::string& parameter, const std::st
 }
 
 bool applies_to_elastic(const Scene& scene) {
-  return !scene.law.is_rigid();
+  return !scene.has_contact_dynamics();
 }
 
 bool applies_to_rigid(const Scene& scene) {

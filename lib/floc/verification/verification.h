@@ -26,8 +26,8 @@ struct Criterion {
 
 /// Recomputes the contacts of a state from positions, springs and contact law, and tests whether the recomputed packing
 /// is in equilibrium. The criteria, with the unit of their values, are
-///   geometry     largest difference between the stored gaps and normals of contacts and the gaps and normals that
-///                follow from the positions (length)
+///   geometry     largest difference between the stored gaps and normals of contacts, of grains with corners also their
+///                points, and those that follow from the positions (length)
 ///   list         number of pairs that interact but are missing in the contact list, plus number of listed contacts
 ///                that do not interact
 ///   law          largest difference (force) between the stored forces and moments and the values that the law gives for

@@ -16,6 +16,7 @@
 #include "floc/verification/common_criteria.h"
 #include "floc/verification/contact_check.h"
 #include "floc/verification/rigid_geometry.h"
+#include "floc/verification/shape_criteria.h"
 #include "floc/verification/violations.h"
 
 namespace floc {
@@ -34,78 +35,6 @@ template <int Dim>
 double mean_force(const Packing<Dim>& packing) {
   const double mean = mean_repulsive_force(packing);
   return mean > 0.0 ? mean : 1.0;
-}
-
-/// Completes a criterion with the list of its violations.
-Criterion concluded(Criterion criterion, Violations& violations) {
-  criterion.where = violations.worst_first();
-  criterion.holds = criterion.where.empty();
-  criterion.by_value = !(criterion.value <= criterion.limit);
-  return criterion;
-}
-
-/// Compares a stored contact with the contact that is found from positions and shapes: the geometry and the type must
-/// agree.
-template <int Dim>
-void compare_contact(const Packing<Dim>& stored, const Contact<Dim>& c, const Contact<Dim>& found,
-                     Criterion& result, Violations& violations) {
-  const double error =
-      std::max({std::abs(c.gap - found.gap), (c.normal - found.normal).norm() * branch(stored, c).norm(),
-                (c.arm_i - found.arm_i).norm()});
-  result.value = std::max(*result.value, error);
-  if (!(error <= result.limit))
-    violations.add(error, fmt::format("{} by {:.2g}", pair_name(stored, c), error));
-  else if (c.type != found.type)
-    violations.add(0.0,
-                   fmt::format("{}, recorded as a contact of the type {} instead of {}", pair_name(stored, c),
-                               contact_type_name(c.type), contact_type_name(found.type)));
-}
-
-template <int Dim>
-void add_lost_contact(const Packing<Dim>& stored, const Contact<Dim>& c, Violations& violations) {
-  violations.add(std::numeric_limits<double>::infinity(),
-                 pair_name(stored, c) + ", which have no contact point there");
-}
-
-template <int Dim>
-Criterion check_rigid_geometry(const Packing<Dim>& stored, const Packing<Dim>& recomputed) {
-  Criterion result{"geometry", 0.0, distance_error(stored), true, ""};
-  Violations violations;
-  for (std::size_t k = 0; k < stored.contacts.size(); ++k) {
-    const Contact<Dim>&c = stored.contacts[k], &r = recomputed.contacts[k];
-    if (std::isinf(r.gap))
-      add_lost_contact(stored, c, violations);
-    else
-      compare_contact(stored, c, r, result, violations);
-  }
-  return concluded(result, violations);
-}
-
-/// Returns whether a sorted list of contacts contains a contact between the same two bodies as `c`. The list is sorted
-/// like the contacts of a packing.
-template <int Dim>
-bool has_pair(const std::vector<Contact<Dim>>& sorted, Contact<Dim> c) {
-  c.key = std::numeric_limits<int>::min();
-  const auto at = std::lower_bound(sorted.begin(), sorted.end(), c, precedes<Contact<Dim>>);
-  return at != sorted.end() && same_pair(*at, c);
-}
-
-template <int Dim>
-Criterion check_list(const Packing<Dim>& packing, const RigidGeometry<Dim>& geometry) {
-  Violations violations;
-  int n_wrong = 0;
-  const auto wrong = [&](const std::string& what) { violations.add(0.0, what), ++n_wrong; };
-  const std::vector<Contact<Dim>>& contacts = packing.contacts;
-  for (std::size_t k = 1; k < contacts.size(); ++k)
-    if (!precedes(contacts[k - 1], contacts[k]))
-      wrong(pair_name(packing, contacts[k]) + " are in the contact list twice or out of order");
-  std::vector<Contact<Dim>> sorted = contacts;
-  std::ranges::sort(sorted, precedes<Contact<Dim>>);
-  for (const Contact<Dim>& c : geometry.overlapping)
-    if (!has_pair(sorted, c))
-      wrong(fmt::format("{} are missing in the contact list although they overlap by {:.2g}",
-                        pair_name(packing, c), -c.gap));
-  return {"list", static_cast<double>(n_wrong), 0.0, n_wrong == 0, violations.worst_first()};
 }
 
 /// Returns the name of a property of this contact that a rigid contact cannot have; empty if there is no such property.
@@ -302,7 +231,7 @@ std::vector<Criterion> verify_motion(const State<Dim>& state) {
     if (overlap > kDeepestInMotion) geometry.overlapping.push_back(c);
   }
   std::vector<Criterion> criteria = {check_step_geometry(state.packing, step.packing().contacts),
-                                     check_list(state.packing, geometry), check_law(state.packing),
+                                     check_shape_list(state.packing, geometry), check_law(state.packing),
                                      check_cone(state.packing)};
   criteria.push_back(check_step(state, step.error_of_forces()));
   criteria.push_back(
@@ -322,7 +251,7 @@ std::vector<Criterion> verify_rigid(const State<Dim>& state, double gap_toleranc
   Packing<Dim> recomputed = state.packing;
   recomputed.contacts = geometry.recorded;
   std::vector<Criterion> criteria = {
-      check_rigid_geometry(state.packing, recomputed), check_list(state.packing, geometry),
+      check_shape_geometry(state.packing, geometry.recorded), check_shape_list(state.packing, geometry),
       check_law(state.packing), check_cone(state.packing), check_gaps(recomputed, geometry, gap_tolerance)};
   const Mat<Dim> stress = static_stress(recomputed);
   add_residuals(state, recomputed, stress, fastest_grain(state.packing.grains), criteria);

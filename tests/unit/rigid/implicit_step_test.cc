@@ -63,5 +63,41 @@ TEST(ImplicitStep, AgreesWithSweepsOnABallInACell) {
     EXPECT_NEAR(contacts[k].impulse[0], swept[k].impulse[0], 1e-8);
 }
 
+/// Elastic contacts of a ball in a groove, of which one slides and one sticks: the part of the relative motion that the
+/// springs take up is no slip, so the solution equals that of Gauss-Seidel sweeps.
+template <int Dim>
+void expect_springs_agree_with_sweeps() {
+  BodyMotion<Dim> bodies = balls_and_ground<Dim>(1, 1.0, 0.5);
+  bodies.velocity[0][0] = 0.3;
+  bodies.velocity[0][1] = -1.0;
+  const Vec<Dim> down = -Vec<Dim>::Unit(1), side = (Vec<Dim>::Unit(0) - 0.2 * Vec<Dim>::Unit(1)).normalized();
+  std::vector<StepContact<Dim>> contacts{touching<Dim>(0, 1, 0.5 * down, Vec<Dim>::Zero(), down, 0.1),
+                                         touching<Dim>(0, 1, 0.5 * side, Vec<Dim>::Zero(), side, 2.0)};
+  for (StepContact<Dim>& c : contacts) {
+    c.normal_compliance = 0.4;
+    c.tangential_compliance = 0.7;
+    c.bias[0] = -0.2;
+    c.bias[1] = 0.05;
+  }
+  contacts[0].bias[1] = 1.5;
+  BodyMotion<Dim> by_sweeps = bodies;
+  std::vector<StepContact<Dim>> swept = contacts;
+  ASSERT_TRUE((GaussSeidel<Dim>(by_sweeps, swept).solve(1e-14, 100'000).converged));
+  ASSERT_TRUE(solve_at_once<Dim>(bodies, contacts, {}));
+  const auto slip_share = [](const StepContact<Dim>& c) {
+    return c.impulse.template tail<Dim - 1>().norm() / (c.friction * c.impulse[0]);
+  };
+  ASSERT_NEAR(slip_share(swept[0]), 1.0, 1e-9);
+  ASSERT_LT(slip_share(swept[1]), 0.9);
+  EXPECT_NEAR((bodies.velocity[0] - by_sweeps.velocity[0]).norm(), 0.0, 1e-6);
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    EXPECT_NEAR((contacts[k].impulse - swept[k].impulse).norm(), 0.0, 1e-6);
+}
+
+TEST(ImplicitStep, SpringsWithFrictionAgreeWithSweeps) {
+  expect_springs_agree_with_sweeps<2>();
+  expect_springs_agree_with_sweeps<3>();
+}
+
 }  // namespace
 }  // namespace floc::test

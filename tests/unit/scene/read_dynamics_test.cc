@@ -216,7 +216,7 @@ protocol = "direct"
 TEST(ReadDynamics, RigidGrainsAreLoadedByWalls) {
   EXPECT_EQ(dynamics_faults(kRigidBox), "");
   const Scene scene = parse_scene(kRigidBox, "s.toml", "");
-  EXPECT_EQ(scene.relaxation.inertial_number_cap, kInertialNumberOfRigidGrains);
+  EXPECT_EQ(scene.relaxation.inertial_number_cap, kInertialNumberOfContactDynamics);
   EXPECT_EQ(wall_law(scene.law, *scene.assembly.box).friction_coefficient(), 0.3);
   for (const DerivedGroup& group : derived_groups(scene)) EXPECT_TRUE(std::isfinite(group.value)) << group.name;
   for (const char* key : {"end=settled", "stop_time=3", "energy_ratio=1e-3"})
@@ -286,7 +286,8 @@ TEST_P(BadElasticScenes, NameTheKeyThatTakesThePlace) {
 
 INSTANTIATE_TEST_SUITE_P(
     Keys, BadElasticScenes,
-    testing::Values(BadKey{"dynamics.method=contact_dynamics", "contact dynamics moves rigid grains only"},
+    testing::Values(BadKey{"dynamics.method=contact_dynamics",
+                           "contact dynamics moves rigid grains and grains with shapes only"},
                     BadKey{"dynamics.time_step=0.1",
                            "the contacts are elastic; expected run.time_step in its place"},
                     BadKey{"dynamics.finish=closest", "expected equilibrium.finish in its place"},

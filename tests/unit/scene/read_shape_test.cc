@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
+#include <string>
+#include <vector>
 
 #include "floc/assembly/draw_shapes.h"
 #include "floc/base/error.h"
@@ -227,16 +230,58 @@ TEST(ReadShape, ABrokenFileIsNamed) {
               HasSubstr("grains.shape.sha256 = ab: the file "));
 }
 
-TEST(ReadShape, ShapesNeedRigidContacts) {
-  EXPECT_THAT(
-      shape_faults("{kind = \"polygon\", sides = 5}", 2, ".",
-                   {"contact.normal={law=\"linear\", stiffness=1e4}", "contact.friction.stiffness=1e4"}),
-      AllOf(HasSubstr("s.toml:7: grains.shape: grains with shapes need rigid contacts"),
-            HasSubstr("contact.normal.law is \"linear\"")));
+/// Returns the faults of a scene of elastic pentagons with further changes.
+std::string elastic_faults(const std::vector<std::string>& changes) {
+  std::vector<std::string> all = {"contact.normal={law=\"linear\", stiffness=1e4}",
+                                  "contact.friction.stiffness=1e4"};
+  all.insert(all.end(), changes.begin(), changes.end());
+  return shape_faults("{kind = \"polygon\", sides = 5}", 2, ".", all);
+}
+
+TEST(ReadShape, ElasticShapesHaveLinearSprings) {
   EXPECT_THAT(shape_faults("{kind = \"capsule\", aspect = 2}", 3, ".",
                            {"contact.normal={law=\"hertz\", modulus=1e4, poisson=0.3}",
                             "contact.friction={law=\"mindlin\", coefficient=0.5}"}),
-              HasSubstr("contact.normal.law is \"hertz\""));
+              AllOf(HasSubstr("contact.normal is not allowed with elastic contacts of grains with shapes"),
+                    HasSubstr("contact.friction is not allowed with elastic contacts of grains with shapes")));
+  EXPECT_THAT(elastic_faults({"contact.adhesion={law=\"constant\", force=1}"}),
+              HasSubstr("contact.adhesion is not allowed with elastic contacts of grains with shapes"));
+  EXPECT_THAT(elastic_faults({"contact.damping={restitution=0.5}"}),
+              HasSubstr("contact.damping is not allowed"));
+  EXPECT_THAT(elastic_faults({"contact.rolling={coefficient=0.1, stiffness=1}"}),
+              HasSubstr("contact.rolling is not allowed"));
+}
+
+TEST(ReadShape, ElasticShapesHaveSettingsOfContactDynamics) {
+  for (const char* key : {"finish=\"closest\"", "restitution=0.5", "gap_tolerance=1e-3"})
+    EXPECT_THAT(elastic_faults({std::string("dynamics.") + key}),
+                HasSubstr("it is a setting of rigid contacts"))
+        << key;
+  EXPECT_THAT(elastic_faults({"dynamics.method=\"smooth\""}),
+              HasSubstr("dynamics.method = \"smooth\": contacts of"));
+  for (const char* change : {"run.time_step=0.1", "equilibrium.finish=\"dynamic\""})
+    EXPECT_THAT(elastic_faults({change}), HasSubstr("is not allowed with shapes of grains")) << change;
+  EXPECT_THAT(elastic_faults({"assembly.vibration={dilation=1.01, collisions=10}"}),
+              HasSubstr("assembly.vibration is not allowed with elastic contacts"));
+}
+
+TEST(ReadShape, SharpCornersOfElasticGrainsAreWarnedOf) {
+  const std::vector<std::string> elastic = {"contact.normal={law=\"linear\", stiffness=1e4}",
+                                            "contact.friction.stiffness=1e4"};
+  const auto warnings = [&](const std::string& shape, const std::vector<std::string>& overrides) {
+    const std::vector<std::string> all =
+        scene_warnings(parse_scene(text_with_shape(shape, 2), "s.toml", ".", overrides));
+    return std::ranges::count_if(
+        all, [](const std::string& w) { return w.find("sharp corners") != std::string::npos; });
+  };
+  EXPECT_EQ(warnings("{kind = \"polygon\", sides = 5}", elastic), 1);
+  EXPECT_EQ(warnings("{kind = \"polygon\", sides = 5, rounding = 0.05}", elastic), 0);
+  EXPECT_EQ(warnings("{kind = \"polygon\", sides = 5}", {}), 0);
+}
+
+TEST(ReadShape, ElasticShapesAreLoadedByStresses) {
+  EXPECT_THAT(elastic_faults({"load=[{name=\"shear\", control=\"simple_shear\", strain=0.1, steps=1}]"}),
+              HasSubstr("they are loaded by stresses alone"));
 }
 
 TEST(ReadShape, ARunStartsFromAGasOfTheShapes) {

@@ -1,0 +1,140 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "floc/elasticity/moduli.h"
+#include "floc/verification/verification.h"
+#include "support/rigid_gas.h"
+
+/// Elastic grains with corners: they come to rest by contact dynamics, their states meet the criteria of an equilibrium,
+/// and their moduli are those of the springs in their contact points.
+namespace floc::test {
+namespace {
+
+Law spring_law(double stiffness, double friction) {
+  LawParameters law;
+  law.normal = LinearRepulsion{stiffness};
+  if (friction > 0.0) law.friction = CoulombFriction{friction, 0.8 * stiffness};
+  return law;
+}
+
+template <int Dim>
+Packing<Dim> elastic_gas(int count, const ShapeOptions& shape, double stiffness, double friction) {
+  Packing<Dim> gas = make_rigid_gas<Dim>({.count = count, .shape = shape, .friction = friction});
+  gas.law = spring_law(stiffness, friction);
+  return gas;
+}
+
+template <int Dim>
+State<Dim> state_at(const Packing<Dim>& packing, const Vec<Dim>& stress) {
+  State<Dim> state;
+  state.packing = packing;
+  state.target_stress = stress;
+  state.n_negative = 0;
+  measure(state);
+  return state;
+}
+
+/// Returns the names of the criteria that a state does not meet.
+template <int Dim>
+std::string criteria_violated(const State<Dim>& state) {
+  std::string names;
+  for (const Criterion& criterion : verify_equilibrium(state))
+    if (!criterion.holds) names += std::string(criterion.name) + " (" + criterion.where + ") ";
+  return names;
+}
+
+const ShapeOptions kRoundedPentagons{.kind = PolygonOptions{5}, .rounding = 0.05};
+const ShapeOptions kRoundedStones{.kind = CutOptions{}, .rounding = 0.05, .count = 10};
+
+template <int Dim>
+void expect_verified_balance(int count, const ShapeOptions& shape) {
+  const RigidEnd<Dim> end = relaxed(elastic_gas<Dim>(count, shape, 1e4, 0.5));
+  ASSERT_EQ(end.status, RelaxationStatus::converged) << end.reason;
+  EXPECT_EQ(end.report.ending, "polished");
+  State<Dim> state = state_at<Dim>(end.packing, Vec<Dim>::Ones());
+  EXPECT_EQ(criteria_violated(state), "");
+  EXPECT_LT(state.residuals.force, 1e-8);
+  // Each force is that of a spring, within Coulomb's limit.
+  for (const Contact<Dim>& c : end.packing.contacts) {
+    EXPECT_NEAR(c.normal_force, -1e4 * c.gap, 1e-9);
+    EXPECT_LE(c.shear_force.norm(), 0.5 * c.normal_force * (1.0 + 1e-9));
+  }
+  // A state is no equilibrium any more if a force, a place or a contact differs.
+  State<Dim> wrong = state;
+  wrong.packing.contacts[3].normal_force *= 1.01;
+  EXPECT_NE(criteria_violated(wrong).find("law"), std::string::npos);
+  wrong = state;
+  wrong.packing.grains.position[wrong.packing.contacts[0].i][0] += 1e-6;
+  EXPECT_NE(criteria_violated(wrong).find("geometry"), std::string::npos);
+  wrong = state;
+  const Contact<Dim> lost = wrong.packing.contacts.front();
+  std::erase_if(wrong.packing.contacts, [&](const Contact<Dim>& c) { return c.i == lost.i && c.j == lost.j; });
+  EXPECT_NE(criteria_violated(wrong).find("list"), std::string::npos);
+}
+
+TEST(ElasticShapes, PentagonsComeToAVerifiedRest) {
+  expect_verified_balance<2>(40, kRoundedPentagons);
+}
+
+TEST(ElasticShapes, PolyhedraComeToAVerifiedRest) {
+  expect_verified_balance<3>(16, kRoundedStones);
+}
+
+TEST(ElasticShapes, RelaxationsRepeatTheirBits) {
+  const Packing<2> start = elastic_gas<2>(40, kRoundedPentagons, 1e4, 0.5);
+  const RigidEnd<2> whole = relaxed<2>(start);
+  ASSERT_EQ(whole.status, RelaxationStatus::converged) << whole.reason;
+  expect_same(whole, relaxed<2>(start, rigid_options(), true));
+  RelaxationOptions options = rigid_options();
+  options.threads = 2;
+  expect_same(whole, relaxed<2>(start, options));
+}
+
+/// Returns the logarithmic strains, compression positive, by which a packing comes to rest under another stress.
+template <int Dim>
+Vec<Dim> strain_under(const Packing<Dim>& rested, const Vec<Dim>& stress) {
+  const RigidEnd<Dim> end = relaxed_under(LoadTarget<Dim>::normal_stress(stress), rested);
+  EXPECT_EQ(end.status, RelaxationStatus::converged) << end.reason;
+  Vec<Dim> strain;
+  for (int a = 0; a < Dim; ++a) strain[a] = -std::log(end.packing.cell.matrix(a, a) / rested.cell.matrix(a, a));
+  return strain;
+}
+
+/// Expects that the moduli of an elastic packing agree with the strains that small stresses cause. The tolerance, a
+/// share of the moduli, comes from the geometric terms, a few tens of P/K_N = 1e-6, from the residual of the stress, 1e-9
+/// over kStress, and from the rounding of strains of the order of 1e-10.
+template <int Dim>
+void expect_moduli_of_strains(int count, const ShapeOptions& shape, double tolerance) {
+  constexpr double kStiffness = 1e6, kStress = 2e-4, kSticks = 100.0;
+  RigidEnd<Dim> rested = relaxed(elastic_gas<Dim>(count, shape, kStiffness, 0.5));
+  ASSERT_EQ(rested.status, RelaxationStatus::converged) << rested.reason;
+  rested.packing.law = spring_law(kStiffness, kSticks);
+  Mat<Dim> compliance;
+  for (int b = 0; b < Dim; ++b) {
+    const Vec<Dim> change = kStress * Vec<Dim>::Unit(b);
+    compliance.col(b) = (strain_under<Dim>(rested.packing, Vec<Dim>::Ones() + change) -
+                         strain_under<Dim>(rested.packing, Vec<Dim>::Ones() - change)) /
+                        (2.0 * kStress);
+  }
+  const Moduli m = elastic_moduli(rested.packing, ModuliOptions{});
+  const Mat<Dim> by_strains = compliance.inverse();
+  for (int a = 0; a < Dim; ++a)
+    for (int b = 0; b < Dim; ++b) EXPECT_NEAR(by_strains(a, b) / m.C(a, b), 1.0, tolerance) << a << b;
+  EXPECT_LE(m.bounds.B_reuss, m.B);
+  EXPECT_LE(m.B, m.bounds.B_voigt);
+}
+
+TEST(ElasticShapes, ModuliOfPentagonsAreThoseOfRelaxedStrains) {
+  expect_moduli_of_strains<2>(30, kRoundedPentagons, 1e-4);
+}
+
+TEST(ElasticShapes, ModuliOfPolyhedraAreThoseOfRelaxedStrains) {
+  expect_moduli_of_strains<3>(16, kRoundedStones, 1e-4);
+}
+
+}  // namespace
+}  // namespace floc::test

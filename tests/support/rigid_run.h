@@ -80,16 +80,15 @@ checkpoint_every = 0.02
 )";
 }
 
-/// Scene of elastic grains with rounded corners, compressed from a gas and loaded to twice the pressure: two states in a
-/// second or so.
+/// Scene of elastic grains with rounded corners (pentagons in 2D, capsules in 3D), compressed from a gas and loaded to
+/// twice the pressure: two states in one to two seconds.
 inline std::string elastic_scene(int dimension) {
   const bool plane = dimension == 2;
   return "[scene]\nname = \"elastic\"\nunits = \"reduced\"\ndimension = " + std::string(plane ? "2" : "3") +
          "\n[grains]\ncount = " + (plane ? "40" : "16") + R"(
 diameter = {distribution = "uniform", min = 0.5, max = 1.0}
 shape = )" +
-         (plane ? R"({kind = "polygon", sides = 5, rounding = 0.05})"
-                : R"({kind = "cut", count = 10, rounding = 0.05})") +
+         (plane ? R"({kind = "polygon", sides = 5, rounding = 0.05})" : R"({kind = "capsule", aspect = 2})") +
          R"(
 [contact]
 normal = {law = "linear", stiffness = 1e4}

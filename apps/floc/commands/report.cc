@@ -136,14 +136,13 @@ void add_elastic_state(const State<Dim>& state, ReportedRun<Dim>& run) {
 }
 
 /// Adds a state to the tables of the report.
-/// @throws InputError if the grains are elastic and have walls or corners
+/// @throws InputError if the grains are elastic and have walls
 template <int Dim>
 void add_state(const std::string& file, const State<Dim>& state, ReportedRun<Dim>& run) {
   if (state.packing.law.is_rigid()) {
     add_rigid_state(file, state, run);
   } else {
     require_periodic(state.packing, "a report of elastic grains is made", file);
-    require_round(state.packing, "a report of elastic grains is made", file);
     add_elastic_state(state, run);
   }
   if (state.motion) return;
@@ -305,6 +304,10 @@ std::string plots_section(const FittedConsolidation& fitted, ReportedRun<Dim>& r
       "Bulk and shear moduli; bounds are shown for the states for which they hold.");
   add(coordination_plot(run.path.table),
       "Coordination number by the sign of the normal force; open symbols: unloading.");
+  add(forces_plot(force_samples(run), ForceKind::normal, ForceUnit::mean),
+      "Probability density of the normal forces, positive in compression.");
+  // the scattering of grains with corners is not known
+  if (!run.first->packing.grains.are_round()) return out + "</div>\n";
   std::vector<ScatteringSample> scattering;
   for (std::size_t k = 0; k < run.shown.size(); ++k) {
     const std::string name = pressure_text(run.shown[k]);
@@ -314,8 +317,6 @@ std::string plots_section(const FittedConsolidation& fitted, ReportedRun<Dim>& r
                              ": the law of fractal aggregates is not drawn, because it cannot be fitted: " +
                              scattering.back().failure_reason);
   }
-  add(forces_plot(force_samples(run), ForceKind::normal, ForceUnit::mean),
-      "Probability density of the normal forces, positive in compression.");
   add(scattering_plot(scattering),
       "Scattered intensity I(k) of the grains, and the fitted law of fractal aggregates.");
   return out + "</div>\n";

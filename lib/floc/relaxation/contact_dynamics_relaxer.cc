@@ -102,6 +102,8 @@ constexpr auto kMembers = [](auto& p, const auto& visit) {
   visit("deepest_overlap", p.deepest_overlap);
   visit("calm_steps", p.calm_steps);
   visit("resting_steps", p.resting_steps);
+  visit("least_residual", p.least_residual);
+  visit("least_at", p.least_at);
   visit("next_trial", p.next_trial);
   visit("rest_length", p.rest_length);
   visit("rest_sweeps", p.rest_sweeps);

@@ -33,8 +33,11 @@ struct ContactDynamicsProgress {
   int calm_steps = 0;            ///< number of successive calm time steps up to the present (kCalmSteps)
   int resting_steps = 0;         ///< number of time steps of the phase `resting`
   int next_trial = 0;            ///< balanced forces are not sought again before resting_steps has this value
-  double rest_length = 0.0;      ///< longest time step of the phase `resting`, in units of T
-  int rest_sweeps = 0;           ///< largest number of sweeps in a time step of the phase `resting`
+  /// smallest residual of elastic grains in the phase `resting`, in units of the force scale; 0 before the first test
+  double least_residual = 0.0;
+  int least_at = 0;          ///< number of steps of the phase `resting` after which this residual was found
+  double rest_length = 0.0;  ///< longest time step of the phase `resting`, in units of T
+  int rest_sweeps = 0;       ///< largest number of sweeps in a time step of the phase `resting`
   /// Sides of the cell before the strain (length).
   std::vector<double> side_before;
   double offset_before = 0.0;
@@ -105,6 +108,7 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
   RelaxationStatus rest();
   RelaxationStatus rest_on_springs();
   bool springs_balance();
+  void start_moving();
   void measure();
 
   RelaxationOptions options_;

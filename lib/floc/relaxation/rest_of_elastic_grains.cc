@@ -19,15 +19,23 @@ constexpr double kBalanced = 1e-9;
 constexpr int kEnoughSteps = 60;
 /// Number of steps after which the relaxation is given up.
 constexpr int kMostNewtonSteps = 200;
+/// Number of steps since the residual last fell to less than half after which grains that have not moved yet under the
+/// new load begin to move.
+constexpr int kMostStalledSteps = 60;
 
-/// Returns the end of a message about grains that find no rest; empty if no grain has sharp corners.
+/// Returns the end of a message about grains that find no rest; empty if their contact forces change continuously with
+/// their positions.
 template <int Dim>
 std::string reason_of_corners(const Grains<Dim>& grains) {
   const auto is_sharp = [](const Shape<Dim>& shape) { return !shape.is_round() && shape.rounding == 0.0; };
-  if (std::ranges::none_of(*grains.shapes, is_sharp)) return "";
-  return "; the force between sharp corners jumps where the corners that meet change, so that there may be no "
-         "balance: "
-         "expected rounded corners (grains.shape.rounding)";
+  const auto has_faces = [](const Shape<Dim>& shape) { return Dim == 3 && shape.n_vertices() > 2; };
+  if (std::ranges::any_of(*grains.shapes, is_sharp))
+    return "; the force between sharp corners jumps where the corners that meet change, so that "
+           "there may be no balance: expected rounded corners (grains.shape.rounding)";
+  if (std::ranges::any_of(*grains.shapes, has_faces))
+    return "; contact points between two faces appear and vanish abruptly as the faces move, so "
+           "that there may be no balance";
+  return "";
 }
 
 double largest_of(const Residuals& r) {
@@ -36,18 +44,27 @@ double largest_of(const Residuals& r) {
 
 }  // namespace
 
+/// Returns to the phase in which the grains move under the load.
+template <int Dim>
+void ContactDynamicsRelaxer<Dim>::start_moving() {
+  progress_.phase = ContactDynamicsProgress::moving;
+  progress_.calm_steps = 0;
+  progress_.time_step = 0.0;
+}
+
 /// Makes time steps from rest, and ends the relaxation if the forces of the springs balance.
 template <int Dim>
 RelaxationStatus ContactDynamicsRelaxer<Dim>::rest_on_springs() {
   make_steps(kNewtonSteps);
   progress_.resting_steps += kNewtonSteps;
   if (springs_balance()) return RelaxationStatus::converged;
-  if (progress_.resting_steps < kMostNewtonSteps) return RelaxationStatus::running;
-  if (progress_.time ==
-      0.0) {  // the relaxation began with these steps, and the grains have not moved freely yet
-    progress_.phase = ContactDynamicsProgress::moving;
+  const bool has_moved = progress_.time > 0.0;
+  const bool is_stalled = progress_.resting_steps >= progress_.least_at + kMostStalledSteps;
+  if (progress_.resting_steps < kMostNewtonSteps && (has_moved || !is_stalled))
+    return RelaxationStatus::running;
+  if (!has_moved) {
     progress_.resting_steps = 0;
-    progress_.time_step = 0.0;
+    start_moving();
     return RelaxationStatus::running;
   }
   progress_.obstacle += reason_of_corners(packing_.grains);
@@ -65,6 +82,10 @@ bool ContactDynamicsRelaxer<Dim>::springs_balance() {
   set_spring_forces(rested);
   const Mat<Dim> stress = static_stress(rested);
   const Residuals reached = residuals(rested, load_.stress_with(stress), stress);
+  if (progress_.least_residual == 0.0 || largest_of(reached) < 0.5 * progress_.least_residual) {
+    progress_.least_residual = largest_of(reached);
+    progress_.least_at = progress_.resting_steps;
+  }
   if (!reached.within(options_.tolerance)) {
     progress_.obstacle = worst_residual(reached, options_.tolerance, rested.grains.id);
     return false;
@@ -75,9 +96,7 @@ bool ContactDynamicsRelaxer<Dim>::springs_balance() {
   }
   if (!stays_in_place(rested)) {
     progress_.obstacle = "the balance is unstable: grains leave their places when the packing is free to move";
-    progress_.phase = ContactDynamicsProgress::moving;
-    progress_.calm_steps = 0;
-    progress_.time_step = 0.0;
+    start_moving();
     return false;
   }
   packing_ = std::move(rested);
@@ -89,6 +108,8 @@ bool ContactDynamicsRelaxer<Dim>::springs_balance() {
   return true;
 }
 
+template void ContactDynamicsRelaxer<2>::start_moving();
+template void ContactDynamicsRelaxer<3>::start_moving();
 template RelaxationStatus ContactDynamicsRelaxer<2>::rest_on_springs();
 template RelaxationStatus ContactDynamicsRelaxer<3>::rest_on_springs();
 template bool ContactDynamicsRelaxer<2>::springs_balance();

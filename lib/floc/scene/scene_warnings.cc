@@ -247,17 +247,23 @@ void warn_of_light_walls(const Scene& scene, Warnings& warnings) {
                     scene.assembly.box->mass, least));
 }
 
-/// Warns of sharp corners of elastic grains: the force between them is not continuous.
-void warn_of_sharp_corners(const Scene& scene, Warnings& warnings) {
+/// Warns of elastic grains with corners whose contact forces do not change continuously with their positions: sharp
+/// corners, and polyhedra whose faces touch.
+void warn_of_elastic_corners(const Scene& scene, Warnings& warnings) {
   const auto& shape = scene.grains.shape;
-  if (!shape || scene.law.is_rigid() || shape->rounding > 0.0 ||
-      std::holds_alternative<FileShapeOptions>(shape->kind) ||
+  if (!shape || scene.law.is_rigid() || std::holds_alternative<FileShapeOptions>(shape->kind) ||
       std::holds_alternative<CapsuleOptions>(shape->kind))
     return;
-  warnings.emplace_back(
-      "grains.shape.rounding = 0: the force between sharp corners jumps where the corners that meet change, so "
-      "that "
-      "elastic grains may find no rest; expected a rounding wider than the overlaps, such as 0.05");
+  if (shape->rounding == 0.0)
+    warnings.emplace_back(
+        "grains.shape.rounding = 0: the force between sharp corners jumps where the corners that meet change, "
+        "so "
+        "that elastic grains may find no rest; expected a rounding wider than the overlaps, such as 0.05");
+  if (scene.dimension == 3)
+    warnings.emplace_back(
+        "grains.shape: contact points between two faces appear and vanish abruptly as the faces move, so that "
+        "elastic polyhedra often find no rest, and hardly ever without friction; expected rigid contacts, or "
+        "capsules");
 }
 
 /// Warns if contacts are so stiff relative to the load that the motion into equilibrium takes very many time steps.
@@ -355,7 +361,7 @@ std::vector<std::string> scene_warnings(const Scene& scene) {
   warn_of_light_cell(scene, warnings);
   warn_of_light_walls(scene, warnings);
   warn_of_stiff_contacts(scene, warnings);
-  warn_of_sharp_corners(scene, warnings);
+  warn_of_elastic_corners(scene, warnings);
   warn_of_no_sticking(scene, warnings);
   warn_of_cost(scene, warnings);
   return warnings;

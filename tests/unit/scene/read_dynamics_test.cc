@@ -170,8 +170,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadKey{"dynamics.method=smooth", "dynamics.method = \"smooth\": rigid contacts have no stiffness"},
         BadKey{"run.time_step=0.1",
-               "run.time_step is not allowed with rigid contacts: the time step of rigid "
-               "grains is given by dynamics.time_step"},
+               "run.time_step is not allowed with rigid contacts: the time step of contact "
+               "dynamics is given by dynamics.time_step"},
         BadKey{"run.skin=0.1", "run.skin is not allowed with rigid contacts"},
         BadKey{"equilibrium.finish=auto",
                "equilibrium.finish is not allowed with rigid contacts: dynamics.finish chooses among the "

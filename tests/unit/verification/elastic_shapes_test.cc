@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -82,6 +83,28 @@ TEST(ElasticShapes, PentagonsComeToAVerifiedRest) {
 
 TEST(ElasticShapes, PolyhedraComeToAVerifiedRest) {
   expect_verified_balance<3>(16, kRoundedStones);
+}
+
+/// Polygons and capsules come to rest with and without friction, whether their corners are sharp or rounded.
+TEST(ElasticShapes, SmallPackingsRest) {
+  const std::vector<ShapeOptions> plane = {
+      {.kind = PolygonOptions{3}, .rounding = 0.1}, {.kind = PolygonOptions{7}}, {.kind = CapsuleOptions{2.0}}};
+  for (const double friction : {0.0, 0.3})
+    for (std::size_t k = 0; k < plane.size(); ++k) {
+      const RigidEnd<2> end = relaxed(elastic_gas<2>(12, plane[k], 1e4, friction));
+      EXPECT_EQ(end.status, RelaxationStatus::converged) << k << " friction " << friction << ": " << end.reason;
+      EXPECT_EQ(criteria_violated(state_at<2>(end.packing, Vec<2>::Ones())), "")
+          << k << " friction " << friction;
+    }
+  const RigidEnd<3> end = relaxed(elastic_gas<3>(8, {.kind = CapsuleOptions{1.5}}, 1e4, 0.3));
+  EXPECT_EQ(end.status, RelaxationStatus::converged) << end.reason;
+  EXPECT_EQ(criteria_violated(state_at<3>(end.packing, Vec<3>::Ones())), "");
+}
+
+TEST(ElasticShapes, PolyhedraWithoutRestSayWhy) {
+  const RigidEnd<3> end = relaxed(elastic_gas<3>(4, kRoundedStones, 1e4, 0.0));
+  ASSERT_EQ(end.status, RelaxationStatus::gave_up);
+  EXPECT_THAT(end.reason, testing::HasSubstr("contact points between two faces appear and vanish abruptly"));
 }
 
 TEST(ElasticShapes, RelaxationsRepeatTheirBits) {

@@ -27,7 +27,8 @@ Manifold<Dim> manifold_of(const Packing<Dim>& packing, const Contact<Dim>& conta
   }
   PlacedShape<Dim> second = packing.grains.placed(contact.j);
   second.position = first.position + branch;
-  return contact_manifold(first, second, reach, last);
+  const int most_points = packing.law.is_rigid() ? Manifold<Dim>::kRigidPoints : Manifold<Dim>::kMostPoints;
+  return contact_manifold(first, second, reach, last, most_points);
 }
 
 namespace {

@@ -26,15 +26,15 @@ constexpr int kMostStalledSteps = 60;
 /// Returns the end of a message about grains that find no rest; empty if their contact forces change continuously with
 /// their positions.
 template <int Dim>
-std::string reason_of_corners(const Grains<Dim>& grains) {
+std::string reason_of_corners(const Grains<Dim>& grains, bool frictionless) {
   const auto is_sharp = [](const Shape<Dim>& shape) { return !shape.is_round() && shape.rounding == 0.0; };
   const auto has_faces = [](const Shape<Dim>& shape) { return Dim == 3 && shape.n_vertices() > 2; };
   if (std::ranges::any_of(*grains.shapes, is_sharp))
     return "; the force between sharp corners jumps where the corners that meet change, so that "
            "there may be no balance: expected rounded corners (grains.shape.rounding)";
-  if (std::ranges::any_of(*grains.shapes, has_faces))
+  if (frictionless && std::ranges::any_of(*grains.shapes, has_faces))
     return "; contact points between two faces appear and vanish abruptly as the faces move, so "
-           "that there may be no balance";
+           "that there may be no balance without friction";
   return "";
 }
 
@@ -67,7 +67,7 @@ RelaxationStatus ContactDynamicsRelaxer<Dim>::rest_on_springs() {
     start_moving();
     return RelaxationStatus::running;
   }
-  progress_.obstacle += reason_of_corners(packing_.grains);
+  progress_.obstacle += reason_of_corners(packing_.grains, packing_.law.friction_coefficient() == 0.0);
   return RelaxationStatus::gave_up;
 }
 

@@ -259,11 +259,10 @@ void warn_of_elastic_corners(const Scene& scene, Warnings& warnings) {
         "grains.shape.rounding = 0: the force between sharp corners jumps where the corners that meet change, "
         "so "
         "that elastic grains may find no rest; expected a rounding wider than the overlaps, such as 0.05");
-  if (scene.dimension == 3)
+  if (scene.dimension == 3 && scene.law.friction_coefficient() == 0.0)
     warnings.emplace_back(
         "grains.shape: contact points between two faces appear and vanish abruptly as the faces move, so that "
-        "elastic polyhedra often find no rest, and hardly ever without friction; expected rigid contacts, or "
-        "capsules");
+        "elastic polyhedra without friction seldom find a rest; expected friction, or rigid contacts");
 }
 
 /// Warns if contacts are so stiff relative to the load that the motion into equilibrium takes very many time steps.

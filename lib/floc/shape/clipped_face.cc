@@ -106,11 +106,13 @@ int largest(int n, double tolerance, const Value& value) {
   return best;
 }
 
-/// Selects at most four points that represent all contact points well: the deepest point, the point furthest from it,
-/// and, on each side of the line through these two points, the point furthest from the line.
-void select(const Polygon<3>& polygon, const Vec<3>& normal, double tolerance, ClippedFace<3>& kept) {
+/// If there are more than `most_points` points, selects at most four that represent all contact points well: the deepest
+/// point, the point furthest from it, and, on each side of the line through these two points, the point furthest from
+/// the line.
+void select(const Polygon<3>& polygon, const Vec<3>& normal, double tolerance, int most_points,
+            ClippedFace<3>& kept) {
   const auto& p = polygon.points;
-  if (polygon.n <= 4) {
+  if (polygon.n <= most_points) {
     kept.n = polygon.n;
     std::copy_n(p.begin(), polygon.n, kept.points.begin());
     return;
@@ -128,7 +130,7 @@ void select(const Polygon<3>& polygon, const Vec<3>& normal, double tolerance, C
   }
 }
 
-void select(const Polygon<2>& polygon, const Vec<2>&, double, ClippedFace<2>& kept) {
+void select(const Polygon<2>& polygon, const Vec<2>&, double, int, ClippedFace<2>& kept) {
   kept.n = std::min(polygon.n, 2);
   std::copy_n(polygon.points.begin(), kept.n, kept.points.begin());
 }
@@ -137,7 +139,8 @@ void select(const Polygon<2>& polygon, const Vec<2>&, double, ClippedFace<2>& ke
 
 template <int Dim>
 ClippedFace<Dim> clipped_face(const Shape<Dim>& reference, int face, const Shape<Dim>& incident,
-                              const RelativePlace<Dim>& place, int lowest, double reach, double tolerance) {
+                              const RelativePlace<Dim>& place, int lowest, double reach, double tolerance,
+                              int most_points) {
   ClippedFace<Dim> kept;
   const Vec<Dim>& n = reference.normals[face];
   Polygon<Dim> one, two;
@@ -165,13 +168,13 @@ ClippedFace<Dim> clipped_face(const Shape<Dim>& reference, int face, const Shape
   }
   from->n = n_kept;
   join_equal_points<Dim>(*from, tolerance);
-  select(*from, n, tolerance, kept);
+  select(*from, n, tolerance, most_points, kept);
   return kept;
 }
 
 template ClippedFace<2> clipped_face(const Shape<2>&, int, const Shape<2>&, const RelativePlace<2>&, int,
-                                     double, double);
+                                     double, double, int);
 template ClippedFace<3> clipped_face(const Shape<3>&, int, const Shape<3>&, const RelativePlace<3>&, int,
-                                     double, double);
+                                     double, double, int);
 
 }  // namespace floc

@@ -26,8 +26,8 @@ struct ClippedFace {
 };
 
 /// Clips the incident face, a face of the shape `incident`, by the sides of the reference face, the face `face` of the
-/// shape `reference`. Returns the corners of the clipped polygon that are less than `reach` above the reference face
-/// (at most 2 corners in 2D and 4 corners in 3D).
+/// shape `reference`. Returns the corners of the clipped polygon that are less than `reach` above the reference face. In
+/// 3D, returns all of them if there are at most `most_points`, otherwise four.
 ///
 /// Among the faces that meet at the vertex `lowest`, the incident face is the face whose normal is closest to the
 /// opposite of the normal of the reference face. (A face without this vertex may have a normal that is even closer.) If
@@ -37,8 +37,11 @@ struct ClippedFace {
 /// @param lowest  vertex of `incident` with the smallest height above the reference face
 /// @param reach  largest height of a point above the reference face (length)
 /// @param tolerance  distance below which points are merged and heights count as equal (length)
+/// @param most_points  largest number of corners of which all are returned, at most Manifold::kMostPoints; not used in
+/// 2D, where there are at most two corners
 template <int Dim>
 ClippedFace<Dim> clipped_face(const Shape<Dim>& reference, int face, const Shape<Dim>& incident,
-                              const RelativePlace<Dim>& place, int lowest, double reach, double tolerance);
+                              const RelativePlace<Dim>& place, int lowest, double reach, double tolerance,
+                              int most_points);
 
 }  // namespace floc

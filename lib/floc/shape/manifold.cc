@@ -34,7 +34,7 @@ std::uint32_t key_of(bool of_second, int reference, int incident, std::uint32_t 
 template <int Dim>
 class PairSearch {
  public:
-  PairSearch(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, double reach)
+  PairSearch(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, double reach, int most_points)
       : first_(first),
         second_(second),
         a_(*first.shape),
@@ -42,6 +42,7 @@ class PairSearch {
         place_(first, second),
         roundings_(first.rounding() + second.rounding()),
         reach_(reach),
+        most_points_(most_points),
         size_(std::min(first.inner_radius(), second.inner_radius()) / first.scale) {}
 
   Manifold<Dim> run(AxisFeatures& last) {
@@ -169,7 +170,7 @@ class PairSearch {
     const RelativePlace<Dim> place = of_second ? place_.inverse() : place_;
     const ClippedFace<Dim> clipped =
         clipped_face<Dim>(reference, best.face, incident, place, best.vertex, (reach_ + roundings_) / scale,
-                          1e-9 * size_ * first_.scale / scale);
+                          1e-9 * size_ * first_.scale / scale, most_points_);
     const Vec<Dim> outward = reference.normals[best.face];
     const Vec<Dim> n = of_second ? Vec<Dim>(-place_.direction(outward)) : outward;
     found.normal = first_.rotation * n;
@@ -291,6 +292,7 @@ class PairSearch {
   /// sum of the radii of rounding of both shapes, each multiplied by the scale of its grain (length)
   double roundings_;
   double reach_;
+  int most_points_;
   double size_;  ///< smaller inner radius of the two shapes, in the unit of length of the first shape
 };
 
@@ -334,14 +336,14 @@ double Manifold<Dim>::least_gap() const {
 
 template <int Dim>
 Manifold<Dim> contact_manifold(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, double reach,
-                               AxisFeatures* last) {
+                               AxisFeatures* last, int most_points) {
   AxisFeatures none;
-  return PairSearch<Dim>(first, second, reach).run(last != nullptr ? *last : none);
+  return PairSearch<Dim>(first, second, reach, most_points).run(last != nullptr ? *last : none);
 }
 
 template struct Manifold<2>;
 template struct Manifold<3>;
-template Manifold<2> contact_manifold(const PlacedShape<2>&, const PlacedShape<2>&, double, AxisFeatures*);
-template Manifold<3> contact_manifold(const PlacedShape<3>&, const PlacedShape<3>&, double, AxisFeatures*);
+template Manifold<2> contact_manifold(const PlacedShape<2>&, const PlacedShape<2>&, double, AxisFeatures*, int);
+template Manifold<3> contact_manifold(const PlacedShape<3>&, const PlacedShape<3>&, double, AxisFeatures*, int);
 
 }  // namespace floc

@@ -38,7 +38,9 @@ struct ManifoldPoint {
 /// Contact points of two shapes that touch or are close to each other.
 template <int Dim>
 struct Manifold {
-  static constexpr int kMostPoints = Dim == 2 ? 2 : 4;
+  static constexpr int kMostPoints = Dim == 2 ? 2 : 8;
+  /// Number of points that represent a contact of rigid shapes well.
+  static constexpr int kRigidPoints = Dim == 2 ? 2 : 4;
 
   /// Number of points; 0 if no point has a gap below `reach` of contact_manifold().
   int n = 0;
@@ -59,9 +61,9 @@ struct Manifold {
 /// There are four cases:
 ///   1. Polytopes without rounding touch along the axis of their largest separation (separating_axis.h). If this axis
 ///      is the normal of a face (the reference face), the contact points are the corners of the incident face of the
-///      other shape, clipped by the sides of the reference face. In 3D, at most four points are kept: the deepest
-///      point, the point furthest from it, and, on each side of the line through these two points, the point furthest
-///      from the line.
+///      other shape, clipped by the sides of the reference face. In 3D, if there are more than `most_points` corners,
+///      four of them are kept: the deepest point, the point furthest from it, and, on each side of the line through
+///      these two points, the point furthest from the line.
 ///   2. If this axis is normal to a pair of edges, there is one contact point.
 ///   3. If polytopes without rounding are apart, it can happen that no axis of separating_axis.h is parallel to the
 ///      line between their closest points (for example between two vertices). In this case there is one contact point,
@@ -79,8 +81,10 @@ struct Manifold {
 /// @param last  features of the separating axis in the previous step, with which the search begins; the function
 /// replaces them by the features found now. With the features of the previous step, most pairs that do not touch need
 /// only one search for a lowest vertex.
+/// @param most_points  largest number of corners of which all are kept: Manifold::kRigidPoints for rigid shapes,
+/// Manifold::kMostPoints for elastic shapes, because each overlapping corner is a spring
 template <int Dim>
 Manifold<Dim> contact_manifold(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, double reach,
-                               AxisFeatures* last = nullptr);
+                               AxisFeatures* last = nullptr, int most_points = Manifold<Dim>::kRigidPoints);
 
 }  // namespace floc

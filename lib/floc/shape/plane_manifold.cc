@@ -15,11 +15,11 @@ const ManifoldPoint<Dim>& largest(const std::vector<ManifoldPoint<Dim>>& points,
                            [&](const auto& p, const auto& q) { return size(p) < size(q); });
 }
 
-/// Returns all points or, if there are too many, Manifold::kMostPoints of them that enclose a large area.
+/// Returns all points or, if there are too many, Manifold::kRigidPoints of them that enclose a large area.
 template <int Dim>
 std::vector<ManifoldPoint<Dim>> spread_out(const std::vector<ManifoldPoint<Dim>>& all, const Vec<Dim>& normal) {
   using Point = ManifoldPoint<Dim>;
-  if (static_cast<int>(all.size()) <= Manifold<Dim>::kMostPoints) return all;
+  if (static_cast<int>(all.size()) <= Manifold<Dim>::kRigidPoints) return all;
   const Point deepest = largest<Dim>(all, [](const Point& p) { return -p.gap; });
   const Point furthest = largest<Dim>(all, [&](const Point& p) { return (p.arm - deepest.arm).squaredNorm(); });
   std::vector<Point> kept = {deepest, furthest};

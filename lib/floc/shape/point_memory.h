@@ -16,7 +16,7 @@ using PointMatches = std::array<int, Manifold<Dim>::kMostPoints>;
 /// are matched first. Then each remaining point is matched with the nearest remaining point of the previous step, pairs
 /// with the smallest distance first.
 ///
-/// @param now, before  contact points of this step and of the previous step, at most kMostPoints each; all arms begin
+/// @param now, before  contact points of this step and of the previous step, at most Manifold::kMostPoints each; all arms begin
 /// at the centre of the same body
 /// @param radius  largest distance at which points with different keys are matched (length): 0.25 of the smaller outer
 /// radius of the two shapes

@@ -59,8 +59,8 @@ Contact<Dim> relocated(const Packing<Dim>& packing, Contact<Dim> c, double toler
   Manifold<Dim> manifold = within(std::max(std::abs(c.gap), counted) * 1.01);
   const ContactType type = within(counted).type;
   const ManifoldPoint<Dim>* found = manifold.with_key(static_cast<std::uint32_t>(c.key));
-  // A manifold contains at most four of the points with gaps below its reach. With a larger reach, the manifold may
-  // contain other points.
+  // A manifold of rigid grains contains at most four of the points with gaps below its reach. With a larger reach, the
+  // manifold may contain other points.
   if (!found) {
     manifold = within(diameter);
     found = manifold.with_key(static_cast<std::uint32_t>(c.key));

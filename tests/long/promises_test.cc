@@ -38,6 +38,7 @@ const std::vector<HeldOutScene>& held_out_scenes() {
        "simple_shear"},
       {"rigid_disks_demo", {"grains.count=120"}},
       {"pentagons_demo", {"grains.count=45"}},
+      {"polyhedra_demo", {"grains.count=25", "cell.solid_fraction=0.08"}},
       {"spheres_demo", {"grains.count=160", "load.0.to=1e6"}},
       {"type2_no_rolling", {"grains.count=150", "load.0.steps_per_decade=3", "load.1.steps_per_decade=1"}},
       {"oedometer",

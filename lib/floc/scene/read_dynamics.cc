@@ -210,8 +210,7 @@ void read_dynamics(TableReader& root, const SceneSource& source, Scene& scene) {
             fmt::format(
                 "dynamics.method = \"contact_dynamics\": contact dynamics moves rigid grains and grains with "
                 "shapes only, but contact.normal.law is \"{}\"; expected contact.normal = {{law = \"rigid\"}}, "
-                "or method = "
-                "\"smooth\"",
+                "or method = \"smooth\"",
                 scene.law.normal_keyword()));
   const bool steps = implicit || (method && *method == 1);
   if (steps)

@@ -59,9 +59,7 @@ std::string refusal_of(const State<Dim>& state, const Scene& scene) {
                        state.units, scene.units);
   if (!state.packing.grains.are_round() && !scene.law.is_rigid())
     return "the grains of the state have shapes, and in this version of floc only rigid grains with shapes can "
-           "start "
-           "from a state: expected "
-           "contact.normal = {law = \"rigid\"}";
+           "start from a state: expected contact.normal = {law = \"rigid\"}";
   if (is_open(state.packing.walls) && !scene.assembly.box)
     return "the state ends in free space along an axis: expected a periodic state, or a table [box] in "
            "the "

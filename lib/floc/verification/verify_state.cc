@@ -17,8 +17,7 @@ std::vector<Criterion> criteria_of_law(const State<Dim>& state, const std::strin
   if (!state.packing.grains.are_round() && !state.packing.walls.empty())
     throw InputError(file,
                      "its grains have corners, its contacts are elastic, and it has walls; such states cannot "
-                     "be verified: expected "
-                     "a periodic cell, disks, spheres or rigid contacts");
+                     "be verified: expected a periodic cell, disks, spheres or rigid contacts");
   return verify_equilibrium(state);
 }
 

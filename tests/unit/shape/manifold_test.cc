@@ -49,6 +49,24 @@ TEST(Manifold, OfCubesTurnedBy45DegreesHasFourCornersOfTheOctagon) {
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(angles[k + 1] - angles[k], 0.5 * std::numbers::pi, 1e-12);
 }
 
+/// Elastic shapes need a spring at each corner that overlaps, also if other corners within the reach do not overlap.
+TEST(Manifold, OfElasticShapesHasAllCornersOfTheOctagon) {
+  const Shape<3> cube = shape_of<3>(box_points(1, 1, 1));
+  const auto below = placed<3>(cube, Vec<3>::Zero(), kNoTurn);
+  const Mat<3> tilt = turn_about(Vec<3>::UnitX(), 1e-2) * turn_about(Vec<3>::UnitZ(), 45.0);
+  const auto above = placed<3>(cube, {0, 0, 0.99995}, tilt);
+  const auto overlapping = [&](double reach) {
+    const Manifold<3> contact = contact_manifold<3>(below, above, reach, nullptr, Manifold<3>::kMostPoints);
+    std::set<std::uint32_t> keys;
+    for (int k = 0; k < contact.n; ++k)
+      if (contact.points[k].gap < 0.0) keys.insert(contact.points[k].key);
+    return keys;
+  };
+  EXPECT_EQ(contact_manifold<3>(below, above, 0.01, nullptr, Manifold<3>::kMostPoints).n, 8);
+  EXPECT_EQ(overlapping(0.01), overlapping(0.0));
+  EXPECT_GE(overlapping(0.0).size(), 4u);
+}
+
 TEST(Manifold, OfCrossedEdgesIsOnePoint) {
   const Shape<3> cube = shape_of<3>(box_points(1, 1, 1));
   RandomStream random(1, 1);

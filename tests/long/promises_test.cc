@@ -55,10 +55,10 @@ Scene scene_of(const HeldOutScene& held) {
 }
 
 /// Returns the names of two settings: the settings of the scene, and the cheapest settings whose error in phi is below
-/// 1 %.
+/// 1 %. Without such settings, returns only the first name.
 std::vector<std::string> promised_settings(const PriceTable& table) {
   for (const PricedSettings& settings : settable_prices(table))
-    if (settings.parameter != "scene" && settings_error(settings, "phi") < 0.01)
+    if (settings.parameter != "scene" && !settings.is_reference() && settings_error(settings, "phi") < 0.01)
       return {"scene as it is", settings.name()};
   return {"scene as it is"};
 }

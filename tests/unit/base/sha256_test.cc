@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "floc/base/error.h"
+#include "support/scratch_directory.h"
 
 namespace floc {
 namespace {
@@ -37,7 +38,8 @@ TEST(Sha256, DoesNotDependOnThePiecesThatBytesComeIn) {
 }
 
 TEST(Sha256, OfAFileIsThatOfItsBytes) {
-  const std::string path = testing::TempDir() + "floc_sha256_test";
+  const test::ScratchDirectory scratch;
+  const std::string path = scratch.file("abc");
   std::ofstream(path) << "abc";
   EXPECT_EQ(sha256_of_file(path), sha256("abc"));
   std::remove(path.c_str());

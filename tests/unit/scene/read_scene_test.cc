@@ -10,6 +10,7 @@
 #include "floc/scene/cell_defaults.h"
 #include "support/contact_laws.h"
 #include "support/places.h"
+#include "support/scratch_directory.h"
 
 namespace floc {
 namespace {
@@ -442,8 +443,8 @@ TEST(ReadScene, FaultyDistributionsAreNamedWithTheirLine) {
 }
 
 TEST(ReadScene, AListOfDiametersIsReadBesideTheSceneAndKeptInItsText) {
-  const std::filesystem::path dir = std::filesystem::path(testing::TempDir()) / "floc_read_scene_test";
-  std::filesystem::create_directories(dir);
+  const test::ScratchDirectory scratch;
+  const std::filesystem::path dir = scratch.path();
   std::ofstream(dir / "d.txt") << "# diameters\n0.5 0.75\n1.0\n";
   const std::string uniform = "{distribution = \"uniform\", min = 0.5, max = 1.0}";
   std::string text = with(uniform, "{distribution = \"list\", file = \"d.txt\"}");
@@ -460,11 +461,11 @@ TEST(ReadScene, AListOfDiametersIsReadBesideTheSceneAndKeptInItsText) {
   std::ofstream(dir / "d.txt") << "# nothing yet\n";
   EXPECT_THAT([&] { read_scene((dir / "s.toml").string()); },
               testing::ThrowsMessage<InputError>(HasSubstr("d.txt: the file contains no diameters")));
-  std::filesystem::remove_all(dir);
 }
 
 TEST(ReadScene, WhatIsNoListOfDiametersIsRefusedWithTheReason) {
-  const std::filesystem::path dir = std::filesystem::path(testing::TempDir()) / "floc_diameters_test";
+  const test::ScratchDirectory scratch;
+  const std::filesystem::path dir = scratch.path();
   std::filesystem::create_directories(dir / "directory");
   const auto scene_with = [&](const std::string& file) {
     std::string text = with("{distribution = \"uniform\", min = 0.5, max = 1.0}",
@@ -494,7 +495,6 @@ TEST(ReadScene, WhatIsNoListOfDiametersIsRefusedWithTheReason) {
         {"hexadecimal.txt", "hexadecimal.txt:1: '0x10' is not a diameter: expected a positive number"}})
     EXPECT_THAT(([&scene_with, name = file] { scene_with(name); }),
                 testing::ThrowsMessage<InputError>(HasSubstr(words)));
-  std::filesystem::remove_all(dir);
 }
 
 TEST(ReadScene, AFileThatIsNotThereIsNamed) {

@@ -8,6 +8,7 @@
 #include "floc/assembly/diameters.h"
 #include "floc/base/error.h"
 #include "floc/scene/read_scene.h"
+#include "support/scratch_directory.h"
 
 namespace floc {
 namespace {
@@ -38,9 +39,6 @@ std::string faults_of_sizes(const std::string& text) {
 /// Fixture: a scene with a table of sieves in the same directory.
 class SievedScene : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directories(dir_); }
-  void TearDown() override { std::filesystem::remove_all(dir_); }
-
   Scene read_with(const std::string& table, const std::string& keys = "",
                   const std::string& units = "reduced") {
     std::ofstream(dir_ / "sand.csv") << table;
@@ -60,7 +58,8 @@ class SievedScene : public testing::Test {
     return "accepted";
   }
 
-  const std::filesystem::path dir_ = std::filesystem::path(testing::TempDir()) / "floc_sieved_scene_test";
+  const test::ScratchDirectory scratch_;
+  const std::filesystem::path dir_ = scratch_.path();
 };
 
 TEST_F(SievedScene, ReadsPercentAndFractionsFromFineToCoarseAndBack) {

@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "floc/base/error.h"
+#include "support/scratch_directory.h"
 #include "unit/shape/solids.h"
 
 namespace floc {
@@ -141,7 +142,8 @@ TEST(ShapeFiles, MayHaveTheirCornersRounded) {
 }
 
 TEST(ShapeFiles, AreReadFromDisk) {
-  const std::string path = testing::TempDir() + "floc_shape_of_this_test.stl";
+  const test::ScratchDirectory scratch;
+  const std::string path = scratch.file("stone.stl");
   const std::string bytes = stl_bytes(stone());
   std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   EXPECT_EQ(read_shapes<3>(path).size(), 1u);

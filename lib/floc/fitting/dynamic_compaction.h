@@ -21,7 +21,7 @@ struct CompactedSample {
 /// Pressure at which the plateau of the void ratio is evaluated in the law of dynamic compaction.
 enum class PlateauPressure {
   own,  ///< pressure p of the sample
-  /// pressure p_crit = sc^2/se at which eta* = sc/sqrt(p se) is 1 for the sample, as in the law printed in [SVI2024]
+  /// pressure p_crit = sc^2/se of the sample, at which eta* = sc/sqrt(p se) equals 1; the printed law of [SVI2024] has it
   critical,
 };
 

@@ -13,7 +13,7 @@ namespace floc {
 template <int Dim>
 struct Contact {
   int i = 0;  ///< index of the first grain
-  int j = 0;  ///< index of the second grain or of a wall; equal to i for a grain and an image of itself
+  int j = 0;  ///< index of the second grain or of a wall; equal to i if a grain touches its own image
   /// Periodic image of j that interacts with i: the branch vector from i to j is x[j] + image * cell.matrix - x[i].
   Vec<Dim, int> image = Vec<Dim, int>::Zero();
   /// Number that distinguishes several contacts between i and one image of j.

@@ -121,9 +121,8 @@ class SplitLines {
   bool is_plausible() const { return has_numbers() && has_names() && share_of_numbers() >= 0.5; }
 
  private:
-  /// Finds the usual number of cells of a line. For each n, the cells with numbers are counted in all lines with n
-  /// cells; the n with the largest count is the usual number of cells. In a text without numbers, the most frequent n
-  /// is the usual one.
+  /// Finds the usual number n of cells of a line: the lines of n cells contain more numeric cells in total than the
+  /// lines of any other length. If no cell of the text is numeric, n is the most frequent number of cells.
   void find_width() {
     // key: number of cells of a line; value: count of numbers in all lines with this number of cells, and count of
     // these lines

@@ -70,9 +70,9 @@ struct Loading {
   std::vector<int> rows;  ///< for each point of the curve: index of its row
 };
 
-/// Returns the rows of the first loading, which path_steps() finds from the pressures. If there is a branch "load", rows
-/// of other branches than "assembly" and "load" are left out, and so are all rows from the end of the first branch
-/// "load" on. If `virgin` is true, the rows of later loadings at pressures above the largest earlier pressure are added.
+/// Returns the rows of the first loading, which path_steps() finds from the pressures. If there is a branch "load", only
+/// the rows of the branches "assembly" and "load" before the end of the first branch "load" count. If `virgin` is true,
+/// the rows of later loadings at pressures above the largest earlier pressure are added.
 Loading first_loading(const std::vector<PathRow>& rows, bool virgin = false);
 
 /// A loading that starts again after an unloading.

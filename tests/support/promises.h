@@ -7,7 +7,6 @@
 #include <functional>
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "floc/fitting/student_t.h"
@@ -119,14 +118,6 @@ inline PromisesOfTable count_promises(const Scene& scene, const PriceTable& tabl
   return promises;
 }
 
-/// Returns the settings of a study with the rows of a table of prices that describe them.
-inline PricedSettings rows_of(const PriceTable& table, const StudiedSetting& setting) {
-  PricedSettings priced{setting.parameter, setting.value, {}, 0.0, 0.0, {}};
-  for (const DeclaredObservable& o : declared_observables())
-    if (const PriceRow* row = table.find(setting.parameter, setting.value, o.name)) priced.of[o.name] = row;
-  return priced;
-}
-
 /// Makes lattices of cemented grains with seeds that the table does not use, and counts how many of their errors do not
 /// exceed the errors of the table, for all numbers of nodes in the table.
 /// @param scene  scene of the packings
@@ -139,29 +130,26 @@ inline PromisesOfTable count_lattice_promises(Scene scene, const PriceTable& tab
   options.max_samples = 1;
   options.parameters = {"nodes_a_diameter"};
   PromisesOfTable promises;
-  std::map<std::pair<std::string, int>, std::vector<double>> differences;
-  std::map<std::string, PricedSettings> priced;
+  // key: row of the table; value: difference of each sample from the reference
+  std::map<const PriceRow*, std::vector<double>> differences;
   for (int s = 0; s < n_samples; ++s) {
     scene.seed = seed + s;
     for (const MeasuredSetting& measured : study_lattice(scene, lattice, options).settings) {
-      const StudiedSetting& setting = measured.setting;
-      if (setting.parameter != "scene" && setting.parameter != "nodes_a_diameter") continue;
-      const std::string name = setting.parameter + " " + setting.value;
-      priced.try_emplace(name, rows_of(table, setting));
+      if (measured.setting.parameter == "strict") continue;
       for (int k = 0; k < kObservables; ++k) {
-        const auto row = priced[name].of.find(declared_observables()[k].name);
+        const PriceRow* row =
+            table.find(measured.setting.parameter, measured.setting.value, declared_observables()[k].name);
         const ObservableError& error = measured.errors[k];
-        if (row == priced[name].of.end() || !std::isfinite(row->second->error) || error.after.n == 0) continue;
-        promises.states.add(error.after.error <= row->second->error);
-        differences[{name, k}].push_back(error.mean.difference);
+        if (row == nullptr || !std::isfinite(row->error) || error.after.n == 0) continue;
+        promises.states.add(error.after.error <= row->error);
+        differences[row].push_back(error.mean.difference);
       }
     }
   }
-  for (const auto& [key, values] : differences) {
+  for (const auto& [row, values] : differences) {
+    const PricedSettings priced{row->parameter, row->value, {}, 0.0, 0.0, {{row->observable, row}}};
     const MeanDifference mean = mean_of(values);
-    promises.means.add(std::abs(mean.difference) <=
-                       settings_error(priced[key.first], declared_observables()[key.second].name) +
-                           mean.error95);
+    promises.means.add(std::abs(mean.difference) <= settings_error(priced, row->observable) + mean.error95);
   }
   return promises;
 }

@@ -12,7 +12,6 @@
 #include "floc/io/law_text.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/equilibrium_check.h"
-#include "floc/packing/require_elastic.h"
 #include "floc/packing/require_periodic.h"
 #include "floc/picture/drawn_scale.h"
 #include "floc/picture/sheet.h"

@@ -1,5 +1,7 @@
 #include "floc/rigid/elastic_contacts.h"
 
+#include <vector>
+
 #include "floc/contact/law_parameters.h"
 #include "floc/packing/law/contact_forces.h"
 #include "floc/packing/law/contact_response.h"
@@ -26,12 +28,10 @@ void add_springs(const Packing<Dim>& packing, const Contact<Dim>& c, double dt, 
 
 template <int Dim>
 void set_spring_forces(Packing<Dim>& packing) {
-  for (Contact<Dim>& c : packing.contacts) {
-    set_given_forces(packing, {}, {}, kAtSpringLimit, c);
-    const SurfaceMotion<Dim> unmoved;
-    respond<Dim>(packing, std::span(&unmoved, 1), std::span(&c, 1));
-    c.distant = false;
-  }
+  for (Contact<Dim>& c : packing.contacts) set_given_forces(packing, {}, {}, kAtSpringLimit, c);
+  const std::vector<SurfaceMotion<Dim>> unmoved(packing.contacts.size());
+  respond<Dim>(packing, unmoved, packing.contacts);
+  for (Contact<Dim>& c : packing.contacts) c.distant = false;
 }
 
 #define FLOC_INSTANTIATE(Dim)                                                                        \

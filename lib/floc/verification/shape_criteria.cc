@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "floc/packing/contact_order.h"
 #include "floc/verification/contact_check.h"

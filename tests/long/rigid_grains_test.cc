@@ -14,6 +14,10 @@ TEST(RigidGrains, TwoHundredFrictionlessPentagonsAreIsostatic) {
   expect_isostatic<2>(ShapeOptions{.kind = PolygonOptions{5}}, 3);
 }
 
+TEST(RigidGrains, TwoHundredFrictionlessPolyhedraAreNearlyIsostatic) {
+  for (const std::uint64_t seed : {1u, 2u}) expect_nearly_isostatic(200, seed, 0.98);
+}
+
 TEST(RigidGrains, ThirtyKillsLeaveNoTrace) {
   kill_and_resume(30, 23, rigid_scene(""), 4);
   kill_and_resume(30, 24, rigid_scene(kPentagons), 4);

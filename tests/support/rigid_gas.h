@@ -11,6 +11,7 @@
 #include "floc/base/error.h"
 #include "floc/packing/balance.h"
 #include "floc/relaxation/contact_dynamics_relaxer.h"
+#include "floc/rigid/contact_points.h"
 #include "floc/verification/verify_rigid.h"
 #include "support/rigid_states.h"
 
@@ -49,6 +50,18 @@ Packing<Dim> make_rigid_gas(const RigidGas& gas) {
   const double share = share_of_bounding_balls(shaped_grains<Dim>(grains, diameters, gas.seed));
   return make_shaped_gas<Dim>(grains, law, 0.95 * kSolidFraction * share, gas.seed, random,
                               GasKind::equilibrated);
+}
+
+/// Returns a gas of grains with corners that is compressed, with the positions of the grains, until the closest pair has a
+/// gap of 0.01 to 0.02.
+inline Packing<3> make_dense_gas(const RigidGas& gas) {
+  for (Packing<3> packing = make_rigid_gas<3>(gas);;) {
+    Packing<3> denser = packing;
+    denser.cell.matrix *= 0.99;
+    for (Vec<3>& x : denser.grains.position) x *= 0.99;
+    if (!ContactPoints<3>().find(denser, 0.01).empty()) return packing;
+    packing = std::move(denser);
+  }
 }
 
 /// Relaxation settings of the shipped scenes of rigid grains.

@@ -1,10 +1,11 @@
 #include "floc/packing/locate.h"
 
+#include <algorithm>
+
 #include "floc/packing/ball.h"
 #include "floc/shape/plane_manifold.h"
 
 namespace floc {
-
 template <int Dim>
 ContactGeometry<Dim> locate_balls(const DoubleDoubleVec<Dim>& branch, double radius_i, double radius_j) {
   ContactGeometry<Dim> at;
@@ -27,8 +28,18 @@ Manifold<Dim> manifold_of(const Packing<Dim>& packing, const Contact<Dim>& conta
   }
   PlacedShape<Dim> second = packing.grains.placed(contact.j);
   second.position = first.position + branch;
-  const int most_points = packing.law.is_rigid() ? Manifold<Dim>::kRigidPoints : Manifold<Dim>::kMostPoints;
-  return contact_manifold(first, second, reach, last, most_points);
+  ManifoldOptions options;
+  if (!packing.law.is_rigid()) options.most_points = Manifold<Dim>::kMostPoints;
+  options.exact = are_smooth_polyhedra(packing);
+  return contact_manifold(first, second, reach, last, options);
+}
+
+template <int Dim>
+bool are_smooth_polyhedra(const Packing<Dim>& packing) {
+  if (Dim != 3 || packing.grains.are_round() || !packing.law.is_rigid()) return false;
+  const auto has_faces = [](const auto& shape) { return shape.n_faces() > 0; };
+  return packing.law.friction_coefficient() == 0.0 && packing.law.pull_off_force() == 0.0 &&
+         std::ranges::any_of(*packing.grains.shapes, has_faces);
 }
 
 namespace {
@@ -87,6 +98,7 @@ void set_arms(Packing<Dim>& packing) {
   template ContactGeometry<Dim> locate_balls(const DoubleDoubleVec<Dim>&, double, double);              \
   template Manifold<Dim> manifold_of(const Packing<Dim>&, const Contact<Dim>&, const Vec<Dim>&, double, \
                                      AxisFeatures*);                                                    \
+  template bool are_smooth_polyhedra(const Packing<Dim>&);                                              \
   template ContactGeometry<Dim> locate(const Packing<Dim>&, const Contact<Dim>&);                       \
   template void place(const ContactGeometry<Dim>&, Contact<Dim>&);                                      \
   template void set_arms(Packing<Dim>&);

@@ -50,8 +50,9 @@ struct ContactDynamicsProgress {
 /// velocity is below 6e-3 d/T and the strain rate of the cell or box is below 3 % of its cap, with the largest diameter
 /// d and the time unit T = sqrt(m/(P d^(Dim-2))).
 /// 2. All velocities are set to zero before each step, until the net forces are small. The contacts of frictionless
-/// grains with corners are solved all at once in each step (rigid/implicit_step.h), and so are the contacts of other
-/// packings that sweeps have not brought to rest.
+/// polygons are solved all at once in each step (rigid/implicit_step.h), and so are the contacts of other packings that
+/// sweeps have not brought to rest. Frictionless polyhedra make no steps in this phase: they are moved to a minimum of
+/// the volume (rigid/least_volume.h).
 /// 3. Without motion of the grains, forces are sought that satisfy Coulomb's conditions and balance all grains and the
 /// imposed stress (rigid/static_forces.h). If there are no such forces, some grain still moves, and phase 2 continues.
 ///
@@ -83,8 +84,10 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
   std::string progress() const override;
 
  private:
+  /// number of time steps in one call of advance()
+  static constexpr int kSteps = 20;
+
   bool solves_at_once() const;
-  bool has_plates() const;
   bool is_elastic() const { return !packing_.law.is_rigid(); }
   void begin_strain();
   ImposedStrain<Dim> imposed_strain() const;
@@ -105,7 +108,10 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
   bool find_balanced_forces();
   bool stays_in_place(const Packing<Dim>& rested) const;
   void set_balanced_forces(Packing<Dim>& packing) const;
+  void start_resting();
   RelaxationStatus rest();
+  RelaxationStatus rest_in_steps();
+  RelaxationStatus rest_at_least_volume();
   RelaxationStatus rest_on_springs();
   bool springs_balance();
   void start_moving();

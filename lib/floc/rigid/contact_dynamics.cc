@@ -14,7 +14,6 @@
 #include "floc/packing/wall_forces.h"
 #include "floc/rigid/elastic_contacts.h"
 #include "floc/rigid/implicit_step.h"
-#include "floc/rigid/separating_plates.h"
 
 namespace floc {
 namespace {
@@ -302,29 +301,11 @@ std::vector<PairMatrix<Dim>> ContactDynamics<Dim>::stiffnesses(const Trial& tria
   return out;
 }
 
-/// Solves a step of frictionless polyhedra with separating plates.
-/// @return whether the step was solved; otherwise `trial` is unchanged
-template <>
-bool ContactDynamics<3>::solve_with_plates(double dt, const Method& method, Trial& trial) const {
-  std::vector<double> gaps;
-  for (const int at : trial.source) gaps.push_back(packing_.contacts[static_cast<std::size_t>(at)].gap);
-  SeparatingPlates plates(packing_, trial.motion, trial.contacts, gaps, reach(),
-                          {.closing = 1.0 / dt, .opening = method.removed / removal_time(dt)});
-  trial.sweeps.converged = plates.solve(dt, trial.motion, trial.contacts);
-  return trial.sweeps.converged;
-}
-/// Polygons need no plates, because two sides that face each other have at most two contact points.
-template <>
-bool ContactDynamics<2>::solve_with_plates(double, const Method&, Trial&) const {
-  return false;
-}
-
 template <int Dim>
 auto ContactDynamics<Dim>::solve(double dt, const Method& method) const -> Trial {
   Trial trial;
   trial.motion = free_motion(dt, method.at_rest);
   trial.contacts = step_contacts(dt, method.at_once ? method.removed : kStabilisation, trial.source);
-  if (method.at_once && settings_.plates && solve_with_plates(dt, method, trial)) return trial;
   if (method.at_once && solve_at_once(trial.motion, trial.contacts, stiffnesses(trial, dt))) {
     trial.sweeps.converged = true;
     return trial;

@@ -122,7 +122,6 @@ class ContactDynamics {
   std::vector<StepContact<Dim>> step_contacts(double dt, double removed, std::vector<int>& source) const;
   std::vector<PairMatrix<Dim>> stiffnesses(const Trial& trial, double dt) const;
   double removal_time(double dt) const;
-  bool solve_with_plates(double dt, const Method& method, Trial& trial) const;
   Trial solve(double dt, const Method& method) const;
   double largest_share_moved(const Trial& trial, double dt, const Method& method) const;
   Packing<Dim> moved(const Trial& trial, double dt) const;

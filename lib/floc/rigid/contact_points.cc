@@ -125,8 +125,16 @@ void carry_forces(const Packing<Dim>& packing, const std::vector<Contact<Dim>>& 
   }
 }
 
+template <int Dim>
+double default_gap_tolerance(const Packing<Dim>& packing) {
+  if (packing.grains.are_round()) return 1e-4;
+  return are_smooth_polyhedra(packing) ? 1e-6 : 1e-3;
+}
+
 template class ContactPoints<2>;
 template class ContactPoints<3>;
+template double default_gap_tolerance(const Packing<2>&);
+template double default_gap_tolerance(const Packing<3>&);
 template void carry_forces(const Packing<2>&, const std::vector<Contact<2>>&, std::vector<Contact<2>>&);
 template void carry_forces(const Packing<3>&, const std::vector<Contact<3>>&, std::vector<Contact<3>>&);
 

@@ -34,6 +34,11 @@ class ContactPoints {
   std::vector<KnownPair> known_;  ///< pairs of the last search, in the order in which they were found
 };
 
+/// Returns the default value of ContactDynamicsOptions::gap_tolerance: 1e-4 for round grains, 1e-6 for polyhedra without
+/// friction, whose equilibria are found exactly, and 1e-3 for other grains with corners.
+template <int Dim>
+double default_gap_tolerance(const Packing<Dim>& packing);
+
 /// Gives contact points the forces of earlier contact points. A point gets the forces of the earlier point with the
 /// same key. Each remaining point of a pair of shapes gets the forces of the nearest earlier point of the pair that is
 /// not used yet (matched_points()). Tangential forces are projected onto the new tangent planes.

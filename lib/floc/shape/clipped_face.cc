@@ -27,13 +27,21 @@ struct Polygon {
   }
 };
 
+/// Returns the face whose normal is closest to -n, among the faces that meet at a vertex and have most vertices at most
+/// `level` above this vertex along n. The lengths are in the unit of the shape.
 template <int Dim>
-int most_antiparallel_face(const Shape<Dim>& incident, int vertex, const Vec<Dim>& n) {
+int most_antiparallel_face(const Shape<Dim>& incident, int vertex, const Vec<Dim>& n, double level) {
   int best = -1;
   double least = 2.0;
+  std::ptrdiff_t most = 0;
+  const double top = n.dot(incident.vertices[vertex]) + level;
   for (const int f : incident.faces_at(vertex)) {
     const double cosine = incident.normals[f].dot(n);
-    if (cosine < least) least = cosine, best = f;
+    const std::ptrdiff_t n_low =
+        level > 0.0
+            ? std::ranges::count_if(incident.loop(f), [&](int v) { return n.dot(incident.vertices[v]) <= top; })
+            : 0;
+    if (n_low > most || (n_low == most && cosine < least)) most = n_low, least = cosine, best = f;
   }
   return best;
 }
@@ -140,7 +148,7 @@ void select(const Polygon<2>& polygon, const Vec<2>&, double, int, ClippedFace<2
 template <int Dim>
 ClippedFace<Dim> clipped_face(const Shape<Dim>& reference, int face, const Shape<Dim>& incident,
                               const RelativePlace<Dim>& place, int lowest, double reach, double tolerance,
-                              int most_points) {
+                              int most_points, double level) {
   ClippedFace<Dim> kept;
   const Vec<Dim>& n = reference.normals[face];
   Polygon<Dim> one, two;
@@ -150,7 +158,8 @@ ClippedFace<Dim> clipped_face(const Shape<Dim>& reference, int face, const Shape
   } else if (incident.n_faces() == 0) {
     for (int v = 0; v < incident.n_vertices(); ++v) from->add(place.point(incident.vertices[v]), v);
   } else {
-    kept.incident_face = most_antiparallel_face<Dim>(incident, lowest, place.rotation.transpose() * n);
+    kept.incident_face =
+        most_antiparallel_face<Dim>(incident, lowest, place.rotation.transpose() * n, level / place.scale);
     int side = 0;
     for (const int v : incident.loop(kept.incident_face)) from->add(place.point(incident.vertices[v]), side++);
   }
@@ -173,8 +182,8 @@ ClippedFace<Dim> clipped_face(const Shape<Dim>& reference, int face, const Shape
 }
 
 template ClippedFace<2> clipped_face(const Shape<2>&, int, const Shape<2>&, const RelativePlace<2>&, int,
-                                     double, double, int);
+                                     double, double, int, double);
 template ClippedFace<3> clipped_face(const Shape<3>&, int, const Shape<3>&, const RelativePlace<3>&, int,
-                                     double, double, int);
+                                     double, double, int, double);
 
 }  // namespace floc

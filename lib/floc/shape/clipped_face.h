@@ -30,7 +30,8 @@ struct ClippedFace {
 /// 3D, returns all of them if there are at most `most_points`, otherwise four.
 ///
 /// Among the faces that meet at the vertex `lowest`, the incident face is the face whose normal is closest to the
-/// opposite of the normal of the reference face. (A face without this vertex may have a normal that is even closer.) If
+/// opposite of the normal of the reference face. (A face without this vertex may have a normal that is even closer.)
+/// With a positive `level`, only the faces with most vertices at most `level` above the lowest vertex are considered. If
 /// `incident` is a point or a segment without faces, the point or the segment is clipped.
 ///
 /// @param place  transformation from the coordinates of `incident` to the coordinates of `reference`
@@ -39,9 +40,10 @@ struct ClippedFace {
 /// @param tolerance  distance below which points are merged and heights count as equal (length)
 /// @param most_points  largest number of corners of which all are returned, at most Manifold::kMostPoints; not used in
 /// 2D, where there are at most two corners
+/// @param level  difference of heights up to which vertices count as equally high (length)
 template <int Dim>
 ClippedFace<Dim> clipped_face(const Shape<Dim>& reference, int face, const Shape<Dim>& incident,
                               const RelativePlace<Dim>& place, int lowest, double reach, double tolerance,
-                              int most_points);
+                              int most_points, double level = 0.0);
 
 }  // namespace floc

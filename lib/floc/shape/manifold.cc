@@ -19,6 +19,10 @@ constexpr double kAlongFace = 0.5e-3 * 1e-3;
 /// most this tolerance. The two gaps differ if the point with the smallest gap lies just outside the boundary of the
 /// face.
 constexpr double kBesideFace = 1e-6;
+/// Margins of the choice of the separating axis (AxisMargins), in units of the smaller inner radius. The first two keep
+/// the features that meet from alternating between steps. The third, for ManifoldOptions::exact, exceeds rounding
+/// errors.
+constexpr double kFaceMargin = 1e-6, kEdgeMargin = 1e-4, kExactMargin = 1e-7;
 /// Two capsules count as parallel if the sine of the angle between their axes is below this number.
 constexpr double kSideBySide = 1e-3;
 /// Value of the field for the corner in ManifoldPoint::key if the contact point lies between the closest points of two
@@ -34,7 +38,8 @@ std::uint32_t key_of(bool of_second, int reference, int incident, std::uint32_t 
 template <int Dim>
 class PairSearch {
  public:
-  PairSearch(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, double reach, int most_points)
+  PairSearch(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, double reach,
+             const ManifoldOptions& options)
       : first_(first),
         second_(second),
         a_(*first.shape),
@@ -42,7 +47,7 @@ class PairSearch {
         place_(first, second),
         roundings_(first.rounding() + second.rounding()),
         reach_(reach),
-        most_points_(most_points),
+        options_(options),
         size_(std::min(first.inner_radius(), second.inner_radius()) / first.scale) {}
 
   Manifold<Dim> run(AxisFeatures& last) {
@@ -51,7 +56,7 @@ class PairSearch {
     SeparatingAxis<Dim> axis;
     const double limit = (reach_ + roundings_) / first_.scale;
     if (!is_faceless) {
-      axis = separating_axis<Dim>(a_, b_, place_, {1e-6 * size_, 1e-4 * size_}, limit, last);
+      axis = separating_axis<Dim>(a_, b_, place_, margins(), limit, last);
       if (axis.separation > limit) return {};
     }
     // The candidates for the separating axis are complete only if the core of each shape (the shape without rounding)
@@ -69,7 +74,8 @@ class PairSearch {
     // face, but the difference is less than the margin for edges. The search is therefore repeated without this margin.
     if (a_.n_edges() > 0 && b_.n_edges() > 0) {
       AxisFeatures none;
-      const SeparatingAxis<Dim> exact = separating_axis<Dim>(a_, b_, place_, {1e-6 * size_, 0.0}, limit, none);
+      const SeparatingAxis<Dim> exact =
+          separating_axis<Dim>(a_, b_, place_, {margins().faces, 0.0}, limit, none);
       if (exact.features.kind == AxisKind::kEdgePair) {
         last = none;
         return of_edge_pair(exact);
@@ -80,6 +86,11 @@ class PairSearch {
   }
 
  private:
+  AxisMargins margins() const {
+    if (options_.exact) return {kExactMargin * size_, kExactMargin * size_};
+    return {kFaceMargin * size_, kEdgeMargin * size_};
+  }
+
   double world(double own) const { return first_.scale * own; }
 
   /// Returns whether the lowest vertex of the other shape above the plane of a face lies lower than all contact points
@@ -168,9 +179,10 @@ class PairSearch {
     const Shape<Dim>&reference = of_second ? b_ : a_, &incident = of_second ? a_ : b_;
     const double scale = of_second ? second_.scale : first_.scale;
     const RelativePlace<Dim> place = of_second ? place_.inverse() : place_;
-    const ClippedFace<Dim> clipped =
-        clipped_face<Dim>(reference, best.face, incident, place, best.vertex, (reach_ + roundings_) / scale,
-                          1e-9 * size_ * first_.scale / scale, most_points_);
+    const ClippedFace<Dim> clipped = clipped_face<Dim>(
+        reference, best.face, incident, place, best.vertex, (reach_ + roundings_) / scale,
+        1e-9 * size_ * first_.scale / scale, options_.exact ? Manifold<Dim>::kMostPoints : options_.most_points,
+        options_.exact ? kExactMargin * size_ * first_.scale / scale : 0.0);
     const Vec<Dim> outward = reference.normals[best.face];
     const Vec<Dim> n = of_second ? Vec<Dim>(-place_.direction(outward)) : outward;
     found.normal = first_.rotation * n;
@@ -292,7 +304,7 @@ class PairSearch {
   /// sum of the radii of rounding of both shapes, each multiplied by the scale of its grain (length)
   double roundings_;
   double reach_;
-  int most_points_;
+  ManifoldOptions options_;
   double size_;  ///< smaller inner radius of the two shapes, in the unit of length of the first shape
 };
 
@@ -336,14 +348,16 @@ double Manifold<Dim>::least_gap() const {
 
 template <int Dim>
 Manifold<Dim> contact_manifold(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, double reach,
-                               AxisFeatures* last, int most_points) {
+                               AxisFeatures* last, const ManifoldOptions& options) {
   AxisFeatures none;
-  return PairSearch<Dim>(first, second, reach, most_points).run(last != nullptr ? *last : none);
+  return PairSearch<Dim>(first, second, reach, options).run(last != nullptr ? *last : none);
 }
 
 template struct Manifold<2>;
 template struct Manifold<3>;
-template Manifold<2> contact_manifold(const PlacedShape<2>&, const PlacedShape<2>&, double, AxisFeatures*, int);
-template Manifold<3> contact_manifold(const PlacedShape<3>&, const PlacedShape<3>&, double, AxisFeatures*, int);
+template Manifold<2> contact_manifold(const PlacedShape<2>&, const PlacedShape<2>&, double, AxisFeatures*,
+                                      const ManifoldOptions&);
+template Manifold<3> contact_manifold(const PlacedShape<3>&, const PlacedShape<3>&, double, AxisFeatures*,
+                                      const ManifoldOptions&);
 
 }  // namespace floc

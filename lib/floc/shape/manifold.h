@@ -56,6 +56,17 @@ struct Manifold {
   const ManifoldPoint<Dim>* nearest(const Vec<Dim>& arm) const;
 };
 
+/// Options of contact_manifold().
+struct ManifoldOptions {
+  /// Largest number of corners of which all are kept. Rigid shapes need no more than Manifold::kRigidPoints. Elastic
+  /// shapes need Manifold::kMostPoints, because each overlapping corner is a spring.
+  int most_points = 4;
+  /// Whether the normal has to be accurate to about 1e-7 instead of 1e-4 radians, and all corners in contact are needed, as for
+  /// grains in equilibrium without friction: an error of a normal unbalances them. The features that meet then depend
+  /// on differences of gaps of 1e-7 of the smaller inner radius.
+  bool exact = false;
+};
+
 /// Computes the contact of two shapes: the points with a gap smaller than `reach`.
 ///
 /// There are four cases:
@@ -74,17 +85,15 @@ struct Manifold {
 ///
 /// If the shapes are apart, the smallest gap is their distance. If they overlap, the smallest gap is minus the length
 /// of the smallest translation that separates them. Both values are accurate up to the margins of separating_axis():
-/// 1e-4 of the smaller inner radius for edges, 1e-6 for faces. If the two shapes are exchanged, the normal is reversed;
+/// 1e-4 of the smaller inner radius for edges and 1e-6 for faces, or 1e-7 with ManifoldOptions::exact. If the two shapes are exchanged, the normal is reversed;
 /// gaps and points do not change, up to the margins.
 ///
 /// @param reach  largest gap of a contact point (length), >= 0
 /// @param last  features of the separating axis in the previous step, with which the search begins; the function
 /// replaces them by the features found now. With the features of the previous step, most pairs that do not touch need
 /// only one search for a lowest vertex.
-/// @param most_points  largest number of corners of which all are kept: Manifold::kRigidPoints for rigid shapes,
-/// Manifold::kMostPoints for elastic shapes, because each overlapping corner is a spring
 template <int Dim>
 Manifold<Dim> contact_manifold(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, double reach,
-                               AxisFeatures* last = nullptr, int most_points = Manifold<Dim>::kRigidPoints);
+                               AxisFeatures* last = nullptr, const ManifoldOptions& options = {});
 
 }  // namespace floc

@@ -213,11 +213,6 @@ std::string fastest_grain(const Grains<Dim>& grains) {
 }  // namespace
 
 template <int Dim>
-double default_gap_tolerance(const Packing<Dim>& packing) {
-  return packing.grains.are_round() ? 1e-4 : 1e-3;
-}
-
-template <int Dim>
 std::vector<Criterion> verify_motion(const State<Dim>& state) {
   ContactDynamics<Dim> step = step_from(state);
   Packing<Dim> recomputed = state.packing;
@@ -263,7 +258,6 @@ std::vector<Criterion> verify_rigid(const State<Dim>& state, double gap_toleranc
 }
 
 #define FLOC_INSTANTIATE(Dim)                                       \
-  template double default_gap_tolerance(const Packing<Dim>&);       \
   template std::vector<Criterion> verify_motion(const State<Dim>&); \
   template std::vector<Criterion> verify_rigid(const State<Dim>&, double);
 FLOC_INSTANTIATE(2)

@@ -7,12 +7,6 @@
 
 namespace floc {
 
-/// Returns the default of the largest gap or overlap that a contact with a force may have, divided by the diameter of
-/// the smaller grain. The default is used if the scene sets no limit: 1e-4 for disks and spheres, 1e-3 for grains with
-/// corners.
-template <int Dim>
-double default_gap_tolerance(const Packing<Dim>& packing);
-
 /// Tests a state of rigid grains in motion (State::motion): whether the recorded forces are the forces of the time
 /// step that begins at this state. The criteria that differ from the criteria of verify_rigid() are
 ///   geometry     as in verify_rigid(), but for the contact points within reach of the step

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "floc/base/error.h"
+#include "floc/rigid/contact_points.h"
 #include "floc/verification/boundary_verification.h"
 #include "floc/verification/scene_check.h"
 #include "floc/verification/verify_rigid.h"

@@ -30,8 +30,8 @@ TEST(ContactDynamicsRelaxer, FrictionlessPentagonsAreIsostatic) {
   expect_isostatic<2>(ShapeOptions{.kind = PolygonOptions{5}}, 3, 40);
 }
 
-TEST(ContactDynamicsRelaxer, FrictionlessPolyhedraAreIsostatic) {
-  expect_isostatic<3>(ShapeOptions{.kind = CutOptions{}}, 6, 8);
+TEST(ContactDynamicsRelaxer, FrictionlessPolyhedraAreNearlyIsostatic) {
+  for (const std::uint64_t seed : {1u, 2u, 3u}) expect_nearly_isostatic(20, seed, 0.94);
 }
 
 TEST(ContactDynamicsRelaxer, FrictionlessSpheresAreIsostatic) {

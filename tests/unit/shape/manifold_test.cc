@@ -56,15 +56,49 @@ TEST(Manifold, OfElasticShapesHasAllCornersOfTheOctagon) {
   const Mat<3> tilt = turn_about(Vec<3>::UnitX(), 1e-2) * turn_about(Vec<3>::UnitZ(), 45.0);
   const auto above = placed<3>(cube, {0, 0, 0.99995}, tilt);
   const auto overlapping = [&](double reach) {
-    const Manifold<3> contact = contact_manifold<3>(below, above, reach, nullptr, Manifold<3>::kMostPoints);
+    const Manifold<3> contact =
+        contact_manifold<3>(below, above, reach, nullptr, {.most_points = Manifold<3>::kMostPoints});
     std::set<std::uint32_t> keys;
     for (int k = 0; k < contact.n; ++k)
       if (contact.points[k].gap < 0.0) keys.insert(contact.points[k].key);
     return keys;
   };
-  EXPECT_EQ(contact_manifold<3>(below, above, 0.01, nullptr, Manifold<3>::kMostPoints).n, 8);
+  EXPECT_EQ(contact_manifold<3>(below, above, 0.01, nullptr, {.most_points = Manifold<3>::kMostPoints}).n, 8);
   EXPECT_EQ(overlapping(0.01), overlapping(0.0));
   EXPECT_GE(overlapping(0.0).size(), 4u);
+}
+
+/// The lowest edge of a chisel lies on a face. A facet at one end of the edge is closer to the face than the two sides of
+/// the chisel, but has only one vertex on the face.
+TEST(Manifold, OfExactShapesHasBothEndsOfAnEdgeOnAFace) {
+  const double rise = 3.0 * std::tan(10.0 / 180.0 * std::numbers::pi);
+  const Shape<3> chisel = shape_of<3>({{-1, 0, 0},
+                                       {1, 0, 0},
+                                       {-1, 0.5, 1},
+                                       {-1, -0.5, 1},
+                                       {4, 0.5, 1},
+                                       {4, -0.5, 1},
+                                       {4, 0.5 * rise, rise},
+                                       {4, -0.5 * rise, rise}});
+  const Shape<3> cube = shape_of<3>(box_points(20, 20, 1));
+  const auto below = placed<3>(cube, Vec<3>::Zero(), kNoTurn);
+  const auto above = placed<3>(chisel, {0, 0, 0.5 + 1e-9}, kNoTurn);
+  const Manifold<3> exact = contact_manifold<3>(below, above, 1e-3, nullptr, {.exact = true});
+  EXPECT_EQ(exact.n, 2);
+  EXPECT_EQ(exact.type, ContactType::kDouble);
+}
+
+/// Two edges cross where a face is almost as near.
+TEST(Manifold, OfExactShapesHasTheNormalOfCrossedEdges) {
+  const Shape<3> cube = shape_of<3>(box_points(1, 1, 1));
+  const auto below = placed<3>(cube, Vec<3>::Zero(), kNoTurn);
+  // The upper cube stands on an edge, which is tilted by 2e-6 and crosses an edge of the lower cube.
+  const Mat<3> tilt =
+      turn_about(Vec<3>::UnitX(), -2e-6 * 180.0 / std::numbers::pi) * turn_about(Vec<3>::UnitY(), 45.0);
+  const auto above = placed<3>(cube, {0, 0.9, 0.5 + std::numbers::sqrt2 / 2.0}, tilt);
+  const Manifold<3> exact = contact_manifold<3>(below, above, 1e-3, nullptr, {.exact = true});
+  EXPECT_EQ(exact.type, ContactType::kEdgeEdge);
+  EXPECT_NEAR(std::abs(exact.normal[1]), 2e-6, 1e-8);
 }
 
 TEST(Manifold, OfCrossedEdgesIsOnePoint) {

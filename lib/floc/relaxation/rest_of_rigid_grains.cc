@@ -1,0 +1,267 @@
+// Member functions of class ContactDynamicsRelaxer for rigid grains that come to rest.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "floc/base/error.h"
+#include "floc/packing/balance.h"
+#include "floc/packing/grain_sizes.h"
+#include "floc/packing/law/contact_forces.h"
+#include "floc/packing/locate.h"
+#include "floc/packing/wall_forces.h"
+#include "floc/packing/wrap.h"
+#include "floc/relaxation/contact_dynamics_relaxer.h"
+#include "floc/rigid/contact_points.h"
+#include "floc/rigid/least_volume.h"
+#include "floc/rigid/static_forces.h"
+
+namespace floc {
+namespace {
+
+/// Longest and shortest time step of the phase `resting`, in units of T.
+constexpr double kLongestRest = 0.5;
+constexpr double kShortestRest = 1e-3;
+/// Largest number of sweeps in a time step of the phase `resting`: at the beginning of the phase (kRestingSweeps), and
+/// after all increases (kMostRestingSweeps).
+constexpr int kRestingSweeps = 300;
+constexpr int kMostRestingSweeps = 9600;
+/// Largest gap, divided by the diameter of the smaller grain, at which a contact may have a force if contacts are
+/// solved all at once.
+constexpr double kGapAtOnce = 1e-6;
+/// The forces count as nearly balanced if the largest net force on a grain, divided by the mean repulsive force, is
+/// below this number: for round grains, and for grains with corners.
+constexpr double kNearBalanceRound = 1e-3;
+constexpr double kNearBalanceAngular = 3e-2;
+/// Number of steps of the phase `resting` between two searches for balanced forces. If the net forces are large, the
+/// next search begins only after twice this number of steps.
+constexpr int kStepsBetweenTrials = 50;
+/// Number of steps of the phase `resting` after which the relaxation is given up.
+constexpr int kMostRestingSteps = 3000;
+/// Number of steps of the test whether a packing with balanced forces is stable: in these steps the packing moves
+/// freely.
+constexpr int kFreeSteps = 50;
+/// Largest displacement of a grain in the test of stability (kFreeSteps), divided by the product of the diameter of the
+/// grain and the gap tolerance.
+constexpr double kStaysWithin = 10.0;
+/// A contact counts as force-free if its force, divided by the mean repulsive force, is at most this number.
+constexpr double kCarries = 1e-9;
+/// A contact counts as sliding if the difference between its tangential force and the Coulomb limit, divided by the
+/// limit, is at most this number.
+constexpr double kAtLimit = 1e-9;
+
+template <int Dim>
+void stop(Packing<Dim>& packing) {
+  stop_grains(packing);
+  for (Wall<Dim>& wall : packing.walls) wall.velocity = 0.0;
+}
+
+/// Subtracts the adhesion of the contact law from the normal forces of all contacts, and removes contacts that have a
+/// gap and have not adhered, since they carry no force.
+template <int Dim>
+void hold_adhesion(Packing<Dim>& packing) {
+  std::erase_if(packing.contacts, [&](const Contact<Dim>& c) {
+    return packing.law_of(c).pull_off_force() > 0.0 && c.gap > 0.0 && c.elastic_force == 0.0;
+  });
+  for (Contact<Dim>& c : packing.contacts)
+    c.normal_force = c.elastic_force - packing.law_of(c).pull_off_force();
+}
+
+}  // namespace
+
+template <int Dim>
+void ContactDynamicsRelaxer<Dim>::start_resting() {
+  progress_.phase = ContactDynamicsProgress::resting;
+  progress_.rest_length = kLongestRest;
+  progress_.rest_sweeps = kRestingSweeps;
+  progress_.time_step = 0.0;
+}
+
+template <int Dim>
+double ContactDynamicsRelaxer<Dim>::gap_tolerance() const {
+  return options_.contact_dynamics.gap_tolerance.value_or(default_gap_tolerance(packing_));
+}
+
+template <int Dim>
+RelaxationStatus ContactDynamicsRelaxer<Dim>::rest() {
+  if (are_smooth_polyhedra(packing_)) return rest_at_least_volume();
+  return rest_in_steps();
+}
+
+/// Makes steps of the phase `resting`, then seeks balanced forces if the net forces are small or if the last search was
+/// many steps ago.
+template <int Dim>
+RelaxationStatus ContactDynamicsRelaxer<Dim>::rest_in_steps() {
+  make_steps(kSteps);
+  progress_.resting_steps += kSteps;
+  const bool tries =
+      progress_.resting_steps >= progress_.next_trial &&
+      (forces_are_nearly_balanced() || progress_.resting_steps >= progress_.next_trial + kStepsBetweenTrials);
+  if (tries) {
+    if (find_balanced_forces()) return RelaxationStatus::converged;
+    progress_.next_trial = progress_.resting_steps + kStepsBetweenTrials;
+  }
+  return progress_.resting_steps >= kMostRestingSteps ? RelaxationStatus::gave_up : RelaxationStatus::running;
+}
+
+/// Moves polyhedra without friction to a minimum of P V, where their forces balance. After a failure, the grains move
+/// under the load again before the next search.
+template <int Dim>
+RelaxationStatus ContactDynamicsRelaxer<Dim>::rest_at_least_volume() {
+  if constexpr (Dim == 3) {
+    Packing<3> least = packing_;
+    const LeastVolume found = minimise_volume(least, boundary_load(), gap_tolerance());
+    progress_.n_steps += found.n_steps;
+    progress_.resting_steps += found.n_steps;
+    packing_ = std::move(least);
+    wrap_into_cell(packing_);
+    measure();
+    progress_.obstacle = found.failure;
+    if (found.failure.empty() && find_balanced_forces()) return RelaxationStatus::converged;
+    start_moving();
+  }
+  return progress_.resting_steps >= kMostRestingSteps ? RelaxationStatus::gave_up : RelaxationStatus::running;
+}
+
+template <int Dim>
+bool ContactDynamicsRelaxer<Dim>::forces_are_nearly_balanced() const {
+  double largest = 0.0;
+  for (const Vec<Dim>& force : net_forces(packing_).force) largest = std::max(largest, force.norm());
+  return largest < near_balance() * mean_repulsive_force(packing_);
+}
+
+template <int Dim>
+double ContactDynamicsRelaxer<Dim>::near_balance() const {
+  return packing_.grains.are_round() ? kNearBalanceRound : kNearBalanceAngular;
+}
+
+/// Returns the largest gap or overlap of the contacts, divided by the diameter of the smaller grain. A gap counts only
+/// if the contact carries a force that exceeds the errors of the balance.
+template <int Dim>
+double ContactDynamicsRelaxer<Dim>::largest_gap() const {
+  const double least = near_balance() * mean_repulsive_force(packing_);
+  double largest = 0.0;
+  for (const Contact<Dim>& c : packing_.contacts)
+    largest = std::max(
+        largest, (c.elastic_force > least ? std::abs(c.gap) : -c.gap) / (2.0 * smaller_radius(packing_, c)));
+  return largest;
+}
+
+/// Replaces the forces of the last step by forces that balance all grains exactly. Returns false if there are no such
+/// forces.
+template <int Dim>
+bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
+  const double tolerance = gap_tolerance();
+  const double reached_gap = solves_at_once() ? std::min(tolerance, kGapAtOnce) : tolerance;
+  if (const double gap = largest_gap(); gap > reached_gap) {
+    progress_.obstacle = fmt::format(
+        "the largest gap of a contact with a force, or the largest overlap, is {:.2g} times the diameter of "
+        "the smaller grain, but the tolerance is {:.2g}",
+        gap, reached_gap);
+    // Errors of the impulses displace grains in proportion to the square of the time step, so the longest step is
+    // halved.
+    if (!solves_at_once()) progress_.rest_length = std::max(0.5 * progress_.rest_length, kShortestRest);
+    return false;
+  }
+  Packing<Dim> rested = packing_;
+  stop(rested);
+  rested.contacts = ContactPoints<Dim>().find_touching(rested, tolerance);
+  carry_forces(rested, packing_.contacts, rested.contacts);
+  hold_adhesion(rested);
+  try {
+    if (options_.contact_dynamics.forces != RigidForces::stepped) set_balanced_forces(rested);
+  } catch (const NoResult& reason) {
+    progress_.obstacle = reason.what();
+    // A grain still moves, so the longest step is doubled. The number of sweeps is doubled, too: without friction, many
+    // sweeps are needed to resolve a slow motion.
+    progress_.rest_length = std::min(2.0 * progress_.rest_length, kLongestRest);
+    progress_.rest_sweeps = std::min(2 * progress_.rest_sweeps, kMostRestingSweeps);
+    return false;
+  }
+  const Mat<Dim> stress = static_stress(rested);
+  const Residuals reached = residuals(rested, load_.stress_with(stress), stress);
+  if (!reached.within(options_.tolerance)) {
+    progress_.obstacle = worst_residual(reached, options_.tolerance, rested.grains.id);
+    return false;
+  }
+  // Polyhedra without friction are at a minimum of P V, which is stable.
+  if (!are_smooth_polyhedra(rested) && !stays_in_place(rested)) {
+    progress_.obstacle =
+        "the equilibrium is unstable: grains leave their places when the packing is free to move";
+    start_moving();
+    return false;
+  }
+  packing_ = std::move(rested);
+  stress_ = stress;
+  target_ = load_.stress_with(stress);
+  residuals_ = reached;
+  const std::string names[] = {"closest", "canonical", "stepped"};
+  ending_ = names[static_cast<int>(options_.contact_dynamics.forces)];
+  return true;
+}
+
+/// Returns whether the grains with contacts stay in place when the packing is free to move for some steps. The test
+/// finds packings whose forces are balanced, but whose equilibrium is unstable.
+template <int Dim>
+bool ContactDynamicsRelaxer<Dim>::stays_in_place(const Packing<Dim>& rested) const {
+  std::vector<bool> carries(rested.grains.size(), false);
+  for (const Contact<Dim>& c : rested.contacts) {
+    carries[c.i] = true;
+    if (!rested.is_wall(c.j)) carries[c.j] = true;
+  }
+  ContactDynamicsSettings chosen = settings();
+  chosen.longest_step = options_.contact_dynamics.time_step * time_unit_;
+  if (is_elastic()) chosen.at_once = false;
+  ContactDynamics<Dim> motion(rested, boundary_load(), chosen, chosen.longest_step);
+  for (int k = 0; k < kFreeSteps; ++k) motion.step(false);
+  // A drift of the walls together with all grains between them is allowed.
+  const Packing<Dim> before = with_walls_at_cell(rested), now = with_walls_at_cell(motion.packing());
+  const double allowed = kStaysWithin * gap_tolerance();
+  for (int i = 0; i < rested.grains.size(); ++i) {
+    const Vec<Dim> carried_along = now.cell.matrix.transpose() * before.cell.reduced(before.grains.position[i]);
+    const double moved = (now.grains.position[i] - carried_along).norm();
+    if (carries[i] && moved > allowed * 2.0 * rested.grains.radius[i]) return false;
+  }
+  return true;
+}
+
+/// Replaces the forces of a packing at rest by forces that balance all grains and the load, and removes contacts that
+/// then carry no force.
+/// @throws NoResult if no forces balance the grains and the load
+template <int Dim>
+void ContactDynamicsRelaxer<Dim>::set_balanced_forces(Packing<Dim>& packing) const {
+  ForceBalanceOptions<Dim> options;
+  if (packing.walls.empty()) {
+    options.axis_stress = imposed_;
+    for (int a = 0; a < Dim; ++a) options.open_axis[a] = load_.strained(a);
+  } else {
+    std::vector<double> load;
+    for (const Wall<Dim>& wall : packing.walls)
+      load.push_back(imposed_[wall.axis] * wall_area(packing, wall.axis));
+    options.wall_force = forces_on_moving_walls(packing, load);
+  }
+  StaticForces<Dim> forces("the packing", packing, options);
+  const bool closest = options_.contact_dynamics.forces == RigidForces::closest;
+  const BalancedForces<Dim> found = closest ? forces.closest() : forces.canonical();
+  for (std::size_t k = 0; k < packing.contacts.size(); ++k) {
+    Contact<Dim>& c = packing.contacts[k];
+    const double adhesion = std::max(0.0, c.elastic_force - c.normal_force);
+    c.normal_force = found.normal_force[k];
+    c.elastic_force = c.normal_force + adhesion;
+    c.shear_force = found.shear_force[k];
+    c.sliding = mobilised(packing.law_of(c), c, kAtLimit).sliding;
+  }
+  const double least = kCarries * mean_repulsive_force(packing);
+  std::erase_if(packing.contacts, [&](const Contact<Dim>& c) { return !(c.elastic_force > least); });
+}
+
+#define FLOC_INSTANTIATE(Dim)                                         \
+  template void ContactDynamicsRelaxer<Dim>::start_resting();         \
+  template double ContactDynamicsRelaxer<Dim>::gap_tolerance() const; \
+  template RelaxationStatus ContactDynamicsRelaxer<Dim>::rest();
+FLOC_INSTANTIATE(2)
+FLOC_INSTANTIATE(3)
+#undef FLOC_INSTANTIATE
+
+}  // namespace floc

@@ -1,0 +1,321 @@
+#include "floc/rigid/least_volume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "floc/base/interruption.h"
+#include "floc/packing/contact_order.h"
+#include "floc/packing/grain_sizes.h"
+#include "floc/packing/wall_forces.h"
+#include "floc/rigid/contact_points.h"
+#include "floc/rigid/plane_equations.h"
+#include "floc/rigid/separating_planes.h"
+
+namespace floc {
+namespace {
+
+constexpr int kMostSteps = 3000;
+/// Weight mu of the first and of the last minimum, in units of the pressure times the volume per grain, and the factor
+/// from one minimum to the next. A gap with the force f is about mu/f wide. The first gaps are wide enough for the
+/// grains to rearrange in tens of steps; with smaller gaps the first minimum takes hundreds.
+constexpr double kFirstWeight = 1e-3, kLastWeight = 1e-11, kNextWeight = 0.2;
+/// Decrement of a Newton step, in units of mu, at which mu is decreased, and at which the last minimum is reached.
+/// Decreasing mu earlier leaves steps of a thousandth of the Newton step at the smaller mu.
+constexpr double kNearMinimum = 0.5, kAtMinimum = 1e-4;
+/// Largest number of Newton steps for the last minimum.
+constexpr int kMostLastSteps = 30;
+/// Lengths in units of the largest diameter: largest displacement of a surface in a step, largest gap of pairs that get
+/// a plane, gap beyond which the curvature of gaps is left out (add_gaps()), and distance that a grain without contacts
+/// may move in a step.
+constexpr double kLongestMove = 0.03, kReach = 0.15, kFarGap = 0.01, kRattlerMove = 0.02;
+/// Smallest gap of the expanded packing, divided by the radius of the smaller grain.
+constexpr double kFirstGap = 2e-3;
+/// Share of a gap, or of a multiplier, that a step leaves at least.
+constexpr double kKeptShare = 0.01;
+/// Largest ratio of a multiplier to mu/gap, its value at the minimum, and of mu/gap to a multiplier.
+constexpr double kFarMultiplier = 1e4;
+/// Share of the predicted decrease of the objective that a step has to reach.
+constexpr double kArmijo = 1e-4;
+constexpr int kMostHalvings = 40;
+
+/// Expands a packing until no grains overlap. Returns false if that takes too many trials.
+bool expand(Packing<3>& packing, const PlaneUnknowns& unknowns) {
+  constexpr int kMostTrials = 20;
+  for (int trial = 0; trial < kMostTrials; ++trial) {
+    double least = 1.0;
+    for (const Contact<3>& c : ContactPoints<3>().find_touching(packing, kFirstGap))
+      least = std::min(least, c.gap / smaller_radius(packing, c));
+    if (least > kFirstGap) return true;
+    const double factor = 1.0 + std::max(0.003, -0.5 * least);
+    Vec<3> stretch = Vec<3>::Ones();
+    for (int a = 0; a < 3; ++a)
+      if (unknowns.stretch[a] >= 0) stretch[a] = factor;
+    for (const Wall<3>& w : packing.walls)
+      if (follows_forces(w)) stretch[w.axis] = factor;
+    for (Vec<3>& x : packing.grains.position) x = stretch.cwiseProduct(x);
+    for (Wall<3>& w : packing.walls) w.position *= stretch[w.axis];
+    packing.cell.matrix = packing.cell.matrix * stretch.asDiagonal();
+  }
+  return false;
+}
+
+/// Descent to the minimum of the objective: the work P V against the stresses on the cell and the walls, plus the
+/// potential of gravity, minus mu sum log g.
+class Descent {
+ public:
+  Descent(Packing<3>& packing, const BoundaryLoad<3>& load)
+      : packing_(packing),
+        load_(load),
+        unknowns_(packing, load),
+        vertices_(packing.grains),
+        equations_(unknowns_, packing.grains.size()),
+        size_(largest_diameter(packing.grains)) {
+    packing_.grains.position_low.clear();
+  }
+
+  LeastVolume run() {
+    LeastVolume out;
+    if (!expand(packing_, unknowns_)) {
+      out.failure = "the overlaps of the grains could not be removed";
+      return out;
+    }
+    vertices_ = GrainVertices(packing_.grains);
+    const double unit = mean_stress() * packing_.cell.volume() / packing_.grains.size();
+    mu_ = kFirstWeight * unit;
+    find_planes();
+    int last_steps = 0;
+    while (out.n_steps < kMostSteps && last_steps < kMostLastSteps) {
+      check_interruption();
+      const std::optional<PlaneStep> step = newton_step();
+      if (!step || !take(*step)) {
+        out.failure = "no step decreases the volume, although the packing is not at a minimum";
+        return out;
+      }
+      ++out.n_steps;
+      const bool is_last = mu_ <= kLastWeight * unit;
+      last_steps += is_last;
+      if (is_last && step->is_convex && step->decrement < kAtMinimum * mu_) return out;
+      if (!is_last && step->decrement < kNearMinimum * mu_) mu_ *= kNextWeight;
+    }
+    out.failure = "no minimum was found in " + std::to_string(out.n_steps) + " steps";
+    return out;
+  }
+
+  /// Gives the packing the contacts closer than `contact_gap`, with the forces of their planes.
+  void set_contacts(double contact_gap) const {
+    packing_.contacts = ContactPoints<3>().find_touching(packing_, contact_gap);
+    std::vector<Contact<3>>& contacts = packing_.contacts;
+    for (std::size_t first = 0, last; first < contacts.size(); first = last) {
+      for (last = first; last < contacts.size() && same_pair(contacts[last], contacts[first]);) ++last;
+      const SeparatingPlane* plane = plane_of(contacts[first], planes_);
+      const double force = plane ? plane->force(vertices_.of(plane->i).size()) : 0.0;
+      for (std::size_t k = first; k < last; ++k)
+        contacts[k].normal_force = contacts[k].elastic_force = force / static_cast<double>(last - first);
+    }
+  }
+
+ private:
+  /// Returns the mean of the stresses on the sides that follow them.
+  double mean_stress() const {
+    double sum = 0.0;
+    int n = 0;
+    for (int a = 0; a < 3; ++a)
+      if (load_.stress[a] > 0.0) sum += load_.stress[a], ++n;
+    return sum / std::max(1, n);
+  }
+
+  double wall_force(const Wall<3>& wall) const {
+    return load_.stress[wall.axis] * wall_area(packing_, wall.axis);
+  }
+
+  void find_planes() {
+    planes_ = separating_planes(packing_, vertices_, unknowns_, kReach * size_, planes_);
+    for (SeparatingPlane& p : planes_)
+      for (std::size_t v = p.multiplier.size(); v < p.gap.size(); ++v) p.multiplier.push_back(mu_ / p.gap[v]);
+    equations_.set_pattern(planes_);
+    moved_ = 0.0;
+  }
+
+  std::optional<PlaneStep> newton_step() {
+    equations_.reset();
+    add_objective();
+    // A term mu |u|^2/(2 s^2) for the displacement u of each grain limits the steps of grains without contacts.
+    const double stiffness = mu_ / std::pow(kRattlerMove * size_, 2);
+    for (int i = 0; i < packing_.grains.size(); ++i)
+      for (int a = 0; a < 6; ++a) {
+        const int row = PlaneUnknowns::of_grain(i) + a;
+        equations_.add(row, row, stiffness * (a < 3 ? 1.0 : std::pow(packing_.grains.radius[i], 2)));
+      }
+    equations_.add(planes_, vertices_, mu_, mu_ / (kFarGap * size_));
+    return equations_.solve(planes_);
+  }
+
+  void add_objective() {
+    const double volume = packing_.cell.volume(), mean = mean_stress();
+    for (int a = 0; a < 3; ++a) {
+      if (unknowns_.stretch[a] < 0) continue;
+      equations_.add_load(unknowns_.stretch[a], -volume * load_.stress[a]);
+      for (int b = 0; b < a; ++b)
+        if (unknowns_.stretch[b] >= 0)
+          equations_.add(unknowns_.stretch[a], unknowns_.stretch[b], volume * mean);
+    }
+    for (std::size_t w = 0; w < packing_.walls.size(); ++w)
+      if (unknowns_.wall[w] >= 0)
+        equations_.add_load(unknowns_.wall[w], -packing_.walls[w].side * wall_force(packing_.walls[w]));
+    for (int i = 0; i < packing_.grains.size(); ++i)
+      for (int a = 0; a < 3; ++a)
+        equations_.add_load(PlaneUnknowns::of_grain(i) + a, packing_.grains.mass[i] * packing_.gravity[a]);
+  }
+
+  /// Returns the change of the objective, without its logarithms, for a step.
+  double objective_change(const Eigen::VectorXd& step) const {
+    const double volume = packing_.cell.volume();
+    double change = 0.0, sum = 0.0, logarithm = 0.0;
+    for (int a = 0; a < 3; ++a) {
+      if (unknowns_.stretch[a] < 0) continue;
+      const double e = step[unknowns_.stretch[a]];
+      change += volume * load_.stress[a] * e;
+      sum += e;
+      logarithm += std::log1p(e);
+    }
+    change += volume * mean_stress() * (std::expm1(logarithm) - sum);
+    for (std::size_t w = 0; w < packing_.walls.size(); ++w)
+      if (unknowns_.wall[w] >= 0)
+        change += step[unknowns_.wall[w]] * packing_.walls[w].side * wall_force(packing_.walls[w]);
+    for (int i = 0; i < packing_.grains.size(); ++i)
+      change -= packing_.grains.mass[i] * packing_.gravity.dot(step.segment<3>(PlaneUnknowns::of_grain(i)));
+    return change;
+  }
+
+  /// Returns the largest displacement of a surface in a step.
+  double largest_move(const Eigen::VectorXd& step) const {
+    double longest = 0.0, strain = 0.0;
+    for (int i = 0; i < packing_.grains.size(); ++i) {
+      const int at = PlaneUnknowns::of_grain(i);
+      longest = std::max(
+          longest, step.segment<3>(at).norm() + packing_.grains.radius[i] * step.segment<3>(at + 3).norm());
+    }
+    for (const int e : unknowns_.stretch)
+      if (e >= 0) strain = std::max(strain, std::abs(step[e]));
+    for (const int w : unknowns_.wall)
+      if (w >= 0) longest = std::max(longest, std::abs(step[w]));
+    return longest + 2.0 * size_ * strain;
+  }
+
+  /// Makes the longest share of a step that decreases the objective. Returns false if there is none.
+  bool take(const PlaneStep& step) {
+    const double move = largest_move(step.motion);
+    double share = std::min(1.0, kLongestMove * size_ / move), share_of_multipliers = 1.0;
+    // changes of the multipliers l of all gaps g: from l g + dl g + l dg = mu
+    std::vector<std::vector<double>> changes(planes_.size());
+    for (std::size_t k = 0; k < planes_.size(); ++k) {
+      const SeparatingPlane& p = planes_[k];
+      changes[k] = gap_changes(vertices_, p, step.own[k]);
+      for (std::size_t v = 0; v < p.gap.size(); ++v) {
+        double& change = changes[k][v];
+        if (change < 0.0) share = std::min(share, (1.0 - kKeptShare) * p.gap[v] / -change);
+        change = mu_ / p.gap[v] - p.multiplier[v] - p.multiplier[v] / p.gap[v] * change;
+        if (change < 0.0)
+          share_of_multipliers = std::min(share_of_multipliers, (1.0 - kKeptShare) * p.multiplier[v] / -change);
+      }
+    }
+    int halvings = 0;
+    while (!try_share(step, share)) {
+      if (++halvings == kMostHalvings) return false;
+      share *= 0.5;
+    }
+    planes_.swap(trial_.planes);
+    for (std::size_t k = 0; k < planes_.size(); ++k)
+      for (std::size_t v = 0; v < planes_[k].gap.size(); ++v) {
+        double& multiplier = planes_[k].multiplier[v];
+        const double at_minimum = mu_ / planes_[k].gap[v];
+        multiplier = std::clamp(multiplier + share_of_multipliers * changes[k][v], at_minimum / kFarMultiplier,
+                                at_minimum * kFarMultiplier);
+      }
+    std::swap(packing_.grains, trial_.grains);
+    std::swap(vertices_, trial_.vertices);
+    move_boundary(share * step.motion);
+    moved_ += 2.0 * share * move;
+    if (moved_ > 0.5 * kReach * size_) find_planes();
+    return true;
+  }
+
+  /// Moves grains and planes by a share of a step. Returns whether no gap becomes too small and the objective decreases.
+  bool try_share(const PlaneStep& step, double share) {
+    move_grains(share * step.motion);
+    trial_.planes.resize(planes_.size());
+    double logarithms = 0.0, rounding = 0.0;
+    for (std::size_t k = 0; k < planes_.size(); ++k) {
+      SeparatingPlane& moved = trial_.planes[k];
+      moved = moved_plane(planes_[k], step.motion, step.own[k], share, trial_.vertices);
+      for (std::size_t v = 0; v < moved.gap.size(); ++v) {
+        const double ratio = moved.gap[v] / planes_[k].gap[v];
+        if (!(ratio > 0.5 * kKeptShare)) return false;
+        logarithms += std::log(ratio);
+        rounding += std::numeric_limits<double>::epsilon() * size_ / moved.gap[v];
+      }
+    }
+    const double change = objective_change(share * step.motion) - mu_ * logarithms;
+    return change <= -kArmijo * share * step.decrement + mu_ * (1e-6 + rounding);
+  }
+
+  void move_grains(const Eigen::VectorXd& step) {
+    trial_.grains = packing_.grains;
+    for (int i = 0; i < trial_.grains.size(); ++i) {
+      const int at = PlaneUnknowns::of_grain(i);
+      Vec<3>& x = trial_.grains.position[i];
+      for (int a = 0; a < 3; ++a)
+        if (unknowns_.stretch[a] >= 0) x[a] *= 1.0 + step[unknowns_.stretch[a]];
+      x += step.segment<3>(at);
+      const Vec<3> turn = step.segment<3>(at + 3);
+      if (const double angle = turn.norm(); angle > 0.0) {
+        Eigen::Quaterniond& orientation = trial_.grains.orientation[i];
+        orientation = (Eigen::Quaterniond(Eigen::AngleAxisd(angle, turn / angle)) * orientation).normalized();
+      }
+    }
+    trial_.vertices = GrainVertices(trial_.grains);
+  }
+
+  void move_boundary(const Eigen::VectorXd& step) {
+    for (int a = 0; a < 3; ++a)
+      if (unknowns_.stretch[a] >= 0) packing_.cell.matrix.col(a) *= 1.0 + step[unknowns_.stretch[a]];
+    for (std::size_t w = 0; w < packing_.walls.size(); ++w) {
+      if (unknowns_.wall[w] < 0) continue;
+      Wall<3>& wall = packing_.walls[w];
+      wall.position += step[unknowns_.wall[w]];
+      packing_.cell.matrix(wall.axis, wall.axis) += wall.side * step[unknowns_.wall[w]];
+    }
+  }
+
+  /// Grains and planes after a share of a step.
+  struct Trial {
+    Grains<3> grains;
+    GrainVertices vertices{Grains<3>{}};
+    std::vector<SeparatingPlane> planes;
+  };
+
+  Packing<3>& packing_;
+  const BoundaryLoad<3>& load_;
+  PlaneUnknowns unknowns_;
+  GrainVertices vertices_;
+  std::vector<SeparatingPlane> planes_;
+  PlaneEquations equations_;
+  Trial trial_;
+  double size_;         ///< largest diameter
+  double mu_ = 0.0;     ///< weight of the logarithms
+  double moved_ = 0.0;  ///< largest possible change of a gap since the list of planes was made (length)
+};
+
+}  // namespace
+
+LeastVolume minimise_volume(Packing<3>& packing, const BoundaryLoad<3>& load, double contact_gap) {
+  Descent descent(packing, load);
+  LeastVolume out = descent.run();
+  stop_grains(packing);
+  descent.set_contacts(contact_gap);
+  return out;
+}
+
+}  // namespace floc

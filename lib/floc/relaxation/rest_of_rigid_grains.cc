@@ -27,8 +27,8 @@ constexpr double kShortestRest = 1e-3;
 /// after all increases (kMostRestingSweeps).
 constexpr int kRestingSweeps = 300;
 constexpr int kMostRestingSweeps = 9600;
-/// Largest gap, divided by the diameter of the smaller grain, at which a contact may have a force if contacts are
-/// solved all at once.
+/// Largest gap, divided by the diameter of the smaller grain, at which a contact without friction may have a force if
+/// contacts are solved all at once.
 constexpr double kGapAtOnce = 1e-6;
 /// The forces count as nearly balanced if the largest net force on a grain, divided by the mean repulsive force, is
 /// below this number: for round grains, and for grains with corners.
@@ -153,7 +153,8 @@ double ContactDynamicsRelaxer<Dim>::largest_gap() const {
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
   const double tolerance = gap_tolerance();
-  const double reached_gap = solves_at_once() ? std::min(tolerance, kGapAtOnce) : tolerance;
+  const bool is_exact = solves_at_once() && packing_.law.friction_coefficient() == 0.0;
+  const double reached_gap = is_exact ? std::min(tolerance, kGapAtOnce) : tolerance;
   if (const double gap = largest_gap(); gap > reached_gap) {
     progress_.obstacle = fmt::format(
         "the largest gap of a contact with a force, or the largest overlap, is {:.2g} times the diameter of "

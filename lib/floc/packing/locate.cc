@@ -38,7 +38,10 @@ template <int Dim>
 bool are_smooth_polyhedra(const Packing<Dim>& packing) {
   if (Dim != 3 || packing.grains.are_round() || !packing.law.is_rigid()) return false;
   const auto has_faces = [](const auto& shape) { return shape.n_faces() > 0; };
-  return packing.law.friction_coefficient() == 0.0 && packing.law.pull_off_force() == 0.0 &&
+  const auto is_smooth = [](const Law& law) {
+    return law.friction_coefficient() == 0.0 && law.pull_off_force() == 0.0;
+  };
+  return is_smooth(packing.law) && (packing.walls.empty() || is_smooth(packing.wall_law)) &&
          std::ranges::any_of(*packing.grains.shapes, has_faces);
 }
 

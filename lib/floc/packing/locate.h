@@ -40,7 +40,7 @@ template <int Dim>
 Manifold<Dim> manifold_of(const Packing<Dim>& packing, const Contact<Dim>& contact, const Vec<Dim>& branch,
                           double reach, AxisFeatures* last = nullptr);
 
-/// Returns whether the grains are rigid polyhedra without friction and adhesion. The separating axes of such grains are
+/// Returns whether the grains are rigid polyhedra without friction and adhesion, also on walls. The separating axes of such grains are
 /// found without the margins of contact_manifold(): the forces of their contacts are normal to the surfaces, and an
 /// error of a normal unbalances them.
 template <int Dim>

@@ -119,9 +119,12 @@ RelaxationStatus ContactDynamicsRelaxer<Dim>::rest_at_least_volume() {
     measure();
     progress_.obstacle = found.failure;
     if (found.failure.empty() && find_balanced_forces()) return RelaxationStatus::converged;
-    start_moving();
+    if (progress_.resting_steps < kMostRestingSteps) {
+      start_moving();
+      return RelaxationStatus::running;
+    }
   }
-  return progress_.resting_steps >= kMostRestingSteps ? RelaxationStatus::gave_up : RelaxationStatus::running;
+  return RelaxationStatus::gave_up;
 }
 
 template <int Dim>

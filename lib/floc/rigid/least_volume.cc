@@ -16,50 +16,31 @@
 namespace floc {
 namespace {
 
-constexpr int kMostSteps = 3000;
+constexpr int kMostNewtonSteps = 3000;
 /// Weight mu of the first and of the last minimum, in units of the pressure times the volume per grain, and the factor
 /// from one minimum to the next. A gap with the force f is about mu/f wide. The first gaps are wide enough for the
 /// grains to rearrange in tens of steps; with smaller gaps the first minimum takes hundreds.
 constexpr double kFirstWeight = 1e-3, kLastWeight = 1e-11, kNextWeight = 0.2;
 /// Decrement of a Newton step, in units of mu, at which mu is decreased, and at which the last minimum is reached.
 /// Decreasing mu earlier leaves steps of a thousandth of the Newton step at the smaller mu.
-constexpr double kNearMinimum = 0.5, kAtMinimum = 1e-4;
+constexpr double kNearMinimum = 0.5, kAtMinimum = 1e-2;
 /// Largest number of Newton steps for the last minimum.
 constexpr int kMostLastSteps = 30;
 /// Lengths in units of the largest diameter: largest displacement of a surface in a step, largest gap of pairs that get
 /// a plane, gap beyond which the curvature of gaps is left out (add_gaps()), and distance that a grain without contacts
 /// may move in a step.
-constexpr double kLongestMove = 0.03, kReach = 0.15, kFarGap = 0.01, kRattlerMove = 0.02;
-/// Smallest gap of the expanded packing, divided by the radius of the smaller grain.
-constexpr double kFirstGap = 2e-3;
+constexpr double kLongestNewtonMove = 0.03, kReach = 0.15, kFarGap = 0.01, kRattlerMove = 0.02;
+/// Smallest gap of the shrunk packing, divided by the radius of the smaller grain, and smallest size of its grains.
+constexpr double kFirstGap = 2e-3, kLeastSize = 0.5;
+/// Share of each gap that the growth of the grains leaves at least.
+constexpr double kGapAfterGrowth = 0.3;
 /// Share of a gap, or of a multiplier, that a step leaves at least.
 constexpr double kKeptShare = 0.01;
 /// Largest ratio of a multiplier to mu/gap, its value at the minimum, and of mu/gap to a multiplier.
 constexpr double kFarMultiplier = 1e4;
 /// Share of the predicted decrease of the objective that a step has to reach.
 constexpr double kArmijo = 1e-4;
-constexpr int kMostHalvings = 40;
-
-/// Expands a packing until no grains overlap. Returns false if that takes too many trials.
-bool expand(Packing<3>& packing, const PlaneUnknowns& unknowns) {
-  constexpr int kMostTrials = 20;
-  for (int trial = 0; trial < kMostTrials; ++trial) {
-    double least = 1.0;
-    for (const Contact<3>& c : ContactPoints<3>().find_touching(packing, kFirstGap))
-      least = std::min(least, c.gap / smaller_radius(packing, c));
-    if (least > kFirstGap) return true;
-    const double factor = 1.0 + std::max(0.003, -0.5 * least);
-    Vec<3> stretch = Vec<3>::Ones();
-    for (int a = 0; a < 3; ++a)
-      if (unknowns.stretch[a] >= 0) stretch[a] = factor;
-    for (const Wall<3>& w : packing.walls)
-      if (follows_forces(w)) stretch[w.axis] = factor;
-    for (Vec<3>& x : packing.grains.position) x = stretch.cwiseProduct(x);
-    for (Wall<3>& w : packing.walls) w.position *= stretch[w.axis];
-    packing.cell.matrix = packing.cell.matrix * stretch.asDiagonal();
-  }
-  return false;
-}
+constexpr int kMostShares = 40;
 
 /// Descent to the minimum of the objective: the work P V against the stresses on the cell and the walls, plus the
 /// potential of gravity, minus mu sum log g.
@@ -71,25 +52,27 @@ class Descent {
         unknowns_(packing, load),
         vertices_(packing.grains),
         equations_(unknowns_, packing.grains.size()),
+        full_scale_(packing.grains.scale),
+        full_radius_(packing.grains.radius),
         size_(largest_diameter(packing.grains)) {
     packing_.grains.position_low.clear();
   }
 
   LeastVolume run() {
     LeastVolume out;
-    if (!expand(packing_, unknowns_)) {
-      out.failure = "the overlaps of the grains could not be removed";
+    if (!shrink()) {
+      out.failure = "some grains overlap by more than half their size";
       return out;
     }
-    vertices_ = GrainVertices(packing_.grains);
     const double unit = mean_stress() * packing_.cell.volume() / packing_.grains.size();
     mu_ = kFirstWeight * unit;
     find_planes();
     int last_steps = 0;
-    while (out.n_steps < kMostSteps && last_steps < kMostLastSteps) {
+    while (out.n_steps < kMostNewtonSteps && last_steps < kMostLastSteps) {
       check_interruption();
       const std::optional<PlaneStep> step = newton_step();
       if (!step || !take(*step)) {
+        set_growth(1.0);
         out.failure = "no step decreases the volume, although the packing is not at a minimum";
         return out;
       }
@@ -97,8 +80,13 @@ class Descent {
       const bool is_last = mu_ <= kLastWeight * unit;
       last_steps += is_last;
       if (is_last && step->is_convex && step->decrement < kAtMinimum * mu_) return out;
-      if (!is_last && step->decrement < kNearMinimum * mu_) mu_ *= kNextWeight;
+      if (is_last || !(step->decrement < kNearMinimum * mu_)) continue;
+      if (growth_ < 1.0)
+        grow();
+      else
+        mu_ *= kNextWeight;
     }
+    set_growth(1.0);
     out.failure = "no minimum was found in " + std::to_string(out.n_steps) + " steps";
     return out;
   }
@@ -128,6 +116,46 @@ class Descent {
 
   double wall_force(const Wall<3>& wall) const {
     return load_.stress[wall.axis] * wall_area(packing_, wall.axis);
+  }
+
+  /// Gives all grains a share of their size.
+  void set_growth(double share) {
+    growth_ = share;
+    for (std::size_t i = 0; i < full_scale_.size(); ++i) {
+      packing_.grains.scale[i] = share * full_scale_[i];
+      packing_.grains.radius[i] = share * full_radius_[i];
+    }
+    vertices_ = GrainVertices(packing_.grains);
+  }
+
+  /// Shrinks the grains until none overlap. Returns false if they would become too small.
+  bool shrink() {
+    while (growth_ > kLeastSize) {
+      double least = kFirstGap;
+      for (const Contact<3>& c : ContactPoints<3>().find_touching(packing_, kFirstGap))
+        least = std::min(least, c.gap / smaller_radius(packing_, c));
+      if (least >= kFirstGap) return true;
+      set_growth(growth_ * (1.0 - std::max(kFirstGap, -0.5 * least)));
+    }
+    set_growth(1.0);
+    return false;
+  }
+
+  /// Lets the grains grow towards their size, as far as each gap keeps its share.
+  void grow() {
+    const double before = growth_;
+    double next = 1.0;
+    const auto has_gaps = [&](SeparatingPlane plane) {
+      const std::vector<double> gap = plane.gap;
+      set_gaps(vertices_, plane);
+      for (std::size_t v = 0; v < gap.size(); ++v)
+        if (!(plane.gap[v] > kGapAfterGrowth * gap[v])) return false;
+      return true;
+    };
+    for (set_growth(next); !std::ranges::all_of(planes_, has_gaps); set_growth(next))
+      next = before + 0.5 * (next - before);
+    for (SeparatingPlane& plane : planes_) set_gaps(vertices_, plane);
+    moved_ += (next - before) * size_;
   }
 
   void find_planes() {
@@ -207,7 +235,7 @@ class Descent {
   /// Makes the longest share of a step that decreases the objective. Returns false if there is none.
   bool take(const PlaneStep& step) {
     const double move = largest_move(step.motion);
-    double share = std::min(1.0, kLongestMove * size_ / move), share_of_multipliers = 1.0;
+    double share = std::min(1.0, kLongestNewtonMove * size_ / move), share_of_multipliers = 1.0;
     // changes of the multipliers l of all gaps g: from l g + dl g + l dg = mu
     std::vector<std::vector<double>> changes(planes_.size());
     for (std::size_t k = 0; k < planes_.size(); ++k) {
@@ -223,7 +251,7 @@ class Descent {
     }
     int halvings = 0;
     while (!try_share(step, share)) {
-      if (++halvings == kMostHalvings) return false;
+      if (++halvings == kMostShares) return false;
       share *= 0.5;
     }
     planes_.swap(trial_.planes);
@@ -303,8 +331,10 @@ class Descent {
   std::vector<SeparatingPlane> planes_;
   PlaneEquations equations_;
   Trial trial_;
-  double size_;         ///< largest diameter
-  double mu_ = 0.0;     ///< weight of the logarithms
+  std::vector<double> full_scale_, full_radius_;  ///< scale and radius of each grain
+  double size_;                                   ///< largest diameter
+  double growth_ = 1.0;                           ///< present size of the grains, divided by their size
+  double mu_ = 0.0;                               ///< weight of the logarithms
   double moved_ = 0.0;  ///< largest possible change of a gap since the list of planes was made (length)
 };
 

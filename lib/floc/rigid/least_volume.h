@@ -26,7 +26,7 @@ struct LeastVolume {
 /// The contact points of a manifold (manifold.h) do not serve as constraints, because they belong to the closest
 /// features at the start of a step. If two faces are nearly parallel, one corner may be closest before a step and
 /// another corner after it, and steps with such constraints do not converge.
-/// @param packing  packing with overlaps of at most a few per cent; it is expanded first. Receives the minimum, with
+/// @param packing  packing in which grains nearly touch or overlap; they are shrunk first, and then grow. Receives the minimum, with
 /// the contacts closer than `contact_gap` and their normal forces; the force of a pair is divided equally among its
 /// contact points
 /// @param contact_gap  largest gap of a contact, divided by the diameter of the smaller grain

@@ -46,16 +46,6 @@ void for_each_gap(const GrainVertices& vertices, const SeparatingPlane& plane, c
   }
 }
 
-void set_gaps(const GrainVertices& vertices, SeparatingPlane& plane) {
-  plane.gap.clear();
-  const double distance = plane.is_wall ? plane.normal.dot(plane.branch) : plane.offset;
-  for (const Vec<3>& arm : vertices.of(plane.i))
-    plane.gap.push_back(distance - plane.normal.dot(arm) - vertices.rounding(plane.i));
-  if (plane.is_wall) return;
-  for (const Vec<3>& arm : vertices.of(plane.j))
-    plane.gap.push_back(plane.normal.dot(plane.branch + arm) - distance - vertices.rounding(plane.j));
-}
-
 std::array<int, kPairUnknowns> unknowns_of_pair(const Packing<3>& packing, const Contact<3>& c,
                                                 const PlaneUnknowns& unknowns) {
   std::array<int, kPairUnknowns> out;
@@ -118,6 +108,16 @@ GrainVertices::GrainVertices(const Grains<3>& grains) {
     first_.push_back(static_cast<int>(vertex_.size()));
     rounding_.push_back(grain.rounding());
   }
+}
+
+void set_gaps(const GrainVertices& vertices, SeparatingPlane& plane) {
+  plane.gap.clear();
+  const double distance = plane.is_wall ? plane.normal.dot(plane.branch) : plane.offset;
+  for (const Vec<3>& arm : vertices.of(plane.i))
+    plane.gap.push_back(distance - plane.normal.dot(arm) - vertices.rounding(plane.i));
+  if (plane.is_wall) return;
+  for (const Vec<3>& arm : vertices.of(plane.j))
+    plane.gap.push_back(plane.normal.dot(plane.branch + arm) - distance - vertices.rounding(plane.j));
 }
 
 const SeparatingPlane* plane_of(const Contact<3>& contact, const std::vector<SeparatingPlane>& planes) {

@@ -78,6 +78,9 @@ std::vector<SeparatingPlane> separating_planes(const Packing<3>& packing, const 
 /// Returns the plane of a contact in a list that separating_planes() returned; null if there is none.
 const SeparatingPlane* plane_of(const Contact<3>& contact, const std::vector<SeparatingPlane>& planes);
 
+/// Computes the gaps of all vertices of a pair.
+void set_gaps(const GrainVertices& vertices, SeparatingPlane& plane);
+
 /// Returns a plane after its own step and the step of its pair, with the gaps of all vertices.
 /// @param motion  step of all unknowns of the packing
 /// @param own     step of the pair and the plane, of which the last kPlaneUnknowns elements are used

@@ -18,9 +18,10 @@ namespace {
 
 constexpr int kMostNewtonSteps = 3000;
 /// Weight mu of the first and of the last minimum, in units of the pressure times the volume per grain, and the factor
-/// from one minimum to the next. A gap with the force f is about mu/f wide. The first gaps are wide enough for the
-/// grains to rearrange in tens of steps; with smaller gaps the first minimum takes hundreds.
-constexpr double kFirstWeight = 1e-3, kLastWeight = 1e-11, kNextWeight = 0.2;
+/// from one minimum to the next. A gap with the force f is about mu/f wide. If the first weight is 1e-5, the first minimum
+/// takes hundreds of steps and is often not found. If it is 1e-3, the grains rearrange so far that the solid fraction grows
+/// by 0.01 (polyhedra, 20 and 200 grains).
+constexpr double kFirstWeight = 1e-4, kLastWeight = 1e-11, kNextWeight = 0.2;
 /// Decrement of a Newton step, in units of mu, at which mu is decreased, and at which the last minimum is reached.
 /// Decreasing mu earlier leaves steps of a thousandth of the Newton step at the smaller mu.
 constexpr double kNearMinimum = 0.5, kAtMinimum = 1e-2;

@@ -262,7 +262,7 @@ void warn_of_elastic_corners(const Scene& scene, Warnings& warnings) {
   if (scene.dimension == 3 && scene.law.friction_coefficient() == 0.0)
     warnings.emplace_back(
         "grains.shape: contact points between two faces appear and vanish abruptly as the faces move, so that "
-        "elastic polyhedra without friction seldom find a rest; expected friction, or rigid contacts");
+        "elastic polyhedra without friction often find no rest; expected friction, or rigid contacts");
 }
 
 /// Warns if contacts are so stiff relative to the load that the motion into equilibrium takes very many time steps.

@@ -16,7 +16,7 @@
 namespace floc {
 namespace {
 
-constexpr int kMostNewtonSteps = 3000;
+constexpr int kMostDescentSteps = 3000;
 /// Weight mu of the first and of the last minimum, in units of the pressure times the volume per grain, and the factor
 /// from one minimum to the next. A gap with the force f is about mu/f wide. If the first weight is 1e-5, the first minimum
 /// takes hundreds of steps and is often not found. If it is 1e-3, the grains rearrange so far that the solid fraction grows
@@ -69,7 +69,7 @@ class Descent {
     mu_ = kFirstWeight * unit;
     find_planes();
     int last_steps = 0;
-    while (out.n_steps < kMostNewtonSteps && last_steps < kMostLastSteps) {
+    while (out.n_steps < kMostDescentSteps && last_steps < kMostLastSteps) {
       check_interruption();
       const std::optional<PlaneStep> step = newton_step();
       if (!step || !take(*step)) {

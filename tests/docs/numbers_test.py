@@ -80,6 +80,7 @@ UNCHECKED_TABLES = {
     "| law | | parameters |": "words",
     "| samples | 0.05 |": "80 000 fits; the long tests hold the range",
     "| span | samples | Phi |": "a quarter of an hour of processor time",
+    "| grains | samples | Phi |": "half an hour of processor time",
     "| parameter | construction |": "words",
     "| | loose | dense |": "processor time",
     "| command | 4000 beads | 32 000 beads |": "processor time and memory",

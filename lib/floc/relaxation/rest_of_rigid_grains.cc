@@ -113,7 +113,7 @@ RelaxationStatus ContactDynamicsRelaxer<Dim>::rest_at_least_volume() {
     Packing<3> least = packing_;
     const LeastVolume found = minimise_volume(least, boundary_load(), gap_tolerance());
     progress_.n_steps += found.n_steps;
-    progress_.resting_steps += found.n_steps;
+    progress_.resting_steps += std::max(found.n_steps, kSteps);
     packing_ = std::move(least);
     wrap_into_cell(packing_);
     measure();

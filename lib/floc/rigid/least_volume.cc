@@ -106,7 +106,7 @@ class Descent {
   }
 
  private:
-  /// Returns the mean of the stresses on the sides that follow them.
+  /// Returns the mean of the stresses that are not zero.
   double mean_stress() const {
     double sum = 0.0;
     int n = 0;

@@ -69,6 +69,10 @@ TEST(ContactDynamicsRelaxer, PolyhedraRepeatTheirBits) {
   expect_repeatable<3>({.count = 20, .shape = cut_stones(), .friction = 0.5});
 }
 
+TEST(ContactDynamicsRelaxer, FrictionlessPolyhedraRepeatTheirBits) {
+  expect_repeatable<3>({.count = 12, .shape = cut_stones()});
+}
+
 /// Removes the forces of a packing and computes canonical forces from its positions alone. These must equal the
 /// canonical forces at the end of the relaxation.
 TEST(ContactDynamicsRelaxer, CanonicalForcesDependOnPositionsAlone) {

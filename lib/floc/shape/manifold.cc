@@ -20,9 +20,9 @@ constexpr double kAlongFace = 0.5e-3 * 1e-3;
 /// face.
 constexpr double kBesideFace = 1e-6;
 /// Margins of the choice of the separating axis (AxisMargins), in units of the smaller inner radius. The first two keep
-/// the features that meet from alternating between steps. The third, for ManifoldOptions::exact, exceeds rounding
-/// errors.
-constexpr double kFaceMargin = 1e-6, kEdgeMargin = 1e-4, kExactMargin = 1e-7;
+/// the features that meet from alternating between steps. The third is for ManifoldOptions::exact: vertices that
+/// carry a small share of a force in equilibrium have gaps of up to 1e-7.
+constexpr double kFaceMargin = 1e-6, kEdgeMargin = 1e-4, kExactMargin = 1e-6;
 /// Two capsules count as parallel if the sine of the angle between their axes is below this number.
 constexpr double kSideBySide = 1e-3;
 /// Value of the field for the corner in ManifoldPoint::key if the contact point lies between the closest points of two

@@ -514,7 +514,7 @@ TEST(ShippedScenes, AllAreValidAndNamedAfterTheirFiles) {
     EXPECT_EQ(s.load.back().to, s.assembly.pressure);
     ++n_cycles;
   }
-  EXPECT_EQ(n, 38);
+  EXPECT_EQ(n, 39);
   EXPECT_EQ(n_cycles, 19);
 }
 

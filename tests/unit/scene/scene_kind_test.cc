@@ -45,6 +45,7 @@ const std::map<std::string, std::string>& kinds_of_shipped_scenes() {
       {"powder3d", "spheres-cohesive"},
       {"rigid_disks_demo", "rigid-disks"},
       {"rigid_spheres", "rigid-spheres-triaxial"},
+      {"rolling_shear", "disks-cohesionless-simple-shear"},
       {"spheres_a", "beads-hertz"},
       {"spheres_a0", "beads-hertz"},
       {"spheres_b", "beads-hertz"},

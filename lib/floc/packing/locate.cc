@@ -6,6 +6,7 @@
 #include "floc/shape/plane_manifold.h"
 
 namespace floc {
+
 template <int Dim>
 ContactGeometry<Dim> locate_balls(const DoubleDoubleVec<Dim>& branch, double radius_i, double radius_j) {
   ContactGeometry<Dim> at;
@@ -29,8 +30,8 @@ Manifold<Dim> manifold_of(const Packing<Dim>& packing, const Contact<Dim>& conta
   PlacedShape<Dim> second = packing.grains.placed(contact.j);
   second.position = first.position + branch;
   ManifoldOptions options;
-  if (!packing.law.is_rigid()) options.most_points = Manifold<Dim>::kMostPoints;
   options.exact = are_smooth_polyhedra(packing);
+  if (options.exact || !packing.law.is_rigid()) options.most_points = Manifold<Dim>::kMostPoints;
   return contact_manifold(first, second, reach, last, options);
 }
 

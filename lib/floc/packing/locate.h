@@ -40,9 +40,8 @@ template <int Dim>
 Manifold<Dim> manifold_of(const Packing<Dim>& packing, const Contact<Dim>& contact, const Vec<Dim>& branch,
                           double reach, AxisFeatures* last = nullptr);
 
-/// Returns whether the grains are rigid polyhedra without friction and adhesion, also on walls. The separating axes of such grains are
-/// found without the margins of contact_manifold(): the forces of their contacts are normal to the surfaces, and an
-/// error of a normal unbalances them.
+/// Returns whether the grains are rigid polyhedra without friction and adhesion, also on walls. Their manifolds are exact
+/// (ManifoldOptions): the forces of their contacts are normal to the surfaces, and an error of a normal unbalances them.
 template <int Dim>
 bool are_smooth_polyhedra(const Packing<Dim>& packing);
 

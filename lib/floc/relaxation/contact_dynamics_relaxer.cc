@@ -51,6 +51,7 @@ constexpr double kLoadedStress = 0.3;
 /// Tolerance of the impulses in the phase `resting`, divided by the mean normal impulse: the sweeps of a step end when
 /// the error is below this tolerance.
 constexpr double kRestingTolerance = 1e-8;
+
 /// Function that calls visit(name, member) for every member of a ContactDynamicsProgress, with the name that the member
 /// has in checkpoints.
 constexpr auto kMembers = [](auto& p, const auto& visit) {

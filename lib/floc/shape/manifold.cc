@@ -19,10 +19,10 @@ constexpr double kAlongFace = 0.5e-3 * 1e-3;
 /// most this tolerance. The two gaps differ if the point with the smallest gap lies just outside the boundary of the
 /// face.
 constexpr double kBesideFace = 1e-6;
-/// Margins of the choice of the separating axis (AxisMargins), in units of the smaller inner radius. The first two keep
-/// the features that meet from alternating between steps. The third is for ManifoldOptions::exact: vertices that
-/// carry a small share of a force in equilibrium have gaps of up to 1e-7.
-constexpr double kFaceMargin = 1e-6, kEdgeMargin = 1e-4, kExactMargin = 1e-6;
+/// Margins of the choice of the separating axis (AxisMargins), in units of the smaller inner radius. They keep the
+/// features that meet from alternating between steps. With ManifoldOptions::exact, the margin for faces is that for edges,
+/// too: it exceeds the gaps of up to 1e-7 of vertices that carry a small share of a force in equilibrium.
+constexpr double kFaceMargin = 1e-6, kEdgeMargin = 1e-4;
 /// Two capsules count as parallel if the sine of the angle between their axes is below this number.
 constexpr double kSideBySide = 1e-3;
 /// Value of the field for the corner in ManifoldPoint::key if the contact point lies between the closest points of two
@@ -87,8 +87,7 @@ class PairSearch {
 
  private:
   AxisMargins margins() const {
-    if (options_.exact) return {kExactMargin * size_, kExactMargin * size_};
-    return {kFaceMargin * size_, kEdgeMargin * size_};
+    return {kFaceMargin * size_, (options_.exact ? kFaceMargin : kEdgeMargin) * size_};
   }
 
   double world(double own) const { return first_.scale * own; }
@@ -179,10 +178,10 @@ class PairSearch {
     const Shape<Dim>&reference = of_second ? b_ : a_, &incident = of_second ? a_ : b_;
     const double scale = of_second ? second_.scale : first_.scale;
     const RelativePlace<Dim> place = of_second ? place_.inverse() : place_;
-    const ClippedFace<Dim> clipped = clipped_face<Dim>(
-        reference, best.face, incident, place, best.vertex, (reach_ + roundings_) / scale,
-        1e-9 * size_ * first_.scale / scale, options_.exact ? Manifold<Dim>::kMostPoints : options_.most_points,
-        options_.exact ? kExactMargin * size_ * first_.scale / scale : 0.0);
+    const ClippedFace<Dim> clipped =
+        clipped_face<Dim>(reference, best.face, incident, place, best.vertex, (reach_ + roundings_) / scale,
+                          1e-9 * size_ * first_.scale / scale, options_.most_points,
+                          options_.exact ? kFaceMargin * size_ * first_.scale / scale : 0.0);
     const Vec<Dim> outward = reference.normals[best.face];
     const Vec<Dim> n = of_second ? Vec<Dim>(-place_.direction(outward)) : outward;
     found.normal = first_.rotation * n;

@@ -58,12 +58,13 @@ struct Manifold {
 
 /// Options of contact_manifold().
 struct ManifoldOptions {
-  /// Largest number of corners of which all are kept. Rigid shapes need no more than Manifold::kRigidPoints. Elastic
-  /// shapes need Manifold::kMostPoints, because each overlapping corner is a spring.
+  /// Largest number of corners of which all are kept. Rigid shapes with friction need no more than
+  /// Manifold::kRigidPoints. Elastic shapes need Manifold::kMostPoints, because each overlapping corner is a spring, and so
+  /// do grains in equilibrium without friction, whose force can lie anywhere between the corners.
   int most_points = 4;
-  /// Whether the normal has to be accurate to about 1e-6 instead of 1e-4 radians, and all corners in contact are needed, as for
-  /// grains in equilibrium without friction: an error of a normal unbalances them. The features that meet then depend
-  /// on differences of gaps of 1e-6 of the smaller inner radius.
+  /// Whether the normal has to be accurate to about 1e-6 instead of 1e-4 radians, and an edge on a face needs both ends,
+  /// as for grains in equilibrium without friction: an error of a normal unbalances them. The features that meet then
+  /// depend on differences of gaps of 1e-6 of the smaller inner radius.
   bool exact = false;
 };
 
@@ -85,8 +86,8 @@ struct ManifoldOptions {
 ///
 /// If the shapes are apart, the smallest gap is their distance. If they overlap, the smallest gap is minus the length
 /// of the smallest translation that separates them. Both values are accurate up to the margins of separating_axis():
-/// 1e-4 of the smaller inner radius for edges and 1e-6 for faces, or 1e-6 with ManifoldOptions::exact. If the two shapes are exchanged, the normal is reversed;
-/// gaps and points do not change, up to the margins.
+/// 1e-4 of the smaller inner radius for edges and 1e-6 for faces, or 1e-6 for both with ManifoldOptions::exact. If the
+/// two shapes are exchanged, the normal is reversed; gaps and points do not change, up to the margins.
 ///
 /// @param reach  largest gap of a contact point (length), >= 0
 /// @param last  features of the separating axis in the previous step, with which the search begins; the function

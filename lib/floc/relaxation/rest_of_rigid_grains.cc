@@ -57,6 +57,14 @@ void stop(Packing<Dim>& packing) {
   for (Wall<Dim>& wall : packing.walls) wall.velocity = 0.0;
 }
 
+/// Returns which forces a packing at rest gets. At a minimum of the volume there is no last step whose forces could be
+/// kept: they are then the closest ones.
+template <int Dim>
+RigidForces forces_at_rest(const RelaxationOptions& options, const Packing<Dim>& packing) {
+  const RigidForces chosen = options.contact_dynamics.forces;
+  return chosen == RigidForces::stepped && are_smooth_polyhedra(packing) ? RigidForces::closest : chosen;
+}
+
 /// Subtracts the adhesion of the contact law from the normal forces of all contacts, and removes contacts that have a
 /// gap and have not adhered, since they carry no force.
 template <int Dim>
@@ -174,7 +182,7 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
   carry_forces(rested, packing_.contacts, rested.contacts);
   hold_adhesion(rested);
   try {
-    if (options_.contact_dynamics.forces != RigidForces::stepped) set_balanced_forces(rested);
+    if (forces_at_rest(options_, rested) != RigidForces::stepped) set_balanced_forces(rested);
   } catch (const NoResult& reason) {
     progress_.obstacle = reason.what();
     // A grain still moves, so the longest step is doubled. The number of sweeps is doubled, too: without friction, many
@@ -201,7 +209,7 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
   target_ = load_.stress_with(stress);
   residuals_ = reached;
   const std::string names[] = {"closest", "canonical", "stepped"};
-  ending_ = names[static_cast<int>(options_.contact_dynamics.forces)];
+  ending_ = names[static_cast<int>(forces_at_rest(options_, packing_))];
   return true;
 }
 
@@ -246,7 +254,7 @@ void ContactDynamicsRelaxer<Dim>::set_balanced_forces(Packing<Dim>& packing) con
     options.wall_force = forces_on_moving_walls(packing, load);
   }
   StaticForces<Dim> forces("the packing", packing, options);
-  const bool closest = options_.contact_dynamics.forces == RigidForces::closest;
+  const bool closest = forces_at_rest(options_, packing) == RigidForces::closest;
   const BalancedForces<Dim> found = closest ? forces.closest() : forces.canonical();
   for (std::size_t k = 0; k < packing.contacts.size(); ++k) {
     Contact<Dim>& c = packing.contacts[k];

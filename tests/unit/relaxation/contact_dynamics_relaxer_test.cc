@@ -73,6 +73,16 @@ TEST(ContactDynamicsRelaxer, FrictionlessPolyhedraRepeatTheirBits) {
   expect_repeatable<3>({.count = 12, .shape = cut_stones()});
 }
 
+TEST(ContactDynamicsRelaxer, FrictionlessPolyhedraBalanceWithEveryFinish) {
+  for (const RigidForces forces : {RigidForces::closest, RigidForces::canonical, RigidForces::stepped}) {
+    RelaxationOptions options = rigid_options();
+    options.contact_dynamics.forces = forces;
+    const RigidEnd<3> end = relaxed<3>(make_rigid_gas<3>({.count = 12, .shape = cut_stones()}), options);
+    expect_at_rest(end);
+    EXPECT_EQ(end.report.ending, forces == RigidForces::canonical ? "canonical" : "closest");
+  }
+}
+
 /// Removes the forces of a packing and computes canonical forces from its positions alone. These must equal the
 /// canonical forces at the end of the relaxation.
 TEST(ContactDynamicsRelaxer, CanonicalForcesDependOnPositionsAlone) {

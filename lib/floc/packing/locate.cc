@@ -6,6 +6,13 @@
 #include "floc/shape/plane_manifold.h"
 
 namespace floc {
+namespace {
+
+/// ManifoldOptions::face_preference of rigid grains with friction. Six packings of 150 polyhedra came to rest in half
+/// the time that they needed with 0; with 1 they needed as long as with 0.
+constexpr double kFacePreference = 0.5;
+
+}  // namespace
 
 template <int Dim>
 ContactGeometry<Dim> locate_balls(const DoubleDoubleVec<Dim>& branch, double radius_i, double radius_j) {
@@ -21,16 +28,18 @@ ContactGeometry<Dim> locate_balls(const DoubleDoubleVec<Dim>& branch, double rad
 
 template <int Dim>
 Manifold<Dim> manifold_of(const Packing<Dim>& packing, const Contact<Dim>& contact, const Vec<Dim>& branch,
-                          double reach, AxisFeatures* last) {
+                          double reach, AxisFeatures* last, std::optional<std::uint32_t> wanted) {
   const PlacedShape<Dim> first = packing.grains.placed(contact.i);
   if (packing.is_wall(contact.j)) {
     const Wall<Dim>& wall = packing.wall(contact.j);
-    return plane_manifold<Dim>(first, wall.normal(), wall.side * wall.position, reach);
+    return plane_manifold<Dim>(first, wall.normal(), wall.side * wall.position, reach, wanted);
   }
   PlacedShape<Dim> second = packing.grains.placed(contact.j);
   second.position = first.position + branch;
   ManifoldOptions options;
+  options.wanted = wanted;
   options.exact = are_smooth_polyhedra(packing);
+  if (!options.exact && packing.law.is_rigid()) options.face_preference = kFacePreference;
   if (options.exact || !packing.law.is_rigid()) options.most_points = Manifold<Dim>::kMostPoints;
   return contact_manifold(first, second, reach, last, options);
 }
@@ -55,8 +64,9 @@ ContactGeometry<Dim> locate_shapes(const Packing<Dim>& packing, const Contact<Di
   ContactGeometry<Dim> at;
   at.branch = branch(packing, contact);
   const double reach = packing.grains.radius[contact.i] + packing.surface_radius(contact.j);
-  const Manifold<Dim> manifold = manifold_of(packing, contact, at.branch, reach);
-  const ManifoldPoint<Dim>* found = manifold.with_key(static_cast<std::uint32_t>(contact.key));
+  const auto key = static_cast<std::uint32_t>(contact.key);
+  const Manifold<Dim> manifold = manifold_of(packing, contact, at.branch, reach, nullptr, key);
+  const ManifoldPoint<Dim>* found = manifold.with_key(key);
   if (!found) found = manifold.nearest(contact.arm_i);
   if (!found) {  // the bodies are too far apart for a contact point
     at.normal = at.branch.normalized();
@@ -101,7 +111,7 @@ void set_arms(Packing<Dim>& packing) {
 #define FLOC_INSTANTIATE(Dim)                                                                           \
   template ContactGeometry<Dim> locate_balls(const DoubleDoubleVec<Dim>&, double, double);              \
   template Manifold<Dim> manifold_of(const Packing<Dim>&, const Contact<Dim>&, const Vec<Dim>&, double, \
-                                     AxisFeatures*);                                                    \
+                                     AxisFeatures*, std::optional<std::uint32_t>);                      \
   template bool are_smooth_polyhedra(const Packing<Dim>&);                                              \
   template ContactGeometry<Dim> locate(const Packing<Dim>&, const Contact<Dim>&);                       \
   template void place(const ContactGeometry<Dim>&, Contact<Dim>&);                                      \

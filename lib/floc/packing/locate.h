@@ -35,13 +35,16 @@ ContactGeometry<Dim> locate(const Packing<Dim>& packing, const Contact<Dim>& con
 /// @param branch  branch vector of the contact (length)
 /// @param reach  largest gap of a contact point (length)
 /// @param last  features (such as vertices or faces) with which the search begins, as in contact_manifold()
+/// @param wanted  key of a point that is found if it is within reach, as in ManifoldOptions
 /// @pre !packing.grains.are_round()
 template <int Dim>
 Manifold<Dim> manifold_of(const Packing<Dim>& packing, const Contact<Dim>& contact, const Vec<Dim>& branch,
-                          double reach, AxisFeatures* last = nullptr);
+                          double reach, AxisFeatures* last = nullptr,
+                          std::optional<std::uint32_t> wanted = std::nullopt);
 
-/// Returns whether the grains are rigid polyhedra without friction and adhesion, also on walls. Their manifolds are exact
-/// (ManifoldOptions): the forces of their contacts are normal to the surfaces, and an error of a normal unbalances them.
+/// Returns whether the grains are rigid polyhedra without friction and adhesion, also on walls. Their manifolds are
+/// exact (ManifoldOptions): the forces of their contacts are normal to the surfaces, and an error of a normal
+/// unbalances them.
 template <int Dim>
 bool are_smooth_polyhedra(const Packing<Dim>& packing);
 

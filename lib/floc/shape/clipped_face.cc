@@ -114,13 +114,13 @@ int largest(int n, double tolerance, const Value& value) {
   return best;
 }
 
-/// If there are more than `most_points` points, selects at most four that represent all contact points well: the deepest
-/// point, the point furthest from it, and, on each side of the line through these two points, the point furthest from
-/// the line.
-void select(const Polygon<3>& polygon, const Vec<3>& normal, double tolerance, int most_points,
-            ClippedFace<3>& kept) {
+/// If there are more than `most_points` points, selects at most four that represent all contact points well: the
+/// deepest point, the point furthest from it, and, on each side of the line through these two points, the point
+/// furthest from the line. The point with the wanted side is added to them.
+void select(const Polygon<3>& polygon, const Vec<3>& normal, const ClipOptions& options, ClippedFace<3>& kept) {
   const auto& p = polygon.points;
-  if (polygon.n <= most_points) {
+  const double tolerance = options.tolerance;
+  if (polygon.n <= options.most_points) {
     kept.n = polygon.n;
     std::copy_n(p.begin(), polygon.n, kept.points.begin());
     return;
@@ -131,14 +131,17 @@ void select(const Polygon<3>& polygon, const Vec<3>& normal, double tolerance, i
   const Vec<3> across = normal.cross(from_deepest(furthest)).normalized();
   const int left = largest(polygon.n, tolerance, [&](int k) { return across.dot(from_deepest(k)); });
   const int right = largest(polygon.n, tolerance, [&](int k) { return -across.dot(from_deepest(k)); });
-  for (const int k : {deepest, furthest, left, right}) {
+  const auto keep = [&](int k) {
     bool is_new = true;
     for (int l = 0; l < kept.n; ++l) is_new = is_new && kept.points[l].side != p[k].side;
     if (is_new) kept.points[kept.n++] = p[k];
-  }
+  };
+  for (const int k : {deepest, furthest, left, right}) keep(k);
+  for (int k = 0; k < polygon.n; ++k)
+    if (p[k].side == options.wanted_side) keep(k);
 }
 
-void select(const Polygon<2>& polygon, const Vec<2>&, double, int, ClippedFace<2>& kept) {
+void select(const Polygon<2>& polygon, const Vec<2>&, const ClipOptions&, ClippedFace<2>& kept) {
   kept.n = std::min(polygon.n, 2);
   std::copy_n(polygon.points.begin(), kept.n, kept.points.begin());
 }
@@ -147,8 +150,7 @@ void select(const Polygon<2>& polygon, const Vec<2>&, double, int, ClippedFace<2
 
 template <int Dim>
 ClippedFace<Dim> clipped_face(const Shape<Dim>& reference, int face, const Shape<Dim>& incident,
-                              const RelativePlace<Dim>& place, int lowest, double reach, double tolerance,
-                              int most_points, double level) {
+                              const RelativePlace<Dim>& place, int lowest, const ClipOptions& options) {
   ClippedFace<Dim> kept;
   const Vec<Dim>& n = reference.normals[face];
   Polygon<Dim> one, two;
@@ -158,8 +160,8 @@ ClippedFace<Dim> clipped_face(const Shape<Dim>& reference, int face, const Shape
   } else if (incident.n_faces() == 0) {
     for (int v = 0; v < incident.n_vertices(); ++v) from->add(place.point(incident.vertices[v]), v);
   } else {
-    kept.incident_face =
-        most_antiparallel_face<Dim>(incident, lowest, place.rotation.transpose() * n, level / place.scale);
+    kept.incident_face = most_antiparallel_face<Dim>(incident, lowest, place.rotation.transpose() * n,
+                                                     options.level / place.scale);
     int side = 0;
     for (const int v : incident.loop(kept.incident_face)) from->add(place.point(incident.vertices[v]), side++);
   }
@@ -173,17 +175,17 @@ ClippedFace<Dim> clipped_face(const Shape<Dim>& reference, int face, const Shape
   for (int k = 0; k < from->n; ++k) {
     auto& p = from->points[k];
     p.height = n.dot(p.x) - reference.offsets[face];
-    if (p.height < reach) from->points[n_kept++] = p;
+    if (p.height < options.reach) from->points[n_kept++] = p;
   }
   from->n = n_kept;
-  join_equal_points<Dim>(*from, tolerance);
-  select(*from, n, tolerance, most_points, kept);
+  join_equal_points<Dim>(*from, options.tolerance);
+  select(*from, n, options, kept);
   return kept;
 }
 
 template ClippedFace<2> clipped_face(const Shape<2>&, int, const Shape<2>&, const RelativePlace<2>&, int,
-                                     double, double, int, double);
+                                     const ClipOptions&);
 template ClippedFace<3> clipped_face(const Shape<3>&, int, const Shape<3>&, const RelativePlace<3>&, int,
-                                     double, double, int, double);
+                                     const ClipOptions&);
 
 }  // namespace floc

@@ -20,14 +20,17 @@ constexpr double kAlongFace = 0.5e-3 * 1e-3;
 /// face.
 constexpr double kBesideFace = 1e-6;
 /// Margins of the choice of the separating axis (AxisMargins), in units of the smaller inner radius. They keep the
-/// features that meet from alternating between steps. With ManifoldOptions::exact, the margin for faces is that for edges,
-/// too: it exceeds the gaps of up to 1e-7 of vertices that carry a small share of a force in equilibrium.
+/// features that meet from alternating between steps. With ManifoldOptions::exact, the margin for faces is that for
+/// edges, too: it exceeds the gaps of up to 1e-7 of vertices that carry a small share of a force in equilibrium.
 constexpr double kFaceMargin = 1e-6, kEdgeMargin = 1e-4;
 /// Two capsules count as parallel if the sine of the angle between their axes is below this number.
 constexpr double kSideBySide = 1e-3;
 /// Value of the field for the corner in ManifoldPoint::key if the contact point lies between the closest points of two
 /// shapes.
 constexpr std::uint32_t kClosest = 1023;
+
+/// Bits of ManifoldPoint::key below the index of the reference feature.
+constexpr std::uint32_t kBelowReference = (1U << 21) - 1;
 
 std::uint32_t key_of(bool of_second, int reference, int incident, std::uint32_t corner, bool edges) {
   return (of_second ? 1U << 31 : 0U) | static_cast<std::uint32_t>(reference) << 21 |
@@ -71,12 +74,15 @@ class PairSearch {
     Manifold<Dim> found = of_face(axis, axis.features.kind == AxisKind::kFaceOfSecond);
     if (!misses_the_deepest(found, axis)) return found;
     // The deepest vertex lies outside the boundary of the face. Then a pair of edges has a larger separation than the
-    // face, but the difference is less than the margin for edges. The search is therefore repeated without this margin.
+    // face, but the difference is less than the margin for edges. The search is therefore repeated without this
+    // margin. If faces are preferred, the points above the face are kept if they are as deep as the edges.
     if (a_.n_edges() > 0 && b_.n_edges() > 0) {
       AxisFeatures none;
       const SeparatingAxis<Dim> exact =
           separating_axis<Dim>(a_, b_, place_, {margins().faces, 0.0}, limit, none);
       if (exact.features.kind == AxisKind::kEdgePair) {
+        const double gap = world(exact.separation) - roundings_;
+        if (options_.face_preference > 0.0 && found.n > 0 && found.least_gap() <= gap) return found;
         last = none;
         return of_edge_pair(exact);
       }
@@ -87,7 +93,8 @@ class PairSearch {
 
  private:
   AxisMargins margins() const {
-    return {kFaceMargin * size_, (options_.exact ? kFaceMargin : kEdgeMargin) * size_};
+    return {kFaceMargin * size_, (options_.exact ? kFaceMargin : kEdgeMargin) * size_,
+            options_.face_preference};
   }
 
   double world(double own) const { return first_.scale * own; }
@@ -178,10 +185,13 @@ class PairSearch {
     const Shape<Dim>&reference = of_second ? b_ : a_, &incident = of_second ? a_ : b_;
     const double scale = of_second ? second_.scale : first_.scale;
     const RelativePlace<Dim> place = of_second ? place_.inverse() : place_;
-    const ClippedFace<Dim> clipped =
-        clipped_face<Dim>(reference, best.face, incident, place, best.vertex, (reach_ + roundings_) / scale,
-                          1e-9 * size_ * first_.scale / scale, options_.most_points,
-                          options_.exact ? kFaceMargin * size_ * first_.scale / scale : 0.0);
+    const double size = size_ * first_.scale / scale;
+    const ClippedFace<Dim> clipped = clipped_face<Dim>(reference, best.face, incident, place, best.vertex,
+                                                       {.reach = (reach_ + roundings_) / scale,
+                                                        .tolerance = 1e-9 * size,
+                                                        .most_points = options_.most_points,
+                                                        .level = options_.exact ? kFaceMargin * size : 0.0,
+                                                        .wanted_side = wanted_side(of_second, best.face)});
     const Vec<Dim> outward = reference.normals[best.face];
     const Vec<Dim> n = of_second ? Vec<Dim>(-place_.direction(outward)) : outward;
     found.normal = first_.rotation * n;
@@ -194,6 +204,14 @@ class PairSearch {
     }
     found.type = type_of(found.n);
     return found;
+  }
+
+  /// Returns the number of the side that begins at the wanted point, or -1 if the point is not on this reference face.
+  int wanted_side(bool of_second, int reference) const {
+    if (!options_.wanted) return -1;
+    const std::uint32_t key = *options_.wanted;
+    const bool is_on_face = (key & ~kBelowReference) == key_of(of_second, reference, 0, 0, false);
+    return is_on_face ? static_cast<int>(key >> 1 & 1023) : -1;
   }
 
   static ContactType type_of(int n) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "floc/shape/placed_shape.h"
@@ -59,13 +60,21 @@ struct Manifold {
 /// Options of contact_manifold().
 struct ManifoldOptions {
   /// Largest number of corners of which all are kept. Rigid shapes with friction need no more than
-  /// Manifold::kRigidPoints. Elastic shapes need Manifold::kMostPoints, because each overlapping corner is a spring, and so
-  /// do grains in equilibrium without friction, whose force can lie anywhere between the corners.
+  /// Manifold::kRigidPoints. Elastic shapes need Manifold::kMostPoints, because each overlapping corner is a spring,
+  /// and so do grains in equilibrium without friction, whose force can lie anywhere between the corners.
   int most_points = 4;
-  /// Whether the normal has to be accurate to about 1e-6 instead of 1e-4 radians, and an edge on a face needs both ends,
-  /// as for grains in equilibrium without friction: an error of a normal unbalances them. The features that meet then
-  /// depend on differences of gaps of 1e-6 of the smaller inner radius.
+  /// Whether the normal has to be accurate to about 1e-6 instead of 1e-4 radians, and an edge on a face needs both
+  /// ends, as for grains in equilibrium without friction: an error of a normal unbalances them. The features that meet
+  /// then depend on differences of gaps of 1e-6 of the smaller inner radius.
   bool exact = false;
+  /// Share of the overlap along the normal of a face by which the overlap along an edge pair has to be smaller if the
+  /// edge pair is to define the contact. Two nearly parallel faces that overlap at a corner are then a contact of
+  /// these faces. Without this share, a rigid pair can be pushed apart at another corner in each step and never comes
+  /// to rest.
+  double face_preference = 0.0;
+  /// Key of a point that is found, if its features meet and it is within reach, even where other points represent the
+  /// contact.
+  std::optional<std::uint32_t> wanted = std::nullopt;
 };
 
 /// Computes the contact of two shapes: the points with a gap smaller than `reach`.
@@ -75,7 +84,7 @@ struct ManifoldOptions {
 ///      is the normal of a face (the reference face), the contact points are the corners of the incident face of the
 ///      other shape, clipped by the sides of the reference face. In 3D, if there are more than `most_points` corners,
 ///      four of them are kept: the deepest point, the point furthest from it, and, on each side of the line through
-///      these two points, the point furthest from the line.
+///      these two points, the point furthest from the line. The wanted point is kept, too.
 ///   2. If this axis is normal to a pair of edges, there is one contact point.
 ///   3. If polytopes without rounding are apart, it can happen that no axis of separating_axis.h is parallel to the
 ///      line between their closest points (for example between two vertices). In this case there is one contact point,
@@ -86,8 +95,9 @@ struct ManifoldOptions {
 ///
 /// If the shapes are apart, the smallest gap is their distance. If they overlap, the smallest gap is minus the length
 /// of the smallest translation that separates them. Both values are accurate up to the margins of separating_axis():
-/// 1e-4 of the smaller inner radius for edges and 1e-6 for faces, or 1e-6 for both with ManifoldOptions::exact. If the
-/// two shapes are exchanged, the normal is reversed; gaps and points do not change, up to the margins.
+/// 1e-4 of the smaller inner radius for edges and 1e-6 for faces, or 1e-6 for both with ManifoldOptions::exact; with
+/// ManifoldOptions::face_preference, overlaps can be larger. If the two shapes are exchanged, the normal is reversed;
+/// gaps and points do not change, up to the margins.
 ///
 /// @param reach  largest gap of a contact point (length), >= 0
 /// @param last  features of the separating axis in the previous step, with which the search begins; the function

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace floc {
@@ -15,9 +16,11 @@ const ManifoldPoint<Dim>& largest(const std::vector<ManifoldPoint<Dim>>& points,
                            [&](const auto& p, const auto& q) { return size(p) < size(q); });
 }
 
-/// Returns all points or, if there are too many, Manifold::kRigidPoints of them that enclose a large area.
+/// Returns all points or, if there are too many, Manifold::kRigidPoints of them that enclose a large area, and the
+/// point with the wanted key.
 template <int Dim>
-std::vector<ManifoldPoint<Dim>> spread_out(const std::vector<ManifoldPoint<Dim>>& all, const Vec<Dim>& normal) {
+std::vector<ManifoldPoint<Dim>> spread_out(const std::vector<ManifoldPoint<Dim>>& all, const Vec<Dim>& normal,
+                                           std::optional<std::uint32_t> wanted) {
   using Point = ManifoldPoint<Dim>;
   if (static_cast<int>(all.size()) <= Manifold<Dim>::kRigidPoints) return all;
   const Point deepest = largest<Dim>(all, [](const Point& p) { return -p.gap; });
@@ -31,6 +34,8 @@ std::vector<ManifoldPoint<Dim>> spread_out(const std::vector<ManifoldPoint<Dim>>
       if (distance(outermost) > 0.0) kept.push_back(outermost);
     }
   }
+  const auto is_wanted = [&](const Point& p) { return wanted && p.key == *wanted; };
+  if (std::ranges::none_of(kept, is_wanted)) std::ranges::copy_if(all, std::back_inserter(kept), is_wanted);
   std::sort(kept.begin(), kept.end(), [](const Point& p, const Point& q) { return p.key < q.key; });
   return kept;
 }
@@ -43,8 +48,8 @@ ContactType type_of(int n_points, int dim) {
 }  // namespace
 
 template <int Dim>
-Manifold<Dim> plane_manifold(const PlacedShape<Dim>& shape, const Vec<Dim>& normal, double offset,
-                             double reach) {
+Manifold<Dim> plane_manifold(const PlacedShape<Dim>& shape, const Vec<Dim>& normal, double offset, double reach,
+                             std::optional<std::uint32_t> wanted) {
   std::vector<ManifoldPoint<Dim>> near;
   for (int v = 0; v < std::max(1, shape.shape->n_vertices()); ++v) {
     const Vec<Dim> vertex = shape.scale * (shape.rotation * core_vertex(*shape.shape, v));
@@ -54,12 +59,14 @@ Manifold<Dim> plane_manifold(const PlacedShape<Dim>& shape, const Vec<Dim>& norm
   }
   Manifold<Dim> found;
   found.normal = normal;
-  for (const ManifoldPoint<Dim>& point : spread_out<Dim>(near, normal)) found.points[found.n++] = point;
+  for (const ManifoldPoint<Dim>& point : spread_out<Dim>(near, normal, wanted)) found.points[found.n++] = point;
   found.type = type_of(found.n, Dim);
   return found;
 }
 
-template Manifold<2> plane_manifold(const PlacedShape<2>&, const Vec<2>&, double, double);
-template Manifold<3> plane_manifold(const PlacedShape<3>&, const Vec<3>&, double, double);
+template Manifold<2> plane_manifold(const PlacedShape<2>&, const Vec<2>&, double, double,
+                                    std::optional<std::uint32_t>);
+template Manifold<3> plane_manifold(const PlacedShape<3>&, const Vec<3>&, double, double,
+                                    std::optional<std::uint32_t>);
 
 }  // namespace floc

@@ -11,8 +11,9 @@ namespace floc {
 /// @param normal  unit normal of the plane, in the direction away from the shape
 /// @param offset  value of normal . x on the plane
 /// @param reach  largest gap of a contact point (length), >= 0
+/// @param wanted  key of a point that is kept in any case if it is within reach
 template <int Dim>
-Manifold<Dim> plane_manifold(const PlacedShape<Dim>& shape, const Vec<Dim>& normal, double offset,
-                             double reach);
+Manifold<Dim> plane_manifold(const PlacedShape<Dim>& shape, const Vec<Dim>& normal, double offset, double reach,
+                             std::optional<std::uint32_t> wanted = std::nullopt);
 
 }  // namespace floc

@@ -234,11 +234,12 @@ SeparatingAxis<Dim> separating_axis(const Shape<Dim>& first, const Shape<Dim>& s
   const double faces = is_other ? other.separation : one.separation;
   if constexpr (Dim == 3) {
     const bool was_pair = before.kind == AxisKind::kEdgePair;
-    const double threshold = faces + (was_pair ? -margins.edges : margins.edges);
+    const double least = faces + margins.edges_of_overlap * std::max(0.0, -faces);
+    const double threshold = least + (was_pair ? -margins.edges : margins.edges);
     const EdgeAxis pair = best_edge_pair(first, above_first, second, above_second, place, threshold, before);
-    if (was_pair && pair.of_last >= std::max(faces, pair.separation) - margins.edges)
+    if (was_pair && pair.of_last >= std::max(least, pair.separation) - margins.edges)
       return settle(AxisKind::kEdgePair, before.first, before.second, pair.of_last);
-    if (pair.separation > faces + margins.edges)
+    if (pair.separation > least + margins.edges)
       return settle(AxisKind::kEdgePair, pair.first, pair.second, pair.separation);
   }
   return is_other ? settle(AxisKind::kFaceOfSecond, 0, other.face, other.separation)

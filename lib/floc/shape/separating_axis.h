@@ -45,6 +45,9 @@ struct AxisMargins {
   double faces;
   /// margin for edges: the separation of an edge pair has to exceed that of every face by more than this margin
   double edges;
+  /// Margin that is added for edges of shapes that overlap along the normals of all faces, divided by the smallest of
+  /// these overlaps.
+  double edges_of_overlap = 0.0;
 };
 
 /// Finds the axis along which two shapes, without their rounding, have the largest separation or, if they overlap, the

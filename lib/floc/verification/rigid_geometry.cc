@@ -46,30 +46,23 @@ Contact<Dim> relocated(const Packing<Dim>& packing, Contact<Dim> c, double toler
     return c;
   }
   const Vec<Dim> r = branch(packing, c);
-  // The recorded gap may be wrong. The true gap of a contact that counts is at most the tolerance.
+  const auto key = static_cast<std::uint32_t>(c.key);
   const double diameter = 2.0 * smaller_radius(packing, c);
-  const double counted = tolerance * diameter;
   const auto within = [&](double reach) {
     AxisFeatures features;
     if (!packing.is_wall(c.j))
-      features = features_of(static_cast<std::uint32_t>(c.key), *packing.grains.placed(c.i).shape,
-                             *packing.grains.placed(c.j).shape);
-    return manifold_of(packing, c, r, reach, &features);
+      features = features_of(key, *packing.grains.placed(c.i).shape, *packing.grains.placed(c.j).shape);
+    return manifold_of(packing, c, r, reach, &features, key);
   };
-  Manifold<Dim> manifold = within(std::max(std::abs(c.gap), counted) * 1.01);
-  const ContactType type = within(counted).type;
-  const ManifoldPoint<Dim>* found = manifold.with_key(static_cast<std::uint32_t>(c.key));
-  // A manifold of rigid grains contains at most four of the points with gaps below its reach. With a larger reach, the
-  // manifold may contain other points.
-  if (!found) {
-    manifold = within(diameter);
-    found = manifold.with_key(static_cast<std::uint32_t>(c.key));
-  }
+  // The recorded gap may be wrong, so that the point is sought at all gaps. The points within the tolerance define the
+  // type.
+  const Manifold<Dim> manifold = within(diameter);
+  const ManifoldPoint<Dim>* found = manifold.with_key(key);
   if (!found) found = manifold.nearest(c.arm_i);
   c.gap = found ? found->gap : std::numeric_limits<double>::infinity();
   if (!found) return c;
   c.normal = manifold.normal;
-  c.type = type;
+  c.type = within(tolerance * diameter).type;
   c.arm_i = found->arm;
   c.arm_j = found->arm - r;
   return c;

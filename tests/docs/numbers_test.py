@@ -80,7 +80,6 @@ UNCHECKED_TABLES = {
     "| law | | parameters |": "words",
     "| samples | 0.05 |": "80 000 fits; the long tests hold the range",
     "| span | samples | Phi |": "a quarter of an hour of processor time",
-    "| grains | samples | Phi |": "half an hour of processor time",
     "| parameter | construction |": "words",
     "| | loose | dense |": "processor time",
     "| command | 4000 beads | 32 000 beads |": "processor time and memory",
@@ -544,6 +543,35 @@ class Test:
                 mean, deviation = text.split(" +- ")
                 self.number(mean, statistics.mean(found), what)
                 self.number(deviation, scatter, what + ", scatter")
+
+    def rigid(self):
+        points = list(csv.DictReader(open(os.path.join(self.source, "data/tables/rigid/points.csv"))))
+        names = {"pentagons": "polygons-5", "octagons": "polygons-8", "polygons of 20 sides": "polygons-20"}
+        shears = ("phi", "z_star", "x0", "below_mean", "alpha", "beta", "stress_ratio", "stress_ratio_predicted")
+        forces = ("phi", "z_star", "z_pairs_star", "x0", "below_mean", "alpha", "beta", "below_mean_pairs", "alpha_pairs", "beta_pairs")
+
+        def compare(case, samples, cells, columns):
+            rows = [r for r in points if r["case"] == case]
+            self.number(samples, len(rows), f"{case}, samples")
+            for shown, column in zip(cells, columns, strict=True):
+                values = [float(r[column]) for r in rows if r[column]]
+                if shown == "" or not values:
+                    if shown != "" or values:
+                        self.fault(f"{case}, {column}: the page says {shown!r}, the table has {len(values)} values")
+                elif len(values) == 1:
+                    self.number(shown, values[0], f"{case}, {column}")
+                else:
+                    self.mean_and_scatter(shown, values, f"{case}, {column}")
+
+        for grains, samples, *cells in self.claim_table("| grains | samples | Phi |"):
+            compare(names.get(grains) or "rolling-" + re.search("mu_R = (.*) a", grains).group(1), samples, cells, shears)
+        for case, _, samples, *cells in self.claim_table("| case | grains | samples | Phi |"):
+            compare(case, samples, cells, forces)
+        kinds = ("vertex_face", "edge_edge", "edge_face", "face_face")
+        for case, *cells in self.claim_table("| case | vertex-face |"):
+            for kind, shown in zip(kinds, cells, strict=True):
+                for text, column in zip(shown.split(" with "), ("pairs_" + kind, "force_" + kind), strict=True):
+                    self.number(text, 100.0 * statistics.mean(float(r[column]) for r in points if r["case"] == case), f"{case}, {column}")
 
     def softening(self):
         points = list(csv.DictReader(open(os.path.join(self.source, "data/tables/softening/points.csv"))))
@@ -1041,7 +1069,7 @@ class Test:
                 for check in (self.demo_moduli, self.fit_of_demo_tables, self.demo_results, self.progress, self.scene_check,
                               self.scene_faults, self.rolling_stiffness, self.network, self.compare, self.crystal,
                               self.preconsolidation, self.measured_tables, self.conversions, self.python, self.python_package, self.spheres,
-                              self.spheres_of_lammps, self.quasistatic, self.softening, self.compaction, self.compaction_variants,
+                              self.spheres_of_lammps, self.quasistatic, self.rigid, self.softening, self.compaction, self.compaction_variants,
                               self.compaction_moduli, self.lambda_of_ensembles, self.compaction_sweep, self.powder2d, self.wet, self.loads, self.compression_laws,
                               self.lattice, self.tradeoff, self.names_of_tradeoff, self.settings_that_matter, self.kinds_of_shapes, self.shapes_of_states):
                     try:

@@ -169,7 +169,7 @@ def main():
         for name, text, count in (("spheres", spheres, 40), ("polyhedra", polyhedra, 20)):
             scene, run = directory / f"{name}.toml", directory / name
             scene.write_text(text + shear)
-            settings = (f"grains.count={count}", "dynamics.sweep_tolerance=1e-8", "dynamics.max_sweeps=10000")
+            settings = (f"grains.count={count}", "dynamics.sweep_tolerance=1e-8", "dynamics.max_sweeps=40000")
             subprocess.run([arguments.floc, "run", str(scene), "-o", str(run), *(w for s in settings for w in ("--set", s))],
                            check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             compare_run(name, run)

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <vector>
 
 namespace floc {
@@ -35,7 +34,11 @@ std::vector<ManifoldPoint<Dim>> spread_out(const std::vector<ManifoldPoint<Dim>>
     }
   }
   const auto is_wanted = [&](const Point& p) { return wanted && p.key == *wanted; };
-  if (std::ranges::none_of(kept, is_wanted)) std::ranges::copy_if(all, std::back_inserter(kept), is_wanted);
+  if (const auto left_out = std::ranges::find_if(all, is_wanted);
+      left_out != all.end() && std::ranges::none_of(kept, is_wanted)) {
+    if (static_cast<int>(kept.size()) == Manifold<Dim>::kMostPoints) kept.pop_back();
+    kept.push_back(*left_out);
+  }
   std::sort(kept.begin(), kept.end(), [](const Point& p, const Point& q) { return p.key < q.key; });
   return kept;
 }

@@ -11,6 +11,7 @@
 #include "floc/base/error.h"
 #include "floc/packing/balance.h"
 #include "floc/relaxation/contact_dynamics_relaxer.h"
+#include "floc/rigid/contact_dynamics.h"
 #include "floc/rigid/contact_points.h"
 #include "floc/verification/verify_rigid.h"
 #include "support/rigid_states.h"
@@ -27,6 +28,14 @@ struct RigidGas {
   std::optional<double> adhesion = {};  ///< largest attraction of a contact (force)
   std::uint64_t seed = 1;
 };
+
+/// Returns the load of a periodic cell under a pressure on all sides.
+inline BoundaryLoad<3> pressure_on_all_sides(double pressure) {
+  BoundaryLoad<3> load;
+  load.stress = Vec<3>::Constant(pressure);
+  load.under_stress.fill(true);
+  return load;
+}
 
 template <int Dim>
 Packing<Dim> make_rigid_gas(const RigidGas& gas) {

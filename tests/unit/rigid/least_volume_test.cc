@@ -13,13 +13,6 @@ namespace {
 
 constexpr double kPressure = 2.0;
 
-BoundaryLoad<3> pressure_on_all_sides() {
-  BoundaryLoad<3> load;
-  load.stress = Vec<3>::Constant(kPressure);
-  load.under_stress.fill(true);
-  return load;
-}
-
 /// Returns one box in a periodic cell, with gaps to its six neighbours and turned by a small angle.
 Packing<3> one_box(const Vec<3>& sides, double angle) {
   Packing<3> packing;
@@ -36,7 +29,7 @@ Packing<3> one_box(const Vec<3>& sides, double angle) {
 TEST(LeastVolume, OfOneBoxIsItsVolume) {
   const Vec<3> sides(1.0, 0.8, 0.6);
   Packing<3> packing = one_box(sides, 0.02);
-  const LeastVolume found = minimise_volume(packing, pressure_on_all_sides(), 1e-6);
+  const LeastVolume found = minimise_volume(packing, pressure_on_all_sides(kPressure), 1e-6);
   ASSERT_EQ(found.failure, "");
   EXPECT_NEAR(packing.cell.volume(), sides.prod(), 1e-9);
   EXPECT_NEAR(solid_fraction(packing), 1.0, 1e-9);
@@ -55,7 +48,7 @@ TEST(LeastVolume, BalancesAllGrains) {
     Packing<3> packing = end.packing;
     for (Vec<3>& x : packing.grains.position)
       for (double& c : x) c += random.uniform(-0.01, 0.01);
-    const LeastVolume found = minimise_volume(packing, pressure_on_all_sides(), 1e-6);
+    const LeastVolume found = minimise_volume(packing, pressure_on_all_sides(kPressure), 1e-6);
     ASSERT_EQ(found.failure, "");
     // The force of a pair is divided equally among its points, so that net forces balance, but moments do not.
     double mean = 0.0;
@@ -69,7 +62,7 @@ TEST(LeastVolume, BalancesAllGrains) {
 TEST(LeastVolume, SaysWhyThereIsNone) {
   Packing<3> packing = one_box(Vec<3>::Ones(), 0.0);
   packing.cell.matrix *= 0.3;
-  EXPECT_EQ(minimise_volume(packing, pressure_on_all_sides(), 1e-6).failure,
+  EXPECT_EQ(minimise_volume(packing, pressure_on_all_sides(kPressure), 1e-6).failure,
             "some grains overlap by more than half their size");
 }
 

@@ -17,13 +17,6 @@ ShapeOptions stones(double rounding) {
   return {.kind = CutOptions{}, .rounding = rounding};
 }
 
-BoundaryLoad<3> load_on_all_sides() {
-  BoundaryLoad<3> load;
-  load.stress = Vec<3>::Ones();
-  load.under_stress.fill(true);
-  return load;
-}
-
 Packing<3> moved(Packing<3> packing, const Eigen::VectorXd& step) {
   for (int i = 0; i < packing.grains.size(); ++i) {
     const int at = PlaneUnknowns::of_grain(i);
@@ -41,7 +34,7 @@ TEST(SeparatingPlanes, LieBetweenAllNearPairs) {
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
     const Packing<3> packing = make_dense_gas({.count = 8, .shape = stones(0.0), .seed = seed});
     const GrainVertices vertices(packing.grains);
-    const PlaneUnknowns unknowns(packing, load_on_all_sides());
+    const PlaneUnknowns unknowns(packing, pressure_on_all_sides(1.0));
     const std::vector<SeparatingPlane> planes = separating_planes(packing, vertices, unknowns, kReach, {});
     ASSERT_GT(planes.size(), 5u);
     for (const Contact<3>& c : ContactPoints<3>().find(packing, kReach)) {
@@ -63,7 +56,7 @@ TEST(SeparatingPlanes, HaveTheDerivativesOfTheirGaps) {
   for (const double rounding : {0.0, 0.1}) {
     const Packing<3> packing = make_dense_gas({.count = 8, .shape = stones(rounding), .seed = 4});
     const GrainVertices vertices(packing.grains);
-    const PlaneUnknowns unknowns(packing, load_on_all_sides());
+    const PlaneUnknowns unknowns(packing, pressure_on_all_sides(1.0));
     for (SeparatingPlane plane : separating_planes(packing, vertices, unknowns, kReach, {})) {
       Eigen::VectorXd step(unknowns.n);
       for (double& s : step) s = random.uniform(-1.0, 1.0);

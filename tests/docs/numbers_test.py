@@ -565,7 +565,7 @@ class Test:
 
         for grains, samples, *cells in self.claim_table("| grains | samples | Phi |"):
             compare(names.get(grains) or "rolling-" + re.search("mu_R = (.*) a", grains).group(1), samples, cells, shears)
-        for case, _, samples, *cells in self.claim_table("| case | grains | samples | Phi |"):
+        for case, _, samples, *cells in self.claim_table("| case | packing | samples | Phi |"):
             compare(case, samples, cells, forces)
         kinds = ("vertex_face", "edge_edge", "edge_face", "face_face")
         for case, *cells in self.claim_table("| case | vertex-face |"):

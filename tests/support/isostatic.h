@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "floc/geometry/frame.h"
+#include "floc/packing/contact_order.h"
 #include "floc/rigid/gap_curvature.h"
 #include "support/rigid_gas.h"
 
@@ -21,24 +22,29 @@ struct ConstraintCount {
   int constraints = 0, motions = 0;
 };
 
-/// Counts the constraints of contacts with forces above 1e-6 of the mean force. Each contact point of a pair gives one
+/// Returns the contacts with forces above 1e-6 of the mean force, in their order.
+template <int Dim>
+std::vector<const Contact<Dim>*> carrying_contacts(const Packing<Dim>& packing) {
+  const double least = 1e-6 * mean_repulsive_force(packing);
+  std::vector<const Contact<Dim>*> out;
+  for (const Contact<Dim>& c : packing.contacts)
+    if (c.elastic_force > least) out.push_back(&c);
+  return out;
+}
+
+/// Counts the constraints of carrying_contacts(). Each contact point of a pair gives one
 /// constraint, but a pair has at most two constraints for an edge on a side or face, and at most three for two faces.
 template <int Dim>
 ConstraintCount count_constraints(const Packing<Dim>& packing, int motions_per_grain) {
-  double mean = 0.0;
-  for (const Contact<Dim>& c : packing.contacts)
-    mean += c.elastic_force / static_cast<double>(packing.contacts.size());
   ConstraintCount out;
   std::vector<bool> carries(packing.grains.size(), false);
   int of_pair = 0;
   const Contact<Dim>* last = nullptr;
-  for (const Contact<Dim>& c : packing.contacts) {
-    if (!(c.elastic_force > 1e-6 * mean)) continue;
-    carries[c.i] = carries[c.j] = true;
-    const bool same = last && last->i == c.i && last->j == c.j && last->image == c.image;
-    of_pair = same ? of_pair + 1 : 1;
+  for (const Contact<Dim>* c : carrying_contacts(packing)) {
+    carries[c->i] = carries[c->j] = true;
+    of_pair = last && same_pair(*last, *c) ? of_pair + 1 : 1;
     out.constraints += of_pair <= Dim;
-    last = &c;
+    last = c;
   }
   for (const bool one : carries) out.motions += one ? motions_per_grain : 0;
   // Contacts do not constrain uniform translations of all grains, but they do constrain the free side lengths of the
@@ -69,19 +75,13 @@ struct HeldMotions {
 /// if the second derivative of P V - sum f g along z is positive.
 template <int Dim>
 HeldMotions motions_held_by_curvature(const Packing<Dim>& packing, double pressure) {
-  constexpr int kDof = Dim + kRotations<Dim>;
-  double mean = 0.0;
-  for (const Contact<Dim>& c : packing.contacts)
-    mean += c.elastic_force / static_cast<double>(packing.contacts.size());
+  constexpr int kDof = kDofs<Dim>;
+  const std::vector<const Contact<Dim>*> carrying = carrying_contacts(packing);
   std::vector<int> first(packing.grains.size(), -1);
   int n = Dim;  // the first unknowns are the strains of the sides
-  std::vector<const Contact<Dim>*> carrying;
-  for (const Contact<Dim>& c : packing.contacts) {
-    if (!(c.elastic_force > 1e-6 * mean)) continue;
-    carrying.push_back(&c);
-    for (const int i : {c.i, c.j})
+  for (const Contact<Dim>* c : carrying)
+    for (const int i : {c->i, c->j})
       if (first[i] < 0) first[i] = n, n += kDof;
-  }
   Eigen::MatrixXd gradients = Eigen::MatrixXd::Zero(static_cast<int>(carrying.size()), n);
   Eigen::MatrixXd second = Eigen::MatrixXd::Zero(n, n);
   for (int a = 0; a < Dim; ++a)

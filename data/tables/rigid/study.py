@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Packings of rigid grains at rest and at the critical state: a row a sample.
 
-  study.py FLOC DIRECTORY [--only CASE,...] [--seeds A..B]
+  study.py FLOC DIRECTORY [--only RUN,...] [--seeds A..B]
 
-runs each case in DIRECTORY/CASE/seed-SEED. Runs that are there already are resumed or kept. Writes DIRECTORY/points.csv: for each sample
-the means of columns of floc network and floc verify over its states.
+makes each run in DIRECTORY/RUN/seed-SEED. Runs that are there already are resumed or kept. Writes DIRECTORY/points.csv: for each sample
+the means of columns of floc network over its states, and for packings at rest force_freedom of path.csv.
 """
 import argparse
 import csv
@@ -23,8 +23,8 @@ HULL = 'grains.shape={kind="hull", vertices=[12,24], aspect=1.4, count=60}'
 CUBE = 'grains.shape={kind="box", sides=[1,1,1]}'
 SMOOTH = "contact.friction.coefficient=0"
 
-# name of the case: scene, changes of the scene, numbers of the states
-CASES = {
+# name of the run: scene, changes of the scene, numbers of the states whose means are a row (or of several such cases)
+RUNS = {
     "polygons-5": ("pentagons", [], CRITICAL),
     "polygons-8": ("pentagons", ["grains.shape.sides=8"], CRITICAL),
     "polygons-20": ("pentagons", ["grains.shape.sides=20"], CRITICAL),
@@ -32,8 +32,7 @@ CASES = {
     "span-0.2": ("wide_span", ["grains.count=1000", "grains.diameter.min=0.667"], CRITICAL),
     "span-0.6": ("wide_span", ["grains.count=1000", "grains.diameter.min=0.25"], CRITICAL),
     "span-0.9": ("wide_span", ["grains.count=1500", "grains.diameter.min=0.0526"], CRITICAL),
-    "spheres-sheared": ("rigid_spheres", ["grains.count=2000", "contact.friction.coefficient=0.5"], range(6, 11)),
-    "spheres": ("rigid_spheres", ["grains.count=2000", "contact.friction.coefficient=0.5"], AT_REST),
+    "spheres": ("rigid_spheres", ["grains.count=2000", "contact.friction.coefficient=0.5"], {"spheres-sheared": range(6, 11), "spheres": AT_REST}),
     "cut": ("polyhedra", ["grains.count=1000"], AT_REST),
     "hull": ("polyhedra", ["grains.count=1000", HULL], AT_REST),
     "cubes": ("polyhedra", ["grains.count=1000", CUBE], AT_REST),
@@ -46,8 +45,8 @@ COLUMNS = (["phi", "z_star", "z_pairs_star", "x0", "below_mean", "alpha", "beta"
            ["sliding_share", "stress_ratio", "stress_ratio_predicted", "a_normals", "a_normal_force", "a_tangential_force"])
 
 
-def run(floc, case, seed, directory):
-    scene, changes, _ = CASES[case]
+def run(floc, name, seed, directory):
+    scene, changes, _ = RUNS[name]
     command = [floc, "run", os.path.join(SCENES, scene + ".toml"), "-o", directory, "--threads", "1", "--resume", "--seed", str(seed)]
     for change in changes:
         command += ["--set", change]
@@ -65,32 +64,35 @@ def mean(rows, column):
     return f"{statistics.fmean(values):.6g}" if values else ""
 
 
-def point(floc, directory):
-    case, seed = re.search(r"([^/]+)/seed-(\d+)$", directory).groups()
-    states = [os.path.join(directory, f"state-{k:04}.h5") for k in CASES[case][2]]
-    rows = table(floc, "network", *states, "--columns", "all")
-    with open(os.path.join(directory, "path.csv")) as file:
-        freedom = next(csv.DictReader(file)).get("force_freedom", "") if CASES[case][2] == AT_REST else ""
-    return [case, seed, rows[0]["n_grains"], *[mean(rows, column) for column in COLUMNS], freedom]
+def points(floc, directory):
+    name, seed = re.search(r"([^/]+)/seed-(\d+)$", directory).groups()
+    cases = RUNS[name][2]
+    for case, states in (cases if isinstance(cases, dict) else {name: cases}).items():
+        rows = table(floc, "network", *[os.path.join(directory, f"state-{k:04}.h5") for k in states], "--columns", "all")
+        with open(os.path.join(directory, "path.csv")) as file:
+            freedom = next(csv.DictReader(file)).get("force_freedom", "") if states == AT_REST else ""
+        yield [case, seed, rows[0]["n_grains"], *[mean(rows, column) for column in COLUMNS], freedom]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("floc")
     parser.add_argument("directory")
-    parser.add_argument("--only", default=",".join(CASES))
+    parser.add_argument("--only", default=",".join(RUNS))
     parser.add_argument("--seeds", default="1..2")
     options = parser.parse_args()
     floc = os.path.abspath(options.floc) if os.sep in options.floc else options.floc
     first, _, last = options.seeds.partition("..")
-    for case in options.only.split(","):
+    for name in options.only.split(","):
         for seed in range(int(first), int(last or first) + 1):
-            run(floc, case, seed, os.path.join(options.directory, case, f"seed-{seed}"))
-    points = [point(floc, d) for d in glob.glob(os.path.join(options.directory, "*", "seed-*"))]
+            run(floc, name, seed, os.path.join(options.directory, name, f"seed-{seed}"))
     with open(os.path.join(options.directory, "points.csv"), "w", newline="") as file:
         out = csv.writer(file, lineterminator="\n")
         out.writerow(["case", "seed", "n_grains", *COLUMNS, "force_freedom"])
-        out.writerows(sorted(points, key=lambda p: (list(CASES).index(p[0]), int(p[1]))))
+        for name in RUNS:
+            found = glob.glob(os.path.join(options.directory, name, "seed-*"))
+            rows = [row for directory in found for row in points(floc, directory)]
+            out.writerows(sorted(rows, key=lambda row: (row[0] == name, int(row[1]))))
 
 
 if __name__ == "__main__":

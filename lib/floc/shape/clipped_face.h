@@ -33,8 +33,8 @@ struct ClipOptions {
   /// are at most two corners.
   int most_points = 4;
   double level = 0.0;  ///< difference of heights up to which vertices count as equally high (length)
-  int wanted_side =
-      -1;  ///< number of the side whose corner is always returned if it is within reach; -1 for none
+  /// Number of the side whose corner is always returned if it is within reach; -1 for none.
+  int wanted_side = -1;
 };
 
 /// Clips the incident face, a face of the shape `incident`, by the sides of the reference face, the face `face` of the

@@ -46,8 +46,9 @@ std::string elastic_property(const Contact<Dim>& c) {
   return "";
 }
 
-/// @param moving  whether the forces are those of a time step. The adhesion of a contact acts from the step after its gap
-/// has closed
+/// Checks that each repulsive force is the normal force plus the adhesion of the law.
+/// @param moving  whether the forces are those of a time step: the adhesion of a contact whose gap closes in the step
+/// acts only from the next step on
 template <int Dim>
 Criterion check_law(const Packing<Dim>& packing, bool moving) {
   Criterion result{"law", 0.0, kForceError, true, ""};

@@ -1,3 +1,4 @@
+#include "support/elastic_gas.h"
 #include "support/isostatic.h"
 #include "support/kill_and_resume.h"
 #include "support/random_rigid_scenes.h"
@@ -17,6 +18,10 @@ TEST(RigidGrains, TwoHundredFrictionlessPentagonsAreNearlyIsostatic) {
 
 TEST(RigidGrains, TwoHundredFrictionlessPolyhedraAreNearlyIsostatic) {
   for (const std::uint64_t seed : {1u, 2u}) expect_nearly_isostatic<3>({.kind = CutOptions{}}, 200, seed, 0.98);
+}
+
+TEST(RigidGrains, ModuliOfThreeHundredElasticPolyhedraAreThoseOfRelaxedStrains) {
+  expect_moduli_of_strains<3>(300, {.kind = CutOptions{}, .rounding = 0.05}, 0.5, 1e-4);
 }
 
 TEST(RigidGrains, ThirtyKillsLeaveNoTrace) {

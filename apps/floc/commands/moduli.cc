@@ -163,8 +163,8 @@ Command add_moduli(CommandLine program) {
       .one_of({"diagonal", "full"})
       .show_default();
   app.add_flag("--prestress", command->options.moduli.prestress,
-               "include the geometric stiffness due to the contact forces (except the tangential force F_T); "
-               "moduli are then derivatives of the Cauchy stress");
+               "include the geometric stiffness due to the contact forces (for disks and spheres, except the "
+               "tangential force F_T); moduli are then derivatives of the Cauchy stress");
   const Option tolerance = app.add_option("--tolerance", command->options.moduli.tolerance,
                                           "required relative error of the moduli B and G; the achieved error "
                                           "is printed, with a warning if it is larger")

@@ -12,6 +12,7 @@
 #include "floc/linalg/condensation.h"
 #include "floc/linalg/single_factor.h"
 #include "floc/linalg/spring_inverse.h"
+#include "floc/network/geometric_springs.h"
 
 namespace floc {
 namespace {
@@ -33,7 +34,9 @@ class SpringList {
     for (const NetworkContact<Dim>& c : network.contacts) {
       const ContactRows<Dim> rows = contact_rows(c);
       append(c, rows, row_stiffness(c) / unit);
-      if (options.prestress) append(c, translation_rows(rows), row_prestress(c) / unit);
+      if (options.prestress)
+        for_each_geometric_term(network, c, rows,
+                                [&](const auto& moved, const auto& k) { append(c, moved, k / unit); });
     }
     springs_.on_free.finalize();
   }
@@ -44,7 +47,9 @@ class SpringList {
     Eigen::Index n = 0;
     for (const NetworkContact<Dim>& c : network.contacts) {
       n += (row_stiffness(c).array() != 0.0).count();
-      if (options.prestress) n += (row_prestress(c).array() != 0.0).count();
+      if (options.prestress)
+        for_each_geometric_term(network, c, contact_rows(c),
+                                [&n](const auto&, const auto& k) { n += (k.array() != 0.0).count(); });
     }
     return static_cast<int>(n);
   }

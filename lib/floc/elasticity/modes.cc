@@ -7,6 +7,7 @@
 #include "floc/elasticity/isotropic_moduli.h"
 #include "floc/elasticity/reduced_unknowns.h"
 #include "floc/linalg/lowest_eigenpairs.h"
+#include "floc/network/geometric_springs.h"
 
 namespace floc {
 namespace {
@@ -26,14 +27,15 @@ std::vector<bool> connected_unknowns(const ContactNetwork<Dim>& network) {
 }
 
 /// Returns, for each unknown of the stiffness matrix, whether a contact resists the motion that the unknown describes.
-/// If all contacts of a grain have only a normal stiffness, no contact resists the rotation of the grain.
+/// If all contacts of a grain have only a normal stiffness, and their normal forces no moments, no contact resists the
+/// rotation of the grain.
 template <int Dim>
 std::vector<bool> resisted_unknowns(const ContactNetwork<Dim>& network) {
   std::vector<bool> resisted(network.n_unknowns(), false);
   for (const NetworkContact<Dim>& c : network.contacts) {
-    const bool resists_rotation = c.kt != 0.0 || c.kr != 0.0 || c.ktw != 0.0;
     for (const int grain : {c.i, c.j})
-      std::fill_n(resisted.begin() + first_unknown<Dim>(grain), resists_rotation ? kDofs<Dim> : Dim, true);
+      std::fill_n(resisted.begin() + first_unknown<Dim>(grain),
+                  resists_rotation(network, c, grain) ? kDofs<Dim> : Dim, true);
   }
   return resisted;
 }
@@ -83,9 +85,10 @@ void add_energies(const ContactNetwork<Dim>& network, StrainSet strains, Mode<Di
     const RowStiffness<Dim> force = row_stiffness(c).cwiseProduct(change);
     mode.eigenvalue += force.dot(change);
     mode.coupling += g.on_strain.leftCols(mode.coupling.size()).transpose() * force;
-    const ContactRows<Dim> t = translation_rows(g);
-    const RowStiffness<Dim> slide = t.on_i * u_i + t.on_j * u_j;
-    geometric += slide.dot(row_prestress(c).cwiseProduct(slide));
+    for_each_geometric_term(network, c, g, [&](const ContactRows<Dim>& rows, const RowStiffness<Dim>& k) {
+      const RowStiffness<Dim> motion = rows.on_i * u_i + rows.on_j * u_j;
+      geometric += motion.dot(k.cwiseProduct(motion));
+    });
   }
   mode.with_prestress = mode.eigenvalue + geometric;
 }

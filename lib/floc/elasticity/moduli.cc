@@ -12,6 +12,7 @@
 #include "floc/elasticity/convected_stress.h"
 #include "floc/elasticity/isotropic_moduli.h"
 #include "floc/elasticity/parallel/parallel_response.h"
+#include "floc/network/geometric_springs.h"
 #include "floc/network/rattlers.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/require_elastic.h"
@@ -186,6 +187,7 @@ ContactNetwork<Dim> loaded(const Packing<Dim>& packing, const ModuliOptions& opt
   const double smallest = options.force_tolerance * force_scale<Dim>(packing, pressure).force;
   ContactNetwork<Dim> network = without_grains(contact_network(packing), find_rattlers(packing, smallest));
   if (options.rolling_stiffness) set_rolling_stiffness(network, *options.rolling_stiffness);
+  if (options.prestress && !packing.grains.are_round()) network.geometric = geometric_springs(packing);
   return network;
 }
 

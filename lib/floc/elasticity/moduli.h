@@ -33,7 +33,7 @@ struct ModuliOptions {
   ModuliMethod method = ModuliMethod::factor;
   StrainSet strains = StrainSet::diagonal;
   /// Whether the geometric terms, which result from the contact forces, are added to the stiffness. The moduli are in
-  /// this case derivatives of the Cauchy stress.
+  /// this case derivatives of the Cauchy stress. Packings of grains with corners must not have walls.
   bool prestress = false;
   /// Used in the search for rattlers of a cohesionless packing: a contact counts as carrying no force if its normal
   /// force is at most this number, in units of F1 = max(F0, P a^(Dim-1)) (pull-off force F0, pressure P, largest

@@ -206,7 +206,9 @@ Stability stability(const ContactNetwork<Dim>& network, const Mat<Dim>& stress,
 template <int Dim>
 Stability stability(const Packing<Dim>& packing, bool prestress, const StabilityOptions& options) {
   if (!prestress && !has_negative_stiffness(packing.contacts)) return {0, ""};
-  const ContactNetwork<Dim> network = ModuliOptions{}.loaded_network(packing);
+  ModuliOptions network_options;
+  network_options.prestress = prestress;
+  const ContactNetwork<Dim> network = network_options.loaded_network(packing);
   return prestress ? stability(network, load_stress(packing), options) : stability(network, options);
 }
 

@@ -37,6 +37,23 @@ struct NetworkContact {
   bool on_wall() const { return wall >= 0; }
 };
 
+/// Number of components of the motion at a contact of two grains i and j: the displacement of j relative to i, the
+/// rotation of i, and the rotation of j.
+template <int Dim>
+inline constexpr int kMotionRows = Dim + 2 * kRotations<Dim>;
+
+template <int Dim>
+using MotionMatrix = Eigen::Matrix<double, kMotionRows<Dim>, kMotionRows<Dim>>;
+
+/// Geometric stiffness of a contact as a set of springs: each spring resists one combination of the components of the
+/// motion at the contact (see kMotionRows). Some stiffnesses are negative.
+template <int Dim>
+struct GeometricSprings {
+  MotionMatrix<Dim> directions;  ///< columns: the combinations, which are orthonormal
+  /// stiffness of each spring (force/length for displacements; each rotation adds a factor of length)
+  Eigen::Matrix<double, kMotionRows<Dim>, 1> stiffness;
+};
+
 /// Contact network of a packing: the contacts, and all quantities that determine the linear response of the packing.
 template <int Dim>
 struct ContactNetwork {
@@ -49,6 +66,9 @@ struct ContactNetwork {
   /// Axes with a wall at both ends, ascending. The two walls of an axis may move together along the axis; this motion
   /// is an additional unknown of the boundary.
   std::vector<int> wall_axes;
+  /// Geometric springs of each contact of the packing, in the order of NetworkContact::source, if the grains have
+  /// corners and the springs are needed; empty otherwise. For round grains they follow from the contact itself.
+  std::vector<GeometricSprings<Dim>> geometric;
 
   int n_unknowns() const { return kDofs<Dim> * n_grains; }
 };

@@ -12,9 +12,9 @@
 namespace floc {
 namespace {
 
-/// Threshold for the linear independence of a rigid motion from the motions that are already fixed. The fixed motions
-/// are subtracted from the rigid motion; the rigid motion is independent if at least this share of its largest
-/// displacement remains.
+/// Threshold for the linear independence of a rigid motion from the motions that are already fixed. Lever arms of
+/// normal forces that are shorter than this share of the grain's size count as zero. The fixed motions are subtracted
+/// from the rigid motion; the rigid motion is independent if at least this share of its largest displacement remains.
 constexpr double kDistinct = 1e-6;
 
 /// Returns the null space of a matrix up to rounding, as orthonormal columns v with |matrix v| <= bound.
@@ -203,8 +203,33 @@ class FreeMotionFinder {
     return held ? std::vector<int>{} : group;
   }
 
+  /// Returns the axes about which the normal springs of a group of grains let them rotate together, as columns. They
+  /// are all axes for round grains, whose normal forces have no moments about the centres. Each column has a zero in
+  /// the rows in which the columns before it have their largest entries.
+  Eigen::MatrixXd axes_without_moment(const std::vector<int>& group) const {
+    constexpr int kAxes = kRotations<Dim>;
+    Eigen::Index n = kAxes;  // zero rows, for kernel()
+    for (const int grain : group) n += static_cast<Eigen::Index>(of_[grain].size());
+    Eigen::MatrixXd moments = Eigen::MatrixXd::Zero(n, kAxes);
+    n = kAxes;
+    for (const int grain : group)
+      for (const int k : of_[grain])
+        if (active_[k])
+          moments.row(n++) = normal_moment(network_.contacts[k], grain) / network_.grain_size[grain];
+    if (moments.cwiseAbs().maxCoeff() <= kDistinct) return Eigen::MatrixXd::Identity(kAxes, kAxes);
+    Eigen::MatrixXd axes = kernel(moments, kDistinct);
+    for (Eigen::Index a = 0; a < axes.cols(); ++a) {
+      Eigen::Index row = 0;
+      axes.col(a).cwiseAbs().maxCoeff(&row);
+      for (Eigen::Index b = a + 1; b < axes.cols(); ++b)
+        axes.col(b) -= axes(row, b) / axes(row, a) * axes.col(a);
+    }
+    return axes;
+  }
+
   /// Finds free rotations of grains, which no force or moment resists. A grain without tangential springs rotates
-  /// freely. Grains that are connected by rolling or twisting stiffness rotate together.
+  /// freely if its normal forces have no moments. Grains that are connected by rolling or twisting stiffness rotate
+  /// together.
   void find_free_spins() {
     std::vector<bool> visited(network_.n_grains, false);
     for (int i = 0; i < network_.n_grains; ++i) {
@@ -212,8 +237,15 @@ class FreeMotionFinder {
       if (visited[i] || !free_.kept[first]) continue;
       const std::vector<int> group = free_rolling_group(i, visited);
       if (group.empty()) continue;
-      ++free_.n_free_spins;
-      for (int u = Dim; u < kDofs<Dim>; ++u) add_spin(group, GrainMotion<Dim>::Unit(u), first + u);
+      const Eigen::MatrixXd axes = axes_without_moment(group);
+      if (axes.cols() > 0) ++free_.n_free_spins;
+      for (Eigen::Index a = 0; a < axes.cols(); ++a) {
+        GrainMotion<Dim> motion = GrainMotion<Dim>::Zero();
+        motion.template tail<kRotations<Dim>>() = axes.col(a);
+        Eigen::Index largest = 0;
+        axes.col(a).cwiseAbs().maxCoeff(&largest);
+        add_spin(group, motion, first + Dim + static_cast<int>(largest));
+      }
     }
   }
 
@@ -406,6 +438,14 @@ FreeMotions find_free_motions(const ContactNetwork<Dim>& network) {
   return FreeMotionFinder<Dim>(network).find();
 }
 
+template <int Dim>
+bool resists_rotation(const ContactNetwork<Dim>& network, const NetworkContact<Dim>& c, int grain) {
+  return c.kt != 0.0 || c.kr != 0.0 || c.ktw != 0.0 ||
+         normal_moment(c, grain).norm() > kDistinct * network.grain_size[grain];
+}
+
+template bool resists_rotation(const ContactNetwork<2>&, const NetworkContact<2>&, int);
+template bool resists_rotation(const ContactNetwork<3>&, const NetworkContact<3>&, int);
 template FreeMotions find_free_motions(const ContactNetwork<2>&);
 template FreeMotions find_free_motions(const ContactNetwork<3>&);
 

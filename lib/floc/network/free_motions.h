@@ -65,4 +65,9 @@ struct FreeMotions {
 template <int Dim>
 FreeMotions find_free_motions(const ContactNetwork<Dim>& network);
 
+/// Returns whether a contact resists the rotation of one of its grains about any axis: it has a tangential, rolling or
+/// twisting stiffness, or its normal force has a moment about the centre of the grain, as between grains with corners.
+template <int Dim>
+bool resists_rotation(const ContactNetwork<Dim>& network, const NetworkContact<Dim>& contact, int grain);
+
 }  // namespace floc

@@ -4,16 +4,8 @@
 
 namespace floc {
 
-/// Number of components of the motion at a contact of two grains i and j: the displacement of j relative to i, the
-/// rotation of i, and the rotation of j.
-template <int Dim>
-inline constexpr int kMotionRows = Dim + 2 * kRotations<Dim>;
-
-template <int Dim>
-using MotionMatrix = Eigen::Matrix<double, kMotionRows<Dim>, kMotionRows<Dim>>;
-
-/// Computes the geometric stiffness of a contact: the change of its forces and moments if the frame of the contact
-/// rotates and their components in this frame are constant.
+/// Computes the geometric stiffness of a contact of round grains: the change of its forces and moments if the frame of
+/// the contact rotates and their components in this frame are constant.
 ///
 /// Let r be the vector from the centre of grain i to the centre of grain j, n the normal, and dr the displacement of j
 /// relative to i. The frame rotates by w = n x dn + psi n, with dn = (1 - n n) dr/|r| and psi = n.(rotation of i +

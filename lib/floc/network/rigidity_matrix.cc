@@ -71,6 +71,14 @@ ContactRows<Dim> contact_rows(const NetworkContact<Dim>& c) {
 }
 
 template <int Dim>
+RotationVector<Dim> normal_moment(const NetworkContact<Dim>& c, int grain) {
+  RotationVector<Dim> out = RotationVector<Dim>::Zero();
+  if (grain == c.i) out += moment<double>(c.arm_i, c.normal());
+  if (grain == c.j && !c.on_wall()) out -= moment<double>(c.arm_j, c.normal());
+  return out;
+}
+
+template <int Dim>
 Eigen::Matrix<double, kDofs<Dim>, Dim> rows_on_walls(const NetworkContact<Dim>& c) {
   Eigen::Matrix<double, kDofs<Dim>, Dim> rows = Eigen::Matrix<double, kDofs<Dim>, Dim>::Zero();
   if (c.on_wall()) rows.row(0) = -c.normal().transpose();
@@ -160,6 +168,7 @@ Eigen::SparseMatrix<double> scaled_rigidity_matrix(const ContactNetwork<Dim>& ne
 #define FLOC_INSTANTIATE(Dim)                                                                      \
   template Mat<Dim> unit_strain<Dim>(int);                                                         \
   template ContactRows<Dim> contact_rows(const NetworkContact<Dim>&);                              \
+  template RotationVector<Dim> normal_moment(const NetworkContact<Dim>&, int);                     \
   template Eigen::Matrix<double, kDofs<Dim>, Dim> rows_on_walls(const NetworkContact<Dim>&);       \
   template int n_boundary_unknowns(const ContactNetwork<Dim>&, StrainSet);                         \
   template double wall_shift_unit(const ContactNetwork<Dim>&);                                     \

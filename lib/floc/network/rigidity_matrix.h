@@ -45,6 +45,11 @@ using RowStiffness = Eigen::Matrix<double, kDofs<Dim>, 1>;
 template <int Dim>
 ContactRows<Dim> contact_rows(const NetworkContact<Dim>& contact);
 
+/// Returns the change of the overlap of a contact with the rotation of one of its grains, per angle about each axis
+/// (length). It is zero up to rounding for round grains.
+template <int Dim>
+RotationVector<Dim> normal_moment(const NetworkContact<Dim>& contact, int grain);
+
 /// Returns a matrix with one column per axis: the relative motion at a contact (rows as in ContactRows) if the two
 /// walls of this axis are displaced together by 1 along the axis. Only the overlap with a wall of this axis changes.
 template <int Dim>

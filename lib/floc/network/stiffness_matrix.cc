@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "floc/network/geometric_springs.h"
 #include "floc/network/geometric_stiffness.h"
 #include "floc/network/symmetric_sum.h"
 
@@ -49,8 +50,9 @@ StiffnessMatrix stiffness_matrix(const ContactNetwork<Dim>& network, const Stiff
   for (const NetworkContact<Dim>& c : network.contacts) {
     const ContactRows<Dim> rows = contact_rows(c);
     add(c, rows, row_stiffness(c));
-    if (options.prestress) add(c, translation_rows(rows), row_prestress(c));
-    if (options.shear_prestress) add_shear_prestress(c, options.strains, sum);
+    if (options.prestress)
+      for_each_geometric_term(network, c, rows, [&](const auto& moved, const auto& k) { add(c, moved, k); });
+    if (options.shear_prestress && network.geometric.empty()) add_shear_prestress(c, options.strains, sum);
   }
   return sum.take();
 }

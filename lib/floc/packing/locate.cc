@@ -36,12 +36,18 @@ Manifold<Dim> manifold_of(const Packing<Dim>& packing, const Contact<Dim>& conta
   }
   PlacedShape<Dim> second = packing.grains.placed(contact.j);
   second.position = first.position + branch;
-  ManifoldOptions options;
+  ManifoldOptions options = manifold_options(packing);
   options.wanted = wanted;
+  return contact_manifold(first, second, reach, last, options);
+}
+
+template <int Dim>
+ManifoldOptions manifold_options(const Packing<Dim>& packing) {
+  ManifoldOptions options;
   options.exact = are_smooth_polyhedra(packing);
   if (!options.exact && packing.law.is_rigid()) options.face_preference = kFacePreference;
   if (options.exact || !packing.law.is_rigid()) options.most_points = Manifold<Dim>::kMostPoints;
-  return contact_manifold(first, second, reach, last, options);
+  return options;
 }
 
 template <int Dim>
@@ -112,6 +118,7 @@ void set_arms(Packing<Dim>& packing) {
   template ContactGeometry<Dim> locate_balls(const DoubleDoubleVec<Dim>&, double, double);              \
   template Manifold<Dim> manifold_of(const Packing<Dim>&, const Contact<Dim>&, const Vec<Dim>&, double, \
                                      AxisFeatures*, std::optional<std::uint32_t>);                      \
+  template ManifoldOptions manifold_options(const Packing<Dim>&);                                       \
   template bool are_smooth_polyhedra(const Packing<Dim>&);                                              \
   template ContactGeometry<Dim> locate(const Packing<Dim>&, const Contact<Dim>&);                       \
   template void place(const ContactGeometry<Dim>&, Contact<Dim>&);                                      \

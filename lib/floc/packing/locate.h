@@ -42,6 +42,11 @@ Manifold<Dim> manifold_of(const Packing<Dim>& packing, const Contact<Dim>& conta
                           double reach, AxisFeatures* last = nullptr,
                           std::optional<std::uint32_t> wanted = std::nullopt);
 
+/// Returns the options with which contact points of two grains of a packing are found.
+/// @pre !packing.grains.are_round()
+template <int Dim>
+ManifoldOptions manifold_options(const Packing<Dim>& packing);
+
 /// Returns whether the grains are rigid polyhedra without friction and adhesion, also on walls. Their manifolds are
 /// exact (ManifoldOptions): the forces of their contacts are normal to the surfaces, and an error of a normal
 /// unbalances them.

@@ -17,6 +17,7 @@
 #include "floc/packing/law/named_stiffness.h"
 #include "floc/packing/law/stiffness_check.h"
 #include "floc/packing/require_elastic.h"
+#include "floc/packing/require_periodic.h"
 #include "floc/packing/wall_forces.h"
 #include "floc/structure/coordination.h"
 #include "floc/tables/equilibrium_warning.h"
@@ -50,12 +51,13 @@ ModuliRow described(const std::string& file, const State<Dim>& state) {
 /// not given.
 const std::string kNeedsStiffness = "without named stiffnesses --kn and --kt, moduli are computed";
 
-/// Requires a packing whose moduli can be computed: its contacts are elastic and, for moduli with prestress, its grains
-/// round, because the geometric terms are those of contacts that roll on round grains.
+/// Requires a packing whose moduli can be computed: its contacts are elastic and, for moduli with prestress of grains
+/// with corners, its boundaries periodic.
 template <int Dim>
 void require_stiffness(const Packing<Dim>& packing, bool prestress, const std::string& file) {
   require_elastic(packing, kNeedsStiffness, file);
-  if (prestress) require_round(packing, "moduli with prestress are computed", file);
+  if (prestress && !packing.grains.are_round())
+    require_periodic(packing, "moduli with prestress of grains with corners are computed", file);
 }
 
 /// Returns a state of rigid grains with the stiffnesses --kn and --kt in its contacts, and warns that these stiffnesses

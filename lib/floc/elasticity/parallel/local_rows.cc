@@ -4,6 +4,8 @@
 #include <limits>
 #include <numeric>
 
+#include "floc/network/geometric_springs.h"
+
 namespace floc {
 namespace {
 
@@ -128,8 +130,9 @@ void LocalRows<Dim>::for_each_spring(const NetworkContact<Dim>& c, const Visit& 
   const ContactRows<Dim> rows = contact_rows(c);
   visit(rows, RowStiffness<Dim>(row_stiffness(c) / unit_), boundary_rows(network_, c, rows, strains_));
   if (!prestress_) return;
-  const ContactRows<Dim> moved = translation_rows(rows);
-  visit(moved, RowStiffness<Dim>(row_prestress(c) / unit_), boundary_rows(network_, c, moved, strains_));
+  for_each_geometric_term(network_, c, rows, [&](const ContactRows<Dim>& moved, const RowStiffness<Dim>& k) {
+    visit(moved, RowStiffness<Dim>(k / unit_), boundary_rows(network_, c, moved, strains_));
+  });
 }
 
 template <int Dim>

@@ -1,0 +1,172 @@
+#include "floc/network/geometric_springs.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cassert>
+#include <optional>
+
+#include "floc/packing/locate.h"
+
+namespace floc {
+namespace {
+
+/// Displacement of the surface, divided by the smaller outer radius, by which grains are moved for the differences. The
+/// rounding errors of a gap, some 1e-16 of the radius, then change the stiffness by 1e-10 K_N.
+constexpr double kMove = 1e-6;
+
+/// Displacement of grain j relative to grain i, and rotations of i and of j.
+template <int Dim>
+using Motion = Eigen::Matrix<double, kMotionRows<Dim>, 1>;
+
+/// Changes of the geometry of a contact with a component of the motion of its grains.
+template <int Dim>
+struct GeometryChange {
+  Vec<Dim> normal = Vec<Dim>::Zero();
+  double gap = 0.0;
+  Vec<Dim> arm_i = Vec<Dim>::Zero();
+};
+
+Mat<2> rotation_by(const RotationVector<2>& angle) {
+  return Eigen::Rotation2Dd(angle[0]).toRotationMatrix();
+}
+Mat<3> rotation_by(const RotationVector<3>& angle) {
+  const double size = angle.norm();
+  if (size == 0.0) return Mat<3>::Identity();
+  return Eigen::AngleAxisd(size, angle / size).toRotationMatrix();
+}
+
+/// Contact of two grains with corners whose grains are moved by small amounts.
+template <int Dim>
+class MovedContact {
+ public:
+  MovedContact(const Packing<Dim>& packing, const Contact<Dim>& contact)
+      : contact_(contact),
+        first_(packing.grains.placed(contact.i)),
+        second_(packing.grains.placed(contact.j)),
+        options_(manifold_options(packing)) {
+    second_.position = first_.position + branch(packing, contact);
+    options_.wanted = static_cast<std::uint32_t>(contact.key);
+    reach_ = first_.outer_radius() + second_.outer_radius();
+    contact_manifold(first_, second_, reach_, &features_, options_);
+  }
+
+  double smaller_radius() const { return std::min(first_.outer_radius(), second_.outer_radius()); }
+
+  /// Returns the changes of the geometry per unit of one component of the motion. A contact point that only one of the
+  /// two moved pairs has, because an edge leaves a face there, gives a one-sided difference.
+  /// @param size  value of the component (length, or angle for a rotation)
+  GeometryChange<Dim> change(int component, double size) const {
+    const Motion<Dim> motion = size * Motion<Dim>::Unit(component);
+    std::optional<GeometryChange<Dim>> after = moved(motion), before = moved(-motion);
+    const double span = (after ? size : 0.0) + (before ? size : 0.0);
+    if (span == 0.0) return {};
+    const GeometryChange<Dim> present{contact_.normal, contact_.gap, contact_.arm_i};
+    const GeometryChange<Dim> to = after.value_or(present), from = before.value_or(present);
+    return {(to.normal - from.normal) / span, (to.gap - from.gap) / span, (to.arm_i - from.arm_i) / span};
+  }
+
+ private:
+  /// Returns the geometry of the contact after a motion of its grains; nothing if no point has the key of the contact.
+  std::optional<GeometryChange<Dim>> moved(const Motion<Dim>& motion) const {
+    PlacedShape<Dim> first = first_, second = second_;
+    second.position += motion.template head<Dim>();
+    const RotationVector<Dim> turn_i = motion.template segment<kRotations<Dim>>(Dim);
+    const RotationVector<Dim> turn_j = motion.template tail<kRotations<Dim>>();
+    first.rotation = rotation_by(turn_i) * first.rotation;
+    second.rotation = rotation_by(turn_j) * second.rotation;
+    AxisFeatures features = features_;
+    const Manifold<Dim> manifold = contact_manifold(first, second, reach_, &features, options_);
+    const ManifoldPoint<Dim>* point = manifold.with_key(*options_.wanted);
+    if (!point) return std::nullopt;
+    return GeometryChange<Dim>{manifold.normal, point->gap, point->arm};
+  }
+
+  const Contact<Dim>& contact_;
+  PlacedShape<Dim> first_, second_;
+  ManifoldOptions options_;
+  AxisFeatures features_;
+  double reach_;
+};
+
+/// Returns the geometric springs of one contact. Let f = -F n + S be the force on i, with the normal force F and the
+/// tangential force S, and a_i and a_j the lever arms. The gap changes by dg, of which K_N n.(motion of the points in
+/// contact) describes only a part, the normal by dn and the arms by da_i and da_j = da_i - dr. With the mean rotation w
+/// of the grains, dS = w x S - n (n.(w x S) + S.dn). Then
+///
+///   df = -dF n - F dn + dS,  d(moment on i) = da_i x f + a_i x df,  d(moment on j) = -(da_j x f + a_j x df)
+///
+/// with the part dF of the change of the normal force that is due to the part of dg not described.
+template <int Dim>
+GeometricSprings<Dim> springs_of(const Packing<Dim>& packing, const NetworkContact<Dim>& c) {
+  const MovedContact<Dim> moved(packing, packing.contacts[static_cast<std::size_t>(c.source)]);
+  const Vec<Dim> n = c.normal();
+  const Vec<Dim> force = c.shear_force - c.normal_force * n;
+  const double length = kMove * moved.smaller_radius();
+  MotionMatrix<Dim> k;
+  for (int a = 0; a < kMotionRows<Dim>; ++a) {
+    const Motion<Dim> unit = Motion<Dim>::Unit(a);
+    const Vec<Dim> displacement = unit.template head<Dim>();
+    const RotationVector<Dim> turn_i = unit.template segment<kRotations<Dim>>(Dim);
+    const RotationVector<Dim> turn_j = unit.template tail<kRotations<Dim>>();
+    const GeometryChange<Dim> d = moved.change(a, a < Dim ? length : kMove);
+    const Vec<Dim> approach = displacement + cross<double>(turn_j, c.arm_j) - cross<double>(turn_i, c.arm_i);
+    const double normal_force = c.kn * (n.dot(approach) - d.gap);
+    const Vec<Dim> turned = cross<double>(RotationVector<Dim>(0.5 * (turn_i + turn_j)), c.shear_force);
+    const Vec<Dim> change = -normal_force * n - c.normal_force * d.normal + turned -
+                            n * (n.dot(turned) + c.shear_force.dot(d.normal));
+    const Vec<Dim> arm_j = d.arm_i - displacement;
+    // The displacement of j does work on the force on j, which is -f.
+    k.col(a) << change, -(moment<double>(d.arm_i, force) + moment<double>(c.arm_i, change)),
+        moment<double>(arm_j, force) + moment<double>(c.arm_j, change);
+  }
+  const Eigen::SelfAdjointEigenSolver<MotionMatrix<Dim>> springs(0.5 * (k + k.transpose()));
+  return {springs.eigenvectors(), springs.eigenvalues()};
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<GeometricSprings<Dim>> geometric_springs(const Packing<Dim>& packing) {
+  assert(!packing.grains.are_round() && packing.walls.empty());
+  const ContactNetwork<Dim> network = contact_network(packing);
+  std::vector<GeometricSprings<Dim>> springs;
+  springs.reserve(network.contacts.size());
+  for (const NetworkContact<Dim>& c : network.contacts) springs.push_back(springs_of(packing, c));
+  return springs;
+}
+
+template <int Dim>
+ContactRows<Dim> geometric_rows(const NetworkContact<Dim>& c, const GeometricSprings<Dim>& springs, int first) {
+  const int n = std::min(kDofs<Dim>, kMotionRows<Dim> - first);
+  const auto directions = springs.directions.middleCols(first, n).transpose();
+  const GrainMotions<Dim> motions = grain_motions(c, 1.0, 1.0);
+  ContactRows<Dim> rows{};
+  rows.on_i.setZero();
+  rows.on_j.setZero();
+  rows.on_strain.setZero();
+  rows.on_i.topRows(n) = directions * motions.on_i;
+  rows.on_j.topRows(n) = directions * motions.on_j;
+  // A strain E displaces j relative to i by -E branch and rotates no grain.
+  for (int e = 0; e < kSymmetric<Dim>; ++e)
+    rows.on_strain.col(e).head(n) = -directions.template leftCols<Dim>() * (unit_strain<Dim>(e) * c.branch);
+  return rows;
+}
+
+template <int Dim>
+RowStiffness<Dim> geometric_row_stiffness(const GeometricSprings<Dim>& springs, int first) {
+  const int n = std::min(kDofs<Dim>, kMotionRows<Dim> - first);
+  RowStiffness<Dim> stiffness = RowStiffness<Dim>::Zero();
+  stiffness.head(n) = springs.stiffness.segment(first, n);
+  return stiffness;
+}
+
+#define FLOC_INSTANTIATE(Dim)                                                                              \
+  template std::vector<GeometricSprings<Dim>> geometric_springs(const Packing<Dim>&);                      \
+  template ContactRows<Dim> geometric_rows(const NetworkContact<Dim>&, const GeometricSprings<Dim>&, int); \
+  template RowStiffness<Dim> geometric_row_stiffness(const GeometricSprings<Dim>&, int);
+FLOC_INSTANTIATE(2)
+FLOC_INSTANTIATE(3)
+#undef FLOC_INSTANTIATE
+
+}  // namespace floc

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "floc/network/geometric_stiffness.h"
+#include "floc/network/rigidity_matrix.h"
+
+namespace floc {
+
+/// Returns the geometric springs of all contacts of a packing of grains with corners: the symmetric part of the change
+/// of the forces and moments of each contact with the motion of its grains, beyond the change that the stiffnesses K_N
+/// and K_T of the contact point describe (see contact_rows()). All forces of the contact are included.
+///
+/// The changes of the gap, the normal and the contact point are central differences of the contact manifold, because
+/// they depend on the features that meet: a vertex on a face moves with one of the grains, the corner at which an edge
+/// leaves a face moves with both, and the normal of two crossed edges rotates with both. The tangential force rotates
+/// with the mean rotation of the two grains and stays in the tangential plane, as in contact dynamics.
+/// @pre the grains have corners, and the packing has no walls
+template <int Dim>
+std::vector<GeometricSprings<Dim>> geometric_springs(const Packing<Dim>& packing);
+
+/// Returns rows `first` to `first + kDofs - 1` of the matrix that gives the elongations of the geometric springs of a
+/// contact from the unknowns. Rows beyond the last spring are zero.
+template <int Dim>
+ContactRows<Dim> geometric_rows(const NetworkContact<Dim>& contact, const GeometricSprings<Dim>& springs,
+                                int first);
+
+/// Returns the stiffnesses of the springs of geometric_rows().
+template <int Dim>
+RowStiffness<Dim> geometric_row_stiffness(const GeometricSprings<Dim>& springs, int first);
+
+/// Calls visit(rows, stiffness) for the geometric terms of the normal force of a contact of round grains, or for the
+/// geometric springs of a contact of grains with corners. The arguments are ContactRows and RowStiffness.
+/// @param rows  contact_rows() of the contact
+/// @pre if the grains have corners, network.geometric contains their springs
+template <int Dim, class Visit>
+void for_each_geometric_term(const ContactNetwork<Dim>& network, const NetworkContact<Dim>& contact,
+                             const ContactRows<Dim>& rows, const Visit& visit) {
+  if (network.geometric.empty()) {
+    visit(translation_rows(rows), row_prestress(contact));
+    return;
+  }
+  const GeometricSprings<Dim>& springs = network.geometric[static_cast<std::size_t>(contact.source)];
+  for (int first = 0; first < kMotionRows<Dim>; first += kDofs<Dim>)
+    visit(geometric_rows(contact, springs, first), geometric_row_stiffness(springs, first));
+}
+
+}  // namespace floc

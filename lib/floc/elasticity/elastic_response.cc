@@ -149,7 +149,9 @@ ElasticResponse solve_by_factor(Problem<Dim>& problem, SymmetricFactor& factor) 
   std::optional<SpringInverse> inverse = invert_positive(factor);
   problem.positive = inverse.has_value();
   const SpringSystem springs = problem.springs();
-  if (!inverse) inverse = invert_singular(factor, springs, problem.options.mechanism_bound);
+  if (!inverse)
+    inverse =
+        invert_singular(factor, springs, problem.options.mechanism_bound, problem.options.mechanism_length);
   ElasticResponse& out = problem.answer;
   out.n_negative = inverse->n_negative;
   out.n_mechanisms = inverse->n_mechanisms;

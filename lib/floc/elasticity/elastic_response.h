@@ -35,6 +35,10 @@ struct ResponseOptions {
   /// down to 6e-13 have contributed 3 % of the bulk modulus. The bound is used only where K may be indefinite;
   /// otherwise the rank of the square root of K shows the mechanisms.
   double mechanism_bound = 1e-13;
+  /// Motions also count as mechanisms if they stretch the springs of the network (in units of sqrt(K_N)) by at most
+  /// this share of their size. Used only where K has no reliable Cholesky factor and no negative stiffness. With 0,
+  /// all motions count that double precision resolves.
+  double mechanism_length = 0.0;
   /// Largest size of a factor of K in double precision (bytes). A factor whose predicted size is larger is not
   /// computed.
   double largest_factor = std::numeric_limits<double>::infinity();

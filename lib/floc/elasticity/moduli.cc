@@ -26,6 +26,14 @@ namespace {
 constexpr double kVanishingModulus = 1e-11;
 /// Condition number of the stiffness matrix above which a warning says that soft modes dominate the moduli.
 constexpr double kWarnCondition = 1e10;
+/// Condition number of the stiffness matrix above which the residual forces of a packing can decide whether a motion
+/// relaxes a strain of the cell.
+constexpr double kSoftCondition = 1e12;
+/// Share by which B may be smaller than its lower bound, which is exact only if the forces balance exactly: ten times
+/// the usual tolerance of an equilibrium.
+constexpr double kBalancedShare = 1e-4;
+/// Values of ResponseOptions::mechanism_length that are tried one after another.
+constexpr double kMechanismLengths[] = {1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4};
 /// Tolerance of a solution by a factor, as a share of the tolerance on the moduli. Each refinement step squares the
 /// error, so this strict tolerance costs no additional steps.
 constexpr double kToleranceOfSolution = 1e-3;
@@ -243,34 +251,11 @@ bool is_isotropic(const Mat<Dim>& stress, double pressure) {
   return deviator.cwiseAbs().maxCoeff() <= kIsotropic * std::abs(pressure);
 }
 
-/// Computes the moduli of a network from its elastic response.
-/// @param respond  function that returns the elastic response of a network; it may reuse data of its last call
+/// Returns the moduli that follow from the elastic response of a network.
+/// @param m  bounds and other members that do not depend on the response
 template <int Dim>
-Moduli solved_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
-                     const ModuliOptions& options, const auto& respond) {
-  refuse_faults(options.validate());
-  Moduli m;
-  m.pressure = load.stress.trace() / Dim;
-  m.n_mobilised = load.n_mobilised;
-  m.bounds = elastic_bounds(network, load.unloaded ? 0.0 : m.pressure, load.mean_field);
-  if (options.prestress && m.bounds_hold())
-    m.bounds.fault = "B contains the geometric terms of the forces (prestress)";
-  m.isotropic_stress = m.bounds.B_reuss == 0.0 || is_isotropic<Dim>(load.stress, m.pressure);
-  if (options.method == ModuliMethod::bounds) {
-    set_midpoint_of_bounds(n_strains<Dim>(options.strains), m);
-    return m;
-  }
-  const ResponseOptions response_options{
-      .solver = options.method == ModuliMethod::single_factor ? ResponseSolver::single_factor
-                                                              : ResponseSolver::factor,
-      .strains = options.strains,
-      .prestress = options.prestress,
-      .ordering = options.ordering,
-      .tolerance =
-          (options.method == ModuliMethod::factor ? kToleranceOfSolution : kToleranceOfIterativeSolution) *
-          options.tolerance,
-      .largest_factor = options.largest_factor};
-  ElasticResponse response = respond(network, response_options);
+Moduli moduli_of(ElasticResponse response, const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
+                 const ModuliOptions& options, Moduli m) {
   if (!response.failure.empty()) {
     m.method = options.method;
     m.failure = response.failure;
@@ -293,6 +278,66 @@ Moduli solved_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>&
   m.response = std::move(response);
   add_warnings(m);
   return m;
+}
+
+/// Returns whether a network has motions of almost no stiffness, and B is below its lower bound. For forces that
+/// balance the pressure exactly, this is impossible: P times the change of volume in a motion is the work of the
+/// forces in it, and a motion without stiffness does not change the volume. A residual force lets it change the volume
+/// slightly, and motions of large amplitude then relax a strain of the cell without energy.
+bool is_softened_by_residual_forces(const Moduli& m) {
+  return m.failure.empty() && m.condition > kSoftCondition && m.bounds_hold() &&
+         m.B < (1.0 - kBalancedShare) * m.bounds.B_reuss;
+}
+
+/// Computes the moduli of a network from its elastic response. If residual forces make B smaller than its lower bound,
+/// motions of little stiffness count as mechanisms, beginning with those of the least stiffness, until B is not
+/// smaller.
+/// @param respond  function that returns the elastic response of a network; it may reuse data of its last call
+template <int Dim>
+Moduli solved_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
+                     const ModuliOptions& options, const auto& respond) {
+  refuse_faults(options.validate());
+  Moduli m;
+  m.pressure = load.stress.trace() / Dim;
+  m.n_mobilised = load.n_mobilised;
+  m.bounds = elastic_bounds(network, load.unloaded ? 0.0 : m.pressure, load.mean_field);
+  if (options.prestress && m.bounds_hold())
+    m.bounds.fault = "B contains the geometric terms of the forces (prestress)";
+  m.isotropic_stress = m.bounds.B_reuss == 0.0 || is_isotropic<Dim>(load.stress, m.pressure);
+  if (options.method == ModuliMethod::bounds) {
+    set_midpoint_of_bounds(n_strains<Dim>(options.strains), m);
+    return m;
+  }
+  ResponseOptions response_options{
+      .solver = options.method == ModuliMethod::single_factor ? ResponseSolver::single_factor
+                                                              : ResponseSolver::factor,
+      .strains = options.strains,
+      .prestress = options.prestress,
+      .ordering = options.ordering,
+      .tolerance =
+          (options.method == ModuliMethod::factor ? kToleranceOfSolution : kToleranceOfIterativeSolution) *
+          options.tolerance,
+      .largest_factor = options.largest_factor};
+  Moduli found = moduli_of(respond(network, response_options), network, load, options, m);
+  if (!is_softened_by_residual_forces(found)) return found;
+  response_options.solver = ResponseSolver::factor;
+  for (const double length : kMechanismLengths) {
+    response_options.mechanism_length = length;
+    Moduli held = moduli_of(respond(network, response_options), network, load, options, m);
+    if (is_softened_by_residual_forces(held)) continue;
+    held.warnings.push_back(
+        fmt::format("motions that stretch the springs by less than {:.0e} of their size count as mechanisms "
+                    "that do not change the "
+                    "volume, because with the residual forces of this packing B would be below its lower bound",
+                    length));
+    return held;
+  }
+  found.warnings.push_back(
+      fmt::format("B = {:.6g} is below its lower bound {:.6g}: the forces of this packing balance too badly "
+                  "for its motions of "
+                  "little stiffness; compare the moduli computed with prestress",
+                  found.B, found.bounds.B_reuss));
+  return found;
 }
 
 /// Copies B, G and the elastic response from the moduli without prestress into members of the moduli with prestress.

@@ -1,5 +1,6 @@
 #include "floc/linalg/spring_inverse.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -45,12 +46,13 @@ bool spans(const Eigen::SparseMatrix<double>& root, const LeastSquaresFactor& qr
   return size < kLargest && left <= kRounding * size * std::sqrt(static_cast<double>(root.cols()));
 }
 
-SpringInverse invert_root(const SymmetricFactor& factor, const SpringSystem& springs) {
+SpringInverse invert_root(const SymmetricFactor& factor, const SpringSystem& springs, double mechanism_length) {
   const Eigen::SparseMatrix<double> root = springs.stiffness.cwiseSqrt().asDiagonal() * springs.on_free;
   SpringInverse out;
-  for (const double dependent : kDependent) {
+  for (const double resolved : kDependent) {
+    const double dependent = std::max(resolved, mechanism_length);
     const auto qr = std::make_shared<LeastSquaresFactor>(root, dependent * std::sqrt(factor.norm()));
-    if (dependent != kDependent[0] && !spans(root, *qr)) break;
+    if (resolved != kDependent[0] && !spans(root, *qr)) break;
     out.n_mechanisms = static_cast<int>(root.cols()) - qr->rank();
     out.inverse.apply = [qr](const Eigen::VectorXd& b) { return qr->solve(b); };
     const double condition =
@@ -108,9 +110,10 @@ std::optional<SpringInverse> invert_positive(SymmetricFactor& factor) {
   return out;
 }
 
-SpringInverse invert_singular(SymmetricFactor& factor, const SpringSystem& springs, double mechanism_bound) {
+SpringInverse invert_singular(SymmetricFactor& factor, const SpringSystem& springs, double mechanism_bound,
+                              double mechanism_length) {
   const bool has_root = springs.stiffness.size() == 0 || springs.stiffness.minCoeff() >= 0.0;
-  return has_root ? invert_root(factor, springs) : invert_shifted(factor, mechanism_bound);
+  return has_root ? invert_root(factor, springs, mechanism_length) : invert_shifted(factor, mechanism_bound);
 }
 
 }  // namespace floc

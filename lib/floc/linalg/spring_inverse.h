@@ -30,7 +30,11 @@ std::optional<SpringInverse> invert_positive(SymmetricFactor& factor);
 ///    its diagonal.
 ///
 /// @param factor           contains K; the returned inverse may refer to it
-/// @param mechanism_bound  largest absolute eigenvalue of K that counts as zero
-SpringInverse invert_singular(SymmetricFactor& factor, const SpringSystem& springs, double mechanism_bound);
+/// @param mechanism_bound   largest absolute eigenvalue of K that counts as zero
+/// @param mechanism_length  In case 1, an unknown counts as a mechanism also if its column of the square root of K,
+/// orthogonal to other columns and divided by the norm of the square root, is at most this long. With 0, only rounding
+/// errors count as mechanisms.
+SpringInverse invert_singular(SymmetricFactor& factor, const SpringSystem& springs, double mechanism_bound,
+                              double mechanism_length = 0.0);
 
 }  // namespace floc

@@ -124,10 +124,14 @@ void add_network(const State<Dim>& state, ModuliOptions options, ModuliRow& row,
             "mechanisms let the cell change its shape without elastic energy, so these moduli are zero: {}",
             fmt::join(vanishing, ", ")));
   row.n_near_mechanisms = count_near_mechanisms(network, response, options.largest_factor);
-  if (options.prestress || (row.n_near_mechanisms.value_or(0) > 0 && packing.grains.are_round())) {
-    const Moduli with = options.prestress ? row.moduli
-                                          : prestressed_moduli(network, network_load(packing, options.unloaded),
-                                                               options, row.moduli);
+  const bool has_near_mechanisms = row.n_near_mechanisms.value_or(0) > 0;
+  if (options.prestress || (has_near_mechanisms && (packing.grains.are_round() || packing.walls.empty()))) {
+    ModuliOptions geometric = options;
+    geometric.prestress = true;
+    const Moduli with =
+        options.prestress ? row.moduli
+                          : prestressed_moduli(geometric.loaded_network(packing),
+                                               network_load(packing, options.unloaded), geometric, row.moduli);
     if (with.failure.empty()) row.B_prestress = with.B, row.G_prestress = with.G;
   }
   // frees the memory of the response: all rows are kept until they are printed, and their responses would need much

@@ -128,5 +128,29 @@ TEST(ElasticShapes, ModuliOfFrictionlessPolygonsAreThoseOfRelaxedStrains) {
   expect_moduli_of_strains<2>(30, kRoundedPentagons, 0.0, 1e-5);
 }
 
+/// Packings without friction have motions without stiffness. Residual forces couple them to the volume, and must
+/// not make B smaller than its lower bound.
+TEST(ElasticShapes, FrictionlessPackingsKeepTheirBounds) {
+  for (const int n : {20, 30, 40}) {
+    const RigidEnd<2> end = relaxed(elastic_gas<2>(n, kRoundedPentagons, 1e4, 0.0));
+    ASSERT_EQ(end.status, RelaxationStatus::converged) << end.reason;
+    for (const ModuliMethod method :
+         {ModuliMethod::factor, ModuliMethod::single_factor, ModuliMethod::iterative}) {
+      SCOPED_TRACE(testing::Message() << n << " grains, method " << static_cast<int>(method));
+      ModuliOptions options;
+      options.method = method;
+      options.prestress = true;
+      const Moduli with = ModuliSequence<2>(options).next(end.packing, false);
+      options.prestress = false;
+      const Moduli plain = ModuliSequence<2>(options).next(end.packing, false);
+      EXPECT_GE(plain.B, plain.bounds.B_reuss * (1.0 - 1e-4));
+      EXPECT_LE(plain.B, plain.bounds.B_voigt);
+      EXPECT_EQ(*with.B_without_prestress, plain.B);
+      EXPECT_NEAR(with.B, plain.B, 0.01 * plain.B);
+      EXPECT_GT(with.G, 0.0);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace floc::test

@@ -46,7 +46,7 @@ TEST(RigidRun, BetweenWallsVerifies) {
 }
 
 TEST(RigidRun, KillsOfARunOfElasticPentagonsLeaveNoTrace) {
-  kill_and_resume(3, 24, elastic_scene(2), 2);
+  kill_and_resume(3, 24, elastic_scene(2), 4);
 }
 
 /// Elastic grains with corners give states that verify, the same ones with two threads, and moduli of their own
@@ -58,7 +58,8 @@ TEST(RigidRun, ElasticGrainsWithCornersVerifyAndHaveModuli) {
     write_text(scratch.file("s.toml"), elastic_scene(dimension));
     const Outcome made = run_floc("run s.toml -o out --no-timing", scratch.path());
     ASSERT_EQ(made.code, 0) << made.err;
-    const Outcome verified = run_floc("verify out/state-0000.h5 out/state-0001.h5", scratch.path());
+    const Outcome verified = run_floc(
+        "verify out/state-0000.h5 out/state-0001.h5 out/state-0002.h5 out/state-0003.h5", scratch.path());
     EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
     const Outcome moduli = run_floc("moduli out/state-0001.h5 --format csv", scratch.path());
     ASSERT_EQ(moduli.code, 0) << moduli.err;

@@ -103,6 +103,16 @@ solid_fraction = )" +
 name = "load"
 to = 2.0
 steps = 1
+[[load]]
+name = "strain"
+control = "triaxial"
+strain = 1e-3
+steps = 1
+[[load]]
+name = "shear"
+control = "simple_shear"
+strain = 1e-3
+steps = 1
 [run]
 seed = 1
 checkpoint_every = 0.02

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "floc/base/error.h"
+#include "floc/contact/law_parameters.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/grain_sizes.h"
 #include "floc/packing/locate.h"
@@ -35,7 +36,8 @@ constexpr double kGasTolerance = 10.0;
 /// A packing counts as a gas if its mean stress, divided by the mean imposed stress, is below this number.
 constexpr double kGasStress = 0.3;
 /// Number of steps of the phase `resting` after which the contacts of a step are solved all at once instead of by
-/// sweeps. In 2D this costs as much as a few hundred sweeps and brings grains to rest that creep; in 3D it costs far more.
+/// sweeps. In 2D this costs as much as a few hundred sweeps and brings grains to rest that creep; in 3D it costs far
+/// more.
 template <int Dim>
 constexpr int kSweptSteps = Dim == 2 ? 400 : 2600;
 /// Largest number of grains for which contacts are solved all at once; grains with corners and without friction have no
@@ -43,11 +45,12 @@ constexpr int kSweptSteps = Dim == 2 ? 400 : 2600;
 constexpr int kMostGrainsAtOnce = 1000;
 /// Longest time step, in units of T, if contacts are solved all at once.
 constexpr double kLongestAtOnce = 3.0;
-/// Longest time step of elastic grains that is solved all at once, in units of T.
-constexpr double kLongestOnSprings = 30.0;
-/// Smallest mean stress of elastic grains at rest, divided by the mean imposed stress, at which the relaxation begins with
-/// the phase `resting`.
+/// Smallest mean stress of elastic grains at rest, divided by the mean imposed stress, at which the relaxation begins
+/// with the phase `resting`.
 constexpr double kLoadedStress = 0.3;
+/// Largest strain of elastic grains, divided by strain_of_springs(), that begins with Newton steps. Larger strains
+/// break many contacts, and the grains have to move.
+constexpr double kElasticStrains = 1.0;
 /// Tolerance of the impulses in the phase `resting`, divided by the mean normal impulse: the sweeps of a step end when
 /// the error is below this tolerance.
 constexpr double kRestingTolerance = 1e-8;
@@ -65,6 +68,7 @@ constexpr auto kMembers = [](auto& p, const auto& visit) {
   visit("deepest_overlap", p.deepest_overlap);
   visit("calm_steps", p.calm_steps);
   visit("resting_steps", p.resting_steps);
+  visit("n_rests", p.n_rests);
   visit("least_residual", p.least_residual);
   visit("least_at", p.least_at);
   visit("next_trial", p.next_trial);
@@ -74,6 +78,14 @@ constexpr auto kMembers = [](auto& p, const auto& visit) {
   visit("offset_before", p.offset_before);
   visit("obstacle", p.obstacle);
 };
+
+/// Returns the order of the strain of a packing whose linear springs bear a stress: P a^(Dim-2)/K_N, with the mean
+/// stress P and the largest diameter a.
+template <int Dim>
+double strain_of_springs(const Packing<Dim>& packing, const Vec<Dim>& stress) {
+  const double stiffness = packing.law.parameters().normal.template get<LinearRepulsion>().normal_stiffness;
+  return stress.mean() * std::pow(largest_diameter(packing.grains), Dim - 2) / stiffness;
+}
 
 template <int Dim>
 bool is_at_rest(const Packing<Dim>& packing) {
@@ -137,19 +149,25 @@ ContactDynamicsRelaxer<Dim>::ContactDynamicsRelaxer(const RelaxationOptions& opt
                                                    "rigid grains in the format of this version of floc",
                                                    kMembers);
   time_unit_ = inertial_time(packing_, imposed_);
+  strain_rate_ = is_elastic() ? strain_rate_cap(options_, packing_, imposed_)
+                              : options_.contact_dynamics.inertial_number / time_unit_;
   if (progress.empty()) begin_strain();
+  strains_springs_ =
+      is_elastic() && imposed_strain().size() <= kElasticStrains * strain_of_springs(packing_, imposed_);
   measure();
   // Motion, with the errors of its sweeps, would slip contacts that the load does not slip.
-  if (progress.empty() && is_elastic() && is_at_rest(packing_) &&
-      stress_.trace() > kLoadedStress * imposed_.sum())
+  if (progress.empty() && is_elastic() && progress_.phase == ContactDynamicsProgress::moving &&
+      is_at_rest(packing_) && stress_.trace() > kLoadedStress * imposed_.sum())
     start_resting();
 }
 
-/// Returns whether the contacts of a step of the phase `resting` are solved all at once. For elastic grains and for
-/// frictionless grains with corners this holds from the start. For other packings it holds after kSweptSteps steps with
-/// sweeps, if there are at most kMostGrainsAtOnce grains.
+/// Returns whether the contacts of a step are solved all at once. For elastic grains this holds in the phase `resting`
+/// and during small strains, because errors of sweeps would slip contacts that the load does not slip. In the phase
+/// `resting` it also holds for frictionless grains with corners from the start, and for other packings after
+/// kSweptSteps steps with sweeps, if there are at most kMostGrainsAtOnce grains.
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::solves_at_once() const {
+  if (progress_.phase == ContactDynamicsProgress::straining) return strains_springs_;
   if (progress_.phase != ContactDynamicsProgress::resting) return false;
   if (is_elastic()) return true;
   const Grains<Dim>& grains = packing_.grains;
@@ -163,10 +181,9 @@ ContactDynamicsSettings ContactDynamicsRelaxer<Dim>::settings() const {
   const ContactDynamicsOptions& own = options_.contact_dynamics;
   const bool resting = progress_.phase == ContactDynamicsProgress::resting;
   const bool is_gas = stress_.trace() < kGasStress * imposed_.sum();
-  const double longest = !resting           ? own.time_step
-                         : is_elastic()     ? kLongestOnSprings
-                         : solves_at_once() ? kLongestAtOnce
-                                            : progress_.rest_length;
+  const double longest = !resting                            ? own.time_step
+                         : solves_at_once() && !is_elastic() ? kLongestAtOnce
+                                                             : progress_.rest_length;
   return {.longest_step = longest * time_unit_,
           .sweep_tolerance = resting ? std::min(kRestingTolerance, own.sweep_tolerance)
                                      : (is_gas ? kGasTolerance : 1.0) * own.sweep_tolerance,

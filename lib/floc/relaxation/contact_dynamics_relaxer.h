@@ -33,6 +33,7 @@ struct ContactDynamicsProgress {
   int calm_steps = 0;            ///< number of successive calm time steps up to the present (kCalmSteps)
   int resting_steps = 0;         ///< number of time steps of the phase `resting`
   int next_trial = 0;            ///< balanced forces are not sought again before resting_steps has this value
+  int n_rests = 0;               ///< number of times that elastic grains have begun the phase `resting`
   /// smallest residual of elastic grains in the phase `resting`, in units of the force scale; 0 before the first test
   double least_residual = 0.0;
   int least_at = 0;          ///< number of steps of the phase `resting` after which this residual was found
@@ -65,7 +66,9 @@ struct ContactDynamicsProgress {
 ///
 /// If the load changes a length or shears the cell, the relaxation is a motion instead: the cell is strained at a
 /// constant rate (ContactDynamicsOptions::inertial_number), and the packing is recorded in motion when it reaches the
-/// imposed strain. The recorded forces are those of the time step that begins in this state (MotionRecord).
+/// imposed strain. The recorded forces are those of the time step that begins in this state (MotionRecord). Elastic
+/// grains are strained at the largest rate that the cap of the cell allows, and then come to rest in the strained
+/// cell: by Newton steps alone after small strains.
 template <int Dim>
 class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
  public:
@@ -135,6 +138,9 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
   /// time unit T = sqrt(m/(P d^(Dim-2))), with the mass m and the diameter d of the largest grain and the pressure P
   /// (time)
   double time_unit_;
+  double strain_rate_ = 0.0;  ///< rate at which the cell is strained if the load imposes a strain (1/time)
+  /// whether the load strains elastic grains by so little that their contacts mostly stay
+  bool strains_springs_ = false;
   MotionObserver<Dim> observer_;
 };
 

@@ -1,4 +1,5 @@
-// Member functions of class ContactDynamicsRelaxer for elastic grains that come to rest on the springs of their contacts.
+// Member functions of class ContactDynamicsRelaxer for elastic grains that come to rest on the springs of their
+// contacts.
 
 #include <algorithm>
 #include <string>
@@ -17,11 +18,16 @@ constexpr double kBalanced = 1e-9;
 /// Number of steps after which a packing within the tolerances of the scene is accepted, although its residuals are
 /// larger than kBalanced.
 constexpr int kEnoughSteps = 60;
-/// Number of steps after which the relaxation is given up.
+/// Number of steps, and number of steps since the residual last fell to less than half, after which the grains move
+/// under the load again, until they are calm, before the next Newton steps.
 constexpr int kMostNewtonSteps = 200;
-/// Number of steps since the residual last fell to less than half after which grains that have not moved yet under the
-/// new load begin to move.
 constexpr int kMostStalledSteps = 60;
+/// Number of such series of Newton steps after which the relaxation is given up.
+constexpr int kMostRests = 6;
+/// Each time that the residual has not fallen to less than half for this number of steps, the next steps are half as
+/// long, down to kShortestOnSprings (in units of T). Newton steps may go to and fro between two sets of contact points.
+constexpr int kStalledSteps = 16;
+constexpr double kShortestOnSprings = 0.1;
 
 /// Returns the end of a message about grains that find no rest; empty if their contact forces change continuously with
 /// their positions.
@@ -58,12 +64,12 @@ RelaxationStatus ContactDynamicsRelaxer<Dim>::rest_on_springs() {
   make_steps(kNewtonSteps);
   progress_.resting_steps += kNewtonSteps;
   if (springs_balance()) return RelaxationStatus::converged;
-  const bool has_moved = progress_.time > 0.0;
-  const bool is_stalled = progress_.resting_steps >= progress_.least_at + kMostStalledSteps;
-  if (progress_.resting_steps < kMostNewtonSteps && (has_moved || !is_stalled))
-    return RelaxationStatus::running;
-  if (!has_moved) {
-    progress_.resting_steps = 0;
+  const int stalled = progress_.resting_steps - progress_.least_at;
+  if (stalled > 0 && stalled % kStalledSteps == 0)
+    progress_.rest_length = std::max(0.5 * progress_.rest_length, kShortestOnSprings);
+  const bool is_stuck = stalled >= kMostStalledSteps || progress_.resting_steps >= kMostNewtonSteps;
+  if (!is_stuck) return RelaxationStatus::running;
+  if (progress_.n_rests < kMostRests) {
     start_moving();
     return RelaxationStatus::running;
   }

@@ -23,6 +23,8 @@ namespace {
 /// Longest and shortest time step of the phase `resting`, in units of T.
 constexpr double kLongestRest = 0.5;
 constexpr double kShortestRest = 1e-3;
+/// Longest time step of elastic grains in the phase `resting`, in units of T. Each step is solved all at once.
+constexpr double kLongestOnSprings = 30.0;
 /// Largest number of sweeps in a time step of the phase `resting`: at the beginning of the phase (kRestingSweeps), and
 /// after all increases (kMostRestingSweeps).
 constexpr int kRestingSweeps = 300;
@@ -84,6 +86,11 @@ void ContactDynamicsRelaxer<Dim>::start_resting() {
   progress_.rest_length = kLongestRest;
   progress_.rest_sweeps = kRestingSweeps;
   progress_.time_step = 0.0;
+  if (!is_elastic()) return;
+  ++progress_.n_rests;
+  progress_.rest_length = kLongestOnSprings;
+  progress_.resting_steps = progress_.least_at = 0;
+  progress_.least_residual = 0.0;
 }
 
 template <int Dim>

@@ -54,7 +54,7 @@ ImposedStrain<Dim> ContactDynamicsRelaxer<Dim>::imposed_strain() const {
     strain.offset_from = progress_.offset_before;
     strain.offset_to = load_.offset->offset;
   }
-  strain.duration = strain.size() * time_unit_ / options_.contact_dynamics.inertial_number;
+  strain.duration = strain.size() / strain_rate_;
   return strain;
 }
 
@@ -97,7 +97,8 @@ std::string ContactDynamicsRelaxer<Dim>::closed_cell() const {
   return "";
 }
 
-/// Makes the next kStrainingSteps time steps of the strain, and records the motion when the strain is complete.
+/// Makes the next kStrainingSteps time steps of the strain. When the strain is complete, the motion of rigid grains is
+/// recorded; elastic grains are stopped, and come to rest in the strained cell.
 template <int Dim>
 RelaxationStatus ContactDynamicsRelaxer<Dim>::strain() {
   if (!closed_cell().empty()) {
@@ -106,6 +107,16 @@ RelaxationStatus ContactDynamicsRelaxer<Dim>::strain() {
   }
   make_steps(kStrainingSteps);
   if (!imposed_strain().over(progress_.time)) return RelaxationStatus::running;
+  if (is_elastic()) {
+    imposed_strain().set_lattice(progress_.time, packing_.cell.matrix);
+    stop_grains(packing_);
+    measure();
+    if (strains_springs_)
+      start_resting();
+    else
+      start_moving();
+    return RelaxationStatus::running;
+  }
   record_motion();
   return RelaxationStatus::converged;
 }

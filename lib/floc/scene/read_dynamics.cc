@@ -122,7 +122,7 @@ void refuse_smooth_dynamics(TableReader& root, bool rigid) {
 }
 
 /// Records a fault for each stage of the load path that imposes the lengths of all axes. Without an imposed stress,
-/// nothing determines the magnitude of the forces between rigid grains.
+/// nothing determines the magnitude of the forces between rigid grains, and the time unit of grains with shapes.
 void check_stages(TableReader& root, const Scene& scene) {
   if (scene.load.empty()) return;
   std::vector<TableReader> stages = root.tables("load", "tables [[load]]");
@@ -136,10 +136,11 @@ void check_stages(TableReader& root, const Scene& scene) {
       t.fault(
           "control",
           fmt::format(
-              "{} = \"{}\": this stage imposes the lengths of all axes, but rigid grains need a stress on at "
+              "{} = \"{}\": this stage imposes the lengths of all axes, but {} need a stress on at "
               "least one axis, because otherwise their forces have no scale; expected a stage that keeps or "
               "imposes a stress",
-              t.path_of("control"), stage.control));
+              t.path_of("control"), stage.control,
+              scene.law.is_rigid() ? "rigid grains" : "elastic grains with shapes"));
   }
 }
 
@@ -181,13 +182,7 @@ void check_elastic_shapes(TableReader& root, const Scene& scene) {
   TableReader assembly = root.table("assembly", "", Need::optional);
   assembly.refuse("vibration", fmt::format(kRefused, "assembly.vibration",
                                            "only disks and spheres are vibrated", "no key vibration"));
-  if (scene.load.empty()) return;
-  std::vector<TableReader> stages = root.tables("load", "tables [[load]]");
-  for (std::size_t k = 0; k < std::min(stages.size(), scene.load.size()); ++k)
-    if (scene.load[k].largest_strain() > 0.0 || scene.load[k].shear != 0.0)
-      stages[k].fault("control",
-                      fmt::format(kRefused, stages[k].path_of("control"), "they are loaded by stresses alone",
-                                  "a stage that imposes stresses, or rigid contacts"));
+  check_stages(root, scene);
 }
 
 }  // namespace

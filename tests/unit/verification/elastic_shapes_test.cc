@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
+#include "floc/packing/balance.h"
 #include "floc/verification/verification.h"
 #include "support/elastic_gas.h"
 
@@ -126,6 +128,33 @@ TEST(ElasticShapes, ModuliOfPolyhedraAreThoseOfRelaxedStrains) {
 /// as large as the pressure.
 TEST(ElasticShapes, ModuliOfFrictionlessPolygonsAreThoseOfRelaxedStrains) {
   expect_moduli_of_strains<2>(30, kRoundedPentagons, 0.0, 1e-5);
+}
+
+/// A small imposed strain of one axis, under a constant stress on the other, changes the stress by C11 - C12^2/C22, and
+/// leaves a verified equilibrium.
+TEST(ElasticShapes, StressesOfImposedStrainsAreThoseOfTheModuli) {
+  constexpr double kStiffness = 1e5, kStrain = 1e-8;
+  RigidEnd<2> rested = relaxed(elastic_gas<2>(30, kRoundedPentagons, kStiffness, 0.5), strict_options<2>());
+  ASSERT_EQ(rested.status, RelaxationStatus::converged) << rested.reason;
+  rested.packing.law = spring_law(kStiffness, 100.0);
+  std::vector<double> stress;
+  for (const double strain : {kStrain, -kStrain}) {
+    LoadTarget<2> load = LoadTarget<2>::normal_stress(Vec<2>::Ones());
+    load.side[0] = rested.packing.cell.matrix(0, 0) * std::exp(-strain);
+    const RigidEnd<2> end = relaxed_under(load, rested.packing, strict_options<2>());
+    ASSERT_EQ(end.status, RelaxationStatus::converged) << end.reason;
+    EXPECT_EQ(end.packing.cell.matrix(0, 0), load.side[0]);
+    State<2> state = state_at<2>(end.packing, load.stress_with(static_stress(end.packing)));
+    state.target_side = load.side;
+    measure(state);
+    EXPECT_EQ(criteria_violated(state), "");
+    stress.push_back(static_stress(end.packing)(0, 0));
+  }
+  ModuliOptions options;
+  options.prestress = true;
+  const Moduli m = elastic_moduli(rested.packing, options);
+  const double modulus = m.C(0, 0) - m.C(0, 1) * m.C(0, 1) / m.C(1, 1);
+  EXPECT_NEAR((stress[0] - stress[1]) / (2.0 * kStrain) / modulus, 1.0, 1e-5);
 }
 
 /// Packings without friction have motions without stiffness. Residual forces couple them to the volume, and must

@@ -49,8 +49,8 @@ def moduli(state, strains="diagonal", *, prestress=False, tolerance=None, method
     strains : {"diagonal", "full"}
         "diagonal": shear strains are zero; "full": all components of the strain, which adds the shear moduli.
     prestress : bool
-        Adds the geometric terms of the contact forces to the stiffness matrix (except the terms of the tangential
-        forces); the stress of the moduli is then the Cauchy stress.
+        Adds the geometric terms of the contact forces to the stiffness matrix (for disks and spheres, except the terms
+        of the tangential forces); the stress of the moduli is then the Cauchy stress.
     tolerance : float, optional
         Largest relative error of B and G [1e-10].
     method : {"factor", "single-factor", "iterative", "bounds"}

@@ -53,6 +53,7 @@ struct ModuliOptions {
 
   /// Returns the contacts from which the moduli of a packing are computed: all contacts but those of rattlers, with
   /// `rolling_stiffness` if it is given.
+  /// @throws InputError if the contacts are rigid, or if `prestress` is set for grains with corners between walls
   template <int Dim>
   ContactNetwork<Dim> loaded_network(const Packing<Dim>& packing) const;
 
@@ -164,6 +165,7 @@ template <int Dim>
                                         ModuliOptions options, Moduli without);
 
 /// Computes the moduli of a packing from options.loaded_network(packing), under the stress that the packing carries.
+/// @throws InputError as loaded_network() does, or if an option is invalid
 template <int Dim>
 [[nodiscard]] Moduli elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options);
 

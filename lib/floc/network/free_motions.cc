@@ -12,9 +12,9 @@
 namespace floc {
 namespace {
 
-/// Threshold for the linear independence of a rigid motion from the motions that are already fixed. Lever arms of
-/// normal forces that are shorter than this share of the grain's size count as zero. The fixed motions are subtracted
-/// from the rigid motion; the rigid motion is independent if at least this share of its largest displacement remains.
+/// Threshold for the linear independence of a rigid motion from the motions that are already fixed. The fixed motions
+/// are subtracted from the rigid motion; the rigid motion is independent if at least this share of its largest
+/// displacement remains. Lever arms of normal forces count as zero below this share of the grain's size.
 constexpr double kDistinct = 1e-6;
 
 /// Returns the null space of a matrix up to rounding, as orthonormal columns v with |matrix v| <= bound.
@@ -215,7 +215,8 @@ class FreeMotionFinder {
     for (const int grain : group)
       for (const int k : of_[grain])
         if (active_[k])
-          moments.row(n++) = normal_moment(network_.contacts[k], grain) / network_.grain_size[grain];
+          moments.row(n++) =
+              normal_moment(network_.contacts[k], grain).transpose() / network_.grain_size[grain];
     if (moments.cwiseAbs().maxCoeff() <= kDistinct) return Eigen::MatrixXd::Identity(kAxes, kAxes);
     Eigen::MatrixXd axes = kernel(moments, kDistinct);
     for (Eigen::Index a = 0; a < axes.cols(); ++a) {

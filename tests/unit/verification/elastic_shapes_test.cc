@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "floc/base/error.h"
 #include "floc/packing/balance.h"
 #include "floc/verification/verification.h"
+#include "support/angular_packing.h"
 #include "support/elastic_gas.h"
 
 /// Elastic grains with corners: they come to rest by contact dynamics, their states meet the criteria of an
@@ -128,6 +130,16 @@ TEST(ElasticShapes, ModuliOfPolyhedraAreThoseOfRelaxedStrains) {
 /// as large as the pressure.
 TEST(ElasticShapes, ModuliOfFrictionlessPolygonsAreThoseOfRelaxedStrains) {
   expect_moduli_of_strains<2>(30, kRoundedPentagons, 0.0, 1e-5);
+}
+
+TEST(ElasticShapes, PrestressNeedsPeriodicBoundaries) {
+  Packing<2> packing = angular_packing_with_forces<2>({"ww", "p"}).packing;
+  packing.law = packing.wall_law = spring_law(1e4, 0.5);
+  ModuliOptions options;
+  EXPECT_EQ(elastic_moduli(packing, options).failure, "");
+  options.prestress = true;
+  EXPECT_THAT([&] { return elastic_moduli(packing, options); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr("only with periodic boundaries")));
 }
 
 /// A small imposed strain of one axis, under a constant stress on the other, changes the stress by C11 - C12^2/C22, and

@@ -20,8 +20,8 @@ TEST(RigidGrains, TwoHundredFrictionlessPolyhedraAreNearlyIsostatic) {
   for (const std::uint64_t seed : {1u, 2u}) expect_nearly_isostatic<3>({.kind = CutOptions{}}, 200, seed, 0.98);
 }
 
-TEST(RigidGrains, ModuliOfThreeHundredElasticPolyhedraAreThoseOfRelaxedStrains) {
-  expect_moduli_of_strains<3>(300, {.kind = CutOptions{}, .rounding = 0.05}, 0.5, 1e-4);
+TEST(RigidGrains, ModuliOfSixtyElasticPolyhedraAreThoseOfRelaxedStrains) {
+  expect_moduli_of_strains<3>(60, {.kind = CutOptions{}, .rounding = 0.05}, 0.5, 2e-4);
 }
 
 TEST(RigidGrains, ThirtyKillsLeaveNoTrace) {

@@ -329,18 +329,16 @@ Moduli solved_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>&
     response_options.mechanism_length = length;
     Moduli held = moduli_of(respond(network, response_options), network, load, options, m);
     if (is_softened_by_residual_forces(held)) continue;
-    held.warnings.push_back(
-        fmt::format("motions that stretch the springs by less than {:.0e} of their size count as mechanisms "
-                    "that do not change the "
-                    "volume, because with the residual forces of this packing B would be below its lower bound",
-                    length));
+    held.warnings.push_back(fmt::format(
+        "motions that stretch the springs by less than {:.0e} of their size count as mechanisms that do not "
+        "change the volume, because with the residual forces of this packing B would be below its lower bound",
+        length));
     return held;
   }
-  found.warnings.push_back(
-      fmt::format("B = {:.6g} is below its lower bound {:.6g}: the forces of this packing balance too badly "
-                  "for its motions of "
-                  "little stiffness; compare the moduli computed with prestress",
-                  found.B, found.bounds.B_reuss));
+  found.warnings.push_back(fmt::format(
+      "B = {:.6g} is below its lower bound {:.6g}: the forces of this packing balance too badly for its "
+      "motions of little stiffness; compare the moduli computed with prestress",
+      found.B, found.bounds.B_reuss));
   return found;
 }
 

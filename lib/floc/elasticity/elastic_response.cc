@@ -47,9 +47,7 @@ class SpringList {
     Eigen::Index n = 0;
     for (const NetworkContact<Dim>& c : network.contacts) {
       n += (row_stiffness(c).array() != 0.0).count();
-      if (options.prestress)
-        for_each_geometric_term(network, c, contact_rows(c),
-                                [&n](const auto&, const auto& k) { n += (k.array() != 0.0).count(); });
+      if (options.prestress) n += n_geometric_terms(network, c);
     }
     return static_cast<int>(n);
   }

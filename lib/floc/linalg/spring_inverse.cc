@@ -50,6 +50,8 @@ SpringInverse invert_root(const SymmetricFactor& factor, const SpringSystem& spr
   const Eigen::SparseMatrix<double> root = springs.stiffness.cwiseSqrt().asDiagonal() * springs.on_free;
   SpringInverse out;
   for (const double resolved : kDependent) {
+    if (resolved != kDependent[0] && resolved <= mechanism_length)
+      continue;  // would repeat the first factorization
     const double dependent = std::max(resolved, mechanism_length);
     const auto qr = std::make_shared<LeastSquaresFactor>(root, dependent * std::sqrt(factor.norm()));
     if (resolved != kDependent[0] && !spans(root, *qr)) break;

@@ -90,13 +90,12 @@ class MovedContact {
 };
 
 /// Returns the geometric springs of one contact. Let f = -F n + S be the force on i, with the normal force F and the
-/// tangential force S, and a_i and a_j the lever arms. The gap changes by dg, of which K_N n.(motion of the points in
-/// contact) describes only a part, the normal by dn and the arms by da_i and da_j = da_i - dr. With the mean rotation w
-/// of the grains, dS = w x S - n (n.(w x S) + S.dn). Then
+/// tangential force S, and a_i and a_j the lever arms. The normal changes by dn, the arms change by da_i and da_j =
+/// da_i - dr, and the gap changes by dg. The stiffness K_N of the contact point describes only the change n.(relative
+/// motion of the points in contact) of the gap; let dF be the change of F due to the rest of dg. With the mean rotation
+/// w of the grains, dS = w x S - n (n.(w x S) + S.dn). Then
 ///
 ///   df = -dF n - F dn + dS,  d(moment on i) = da_i x f + a_i x df,  d(moment on j) = -(da_j x f + a_j x df)
-///
-/// with the part dF of the change of the normal force that is due to the part of dg not described.
 template <int Dim>
 GeometricSprings<Dim> springs_of(const Packing<Dim>& packing, const NetworkContact<Dim>& c) {
   const MovedContact<Dim> moved(packing, packing.contacts[static_cast<std::size_t>(c.source)]);

@@ -5,9 +5,9 @@
 
 namespace floc {
 
-/// Returns the geometric springs of all contacts of a packing of grains with corners: the symmetric part of the change
-/// of the forces and moments of each contact with the motion of its grains, beyond the change that the stiffnesses K_N
-/// and K_T of the contact point describe (see contact_rows()). All forces of the contact are included.
+/// Returns the geometric springs of all contacts of a packing of grains with corners. They are the symmetric part of
+/// the change of the forces and moments of a contact with the motion of its grains, without the change that the
+/// stiffnesses K_N and K_T of the contact point describe (see contact_rows()). All forces of the contact are included.
 ///
 /// The changes of the gap, the normal and the contact point are central differences of the contact manifold, because
 /// they depend on the features that meet: a vertex on a face moves with one of the grains, the corner at which an edge
@@ -41,6 +41,15 @@ void for_each_geometric_term(const ContactNetwork<Dim>& network, const NetworkCo
   const GeometricSprings<Dim>& springs = network.geometric[static_cast<std::size_t>(contact.source)];
   for (int first = 0; first < kMotionRows<Dim>; first += kDofs<Dim>)
     visit(geometric_rows(contact, springs, first), geometric_row_stiffness(springs, first));
+}
+
+/// Returns the number of geometric terms of a contact whose stiffness is not zero.
+/// @pre as for for_each_geometric_term()
+template <int Dim>
+int n_geometric_terms(const ContactNetwork<Dim>& network, const NetworkContact<Dim>& contact) {
+  if (network.geometric.empty()) return static_cast<int>((row_prestress(contact).array() != 0.0).count());
+  const GeometricSprings<Dim>& springs = network.geometric[static_cast<std::size_t>(contact.source)];
+  return static_cast<int>((springs.stiffness.array() != 0.0).count());
 }
 
 }  // namespace floc

@@ -7,14 +7,15 @@
 namespace floc {
 namespace {
 
-/// Returns the area of the part of the unit disk with x > p and y > q, for t = (p, q) with p, q >= 0 and p^2 + q^2 < 1.
+/// Returns the area of the part x > p, y > q of the unit disk, where (p, q) is the point t.
+/// @param t  point inside the disk, with coordinates >= 0
 double beyond_corner(const Vec<2>& t) {
   const double p = t[0], q = t[1];
   return p * q + 0.5 * (std::acos(p) - std::asin(q) - p * std::sqrt(1.0 - p * p) - q * std::sqrt(1.0 - q * q));
 }
 
-/// Returns the volume of the part of the unit ball with x > a, y > b and z > c, for a point t = (a, b, c) inside the
-/// ball with a, b, c >= 0.
+/// Returns the volume of the part x > a, y > b, z > c of the unit ball, where (a, b, c) is the point t.
+/// @param t  point inside the ball, with coordinates >= 0
 double beyond_corner(const Vec<3>& t) {
   double sphere = 2.0 * std::numbers::pi, faces = 0.0;
   for (int k = 0; k < 3; ++k) {
@@ -30,15 +31,15 @@ double beyond_corner(const Vec<3>& t) {
   return (sphere - faces) / 3.0;
 }
 
-/// Returns the area (2D) or volume (3D) of the part of the unit disk or ball with x_a > t_a along every axis a. The
-/// coordinates t_a with a < `axis` must be >= 0.
+/// Returns the area (2D) or volume (3D) of the part of the unit disk or ball with x_a > t_a along every axis a.
+/// @param axis  first axis a for which t_a may be negative
 template <int Dim>
 double beyond(Vec<Dim> t, int axis = 0) {
   for (; axis < Dim; ++axis) {
     if (t[axis] >= 0.0) continue;
     // Let x be the coordinate along `axis`, and t < 0 its bound. The part with x > t is the part with any x minus the
-    // part with x < t. The latter is the mirror image of the part with x > -t. The part with any x is twice the part
-    // with x > 0.
+    // part with x < t. The part with x < t is the mirror image of the part with x > -t. The part with any x is twice
+    // the part with x > 0.
     Vec<Dim> mirrored = t;
     mirrored[axis] = -t[axis];
     t[axis] = 0.0;

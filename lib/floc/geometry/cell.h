@@ -18,7 +18,7 @@ struct Cell {
   /// Returns the area (2D) or volume (3D) of the cell, which is positive for a left-handed lattice, too.
   double volume() const { return std::abs(matrix.determinant()); }
 
-  /// Returns image * matrix. This is the displacement (length) of a point to the periodic image that lies image[b]
+  /// Returns image * matrix. This is the displacement (length) from a point to its periodic image that lies image[b]
   /// cells away along each lattice vector b.
   Vec<Dim> shift(const Vec<Dim, int>& image) const {
     return matrix.transpose() * image.template cast<double>();

@@ -21,8 +21,8 @@ class FrameTurn {
   FrameTurn(const Vec<3, T>& normal, const T& along, const Vec<3, T>& across, const RotationVector<3, T>& spins,
             const T& time_step)
       : n_(normal), across_(across) {
-    // Let n1 be the new normal, w = across/(1 - along) = tilt * across, and s = w^2. Then the old normal is
-    // n0 = (n1 - w)/sqrt(1 + s).
+    // Let n1 be the new normal, tilt = 1/(1 - along) (computed as a series), w = tilt * across, and s = w^2. Then the
+    // old normal is n0 = (n1 - w)/sqrt(1 + s).
     const T tilt = T(1) + along * (T(1) + along * (T(1) + along));
     const T across_squared = across.squaredNorm();
     const T s = tilt * tilt * across_squared;
@@ -66,7 +66,7 @@ class FrameTurn {
   T cos_, sin_;
   Vec<3, T> across_;
   T lean_;  // coefficient `lean` in the mean normal m = n1 - lean across
-  // component along m of the change of the vector between the centres, divided by the distance of the centres
+  // component along m of c, the change of the vector between the centres divided by the distance of the centres
   T along_middle_;
 };
 

@@ -4,8 +4,8 @@
 
 namespace floc {
 
-/// Returns p q^-1 for two upper triangular matrices, by substitution. For diagonal matrices, each entry is the quotient
-/// of an entry of p and the same entry of q.
+/// Returns p q^-1 for two upper triangular matrices, by substitution. If p and q are diagonal, the result is diagonal
+/// with the entries p_aa/q_aa.
 template <int Dim>
 Mat<Dim> right_quotient(const Mat<Dim>& p, const Mat<Dim>& q) {
   Mat<Dim> x = Mat<Dim>::Zero();

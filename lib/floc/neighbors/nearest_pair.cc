@@ -10,8 +10,8 @@ namespace floc {
 
 template <int Dim>
 std::optional<NearestPair> nearest_pair(const Packing<Dim>& packing) {
-  // Neighbours are searched up to a largest gap, which increases from search to search. These are its first and its
-  // last value, divided by the largest diameter.
+  // Neighbours are searched up to a largest gap, which increases from search to search. kFirst and kLast are the first
+  // and the last largest gap, divided by the largest diameter.
   constexpr double kFirst = 1e-3, kLast = 1e3;
   const double a = largest_diameter(packing.grains);
   const double farthest = std::min(kLast * a, packing.cell.matrix.cwiseAbs().sum());

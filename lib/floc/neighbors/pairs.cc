@@ -16,8 +16,8 @@
 namespace floc {
 namespace {
 
-/// Largest accepted distance between a grain and the cell, in numbers of lattice vectors. An int may be too small for
-/// larger numbers.
+/// Largest accepted distance between a grain and the cell, in numbers of lattice vectors. Much larger numbers could
+/// overflow an int.
 constexpr double kMaxCells = 1e9;
 /// A search among n grains may test the distances of at most kTrialsAlways pairs or n * kTrialsPerGrain pairs,
 /// whichever is larger.
@@ -79,7 +79,8 @@ class Bins {
     sort(members);
   }
 
-  /// Returns the largest number of bins that around() visits for one grain and the distance `reach` (length).
+  /// Returns an upper bound of the number of bins that around() visits for one grain.
+  /// @param reach  argument `reach` of around() (length)
   double bins_within(double reach) const {
     double bins = 1.0;
     for (int a = 0; a < Dim; ++a) bins *= 2.0 * std::ceil(reach * count_[a] / height_[a]) + 1.0;
@@ -88,16 +89,17 @@ class Bins {
   double bins() const { return count_.template cast<double>().prod(); }
 
   /// Calls visit(j, image) for every grain j of these bins whose centre may be closer than `reach` (length) to the
-  /// centre of grain i. `image` is the periodic image (in numbers of lattice vectors) of grain j that is so close.
+  /// centre of grain i. `image` is the periodic image of grain j whose centre may be this close, in numbers of lattice
+  /// vectors.
   template <class Visit>
   void around(int i, double reach, const Visit& visit) const {
     const Window window = window_around(i, reach);
     for_each_bin(window.first, window, [&](const Vec<Dim, int>& bin) { visit_bin(bin, visit); });
   }
 
-  /// Calls visit(j, image) like around(), but leaves out the bins before the bin of i, and the grains in the bin of i
-  /// with an index below i. If the function is called for all grains in these bins, it visits each pair once. Grain i
-  /// must be in these bins.
+  /// Calls visit(j, image) like around(), but leaves out two groups of grains: those in the bins that around() visits
+  /// before the bin of i, and those in the bin of i with an index below i. If the function is called for all grains in
+  /// these bins, it visits each pair once. Grain i must be in these bins.
   template <class Visit>
   void around_and_after(int i, double reach, const Visit& visit) const {
     const Window window = window_around(i, reach);
@@ -198,8 +200,8 @@ struct SizeLevel {
 /// Sorts the grains into levels of similar size, the level of the largest grains first. A grain of radius R needs bins
 /// of width 2 R + gap. If the largest width is at most kSimilarSizes times the smallest, all grains form one level. If
 /// not, there is one level per factor of two in width. Levels save time: without them, all bins would be as wide as the
-/// largest grain, and each small grain would be compared with the many small grains in such bins (Ogarko and Luding,
-/// Comput. Phys. Commun. 183, 931, 2012).
+/// largest grain, and each small grain would be compared with all small grains in several of these wide bins (Ogarko
+/// and Luding, Comput. Phys. Commun. 183, 931, 2012).
 template <int Dim>
 std::vector<SizeLevel<Dim>> size_levels(const Cell<Dim>& cell, const Grains<Dim>& grains,
                                         const WrappedGrains<Dim>& wrapped, double gap) {

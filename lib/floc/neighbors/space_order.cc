@@ -35,7 +35,8 @@ constexpr double kRowThickness = 0.7;
 /// row.
 constexpr int kBitsOfRows = 20, kBitsAlongRow = 24;
 
-/// Returns the number of rows (or layers) into which a width (length) of the cell is divided.
+/// Returns the number of rows (or layers) into which the cell is divided along one direction.
+/// @param width  width of the cell in this direction (length)
 /// @param spacing  mean spacing of the grains (length)
 double rows_across(double width, double spacing) {
   return std::clamp(std::round(width / (kRowThickness * spacing)), 1.0, std::exp2(kBitsOfRows));

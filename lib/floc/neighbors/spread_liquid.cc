@@ -60,8 +60,8 @@ LiquidChange spread_liquid(Packing<Dim>& packing) {
   double reach = on_contact ? 0.0 : search.first_reach();
   std::vector<Contact<Dim>> found = candidates(packing, reach);
   LiquidShares shares = shares_over(packing, search, found);
-  // The search for pairs need not be widened if bridges form only on contact: every pair that gets liquid then touches
-  // or is already a contact of the packing.
+  // If bridges form only on contact, every pair that gets liquid touches or is already a contact of the packing. The
+  // search for pairs is then not widened.
   for (double wider = search.wider(reach, shares); !on_contact && wider > reach;
        wider = search.wider(reach, shares)) {
     reach = wider;

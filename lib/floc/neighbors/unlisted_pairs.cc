@@ -14,8 +14,8 @@ NeighborPair<Dim> canonical_pair(const Contact<Dim>& c) {
 }
 
 /// Returns the indices of the contacts, sorted by the canonical form (i <= j) of the pair of each contact. Contacts
-/// usually have this order already, except those of a file with another order. The function sorts indices, which is
-/// cheaper than sorting contacts, because there may be millions of contacts.
+/// usually have this order already; only those read from a file may have another order. The function sorts indices,
+/// which is cheaper than sorting contacts, because there may be millions of contacts.
 template <int Dim>
 std::vector<int> canonical_order(const std::vector<Contact<Dim>>& contacts) {
   std::vector<int> order(contacts.size());

@@ -11,7 +11,7 @@
 
 namespace floc {
 
-/// Load that a stage of the load path imposes on one axis at its end.
+/// Load on one axis at the end of a stage of the load path.
 struct AxisLoad {
   enum Kind {
     stress,       ///< `end` is a stress, compression positive
@@ -28,7 +28,7 @@ struct AxisLoad {
 /// step. By default the pressure on every axis changes to `to`, by an equal factor in each step. If the pressure
 /// already equals `to`, the stage consists of one new equilibrium, for example after `set` has changed the contact law.
 struct LoadStage {
-  std::string name;  ///< name of the stage ("load", "unload", ...), which its states record
+  std::string name;  ///< name of the stage ("load", "unload", ...), stored in the states of the stage
   /// pressure on every axis at the end of the stage (stress unit of the scene), >= 0; unused if `axes` is not empty
   double to = 0.0;
   /// Number of steps per decade of pressure: each step multiplies or divides the pressure by 10^(1/steps_per_decade).
@@ -49,8 +49,8 @@ struct LoadStage {
   double shear = 0.0;
 
   bool is_isotropic() const { return axes.empty(); }
-  /// Returns the largest magnitude of the strains that the stage imposes: a logarithmic strain of a length, or a shear
-  /// strain.
+  /// Returns the largest magnitude of all strains that the stage imposes: the logarithmic strains of axes, and the
+  /// shear strain.
   double largest_strain() const;
 };
 
@@ -66,8 +66,8 @@ struct AxisStep {
   double share = 1.0;
 };
 
-/// Stress on each axis at a point of the load path, compression positive. No value is given for an axis with an imposed
-/// strain: the stress on this axis depends on the packing and is unknown before the run.
+/// Stress on each axis at a point of the load path, compression positive. If a strain is imposed on an axis, the stress
+/// on this axis depends on the packing and is unknown before the run. The axis then has no value.
 using KnownStress = std::vector<std::optional<double>>;
 
 /// Whether the stresses on all axes are known and equal.
@@ -77,7 +77,7 @@ bool is_isotropic(const KnownStress& stress);
 /// @param from  stress on each axis at the start of the stage
 KnownStress after_stage(const KnownStress& from, const LoadStage& stage);
 
-/// Returns the number of steps of a stage with different loads, or with different initial stresses, on its axes.
+/// Returns the number of steps of a stage whose axes have different loads or different initial stresses.
 /// @param from  stress on each axis at the start of the stage; no value for an axis whose stress is unknown before the
 /// run
 /// @pre stage.steps is set, or stage.steps_per_decade and the stresses determine the number of steps

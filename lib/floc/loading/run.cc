@@ -109,7 +109,7 @@ Run<Dim>::Run(RunOptions options, RunPoint point, Packing<Dim> packing)
 
 namespace {
 
-/// Returns the point of a run just after an equilibrium was saved.
+/// Returns the point that a run has reached just after an equilibrium was saved.
 /// @param state  the saved equilibrium, whose packing is not read
 /// @param cell  matrix of the lattice vectors of the packing
 /// @param sha256  SHA-256 checksum of the file in which the state was saved
@@ -267,8 +267,8 @@ void Run<Dim>::set_observer(MotionObserver<Dim> observer) {
 }
 
 /// Passes the observer on to the object that moves the packing. The observer gets the time since the beginning of the
-/// run. However, aggregation_ counts time from the beginning of the present chunk of time steps, and equilibrator_ from
-/// the beginning of the relaxation, so the earlier time of the run is added.
+/// run. However, aggregation_ counts time from the beginning of the present chunk of time steps, and equilibrator_
+/// counts time from the beginning of the relaxation. The time of the run before that is therefore added.
 template <int Dim>
 void Run<Dim>::pass_observer() {
   if (!observer_.callback || finished()) return;

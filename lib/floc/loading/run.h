@@ -13,11 +13,11 @@
 
 namespace floc {
 
-/// Point that a run has reached between two chunks of time steps, as stored in checkpoints. The continuation of the run
-/// is determined by this point, the options of the run and its packing.
+/// Point that a run has reached between two chunks of time steps, as stored in checkpoints. This point, the options of
+/// the run and the packing determine how the run continues.
 struct RunPoint {
   int step = 0;  ///< number of the equilibrium that is computed at present, from 0
-  /// whether the aggregation of the grains to one cluster is not finished yet (protocol "aggregation")
+  /// whether the run is still aggregating the grains to one cluster (protocol "aggregation")
   bool aggregating = false;
   bool shaken = false;  ///< whether the packing has already been vibrated before this equilibrium
   /// progress of the relaxation to this equilibrium, as text; empty before the first chunk of time steps
@@ -31,15 +31,15 @@ struct RunPoint {
   std::string parent_sha256;      ///< SHA-256 checksum of the last saved state file
   /// sides of the cell, and stress on each axis, in the last saved state
   std::vector<double> last_sides, last_stress;
-  /// offset of the lattice vector that a simple shear tilts, before this relaxation (length)
+  /// component along the first axis (length), before this relaxation, of the lattice vector that a simple shear tilts
   double last_offset = 0.0;
   /// load stage of this equilibrium, with the sides and stresses at the start of the stage; empty if the stage loads
   /// all axes equally
   StageReference turn;
 };
 
-/// Returns the point of a run just after an equilibrium was saved. From this point and the packing of the state, the
-/// run can be continued without a checkpoint.
+/// Returns the point that a run has reached just after an equilibrium was saved. From this point and the packing of the
+/// state, the run can be continued without a checkpoint.
 /// @param sha256  SHA-256 checksum of the file in which the state was saved
 template <int Dim>
 RunPoint point_after(const State<Dim>& state, const std::string& sha256);

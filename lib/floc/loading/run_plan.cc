@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Adds to the plan the steps of a stage with different loads, or with different initial stresses, on its axes.
+/// Adds to the plan the steps of a stage whose axes have different loads or different initial stresses.
 /// @param from  stress on each axis before the stage; no value for an axis whose stress is unknown before the run
 /// @param step  equilibrium whose values apply to all steps of the stage
 void plan_axes(const KnownStress& from, const LoadStage& stage, PlannedEquilibrium step,

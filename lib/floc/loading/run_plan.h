@@ -10,11 +10,11 @@
 
 namespace floc {
 
-/// One equilibrium that a run will compute in one step, with the load on the packing in this equilibrium.
+/// Equilibrium that a run will compute, with the load on the packing in this equilibrium.
 struct PlannedEquilibrium {
   std::string branch;  ///< "assembly", or the name of the stage of the load path
   double pressure;     ///< pressure on every axis (stress unit of the scene); unused if `axes` is not empty
-  Law law;             ///< contact law at this equilibrium, with all changes by stages of the load path so far
+  Law law;             ///< contact law at this equilibrium, including the changes that stages have made so far
   /// mass of the periodic cell and caps on its strain rate; each missing value is taken from the options of the run
   CellResponse cell;
   /// vibration of the packing just before the relaxation to this equilibrium; absent if there is none
@@ -37,8 +37,8 @@ KnownStress first_stress(const AssemblyOptions& assembly, int dimension);
 
 /// Returns all equilibria that a run will make, in order:
 /// 1. the equilibria of the assembly: one at the first pressure, preceded by one at zero pressure if the grains are
-/// aggregated. If the assembly has a friction coefficient of its own, this coefficient replaces that of the contact
-/// law.
+/// aggregated. If the assembly has a friction coefficient of its own, this coefficient replaces that of the contact law
+/// in these equilibria.
 /// 2. the equilibrium of every step of every stage of the load path. If a stage ends at equal stresses on all axes but
 /// starts from different stresses, each step of the stage has a separate load for each axis.
 ///

@@ -16,8 +16,8 @@ inline constexpr double kLoadCellMass = 0.1;
 /// Default cap on the strain rate of the cell for cohesive grains, in units of 1/T0. T0 = sqrt(a m/F0), with the
 /// largest diameter a, the mass m of the largest grain and the pull-off force F0.
 inline constexpr double kStrainRateCap = 0.05;
-/// Default cap on the inertial number |L'/L| sqrt(m/P) of the cell, for grains without adhesion (side L of the cell,
-/// its rate of change L', mass m of the largest grain, pressure P).
+/// Default cap on the inertial number |L'/L| sqrt(m/P) of the cell, for grains without adhesion. L is a side of the
+/// cell, L' the rate of change of L, m the mass of the largest grain and P the pressure.
 inline constexpr double kLargestInertialNumber = 1e-3;
 
 /// Default cap on the inertial number of the cell for grains that contact dynamics moves, with or without adhesion. This

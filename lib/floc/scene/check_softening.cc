@@ -14,8 +14,8 @@ namespace {
 
 using Need = TableReader::Need;
 
-/// Records a fault if the softening that a table of the scene gives is above `limit`, the limit of the steps to which
-/// the table applies.
+/// Records a fault if the softening s, which a table of the scene gives, is above its limit.
+/// @param limit  limit of the softening in the steps of the run to which the table applies
 void check_limit(TableReader& table, double s, const SofteningLimit& limit) {
   const std::string fault = limit.fault(s);
   if (!fault.empty())

@@ -6,8 +6,8 @@
 namespace floc {
 
 /// Checks every softening of springs that a scene gives, and records a fault for each one that is not possible. Springs
-/// cannot be softened in a packing between walls, in a stage that imposes a strain, together with the table [accuracy],
-/// or if the contacts are already too soft (see softening_limit()).
+/// cannot be softened in a packing between walls, in a stage that imposes a strain, or if the contacts are already too
+/// soft (see softening_limit()). A softening cannot be given together with the table [accuracy].
 /// @param root  reader of the root table of the scene
 void check_softening(TableReader& root, const SceneSource& source, const Scene& scene);
 

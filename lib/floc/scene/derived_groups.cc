@@ -36,7 +36,7 @@ int steps_of(const KnownStress& from, const LoadStage& stage) {
 }
 
 struct Steps {
-  int up = 0;    ///< number of equilibria in all other stages
+  int up = 0;    ///< number of equilibria in all stages that `down` does not count
   int down = 0;  ///< number of equilibria in isotropic stages that decrease the pressure
 };
 
@@ -134,7 +134,7 @@ void add_spheres(const Scene& scene, Groups& groups) {
 
 /// Returns a parameter of the contact law in dimensionless form, named by the symbol of the parameter and, if it has a
 /// unit, by the divisor: "D0/a". Returns std::nullopt for parameters that are forces, pressures or volumes, because
-/// they are used as units.
+/// these serve as units of the other numbers.
 /// @param K_N  normal stiffness of a contact
 /// @param a  largest diameter
 std::optional<DerivedGroup> group_of(const LawNumber& n, double K_N, double a) {
@@ -364,8 +364,8 @@ double expected_cost(const Scene& scene) {
   constexpr double kAssembly = 6.0;
   constexpr double kUnloading = 0.25;
   constexpr double kSecondsPerGrainAndStep = 80.0 / (1400.0 * (26.0 + kAssembly));
-  // Time step in the run with which kSecondsPerGrainAndStep was measured, in units of sqrt(m/K_N) (mass m of the
-  // largest grain, normal stiffness K_N).
+  // Time step in the run with which kSecondsPerGrainStep was measured, in units of sqrt(m/K_N) (mass m of the largest
+  // grain, normal stiffness K_N).
   constexpr double kTimedStep = 0.1;
   const double step =
       time_step_of_scene(scene) / std::sqrt(mass_of(scene, scene.grains.largest()) / typical_stiffness(scene));

@@ -121,8 +121,8 @@ void refuse_smooth_dynamics(TableReader& root, bool rigid) {
   for (const KeyInPlace& k : kRefusedInEquilibrium) refuse(equilibrium, k);
 }
 
-/// Records a fault for each stage of the load path that imposes the lengths of all axes. Without an imposed stress,
-/// nothing determines the magnitude of the forces between rigid grains, and the time unit of grains with shapes.
+/// Records a fault for each stage of the load path that imposes the lengths of all axes. Without an imposed stress, the
+/// magnitude of the forces between rigid grains and the time unit of grains with shapes are undetermined.
 void check_stages(TableReader& root, const Scene& scene) {
   if (scene.load.empty()) return;
   std::vector<TableReader> stages = root.tables("load", "tables [[load]]");
@@ -158,8 +158,8 @@ void check_assembly(TableReader& root, const Scene& scene) {
       "in this version of floc; remove the key");
 }
 
-/// Records a fault for each part of a scene of elastic grains with shapes that only disks, spheres or rigid grains can
-/// have.
+/// Checks a scene of elastic grains with shapes. Records a fault for each of its parts that is possible only with
+/// disks, spheres or rigid grains.
 void check_elastic_shapes(TableReader& root, const Scene& scene) {
   constexpr const char* kRefused =
       "{} is not allowed with elastic contacts of grains with shapes in this version of floc: {}; expected {}";

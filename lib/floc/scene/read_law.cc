@@ -33,7 +33,7 @@ std::string expected_table(const DeclaredSlot& slot) {
   return text;
 }
 
-/// Records faults in the table of one component of the contact law: one for each key that the chosen model of this
+/// Records a fault for each key, in the table of one component of the contact law, that the chosen model of this
 /// component does not have but another model has.
 void refuse_keys_of_others(TableReader& t, const DeclaredSlot& slot, const DeclaredModel& chosen) {
   for (const DeclaredModel& other : slot.models)
@@ -45,8 +45,9 @@ void refuse_keys_of_others(TableReader& t, const DeclaredSlot& slot, const Decla
 }
 
 /// Returns the index of the model for a component of the contact law if the table of this component has no key "law".
-/// This is the default model (or the default of the family of the normal law). But if the table has a key that the
-/// default model does not have, it is the first model that has this key.
+/// The index is that of the default model. If the component has a separate default model for the family of the normal
+/// law, that model is the default. If the table has a key that the default model does not have, the index is that of
+/// the first model with this key.
 /// @param law  contact law with the components that were read earlier
 std::size_t unnamed_model(const TableReader& t, const DeclaredSlot& slot, const LawParameters& law) {
   std::size_t meant = 0;

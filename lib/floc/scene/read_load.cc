@@ -61,7 +61,7 @@ void apply_changes(TableReader& t, const LoadStage& stage, Law& present) {
   present = law;
 }
 
-/// Reads the load that a stage imposes on one axis at its end: a stress, or a logarithmic strain (key "strain").
+/// Reads the load on one axis at the end of a stage: a stress, or a logarithmic strain (key "strain").
 /// @param stress_key  key that gives the stress
 /// @param of_stress  description of the accepted stresses, for messages
 AxisLoad read_axis_load(TableReader& t, const char* stress_key, const char* of_stress) {
@@ -234,9 +234,9 @@ void check_isotropic_steps(TableReader& t, const KnownStress& from, bool has_end
                                             t.path_of("steps_per_decade")));
 }
 
-/// Returns the name of a stage whose name the scene does not give. For an isotropic or oedometric stage, the name is
-/// "load", "unload" or "hold", provided it is known before the run whether the load increases. In all other cases it is
-/// the control of the stage, for example "triaxial".
+/// Returns the default name of a stage, which is used if the scene gives no name. For an isotropic or oedometric stage,
+/// the name is "load", "unload" or "hold", provided it is known before the run whether the load increases. In all other
+/// cases the name is the value of the key "control", for example "triaxial".
 /// @param from  stress on each axis at the start of the stage, as far as it is known before the run
 std::string default_name(const KnownStress& from, const LoadStage& stage) {
   const std::size_t axis = static_cast<std::size_t>(stage.axis);

@@ -164,8 +164,8 @@ void read_saved_start(TableReader& t, const std::string& directory, Scene& scene
       t.text("state_sha256", "the SHA-256 of the state file, which floc writes", Need::optional);
   SavedStart& start = scene.assembly.saved;
   start.copies = read_copies(t, scene.dimension);
-  // The pressure gets a placeholder. Without it, if the state cannot be read, later checks would also report a missing
-  // stress.
+  // A placeholder is stored as the pressure. If the state cannot be read, later checks then do not report a missing
+  // stress in addition.
   const bool has_pressure = t.has("pressure");
   if (!has_pressure && !scene.assembly.box) scene.assembly.pressure = 1.0;
   if (!name) return;

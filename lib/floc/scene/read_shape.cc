@@ -173,8 +173,8 @@ std::vector<std::string> option_faults(const ShapeOptions& options, int dimensio
   return {};
 }
 
-/// Draws the shapes of a scene and adds the remarks about their file to the scene. Records a fault if the shapes cannot
-/// be drawn.
+/// Draws the shapes of a scene, and adds remarks about the file of shapes to the scene. Records a fault if the shapes
+/// cannot be drawn.
 /// @return whether the shapes could be drawn
 template <int Dim>
 bool draws_shapes(TableReader& t, Scene& scene) {

@@ -163,8 +163,8 @@ std::optional<std::pair<std::string, std::string>> fault_of(const Sieves& s) {
   return std::nullopt;
 }
 
-/// Records a fault if an end of the curve is open: if the curve neither begins at 0 % nor is cut off by the key min, or
-/// neither ends at 100 % nor is cut off by the key max.
+/// Records a fault if an end of the curve is open. The lower end is open if the curve does not begin at 0 % and the key
+/// min is not given. The upper end is open if the curve does not end at 100 % and the key max is not given.
 /// @return whether a fault was recorded
 bool has_open_end(const Sieves& s, bool has_min, bool has_max, SceneSource& source) {
   const std::size_t last = s.sizes.size() - 1;

@@ -52,9 +52,9 @@ double largest_mass_of(const Scene& scene) {
   return *std::max_element(grains.mass.begin(), grains.mass.end());
 }
 
-/// Returns the processor time of one time step of rigid polyhedra per grain (s), averaged over the assembly. Forces have
-/// to be carried through the packing by sweeps, so that large packings need more of them. Without friction, most of the
-/// time goes into the search for the minimum of the volume.
+/// Returns the processor time per grain (s) of one time step of rigid polyhedra, averaged over the assembly. Sweeps
+/// over the contacts transmit the forces through the packing, and large packings need more sweeps. Without friction,
+/// most of the time is spent in the search for the minimum of the volume.
 double cost_of_polyhedra(const Scene& scene) {
   const double size = scene.grains.count / 200.0;
   return scene.law.friction_coefficient() > 0.0 ? 1e-4 * std::cbrt(size) : 4e-4 * std::pow(size, 0.4);
@@ -78,9 +78,10 @@ double time_unit_of_rigid_grains(const Scene& scene) {
 }
 
 double cost_of_rigid_grains(const Scene& scene, int n_loaded) {
-  // Small round grains move only little in a step, so that steps become shorter with the smallest diameter.
+  // Small round grains may move only a short distance in a time step. The time steps are therefore shorter if the
+  // smallest diameter is smaller.
   const double span = std::pow(scene.grains.largest() / scene.grains.smallest(), 2.0 / 3.0);
-  // Processor time of one time step per grain (s).
+  // Processor time per grain and time step (s).
   const double per_grain_step = !scene.grains.shape    ? span * (scene.dimension == 2 ? 2e-5 : 6e-5)
                                 : scene.dimension == 2 ? 1e-4
                                                        : cost_of_polyhedra(scene);

@@ -21,7 +21,8 @@ struct Scene : RunOptions {
   std::string start;
   /// remarks about the file of shapes, for example about points that are not vertices of the shape
   std::vector<std::string> remarks;
-  /// sentence with the numerical settings that the table [accuracy] chose and the reason; empty without this table
+  /// sentence with the numerical settings chosen from the table [accuracy], and the reason for the choice; empty
+  /// without this table
   std::string accuracy;
 
   bool starts_from_state() const { return assembly.protocol == AssemblyOptions::Protocol::state; }

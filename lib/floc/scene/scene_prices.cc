@@ -44,10 +44,10 @@ std::string errors_in(const PriceTable& table) {
   return table.is_shipped ? "table of errors shipped with floc" : table.name();
 }
 
-/// Whether the cell of a scene can be compared with the cells of the scenes on which tables of prices for the same kind
-/// of scene were measured. This is possible for cohesive grains, because their tables are measured with the default cap
-/// on the strain rate. For grains without adhesion the default cap is on the inertial number, and its value differs
-/// between materials.
+/// A table of prices is measured on other scenes of the same kind. This function returns whether the cell of a scene
+/// can be compared with the cells in those scenes. This is possible for cohesive grains, because their tables are
+/// measured with the default cap on the strain rate. For grains without adhesion the default cap is on the inertial
+/// number, and its value differs between materials.
 bool has_default_cells(const Scene& scene) {
   return default_cap(scene).strain_rate_cap.has_value();
 }

@@ -55,21 +55,21 @@ class TableReader {
   std::optional<std::size_t> choice(const std::string& key, const std::vector<std::string>& choices,
                                     Need need = Need::required);
   TableReader table(const std::string& key, const char* expectation, Need need = Need::required);
-  /// Returns one reader for each table in an array of tables, which is the value of a key. The result is empty if the
-  /// key is missing.
+  /// Returns one reader for each table in the array that is the value of a key. The result is empty if the key is
+  /// missing.
   std::vector<TableReader> tables(const std::string& key, const char* expectation);
-  /// Returns the numbers in a table, which is the value of a key; each number with its key in this table. The keys of
-  /// numbers in inner tables are written with dots, for example "adhesion.force".
+  /// Returns the numbers in the table that is the value of a key. Each number is returned with its own key in this
+  /// table. The keys of numbers in inner tables are written with dots, for example "adhesion.force".
   std::vector<std::pair<std::string, double>> flat_numbers(const std::string& key);
-  /// Returns the numbers in an array, which is the value of a key. The array has to have at least one number, and each
-  /// number has to satisfy the rule. The result is empty if the key is missing or its value is invalid.
+  /// Returns the numbers in the array that is the value of a key. The array must contain at least one number, and each
+  /// number must satisfy the rule. The result is empty if the key is missing or its value is invalid.
   std::vector<double> numbers(const std::string& key, NumberRule rule);
 
   /// Returns the smallest and the largest whole number of an interval. The value of the key is an array of these two
   /// numbers, or one whole number that is both ends of the interval.
   std::optional<std::pair<int, int>> whole_interval(const std::string& key, const char* expectation);
 
-  /// Returns the texts in an array, which is the value of a key. The result is empty if the key is missing or its value
+  /// Returns the texts in the array that is the value of a key. The result is empty if the key is missing or its value
   /// is invalid.
   std::vector<std::string> texts(const std::string& key, const char* expectation);
 

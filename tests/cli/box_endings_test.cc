@@ -95,8 +95,9 @@ TEST(BoxEndings, WhatDoesNotSettleIsGivenUpAndSaysWhatBlocks) {
   const Outcome stops = run_floc("run stops.toml -o stops", scratch.path());
   EXPECT_EQ(stops.code, 0) << stops.err;
   EXPECT_THAT(content_of(scratch.file("stops/path.csv")), testing::HasSubstr(",stopped,"));
-  for (const auto& [time, blocking] : {std::pair("1e-3", "the walls have not yet borne half of their load"),
-                                       {"12", "the density is not steady"}}) {
+  for (const auto& [time, blocking] :
+       {std::pair("1e-3", "the forces of the grains on the walls have not yet reached half of the load"),
+        {"12", "the density is not steady"}}) {
     write_text(scratch.file("short.toml"), scene + "max_time = " + time + "\n");
     const Outcome given_up = run_floc("run short.toml -o short --overwrite", scratch.path());
     EXPECT_EQ(given_up.code, 3);

@@ -33,9 +33,12 @@ std::string in_words(const Unmet& unmet) {
           "the grains still move: their mean kinetic energy, in units of force scale times largest diameter, "
           "is");
     case Demand::wall_load:
-      return "the walls have not yet borne half of their load (imposed pressures and weight)";
+      return "the forces of the grains on the walls have not yet reached half of the load (imposed pressures "
+             "and weight)";
     case Demand::pressure:
-      return against("walls do not yet bear their imposed pressure: the largest relative difference is");
+      return against(
+          "the pressure on the walls does not yet equal the imposed pressure: the largest relative difference "
+          "is");
     case Demand::energy_ratio:
       return against("the ratio of kinetic to elastic energy is not yet small: it is");
     case Demand::mechanisms:
@@ -47,7 +50,7 @@ std::string in_words(const Unmet& unmet) {
           "the packing is at rest but not stable: its stiffness matrix has {:.0f} negative eigenvalues",
           unmet.value);
     case Demand::liquid:
-      // A value of zero means that no bridge forms or breaks, but that volumes of bridges change.
+      // If the value is zero, no bridge would form or break, but the volumes of bridges would change.
       return unmet.value > 0.0 ? fmt::format(
                                      "liquid still moves: {:.0f} bridges would form or break if the liquid "
                                      "were shared out once more",

@@ -8,18 +8,19 @@
 
 namespace floc {
 
-/// Criteria that an equilibrium has to meet besides the tolerances of its residuals.
+/// Criteria that a packing has to meet in equilibrium, in addition to the tolerances of the residuals.
 enum class Demand {
   none,
-  lengths,    ///< all axes have reached their imposed lengths
-  response,   ///< the stress has responded to the imposed load
-  density,    ///< the solid fraction is steady; for a packing between walls: the void ratio
-  stress,     ///< the stress on the axes with an imposed length is steady
-  contacts,   ///< no contact has opened or closed for some time
-  duration,   ///< the packing has been steady for long enough
-  rest,       ///< the kinetic energy of the grains with contacts is small
-  wall_load,  ///< at some time all walls have borne at least half of their imposed pressures
-  pressure,   ///< every wall bears its imposed pressure
+  lengths,   ///< all axes have reached their imposed lengths
+  response,  ///< the stress has responded to the imposed load
+  density,   ///< the solid fraction is steady; for a packing between walls: the void ratio
+  stress,    ///< the stress on the axes with an imposed length is steady
+  contacts,  ///< no contact has opened or closed for some time
+  duration,  ///< the packing has been steady for long enough
+  rest,      ///< the kinetic energy of the grains with contacts is small
+  /// at some time the pressure of the grains on each wall was at least half of the imposed pressure
+  wall_load,
+  pressure,  ///< the pressure of the grains on every wall equals the imposed pressure
   /// the ratio of kinetic to elastic energy is small; required only if this ratio ends a compaction
   energy_ratio,
   mechanisms,  ///< the structure that carries the load has no mechanisms (motions without stiffness)
@@ -28,7 +29,7 @@ enum class Demand {
 };
 inline constexpr int kDemands = static_cast<int>(Demand::liquid) + 1;
 
-/// First criterion of equilibrium that a packing does not meet, with the measured value and the limit of the value.
+/// First criterion of equilibrium that a packing does not meet, with the measured value and its limit.
 struct Unmet {
   Demand demand = Demand::none;
   double value = 0.0;  ///< measured value; for `mechanisms`, `stability` and `liquid` a count

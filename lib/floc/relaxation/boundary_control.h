@@ -38,14 +38,13 @@ struct StrainRamp {
   bool any() const { return from != to || shears(); }
   bool shears() const { return offset_from != offset_to; }
   bool over(double since) const { return begun + since >= duration; }
-  /// Returns the length of an axis (length) after a further time `since`, that is, at the time `begun` + `since` of the
-  /// ramp.
+  /// Returns the length of an axis at the time `begun` + `since` after the beginning of the ramp (length).
   double length(int axis, double since) const {
     if (over(since)) return to[axis];
     return from[axis] * std::pow(to[axis] / from[axis], share(since));
   }
-  /// Returns the offset (component along the first axis) of the sheared lattice vector after a further time `since`
-  /// (length).
+  /// Returns the offset (component along the first axis) of the sheared lattice vector at the time `begun` + `since`
+  /// after the beginning of the ramp (length).
   double offset(double since) const {
     return over(since) ? offset_to : offset_from + share(since) * (offset_to - offset_from);
   }
@@ -58,7 +57,8 @@ struct StrainRamp {
   }
 
  private:
-  /// Returns the share (0 to 1) of the total strain that is reached at the time `begun` + `since` of the ramp.
+  /// Returns the share (0 to 1) of the total strain that is reached at the time `begun` + `since` after the beginning
+  /// of the ramp.
   double share(double since) const {
     const double t = (begun + since) / duration;
     return t * t * (3.0 - 2.0 * t);
@@ -76,13 +76,13 @@ struct BoundaryControl {
   /// (force/length^(Dim-1)). For a component with an imposed strain rate: this rate, shortening positive (1/time); for
   /// shear the rate of the engineering strain gamma.
   Eigen::Matrix<double, kSymmetric<Dim>, 1> target = Eigen::Matrix<double, kSymmetric<Dim>, 1>::Zero();
-  /// inertia M of those components of the lattice vectors that follow a stress (mass); equal for all of them
+  /// inertia M (mass) of each component of the lattice vectors that follows a stress
   double mass = 0.0;
   /// Largest strain rate of components that follow a stress (1/time).
   double rate_cap = std::numeric_limits<double>::infinity();
   StrainRamp<Dim> ramp;  ///< strain ramp of some axes; for these axes it replaces `target`
-  /// Mean stress from which the scale of forces follows (force/length^(Dim-1)); if absent, the mean of the imposed
-  /// stresses.
+  /// Mean stress that sets the scale of forces (force/length^(Dim-1)); if absent, the mean of the imposed stresses sets
+  /// it.
   std::optional<double> reference_stress;
 
   /// Returns a control that fixes all components of the boundary.

@@ -21,7 +21,7 @@ namespace floc {
 namespace {
 
 /// Largest change of the void ratio during the final phase of a relaxation (power control). If the void ratio changes
-/// by more than this, the packing moves freely again.
+/// by more than this number, the packing moves freely again.
 constexpr double kFinishVoidRatio = 1e-3;
 /// Longest duration of the final phase of a relaxation (power control), in time units T (compaction_time()). If the
 /// scene accepts states that are not equilibria, the state after this duration is recorded as it is.
@@ -29,8 +29,8 @@ constexpr double kLongestFinish = 60.0;
 /// Two walls that no grain touches count as lost if their distance, divided by their initial distance, is above this
 /// number.
 constexpr double kLargestExpansion = 4.0;
-/// A box counts as closed if the distance between two walls, in largest diameters, is below this number. Overlaps are
-/// small, so grains do not fit into a smaller box.
+/// A box counts as closed if the distance between two walls, divided by the largest diameter, is below this number.
+/// Overlaps are small, so grains do not fit into a smaller box.
 constexpr double kBoxClosed = 0.5;
 
 /// Function that calls visit(name, member) for every member of a CompactionProgress, with the name that the member has
@@ -78,7 +78,7 @@ double void_ratio(const Packing<Dim>& packing) {
   return volume / total_volume(packing.grains) - 1.0;
 }
 
-/// Whether the walls bear at least half of the weight of the grains.
+/// Whether the upward forces of the walls on the grains add up to at least half of the weight of the grains.
 template <int Dim>
 bool walls_bear_weight(const Packing<Dim>& packing) {
   if (packing.gravity.isZero(0.0)) return true;
@@ -217,8 +217,8 @@ std::string BoxRelaxer<Dim>::lost() const {
             g.name(i), wall.axis + 1);
   const double a = largest_diameter(g);
   const std::vector<double> force = wall_forces(packing_);
-  // Forces and pressures move the walls. If the grains cannot bear the pressure, the walls close the box; if no grain
-  // touches the walls, the walls move apart without end.
+  // Forces and pressures move the walls. If the grains cannot resist the pressure, the walls close the box. If no grain
+  // touches the walls, the walls may move apart without end.
   for (std::size_t w = 0; w < packing_.walls.size(); ++w) {
     const int axis = packing_.walls[w].axis;
     const double side = packing_.cell.matrix(axis, axis);
@@ -237,8 +237,8 @@ std::string BoxRelaxer<Dim>::lost() const {
   return "";
 }
 
-/// Whether at some time all walls have borne at least half of their pressures and, with gravity, at least half of the
-/// weight. A compaction cannot end before that time.
+/// Whether at some time the pressure of the grains on each wall was at least half of the imposed pressure and, with
+/// gravity, the walls supported at least half of the weight. A compaction cannot end before that time.
 template <int Dim>
 bool BoxRelaxer<Dim>::is_armed() {
   if (progress_.armed) return true;
@@ -288,8 +288,8 @@ bool BoxRelaxer<Dim>::has_ended() {
 
 /// Begins the final phase of the relaxation (power control) once the compaction has ended and no mechanism is left. A
 /// packing with mechanisms (motions without stiffness) first moves on until more contacts support it: power control
-/// would stop the motion too early. If the scene ends the compaction by the ratio of energies, a state with mechanisms
-/// is recorded as it is.
+/// would stop the motion too early. If the ratio of energies ends the compaction, a state with mechanisms is recorded
+/// as it is.
 template <int Dim>
 RelaxationStatus BoxRelaxer<Dim>::check_motion() {
   if (!has_ended()) return RelaxationStatus::running;

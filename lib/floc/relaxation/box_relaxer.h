@@ -24,9 +24,10 @@ struct CompactionProgress {
   /// Void ratio at the end of each recent chunk of time steps, the oldest first.
   std::vector<double> void_ratio;
   /// For each axis: sign of (pressure - imposed pressure) while its walls move at the speed given by the scene; 0 once
-  /// the walls bear their imposed pressure.
+  /// the pressure of the grains on the walls has reached the imposed pressure.
   std::vector<double> closing_sign;
-  /// Whether at some time all walls have borne at least half of their pressures, so that the compaction may end.
+  /// Whether at some time the pressure of the grains on each wall was at least half of the imposed pressure, so that
+  /// the compaction may end.
   bool armed = false;
   /// Void ratio at the beginning of the final phase of the relaxation (power control).
   double finishing_since = 0.0;
@@ -37,9 +38,10 @@ struct CompactionProgress {
 /// Relaxer of a packing between walls under pressure. The packing moves freely until the criterion of the options
 /// (CompactionEnd) is met and the structure that carries the load has no mechanism (motion without stiffness). Power
 /// control (all velocities are set to zero whenever the kinetic energy falls) then brings the packing to equilibrium.
-/// If the options accept a state at a given time or at a given ratio of energies, a state without equilibrium is
-/// recorded with the ending "stopped" and the number of its mechanisms. Without a given time, the relaxation is given
-/// up at RelaxationOptions::max_time. Walls of infinite mass and periodic axes do not move.
+/// The options may accept the state at a given time or at a given ratio of energies. If this state is not an
+/// equilibrium, it is recorded with the ending "stopped" and the number of its mechanisms. If the options give no such
+/// time, the relaxation is given up at RelaxationOptions::max_time. Walls of infinite mass and periodic axes do not
+/// move.
 template <int Dim>
 class BoxRelaxer final : public Equilibrator<Dim> {
  public:

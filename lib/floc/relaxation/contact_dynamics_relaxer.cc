@@ -25,7 +25,7 @@ constexpr int kCalmSteps = 40;
 constexpr double kCalmRate = 0.03;
 constexpr double kCalmVelocity = 6e-3;
 /// Factor by which kCalmRate and kCalmVelocity are larger for frictionless polyhedra, whose motion decays slowly
-/// because their corners alternate in contact.
+/// because contact switches back and forth between corners.
 constexpr double kJitter = 8.0;
 /// Impacts are inelastic if the rate of approach, in units of a dt/T^2, is below this number. Here a is the largest
 /// diameter, dt the time step and T the time unit. The unit a dt/T^2 is the velocity that the pressure gives to a grain
@@ -35,10 +35,10 @@ constexpr double kSlowImpact = 2.0;
 constexpr double kGasTolerance = 10.0;
 /// A packing counts as a gas if its mean stress, divided by the mean imposed stress, is below this number.
 constexpr double kGasStress = 0.3;
-/// Number of steps of the phase `resting` after which the contacts of a step are solved all at once instead of by
-/// sweeps. In 2D this costs as much as a few hundred sweeps and brings polygons to rest that creep; in 3D it costs far
-/// more. Round grains come to rest by sweeps: solved all at once, disks that sweeps brought to rest within 15 s kept
-/// gaps above the tolerance for minutes.
+/// Number of steps of the phase `resting` that are solved by sweeps. In later steps, all contacts are solved at once.
+/// In 2D such a step costs as much as a few hundred sweeps, but it brings creeping polygons to rest. In 3D it costs far
+/// more. Round grains come to rest by sweeps. In a test, disks came to rest by sweeps within 15 s; when all contacts
+/// were solved at once, gaps stayed above the tolerance for minutes.
 template <int Dim>
 int swept_steps(bool are_round) {
   return Dim == 2 && !are_round ? 400 : 2600;
@@ -51,8 +51,8 @@ constexpr double kLongestAtOnce = 3.0;
 /// Smallest mean stress of elastic grains at rest, divided by the mean imposed stress, at which the relaxation begins
 /// with the phase `resting`.
 constexpr double kLoadedStress = 0.3;
-/// Largest strain of elastic grains, divided by strain_of_springs(), that begins with Newton steps. Larger strains
-/// break many contacts, and the grains have to move.
+/// Largest imposed strain of elastic grains, divided by strain_of_springs(), during which all contacts are solved at
+/// once. Larger strains open many contacts, and the grains have to move.
 constexpr double kElasticStrains = 1.0;
 /// Tolerance of the impulses in the phase `resting`, divided by the mean normal impulse: the sweeps of a step end when
 /// the error is below this tolerance.
@@ -82,8 +82,8 @@ constexpr auto kMembers = [](auto& p, const auto& visit) {
   visit("obstacle", p.obstacle);
 };
 
-/// Returns the order of the strain of a packing whose linear springs bear a stress: P a^(Dim-2)/K_N, with the mean
-/// stress P and the largest diameter a.
+/// Returns the order of magnitude of the strain that a stress causes in a packing with linear springs: P a^(Dim-2)/K_N,
+/// with the mean stress P, the largest diameter a and the normal stiffness K_N.
 template <int Dim>
 double strain_of_springs(const Packing<Dim>& packing, const Vec<Dim>& stress) {
   const double stiffness = packing.law.parameters().normal.template get<LinearRepulsion>().normal_stiffness;
@@ -158,16 +158,17 @@ ContactDynamicsRelaxer<Dim>::ContactDynamicsRelaxer(const RelaxationOptions& opt
   strains_springs_ =
       is_elastic() && imposed_strain().size() <= kElasticStrains * strain_of_springs(packing_, imposed_);
   measure();
-  // Motion, with the errors of its sweeps, would slip contacts that the load does not slip.
+  // A packing at rest under load begins with the phase `resting`: the errors of the sweeps of a motion would make
+  // contacts slip that do not slip under the load.
   if (progress.empty() && is_elastic() && progress_.phase == ContactDynamicsProgress::moving &&
       is_at_rest(packing_) && stress_.trace() > kLoadedStress * imposed_.sum())
     start_resting();
 }
 
 /// Returns whether the contacts of a step are solved all at once. For elastic grains this holds in the phase `resting`
-/// and during small strains, because errors of sweeps would slip contacts that the load does not slip. In the phase
-/// `resting` it also holds for frictionless grains with corners from the start, and for other packings after
-/// swept_steps() steps with sweeps, if there are at most kMostGrainsAtOnce grains.
+/// and during small strains, because the errors of sweeps would make contacts slip that do not slip under the load. For
+/// rigid grains it may hold in the phase `resting`: for frictionless grains with corners from the start, for other
+/// packings of at most kMostGrainsAtOnce grains after swept_steps() steps with sweeps.
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::solves_at_once() const {
   if (progress_.phase == ContactDynamicsProgress::straining) return strains_springs_;
@@ -209,8 +210,8 @@ BoundaryLoad<Dim> ContactDynamicsRelaxer<Dim>::boundary_load() const {
   // `resting` the cap is not needed.
   if (!packing_.walls.empty() && progress_.phase == ContactDynamicsProgress::resting) return load;
   load.wall_speed = options_.compaction.wall_speed;
-  // A strained cell has no cap on its strain rate: the drag that limits the strain rate would balance a part of the
-  // stress on sides that grow.
+  // While the cell is strained, its strain rate has no cap. The drag that caps the strain rate would balance a part of
+  // the stress on growing sides.
   if (progress_.phase != ContactDynamicsProgress::straining)
     load.strain_rate_cap = strain_rate_cap(options_, packing_, imposed_);
   return load;

@@ -36,7 +36,7 @@ struct ContactDynamicsProgress {
   int n_rests = 0;               ///< number of times that elastic grains have begun the phase `resting`
   /// smallest residual of elastic grains in the phase `resting`, in units of the force scale; 0 before the first test
   double least_residual = 0.0;
-  int least_at = 0;          ///< number of steps of the phase `resting` after which this residual was found
+  int least_at = 0;          ///< number of steps of the phase `resting` after which least_residual was found
   double rest_length = 0.0;  ///< longest time step of the phase `resting`, in units of T
   int rest_sweeps = 0;       ///< largest number of sweeps in a time step of the phase `resting`
   /// Sides of the cell before the strain (length).
@@ -51,9 +51,9 @@ struct ContactDynamicsProgress {
 /// velocity is below 6e-3 d/T and the strain rate of the cell or box is below 3 % of its cap, with the largest diameter
 /// d and the time unit T = sqrt(m/(P d^(Dim-2))).
 /// 2. All velocities are set to zero before each step, until the net forces are small. The contacts of frictionless
-/// polygons are solved all at once in each step (rigid/implicit_step.h), and so are the contacts of other packings that
-/// sweeps have not brought to rest. Frictionless polyhedra make no steps in this phase: they are moved to a minimum of
-/// the volume (rigid/least_volume.h).
+/// polygons are solved all at once in each step (rigid/implicit_step.h). So are the contacts of other packings if
+/// sweeps have not brought the grains to rest. Frictionless polyhedra make no steps in this phase: they are moved to a
+/// minimum of the volume (rigid/least_volume.h).
 /// 3. Without motion of the grains, forces are sought that satisfy Coulomb's conditions and balance all grains and the
 /// imposed stress (rigid/static_forces.h). If there are no such forces, some grain still moves, and phase 2 continues.
 ///
@@ -61,14 +61,15 @@ struct ContactDynamicsProgress {
 /// forces.
 ///
 /// Elastic grains with corners go through the first two phases in the same way, with the springs of their contacts
-/// (rigid/elastic_contacts.h). In phase 2 each step is solved at once, which makes it a Newton step of the balance of
-/// all forces. The relaxation ends when the forces of the contact law balance all grains and the stress.
+/// (rigid/elastic_contacts.h). In phase 2 all contacts of a step are solved at once. Each step is then a Newton step
+/// towards the balance of all forces. The relaxation ends when the forces of the contact law balance all grains and the
+/// stress.
 ///
 /// If the load changes a length or shears the cell, the relaxation is a motion instead: the cell is strained at a
 /// constant rate (ContactDynamicsOptions::inertial_number), and the packing is recorded in motion when it reaches the
 /// imposed strain. The recorded forces are those of the time step that begins in this state (MotionRecord). Elastic
-/// grains are strained at the largest rate that the cap of the cell allows, and then come to rest in the strained
-/// cell: by Newton steps alone after small strains.
+/// grains are strained at the largest rate that the cap of the cell allows, and then come to rest in the strained cell.
+/// After small strains, they come to rest by Newton steps alone.
 template <int Dim>
 class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
  public:
@@ -139,7 +140,7 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
   /// (time)
   double time_unit_;
   double strain_rate_ = 0.0;  ///< rate at which the cell is strained if the load imposes a strain (1/time)
-  /// whether the load strains elastic grains by so little that their contacts mostly stay
+  /// whether the load strains a packing of elastic grains so little that most contacts persist
   bool strains_springs_ = false;
   MotionObserver<Dim> observer_;
 };

@@ -18,8 +18,8 @@ constexpr double kRampInertialNumber = 1e-3;
 /// Reduced pressure (reduced_pressure()) below which axes with an imposed length count as carrying no stress. No
 /// packing is in equilibrium at so small a pressure.
 constexpr double kNoPressure = 1e-12;
-/// A cell counts as closed if a side, in largest diameters, is below this number. Overlaps are small, so grains do not
-/// fit into a smaller cell.
+/// A cell counts as closed if a side, divided by the largest diameter, is below this number. Overlaps are small, so
+/// grains do not fit into a smaller cell.
 constexpr double kClosed = 0.5;
 
 }  // namespace
@@ -55,8 +55,8 @@ void Relaxer<Dim>::begin_strain_ramp() {
   if (strain > 0.0) progress_.ramp_duration = StrainRamp<Dim>::kPeak * strain / fastest;
 }
 
-/// Whether the packing carries no stress at the imposed lengths. With adhesion, this is so if no contact is left;
-/// without adhesion, this is so if the pressure is zero.
+/// Whether the packing carries no stress at the imposed lengths. With adhesion, it carries none if no contact is left;
+/// without adhesion, it carries none if the pressure is zero.
 template <int Dim>
 bool Relaxer<Dim>::carries_no_stress() const {
   if (!load_.any_strained()) return false;

@@ -56,7 +56,7 @@ class MotionSinceList {
   void release() { x_ = {}; }
 
  private:
-  // The following members hold the state at the time when the lists were built.
+  // The following members describe the state at the time when the lists were built.
   /// Positions of the grains when the lists were built (length).
   std::array<AlignedVector<double>, Dim> x_;
   /// The number 1/s^2 for each grain, where s is its skin: the distance that the grain may move (1/length^2).

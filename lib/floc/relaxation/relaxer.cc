@@ -235,8 +235,8 @@ bool Relaxer<Dim>::density_is_steady() {
   return phi.size() == window && *high - *low < kSteadyPhi && carried_stress_is_steady(window);
 }
 
-/// Whether the stress carried by the axes with an imposed length is steady. At imposed lengths the density is constant
-/// and does not show whether the grains have stopped rearranging.
+/// Whether the stress on the axes with an imposed length is steady. At imposed lengths the density is constant and does
+/// not show whether the grains have stopped rearranging.
 template <int Dim>
 bool Relaxer<Dim>::carried_stress_is_steady(std::size_t window) {
   if (!load_.any_strained()) return true;
@@ -366,8 +366,8 @@ RelaxationStatus Relaxer<Dim>::check_finish() {
     progress_.carried_stress.clear();
     return RelaxationStatus::running;
   }
-  // Newton steps are tried once the force residual is so small that they are known to succeed. After a failure there is
-  // a pause before the next attempt, because attempts may take longer than the dynamics. The pause grows with the time
+  // Newton steps are tried once the force residual is so small that they usually succeed. After a failure there is a
+  // pause before the next attempt, because attempts may take longer than the dynamics. The pause grows with the time
   // since the beginning of power control.
   const bool within = residuals_.within(options_.tolerance);
   const bool may_refine = options_.finish != Finish::dynamic && residuals_.force < kRefinementResidual;
@@ -379,7 +379,7 @@ RelaxationStatus Relaxer<Dim>::check_finish() {
         progress_.finishing_chunks + std::max(kRefinementPause, progress_.finishing_chunks / 2);
   }
   // If the dynamics alone has brought the residuals below their tolerances, the state is an equilibrium if it is stable
-  // and its liquid does not move.
+  // and no liquid bridge changes.
   if (!within) return RelaxationStatus::running;
   Stability found;
   if (!is_stable(packing_, found) || !liquid_rests(packing_, true)) return RelaxationStatus::running;
@@ -397,7 +397,7 @@ bool Relaxer<Dim>::is_stable(const Packing<Dim>& packing, Stability& found) {
 
 /// Whether Newton steps are expected to take at most as much computing time as the dynamics of this relaxation. The
 /// time of the dynamics is the time taken so far or, if the estimate for the whole relaxation is longer, this estimate.
-/// In 2D the answer is always yes.
+/// In 2D the function always returns true.
 template <int Dim>
 bool Relaxer<Dim>::newton_is_cheaper() const {
   if (Dim == 2) return true;

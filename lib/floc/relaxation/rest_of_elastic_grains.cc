@@ -13,19 +13,20 @@ namespace {
 
 /// Number of time steps between two tests of the balance. Each step is a Newton step.
 constexpr int kNewtonSteps = 2;
-/// Largest residual at which the steps end at once, in the units of EquilibriumTolerance.
+/// The Newton steps end as soon as all residuals, in the units of EquilibriumTolerance, are at most this number.
 constexpr double kBalanced = 1e-9;
 /// Number of steps after which a packing within the tolerances of the scene is accepted, although its residuals are
 /// larger than kBalanced.
 constexpr int kEnoughSteps = 60;
-/// Number of steps, and number of steps since the residual last fell to less than half, after which the grains move
-/// under the load again, until they are calm, before the next Newton steps.
+/// A series of Newton steps ends without success after kMostNewtonSteps steps, or if the residual has not fallen to
+/// less than half in kMostStalledSteps steps. The grains then move under the load again until they are calm, and a new
+/// series begins.
 constexpr int kMostNewtonSteps = 200;
 constexpr int kMostStalledSteps = 60;
-/// Number of such series of Newton steps after which the relaxation is given up.
+/// Number of series of Newton steps without success after which the relaxation is given up.
 constexpr int kMostRests = 6;
-/// Each time that the residual has not fallen to less than half for this number of steps, the next steps are half as
-/// long, down to kShortestOnSprings (in units of T). Newton steps may go to and fro between two sets of contact points.
+/// Whenever the residual has not fallen to less than half in kStalledSteps steps, the next steps are half as long, but
+/// not shorter than kShortestOnSprings (in units of T). Longer steps may alternate between two sets of contact points.
 constexpr int kStalledSteps = 16;
 constexpr double kShortestOnSprings = 0.1;
 
@@ -77,8 +78,8 @@ RelaxationStatus ContactDynamicsRelaxer<Dim>::rest_on_springs() {
   return RelaxationStatus::gave_up;
 }
 
-/// Tests whether the forces of the contact law balance all grains and the stress in a stable way, and then replaces the
-/// packing by the packing at rest, whose contacts are the overlaps.
+/// Tests whether the forces of the contact law balance all grains and the stress, and whether this equilibrium is
+/// stable. If so, replaces the packing by the packing at rest, in which the contacts are the overlaps.
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::springs_balance() {
   Packing<Dim> rested = packing_;
@@ -97,7 +98,7 @@ bool ContactDynamicsRelaxer<Dim>::springs_balance() {
     return false;
   }
   if (largest_of(reached) > kBalanced && progress_.resting_steps < kEnoughSteps) {
-    progress_.obstacle = "the residuals are within their tolerances, and are still reduced further";
+    progress_.obstacle = "the residuals are within their tolerances, but Newton steps still reduce them";
     return false;
   }
   if (!stays_in_place(rested)) {

@@ -41,8 +41,7 @@ constexpr double kNearBalanceAngular = 3e-2;
 constexpr int kStepsBetweenTrials = 50;
 /// Number of steps of the phase `resting` after which the relaxation is given up.
 constexpr int kMostRestingSteps = 3000;
-/// Number of steps of the test whether a packing with balanced forces is stable: in these steps the packing moves
-/// freely.
+/// To test whether a packing with balanced forces is stable, it moves freely for this number of steps.
 constexpr int kFreeSteps = 50;
 /// Largest displacement of a grain in the test of stability (kFreeSteps), divided by the product of the diameter of the
 /// grain and the gap tolerance.
@@ -59,8 +58,8 @@ void stop(Packing<Dim>& packing) {
   for (Wall<Dim>& wall : packing.walls) wall.velocity = 0.0;
 }
 
-/// Returns which forces a packing at rest gets. At a minimum of the volume there is no last step whose forces could be
-/// kept: they are then the closest ones.
+/// Returns the choice of the recorded forces of a packing at rest. At a minimum of the volume there is no last step
+/// whose forces could be recorded, and the closest forces are recorded instead.
 template <int Dim>
 RigidForces forces_at_rest(const RelaxationOptions& options, const Packing<Dim>& packing) {
   const RigidForces chosen = options.contact_dynamics.forces;

@@ -467,9 +467,9 @@ StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryContr
       break;
     }
     if (now.n_mobilised > options.largest_mobilised_share * now.n_contacts) {
-      solution.reason = fmt::format(
-          "springs of {} of {} contacts are at their caps, too many for the Newton steps to converge",
-          now.n_mobilised, now.n_contacts);
+      solution.reason =
+          fmt::format("{} of {} contacts have a spring at its cap, too many for the Newton steps to converge",
+                      now.n_mobilised, now.n_contacts);
       break;
     }
     problem.assemble(now, tangent);

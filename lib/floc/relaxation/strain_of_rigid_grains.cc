@@ -14,12 +14,12 @@ namespace {
 
 /// Number of time steps of a strain in one call of advance().
 constexpr int kStrainingSteps = 20;
-/// The step whose forces are recorded in motion may have this many times as many sweeps as other steps.
+/// Factor by which the allowed number of sweeps is larger in the step whose forces are recorded in motion.
 constexpr int kSweepsOfRecord = 50;
 /// In a recorded motion, a contact counts as force-free if its repulsive force, divided by the mean repulsive force, is
 /// at most this number.
 constexpr double kIdle = 1e-9;
-/// A cell counts as closed if a side, in largest diameters, is below this number.
+/// A cell counts as closed if a side, divided by the largest diameter, is below this number.
 constexpr double kClosedSide = 0.5;
 
 }  // namespace

@@ -87,8 +87,8 @@ struct GrainKernels {
     return pairs.row + static_cast<std::ptrdiff_t>(Layout::kSize) * (p - pairs.with_row);
   }
 
-  /// Returns the address of the entries of a block in an array of masses, of moments of inertia, or of the inverses of
-  /// these.
+  /// Returns the address of the entries of a block in one of these arrays: masses, inverse masses, moments of inertia,
+  /// inverse moments of inertia.
   /// @param of_grains  array with the value of each grain; if all grains are equal, every block uses the values of the
   /// first block (GrainView::own_masses)
   /// @param begin  first grain of the block

@@ -72,7 +72,8 @@ struct DryAttraction {
 
 namespace detail {
 
-/// `Model`, or if `Model` stands for an absent model: the model type `Neutral`, which has no effect.
+/// Model type that is used for `Model`: `Neutral`, which has no effect, if `Model` stands for an absent model;
+/// otherwise `Model` itself.
 template <class Model, class Neutral>
 using Present = std::conditional_t<kIsAbsent<Model>, Neutral, Model>;
 

@@ -131,9 +131,9 @@ struct Records {
   [[gnu::always_inline]] static P gather(const double* base, const int* place) {
     P out;
 #if defined(__x86_64__)
-    // The lanes are loaded one by one and merged by broadcasts with masks. Compared with the gather instruction, single
-    // loads joined by shuffles shortened whole time steps by a fifth (Xeon of 2023), and broadcasts by another 4 %
-    // (EPYC of 2023).
+    // The lanes are loaded one by one and merged by broadcasts with masks. With single loads joined by shuffles, whole
+    // time steps were shorter by a fifth than with the gather instruction (Xeon of 2023). With broadcasts they were
+    // shorter by another 4 % (EPYC of 2023).
     if constexpr (P::kWidth == 8) {
       const auto four = [&](int l) {
         __m256d lanes = _mm256_castpd128_pd256(_mm_load_sd(base + place[l]));
@@ -175,7 +175,7 @@ struct Records {
   }
 
   /// Calls take(l, column) for each column l of the matrix whose rows are a(0) to a(7), with 8 numbers each.
-  /// Neighbouring numbers are moved in twos, since moving two numbers takes as long as moving one.
+  /// Neighbouring numbers are moved in pairs, since moving two numbers takes as long as moving one number.
   template <class Rows, class Take>
   [[gnu::always_inline]] static void transpose([[maybe_unused]] Rows a, [[maybe_unused]] Take take) {
     if constexpr (P::kWidth == 8) {

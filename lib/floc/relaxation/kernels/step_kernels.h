@@ -196,10 +196,10 @@ struct Kick {
   double keep[Dim][Dim], gain[Dim][Dim];
 };
 
-/// Stage of the time integration that the rotation of the grains has reached between two time steps. Spins do not
-/// depend on the motion of the boundary, unlike velocities, so they may be advanced early. If no spins are needed at
-/// the end of a step, this step also makes the next half kick of the spins and the next rotation of the grains. Each
-/// torque and spin is then read only once per step.
+/// Stage of the time integration that the rotation of the grains has reached between two time steps. Unlike velocities,
+/// spins do not depend on the motion of the boundary, so spins may be advanced early. If no spins are needed at the end
+/// of a step, this step also makes the next half kick of the spins and the next rotation of the grains. Each torque and
+/// spin is then read only once per step.
 enum class Rotation {
   at_end,  ///< spins are those at the end of the step, like positions and forces
   /// Spins are those in the middle of the next step: the next half kick of the spins and the next rotation of the

@@ -21,9 +21,9 @@ double beyond_corner(const Vec<3>& t) {
   for (int k = 0; k < 3; ++k) {
     const double a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
     const double rho = std::sqrt(1.0 - a * a);
-    // The plane x = a cuts the sphere along an arc. By the Gauss-Bonnet theorem, the area of the spherical face
-    // decreases by two terms: the integral of the geodesic curvature along the arc, and the angle at the end of the arc
-    // on the plane y = b.
+    // The plane x = a cuts the sphere along an arc. By the Gauss-Bonnet theorem, the area of the spherical face is 2 pi
+    // minus two terms for each of its three arcs: the integral of the geodesic curvature along the arc, and the
+    // exterior angle of the face at one end of the arc (here the end on the plane y = b).
     sphere -= a * (std::acos(std::min(1.0, b / rho)) - std::asin(std::min(1.0, c / rho)));
     sphere -= std::acos(std::max(-1.0, -a * b / (rho * std::sqrt(1.0 - b * b))));
     faces += a * rho * rho * beyond_corner(Vec<2>(std::min(1.0, b / rho), std::min(1.0, c / rho)));

@@ -13,8 +13,8 @@ class FrameTurn {
  public:
   FrameTurn() = default;
   /// @param normal     unit normal of the contact after the step
-  /// @param along      component along `normal` of c, where c is the change of the vector between the centres of the
-  /// grains during the step, divided by the distance of the centres after the step
+  /// @param along      component along `normal` of a vector c. c is the change, during the step, of the vector between
+  /// the centres of the grains, divided by the distance of the centres after the step
   /// @param across     part of c in the tangent plane
   /// @param spins      sum of the angular velocities of the two grains (radians/time)
   /// @param time_step  duration of the step (time)

@@ -16,8 +16,8 @@ struct ReducedLattice {
   Mat<Dim, std::int64_t> combination = Mat<Dim, std::int64_t>::Identity();
   bool is_original = true;
 
-  /// Converts the lattice displacement `image`, which is given in numbers of lattice vectors of the reduced cell, to
-  /// numbers of lattice vectors of the original cell.
+  /// Converts a lattice displacement to numbers of lattice vectors of the original cell.
+  /// @param image  the displacement in numbers of lattice vectors of the reduced cell
   Vec<Dim, std::int64_t> original(const Vec<Dim, int>& image) const {
     return combination.transpose() * image.template cast<std::int64_t>();
   }

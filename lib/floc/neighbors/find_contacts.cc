@@ -58,8 +58,8 @@ void find_contacts(Packing<Dim>& packing) {
   // missing pairs.
   refresh_contacts(packing);
   spread_liquid(packing);
-  // Two kinds of contact are errors. If the centre of a grain is beyond a wall, the normal of their contact points from
-  // the wall into the box. If two grains have the same centre, the normal of their contact is zero.
+  // Two kinds of contact are errors. If the centre of a grain is beyond a wall, the normal of the contact points from
+  // the wall into the box. If two grains have the same centre, the normal of the contact is zero.
   const auto name = [&](int i) { return std::to_string(packing.grains.name(i)); };
   for (const Contact<Dim>& c : packing.contacts) {
     if (packing.is_wall(c.j) && c.normal.dot(packing.wall(c.j).normal()) <= 0.0)

@@ -28,7 +28,7 @@ struct NeighborPair {
 /// @param gap  two grains form a pair if the distance (length) between their surfaces is below this value, >= 0
 /// @throws InputError if a radius, a position or the cell is not finite, or the cell has no volume; if a grain lies
 /// more than 1e9 cells away from the cell; if the search would take too long, for example because a grain is many cells
-/// wide, or because many small grains are mixed with a very large one; or if the number of pairs exceeds 10 000 plus
+/// wide, or because many small grains are mixed with a very large grain; or if the number of pairs exceeds 10 000 plus
 /// 1000 per grain
 template <int Dim>
 std::vector<NeighborPair<Dim>> find_pairs(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap);

@@ -24,7 +24,7 @@ std::uint64_t morton(const Vec<Dim>& s) {
   return code;
 }
 
-/// If a packing has at least this number of spheres, they are stored by layers and rows of the cell. With fewer
+/// If a packing has at least this number of spheres, the spheres are stored by layers and rows of the cell. With fewer
 /// spheres, the order along the Morton curve gives equally fast time steps.
 constexpr int kManySpheres = 10'000;
 /// Thickness of the rows and layers into which grains are sorted, divided by the mean spacing of the grains (cube root

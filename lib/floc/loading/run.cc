@@ -167,7 +167,7 @@ void Run<Dim>::take_packing_back() {
 
 /// Starts the computation of the next equilibrium. Before that, vibrates the packing if the plan of the run has a
 /// vibration at this equilibrium.
-/// @pre this object holds the packing (packing_)
+/// @pre the packing is in packing_
 template <int Dim>
 void Run<Dim>::shake_and_start_step() {
   if (target().vibration && !point_.shaken) {
@@ -182,7 +182,7 @@ void Run<Dim>::shake_and_start_step() {
 /// Prepares the next step of a stage with different loads on its axes. At the first step of the stage, records the last
 /// saved state, from which the strains of the stage are measured. In a simple shear, replaces the lattice vectors
 /// before each step by less tilted vectors that span the same lattice.
-/// @pre this object holds the packing (packing_)
+/// @pre the packing is in packing_
 template <int Dim>
 void Run<Dim>::begin_stage() {
   if (target().is_isotropic())
@@ -237,7 +237,7 @@ std::string Run<Dim>::pressure_text() const {
 }
 
 /// Starts the aggregation of the grains, or the relaxation of the packing to the next equilibrium.
-/// @pre this object holds the packing (packing_)
+/// @pre the packing is in packing_
 template <int Dim>
 void Run<Dim>::start_step() {
   if (point_.aggregating) {
@@ -382,8 +382,9 @@ template <int Dim>
 RelaxationReport Run<Dim>::report() const {
   if (!point_.aggregating) return equilibrator_->report();
   RelaxationReport report;
-  report.blocking = fmt::format("the grains form {} clusters, but the aggregation ends only when they form one",
-                                aggregation_->n_clusters());
+  report.blocking =
+      fmt::format("the grains form {} clusters, but the aggregation ends only when they form one cluster",
+                  aggregation_->n_clusters());
   return report;
 }
 

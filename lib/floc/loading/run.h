@@ -119,7 +119,7 @@ class Run {
   RunOptions options_;
   std::vector<PlannedEquilibrium> plan_;
   RunPoint point_;
-  /// Packing of the run. While aggregation_ or equilibrator_ holds the packing, this member is empty, so that the
+  /// Packing of the run. While the packing is in aggregation_ or equilibrator_, this member is empty, so that the
   /// packing is in memory only once.
   Packing<Dim> packing_;
   std::unique_ptr<Aggregation<Dim>> aggregation_;

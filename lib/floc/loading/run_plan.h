@@ -45,8 +45,8 @@ KnownStress first_stress(const AssemblyOptions& assembly, int dimension);
 /// If a saved packing keeps its stresses (SavedStart::kept), the equilibrium of the assembly keeps these stresses, and
 /// its PlannedEquilibrium::control is "axes".
 ///
-/// A vibration acts on the saved packing from which the run starts. If the run starts from a gas instead, the vibration
-/// acts on the last equilibrium of the assembly, and one more equilibrium at the same pressure follows it.
+/// A vibration acts on the saved packing from which the run starts. If the run starts from a gas instead, the last
+/// equilibrium of the assembly is vibrated, and one more equilibrium at the same pressure follows.
 /// @param dimension  number of axes, 2 or 3
 /// @throws InputError if a stage has loads for another number of axes, if a stage changes a parameter that the contact
 /// law does not have, if the assembly has a friction coefficient although the contact law has no friction, or if grains

@@ -326,9 +326,10 @@ double steps_of_compaction(const Scene& scene) {
          time_step_of_scene(scene);
 }
 
-/// Returns the normal stiffness K_N of a contact. For spheres, whose stiffness increases with the force, it is the
-/// stiffness at the mean force under the first pressure P: 0.665 kappa P a, with the assumption z Phi = 4 (stiffness
-/// number kappa, largest diameter a, coordination number z, solid fraction Phi).
+/// Returns the normal stiffness K_N of a contact. The stiffness of a contact of spheres increases with the force. For
+/// spheres, K_N is therefore the stiffness at the mean force under the first pressure P: 0.665 kappa P a, with the
+/// stiffness number kappa and the largest diameter a. This formula assumes z Phi = 4 (coordination number z, solid
+/// fraction Phi).
 double typical_stiffness(const Scene& scene) {
   const double a = scene.grains.largest(), modulus = scene.law.contact_modulus(scene.dimension, a);
   if (scene.law.force_exponent() == 1.0) return modulus * std::pow(a, scene.dimension - 2);

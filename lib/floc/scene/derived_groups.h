@@ -33,9 +33,9 @@ double time_step_of_scene(const Scene& scene);
 
 /// Returns the expected processor time of a run on one core (s), correct within about a factor of two. The processor
 /// time is proportional to the number of grains, to the number of equilibria, and to the inverse of the time step. An
-/// equilibrium during unloading is assumed to cost a quarter of one during loading, because unloading is nearly
-/// elastic. For comparison: a run that aggregates 1400 grains (protocol "aggregation") and loads them in 26 steps takes
-/// 150 s on a core of the year 2023.
+/// equilibrium during unloading is assumed to take a quarter of the time of an equilibrium during loading, because
+/// unloading is nearly elastic. For comparison: a run that aggregates 1400 grains (protocol "aggregation") and loads
+/// them in 26 steps takes 150 s on a core of the year 2023.
 double expected_cost(const Scene& scene);
 
 }  // namespace floc

@@ -93,8 +93,8 @@ void read_lognormal(TableReader& t, int dimension, DiameterDistribution& d) {
       t.number("sigma", {positive, "a positive number (standard deviation of the logarithm of the diameter)"})
           .value_or(0);
   // [HC1929]: if the distribution of the mass over the diameters is lognormal, the distribution of the number of grains
-  // is lognormal as well. The distribution of the number of grains has the same sigma, and its median is the median by
-  // mass times exp(-dimension * sigma^2).
+  // is lognormal as well. Both distributions have the same sigma. The median by number is the median by mass times
+  // exp(-dimension * sigma^2).
   const bool by_mass = t.choice("by", {"number", "mass"}, Need::optional) == 1;
   d.median = by_mass ? median * std::exp(-dimension * d.sigma * d.sigma) : median;
   // Smallest fraction of the complete lognormal distribution that must lie between min and max. With a smaller
@@ -111,8 +111,8 @@ void read_lognormal(TableReader& t, int dimension, DiameterDistribution& d) {
 }
 
 /// Reads the key `quantiles`, which determines the quantiles of the distribution that become the diameters of the
-/// grains: equally spaced quantiles that include both ends of the distribution, or the quantiles in the middle of equal
-/// fractions of the grains.
+/// grains: equally spaced quantiles that include both ends of the distribution ("ends"), or the quantiles in the middle
+/// of equal fractions of the grains ("middle").
 void read_quantiles(TableReader& t, DiameterDistribution& d) {
   if (t.choice("quantiles", {"ends", "middle"}, Need::optional) == 1)
     d.quantiles = DiameterDistribution::Quantiles::middle;

@@ -198,8 +198,9 @@ void read_dynamics(TableReader& root, const SceneSource& source, Scene& scene) {
         fmt::format(
             "dynamics.method = \"smooth\": {}, so only contact dynamics can move the grains; expected method "
             "= \"contact_dynamics\", or no key method",
-            scene.law.is_rigid() ? "rigid contacts have no stiffness"
-                                 : "contacts of grains with shapes jump where their corners change"));
+            scene.law.is_rigid()
+                ? "rigid contacts have no stiffness"
+                : "the contact forces of grains with shapes jump when other corners come into contact"));
   if (knows_law && method && !implicit && *method == 1)
     t.fault("method",
             fmt::format(

@@ -33,8 +33,8 @@ std::string expected_table(const DeclaredSlot& slot) {
   return text;
 }
 
-/// Records a fault for each key, in the table of one component of the contact law, that the chosen model of this
-/// component does not have but another model has.
+/// Checks the keys in the table of one component of the contact law. Records a fault for each key that belongs to
+/// another model of this component but not to the chosen model.
 void refuse_keys_of_others(TableReader& t, const DeclaredSlot& slot, const DeclaredModel& chosen) {
   for (const DeclaredModel& other : slot.models)
     for (const DeclaredNumber& n : other.numbers)
@@ -98,7 +98,7 @@ Law read_law(TableReader& root, int dimension) {
   for (const DeclaredSlot& slot : declared_slots())
     read_slot(t.table(slot.key, expected_table(slot).c_str(), slot.optional ? Need::optional : Need::required),
               slot, law);
-  // Each number has been checked above. Here it is checked whether the components can be combined with each other and
+  // Each number has been checked above. The next check is whether the components can be combined with each other and
   // with the dimension of the scene.
   for (const auto& faults : {law.faults_between_slots(), law.faults_in_dimension(dimension)})
     for (const LawFault& fault : faults) t.fault(fault.slot, fault.words);

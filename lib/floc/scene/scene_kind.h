@@ -7,8 +7,8 @@
 namespace floc {
 
 /// Returns the name of the kind of a scene, in lower case with hyphens. Scenes of one kind have the same dimension,
-/// family of contact laws, cohesion, boundary and kinds of loads. If the errors and costs of numerical settings have
-/// been measured in one scene, they are therefore a guide for all scenes of its kind. The name consists of
+/// family of contact laws, cohesion, boundary and kinds of loads. Errors and costs of numerical settings that were
+/// measured in one scene are therefore a guide for all scenes of the same kind. The name consists of
 /// 1. the grains: "disks", "spheres", "polygons" or "polyhedra", preceded by "rigid-" if the contacts are rigid.
 /// Spheres with a nonlinear normal law are "beads", followed by the keyword of the law: "beads-hertz";
 /// 2. their cohesion: "wet" if the contact law has liquid bridges, otherwise "cohesive" if the law attracts anywhere on

@@ -22,10 +22,10 @@ struct ScenePrices {
 /// @throws InputError if there is no such file, or if the table is not valid
 ScenePrices prices_of(const Scene& scene, const std::string& file);
 
-/// Returns the mass of the cell and the cap on its strain rate in each part of a run, each divided by the default value
-/// for cohesive grains: first in the assembly, then in each stage of the load path. The result is empty for scenes with
-/// walls and for grains without adhesion, because the tables of prices for these scenes are not measured with the
-/// default cell.
+/// Returns the mass of the cell and the cap on its strain rate in each part of a run: first in the assembly, then in
+/// each stage of the load path. Each number is divided by its default value for cohesive grains. The result is empty
+/// for scenes with walls and for grains without adhesion, because the tables of prices for these scenes are not
+/// measured with the default cell.
 std::vector<CellFactors> cells_of(const Scene& scene);
 
 }  // namespace floc

@@ -256,9 +256,9 @@ void warn_of_elastic_corners(const Scene& scene, Warnings& warnings) {
     return;
   if (shape->rounding == 0.0)
     warnings.emplace_back(
-        "grains.shape.rounding = 0: the force between sharp corners jumps where the corners that meet change, "
-        "so "
-        "that elastic grains may find no rest; expected a rounding wider than the overlaps, such as 0.05");
+        "grains.shape.rounding = 0: the force between sharp corners jumps when other corners come into "
+        "contact, so that elastic grains may find no rest; expected a rounding wider than the overlaps, such "
+        "as 0.05");
   if (scene.dimension == 3 && scene.law.friction_coefficient() == 0.0)
     warnings.emplace_back(
         "grains.shape: contact points between two faces appear and vanish abruptly as the faces move, so that "

@@ -331,7 +331,7 @@ RelaxationStatus BoxRelaxer<Dim>::check_finish() {
   return long_enough && may_stop() ? stop_here() : RelaxationStatus::running;
 }
 
-/// Returns the changes of the liquid bridges if the liquid were shared out once more among the pairs of grains. The
+/// Returns how the liquid bridges would change if the liquid were shared out once more among the pairs of grains. The
 /// packing itself is not changed. Without liquid, all changes are zero.
 template <int Dim>
 LiquidChange BoxRelaxer<Dim>::share_liquid_once_more() {

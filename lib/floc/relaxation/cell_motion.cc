@@ -102,7 +102,7 @@ void CellMotion<Dim>::kick_walls(double half_step) {
 }
 
 /// Returns the generalised forces that accelerate those components of the lattice that follow a stress. In a small
-/// strain e of the lattice, the work of these forces is the scalar product of e and the matrix W - V Sigma, where W is
+/// strain e of the lattice, the work of these forces is the scalar product of e and the matrix W - V Sigma. Here W is
 /// the sum of the momentum flux and the virial (sum of force times branch vector), V the volume and Sigma the imposed
 /// stress. If all components follow a stress, the force is the upper part of (W - V Sigma) h^-T, with h the lattice
 /// matrix.

@@ -43,8 +43,8 @@ template <int Dim>
 int swept_steps(bool are_round) {
   return Dim == 2 && !are_round ? 400 : 2600;
 }
-/// Largest number of grains for which contacts are solved all at once; grains with corners and without friction have no
-/// such limit.
+/// Largest number of grains for which contacts are solved all at once. For frictionless grains with corners there is no
+/// limit.
 constexpr int kMostGrainsAtOnce = 1000;
 /// Longest time step, in units of T, if contacts are solved all at once.
 constexpr double kLongestAtOnce = 3.0;

@@ -32,7 +32,7 @@ struct ContactDynamicsProgress {
   double deepest_overlap = 0.0;  ///< deepest overlap so far, divided by the diameter of the smaller grain
   int calm_steps = 0;            ///< number of successive calm time steps up to the present (kCalmSteps)
   int resting_steps = 0;         ///< number of time steps of the phase `resting`
-  int next_trial = 0;            ///< balanced forces are not sought again before resting_steps has this value
+  int next_trial = 0;            ///< value of resting_steps before which balanced forces are not sought again
   int n_rests = 0;               ///< number of times that elastic grains have begun the phase `resting`
   /// smallest residual of elastic grains in the phase `resting`, in units of the force scale; 0 before the first test
   double least_residual = 0.0;
@@ -47,9 +47,9 @@ struct ContactDynamicsProgress {
 
 /// Brings a packing of rigid grains, or of elastic grains with corners, to equilibrium under its weight and under
 /// stresses imposed on the axes of its cell or on its walls. There are three phases:
-/// 1. The grains move under the load (contact_dynamics.h) until they have been calm for 40 steps: the root mean square
-/// velocity is below 6e-3 d/T and the strain rate of the cell or box is below 3 % of its cap, with the largest diameter
-/// d and the time unit T = sqrt(m/(P d^(Dim-2))).
+/// 1. The grains move under the load (contact_dynamics.h) until 40 successive steps have been calm. In a calm step, the
+/// root mean square velocity is below 6e-3 d/T, and the strain rate of the cell or box is below 3 % of its cap. Here d
+/// is the largest diameter and T = sqrt(m/(P d^(Dim-2))) the time unit.
 /// 2. All velocities are set to zero before each step, until the net forces are small. The contacts of frictionless
 /// polygons are solved all at once in each step (rigid/implicit_step.h). So are the contacts of other packings if
 /// sweeps have not brought the grains to rest. Frictionless polyhedra make no steps in this phase: they are moved to a
@@ -65,11 +65,11 @@ struct ContactDynamicsProgress {
 /// towards the balance of all forces. The relaxation ends when the forces of the contact law balance all grains and the
 /// stress.
 ///
-/// If the load changes a length or shears the cell, the relaxation is a motion instead: the cell is strained at a
-/// constant rate (ContactDynamicsOptions::inertial_number), and the packing is recorded in motion when it reaches the
-/// imposed strain. The recorded forces are those of the time step that begins in this state (MotionRecord). Elastic
-/// grains are strained at the largest rate that the cap of the cell allows, and then come to rest in the strained cell.
-/// After small strains, they come to rest by Newton steps alone.
+/// If the load changes a length or shears the cell, the relaxation begins by straining the cell. Rigid grains are
+/// strained at a constant rate (ContactDynamicsOptions::inertial_number). The relaxation ends when their packing
+/// reaches the imposed strain, and the packing is recorded in motion. The recorded forces are those of the time step
+/// that begins in this state (MotionRecord). Elastic grains are strained at the largest rate that the cap of the cell
+/// allows, and then come to rest in the strained cell. After small strains, they come to rest by Newton steps alone.
 template <int Dim>
 class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
  public:

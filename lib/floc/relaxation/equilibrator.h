@@ -49,9 +49,8 @@ struct RelaxationReport {
   StepCounts counts;
 };
 
-/// Takes a packing to equilibrium under a load, in chunks of time steps. Between two chunks, the whole state of the
-/// equilibrator consists of the packing and progress(): a new equilibrator that is made from these two continues with
-/// identical results.
+/// Takes a packing to equilibrium under a load, in chunks of time steps. Between two chunks, the packing and progress()
+/// are the whole state of the equilibrator. A new equilibrator that is made from both continues with identical results.
 template <int Dim>
 class Equilibrator {
  public:

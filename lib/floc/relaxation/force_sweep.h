@@ -30,8 +30,8 @@ struct GrainStep {
 template <int Dim>
 class ForceSweep {
  public:
-  /// @param needs_virial  for each component of the virial: whether the component accelerates the lattice, so that it
-  /// has to be computed
+  /// @param needs_virial  for each component of the virial: whether it has to be computed because it accelerates the
+  /// lattice
   ForceSweep(const GrainArrays<Dim>& grains, int n_threads, const Mat<Dim, bool>& needs_virial);
 
   int n_threads() const { return plan_.n_threads(); }

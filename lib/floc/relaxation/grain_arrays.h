@@ -19,7 +19,7 @@ inline bool all_equal(std::span<const double> numbers) {
 
 /// Grains in the form that the loop over pairs reads: one array per component of each quantity, with the grains in the
 /// order of space_order(). The arrays are padded with zeros to whole blocks of kGrainBlock grains and then with kWindow
-/// more entries, so that kWindow entries can be read from any grain on.
+/// more entries, so that kWindow entries can be read beginning with any grain.
 template <int Dim>
 struct GrainArrays {
   using Component = AlignedVector<double>;

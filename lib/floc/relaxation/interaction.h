@@ -34,8 +34,8 @@ class Interaction {
   typename PairArrays<Dim>::Component& bridge_volume() { return pairs_.bridge_volume(); }
   void refresh_bridges() { pairs_.refresh_bridges(*law_); }
   const PairView<Dim>& view() const { return arrays_; }
-  /// Returns pointers to the arrays of the pairs, for kernels that do not write the rows (force and moments) of the
-  /// pairs to the address set by set_rows().
+  /// Returns pointers to the arrays of the pairs. Kernels that use these pointers write the rows (force and moments) of
+  /// the pairs to the address `row` and not to the address set by set_rows().
   /// @param row  address to which the row of the pair with index `with_row` is written, followed by the rows of later
   /// pairs
   PairView<Dim> view(double* row, int with_row) const {
@@ -59,8 +59,8 @@ class Interaction {
   void compute(const PairView<Dim>& pairs, int first, int last, const GrainView<Dim>& grains,
                const PairCell<Dim>& cell) const;
 
-  /// Copies the history variables of a contact to its pair (load_history()), or returns those of a pair as variables of
-  /// its contact (history()).
+  /// load_history() copies the history variables of a contact to its pair. history() returns the history variables of a
+  /// pair as variables of its contact.
   /// @param swapped  whether the first grain of the pair is the second grain of the contact
   void load_history(int pair, const ContactHistory<Dim>& history, bool swapped);
   ContactHistory<Dim> history(int pair, bool swapped) const;

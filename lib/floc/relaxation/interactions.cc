@@ -47,7 +47,7 @@ void Interactions<Dim>::set_pairs(PairLists<Dim> close, const PairLists<Dim>& fu
     Interaction<Dim>& interaction = list_[k];
     add_further(further[k], close[k]);
     // Lists of pairs are large, so memory is freed early: the force data of the old list before the new list is made,
-    // the new pairs after they have been copied.
+    // and the new pairs as soon as they have been copied.
     interaction.drop_numbers();
     interaction.set_pairs(
         {close[k], interaction.partner(), grains, interaction.law(), time_step, blocks_of_group});

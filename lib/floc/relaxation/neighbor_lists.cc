@@ -49,8 +49,8 @@ double NeighborLists<Dim>::cost_share() const {
   return kListCost / steps_;
 }
 
-/// Returns an upper bound of the part of the skin that the motion has used up since the lists were built (length): the
-/// sum of the largest displacement of a body and the affine shortening of distances.
+/// Returns an upper bound of the length by which the motion since the lists were built has reduced the skin (length).
+/// It is the sum of the largest displacement of a body and the affine shortening of distances.
 template <int Dim>
 double NeighborLists<Dim>::consumed_skin(const CellMotion<Dim>& cell, double range) const {
   return std::max(motion_.of_grains() * skin_, 2.0 * motion_.of_walls(cell.walls())) +

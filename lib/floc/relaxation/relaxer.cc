@@ -20,20 +20,20 @@
 namespace floc {
 namespace {
 
-/// Criteria by which the motion of a packing counts as stopped: the kinetic energy is within the tolerance, and either
-/// the solid fraction has changed by less than kSteadyPhi over kSteadyWindow time units, or no contact has opened or
-/// closed over kSteadyContactsWindow time units. (If power control began earlier, it would change the rearrangements of
-/// the grains.)
+/// The motion of a packing counts as stopped if its kinetic energy is within the tolerance and the packing is steady.
+/// The packing is steady if the solid fraction has changed by less than kSteadyPhi in kSteadyWindow time units, or if
+/// no contact has opened or closed in kSteadyContactsWindow time units. (If power control began earlier, it would
+/// change the rearrangements of the grains.)
 constexpr double kSteadyPhi = 2e-5;
 constexpr double kSteadyWindow = 5.0;
 constexpr double kSteadyContactsWindow = 20.0;
-/// Criterion by which the motion of the grains counts as vibration, so that their kinetic energy may be above its
-/// tolerance. The time since a contact last opened or closed has to meet two conditions: in this time, the grains at
-/// their r.m.s. speed would cover a path of kVibrationPath largest diameters; and the time is at least
-/// kVibrationWindows times kSteadyContactsWindow time units. Vibrations of contact springs below their caps do not end,
-/// since nothing dissipates their energy. Grains that move freely meet another grain earlier: in five example scenes
-/// with 200 or 400 grains and an energy above its tolerance, the longest path was half a diameter, and the longest time
-/// under load was twice kSteadyContactsWindow.
+/// Criterion by which the motion of the grains counts as vibration. Vibrations of contact springs below their caps do
+/// not end, since nothing dissipates their energy. The kinetic energy of vibrations may therefore be above its
+/// tolerance. The criterion is that no contact has opened or closed for a long time. This time has to be at least
+/// kVibrationWindows times kSteadyContactsWindow time units, and so long that the grains, at their r.m.s. speed, would
+/// cover a path of kVibrationPath largest diameters. Grains that move freely meet another grain earlier: in five
+/// example scenes with 200 or 400 grains and an energy above its tolerance, the longest path was half a diameter, and
+/// the longest time under load was twice kSteadyContactsWindow.
 constexpr double kVibrationPath = 2.0;
 constexpr double kVibrationWindows = 5.0;
 /// If the density has been steady for this time (in time units), only chains of freely rolling grains can still be
@@ -296,9 +296,9 @@ std::size_t Relaxer<Dim>::chunks_in(double time_units) const {
       std::ceil(options_.patience * time_units * time_unit_ / (kStepsPerChunk * time_step_)));
 }
 
-/// Begins the final phase of the relaxation (power control and Newton steps) once motion has stopped, that is, once the
-/// packing is steady, the stress has responded to the load, and the kinetic energy is small or belongs to vibrations or
-/// mechanisms alone.
+/// Begins the final phase of the relaxation (power control and Newton steps) once motion has stopped, that is, once
+/// three conditions are met: the packing is steady, the stress has responded to the load, and the kinetic energy is
+/// small or belongs to vibrations or mechanisms alone.
 template <int Dim>
 RelaxationStatus Relaxer<Dim>::check_motion() {
   unmet_ = {Demand::lengths};
@@ -396,8 +396,8 @@ bool Relaxer<Dim>::is_stable(const Packing<Dim>& packing, Stability& found) {
 }
 
 /// Whether Newton steps are expected to take at most as much computing time as the dynamics of this relaxation. The
-/// time of the dynamics is the time taken so far or, if the estimate for the whole relaxation is longer, this estimate.
-/// In 2D the function always returns true.
+/// time of the dynamics is the longer of two times: the time taken so far, and an estimate for the whole relaxation. In
+/// 2D the function always returns true.
 template <int Dim>
 bool Relaxer<Dim>::newton_is_cheaper() const {
   if (Dim == 2) return true;

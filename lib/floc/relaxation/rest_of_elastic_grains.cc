@@ -37,7 +37,7 @@ std::string reason_of_corners(const Grains<Dim>& grains, bool frictionless) {
   const auto is_sharp = [](const Shape<Dim>& shape) { return !shape.is_round() && shape.rounding == 0.0; };
   const auto has_faces = [](const Shape<Dim>& shape) { return Dim == 3 && shape.n_vertices() > 2; };
   if (std::ranges::any_of(*grains.shapes, is_sharp))
-    return "; the force between sharp corners jumps where the corners that meet change, so that "
+    return "; the force between sharp corners jumps when other corners come into contact, so that "
            "there may be no balance: expected rounded corners (grains.shape.rounding)";
   if (frictionless && std::ranges::any_of(*grains.shapes, has_faces))
     return "; contact points between two faces appear and vanish abruptly as the faces move, so "

@@ -33,7 +33,7 @@ constexpr int kMostRestingSweeps = 9600;
 /// contacts are solved all at once.
 constexpr double kGapAtOnce = 1e-6;
 /// The forces count as nearly balanced if the largest net force on a grain, divided by the mean repulsive force, is
-/// below this number: for round grains, and for grains with corners.
+/// below kNearBalanceRound (round grains) or kNearBalanceAngular (grains with corners).
 constexpr double kNearBalanceRound = 1e-3;
 constexpr double kNearBalanceAngular = 3e-2;
 /// Number of steps of the phase `resting` between two searches for balanced forces. If the net forces are large, the

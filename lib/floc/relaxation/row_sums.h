@@ -28,12 +28,12 @@ class RowSums {
   // The object cannot be copied, because the plans contain pointers to its arrays.
   RowSums(RowSums&&) noexcept = default;
   RowSums& operator=(RowSums&&) noexcept = default;
-  /// @param lists  list of the pairs of grains and, if there are walls, list of the pairs of grains with walls; the
-  /// memory of the rows of pairs with walls is not reused
+  /// @param lists  lists of pairs: first the pairs of grains, then the pairs of grains with walls if there are walls.
+  /// Memory is not reused for the rows of pairs with walls
   /// @param plan  order in which the forces of pairs are computed and the forces on blocks of grains are summed
   RowSums(const std::vector<const PairArrays<Dim>*>& lists, RowKind rows, int n_grains, const SweepPlan& plan);
 
-  /// Returns the address of the row (force and moments) of the first pair of a group of blocks of grains.
+  /// Returns the address of the first row (force and moments of a pair) of a group of blocks of grains.
   double* rows_of_group(int group) { return rows_.data() + first_row_[group]; }
   double* rows_with_walls() { return rows_.data() + first_row_with_walls_; }
   const BlockSumsPlan& plan(int block) const { return plans_[block]; }
@@ -60,7 +60,7 @@ class RowSums {
   /// Index in rows_ of the first number of a row of zeros, which replaces the missing rows of grains with few pairs.
   int zero_row_ = 0;
   int first_row_with_walls_ = 0;
-  /// Index in rows_ of the row (force and moments) of the first pair of each group of blocks of grains.
+  /// For each group of blocks of grains: index in rows_ of its first row (force and moments of a pair).
   std::vector<int> first_row_;
   AlignedVector<double> rows_;
   std::vector<BlockSumsPlan> plans_;

@@ -154,7 +154,7 @@ class StaticProblem {
     // new components are rounded to doubles.
     const Mat<Dim> strain = strain_between(lattice, to.cell.matrix);
     // The unknown of the equations is the strain times the largest diameter. The strain is multiplied and divided by
-    // this diameter, so that it contains the rounding error of the unknown.
+    // this diameter, so that the strain contains the rounding error of the unknown.
     const Mat<Dim> unknown = strain * scale_.length;
     const Mat<Dim> applied = (wanted.array() != 0.0).select(unknown / scale_.length, Mat<Dim>::Zero());
     for (int i = 0; i < n_grains(); ++i) {

@@ -13,8 +13,8 @@ namespace floc {
 /// Limits of the Newton iterations of the static solver. The default values were found by tests: with them, the
 /// iterations refine an equilibrium and do not jump to another equilibrium.
 struct StaticSolverOptions {
-  /// Upper bound of the residuals of a solution: of forces in units of F1, of moments in units of F1 a, and of stresses
-  /// in units of F1/a^(D-1), with the force scale F1, the largest diameter a and the dimension D.
+  /// Upper bound of the residuals of a solution. The unit is F1 for forces, F1 a for moments and F1/a^(D-1) for
+  /// stresses, with the force scale F1, the largest diameter a and the dimension D.
   double target = 1e-8;
   int max_iterations = 12;
   int max_backtracking = 6;

@@ -163,9 +163,9 @@ struct GrainKernels {
     }
   }
 
-  /// Returns an upper bound of the squared speeds of the grains of a block after their next kick, where each speed is
-  /// divided by the skin of its grain (BlockSums::next_speed_squared). The bound is (p + q)^2 <= 1.2 p^2 + 6 q^2, where
-  /// p is the speed of a grain and q the change of its speed by the kick, which is usually small compared with p.
+  /// For the grains of a block, returns an upper bound of (speed/skin)^2 after the next kick
+  /// (BlockSums::next_speed_squared). The bound follows from (p + q)^2 <= 1.2 p^2 + 6 q^2, where p is the speed of a
+  /// grain and q the change of this speed by the kick. Usually q is small compared with p.
   static double next_speed_squared(const GrainView<Dim>& grains, int begin, double half_step) {
     const double* const inverse_mass = masses(grains, grains.inverse_mass, begin);
     P largest(0.0);

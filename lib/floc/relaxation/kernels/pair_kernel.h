@@ -120,8 +120,8 @@ struct PairKernel {
     [[no_unique_address]] Turn turn;
   };
 
-  /// Positions, velocities and spins of the first grain, or of the second grain, of each pair in a pack of pairs (as
-  /// many as fit a vector register).
+  /// Positions, velocities and spins of either the first or the second grains of a pack of pairs (as many as fit a
+  /// vector register).
   struct GrainKinematics {
     V x, v;
     RotationVector<Dim, P> spin;
@@ -171,7 +171,7 @@ struct PairKernel {
     const P squared = r.squaredNorm();
     const P distance = sqrt(squared);
     // In 3D the square root and the division do not depend on each other and can overlap. In 2D the division needs the
-    // root; this formula is kept, because it reproduces the results of earlier versions of floc bit for bit.
+    // root. This formula is kept, because it reproduces the results of earlier versions of floc bit for bit.
     const P inverse = Dim == 3 ? distance * (P(1.0) / squared) : P(1.0) / distance;
     const V n = r * inverse;
     const V centres = (j.v - i.v) + affine;
@@ -255,7 +255,7 @@ struct PairKernel {
 
   /// Sets the rolling and twisting rotations of the two bodies in this time step. In 3D the rolling rotation is the
   /// component of the relative rotation perpendicular to the contact normal, the twisting rotation the component along
-  /// the normal. The normal is taken in the middle of the step, so that both are accurate to second order.
+  /// the normal. The normal is taken in the middle of the step, so that both rotations are accurate to second order.
   static void add_rotation(PairKinematics& a, const RotationVector<Dim, P>& rotation,
                            const PairCell<Dim>& cell) {
     if constexpr (kTurns) {

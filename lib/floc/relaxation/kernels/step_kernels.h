@@ -13,8 +13,8 @@ namespace floc {
 /// Number of grains in a block, the unit of work of the passes over grains. All arrays of grains are padded to whole
 /// blocks.
 inline constexpr int kGrainBlock = 64;
-/// The pairs of each group of blocks of grains are padded to a multiple of this number, so that they fill whole vector
-/// registers.
+/// The pairs of each group of blocks of grains are padded to a multiple of this number, so that the pairs fill whole
+/// vector registers.
 inline constexpr int kPairPadding = 8;
 /// Number of grains for which a kernel sums the forces side by side, in independent chains of additions.
 inline constexpr int kSumGroup = 8;
@@ -232,8 +232,7 @@ struct PairCell {
   WallView<Dim> walls;  ///< pointers to the arrays of the walls; null if there are none
 };
 
-/// Kernels (compiled loops over grains or pairs) for one kernel law (contact law for which kernels are compiled,
-/// kernel_law.h) and one instruction set.
+/// Kernels, the compiled loops over grains or pairs, for one kernel law (kernel_law.h) and one instruction set.
 template <int Dim>
 struct StepKernels {
   /// Kicks a block of grains over half a step and moves the grains over a whole step.
@@ -250,7 +249,7 @@ struct StepKernels {
   void (*compute_pairs)(const void* law, const GrainView<Dim>&, const PairView<Dim>&, int first, int last,
                         const PairCell<Dim>&);
   /// Computes the rows (forces and moments) of the pairs [first, last) of grains with walls and updates their springs;
-  /// null if the kernel law (kernel_law.h) serves pairs of grains only.
+  /// null if the kernel law (kernel_law.h) is only for pairs of grains.
   void (*compute_wall_pairs)(const void* law, const GrainView<Dim>&, const PairView<Dim>&, int first, int last,
                              const PairCell<Dim>&);
   /// Sums the rows (forces and moments) of the pairs of each grain of a block, and kicks the grains over half a step.
@@ -261,7 +260,7 @@ struct StepKernels {
 };
 
 /// Shape of the lattice for which a kernel is compiled; the shape is chosen once per run. Kernels for the triangular
-/// shape work for every lattice, but for laws without friction they are slower by a tenth.
+/// shape work for every lattice, but they are slower by a tenth if the law has no friction.
 enum class LatticeShape { rectangular, triangular };
 
 /// Returns the kernels for the contact law with index `law_index` in AnyKernelLaw.

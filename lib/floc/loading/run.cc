@@ -23,8 +23,8 @@ namespace floc {
 namespace {
 
 /// Gives the walls of a saved packing the masses and the contact law of the scene. The walls keep their positions.
-/// @throws InputError if the packing and the scene differ in the axes that have walls, or in the axes that have an open
-/// end; also if the packing has gravity but the scene has none
+/// @throws InputError if the packing and the scene differ in the axes with walls or in the axes with an open end, or if
+/// the packing has gravity but the scene has none
 template <int Dim>
 void take_walls(const BoxOptions& box, const Law& law, Packing<Dim>& packing) {
   Vec<Dim> lowest = Vec<Dim>::Zero();
@@ -166,7 +166,7 @@ void Run<Dim>::take_packing_back() {
 }
 
 /// Starts the computation of the next equilibrium. Before that, vibrates the packing if the plan of the run has a
-/// vibration at this equilibrium.
+/// vibration before this equilibrium.
 /// @pre the packing is in packing_
 template <int Dim>
 void Run<Dim>::shake_and_start_step() {
@@ -249,7 +249,7 @@ void Run<Dim>::start_step() {
   begin_stage();
   if (packing_.law != target().law) {
     // The new contact law changes the contact forces. The new forces are computed here, because the relaxation begins
-    // by comparing their stress with the imposed stress.
+    // by comparing the stress in the packing with the imposed stress.
     packing_.law = target().law;
     if (options_.assembly.box) packing_.wall_law = wall_law(packing_.law, *options_.assembly.box);
     refresh_contacts(packing_);

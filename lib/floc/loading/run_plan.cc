@@ -55,7 +55,7 @@ bool has_nothing_to_hold_it(const PlannedEquilibrium& e) {
   });
 }
 
-/// Returns the planned equilibrium of a saved packing under the stresses with which it was saved.
+/// Returns the planned equilibrium of a saved packing that keeps its saved stresses.
 PlannedEquilibrium kept_equilibrium(const AssemblyOptions& assembly, const Law& law) {
   PlannedEquilibrium kept{"assembly", assembly.pressure, law, assembly.cell, {}};
   kept.control = "axes";

@@ -199,9 +199,9 @@ struct SizeLevel {
 
 /// Sorts the grains into levels of similar size, the level of the largest grains first. A grain of radius R needs bins
 /// of width 2 R + gap. If the largest width is at most kSimilarSizes times the smallest, all grains form one level. If
-/// not, there is one level per factor of two in width. Levels save time: without them, all bins would be as wide as the
-/// largest grain, and each small grain would be compared with all small grains in several of these wide bins (Ogarko
-/// and Luding, Comput. Phys. Commun. 183, 931, 2012).
+/// not, there is one level per factor of two in width. Levels save time. Without levels, all bins would be as wide as
+/// the largest grain, and each small grain would be compared with all small grains in several of these wide bins
+/// (Ogarko and Luding, Comput. Phys. Commun. 183, 931, 2012).
 template <int Dim>
 std::vector<SizeLevel<Dim>> size_levels(const Cell<Dim>& cell, const Grains<Dim>& grains,
                                         const WrappedGrains<Dim>& wrapped, double gap) {

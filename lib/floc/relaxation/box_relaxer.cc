@@ -132,8 +132,9 @@ bool BoxRelaxer<Dim>::under_pressure(int axis) const {
                      [axis](const Wall<Dim>& w) { return w.axis == axis && follows_forces(w); });
 }
 
-/// Returns the control of the walls for the next chunk of time steps: a strain rate for axes whose walls still move at
-/// the speed given by the scene, and the imposed pressure for all other axes. Walls of infinite mass stay at rest.
+/// Returns the control of the walls for the next chunk of time steps. Axes whose walls still move at the speed given by
+/// the scene have an imposed strain rate. All other axes have the imposed pressure. Walls of infinite mass stay at
+/// rest.
 template <int Dim>
 BoundaryControl<Dim> BoxRelaxer<Dim>::control() {
   BoundaryControl<Dim> control = BoundaryControl<Dim>::fixed();

@@ -64,7 +64,7 @@ Vec<Dim> CellMotion<Dim>::image_shift(const Vec<Dim, int>& image) const {
 template <int Dim>
 Vec<Dim, int> CellMotion<Dim>::wrap(Vec<Dim>& position) const {
   Vec<Dim, int> image = Vec<Dim, int>::Zero();
-  // The last axis comes first, since only the last lattice vector has a component along it.
+  // The last axis comes first, since only the last lattice vector has a component along this axis.
   for (int b = Dim - 1; b >= 0; --b) {
     if (walls_.bounds(b)) continue;
     const double cells = std::floor(position[b] / lattice_(b, b));

@@ -8,9 +8,9 @@ namespace floc {
 /// units of T = sqrt(m/(P a^(Dim-2))), with the mass m and the diameter a of the largest grain and the pressure P.
 struct CompactionEnd {
   enum class Criterion {
-    /// The void ratio has changed by less than kSettledVoidRatio during the time kSettledTime (in units of T), the
-    /// pressure of the grains on every wall equals the imposed pressure (up to kSettledPressure), and the structure
-    /// that carries the load has no mechanism (motion without stiffness).
+    /// Three conditions are met: the void ratio has changed by less than kSettledVoidRatio during the time kSettledTime
+    /// (in units of T); the pressure of the grains on every wall equals the imposed pressure (up to kSettledPressure);
+    /// and the structure that carries the load has no mechanism (motion without stiffness).
     settled,
     /// The ratio of the kinetic energy of translations to the elastic energy is at most the number
     /// CompactionEnd::energy_ratio.
@@ -21,8 +21,9 @@ struct CompactionEnd {
   /// Duration of the compaction (in units of T) after which the state is recorded as it is; if absent, the relaxation
   /// is given up after RelaxationOptions::max_time.
   std::optional<double> longest;
-  /// Speed at which the walls of an axis move towards or away from each other until the pressure of the grains on them
-  /// reaches the imposed pressure (length/time); if absent, the pressure acts from the beginning.
+  /// Speed at which the walls of an axis move towards or away from each other (length/time). The walls move at this
+  /// speed until the pressure of the grains reaches the imposed pressure. If absent, the imposed pressure acts from the
+  /// beginning.
   std::optional<double> wall_speed;
 
   static constexpr double kSettledVoidRatio = 1e-4;

@@ -18,9 +18,9 @@
 namespace floc {
 namespace {
 
-/// Number of successive calm steps after which the motion counts as ended. In a calm step, the root mean square
-/// velocity is below kCalmVelocity d/T, with the largest diameter d and the time unit T, and the strain rate of the
-/// cell is below kCalmRate times its cap. The relative error of the stress is then below kCalmRate, too.
+/// Number of successive calm steps after which the motion counts as ended. A calm step meets two conditions. The root
+/// mean square velocity is below kCalmVelocity d/T, with the largest diameter d and the time unit T. The strain rate of
+/// the cell is below kCalmRate times its cap. The relative error of the stress is then below kCalmRate, too.
 constexpr int kCalmSteps = 40;
 constexpr double kCalmRate = 0.03;
 constexpr double kCalmVelocity = 6e-3;
@@ -48,8 +48,8 @@ int swept_steps(bool are_round) {
 constexpr int kMostGrainsAtOnce = 1000;
 /// Longest time step, in units of T, if contacts are solved all at once.
 constexpr double kLongestAtOnce = 3.0;
-/// Smallest mean stress of elastic grains at rest, divided by the mean imposed stress, at which the relaxation begins
-/// with the phase `resting`.
+/// The relaxation of elastic grains at rest begins with the phase `resting` if the mean stress, divided by the mean
+/// imposed stress, is above this number.
 constexpr double kLoadedStress = 0.3;
 /// Largest imposed strain of elastic grains, divided by strain_of_springs(), during which all contacts are solved at
 /// once. Larger strains open many contacts, and the grains have to move.
@@ -206,8 +206,8 @@ BoundaryLoad<Dim> ContactDynamicsRelaxer<Dim>::boundary_load() const {
   // In a box, periodic axes keep their lengths.
   for (int a = 0; a < Dim; ++a) load.under_stress[a] = packing_.walls.empty() && !load_.strained(a);
   load.cell_mass = options_.cell_mass;
-  // A cap on the rate makes the walls heavier than all grains together, so that sweeps converge slowly. In the phase
-  // `resting` the cap is not needed.
+  // A cap on the strain rate acts on the walls like a mass that is larger than the mass of all grains, and sweeps then
+  // converge slowly. In the phase `resting` the cap is not needed.
   if (!packing_.walls.empty() && progress_.phase == ContactDynamicsProgress::resting) return load;
   load.wall_speed = options_.compaction.wall_speed;
   // While the cell is strained, its strain rate has no cap. The drag that caps the strain rate would balance a part of
@@ -232,9 +232,9 @@ double ContactDynamicsRelaxer<Dim>::rate_cap(const Packing<Dim>& packing) const 
   return std::min(cap, 1.0 / time_unit_);
 }
 
-/// Returns whether the motion of the packing has nearly ended. Whether the stress is balanced is judged from the strain
-/// rate of the cell. This rate is proportional to the difference between the stress and the imposed stress, and the
-/// errors of single impulses cancel in the strain rate.
+/// Returns whether the motion of the packing has nearly ended. The balance of the stress is judged by the strain rate
+/// of the cell. This rate is proportional to the difference between the stress and the imposed stress, and the errors
+/// of single impulses cancel in the strain rate.
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::is_calm(const Packing<Dim>& packing) const {
   const double jitter = are_smooth_polyhedra(packing) ? kJitter : 1.0;

@@ -22,8 +22,8 @@ struct DynamicsSettings {
   int threads = 1;
   InstructionSet instructions = widest_instruction_set();
   /// Whether liquid bridges keep their volumes. If not, the liquid is shared out among the pairs of grains at the
-  /// beginning and whenever new neighbour lists are built; the skin of the lists is then a fixed share of the largest
-  /// gap that a bridge spans.
+  /// beginning and whenever new neighbour lists are built. In this case, the skin of the lists is a fixed share of the
+  /// largest gap that a bridge spans.
   bool holds_liquid = false;
 };
 

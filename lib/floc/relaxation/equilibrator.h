@@ -28,13 +28,20 @@ struct RelaxationReport {
   /// Number of mechanisms (motions without stiffness) of the structure that carries the load between walls; -1 if
   /// mechanisms have not been counted. A state with mechanisms is not an equilibrium.
   int n_mechanisms = -1;
-  /// Keyword for the end of the relaxation. After a success: "polished" (equilibrium found by dynamics and then Newton
-  /// steps), "dynamic" (by dynamics alone), "static" (by Newton steps alone) or "stopped" (packing between walls that
-  /// is recorded without being in equilibrium). After a success with rigid grains: "closest", "canonical" or "stepped"
-  /// (RigidForces), or "moving" (recorded in motion at an imposed strain). After a failure: "diverged" (the time step
-  /// was too large), "lost" (grains and walls no longer form a packing), "unloaded" (at its imposed lengths the packing
-  /// carries no stress) or "closed" (the imposed lengths are too short). Empty while the relaxation runs, and after a
-  /// relaxation that took too long.
+  /// Keyword for the end of the relaxation; empty while the relaxation runs, and after a relaxation that took too long.
+  /// After a success:
+  /// - "polished": equilibrium found by dynamics and then Newton steps
+  /// - "dynamic": equilibrium found by dynamics alone
+  /// - "static": equilibrium found by Newton steps alone
+  /// - "stopped": state of a packing between walls that is recorded although it is not an equilibrium
+  /// - "closest", "canonical", "stepped": equilibrium of rigid grains (RigidForces)
+  /// - "moving": rigid grains recorded in motion at an imposed strain
+  ///
+  /// After a failure:
+  /// - "diverged": the time step was too large
+  /// - "lost": grains and walls no longer form a packing
+  /// - "unloaded": at the imposed lengths the packing carries no stress
+  /// - "closed": the imposed lengths are too short
   std::string ending;
   std::string blocking;  ///< description of the first criterion of equilibrium that the packing does not meet
   /// Decay rate of the force residual (1/time), positive if the residual falls; computed only while the residual is
@@ -71,7 +78,7 @@ class Equilibrator {
   /// with an imposed length, the present stress in the packing.
   virtual const Vec<Dim>& target_stress() const = 0;
   virtual RelaxationReport report() const = 0;
-  /// Returns the progress as text, from which an equilibrator of an equal kind can be made.
+  /// Returns the progress as text, from which an equilibrator of the same kind can be made.
   virtual std::string progress() const = 0;
 };
 

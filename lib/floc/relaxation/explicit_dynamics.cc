@@ -60,7 +60,7 @@ void ExplicitDynamics<Dim>::advance(int n_steps, Motion motion) {
   run_in_team(sweep_.n_threads(), [&](int thread, Barrier& barrier) {
     Rotation from = Rotation::at_end;
     for (int k = 0; k < n_steps; ++k) {
-      // Spins at the end of a step are needed only for power control, and after the last step.
+      // Spins at the end of a step are needed only under power control and after the last step.
       const Rotation to = k + 1 < n_steps && motion == Motion::free ? Rotation::in_middle : Rotation::at_end;
       step(thread, barrier, motion, from, to);
       from = to;

@@ -13,11 +13,11 @@
 
 namespace floc {
 
-/// Time integration of a packing by velocity Verlet steps (class Dynamics). In a step, the boundary (CellMotion) and
-/// the grains are kicked (accelerated over half a step) and moved; new lists of pairs are built if bodies have moved
-/// too far (NeighborLists); the forces are computed and the grains kicked again (ForceSweep); last comes the second
-/// kick of the boundary. The loops over grains and pairs are in the folder kernels/ and are compiled for each contact
-/// law and instruction set.
+/// Time integration of a packing by velocity Verlet steps (class Dynamics). A step has four parts. The boundary
+/// (CellMotion) and the grains are kicked (accelerated over half a step) and moved. New lists of pairs are built if
+/// bodies have moved too far (NeighborLists). The forces are computed, and the grains are kicked again (ForceSweep).
+/// The boundary is kicked again. The loops over grains and pairs are in the folder kernels/ and are compiled for each
+/// contact law and instruction set.
 template <int Dim>
 class ExplicitDynamics final : public Dynamics<Dim> {
  public:

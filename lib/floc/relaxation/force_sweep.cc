@@ -101,9 +101,9 @@ void ForceSweep<Dim>::sum_and_kick(int block, const Interactions<Dim>& interacti
     add_wall_virial(block, interactions.on_walls(), step.grains);
 }
 
-/// Removes the contribution of wall friction to the virial along the periodic axes, which are parallel to the walls.
-/// The kernel has computed the virial as the sum of net force times position over the grains, and the net forces
-/// include the forces of the walls.
+/// Removes the forces of the walls from the virial of a block. The kernel has computed the virial as the sum of net
+/// force times position over the grains, and the net forces include the forces of the walls. Only the virial along the
+/// periodic axes is needed. These axes are parallel to the walls, so the forces that are removed are wall friction.
 template <int Dim>
 void ForceSweep<Dim>::add_wall_virial(int block, const Interaction<Dim>& on_walls,
                                       const GrainView<Dim>& grains) {

@@ -60,9 +60,9 @@ class ForceSweep {
                     Rotation stands) const;
   /// Computes the forces of the pairs of all blocks that belong to a thread. For blocks that only pairs of this thread
   /// read (blocks that are not shared), also sums the forces on each grain and kicks the grain.
-  /// @param undrifted  stage (Rotation) that the rotation of the grains has reached in the previous step, if the blocks
-  /// that are not shared have not yet drifted in this step; otherwise empty. If it is set, each of these blocks drifts
-  /// just before the first pairs read it.
+  /// @param undrifted  empty if the blocks that are not shared have already drifted in this step. Otherwise stage
+  /// (Rotation) that the rotation of the grains has reached in the previous step; each of these blocks then drifts just
+  /// before the first pairs read it.
   /// @param to  stage (Rotation) that the rotation of the grains has to reach in this step
   void compute(int thread, const Interactions<Dim>& interactions, const GrainStep<Dim>& step,
                std::optional<Rotation> undrifted, Rotation to);

@@ -15,8 +15,8 @@ namespace {
 /// the largest mass and F1 the force scale. At this rate, the ramp of a strain of 1e-3 takes less time than the packing
 /// needs afterwards to come to rest. If the scene sets a lower cap on the strain rate, that cap applies.
 constexpr double kRampInertialNumber = 1e-3;
-/// Reduced pressure (reduced_pressure()) below which axes with an imposed length count as carrying no stress. No
-/// packing is in equilibrium at so small a pressure.
+/// Reduced pressure (reduced_pressure()) below which axes with an imposed length count as free of stress. No packing is
+/// in equilibrium at so small a pressure.
 constexpr double kNoPressure = 1e-12;
 /// A cell counts as closed if a side, divided by the largest diameter, is below this number. Overlaps are small, so
 /// grains do not fit into a smaller cell.

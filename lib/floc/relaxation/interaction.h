@@ -45,7 +45,7 @@ class Interaction {
     return pairs;
   }
 
-  /// Replaces the list of pairs. New pairs that the old list contained keep their history variables.
+  /// Replaces the list of pairs. Pairs that are in the old and in the new list keep their history variables.
   void set_pairs(PairArrays<Dim> pairs);
   /// Frees the arrays that are not copied into the next list of pairs (PairArrays::drop_numbers()).
   void drop_numbers() { pairs_.drop_numbers(); }

@@ -29,12 +29,13 @@ class Interactions {
   auto begin() const { return list_.begin(); }
   auto end() const { return list_.end(); }
 
-  /// Returns, for each interaction, the second and later contacts of any two bodies with several contacts. The contacts
-  /// of two bodies have different keys (NeighborPair::key), which do not change as long as the bodies are close.
+  /// For each interaction, returns the second and later contacts of all bodies with several contacts between them. The
+  /// contacts of two bodies have different keys (NeighborPair::key), which do not change as long as the bodies are
+  /// close.
   PairLists<Dim> further_contacts() const;
-  /// Replaces the lists of pairs. New pairs that the old lists contained keep their history variables.
+  /// Replaces the lists of pairs. Pairs that are in the old and in the new lists keep their history variables.
   /// @param close  for each interaction, pairs of bodies that are close
-  /// @param further  for each interaction, the second and later contacts of any two bodies with several contacts
+  /// @param further  for each interaction, the result of further_contacts() or of ContactHistories::further_contacts()
   /// @param blocks_of_group  number of consecutive blocks of grains whose pairs are computed together
   void set_pairs(PairLists<Dim> close, const PairLists<Dim>& further, const GrainArrays<Dim>& grains,
                  double time_step, int blocks_of_group);

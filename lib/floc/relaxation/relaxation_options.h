@@ -34,9 +34,9 @@ struct RelaxationOptions {
   /// Time step in units of sqrt(m_min/K_N), with m_min the smallest mass of a grain and K_N the normal stiffness. The
   /// upper limit is 2/sqrt(24) = 0.408: with longer steps, the rolling modes of a triangular crystal of equal disks
   /// with the tangential stiffness K_N are unstable at any restitution. All other modes are stable up to longer steps.
-  /// The time step changes the restitution of impacts: with the default step and grains of diameters from 1 to 2, a
-  /// nominal restitution of 0.015 becomes on average 0.015 for two of the largest grains, 0.018 for a largest and a
-  /// smallest grain, and 0.025 for two of the smallest.
+  /// The time step changes the restitution of impacts. For example, with the default time step and diameters from 1 to
+  /// 2, the mean restitution of two of the largest grains is the nominal 0.015, that of a largest and a smallest grain
+  /// is 0.018, and that of two of the smallest grains is 0.025.
   double time_step = 0.36;
   /// Inertia M of each side of the cell that a stress accelerates, divided by the total mass of the grains. This
   /// inertia influences the density of assembled packings.

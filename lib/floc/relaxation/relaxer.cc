@@ -47,9 +47,9 @@ constexpr int kTrialIterations = 2;
 /// Largest change of the solid fraction during the final phase of a relaxation (power control and Newton steps). A
 /// packing with a larger change has rearranged and then moves freely again.
 constexpr double kFinishPhi = 1e-4;
-/// Largest changes of the stress on axes with an imposed length, in units of F1/a^(D-1): kSteadyStress in the time
-/// window in which a packing has to be steady, and kFinishStress during the final phase of the relaxation (power
-/// control and Newton steps). F1 is the force scale, a the largest diameter and D the dimension.
+/// Largest changes of the stress on axes with an imposed length, in units of F1/a^(D-1). kSteadyStress applies to the
+/// time window in which a packing has to be steady, kFinishStress to the final phase of the relaxation (power control
+/// and Newton steps). F1 is the force scale, a the largest diameter and D the dimension.
 constexpr double kSteadyStress = 1e-3;
 constexpr double kFinishStress = 1e-2;
 /// Cap on the inertial number |L'/L| sqrt(m/(P a^(D-2))) of the cell in scenes without adhesion that set no cap.

@@ -67,7 +67,7 @@ RigidForces forces_at_rest(const RelaxationOptions& options, const Packing<Dim>&
 }
 
 /// Subtracts the adhesion of the contact law from the normal forces of all contacts, and removes contacts that have a
-/// gap and have not adhered, since they carry no force.
+/// gap and have not adhered, since these contacts have no force.
 template <int Dim>
 void hold_adhesion(Packing<Dim>& packing) {
   std::erase_if(packing.contacts, [&](const Contact<Dim>& c) {

@@ -155,8 +155,8 @@ typename RowSums<Dim>::RowsOfGrains RowSums<Dim>::rows_of(const Lists& lists, co
 /// one by one.
 template <int Dim>
 void RowSums<Dim>::plan_side(SideSumsPlan& plan, int begin, const RowsOfGrains& rows) {
-  // Sort keys, which order the grains by falling number of pairs, then by index. The index of a grain is the remainder
-  // of its key modulo kGrainBlock.
+  // Sort keys. They order the grains by their number of pairs, the largest number first, then by index. The index of a
+  // grain is the remainder of its key modulo kGrainBlock.
   std::int64_t falling[kGrainBlock];
   for (int k = 0; k < kGrainBlock; ++k) falling[k] = -std::int64_t{rows.count(begin + k)} * kGrainBlock + k;
   std::sort(std::begin(falling), std::end(falling));

@@ -19,8 +19,8 @@ int row_place(std::int64_t pair, int row_size);
 /// Memory for the rows (force and moments of each pair) that force kernels write, and plans by which the rows are
 /// summed for each grain. For each grain, the rows of the pairs in which it is the first grain are summed first, then
 /// the rows of the pairs in which it is the second grain. Within each of the two sums, the rows are in the order of the
-/// lists and, within a list, of the pairs. After the rows of a group of pairs of grains have been summed, their memory
-/// is reused for a later group of the same thread. The memory thus stays small enough for the caches.
+/// lists, and within a list in the order of the pairs. After the rows of a group of pairs of grains have been summed,
+/// their memory is reused for a later group of the same thread. The memory thus stays small enough for the caches.
 template <int Dim>
 class RowSums {
  public:
@@ -65,7 +65,7 @@ class RowSums {
   AlignedVector<double> rows_;
   std::vector<BlockSumsPlan> plans_;
   /// Lists to which the pointers in the plans refer: places of the rows (force and moments of a pair) to be summed, and
-  /// indices of the pairs whose grains are joined across the periodic boundary.
+  /// indices of the pairs that interact across the periodic boundary.
   std::vector<int> listed_rows_, crossing_;
 };
 

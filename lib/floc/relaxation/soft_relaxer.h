@@ -16,7 +16,7 @@ struct SoftProgress {
   enum Stage {
     stiff,      ///< the packing has the springs of its contact law
     moving,     ///< the grains rearrange on soft springs
-    restoring,  ///< the springs regain their stiffness in a few steps, in which their forces do not change
+    restoring,  ///< the springs regain their stiffness in a few steps, and each step keeps the forces
   };
   int stage = stiff;
   int level = 0;             ///< number of steps of the stage `restoring` so far

@@ -17,7 +17,7 @@ namespace {
 constexpr double kAcross = 1e-4;
 /// Relative accuracy of the computed displacements of the grains.
 constexpr double kGapAccuracy = 1e-4;
-/// Largest number of iterations in which the displacements of the grains are computed.
+/// Largest number of iterations for the displacements of the grains.
 constexpr int kMostIterations = 5000;
 
 /// Multiplies the numbers in the histories of all contacts by factors that depend on the units of the numbers.

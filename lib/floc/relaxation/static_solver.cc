@@ -55,9 +55,9 @@ struct Configuration {
   int n_mobilised = 0;
 };
 
-/// Returns the reduced coordinates s of a point x = s * lattice vectors. The coordinates result from divisions by the
-/// lattice components and not from an inverse matrix. In spite of rounding, s is therefore below 1 for all points
-/// inside a rectangular cell.
+/// Returns the reduced coordinates s of a point x = s * lattice vectors. The coordinates are computed by divisions by
+/// the lattice components, so that s is below 1 for all points inside a rectangular cell. With an inverse matrix,
+/// rounding errors could change this.
 /// @param lower  lattice vectors, as the rows of a lower triangular matrix (length)
 template <int Dim>
 Vec<Dim> cell_coordinates(const Mat<Dim>& lower, const Vec<Dim>& x) {

@@ -43,8 +43,8 @@ class SweepPlan {
     const auto first = [&](std::size_t t) { return shared_.size() * t / n_threads_; };
     return std::span(shared_).subspan(first(thread), first(thread + 1) - first(thread));
   }
-  /// Returns the blocks that drift just before the forces of the pairs of this group are computed: the blocks that are
-  /// not shared, are read by pairs of this group and are read by no earlier group.
+  /// Returns the blocks that drift just before the forces of the pairs of this group are computed. These blocks are not
+  /// shared, pairs of this group read them, and pairs of earlier groups do not.
   std::span<const int> drifting_for(int group) const {
     return std::span(drifting_).subspan(first_drifting_[group],
                                         first_drifting_[group + 1] - first_drifting_[group]);

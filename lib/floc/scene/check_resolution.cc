@@ -78,8 +78,8 @@ void check_stiffness(TableReader& root, const Scene& scene) {
   const double stiffness = area * scene.law.contact_modulus(scene.dimension, a);
   const bool varies = scene.law.force_exponent() != 1.0;
   const double kappa = varies ? std::pow(stiffness / F1, 2.0 / 3.0) : stiffness / F1;
-  // Each side of the cell is stored as one double. Its rounding error changes all overlaps, and therefore the stress
-  // (see solve_statics()).
+  // Each side of the cell is stored as one double. The rounding error of a side changes all overlaps, and therefore the
+  // stress (see solve_statics()).
   if (4 * kHalfUnit * kappa >= scene.relaxation.tolerance.stress)
     contact.fault(
         "normal",

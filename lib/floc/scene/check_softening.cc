@@ -31,8 +31,9 @@ void check_softening(TableReader& root, const SceneSource& source, const Scene& 
                               "equilibrium.softening is not allowed here: springs can be softened only in a "
                               "periodic cell, but the scene has walls");
   if (source.n_faults() > 0 || !(scene.grains.largest() > 0)) return;
-  // For each table that can give a softening, the smallest limit of the steps to which the table applies. The key is -2
-  // for the table [equilibrium], -1 for [assembly], and otherwise the index of the table [[load]].
+  // For each table that can give a softening: the smallest limit of the softening among the steps to which the table
+  // applies. The key is -2 for the table [equilibrium], -1 for [assembly], and otherwise the index of the table
+  // [[load]].
   std::map<int, SofteningLimit> limits;
   double before = 0.0;
   for (const PlannedEquilibrium& step : plan_run(scene.assembly, scene.law, scene.load, scene.dimension)) {

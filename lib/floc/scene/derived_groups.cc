@@ -132,9 +132,9 @@ void add_spheres(const Scene& scene, Groups& groups) {
                     "pressure of the scene"});
 }
 
-/// Returns a parameter of the contact law in dimensionless form, named by the symbol of the parameter and, if it has a
-/// unit, by the divisor: "D0/a". Returns std::nullopt for parameters that are forces, pressures or volumes, because
-/// these serve as units of the other numbers.
+/// Returns a parameter of the contact law in dimensionless form. The name is the symbol of the parameter, followed by
+/// the divisor if the parameter has a unit: "D0/a". Returns std::nullopt for parameters that are forces, pressures or
+/// volumes, because these serve as units of the other numbers.
 /// @param K_N  normal stiffness of a contact
 /// @param a  largest diameter
 std::optional<DerivedGroup> group_of(const LawNumber& n, double K_N, double a) {
@@ -276,8 +276,8 @@ void add_box(const Scene& scene, double a, double m, Groups& groups) {
                     "sqrt(m/(p a^(D-2))), unit of time of the compaction (time unit of the scene)"});
 }
 
-/// Adds two numbers for each of several classes of grain size: the fraction of the total volume that is in the drawn
-/// grains of the class, and the fraction that the size distribution gives for the class.
+/// For each of several classes of grain size, adds two fractions of the total volume: the fraction in the drawn grains
+/// of the class, and the fraction that the size distribution gives for the class.
 void add_sizes(const Scene& scene, Groups& groups) {
   // Largest number of grains for which the fractions are computed. With more grains, the fractions of the drawn grains
   // equal those of the distribution to six digits.

@@ -67,8 +67,8 @@ void read_gravity(TableReader& t, int dimension, BoxOptions& box) {
 }
 
 /// Reads the pressure on the walls that move. If no wall moves, the unit of pressure of the scene is the weight per
-/// area of a layer of the largest grains: m g/a^(D-1), with their mass m and diameter a, the acceleration g due to
-/// gravity and the dimension D.
+/// area of a layer of the largest grains: m g/a^(D-1). Here m is the mass and a the diameter of a largest grain, g the
+/// acceleration due to gravity and D the dimension.
 void read_pressure(TableReader& t, Scene& scene, const BoxOptions& box) {
   if (any_wall_moves(box, scene.dimension) || box.gravity.isZero(0.0)) {
     scene.assembly.pressure =

@@ -161,9 +161,9 @@ void read_axes_of(TableReader& t, int dimension, LoadStage& stage) {
   stage.axes = read_test(t, stage.control, stage.axis, dimension);
 }
 
-/// Whether the key steps_per_decade determines the number of steps of a stage. The key determines the number if the
-/// stage imposes a stress, if all imposed stresses are positive at the start and at the end of the stage, and if their
-/// values at the start are known before the run.
+/// Whether the key steps_per_decade determines the number of steps of a stage. The key determines the number if three
+/// conditions are met: the stage imposes a stress; all imposed stresses are positive at the start and at the end of the
+/// stage; and the stresses at the start are known before the run.
 /// @param from  stress on each axis at the start of the stage, as far as it is known before the run
 bool counts_in_decades(const KnownStress& from, const LoadStage& stage) {
   bool any = false;

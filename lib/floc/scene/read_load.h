@@ -25,8 +25,9 @@ inline constexpr NumberRule kStrainRateCapRule{positive,
 /// @param t  table of the scene that has these keys
 CellResponse read_rate_caps(TableReader& t);
 
-/// Reads the keys that determine how the boundary responds to its load during the assembly or a stage of the load path:
-/// for a periodic cell, its mass and a cap on its strain rate; for walls, their speed.
+/// Reads the keys that determine how the boundary responds to the load during the assembly or a stage of the load path.
+/// For a periodic cell, these keys give the mass of the cell and a cap on its strain rate; for walls, they give the
+/// speed of the walls.
 /// @param t  table of the scene that has these keys
 /// @param boxed  whether the scene has walls (table [box])
 CellResponse read_cell_response(TableReader& t, bool boxed);

@@ -205,7 +205,7 @@ double lightest(const Scene& scene) {
   return std::pow(scene.grains.smallest() / scene.grains.largest(), scene.dimension);
 }
 
-/// Warns if the cell is so light that the time step must be much smaller than for the grains alone: a cell that is
+/// Warns if the cell is so light that the time step must be much smaller than for the grains alone. A cell that is
 /// lighter than a few grains vibrates faster than the grains (see cell_time_step_of()).
 void warn_of_light_cell(const Scene& scene, Warnings& warnings) {
   // Implicit time steps are stable with cells of any mass.

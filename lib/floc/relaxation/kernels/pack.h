@@ -78,8 +78,8 @@ struct Pack {
   Vector v;
 
   Pack() = default;
-  /// Sets every lane to `value`. The conversion is implicit, because contact laws combine packs with their parameters,
-  /// which are doubles.
+  /// Sets every lane to `value`. The conversion is implicit, because contact laws combine packs with parameters, which
+  /// are doubles.
   Pack(double value) : v(value - Vector{}) {}  // NOLINT(google-explicit-constructor)
   explicit Pack(const Vector& vector) : v(vector) {}
 

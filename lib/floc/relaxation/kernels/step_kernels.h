@@ -149,8 +149,7 @@ struct PairView {
 /// 2. If a grain has more rows than the depth of its group, its remaining rows are added afterwards, one by one.
 struct SideSumsPlan {
   static constexpr int kGroups = kGrainBlock / kSumGroup;
-  /// Indices of the grains, counted from the first grain of the block, from the largest to the smallest number of
-  /// pairs.
+  /// Indices of the grains, counted from the first grain of the block. The grain with the most pairs comes first.
   int grain[kGrainBlock];
   /// Depth of each group: number of pairs per grain whose rows are summed side by side.
   int depth[kGroups];
@@ -244,12 +243,13 @@ struct StepKernels {
   /// neighbour lists were built, and s its skin (distance that the grain may move before new lists are built).
   /// @param list_stretch  deformation gradient of the lattice since the neighbour lists were built
   double (*motion_squared)(const GrainView<Dim>&, int first_grain, const double (&list_stretch)[Dim][Dim]);
-  /// Computes the rows (forces and moments) of the pairs of grains [first, last) and updates their springs.
+  /// Computes the rows (forces and moments) of the pairs of grains with indices from `first` to `last` - 1, and updates
+  /// the springs of these pairs.
   /// @param law  address of a contact law of the type for which this kernel is compiled
   void (*compute_pairs)(const void* law, const GrainView<Dim>&, const PairView<Dim>&, int first, int last,
                         const PairCell<Dim>&);
-  /// Computes the rows (forces and moments) of the pairs [first, last) of grains with walls and updates their springs;
-  /// null if the kernel law (kernel_law.h) is only for pairs of grains.
+  /// Like compute_pairs, but for pairs of grains with walls; null if the kernel law (kernel_law.h) is only for pairs of
+  /// grains.
   void (*compute_wall_pairs)(const void* law, const GrainView<Dim>&, const PairView<Dim>&, int first, int last,
                              const PairCell<Dim>&);
   /// Sums the rows (forces and moments) of the pairs of each grain of a block, and kicks the grains over half a step.

@@ -21,8 +21,8 @@ struct StepKernelTable<Isa, Dim, kShape, std::variant<Law...>> {
     // rectangular lattices, too.
     using Grains = std::conditional_t<kTriangular || !kHasSpecialKernels<typename L::NormalModel>,
                                       GrainsInTriangularLattice, GrainsInRectangularLattice>;
-    // The kernel that moves the grains depends on whether they rotate, but not on the layout of the moments in the rows
-    // of pairs.
+    // The kernel that moves the grains depends on whether the grains rotate, but not on the layout of the moments in
+    // the rows of pairs.
     using Drift = GrainKernels<Isa, Dim, kShape, L::kHasFriction ? RowKind::moments : RowKind::forces>;
     using Sums = GrainKernels<Isa, Dim, kShape, kRowKind<L, Dim>>;
     StepKernels<Dim> kernels{&Drift::kick_and_drift, &Drift::motion_squared,

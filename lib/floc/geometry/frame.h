@@ -33,7 +33,7 @@ inline Vec<3, T> cross(const RotationVector<3, T>& spin, const Vec<3, T>& arm) {
           spin[0] * arm[1] - spin[1] * arm[0]};
 }
 
-/// Returns arm x force. This is the moment about the centre of a grain of a force that acts at the position `arm`
+/// Returns arm x force. This is the moment, about the centre of a grain, of a force that acts at the position `arm`
 /// relative to this centre.
 template <class T>
 inline RotationVector<2, T> moment(const Vec<2, T>& arm, const Vec<2, T>& force) {
@@ -55,7 +55,7 @@ inline Shear<3, T> to_shear(const Vec<3, T>& n, const Vec<3, T>& displacement) {
   return displacement - n * n.dot(displacement);
 }
 
-/// Returns a tangential displacement or force at a contact with unit normal n as a vector in space.
+/// Converts a tangential displacement or force at a contact with unit normal n to a vector in space.
 template <class T>
 inline Vec<2, T> from_shear(const Vec<2, T>& n, const Shear<2, T>& shear) {
   return tangent(n) * shear[0];

@@ -31,7 +31,7 @@ Vec<Dim> rounded(const DoubleDoubleVec<Dim>& v) {
   return out;
 }
 
-/// Returns the point x displaced by `image` lattice vectors to a periodic image: x + image * cell.matrix.
+/// Returns the periodic image of the point x that is displaced by `image` lattice vectors: x + image * cell.matrix.
 template <int Dim>
 DoubleDoubleVec<Dim> displaced(DoubleDoubleVec<Dim> x, const Cell<Dim>& cell, const Vec<Dim, int>& image) {
   for (int b = 0; b < Dim; ++b)

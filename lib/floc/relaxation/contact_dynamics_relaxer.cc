@@ -167,8 +167,8 @@ ContactDynamicsRelaxer<Dim>::ContactDynamicsRelaxer(const RelaxationOptions& opt
 
 /// Returns whether the contacts of a step are solved all at once. For elastic grains this holds in the phase `resting`
 /// and during small strains, because the errors of sweeps would make contacts slip that do not slip under the load. For
-/// rigid grains it may hold in the phase `resting`: for frictionless grains with corners from the start, for other
-/// packings of at most kMostGrainsAtOnce grains after swept_steps() steps with sweeps.
+/// rigid grains it holds only in the phase `resting`: for frictionless grains with corners from the start of this
+/// phase, for other packings after swept_steps() steps if there are at most kMostGrainsAtOnce grains.
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::solves_at_once() const {
   if (progress_.phase == ContactDynamicsProgress::straining) return strains_springs_;

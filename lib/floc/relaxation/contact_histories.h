@@ -17,8 +17,8 @@ class ContactHistories {
   /// @param grains  arrays of the grains of the packing
   ContactHistories(Packing<Dim>& packing, const GrainArrays<Dim>& grains);
 
-  /// Returns the second and later contacts of any two bodies with several contacts: first the contacts between grains,
-  /// then the contacts with walls.
+  /// Returns the second and later contacts of all bodies with several contacts between them: first the contacts between
+  /// grains, then the contacts with walls.
   PairLists<Dim> further_contacts() const;
   /// Copies the stored history variables of the contacts into the lists of pairs, and computes the parameters of their
   /// liquid bridges.

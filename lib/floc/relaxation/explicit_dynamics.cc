@@ -107,7 +107,7 @@ void ExplicitDynamics<Dim>::begin_step() {
 }
 
 // Gravity changes the velocities directly and is not added to the forces, so that the loops over pairs need no term for
-// it. Along axes with gravity, the boundary is at rest or consists of walls, so the kick of the boundary does not
+// gravity. Along axes with gravity, the boundary is at rest or consists of walls, so the kick of the boundary does not
 // change velocities of grains.
 template <int Dim>
 void ExplicitDynamics<Dim>::fall(int thread) {

@@ -49,7 +49,8 @@ class ExplicitDynamics final : public Dynamics<Dim> {
 
   void renew_stale_lists();
   /// Builds new lists of pairs.
-  /// @param further  for each interaction, the second and later contacts of any two bodies with several contacts
+  /// @param further  for each interaction, the second and later contacts of all bodies with several contacts between
+  /// them
   void build_lists(const PairLists<Dim>& further);
   void share_liquid();
   /// Returns the largest gap across which grains interact (length).

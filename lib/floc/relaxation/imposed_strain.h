@@ -25,11 +25,12 @@ struct ImposedStrain {
       if (is_imposed[a] && from[a] != to[a]) largest = std::max(largest, std::abs(std::log(to[a] / from[a])));
     return largest;
   }
-  /// Whether the strain is complete, up to rounding, at `time` since its beginning.
+  /// Whether the strain is complete, up to rounding.
+  /// @param time  time since the beginning of the strain (time)
   bool over(double time) const { return duration - time <= 1e-12 * duration; }
 
-  /// Gives the lattice vectors (rows of `matrix`) the imposed lengths and the imposed offset at `time` since the
-  /// beginning of the strain.
+  /// Gives the lattice vectors (rows of `matrix`) their lengths and their offset at a time of the strain.
+  /// @param time  time since the beginning of the strain (time)
   void set_lattice(double time, Mat<Dim>& matrix) const {
     const bool at_end = over(time);
     const double share = at_end ? 1.0 : time / duration;

@@ -8,8 +8,8 @@
 namespace floc {
 namespace {
 
-/// Adds the second and later contacts of two bodies to a list of pairs, which contains one pair for any two bodies that
-/// are close. Contacts of two bodies without a pair in the list are left out.
+/// Adds the second and later contacts of bodies to a list of pairs. The list contains one pair for any two bodies that
+/// are close. If two bodies have no pair in the list, their contacts are left out.
 template <int Dim>
 void add_further(std::vector<NeighborPair<Dim>> further, std::vector<NeighborPair<Dim>>& pairs) {
   if (further.empty()) return;

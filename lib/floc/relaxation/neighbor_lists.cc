@@ -41,16 +41,16 @@ double NeighborLists<Dim>::min_skin() const {
   return kMinSkin * skin_unit_;
 }
 
-/// Returns the computing time of building the present lists, divided by the computing time of all steps made with them.
-/// A part of the time of each step is spent on listed pairs that are too far apart to interact. The skin is optimal if
-/// the returned ratio equals the share of this part.
+/// Returns the computing time of building the present lists, divided by the computing time of all steps made with these
+/// lists. A part of the time of each step is spent on listed pairs that are too far apart to interact. The skin is
+/// optimal if the returned ratio equals the share of this part.
 template <int Dim>
 double NeighborLists<Dim>::cost_share() const {
   return kListCost / steps_;
 }
 
 /// Returns an upper bound of the length by which the motion since the lists were built has reduced the skin (length).
-/// It is the sum of the largest displacement of a body and the affine shortening of distances.
+/// The bound is the sum of the largest displacement of a body and the affine shortening of distances.
 template <int Dim>
 double NeighborLists<Dim>::consumed_skin(const CellMotion<Dim>& cell, double range) const {
   return std::max(motion_.of_grains() * skin_, 2.0 * motion_.of_walls(cell.walls())) +

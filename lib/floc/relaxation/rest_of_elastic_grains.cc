@@ -30,8 +30,8 @@ constexpr int kMostRests = 6;
 constexpr int kStalledSteps = 16;
 constexpr double kShortestOnSprings = 0.1;
 
-/// Returns the end of a message about grains that find no rest; empty if their contact forces change continuously with
-/// their positions.
+/// Returns the end of a message about grains that do not come to rest; empty if the contact forces change continuously
+/// with the positions of the grains.
 template <int Dim>
 std::string reason_of_corners(const Grains<Dim>& grains, bool frictionless) {
   const auto is_sharp = [](const Shape<Dim>& shape) { return !shape.is_round() && shape.rounding == 0.0; };

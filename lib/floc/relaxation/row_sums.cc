@@ -96,7 +96,8 @@ RowSums<Dim>::RowSums(const Lists& lists, RowKind rows, int n_grains, const Swee
     plan_side(plans_[b].as_j, begin, as_j);
     plans_[b].rows = rows_.data();
   }
-  // From here on the list listed_rows_ is complete: its memory does not move any more, so pointers into it stay valid.
+  // From here on the list listed_rows_ is complete: its memory does not move any more, so pointers into the list stay
+  // valid.
   for (std::size_t b = 0; b < plans_.size(); ++b) {
     plans_[b].as_i.row = listed_rows_.data() + first[2 * b];
     plans_[b].as_j.row = listed_rows_.data() + first[2 * b + 1];

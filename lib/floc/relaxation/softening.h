@@ -14,9 +14,9 @@ void soften_in_place(Packing<Dim>& packing, const Law& law, double from, double 
 
 /// Sets the softening of all springs of a packing and keeps their forces. The stiffness of each spring becomes its
 /// stiffness in `law`, divided by `to`. The elongations of tangential, rolling and twisting springs change in inverse
-/// proportion. The overlaps have to change in the same way; to this end, the grains and the cell are displaced. If
-/// there are too many contacts for an exact solution, the normal forces have errors. The sum of their squares, each
-/// divided by the stiffness of the contact, is then minimal.
+/// proportion. The grains and the cell are displaced so that every overlap, too, agrees with the normal force of its
+/// contact. If there are too many contacts for an exact solution, the normal forces have errors. The sum of the squared
+/// errors, each divided by the stiffness of its contact, is then minimal.
 /// @param law  contact law relative to which springs are softer
 /// @param from  stiffness of the springs of `law`, divided by the stiffness of the springs of `packing` before the
 /// change

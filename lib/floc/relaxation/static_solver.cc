@@ -119,9 +119,9 @@ class StaticProblem {
 
   TangentLayout layout() const { return {kDofs<Dim>, n_strains()}; }
 
-  /// Returns the smallest stress residual that can be reached, since each component of the lattice vectors is rounded
-  /// to a double (in the units of StaticSolverOptions::target). This residual is the stress caused by a strain of one
-  /// rounding error. The elastic modulus is estimated by its upper bound in a packing of disks, which is twice the
+  /// Returns the smallest stress residual that can be reached (in the units of StaticSolverOptions::target). Each
+  /// component of the lattice vectors is rounded to a double. The smallest residual is the stress caused by a strain of
+  /// one rounding error. The elastic modulus is estimated by its upper bound in a packing of disks, which is twice the
   /// normal stiffness K_N.
   double rounding_of_stress() const {
     return 2.0 * std::numeric_limits<double>::epsilon() * stiffness_ * scale_.length / scale_.force;

@@ -18,9 +18,9 @@ struct StaticSolverOptions {
   double target = 1e-8;
   int max_iterations = 12;
   int max_backtracking = 6;
-  /// Largest relative displacement of two grains in contact in one iteration, in diameters of the largest grain.
+  /// Largest relative displacement of two grains in contact in one iteration, in units of the largest diameter.
   double largest_step = 2e-3;
-  /// Largest relative displacement of two grains in contact over all iterations, in diameters of the largest grain.
+  /// Largest relative displacement of two grains in contact over all iterations, in units of the largest diameter.
   double largest_displacement = 2e-2;
   /// Largest share of contacts with a spring at its cap (mobilised contacts). With a larger share, the iterations would
   /// stall and are therefore given up.
@@ -47,7 +47,7 @@ struct StaticSolution {
 
 /// Solves the balance of forces, moments and stresses of a periodic packing by Newton iterations, from its present
 /// state. The history variables of the contacts are updated from their values at the start (return mapping). The
-/// tangent matrix is the consistent tangent of the response of the contact law with all geometric terms; it is not
+/// tangent matrix contains the consistent tangent of the contact law and all geometric terms. The matrix is not
 /// symmetric if contacts slide. Motions without stiffness and without load (translations of the packing, rattlers,
 /// grains that roll freely) get a negligible stiffness (regularisation). The solution fails if grains come into contact
 /// that were too far apart at the start.

@@ -21,8 +21,8 @@ namespace floc {
 class SweepPlan {
  public:
   SweepPlan() = default;
-  /// @param blocks_of_group  number of blocks per group: a multiple of the number of blocks per group for which `pairs`
-  /// was padded
+  /// @param blocks_of_group  number of blocks per group; has to be a multiple of the number for which `pairs` was
+  /// padded
   template <int Dim>
   SweepPlan(const PairArrays<Dim>& pairs, int n_blocks, int n_threads, int blocks_of_group);
 

@@ -31,7 +31,7 @@ class SceneSource {
   /// Records a fault of the scene.
   /// @param key  key that the message is about
   /// @param node  TOML node of the value, or the table in which the key is missing
-  /// @param problem  message without the place, which is added
+  /// @param problem  message, to which the place is added
   void fault(const std::string& key, const toml::node* node, const std::string& problem);
   /// Records a fault in another file than the scene file, for example in a file of diameters that the scene names.
   /// @param place  name of the other file, with the number of the line; empty if `problem` contains it

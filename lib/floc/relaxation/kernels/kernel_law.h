@@ -24,9 +24,9 @@
 ///   - Contacts with walls are dry. Their kernels have damping and DryAttraction.
 ///
 /// These rules apply to laws of the normal force with special kernels (kHasSpecialKernels). Every other law of the
-/// normal force has only general kernels, which contain all models that can be combined with that law and serve
-/// lattices of any shape. A new law of the normal force thus adds few kernels; special kernels can be added if its
-/// computing time matters. If the kernel law has history variables that the contact law of the scene lacks, these
+/// normal force has only general kernels, which contain all models that can be combined with that law. General kernels
+/// work for lattices of any shape. A new law of the normal force thus adds few kernels; special kernels can be added if
+/// its computing time matters. If the kernel law has history variables that the contact law of the scene lacks, these
 /// variables are not stored (PairKernel).
 namespace floc {
 

@@ -78,7 +78,7 @@ void add_pressures(const Scene& scene, double unit, const char* name, const char
 /// Adds the pressures of a scene in units of the stress caused by adhesion, F0/a^(D-1).
 void add_reduced_pressures(const Scene& scene, double a, Groups& groups) {
   add_pressures(scene, pull_off_force(scene) / std::pow(a, scene.dimension - 1), "P_star",
-                scene.dimension == 2 ? "a P/F0" : "a^2 P/F0", groups);
+                scene.dimension == 2 ? "reduced pressure a P/F0" : "reduced pressure a^2 P/F0", groups);
 }
 
 void add_cohesion(const Scene& scene, double a, Groups& groups) {
@@ -123,7 +123,7 @@ void add_spheres(const Scene& scene, Groups& groups) {
                     "with Young's modulus E and Poisson's ratio nu"});
   groups.push_back({"kappa", hertz_kappa(scene, highest),
                     "stiffness number (E~/P)^(2/3) at the highest pressure P of the scene"});
-  add_pressures(scene, E, "P/E~", "P/E~", groups);
+  add_pressures(scene, E, "P/E~", "pressure P divided by E~", groups);
   // Largest pressure between the surfaces of two grains in a contact with the mean force. The mean force is computed
   // from the pressure with the assumption z Phi = 4 (coordination number z, solid fraction Phi).
   groups.push_back({"p_max/E~", 0.847131 / std::sqrt(hertz_kappa(scene, highest)),
@@ -266,9 +266,8 @@ void add_box(const Scene& scene, double a, double m, Groups& groups) {
                     "sc/sqrt(p se) with se = K_N/a^(D-2), adhesion relative to impacts; below 1, grains bounce "
                     "off each other"});
   groups.push_back({"sc/se", sc / se,
-                    "overlap of two grains under their adhesion alone, divided by the diameter; above 0.02 it "
-                    "changes the void "
-                    "ratio noticeably"});
+                    "overlap of two grains under their adhesion alone, divided by the diameter; overlaps above "
+                    "0.02 change the void ratio noticeably"});
   groups.push_back({"se/p", se / p,
                     "se/p with se = K_N/a^(D-2), stiffness of the contacts divided by the first pressure p"});
   add_walls(scene, groups);

@@ -70,8 +70,9 @@ struct KeyInPlace {
 /// Records a fault for each setting of contact dynamics that elastic contacts do not have.
 void refuse_rigid_settings(TableReader& t) {
   constexpr KeyInPlace kRefusedKeys[] = {
-      {"finish", "the overlaps of elastic grains determine their forces, so that there is no choice"},
-      {"restitution", "the springs of elastic contacts determine their impacts"},
+      {"finish",
+       "the overlaps of elastic grains determine the contact forces, so that there is no choice of forces"},
+      {"restitution", "the springs of elastic contacts determine the course of impacts"},
       {"gap_tolerance", "elastic grains carry a force where they overlap"}};
   for (const auto& [key, reason] : kRefusedKeys)
     t.refuse(
@@ -172,13 +173,14 @@ void check_elastic_shapes(TableReader& root, const Scene& scene) {
          "contact.normal = {law = \"linear\", stiffness}, or {law = \"rigid\"}");
   refuse("friction", law.friction && !law.friction.holds<CoulombFriction>(),
          "each contact point is a linear spring", "contact.friction = {coefficient, stiffness}");
-  refuse("adhesion", static_cast<bool>(law.adhesion), "their contacts only repel", "no key adhesion");
+  refuse("adhesion", static_cast<bool>(law.adhesion), "the contacts of these grains only repel",
+         "no key adhesion");
   refuse("damping", static_cast<bool>(law.damping), "implicit time steps dissipate energy by themselves",
          "no key damping");
   refuse("rolling", static_cast<bool>(law.rolling), "their corners resist rolling", "no key rolling");
   refuse("twisting", static_cast<bool>(law.twisting), "their corners resist twisting", "no key twisting");
-  root.refuse("box",
-              fmt::format(kRefused, "[box]", "they are compressed in a periodic cell", "a table [cell]"));
+  root.refuse("box", fmt::format(kRefused, "[box]", "these grains are compressed in a periodic cell",
+                                 "a table [cell]"));
   TableReader assembly = root.table("assembly", "", Need::optional);
   assembly.refuse("vibration", fmt::format(kRefused, "assembly.vibration",
                                            "only disks and spheres are vibrated", "no key vibration"));
@@ -204,8 +206,8 @@ void read_dynamics(TableReader& root, const SceneSource& source, Scene& scene) {
   if (knows_law && method && !implicit && *method == 1)
     t.fault("method",
             fmt::format(
-                "dynamics.method = \"contact_dynamics\": contact dynamics moves rigid grains and grains with "
-                "shapes only, but contact.normal.law is \"{}\"; expected contact.normal = {{law = \"rigid\"}}, "
+                "dynamics.method = \"contact_dynamics\": contact dynamics moves only rigid grains and grains "
+                "with shapes, but contact.normal.law is \"{}\"; expected contact.normal = {{law = \"rigid\"}}, "
                 "or method = \"smooth\"",
                 scene.law.normal_keyword()));
   const bool steps = implicit || (method && *method == 1);

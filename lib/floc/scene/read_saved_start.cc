@@ -130,7 +130,7 @@ void keep_stress(TableReader& t, const State<Dim>& state, bool has_pressure, Sce
     return t.fault("pressure",
                    "assembly.pressure is missing: expected a positive number (first pressure of the packing), "
                    "because the stresses of the state differ between its axes, and rigid grains cannot keep "
-                   "such stresses in this version of floc");
+                   "different stresses in this version of floc");
   scene.assembly.saved.kept =
       KeptStress{{stress.begin(), stress.end()}, state.path.turn.empty() ? Dim - 1 : state.path.turn.axis};
 }

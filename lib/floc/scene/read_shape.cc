@@ -209,12 +209,13 @@ void check_solid_fraction(TableReader& root, const Scene& scene) {
       densest_gas(shaped_grains<Dim>(scene.grains, draw_diameters(scene.grains, random), scene.seed));
   TableReader t = root.table(scene.assembly.box ? "assembly" : "cell", "", Need::optional);
   if (scene.assembly.solid_fraction > densest)
-    t.fault("solid_fraction",
-            fmt::format("{} = {}: the gas is made of the circumscribed {} of the grains; without "
-                        "overlap, these can be placed at random only up to the solid fraction {:.4g} of the "
-                        "grains; expected at most this number",
-                        t.path_of("solid_fraction"), scene.assembly.solid_fraction,
-                        Dim == 2 ? "circles" : "spheres", densest));
+    t.fault(
+        "solid_fraction",
+        fmt::format(
+            "{} = {}: the gas is made of the circumscribed {} of the grains, which can be placed at random "
+            "without overlap only up to the solid fraction {:.4g} of the grains; expected at most this number",
+            t.path_of("solid_fraction"), scene.assembly.solid_fraction, Dim == 2 ? "circles" : "spheres",
+            densest));
 }
 
 }  // namespace

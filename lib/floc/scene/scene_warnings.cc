@@ -279,7 +279,7 @@ void warn_of_stiff_contacts(const Scene& scene, Warnings& warnings) {
   if (!(unit > 0.0) || !(step > 0.0) || unit / step < kMany) return;
   warnings.push_back(
       fmt::format("contact.normal: relative to the load the contacts are so stiff that a unit of time "
-                  "sqrt(a m/F1) (largest diameter a, its mass m, typical force F1) has {:.1e} time steps, "
+                  "sqrt(a m/F1) (largest diameter a, its mass m, typical force F1) takes {:.1e} time steps, "
                   "and every state takes several hundred units of time; expected softer contacts (results "
                   "hardly depend on the stiffness if the "
                   "stiffness number kappa is above 1e5) or a higher pressure than assembly.pressure = {:g}",

@@ -287,7 +287,7 @@ TEST_P(BadElasticScenes, NameTheKeyThatTakesThePlace) {
 INSTANTIATE_TEST_SUITE_P(
     Keys, BadElasticScenes,
     testing::Values(BadKey{"dynamics.method=contact_dynamics",
-                           "contact dynamics moves rigid grains and grains with shapes only"},
+                           "contact dynamics moves only rigid grains and grains with shapes"},
                     BadKey{"dynamics.time_step=0.1",
                            "the contacts are elastic; expected run.time_step in its place"},
                     BadKey{"dynamics.finish=closest", "expected equilibrium.finish in its place"},

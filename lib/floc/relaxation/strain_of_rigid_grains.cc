@@ -14,7 +14,7 @@ namespace {
 
 /// Number of time steps of a strain in one call of advance().
 constexpr int kStrainingSteps = 20;
-/// Factor by which the allowed number of sweeps is larger in the step whose forces are recorded in motion.
+/// In the step whose forces are recorded in motion, the allowed number of sweeps is larger by this factor.
 constexpr int kSweepsOfRecord = 50;
 /// In a recorded motion, a contact counts as force-free if its repulsive force, divided by the mean repulsive force, is
 /// at most this number.

@@ -298,8 +298,9 @@ TEST_F(Imports, MergePairsThatAreListedTwice) {
   merged.emplace_back("--pairs-twice");
   const Outcome o = convert("g.csv", merged);
   EXPECT_EQ(o.code, 0) << o.err;
-  EXPECT_THAT(o.err, HasSubstr("2 of the 4 contacts listed are second rows of a pair and are left out; 1 of "
-                               "these second rows contradict the forces in the first row"));
+  EXPECT_THAT(o.err,
+              HasSubstr("2 of the 4 listed contacts repeat an earlier pair of grains and are left out; 1 of "
+                        "these contacts contradict the forces in the earlier row of the pair"));
 }
 
 }  // namespace

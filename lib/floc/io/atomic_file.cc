@@ -16,8 +16,8 @@
 namespace floc {
 namespace {
 
-/// Syncs the directory of the file `path` to the disk, so that the renaming of a file survives a power cut. It is not
-/// an error if the directory cannot be read or does not support syncing.
+/// Syncs the directory of the file `path` to the disk. Afterwards, a renamed file in this directory keeps its new name
+/// even after a power cut. It is not an error if the directory cannot be read or does not support syncing.
 /// @return false, with errno set, if the system reports any other error
 bool sync_directory_of(const std::string& path) {
   std::filesystem::path directory = std::filesystem::path(path).parent_path();
@@ -42,8 +42,8 @@ IoError refused(const std::string& path, int error) {
 }
 
 /// Writes content to the stream `path`.
-/// @param content  function that produces the content piece by piece; its argument is a function that writes one piece
-/// to the stream
+/// @param content  function that produces the content piece by piece, and passes each piece to its argument, a function
+/// that writes the piece to the stream
 void write_to_stream(const std::string& path,
                      const std::function<void(const std::function<void(std::string_view)>&)>& content) {
   std::fflush(stdout);  // so that earlier output of the program precedes the content

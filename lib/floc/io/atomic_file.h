@@ -41,7 +41,7 @@ class AtomicFile {
   /// @throws IoError with the error message of the system if the new content cannot be written
   void commit();
 
-  /// Returns the exception that reports that `path` cannot be written.
+  /// Returns an exception with the message that `path` cannot be written.
   /// @param error  errno of the system call that failed
   IoError cannot_be_written(int error) const;
 

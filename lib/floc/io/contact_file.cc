@@ -15,7 +15,7 @@ namespace {
 std::vector<ListedContact> read_listed(const ImportOptions& options, int dimension,
                                        std::optional<std::int64_t> timestep,
                                        std::vector<std::string>* remarks) {
-  // standard input can be read only once, so the format cannot be recognised before the contacts are read
+  // Standard input can be read only once. Its format cannot be recognised before the contacts are read.
   const bool on_stdin = options.contacts == "-";
   if (!on_stdin && is_lammps_dump(options.contacts)) return read_dump_contacts(options, dimension, timestep);
   if (!on_stdin && is_yade_interactions(options.contacts)) return read_yade_contacts(options, dimension);

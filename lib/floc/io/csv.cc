@@ -17,12 +17,11 @@
 namespace floc {
 namespace {
 
-/// Up to this magnitude, numbers written as real numbers, such as 3.0, are accepted as integers, because a double
-/// represents every integer exactly.
+/// Up to this magnitude, a double represents every integer exactly. An integer that is written as a real number, such
+/// as 3.0, is accepted only up to this magnitude.
 constexpr double kExactIntegers = 9007199254740992.0;  // 2^53
 
-/// Returns a likely reason why a row has a wrong number of cells, as the end of the error message; empty if no reason
-/// is apparent.
+/// Returns the end of the error message about a wrong number of cells: a likely reason; empty if no reason is apparent.
 const char* count_hint(const std::vector<std::string>& cells, std::size_t n_columns, char separator) {
   const auto number = [](const std::string& cell) { return is_number(cell, false); };
   const bool may_be_decimal_commas =
@@ -32,7 +31,8 @@ const char* count_hint(const std::vector<std::string>& cells, std::size_t n_colu
              : "";
 }
 
-/// Returns a likely reason why a text is not a number, as the end of the error message; empty if no reason is apparent.
+/// Returns the end of the error message about a text that is not a number: a likely reason; empty if no reason is
+/// apparent.
 std::string number_hint(std::string_view text) {
   if (const std::string hint = decimal_comma_hint(text); !hint.empty() || is_number(text, true)) return hint;
   std::string digits;
@@ -93,8 +93,8 @@ void CsvTable::add_line(const TableLine& line) {
   const std::size_t n_filled = without_trailing_empties(cells);
   if (n_filled == 0 && cells.size() > 1)
     return;  // a row of empty cells, which spreadsheets write for a blank row
-  // Spreadsheets add separators to the shorter lines, so that all lines have the same number of separators. The
-  // resulting empty cells at the end are removed.
+  // Spreadsheets write the same number of separators in all lines, and thus empty cells at the end of shorter lines.
+  // These empty cells are removed.
   if (cells.size() > columns_.size()) cells.resize(std::max(n_filled, columns_.size()));
   if (n_rows() == 0 && cells.size() < columns_.size() && columns_.back().empty())
     columns_.resize(std::max(cells.size(), without_trailing_empties(columns_)));
@@ -153,7 +153,8 @@ std::string CsvTable::number_text(int row, int column) const {
   return number.empty() ? std::string(text) : number;
 }
 
-/// Throws if a number has a point although the table has decimal commas: the point may separate thousands.
+/// Throws if a number has a point although the table has decimal commas: it is not clear whether the point is a decimal
+/// mark or separates thousands.
 void CsvTable::require_no_point(int row, int column) const {
   if (decimal_comma_line_ == 0) return;
   const std::string_view text = cell(row, column);

@@ -40,20 +40,20 @@ class CsvTable {
                         const std::vector<std::string>& wanted = {});
 
   const std::vector<std::string>& columns() const { return columns_; }
-  /// Other names of the columns, one list for each line above the line of names that columns() returns; the list for
-  /// the nearest line comes first. Each list has one name per column; the name may be empty.
+  /// Other names of the columns, from the lines above the line of names that columns() returns. There is one list per
+  /// line, that of the nearest line first. A list has one name per column; a name may be empty.
   const std::vector<std::vector<std::string>>& other_names() const { return layout_.other_names; }
   /// Returns the cell of a column in the row of units below the names; empty if the table has no row of units.
   std::string unit_cell(int column) const;
-  /// Returns a text that lists the differences of the layout from a plain csv table: separator, decimal commas,
-  /// encoding, lines above the names, row of units. The text is empty for a plain csv table.
+  /// Returns a text that lists the differences between the layout of the table and that of a plain csv table:
+  /// separator, decimal commas, encoding, lines above the names, row of units. The text is empty for a plain csv table.
   std::string description() const;
   /// Returns the number of rows as text: "27 rows".
   std::string rows_in_words() const;
   int n_rows() const { return static_cast<int>(lines_.size()); }
   bool has(const std::string& name) const;
 
-  /// Returns the index of the column `name`.
+  /// Returns the index of the column with the name `name`.
   /// @throws InputError listing the columns of the table if no column, or more than one, has this name
   int column(const std::string& name) const;
 
@@ -62,8 +62,8 @@ class CsvTable {
 
   /// Returns the text of a cell. If the table has decimal commas and the text is a number, the comma becomes a point.
   std::string number_text(int row, int column) const;
-  /// Convert the text of a cell: number() to a finite number, integer() to an integer. integer() also accepts "3.0" and
-  /// "3.000e+00", because many programs write integers like real numbers.
+  /// number() returns the finite number in a cell, and integer() returns the integer in a cell. integer() also accepts
+  /// "3.0" and "3.000e+00", because many programs write integers like real numbers.
   /// @throws InputError naming file, line, column and value if the cell is not a finite number, or not an integer, or
   /// if it has a decimal point although other cells of the table have decimal commas
   double number(int row, int column) const;
@@ -94,7 +94,8 @@ class CsvTable {
   std::string place_;
   TableLayout layout_;
   std::string encoding_;  ///< encoding of the file; empty for UTF-8
-  /// First number with a decimal comma, and its line in the file; line 0 if the table has no decimal commas.
+  /// First number with a decimal comma, and the line of the file that contains it. The line is 0 if the table has no
+  /// decimal commas.
   std::string decimal_comma_;
   int decimal_comma_line_ = 0;
   std::vector<std::string> columns_;

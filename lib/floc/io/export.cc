@@ -23,7 +23,7 @@ void write_own_state(const std::string& path, const AnyState& any) {
 
 /// Writes a state to the file `path` as text.
 /// @tparam text  function that converts a state to the text of the file
-/// @tparam has_shapes  whether the format can store the shapes of grains with corners
+/// @tparam has_shapes whether the format can describe grains with corners
 template <std::string (*text)(const AnyState&), bool has_shapes = false>
 void write_text(const std::string& path, const AnyState& state) {
   if (!has_shapes)

@@ -15,7 +15,7 @@ struct ExportFormat {
   /// Writes a state to the file `path`. If writing fails, an existing file at `path` keeps its content.
   /// @throws IoError if the file cannot be written
   void (*write)(const std::string& path, const AnyState& state);
-  /// extension of a second file that is written into the same directory; empty if there is none
+  /// extension of the second file, if the format consists of two files in the same directory; else empty
   std::string second_extension = "";
 };
 
@@ -23,8 +23,7 @@ struct ExportFormat {
 /// entry in this list, and a test that writes a file and reads it back.
 const std::vector<ExportFormat>& export_formats();
 
-/// Returns the format with the keyword `keyword`. If `keyword` is empty, returns the format whose extension is the
-/// extension of `path`.
+/// Returns the format with the keyword `keyword`. If `keyword` is empty, the extension of `path` determines the format.
 /// @throws InputError listing all formats if no format matches
 const ExportFormat& find_export_format(const std::string& keyword, const std::string& path);
 

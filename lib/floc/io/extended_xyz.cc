@@ -18,9 +18,9 @@
 namespace floc {
 namespace {
 
-/// One frame of an extended XYZ file: its comment line and, in `rows`, one line for each grain.
+/// One frame of an extended XYZ file: the comment line and, in `rows`, one line for each grain.
 struct XyzFrame {
-  int line = 0;  ///< number (from 1) of the line of the file that is the first line of the frame
+  int line = 0;  ///< number (from 1) of the line of the file at which the frame begins
   std::string comment;
   std::vector<std::string> rows;
 };
@@ -53,8 +53,8 @@ std::vector<XyzFrame> read_frames(const std::string& path) {
   return frames;
 }
 
-/// Returns the keys and values in the comment line of a frame, which contains them as key=value or key="value with
-/// spaces".
+/// Returns the keys and values in the comment line of a frame. An entry of this line has the form key=value or
+/// key="value with spaces".
 std::map<std::string, std::string> keys_of(const std::string& place, std::string_view text) {
   std::map<std::string, std::string> keys;
   for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
@@ -77,8 +77,9 @@ std::map<std::string, std::string> keys_of(const std::string& place, std::string
 }
 
 /// Returns the names of the columns of a frame.
-/// @param properties  value of the key Properties, "name:type:count:...". In it, pos:R:3 denotes the three columns x, y
-/// and z. Any other name:type:n with n > 1 denotes n columns, which are called `name` followed by a number from 1 to n
+/// @param properties  value of the key Properties, "name:type:count:...". In this text, pos:R:3 denotes the three
+/// columns x, y and z. Any other name:type:n with n > 1 denotes n columns, which are called `name` followed by a number
+/// from 1 to n
 std::vector<std::string> columns_of(const std::string& place, const std::string& properties) {
   std::vector<std::string> fields;
   std::istringstream in(properties);
@@ -108,8 +109,9 @@ std::vector<std::string> numbered_columns(const std::string& place, const XyzFra
   if (!given.contains("radius") && !given.contains("diameter"))
     throw InputError(
         place,
-        "the comment line of the frame has no Properties=, so the columns have no names: give --columns with "
-        "the number of a column, radius=5 or diameter=5, and also x, y, z unless they are columns 2 to 4");
+        "the comment line of the frame has no Properties=, so the columns have no names: give the number of "
+        "the column of the sizes, --columns radius=5 or --columns diameter=5, and also the numbers of the "
+        "columns x, y and z unless these are columns 2 to 4");
   given.emplace("x", "2");
   given.emplace("y", "3");
   given.emplace("z", "4");
@@ -134,7 +136,7 @@ std::vector<std::vector<double>> lattice_of(const std::string& place, const std:
   return cell;
 }
 
-/// Reads the value of the key Origin, which OVITO writes: the corner of the cell.
+/// Reads the value of the key Origin: the corner of the cell. OVITO writes this key.
 Eigen::Vector3d origin_of(const std::string& place, const std::string& text) {
   const std::vector<std::string> tokens = tokenize(text);
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
@@ -146,7 +148,8 @@ Eigen::Vector3d origin_of(const std::string& place, const std::string& text) {
   return origin;
 }
 
-/// Reads the value of the key pbc, such as "T T F": whether the packing is periodic along each lattice vector.
+/// Reads the value of the key pbc, such as "T T F". For each lattice vector, returns whether the packing is periodic
+/// along this vector.
 std::vector<bool> periodic_of(const std::string& place, const std::string& text) {
   std::vector<bool> periodic;
   for (std::string token : tokenize(text)) {
@@ -161,7 +164,7 @@ std::vector<bool> periodic_of(const std::string& place, const std::string& text)
   return periodic;
 }
 
-/// Reads the value of the key walls, which floc writes: names of walls at the faces of the box, such as "x- x+".
+/// Reads the value of the key walls: names of walls at the faces of the box, such as "x- x+". floc writes this key.
 void add_walls(const std::string& place, const std::string& names, ListedSpace& space) {
   space.exact_walls = true;
   for (const std::string& name : tokenize(names)) {

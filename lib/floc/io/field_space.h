@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// Arrays of the field data of a file in one of VTK's formats.
+/// Access to the arrays of field data in a file of VTK (in any of the formats of VTK).
 struct FieldArrays {
   std::function<bool(const std::string&)> has;
   std::function<std::vector<double>(const std::string&)> read;

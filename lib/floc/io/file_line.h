@@ -8,8 +8,8 @@
 
 namespace floc {
 
-/// Place of a line, or of an entry of an array, in a file; for messages. A place consists of a text and the number of
-/// the line or entry. All places in a file share one copy of the text, because a file may have millions of lines.
+/// Place in a file, for messages: a line, or an entry of an array. A place consists of a text and the number of the
+/// line or entry. All places in a file share one copy of the text, because a file may have millions of lines.
 class FileLine {
  public:
   FileLine() = default;

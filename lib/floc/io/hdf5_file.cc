@@ -42,14 +42,14 @@ class Handle {
 };
 
 /// Configures the HDF5 library. The library must not print errors, because floc reports them by exceptions. The library
-/// must not clean up at the end of the program either: if a write has failed on a full disk, the clean-up would repeat
-/// the write and crash.
+/// must not clean up at the end of the program: if a write has failed on a full disk, the clean-up would repeat the
+/// write and crash.
 void begin_library() {
   H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-/// Returns the HDF5 access properties with which files are opened. Small arrays are not buffered: a buffer would be
+/// Returns the HDF5 access properties that are used to open files. Small arrays are not buffered: a buffer would be
 /// written when the file is closed, and an error during this write would be lost. The library does not lock files; floc
 /// locks them itself where this is needed.
 Handle file_access() {
@@ -70,8 +70,8 @@ Handle scalar() {
   return {checked(H5Screate(H5S_SCALAR)), H5Sclose};
 }
 
-/// Returns HDF5 properties of objects (files, groups or datasets) for which HDF5 does not store the time of creation,
-/// so that files do not depend on the clock.
+/// Returns HDF5 properties for new objects (files, groups or datasets). With these properties, HDF5 does not store the
+/// time of creation, so that files do not depend on the clock.
 Handle untimed(hid_t property_class) {
   const hid_t properties = checked(H5Pcreate(property_class));
   H5Pset_obj_track_times(properties, false);
@@ -137,7 +137,7 @@ void write_array(hid_t file, const std::string& path, const ArrayShape& shape, c
     checked(H5Dwrite(dataset, NativeType<T>::memory(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
 }
 
-/// Number of rows of an array that are written or read at a time. This number limits the size of the buffers.
+/// Largest number of rows of an array that are written or read at a time. This number limits the size of the buffers.
 constexpr hsize_t kRowsAtATime = 1 << 16;
 
 /// Divides an array with the given shape into blocks of rows, and calls visit(first, n, memory, file) for each block.
@@ -195,7 +195,7 @@ void check_length(hid_t file, const std::string& place, double bytes) {
                     bytes, size));
 }
 
-/// Opens a dataset that is an array of numbers of type T.
+/// Opens a dataset: an array of numbers of type T.
 /// @throws InputError naming `place` unless the dataset exists, has the given shape, and contains numbers of the kind
 /// of T (real numbers if T is double, else integers)
 template <class T>
@@ -247,7 +247,7 @@ void read_attribute(hid_t file, const std::string& place, const std::string& pat
     throw InputError(place, fmt::format("attribute {} cannot be read", name));
 }
 
-/// Returns a string of variable or fixed length that is stored in a dataset or an attribute.
+/// Returns the string, of variable or fixed length, in a dataset or an attribute.
 /// @param type  HDF5 type of the stored string
 /// @param read  function read(type, buffer) that reads the string from the dataset or the attribute into a buffer
 template <class Read>

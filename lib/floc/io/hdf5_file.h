@@ -9,12 +9,13 @@
 
 namespace floc {
 
-/// Failure of the HDF5 library to write a file (for example, on a full disk) or to read a file (with damaged content).
+/// Failure of the HDF5 library to write a file (for example, because the disk is full) or to read a file (for example,
+/// because its content is damaged).
 class Hdf5Failure : public std::runtime_error {
  public:
   Hdf5Failure(const std::string& what, int error) : std::runtime_error(what), error_(error) {}
 
-  /// Value of errno after the failure. The value is meaningful only if a system call of the HDF5 library failed.
+  /// Value of errno after the failure. It is meaningful only if a system call of the HDF5 library failed.
   int error() const { return error_; }
 
  private:
@@ -57,7 +58,7 @@ class Hdf5Writer {
   /// Writes an attribute as ASCII text of fixed length, for programs that do not read text of variable length.
   void fixed_text_attribute(const std::string& path, const std::string& name, const std::string& value);
 
-  /// Gives an existing array a second path in the file, without a second copy of its values.
+  /// Gives an existing array a second path in the file. The values are stored only once.
   void link(const std::string& path, const std::string& second_path);
 
   /// Completes and closes the file. Nothing can be added to it afterwards.
@@ -87,7 +88,7 @@ class Hdf5Reader {
   std::vector<std::string> names(const std::string& group) const;
   /// Returns the shape of an array; the shape of a single value is empty.
   ArrayShape shape(const std::string& path) const;
-  /// Returns the values of an array of any size, which contains real or whole numbers.
+  /// Returns the values of an array of real or whole numbers. The array may have any size.
   /// @throws InputError also if a value is not finite
   std::vector<double> numbers(const std::string& path) const;
 

@@ -23,26 +23,26 @@ struct ImportOptions {
   std::string walls;
   /// acceleration due to gravity, one component per axis; if empty, the file gives it
   std::vector<double> gravity;
-  /// bodies in the file of contacts that are walls: the key is the identifier of the body, the value is the wall
+  /// walls among the bodies in the file of contacts: the key is the identifier of the body, the value is the wall
   std::map<std::int64_t, WallSide> wall_ids;
-  /// Maps the names that floc uses for columns of grains to the names of these columns in the file, such as "x" to "X".
-  /// A column that is not in this map has the name that floc uses. For a LAMMPS dump, the name of a wall such as "x-"
-  /// is mapped to the columns with the forces of this wall: see read_lammps_dump().
+  /// Maps a name that floc uses for a column of grains to the name of this column in the file, such as "x" to "X". A
+  /// column that is not in this map has the name that floc uses. For a LAMMPS dump, the name of a wall such as "x-" is
+  /// mapped to the columns with the forces of this wall: see read_lammps_dump().
   std::map<std::string, std::string> columns;
   /// Path of a file that lists the contacts. If empty, contacts are found from the positions and radii.
   std::string contacts;
-  /// Path of a file that lists bonds: contacts that act across gaps, each with its own stiffnesses. If empty, the
-  /// packing has no bonds.
+  /// Path of a file that lists bonds. A bond is a contact that acts across gaps and has its own stiffnesses. If empty,
+  /// the packing has no bonds.
   std::string bonds;
-  /// Names of the columns of contacts in the file `contacts`: the key is the name that floc uses, the value is the name
-  /// in the file. A column that is not in this map has the name that floc uses.
+  /// Names of the columns in the file `contacts`: the key is the name that floc uses, the value is the name in the
+  /// file. A column that is not in this map has the name that floc uses.
   std::map<std::string, std::string> contact_columns;
   std::optional<int> dimension;  ///< dimension, 2 or 3; if absent, settle_space() decides
   /// Number (from 0) of the packing or frame that is read if the file has several. If absent, the format determines
   /// whether the first or the last packing is read.
   std::optional<int> index;
   std::string units = "reduced";  ///< unit system of the file, "reduced" or "SI"
-  /// Whether contacts with a tensile force are left out if the law has no adhesion. If false, these contacts are an
+  /// Whether contacts with a tensile force are left out if the law has no adhesion. If false, such a contact is an
   /// error.
   bool drop_tensile = false;
   /// Largest gap (length) of grains that count as touching, if contacts are found from the geometry. The force across a
@@ -52,7 +52,7 @@ struct ImportOptions {
   bool pairs_twice = false;
 };
 
-/// Counts of the contacts that a file lists: the number of all contacts, the numbers of contacts that are left out for
+/// Counts of the contacts in a file: the number of all contacts, the numbers of contacts that are left out for
 /// different reasons, and the numbers of contacts that are kept but need a remark.
 struct ListedContactCounts {
   int n_read = 0;
@@ -64,11 +64,11 @@ struct ListedContactCounts {
   /// Number of contacts whose listed image contradicts the positions. These contacts were kept, with the nearest
   /// periodic image of grain id2.
   int n_other_image = 0;
-  /// Number of contacts across a boundary that rotates the grains that cross it, so that no lattice translation brings
-  /// the two grains into contact. These contacts keep the listed forces and have no stiffness.
+  /// Number of contacts across a boundary at which grains are rotated when they cross it. No lattice translation brings
+  /// the two grains of such a contact together. These contacts keep the listed forces and have no stiffness.
   int n_across_no_lattice = 0;
   int n_bonds = 0;  ///< number of contacts that act across a gap, each with its own stiffnesses
-  /// Sentences about contacts whose listed stiffnesses differ from the stiffnesses of the contact law at the listed
+  /// Sentences about listed stiffnesses that differ from the stiffnesses that the contact law gives at the listed
   /// forces.
   std::vector<std::string> stiffness_differences;
 };
@@ -85,12 +85,12 @@ struct Imported {
   bool complete = false;
   /// Whether the file lists contacts. If not, contacts are found from the positions and radii.
   bool contacts_known = false;
-  /// Whether the file lists no contacts with the walls of the packing. If true, these contacts are found from the
-  /// geometry.
+  /// Whether the packing has walls, but the file lists no contacts with them. If true, these contacts are found from
+  /// the geometry.
   bool lacks_wall_contacts = false;
   /// Whether the stiffnesses of the contact law were computed as means of the listed stiffnesses.
   bool law_of_contacts = false;
-  ListedContactCounts listed_contacts;  ///< numbers of listed contacts; set only if contacts_known is true
+  ListedContactCounts listed_contacts;  ///< counts of the listed contacts; set only if contacts_known is true
   /// Whether the file gives the volumes of the liquid bridges.
   bool liquid_known = false;
   bool target_stress_known = false;  ///< whether the file gives the imposed stress

@@ -38,8 +38,8 @@ std::vector<double> numbers(const std::string& place, std::string_view text) {
   }
 }
 
-/// Returns the end of a message about a wrong number of values: a hint about decimal commas if the text has commas
-/// between digits, else an empty text.
+/// Returns the end of a message about a wrong number of values. If `text` has commas between digits, this is a hint
+/// about decimal commas, else an empty text.
 const char* comma_hint(std::string_view text) {
   const auto is_digit = [&](std::size_t at) {
     return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at]));
@@ -113,8 +113,8 @@ void find_packing(const std::string& path, Lines& lines, int index) {
 
 /// Reads the `n` grains that follow the header of a packing, and moves each grain into the periodic cell.
 Grains<2> read_grains(const std::string& path, Lines& lines, const Cell<2>& cell, int n) {
-  // Each row is x, y and radius of a grain. The memory grows with the lines that are read, because the number of grains
-  // in the header may be wrong.
+  // Each row is x, y and radius of a grain. No memory is reserved for `n` rows, because the number of grains in the
+  // header may be wrong.
   std::vector<Eigen::Vector3d> rows;
   while (static_cast<int>(rows.size()) < n && lines.next()) {
     if (lines.line().find('}') != std::string::npos || is_header(lines.line())) break;
@@ -192,9 +192,8 @@ Imported read_jambashbulk(const std::string& path, const ImportOptions& options)
   state.provenance.source = path;
   Imported imported;
   imported.state = std::move(state);
-  // P0 is the pressure at which jamBashbulk relaxed the packing. Because this target stress is known, complete_import()
-  // uses the default tolerances of equilibrium, which are stricter than those for packings without a known target
-  // stress.
+  // P0 is the pressure at which jamBashbulk relaxed the packing. Because the target stress is known, complete_import()
+  // uses the default tolerances of floc. For packings without a known target stress it uses larger tolerances.
   imported.target_stress_known = true;
   return imported;
 }

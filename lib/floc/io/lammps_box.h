@@ -27,8 +27,8 @@ struct LammpsBox {
   /// Returns the lattice vectors of the box, one list of three components per vector.
   std::vector<std::vector<double>> vectors() const;
 
-  /// Whether LAMMPS accepts this box for a two-dimensional system with all grains at height `z`. LAMMPS requires that
-  /// `z` is 0 and that the box extends equally far above and below z = 0.
+  /// Whether LAMMPS accepts this box for a two-dimensional system in which all grains have the coordinate `z`. LAMMPS
+  /// requires that `z` is 0 and that the box extends equally far above and below z = 0.
   bool has_mid_plane(double z) const { return z == 0.0 && low[2] == -0.5 * side[2]; }
 };
 

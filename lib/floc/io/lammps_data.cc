@@ -35,7 +35,8 @@ struct DataFile {
   std::string title;  ///< first line of the file, which LAMMPS ignores
   std::int64_t n_atoms = -1;
   CsvTable atoms;
-  std::set<std::string> given;  ///< keys of the header lines and names of the sections read so far
+  std::set<std::string>
+      given;  ///< keywords of the header lines, and names of the sections, that have been read so far
 };
 
 std::string without_comment(const std::string& line) {
@@ -104,8 +105,8 @@ void read_header_line(const std::string& place, const std::vector<std::string>& 
 
 using Columns = std::vector<std::string>;
 
-/// For each atom style, names of the columns between the type and the position (LAMMPS manual, read_data, section
-/// Atoms).
+/// For each atom style, names of the columns between the columns of the type and the position (LAMMPS manual,
+/// read_data, section Atoms).
 const std::map<std::string, Columns>& columns_of_styles() {
   static const std::map<std::string, Columns> columns = {
       {"sphere", {"diameter", "density"}},
@@ -208,8 +209,8 @@ std::vector<std::string> words_after(const std::string& title, const std::string
   return tokens;
 }
 
-/// Adds the walls that a title written by floc names, such as "walls at the faces across x and z". A face named after
-/// "open at", such as "open at z+", gets no wall.
+/// Adds the walls that are named in a title written by floc, such as "walls at the faces across x and z". A face named
+/// after "open at", such as "open at z+", gets no wall.
 void add_titled_walls(const std::string& title, ListedSpace& space) {
   std::vector<std::string> across = words_after(title, "across");
   across.erase(std::find(across.begin(), across.end(), "boundary"), across.end());
@@ -222,8 +223,8 @@ void add_titled_walls(const std::string& title, ListedSpace& space) {
         add_wall_at_face(*wall, space), space.exact_walls = true;
 }
 
-/// Returns the cell, the periodicity and the dimension of the packing. A data file has no place for the dimension and
-/// the boundary, which LAMMPS reads from an input script. floc therefore writes them into the title of a data file
+/// Returns the cell, the periodicity and the dimension of the packing. LAMMPS reads the dimension and the boundary from
+/// an input script, and a data file has no place for them. floc therefore writes them into the title of a data file
 /// ("dimension 2", "boundary f f p").
 ListedSpace space_of(const DataFile& data, const std::vector<ListedGrain>& grains) {
   ListedSpace space;
@@ -336,8 +337,8 @@ std::string space_in_words(const std::vector<Wall<Dim>>& walls) {
                      boundary, open);
 }
 
-/// Returns identifiers for the atoms. LAMMPS requires identifiers of 1 or more. If all identifiers of the grains are 1
-/// or more, they are kept. If not, the atoms are numbered 1, 2, ...
+/// Returns identifiers for the atoms. LAMMPS requires identifiers of 1 or more. If all grains satisfy this, the atoms
+/// get the identifiers of the grains; otherwise the atoms are numbered 1, 2, ...
 template <int Dim>
 std::vector<std::int64_t> atom_numbers(const Grains<Dim>& grains) {
   std::vector<std::int64_t> numbers = grains.id;

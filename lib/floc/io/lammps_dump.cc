@@ -29,7 +29,7 @@ constexpr std::string_view kFrameBegins = "ITEM: TIMESTEP";
 /// Lines of one frame of a dump, followed by the first line of the next frame.
 class FrameText {
  public:
-  /// @param first  number (from 1) of the line of the file that is the first line of the frame
+  /// @param first  number (from 1) of the line of the file at which the frame begins
   FrameText(std::string path, int first) : path_(std::move(path)), first_(first) {}
 
   void add(std::string_view line) { lines_.push_back(line); }
@@ -59,15 +59,15 @@ class FrameText {
   PackedStrings lines_;
 };
 
-/// Reads the frames of a dump one by one, because the file may be larger than the memory. Keeps only the last frame
-/// that the function `wanted` selects.
+/// Reads the frames of a dump one by one, because the file may be larger than the memory. Keeps only the last of the
+/// frames that the function `wanted` selects.
 class FrameSearch {
  public:
-  /// @param wanted  function that returns whether a frame is selected; its arguments are the number of the frame (from
-  /// 0) and the text of its time step
+  /// @param wanted  function that returns whether a frame is selected; the arguments of the function are the number of
+  /// the frame (from 0) and the text of the time step
   FrameSearch(const std::string& path, std::function<bool(int, std::string_view)> wanted)
       : path_(path), wanted_(std::move(wanted)) {
-    std::string begun;  // beginning of a line that continues in the next piece of the file
+    std::string begun;  // beginning of a line whose end is in the next piece of the file
     bool first = true;
     read_pieces(path, [&](std::string_view piece) {
       if (std::exchange(first, false)) {
@@ -118,7 +118,7 @@ class FrameSearch {
   std::optional<FrameText> found_;
   int n_lines_ = 0;
   bool begins_ = false;  ///< whether the previous line was the first line of a frame
-  bool keeps_ = false;   ///< whether the lines of the current frame are kept
+  bool keeps_ = false;   ///< whether the current frame is selected, so that its lines are kept
 };
 
 /// One frame of a dump: the time step, the box, and the table of grains or contacts.
@@ -238,7 +238,7 @@ DumpFrame read_frame(const FrameText& dump, const std::string& items) {
   for (std::size_t row = at + 1; row <= at + static_cast<std::size_t>(n); ++row) {
     const std::string what = fmt::format("row {} of {}", row - at, n);
     const std::string_view line = dump.line(row, what);
-    // A line "ITEM:" here is the header of the next frame: the table has too few rows.
+    // If there is a line "ITEM:" here, the next frame begins, and the table has too few rows.
     if (line.starts_with("ITEM:"))
       throw InputError(dump.place(row), fmt::format("the line is \"{}\", expected {}", line, what));
     frame.table.add_row(dump.number(row), tokenize(line));
@@ -303,7 +303,7 @@ std::vector<ListedGrain> grains_of(const DumpFrame& frame, std::map<std::string,
   return grains;
 }
 
-/// Returns the cell and the periodicity of a frame. Both are empty if `options.cell` replaces the box of the frame.
+/// Returns the cell and the periodicity of a frame; both are empty if the user gives the cell (`options.cell`).
 ListedSpace space_of(const DumpFrame& frame, const std::vector<ListedGrain>& grains,
                      const ImportOptions& options) {
   ListedSpace space;

@@ -9,7 +9,7 @@
 
 namespace floc {
 
-/// Whether a file begins with "ITEM: ", as dumps of LAMMPS do.
+/// Whether a file is probably a dump of LAMMPS: it begins with "ITEM: ".
 bool is_lammps_dump(const std::string& path);
 
 /// Reads grains from one frame of a file that the command `dump custom` of LAMMPS wrote. The number of the frame is

@@ -24,12 +24,12 @@ int keyword_index(const Hdf5Reader& file, const std::string& group, const std::s
                                                   fmt::join(known, ", ")));
 }
 
-/// Returns the keys, each once, of the parameters that a state file contains for a slot (a component of the contact
-/// law, such as friction). A file contains the parameters of the model in the slot. The file also contains the
-/// parameters of the models that are written into every file; these parameters are zero if the slot contains another
-/// model.
+/// Returns the keys of the parameters that a state file contains for a slot (a component of the contact law, such as
+/// friction), each key once. These are the parameters of the model in the slot, and the parameters of those models of
+/// the slot that every file lists. The latter parameters are zero if their model is not in the slot.
 /// @param present  index of the model in the slot, -1 if the slot is empty
-/// @param choices  true for parameters whose value is a keyword; false for parameters whose value is a number
+/// @param choices  true to return the parameters whose value is a keyword, false to return those whose value is a
+/// number
 std::vector<std::string> keys_of(const DeclaredSlot& slot, int present, bool choices) {
   std::vector<std::string> keys;
   const auto add = [&](const std::string& key) {
@@ -77,8 +77,8 @@ void write_slot(Hdf5Writer& file, const std::string& group, const DeclaredSlot& 
   }
 }
 
-/// Checks the parameters of a slot that do not belong to the model in the slot: each must have the value zero or "none"
-/// in the file.
+/// Checks that all parameters of a slot, except those of the model in the slot, have the value zero or "none" in the
+/// file.
 /// @param present  index of the model in the slot, -1 if the slot is empty
 /// @throws InputError naming the attribute if a parameter has another value
 void require_nothing_else(const Hdf5Reader& file, const std::string& group, const DeclaredSlot& slot,

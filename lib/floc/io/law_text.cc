@@ -41,11 +41,11 @@ std::vector<std::string> all_keys() {
   return keys;
 }
 
-/// Returns the model of a slot (a component of the contact law, such as friction) that has all of the keys `given` for
-/// this slot. If several models have these keys, the order of preference is: first, models compatible with the models
-/// of the previous slots (`before`); second, models all of whose numbers are given. If no model has all the keys, the
-/// first model of the slot is returned, so that the caller can report the wrong key. Models without parameters, such as
-/// rigid contacts, are never found from keys; the text must name them.
+/// Returns the model of a slot (a component of the contact law, such as friction) that has all the keys in `given`. If
+/// several models have these keys, the order of preference is: first, models compatible with the models of the previous
+/// slots (`before`); second, models whose numbers are all given. If no model has all the keys, the first model of the
+/// slot is returned, so that the caller can report the wrong key. Models without parameters, such as rigid contacts,
+/// are never found from keys; the text must name them.
 const DeclaredModel& described_model(const DeclaredSlot& slot, const std::vector<std::string>& given,
                                      const LawParameters& before) {
   const auto has_all = [&](const DeclaredModel& m) {

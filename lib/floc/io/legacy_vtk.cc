@@ -21,7 +21,7 @@
 namespace floc {
 namespace {
 
-/// Converts a number, stored with the most significant byte first, to a double.
+/// Converts a number of type T, whose bytes are stored with the most significant byte first, to a double.
 template <class T>
 double big_endian(const char* bytes) {
   std::array<char, sizeof(T)> native;
@@ -52,7 +52,8 @@ const std::map<std::string_view, NumberType>& number_types() {
   return types;
 }
 
-/// Content of a file. The functions read it from the beginning to the end, as lines and as arrays of numbers.
+/// Content of a file. The member functions read the content from the beginning to the end, as lines and as arrays of
+/// numbers.
 class Content {
  public:
   explicit Content(const std::string& path) : path_(path), bytes_(read_file(path)), rest_(bytes_) {}
@@ -97,7 +98,7 @@ class Content {
     return values;
   }
 
-  /// Returns the count that word `k` of a line gives.
+  /// Returns the count in word `k` of a line.
   std::size_t count(const std::vector<std::string_view>& words, std::size_t k) const {
     const auto value = k < words.size() ? parse_number<std::int64_t>(words[k]) : std::nullopt;
     if (!value || *value < 0 || *value > 3'000'000'000)

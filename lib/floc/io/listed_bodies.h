@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Reverses the forces, the moments and the image of a listed contact, which is necessary when its two bodies are
-/// exchanged.
+/// Reverses the forces, the moments and the image of a listed contact. This is necessary if the two bodies of the
+/// contact are exchanged.
 void reverse_actions(ListedContact& contact);
 
 /// If one body of a contact is a wall, makes the grain the first and the wall the second body of the contact.

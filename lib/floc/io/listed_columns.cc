@@ -23,7 +23,7 @@ double positive(const CsvTable& table, int row, int column) {
   throw InputError(table.place(row), fmt::format("{} = {}, must be positive", table.columns()[column], value));
 }
 
-/// Returns the index of the column of the quantity `name`, or -1 if there is no such column.
+/// Returns the index of the column for the quantity `name`; -1 if there is no such column.
 int column_if(const NamedColumns& columns, const std::string& name) {
   return columns.has(name) ? columns.column(name) : -1;
 }
@@ -68,8 +68,8 @@ int image_of(const CsvTable& table, int row, int column) {
                                                  table.columns()[column], image));
 }
 
-/// Indices of the columns of a table of contacts. The index of a missing column is -1. A list is empty if its columns
-/// are missing.
+/// Indices of the columns in a table of contacts. The index of a missing column is -1. A list of indices is empty if
+/// its columns are missing.
 struct ContactColumns {
   int id1, id2, normal_force, kn, kt, kr, ktw, bridge_volume, rolling_moment_2d, twisting_moment, gap;
   std::vector<int> image, force, shear_force, rolling_moment, point, normal;
@@ -99,7 +99,7 @@ struct ContactColumns {
 
 /// Reads the two bodies of a contact: the identifiers of two grains, or the identifier of a grain and the name of a
 /// wall, such as "x-".
-/// @return whether the wall is the first body, so that the two bodies must be exchanged
+/// @return whether the first body is a wall; if so, the two bodies must be exchanged
 bool read_bodies(const CsvTable& table, int row, const ContactColumns& columns, ListedContact& c) {
   const auto first = wall_side(table.text(row, columns.id1)), second = wall_side(table.text(row, columns.id2));
   if (first && second)
@@ -130,7 +130,7 @@ ListedContact read_contact(const CsvTable& table, int row, const ContactColumns&
     c.shear_force.reset();
   }
   c.rolling_moment = vector_of(table, row, columns.rolling_moment);
-  // In 2D the rolling moment is a scalar. This moment is stored as the third component of a vector.
+  // In 2D the rolling moment is a scalar. It is stored as the third component of a vector.
   if (columns.rolling_moment_2d >= 0)
     c.rolling_moment = Eigen::Vector3d(0.0, 0.0, table.number(row, columns.rolling_moment_2d));
   c.twisting_moment = number_of(table, row, columns.twisting_moment);
@@ -220,8 +220,8 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns, const std::str
   const CsvTable& table = columns.table();
   std::vector<Quantity> axis = {columns.unit_column("x"), columns.unit_column("y")};
   if (columns.has("z")) axis.push_back(columns.unit_column("z"));
-  // In SI units, lengths are converted to metres if the column x has a unit. Without a unit of x, they are not
-  // converted.
+  // Lengths are converted to the unit of the column x or, in SI units, to metres. If the column x has no unit, they are
+  // not converted.
   const std::string length = units == "SI" && !axis[0].column.unit.empty() ? "m" : axis[0].column.unit;
   for (Quantity& of : axis) of.convert_to(table, length);
   std::vector<int> low;

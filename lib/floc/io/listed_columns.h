@@ -11,27 +11,27 @@
 
 namespace floc {
 
-/// Returns the element of `names` that equals `name` if capital letters count as small letters. Returns `name` itself
-/// if there is no such element, or if `name` is a single letter.
+/// Returns the element of `names` that equals `name` up to the case of the letters. Returns `name` itself if there is
+/// no such element, or if `name` is a single letter.
 std::string any_case(const std::string& name, const std::vector<std::string>& names);
 
 /// A column that gives the size of grains: a radius or a diameter.
 struct SizeColumn {
   const char* name;
-  /// Radius of a grain whose value in this column is 1: 1 for radii and 0.5 for diameters.
+  /// Factor that converts a value in this column to a radius: 1 for radii, 0.5 for diameters.
   double radius_of_one;
 };
 
-/// Returns the columns of a table that give the size of grains. Such columns are radius, r and diameter; if the user
-/// renamed some of them, only the renamed columns are returned. The first returned column sets the radius; the others
-/// must agree with it (require_same_size()).
+/// Returns the columns of a table that give the size of grains: radius, r and diameter. If the user renamed some of
+/// these columns, only the renamed columns are returned. The first returned column sets the radius; the others must
+/// agree with it (require_same_size()).
 /// @param has  function that returns whether the table has a column with a given name
 /// @param given  names of columns that the user gave; the key is the name that floc uses
 std::vector<SizeColumn> size_columns(const std::function<bool(const std::string&)>& has,
                                      const std::map<std::string, std::string>& given);
 
-/// Checks that two columns, `one` and `other`, agree about the size of a grain: the first gives `radius`, the second
-/// `other_radius`.
+/// Checks that two columns agree about the size of a grain. According to the column `one`, the radius of the grain is
+/// `radius`; according to the column `other`, it is `other_radius`.
 /// @param place  place of the grain in messages
 /// @throws InputError if the two radii differ by more than the rounding error of six digits
 void require_same_size(const FileLine& place, const SizeColumn& one, double radius, const SizeColumn& other,
@@ -52,7 +52,7 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns, const std::str
 /// denotes several columns, the components of a vector. For example, image1.. denotes image1, image2 and, in 3D,
 /// image3.
 ///   image1..         displacement of grain id2 along the lattice vectors, in numbers of cells
-///   force1..         total force on grain id1, or its normal force if the table also has shear_force1..
+///   force1..         total force on grain id1; if the table also has shear_force1.., normal force on grain id1
 ///   normal_force     normal force; replaces force1..
 ///   shear_force1..   tangential force on grain id1, in addition to normal_force or force1..
 ///   rolling_moment   rolling moment on grain id1 in 2D; in 3D the columns rolling_moment1..3
@@ -68,13 +68,13 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns, const std::str
 std::vector<ListedContact> read_contacts(const NamedColumns& columns, int dimension,
                                          const std::string& units = "reduced");
 
-/// Return the names of the columns in a table of grains, or in a table of contacts. These names help to find the header
-/// of a table.
+/// Return the names of the columns in a table of grains (grain_names()) or contacts (contact_names()). These names help
+/// to find the header of a table.
 std::vector<std::string> grain_names();
 std::vector<std::string> contact_names();
 
-/// Check that the user renamed only columns that floc reads: the first function checks columns of grains, the second
-/// columns of contacts.
+/// Check that the user renamed only columns that floc reads: check_grain_columns() in tables of grains,
+/// check_contact_columns() in tables of contacts.
 /// @param option  name of the option with which the user renamed columns, for messages
 /// @param given  names of columns that the user gave; the key is the name that floc uses
 /// @throws InputError naming `option` if a key of `given` is not the name of a column that floc reads

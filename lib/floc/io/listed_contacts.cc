@@ -31,15 +31,15 @@ constexpr double kRounding = 1e-15;
 /// A force below this fraction of the largest listed force counts as a rounding error.
 constexpr double kNoForce = 1e-9;
 /// Two grains cannot be in contact if the gap between them exceeds the range of the law by more than this fraction of
-/// the mean of their radii. The fraction is large because a file may have few digits.
+/// their mean radius. The fraction is large because a file may have few digits.
 constexpr double kFarthestGap = 0.1;
-/// If a file lists both a normal force and a total force for a contact, the normal component of the total force may
-/// differ from the normal force by this fraction of the total force. If positions are rounded to six digits, the
-/// contact normal rotates, and the component changes by less than this fraction.
+/// Largest accepted difference, divided by the total force, between the normal force of a contact and the normal
+/// component of its total force, if a file lists both forces. If positions are rounded to six digits, the contact
+/// normal rotates, and the normal component changes by less than this fraction.
 constexpr double kSameForce = 1e-3;
 
-/// Whether the two grains of a contact must be exchanged, so that the grain with the lower index comes first. For a
-/// contact of a grain with its own image, this is true if find_pairs() uses the opposite image.
+/// Whether the two grains of a contact must be exchanged so that the grain with the lower index comes first. For a
+/// contact of a grain with its own image, the answer is true if find_pairs() uses the opposite image.
 template <int Dim>
 bool is_reversed(const Contact<Dim>& c) {
   if (c.i != c.j) return c.i > c.j;
@@ -53,7 +53,8 @@ struct GivenForces {
   std::optional<double> normal;
   std::optional<Vec<Dim>> shear;
   std::optional<RotationVector<Dim>> rolling;
-  std::optional<double> twisting;  ///< twisting moment; its sign does not depend on the order of the two grains
+  std::optional<double>
+      twisting;  ///< twisting moment; its sign does not change if the two grains are exchanged
 };
 
 template <int Dim>
@@ -116,7 +117,7 @@ void set_forces(const Packing<Dim>& packing, const ListedContact& listed, const 
   if (listed.ktw && law.has_twisting() && !c.distant) c.ktw = *listed.ktw;
 }
 
-/// Checks one stiffness that a file may list for a contact.
+/// Checks one stiffness of a contact, if the file lists it.
 /// @param name  name of the column of the stiffness
 /// @param right  whether `value` is allowed
 /// @param expected  description of the allowed values, for the message
@@ -204,7 +205,7 @@ class ListedContacts {
     return counts;
   }
 
-  /// Throws if a contact was left out because its force is tensile and the law has no adhesion.
+  /// Throws if at least one contact was left out because its force is tensile and the law has no adhesion.
   /// @throws InputError naming the first of these contacts
   void require_no_tensile() const {
     if (counts_.n_tensile == 0) return;
@@ -244,18 +245,19 @@ class ListedContacts {
             row.id1, row.wall->name()));
   }
 
-  /// Returns whether the force of a contact is tensile although its law has no adhesion, so that the contact is left
-  /// out. Counts the contacts for which this is true.
+  /// Returns whether a contact must be left out because its force is tensile and its law has no adhesion. Counts these
+  /// contacts.
   bool pulls_without_adhesion(const ListedContact& row, double normal_force, const Contact<Dim>& c) {
     if (normal_force >= -kNoForce * largest_force_ || packing_.law_of(c).adheres()) return false;
     if (counts_.n_tensile++ == 0) first_tensile_ = {&row, normal_force};
     return true;
   }
 
-  /// Makes the contact at one contact point of grains with corners. Returns nothing if the contact is left out.
+  /// Makes the contact at one contact point of two grains with corners. Returns nothing if the contact is left out.
   std::optional<Contact<Dim>> point(const ListedContact& row, Contact<Dim> c) {
     if (row.bond)
-      throw InputError(row.place.text(), "bonds join disks and spheres, but the grains have corners");
+      throw InputError(row.place.text(),
+                       "bonds are possible only between disks or spheres, but the grains have corners");
     require_one_image(row, c);
     const bool reversed = put_in_order(c);
     place_point(row, reversed, packing_, c);
@@ -304,8 +306,8 @@ class ListedContacts {
     return c;
   }
 
-  /// Makes a contact across a boundary that rotates one of the two grains. No lattice translation brings these grains
-  /// into contact. The contact keeps the listed force and has no stiffness.
+  /// Makes a contact across a boundary at which grains are rotated when they cross it. No lattice translation brings
+  /// the two grains together. The contact keeps the listed force and has no stiffness.
   Contact<Dim> distant_force(const ListedContact& row, Contact<Dim> c) {
     const bool reversed = put_in_order(c);
     floc::place(locate(packing_, c), c);
@@ -349,7 +351,7 @@ class ListedContacts {
                      by_law, fmt::format("{}-{}", row.id1, second_name(row)));
   }
 
-  /// Returns the largest magnitude of the forces that are listed for a contact.
+  /// Returns the magnitude of the largest force that is listed for a contact.
   static double force_of(const ListedContact& row) {
     const auto norm = [](const std::optional<Eigen::Vector3d>& v) { return v ? v->norm() : 0.0; };
     return std::max({norm(row.force), std::abs(row.normal_force.value_or(0.0)), norm(row.shear_force)});
@@ -403,8 +405,7 @@ class ListedContacts {
   }
 
   /// Checks the distance between the grains of a contact.
-  /// @throws InputError if the grains are so far apart that an int may be too small for the number of cells between
-  /// them
+  /// @throws InputError if the number of cells between the grains may be too large for an int
   void require_within_reach(const Contact<Dim>& c) const {
     const Vec<Dim> apart = packing_.grains.position[c.j] - packing_.grains.position[c.i];
     if (packing_.cell.reduced(apart).cwiseAbs().maxCoeff() < kFarthestImage) return;
@@ -416,7 +417,7 @@ class ListedContacts {
   }
 
   /// Checks the periodic image of the second grain that set_image() has chosen for a contact.
-  /// @throws InputError if the image is not the listed one and another image may be equally near
+  /// @throws InputError if the image is not the listed image and another image may be equally near
   void require_one_image(const ListedContact& row, const Contact<Dim>& c) const {
     if (row.wall) return;
     const double distance = branch(packing_, c).norm();

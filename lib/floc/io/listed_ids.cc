@@ -25,8 +25,8 @@ Identifiers::Identifiers(const ListedPacking& listed) : listed_(listed) {
   index_.reserve(grains.size());
   for (const ListedGrain& grain : grains) index_.emplace_back(grain.id, static_cast<int>(index_.size()));
   std::sort(index_.begin(), index_.end());
-  // If several identifiers are repeated, the error names the first grain in the file that has the identifier of an
-  // earlier grain.
+  // If several identifiers are repeated, the error names the first grain in the file whose identifier belongs to an
+  // earlier grain, too.
   int twice = static_cast<int>(grains.size());
   for (std::size_t k = 1; k < index_.size(); ++k)
     if (index_[k].first == index_[k - 1].first) twice = std::min(twice, index_[k].second);

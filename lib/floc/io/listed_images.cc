@@ -32,8 +32,8 @@ Vec<Dim, int> whole_cells(const FileLine& place, const Vec<Dim>& cells) {
 
 template <int Dim>
 double smallest_width(const Packing<Dim>& packing) {
-  // Each column of the inverse of the cell matrix is normal to a pair of opposite faces of the cell. The length of the
-  // column is the inverse of the distance between these faces.
+  // Each column of the inverse cell matrix is normal to a pair of opposite faces of the cell. The length of the column
+  // is the inverse of the distance between these faces.
   const Mat<Dim> inverse = packing.cell.matrix.inverse();
   double steepest = 0.0;
   for (int a = 0; a < Dim; ++a)

@@ -22,7 +22,7 @@ namespace floc {
 namespace {
 
 /// Lattice vectors count as linearly dependent if the volume of the cell, divided by the product of the lengths of the
-/// vectors, is below this rounding error.
+/// vectors, is below this number, which allows for rounding.
 constexpr double kFlat = 1e-12;
 
 template <int Dim>
@@ -123,8 +123,8 @@ bool lists_liquid(const ListedPacking& listed) {
                      [](const ListedContact& c) { return c.bridge_volume.has_value(); });
 }
 
-/// Reports an inconsistency if the sum of the listed volumes of liquid bridges differs from the volume of liquid that
-/// the water content of the law gives. Rounding errors of six digits are accepted.
+/// Compares the total volume of the listed liquid bridges with the volume of liquid that follows from the water content
+/// of the law. Reports an inconsistency if the two differ. Rounding errors of six digits are accepted.
 template <int Dim>
 void add_doubt_of_liquid(const Packing<Dim>& packing, std::vector<std::string>& inconsistencies) {
   constexpr double kDigits = 1e-6;
@@ -168,8 +168,8 @@ Imported assemble_in(const ListedPacking& listed) {
   return imported;
 }
 
-/// Adds `wall_contacts`, the contacts with walls in the file of the grains, to `contacts`. If the packing has walls but
-/// still no contact with a wall, records that the contacts with walls must be found from the geometry.
+/// Adds `wall_contacts`, the contacts with walls in the file of the grains, to `contacts`. If the packing then has
+/// walls but no contact with a wall, records that the contacts with walls must be found from the geometry.
 void add_wall_contacts(ListedPacking& listed) {
   std::vector<ListedContact>& contacts = *listed.contacts;
   contacts.insert(contacts.end(), listed.wall_contacts.begin(), listed.wall_contacts.end());

@@ -21,7 +21,7 @@ struct ListedGrain {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();      ///< centre, which may lie outside the cell (length)
   Eigen::Vector3d position_low = Eigen::Vector3d::Zero();  ///< exact position in the file minus `position`
   double radius = 0.0;                                     ///< radius (length)
-  /// Mass. If absent, the mass of a disk is diameter^2, and the mass of a sphere is diameter^3. Without masses, a grain
+  /// Mass. If absent, the mass of a disk is diameter^2, and the mass of a sphere is diameter^3. In this case, a grain
   /// of another shape has the density of these disks or spheres.
   std::optional<double> mass;
   std::optional<ListedPose> pose;  ///< shape and orientation of a grain with corners, see set_shape()
@@ -36,8 +36,8 @@ struct ListedContact {
   std::optional<WallSide> wall;  ///< wall that grain id1 touches; if absent, grain id1 touches grain id2
   /// whether the contact is a bond; a bond acts at any gap, independent of the law
   bool bond = false;
-  /// Whether grain id2 touches grain id1 across a boundary that rotates the grains that cross it, so that no lattice
-  /// translation brings the two grains into contact. The contact keeps its force and has no stiffness.
+  /// Whether grain id2 touches grain id1 across a boundary at which grains are rotated when they cross it. No lattice
+  /// translation brings the two grains together. The contact keeps its force and has no stiffness.
   bool across_no_lattice = false;
   /// Periodic image of grain id2 that touches grain id1, in numbers of cells along the lattice vectors. The centre of
   /// this image is x[id2] + image * cell, where x[id2] is the position listed in the file. If absent, the image nearest
@@ -78,14 +78,16 @@ struct ListedPacking {
   ListedShapes shapes;
   std::optional<std::vector<ListedContact>> contacts;
   std::vector<ListedContact> bonds;  ///< contacts that act across gaps, in addition to `contacts`
-  /// Contacts with walls that are listed in the file of the grains; a file of contacts may list others.
+  /// Contacts with walls in the file of the grains. A file of contacts may list more contacts with walls.
   std::vector<ListedContact> wall_contacts;
-  /// Whether the files list no contacts with walls. If true, these contacts are found from the geometry.
+  /// Whether the packing has walls, but no contacts with walls are listed. If true, these contacts are found from the
+  /// geometry.
   bool lacks_wall_contacts = false;
   Law law;
   std::optional<Law> wall_law;  ///< law of contacts with walls; if absent, `law` applies to them
   std::string units;            ///< "reduced" or "SI"
-  /// time step of the grains, which selects the contacts if a file of contacts contains several time steps
+  /// time step of the grains. If a file of contacts contains several time steps, the contacts of this time step are
+  /// read
   std::optional<std::int64_t> timestep;
   bool drop_tensile = false;         ///< whether tensile contacts are left out, see ImportOptions
   std::vector<std::string> remarks;  ///< sentences for the user, see Imported
@@ -98,8 +100,8 @@ struct ListedPacking {
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
 };
 
-/// Returns a new ListedPacking for the file `path`. Sets the name of the file and, from the options, the laws, the
-/// units and whether tensile contacts are left out.
+/// Returns a new ListedPacking for the file `path`. Sets `place` to the name of the file, and sets the laws, `units`
+/// and `drop_tensile` from the options.
 /// @throws InputError if the options give no contact law
 ListedPacking listed_packing(const std::string& path, const ImportOptions& options);
 
@@ -125,8 +127,8 @@ Imported assemble(const ListedPacking& listed);
 
 /// Assembles a packing from the ListedPacking that a reader has filled. Settles the space, reads the file of contacts
 /// if the options name one, and calls the function above. The contacts in the file of contacts replace the member
-/// `contacts`, and `wall_contacts` are added. If still no contact is with a wall, the contacts with walls are found
-/// from the geometry.
+/// `contacts`, and `wall_contacts` are added. If the packing then has walls but no contact with a wall, the contacts
+/// with walls are found from the geometry.
 /// @throws InputError under the conditions of settle_space(), read_contact_file() and assemble()
 Imported assemble(ListedPacking listed, const ImportOptions& options);
 

@@ -15,15 +15,14 @@
 namespace floc {
 namespace {
 
-/// Largest accepted distance by which a contact point lies outside the circumscribed circle or sphere of a grain,
-/// divided by the radius of this circle or sphere. The distance may be large because a file may have few digits, and
-/// because the point may lie on the surface of the other grain.
+/// Largest accepted distance of a contact point from the circumscribed circle or sphere of a grain, if the point is
+/// outside, divided by the radius of this circle or sphere. This number is large because a file may have few digits,
+/// and because the point may lie on the surface of the other grain.
 constexpr double kFarthestPoint = 0.1;
-/// A listed contact point that corresponds to no contact point of the two shapes has this number, or a larger one, as
-/// its key.
+/// Smallest key of a listed contact point that corresponds to no contact point of the two shapes.
 constexpr int kFirstFreeKey = kMostFaces << 21;
-/// If the distance between a contact point of floc and one of another program is at most this fraction of the smaller
-/// radius, the two count as the same point.
+/// A contact point of floc and a contact point of another program count as the same point if their distance is at most
+/// this fraction of the smaller radius.
 constexpr double kOnePointShare = 0.25;
 
 /// Subtracts lattice vectors from a vector, so that its reduced coordinates along the periodic axes are at most 1/2 in

@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Sets the point, the normal and the gap of a contact of grains with corners to those that a file lists. If the normal
-/// or the gap is not listed, it is computed from the shapes at the point.
+/// Sets the point, the normal and the gap of a contact of grains with corners to the listed values. If the normal or
+/// the gap is not listed, it is computed from the shapes at the point.
 /// @param reversed  whether the first grain of the contact is the second body in the row
 /// @throws InputError if the row contains no point, or if the point is too far from one of the two bodies
 template <int Dim>

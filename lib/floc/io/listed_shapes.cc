@@ -24,7 +24,7 @@ void set_shape_in(const Shape<Dim>& shape, const Eigen::Vector3d& origin, const 
   pose.axes.topLeftCorner<Dim, Dim>() = plane_of<Dim>(turn) * shape.axes;
 }
 
-/// Returns the largest coordinate (length), along a direction, of the points of a shape that is centred at the origin.
+/// For a shape centred at the origin, returns the largest coordinate (length) of its points along a direction.
 template <int Dim>
 double reach_of(const Shape<Dim>& shape, const ListedPose& pose, const Vec<Dim>& direction) {
   return pose.scale * extent<Dim>(shape, plane_of<Dim>(pose.axes).transpose() * direction);

@@ -11,8 +11,8 @@ namespace floc {
 struct ListedGrain;
 struct ListedPacking;
 
-/// Tables of the shapes of grains in a listed packing, one table for each dimension. Only the table for the dimension
-/// of the packing is used. Both tables are empty if all grains are disks or spheres.
+/// Shapes of the grains in a listed packing: one table for two and one for three dimensions. Only the table for the
+/// dimension of the packing is used. Both tables are empty if all grains are disks or spheres.
 struct ListedShapes {
   std::vector<Shape<2>> in_2d;
   std::vector<Shape<3>> in_3d;
@@ -36,11 +36,13 @@ struct ListedPose {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
 };
 
-/// Gives a listed grain a shape: sets the position (the centre of mass), the radius and the pose of the grain.
+/// Assigns a shape to a listed grain, that is, sets the position (the centre of mass), the radius and the pose of the
+/// grain.
 /// @param shape  index of the shape in the table for the dimension of the packing
 /// @param scale  factor by which the shape is magnified, > 0
-/// @param origin  position in space of the origin of the coordinates from which the shape was made (length)
-/// @param turn  rotation from the coordinates from which the shape was made to the coordinates of space
+/// @param origin  position (length) in space of the point that was the origin of the coordinates when the shape was
+/// made
+/// @param turn  rotation from the coordinates in which the shape was made to the coordinates of space
 void set_shape(const ListedShapes& shapes, int shape, double scale, const Eigen::Vector3d& origin,
                const Eigen::Matrix3d& turn, ListedGrain& grain);
 

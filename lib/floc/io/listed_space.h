@@ -52,7 +52,7 @@ struct ListedSpace {
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< acceleration due to gravity (length/time^2)
 };
 
-/// Returns the ends of an axis of `space`. If there are none yet, adds open ends.
+/// Returns the ends of an axis of `space`. If the axis is not in `space.ends` yet, adds it with open ends.
 ListedEnds& ends_along(int axis, ListedSpace& space);
 
 /// Adds a wall at a position on its axis. The other end of the axis is open unless it gets a wall, too.
@@ -62,15 +62,15 @@ void add_wall(const WallSide& wall, double position, ListedSpace& space);
 /// @pre the cell is given
 void add_wall_at_face(const WallSide& wall, ListedSpace& space);
 
-/// The entries of the option `--walls`: axes, which parse_walls() reads, and names of files of other programs that
-/// describe walls.
+/// The entries of the option `--walls`: axes, for parse_walls(), and names of files of other programs that describe
+/// walls.
 struct WallOption {
   std::string axes;
   std::vector<std::string> files;
 };
 
-/// Separates the entries of the option `--walls`. An entry is the name of a file if it does not describe an axis and
-/// either contains a dot or is the path of an existing file.
+/// Separates the entries of the option `--walls` into axes and names of files. An entry is the name of a file if it
+/// does not describe an axis and either contains a dot or is the path of an existing file.
 WallOption split_walls(const std::string& text);
 
 /// Reads the axes in the option `--walls`. The text lists axes that are not periodic, separated by commas. Each entry
@@ -80,7 +80,7 @@ WallOption split_walls(const std::string& text);
 ///   x-, x+    a wall at the lower or upper face across x; the other end is open
 ///   x=0:10    walls at x = 0 and x = 10; an end without a number is open
 ///
-/// @param space  space with the box to whose faces entries such as "x" refer
+/// @param space  space that contains the box; entries such as "x" refer to faces of this box
 /// @param n_axes  dimension of the packing
 /// @throws InputError for an entry of another form, an axis given twice, a face of a box that is not given, or walls in
 /// the wrong order

@@ -51,8 +51,8 @@ class DatFile {
 
   bool has(std::string_view key) const { return line_.find(key) != std::string_view::npos; }
 
-  /// Returns the number after `key` and an optional equals sign. As in output of Fortran, the exponent may begin with
-  /// D, and the blank before the number may be missing.
+  /// Returns the number that follows `key` and an optional equals sign. As in output of Fortran, the exponent may begin
+  /// with D, and the blank before the number may be missing.
   double number(std::string_view key) const {
     const std::size_t at = line_.find(key);
     if (at == std::string_view::npos) throw InputError(place(), fmt::format("the line has no \"{}\"", key));
@@ -156,7 +156,7 @@ void read_contactor(const DatFile& file, Body& body) {
   }
 }
 
-/// Checks that a polygon or polyhedron has the numbers of vertices and faces that its first line gives.
+/// Checks the numbers of vertices and faces of a polygon or polyhedron: they must be those in its first line.
 void require_whole(const Body& body) {
   if (body.has_corners() &&
       (std::ssize(body.vertices) != body.n_vertices || std::ssize(body.faces) != body.n_faces))
@@ -187,7 +187,7 @@ std::vector<Body> read_bodies(const std::string& path) {
       read_contactor(file, bodies.back());
     }
   }
-  // In some files, the last line begins a body whose data are missing.
+  // In some files, a last body begins, but its data are missing.
   if (!bodies.empty() && bodies.back().id == 0) {
     bodies.pop_back();
     open = false;

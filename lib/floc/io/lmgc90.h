@@ -18,8 +18,8 @@ std::string lmgc90_bodies(const std::string& path);
 /// with their forces (Vloc_Rloc.INI). The last three files may be missing. Bars (JONCx) and plates (PLANx) along an
 /// axis are walls. Let n be the normal of a contact, t and s the two tangents in 3D, and t = (n2, -n1) the tangent in
 /// 2D. The force on the first body (candidate) is rln n + rlt t in 2D, and rln n + rlt t + rls s in 3D, with the
-/// numbers rln, rlt and rls in the file. `options.law` is required. The files do not say which directions are periodic,
-/// because the script of a run sets them; `options.cell` gives the periodic cell.
+/// numbers rln, rlt and rls in the file. `options.law` is required. The files do not contain the periodic directions,
+/// which the script of a run sets; `options.cell` gives the periodic cell.
 /// @throws InputError naming file and line for a malformed file, or for a body of another kind
 Imported read_lmgc90(const std::string& path, const ImportOptions& options);
 

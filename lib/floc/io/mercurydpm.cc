@@ -111,7 +111,7 @@ class RestartFile {
   std::map<std::string, std::vector<Line>> sections_;
 };
 
-/// Returns the axis that is parallel to a vector; nothing if no axis is.
+/// Returns the axis that is parallel to a vector; nothing if no axis is parallel to it.
 std::optional<int> axis_of(const Eigen::Vector3d& v) {
   for (int a = 0; a < 3; ++a) {
     Eigen::Vector3d rest = v;
@@ -131,8 +131,8 @@ Eigen::Vector3d wall_normal(const KeyedLine& line) {
 }
 
 /// Reads the walls of a file.
-/// @return for each wall of the file, the end of the axis at which the wall lies; absent if the wall is left out, such
-/// as a wall across z in a packing of disks
+/// @return for each wall of the file, the end of the axis at which the wall lies; absent if the wall is left out. For
+/// example, a wall across z is left out in a packing of disks
 std::vector<std::optional<WallSide>> read_walls(const RestartFile& file, bool replaced, int dimension,
                                                 ListedSpace& space) {
   std::vector<std::optional<WallSide>> walls;
@@ -151,8 +151,8 @@ std::vector<std::optional<WallSide>> read_walls(const RestartFile& file, bool re
     const WallSide side{*axis, normal[*axis] > 0.0 ? 1 : -1};
     walls.back() = side;
     if (replaced) return;
-    // A recent file gives a point on the plane; an older file gives the distance of the plane from the origin, along
-    // the normal.
+    // A recent file contains a point on the plane; an older file contains the distance of the plane from the origin,
+    // along the normal.
     const double position =
         line.has("normal") ? side.side * line.number("position") : line.vector("position")[*axis];
     ListedEnds& ends = ends_along(*axis, space);
@@ -188,7 +188,7 @@ void add_periodic_boundary(const KeyedLine& line, ListedSpace& space) {
       line.number(line.has("distanceLeft") ? "distanceLeft" : "position_left") * normal[*axis];
 }
 
-/// Sets the cell from a Lees-Edwards boundary: the next periodic image along y is displaced along x by the shift of the
+/// Sets the cell from a Lees-Edwards boundary. The second lattice vector is displaced along x by the shift of the
 /// boundary.
 void add_lees_edwards(const KeyedLine& line, ListedSpace& space) {
   const double left = line.number("left"), down = line.number("down");

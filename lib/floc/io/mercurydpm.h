@@ -14,11 +14,11 @@ bool is_mercurydpm(const std::string& path);
 /// Reads a packing from a restart file of MercuryDPM: particles, interactions with their forces, walls that are planes
 /// perpendicular to an axis (InfiniteWall), periodic and Lees-Edwards boundaries, and gravity. A Lees-Edwards cell
 /// becomes a skewed cell: its second lattice vector is displaced along x by the shift of the boundary, modulo the
-/// length of the cell. A boundary that rotates the grains that cross it (AngledPeriodicBoundary) cannot be represented
-/// by a cell. A packing with this boundary is read as a packing with open ends, with the contacts that the file lists.
-/// The forces in the file include the forces of dashpots. `options.law` is required; the species in the file are not
-/// read. `options.contacts` may name the .fstat file of the run, in which the grains are numbered in the order of the
-/// restart file.
+/// length of the cell. A boundary at which grains are rotated when they cross it (AngledPeriodicBoundary) cannot be
+/// represented by a cell. A packing with such a boundary is read as a packing with open ends and with the listed
+/// contacts. The forces in the file include the forces of dashpots. `options.law` is required; the species in the file
+/// are not read. `options.contacts` may name the .fstat file of the run, in which the grains are numbered in the order
+/// of the restart file.
 /// @throws InputError naming file and line if the file is malformed, or if it contains walls of other kinds and the
 /// option `walls` is not given
 Imported read_mercurydpm(const std::string& path, const ImportOptions& options);

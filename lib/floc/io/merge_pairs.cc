@@ -16,8 +16,8 @@ namespace {
 /// order of the two grains.
 using Pair = std::tuple<std::int64_t, std::int64_t, int, int, int>;
 
-/// Whether the bodies of a contact are in ascending order of their identifiers. For a grain and its own image, the sign
-/// of the image decides.
+/// Whether the two bodies of a contact are in ascending order of their identifiers. For a grain and its own image, the
+/// sign of the image decides.
 bool ascending(const ListedContact& c) {
   const Eigen::Vector3i none = Eigen::Vector3i::Zero();
   if (c.id1 != c.id2 || !c.image) return c.id1 <= c.id2;
@@ -68,8 +68,8 @@ std::string merge_pairs(std::vector<ListedContact>& contacts) {
   const std::size_t n_read = contacts.size();
   contacts = std::move(kept);
   return fmt::format(
-      "{} of the {} contacts listed are second rows of a pair and are left out; {} of these second rows "
-      "contradict the forces in the first row",
+      "{} of the {} listed contacts repeat an earlier pair of grains and are left out; {} of these contacts "
+      "contradict the forces in the earlier row of the pair",
       n_merged, n_read, n_different);
 }
 

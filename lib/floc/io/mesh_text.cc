@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Surfaces of the grains of a packing, made of flat faces.
+/// Surfaces of the grains of a packing; each surface consists of flat faces.
 class GrainSurfaces {
  public:
   explicit GrainSurfaces(const Grains<3>& grains) : grains_(grains) {

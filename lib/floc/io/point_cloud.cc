@@ -48,7 +48,7 @@ class PointArray {
   std::vector<double> values_;
 };
 
-/// Returns the name that an array has in the file, or an empty text if the file has no such array.
+/// Returns the name, in the file, of the array that floc calls `name`; an empty text if the file has no such array.
 std::string find_array(const PointCloud& cloud, const ImportOptions& options, const std::string& name) {
   if (const auto given = options.columns.find(name); given != options.columns.end()) return given->second;
   const std::string found = any_case(name, cloud.arrays);

@@ -27,7 +27,7 @@ namespace {
 /// from a vertex, edge or face of the mesh is at most the member `rounding` of the mesh.
 using RockableShapes = std::map<std::string, Mesh<3>>;
 
-/// Whether a shape is a sphere, that is, has one vertex only, at its centre.
+/// Whether a shape is a sphere, that is, its only vertex is at its centre.
 bool is_sphere(const Mesh<3>& shape) {
   return shape.vertices.size() == 1 && shape.vertices.front().isZero(0.0);
 }
@@ -156,8 +156,8 @@ Configuration read_configuration(const std::string& path) {
   return out;
 }
 
-/// Adds a wall in place of a driven body whose shape is a flat face perpendicular to an axis. The wall is at the
-/// surface of the body that faces the point `middle`.
+/// Adds a wall in place of a driven body whose shape is a flat face perpendicular to an axis. The position of the wall
+/// is that of the surface on the side of the point `middle`.
 WallSide add_face(const RockableBody& body, const Mesh<3>& shape, const Eigen::Vector3d& middle,
                   ListedSpace& space) {
   constexpr double kThin = 1e-9;
@@ -177,8 +177,8 @@ WallSide add_face(const RockableBody& body, const Mesh<3>& shape, const Eigen::V
   return wall;
 }
 
-/// Shapes of the bodies of a configuration. A shape is added to the table of shapes of the packing when a grain first
-/// needs it.
+/// Shapes of the bodies in a configuration. A shape is added to the table of shapes of the packing when the first grain
+/// with this shape is made.
 class Bodies {
  public:
   explicit Bodies(const std::string& path) : path_(path), meshes_(read_rockable_shapes(path)) {}
@@ -190,7 +190,7 @@ class Bodies {
                      fmt::format("the shape {} is not in the file of shapes, {}", body.shape, path_));
   }
 
-  /// Returns the index that the shape of a body has in the packing's table of shapes. Adds the shape to the table if it
+  /// Returns the index of the shape of a body in the table of shapes of the packing. Adds the shape to the table if it
   /// is new.
   int index(const RockableBody& body, ListedPacking& listed) {
     const auto [at, is_new] = indices_.try_emplace(body.shape, static_cast<int>(listed.shapes.in_3d.size()));

@@ -15,7 +15,7 @@ bool is_rockable(const std::string& path);
 /// normal n of an interaction points from j to i, and the force on i is fn n + ft. `options.law` is required; the
 /// parameters of the force law in the file are not read.
 /// @throws InputError naming file and line for a malformed file, or for a shape with corners whose coordinates do not
-/// have the origin at the centre of mass and the axes along the principal axes
+/// have their origin at the centre of mass and their axes along the principal axes of inertia
 Imported read_rockable(const std::string& path, const ImportOptions& options);
 
 }  // namespace floc

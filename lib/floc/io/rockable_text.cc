@@ -211,7 +211,8 @@ class ConfigurationText {
 
   const Packing<3>& packing_;
   std::string path_;
-  std::vector<int> plates_;  ///< for each wall that is not open, the index by which contacts refer to it
+  std::vector<int>
+      plates_;  ///< for each wall that is not an open end, the index by which contacts refer to the wall
   double plate_radius_ = 0.0;
 };
 

@@ -24,9 +24,9 @@ static_assert(kSealBegin.size() + 64 + kSealEnd.size() == kSealSize);
 
 constexpr std::string_view kHdf5Signature = "\x89HDF\r\n\x1a\n";
 
-/// Whether the HDF5 library can open the file at this path. Standard input, pipes, and files that exist only in memory
-/// (entries of /proc without a file name) must be copied first. The library cannot open files that exist only in
-/// memory, because it resolves symbolic links.
+/// Whether the HDF5 library can open the file at this path. Other content must be copied to a file first: standard
+/// input, pipes, and files that exist only in memory (entries of /proc without a file name). The library cannot open
+/// files that exist only in memory, because it resolves symbolic links.
 bool is_plain_file(const std::string& path) {
   std::error_code error;
   return path != "-" && std::filesystem::is_regular_file(path, error) &&
@@ -41,8 +41,8 @@ std::unique_ptr<TemporaryFile> copy_of(const std::string& path) {
   return copy;
 }
 
-/// Reads up to `n` bytes of a file from the position `offset` into `buffer`. Returns the bytes read; they are fewer
-/// than `n` if the file ends earlier.
+/// Reads up to `n` bytes of a file from the position `offset` into `buffer`. Returns the bytes read: `n` bytes, or
+/// fewer if the file ends earlier.
 std::string_view read_at(int fd, const std::string& path, std::size_t offset, std::size_t n,
                          std::vector<char>& buffer) {
   buffer.resize(n);

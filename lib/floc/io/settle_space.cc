@@ -14,8 +14,8 @@
 namespace floc {
 namespace {
 
-/// Largest overlap of a sphere with its own periodic image along z, divided by its diameter. Grains with a larger
-/// overlap are taken as disks, for which the height of the cell has no meaning.
+/// Largest overlap of a sphere with its own periodic image along z, divided by the diameter of the sphere. Grains with
+/// a larger overlap are taken as disks, for which the height of the cell has no meaning.
 constexpr double kDeepestOverlap = 0.1;
 
 /// Largest accepted difference in z between disks, divided by the smallest diameter. This difference is not zero
@@ -34,7 +34,7 @@ bool tilts_along_z(const std::vector<std::vector<double>>& cell) {
   return cell[0][2] != 0.0 || cell[1][2] != 0.0 || cell[2][0] != 0.0 || cell[2][1] != 0.0;
 }
 
-/// Guesses whether grains that all have the same z are disks or spheres.
+/// For grains that all have the same z, guesses whether they are disks or spheres.
 /// @param height  distance of a grain from its periodic image along z; a sphere with a diameter above `height` overlaps
 /// its image
 /// @param mid_plane  whether the grains lie halfway between the lower and the upper face of the cell across z
@@ -92,8 +92,8 @@ int dimension_of(const ImportOptions& options, ListedPacking& listed) {
   return guess.dimension;
 }
 
-/// Sets the lattice vectors of `listed` to those of the option `--cell` or, without this option, to those of the file.
-/// If neither gives a cell, the list of vectors is empty.
+/// Sets the lattice vectors of `listed` from the option `--cell` or, without this option, from the file. If neither
+/// gives a cell, the list of vectors is empty.
 void set_cell(const ImportOptions& options, int dimension, ListedPacking& listed) {
   const ListedSpace& space = listed.space;
   listed.cell_place = options.cell.empty() ? space.place : "--cell";
@@ -106,9 +106,10 @@ void set_cell(const ImportOptions& options, int dimension, ListedPacking& listed
                                                 "two dimensions; give --dimension 3 to make the grains spheres",
                                                 a + 1, vector[2]));
     if (space.positive_sides && !(vector[a] > 0.0))
-      throw InputError(space.place,
-                       fmt::format("the cell is degenerate: its side along {} is {:.6g}, must be positive",
-                                   "xyz"[a], vector[a]));
+      throw InputError(
+          space.place,
+          fmt::format("the cell is degenerate: its side along {} is {:.6g}, expected a positive length",
+                      "xyz"[a], vector[a]));
     listed.cell.emplace_back(vector.begin(), vector.begin() + dimension);
   }
 }
@@ -127,7 +128,7 @@ std::size_t n_beyond_faces(const ListedPacking& listed, int axis) {
   });
 }
 
-/// For axes whose ends are not set yet, adds the ends that the file gives.
+/// For axes whose ends are not set yet, adds the ends in the file.
 void add_stated_ends(int dimension, ListedPacking& listed) {
   const ListedSpace& space = listed.space;
   std::string open;
@@ -177,8 +178,8 @@ void add_walls_of_file(const std::string& file, const ImportOptions& options, in
       fmt::format("the gravity of {} is {}; --gravity gives another", file, fmt::join(*walls.gravity, ",")));
 }
 
-/// Sets the ends of the axes that are not periodic, from the options or, if the options do not give them, from the
-/// file.
+/// Sets the ends of the axes that are not periodic. They are taken from the options or, if the options do not contain
+/// them, from the file.
 void set_ends(const ImportOptions& options, int dimension, ListedPacking& listed) {
   ListedSpace box = listed.space;
   if (!options.cell.empty()) {
@@ -193,7 +194,7 @@ void set_ends(const ImportOptions& options, int dimension, ListedPacking& listed
             [](const ListedEnds& a, const ListedEnds& b) { return a.axis < b.axis; });
 }
 
-/// Returns the lowest and the highest coordinate of the grains' points along an axis.
+/// Returns the lowest and the highest coordinate, along an axis, of the points of all grains.
 std::pair<double, double> extent(const ListedPacking& listed, int axis) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const ListedGrain& g : listed.grains) {

@@ -22,8 +22,8 @@ namespace floc {
 /// @param dim  dimension of the packing; the unit of the stress depends on it
 std::string units_of(Quantity quantity, const std::string& system, int dim);
 
-/// Describes how an array in a state file stores one item of type T (a number or a vector of a grain or contact) as a
-/// row. Gives the type of the stored numbers, the number of components, and access to component k.
+/// Storage of one item of type T (a number or a vector of a grain or contact) as a row of an array in a state file:
+/// type of the stored numbers, number of components, and access to component k.
 template <class T>
 struct ArchiveItem {
   using Stored = double;
@@ -124,8 +124,8 @@ class WritingArchive {
   void value(const char* group, const char* name, const T& v) {
     file_.attribute(group, name, v);
   }
-  /// Writes a value that files of some other versions of floc do not contain. ReadingArchive accepts files without this
-  /// value.
+  /// Writes a value that is optional: ReadingArchive accepts files without this value, because some other versions of
+  /// floc do not write it.
   template <class T>
   void value_if_there(const char* group, const char* name, const T& v) {
     value(group, name, v);
@@ -142,8 +142,8 @@ class WritingArchive {
   int dim_;
 };
 
-/// Reads the arrays and attributes that WritingArchive writes. Throws InputError if an array has a wrong shape or
-/// contains a number that is not finite.
+/// Reads the arrays and attributes that a WritingArchive has written. Throws InputError if an array has a wrong shape
+/// or contains a number that is not finite.
 class ReadingArchive {
  public:
   explicit ReadingArchive(const Hdf5Reader& file) : file_(file) {}

@@ -4,8 +4,8 @@
 #include "floc/io/state_archive.h"
 #include "floc/packing/state.h"
 
-/// Writes and reads flags that say which contacts of a packing are bonds, and the strengths of contacts
-/// (docs/states.md).
+/// Functions that write and read the bond data of a state file: flags that mark the contacts that are bonds, and the
+/// strengths of contacts (docs/states.md).
 namespace floc {
 
 template <int Dim>
@@ -16,13 +16,13 @@ bool has_bonds(const Packing<Dim>& packing);
 template <int Dim>
 bool keeps_twisting(const Packing<Dim>& packing);
 
-/// If the packing has bonds, writes the flags that say which contacts are bonds. If the strength of any contact is
-/// given, writes the strengths of contacts.
+/// If the packing has bonds, writes the flags that mark the contacts that are bonds. If any strength is given, writes
+/// the strengths of the contacts.
 template <int Dim>
 void write_bonds(WritingArchive& archive, const State<Dim>& state);
 
-/// Reads the flags that say which contacts are bonds, and the strengths of contacts. @pre the contacts of the packing
-/// have been read
+/// Reads the flags that mark the contacts that are bonds, and the strengths of the contacts. @pre the contacts of the
+/// packing have been read
 template <int Dim>
 void read_bonds(const Hdf5Reader& file, ReadingArchive& archive, State<Dim>& state);
 

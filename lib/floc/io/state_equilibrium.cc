@@ -103,8 +103,8 @@ void read_equilibrium(const Hdf5Reader& file, ReadingArchive& archive, State<Dim
     const auto gravity = archive.take<double>(kGravityField, {Dim});
     for (int a = 0; a < Dim; ++a) s.packing.gravity[a] = gravity[a];
   }
-  // Residuals are read without the check that all numbers are finite. A residual may be infinite, because the unit of
-  // residuals is zero in a packing without pressure and without adhesion.
+  // It is not checked that the residuals are finite: a residual may be infinite, because the unit of residuals is zero
+  // in a packing without pressure and without adhesion.
   std::vector<double> r;
   file.array(kResiduals.path, {4}, r);
   s.residuals.force = r[0], s.residuals.moment = r[1], s.residuals.stress = r[2], s.residuals.energy = r[3];

@@ -4,8 +4,8 @@
 #include "floc/io/state_archive.h"
 #include "floc/packing/state.h"
 
-/// Writes and reads the groups `equilibrium` and `path` of a state file: the stress, the load and the residuals of a
-/// state (docs/states.md).
+/// Functions that write and read the groups `equilibrium` and `path` of a state file: the stress, the load and the
+/// residuals of a state (docs/states.md).
 namespace floc {
 
 /// Writes the stress, the imposed stress, the residuals and their tolerances.

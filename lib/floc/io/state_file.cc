@@ -35,8 +35,8 @@ const std::string kSignConvention = "compression_positive";
 constexpr Field kId = {"grains/id", Quantity::count, "index of the grain in all arrays"};
 
 /// Names of features: the optional groups of a state file, and `rigid`, which marks a file with rigid contacts. The
-/// root attribute `features` lists the features of the file. A reader rejects a file with a feature that it does not
-/// support, so the file format needs no new version for a new physical feature.
+/// root attribute `features` lists the features of the file. A program rejects a file with a feature that the program
+/// does not support, so a new physical feature needs no new version of the file format.
 const std::string kContactMemory = "contacts/memory";
 const std::string kNoFeatures = "none";
 const std::string kWalls = "walls";
@@ -72,8 +72,8 @@ Quantity quantity_of(Unit unit) {
   return Quantity::ratio;
 }
 
-/// Returns the history quantities of contacts (such as the elongation of the tangential spring), each once. These
-/// quantities belong to the law between grains and, if the packing has walls, to the law between grains and walls.
+/// Returns the history quantities of contacts (such as the elongation of the tangential spring), each once: those of
+/// the law between grains and, if the packing has walls, those of the law between grains and walls.
 template <int Dim>
 std::vector<HistoryQuantity> quantities_of(const Packing<Dim>& packing) {
   std::vector<HistoryQuantity> all = history_quantities(packing.law, Dim);
@@ -101,7 +101,7 @@ void write_memory(WritingArchive& archive, const Packing<Dim>& packing) {
   }
 }
 
-/// An array of contact history that state files of version 1 contain for every contact law.
+/// An array with a part of the contact history. State files of version 1 contain this array for every contact law.
 struct Version1Name {
   const char* name;
   HistoryKind kind;
@@ -117,8 +117,9 @@ bool remembers(const Packing<Dim>& packing, const std::string& name) {
                      [&](const HistoryQuantity& q) { return name == q.declared.name; });
 }
 
-/// Gives the contact history a second name, from version 1 of the file format, for scripts that use the names of
-/// version 1. If the law does not have a history quantity of version 1, an array of zeros is written for it.
+/// Gives each array of the contact history a second name, the name in version 1 of the file format, for scripts that
+/// use the names of version 1. If the law does not have a history quantity of version 1, an array of zeros is written
+/// for it.
 template <int Dim>
 void write_version_1_names(Hdf5Writer& file, WritingArchive& archive, const Packing<Dim>& packing) {
   for (const Version1Name& known : kVersion1Names) {
@@ -173,7 +174,7 @@ void check_features(const Hdf5Reader& file) {
                                                     features, name, fmt::join(kKnownFeatures, ", ")));
 }
 
-/// Returns the names of the features of a state in a file, separated by blanks.
+/// Returns the names of the features that the file of a state has, separated by blanks.
 /// @param remembers  whether the contacts have a history
 template <int Dim>
 std::string features_of(const State<Dim>& state, bool remembers) {
@@ -289,8 +290,7 @@ void check_grains(const Hdf5Reader& file, const Packing<Dim>& packing, const std
   }
 }
 
-/// Checks that the identifiers of the grains are different, if the grains have identifiers from a file of another
-/// program.
+/// If the grains have identifiers from a file of another program, checks that no two grains have the same identifier.
 template <int Dim>
 void check_names(const Hdf5Reader& file, const Grains<Dim>& grains) {
   std::vector<std::pair<std::int64_t, std::size_t>> sorted;
@@ -351,7 +351,7 @@ void require_one_kind_of_law(const Hdf5Reader& file, const Packing<Dim>& packing
                                packing.wall_law.normal_keyword(), packing.law.is_rigid() ? "" : "not "));
 }
 
-/// Checks the data that a state in motion contains for its next time step.
+/// Checks the data for the next time step, which a state in motion contains.
 template <int Dim>
 void check_motion(const Hdf5Reader& file, const State<Dim>& s) {
   if (!s.motion) return;
@@ -419,7 +419,7 @@ struct Header {
   std::int64_t dimension = 0;
 };
 
-/// Reads the attributes of a state file that determine how the rest is read. Checks format, version, features, sign
+/// Reads the attributes that determine how the rest of a state file is read. Checks format, version, features, sign
 /// convention, units and dimension.
 Header read_header(const Hdf5Reader& file) {
   std::string format;

@@ -9,15 +9,16 @@ namespace floc {
 
 using AnyState = std::variant<State<2>, State<3>>;
 
-/// Version of the layout of state files that this floc writes. This is also the newest version that this floc can read.
+/// Version of the layout of the state files that this version of floc writes. State files with a newer layout cannot be
+/// read.
 inline constexpr int kStateVersion = 2;
 
 /// Writes a state to the HDF5 file `path`, in the layout of docs/states.md. The state is first written to a file with a
 /// temporary name in the same directory, which is synced and then renamed to `path`, so that `path` is never an
 /// incomplete file. Identical states give identical bytes.
 /// @pre the bodies of all contacts are grains or walls of the state
-/// @param progress  text from which a run continues a step of the load path, for a checkpoint (a state saved within a
-/// step); empty for other states
+/// @param progress  for a checkpoint (a state saved within a step of the load path), the text from which the run
+/// continues the step; empty for other states
 /// @throws IoError if the directory cannot be written or the disk is full; the file `path` is then unchanged
 template <int Dim>
 void write_state(const std::string& path, const State<Dim>& state, const std::string& progress = "");

@@ -86,7 +86,7 @@ void describe_walls(Archive& archive, Walls& walls) {
 }
 
 /// Writes or reads the arrays of contacts that state files contain for every contact law. An array of flags, forces or
-/// stiffnesses contains zeros if the law does not have this quantity.
+/// stiffnesses contains zeros if the law does not have the quantity in this array.
 template <int Dim, class Archive, class Contacts>
 void describe_contacts(Archive& archive, Contacts& contacts) {
   using enum Quantity;

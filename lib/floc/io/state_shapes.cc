@@ -94,9 +94,10 @@ constexpr std::int32_t kLastType = static_cast<std::int32_t>(ContactType::kFaceF
   throw InputError(file.place(path), what);
 }
 
-/// Reads an array of row numbers, which refer to another array. The rows of the other array are the parts of all items,
-/// item after item. Entry k of the row numbers is the number of the row at which the parts of item k begin.
-/// @return the row numbers, one more than there are items; they ascend from 0 to the number of rows of the other array
+/// Reads an array of row numbers, which refer to the rows of a second array. The second array contains the parts of all
+/// items, item after item, one part per row. Entry k of the row numbers is the row of the first part of item k.
+/// @return the row numbers, which ascend from 0 to the number of rows of the second array; their number is the number
+/// of items plus 1
 std::vector<std::int32_t> take_starts(const Hdf5Reader& file, ReadingArchive& archive, const Field& field,
                                       std::uint64_t n_items, std::uint64_t n_parts) {
   auto starts = archive.take<std::int32_t>(field, {n_items + 1});

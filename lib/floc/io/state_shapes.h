@@ -4,8 +4,8 @@
 #include "floc/io/state_archive.h"
 #include "floc/packing/packing.h"
 
-/// Writes and reads the shapes of grains, which are stored in the group `shapes` of a state file. Also writes and reads
-/// the shape and scale of each grain, and the point and type of each contact (docs/states.md).
+/// Functions that write and read the shapes of grains, which are stored in the group `shapes` of a state file; also the
+/// shape and scale of each grain, and the point and type of each contact (docs/states.md).
 namespace floc {
 
 /// Writes the table of shapes of a packing, the shape and scale of each grain, and the point and type of each contact.
@@ -15,8 +15,8 @@ void write_shapes(WritingArchive& archive, const Packing<Dim>& packing);
 
 /// Reads the table of shapes, and the shape and scale of each grain. The numbers are exactly those that were written.
 /// @pre the radii of the grains have been read
-/// @throws InputError unless every shape is a convex body whose recorded mass properties are accurate to 1e-9, and the
-/// radius of each grain is its scale times the radius of its shape
+/// @throws InputError unless every shape is a convex body, its recorded mass properties are accurate to 1e-9, and the
+/// radius of each grain is the scale of the grain times the radius of its shape
 template <int Dim>
 void read_shapes_of_state(const Hdf5Reader& file, ReadingArchive& archive, Grains<Dim>& grains);
 

@@ -4,7 +4,8 @@
 #include "floc/io/state_archive.h"
 #include "floc/packing/state.h"
 
-/// Writes and reads the walls of a packing, which are stored in the group `walls` of a state file (docs/states.md).
+/// Functions that write and read the walls of a packing, which are stored in the group `walls` of a state file
+/// (docs/states.md).
 namespace floc {
 
 /// Writes the walls, the forces on them, and the contact law between grains and walls. Writes nothing for a packing

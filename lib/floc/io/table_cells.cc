@@ -7,7 +7,8 @@
 namespace floc {
 namespace {
 
-/// Moves a quoted cell from the beginning of `line` to `cell`. @return false if the closing quotation mark is missing
+/// Removes a quoted cell from the beginning of `line`, and stores its text in `cell`. @return false if the closing
+/// quotation mark is missing
 bool take_quoted(std::string_view& line, std::string& cell) {
   std::size_t at = 1;
   for (; at < line.size() && !(line[at] == '"' && (at + 1 == line.size() || line[at + 1] != '"')); ++at) {

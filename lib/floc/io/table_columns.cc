@@ -13,7 +13,8 @@
 namespace floc {
 namespace {
 
-/// Returns the index of the only header in a list that satisfies a condition; nothing if no header satisfies it.
+/// Returns the index of the header, in a list of headers, that satisfies a condition; nothing if no header satisfies
+/// it.
 /// @throws InputError if two headers satisfy the condition; the function `refuse` throws this error
 std::optional<int> only_column(const std::vector<std::string>& headers,
                                const std::function<bool(const std::string&)>& is_wanted,
@@ -53,8 +54,7 @@ std::optional<UnitColumn> NamedColumns::with_header(const std::string& name, con
   };
   const auto is_whole = [&](const std::string& h) { return h == header; };
   const auto is_bare = [&](const std::string& h) { return name_and_unit(h).first == header; };
-  // A text in round brackets at the end of a header, which may be an unknown unit or a remark, is ignored in the
-  // comparison.
+  // The comparison ignores a text in round brackets at the end of a header, which may be an unknown unit or a remark.
   const auto is_before_bracket = [&](const std::string& h) {
     return h.ends_with(')') && trimmed(std::string_view(h).substr(0, h.rfind('('))) == header;
   };

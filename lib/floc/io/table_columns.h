@@ -9,9 +9,10 @@
 
 namespace floc {
 
-/// Headers of columns in an input table, which the user gives by `--columns NAME=COLUMN,...`. The key is the name that
-/// floc uses for a quantity. The header may be followed by the unit of the column in brackets, as in "e [%]". If a
-/// quantity has one value for the whole table, the user may give a number, with or without unit, instead of a header.
+/// Headers of columns in an input table, as the user gives them by `--columns NAME=COLUMN,...`. The key is NAME, the
+/// name that floc uses for a quantity; the value is the header. The header may be followed by the unit of the column in
+/// brackets, as in "e [%]". If a quantity has one value for the whole table, the user may give a number, with or
+/// without unit, instead of a header.
 using ColumnNames = std::map<std::string, std::string>;
 
 /// A column of a table: its index and its unit.
@@ -50,7 +51,7 @@ class NamedColumns {
   /// Finds the column as find() does, but ignores usual names.
   std::optional<UnitColumn> find_exactly(const std::string& name) const;
 
-  /// Whether the user named a column for `name`, or find() finds one.
+  /// Whether the user named a column for the quantity `name`, or find() finds a column.
   bool has(const std::string& name) const { return is_named(name) || find(name).has_value(); }
 
   /// Returns the column that find() returns.
@@ -62,7 +63,8 @@ class NamedColumns {
   /// gives a unit.
   std::string unit_of(int index) const;
 
-  /// Returns the number that the user gave instead of a column for `name`; nothing if the user gave none.
+  /// Returns the number that the user gave for the quantity `name` instead of a column; nothing if the user gave no
+  /// number.
   std::optional<GivenNumber> given_number(const std::string& name) const;
 
  private:

@@ -23,9 +23,9 @@ bool is_missing(std::string_view cell) {
   return std::find(kMissing.begin(), kMissing.end(), cell) != kMissing.end();
 }
 
-/// Splits a line of names into `n` cells, in a table whose cells are separated by blanks and whose names contain
-/// blanks, too. Two ways are tried. In the first, a unit in brackets is joined to the name before it; in the second,
-/// two or more blanks separate the names.
+/// Splits a line of names into `n` cells. The cells are separated by blanks, but the names contain blanks, too. Two
+/// ways are tried. In the first, a unit in brackets is joined to the name before it; in the second, two or more blanks
+/// separate the names.
 /// @return the cells; empty if neither way gives `n` cells
 Cells names_between_blanks(std::string_view line, std::size_t n) {
   Cells merged;
@@ -88,7 +88,7 @@ class SplitLines {
     return static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), number));
   }
 
-  /// Whether a line has as many cells as the rows of data, with or without empty cells at the end.
+  /// Whether a line has as many cells as the rows of data. Empty cells at the end may be missing.
   bool fits(const Cells& cells) const {
     return cells.size() == width_ || without_trailing_empties(cells) == filled_;
   }
@@ -121,8 +121,9 @@ class SplitLines {
   bool is_plausible() const { return has_numbers() && has_names() && share_of_numbers() >= 0.5; }
 
  private:
-  /// Finds the usual number n of cells of a line: the lines of n cells contain more numeric cells in total than the
-  /// lines of any other length. If no cell of the text is numeric, n is the most frequent number of cells.
+  /// Finds the usual number of cells in a line. For each number n, all numeric cells in lines with n cells are counted;
+  /// the n with the largest count is the usual number. If no cell of the text is numeric, the most frequent number of
+  /// cells is the usual number.
   void find_width() {
     // key: number of cells of a line; value: count of numbers in all lines with this number of cells, and count of
     // these lines
@@ -158,7 +159,8 @@ class SplitLines {
   std::size_t filled_ = 0;
 };
 
-/// Returns the separator of a table without numbers: the first of several separators that occurs in the first line.
+/// Returns the separator of a table without numbers: the first of comma, tab and semicolon that occurs in the first
+/// line. If none of them occurs, returns a blank if all lines have the same number of words, two or more, else a comma.
 char separator_of_words(const TableLines& lines) {
   const std::string_view first = lines.rows.empty() ? std::string_view() : lines.rows.front().text;
   for (const char candidate : {',', '\t', ';'})
@@ -173,7 +175,7 @@ char separator_of_words(const TableLines& lines) {
 SplitLines split_at_best_separator(const TableLines& lines, const std::vector<std::string>& wanted) {
   std::vector<SplitLines> candidates;
   for (const char separator : {',', ';', '\t', ' '}) candidates.emplace_back(lines, separator, wanted);
-  // Separators with which the table has several columns are preferred, because a single column of numbers with decimal
+  // A separator that divides the table into several columns is preferred: a single column of numbers with decimal
   // commas may in fact be several columns of integers.
   const auto rank = [](const SplitLines& split) {
     const bool several = split.width() > 1;
@@ -190,8 +192,8 @@ bool is_blank(const Cells& cells) {
 }
 
 /// Whether a row below the names contains units. Empty cells, and cells such as "-" for a column without unit, do not
-/// count. The row contains units if all other cells are units, or if half of them are and one of these units is longer
-/// than a single letter.
+/// count. The row contains units if all other cells are units, or if at least half of the other cells are units and one
+/// of these units is % or longer than a single letter.
 bool is_units_row(const Cells& cells) {
   std::size_t n_words = 0, n_units = 0, n_clear = 0;
   for (const std::string& cell : cells) {
@@ -210,7 +212,8 @@ bool is_units_row(const Cells& cells) {
 void take_names(const SplitLines& split, const TableLines& lines, std::size_t begin, std::size_t end,
                 const std::vector<std::string>& wanted, TableLayout& layout) {
   const std::vector<Cells>& rows = split.rows();
-  // Words above columns without data do not count as names. A title that contains the separator may have such words.
+  // A title may contain the separator and thus have words above columns without data. These words do not count as
+  // names.
   const auto rank = [&](const Cells& cells) {
     const std::size_t n = split.has_numbers() ? std::min(cells.size(), split.filled()) : cells.size();
     return rank_as_names({cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(n)}, wanted);
@@ -231,8 +234,8 @@ void take_names(const SplitLines& split, const TableLines& lines, std::size_t be
   }
 }
 
-/// Whether a line ends within a quoted cell: the number of quotation marks is odd, and the last mark is at the
-/// beginning of a cell.
+/// Whether a line ends within a quoted cell: its number of quotation marks is odd, and its last quotation mark is at
+/// the beginning of a cell.
 bool ends_within_quotes(std::string_view line) {
   const std::size_t last = line.rfind('"');
   if (last == std::string_view::npos || std::count(line.begin(), line.end(), '"') % 2 == 0) return false;
@@ -279,7 +282,8 @@ TableLayout find_table_layout(const TableLines& lines, const std::vector<std::st
   TableLayout layout;
   layout.separator = split.separator();
   if (lines.rows.empty()) return layout;
-  // In a table without numbers, titles cannot be distinguished from names. The first line is taken as the names.
+  // In a table without numbers, titles cannot be distinguished from names. The first line is assumed to contain the
+  // names.
   if (!split.has_numbers()) {
     take_names(split, lines, 0, 1, wanted, layout);
     return layout;

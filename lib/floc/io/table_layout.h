@@ -6,8 +6,7 @@
 
 namespace floc {
 
-/// A row of a table that is not blank. A quoted cell with line ends extends over several lines, which all belong to the
-/// row.
+/// A row of a table that is not blank. If a quoted cell contains line ends, the row extends over several lines.
 struct TableLine {
   int number;  ///< number (from 1) of the line of the file in which the row begins
   std::string_view text;
@@ -33,7 +32,7 @@ struct TableLayout {
   std::vector<std::string> units;  ///< units from a row of units below the names; empty if there is none
   int names_line = 0;              ///< number of the line of `names`, from 1; 0 if no line names the columns
   int units_line = 0;              ///< number of the row of units; 0 if there is none
-  /// number of the last line that is above the names and not a comment; 0 if there is none
+  /// number of the last line above the names, comments not counted; 0 if there is no such line
   int last_title_line = 0;
   std::size_t first_row = 0;  ///< index in TableLines::rows of the first row of data
 };
@@ -48,11 +47,11 @@ struct TableLayout {
 /// first row is below this line.
 ///
 /// Names: candidates are the lines directly above the data with as many cells as the data. The line with the most
-/// wanted names is chosen. If several lines have equally many, the number of words decides, and if this is equal, too,
-/// the last line is chosen. If the table begins with numbers, the names are taken from a comment above the numbers that
-/// has one word per column.
+/// wanted names is chosen. If several lines have equally many wanted names, the line with the most words is chosen; if
+/// the numbers of words are equal, too, the last of these lines is chosen. If the table begins with numbers, the names
+/// are taken from a comment above the numbers that has one word per column.
 ///
-/// Units: a row between the names and the data that contains only units.
+/// Units: a row between the names and the data in which all cells, or at least half of them, are units.
 /// @param wanted  names of columns that the caller needs
 TableLayout find_table_layout(const TableLines& lines, const std::vector<std::string>& wanted);
 

@@ -84,8 +84,8 @@ std::string from_utf16(std::string_view bytes, bool big_endian) {
   return text;
 }
 
-/// Whether the high byte of each character in UTF-16 comes first. The byte order mark decides. Without it, the first
-/// byte decides: if this byte is zero, it is the high byte of an ASCII character.
+/// Whether the high byte of each character in UTF-16 comes first. The byte order mark decides. Without this mark, the
+/// first byte decides: a zero byte is the high byte of an ASCII character.
 bool is_big_endian(std::string_view utf16) {
   return utf16.starts_with("\xfe\xff") || utf16[0] == '\0';
 }

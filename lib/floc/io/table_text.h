@@ -20,7 +20,7 @@ struct TableText {
 /// @throws InputError if the text is in UTF-32
 TableText decoded_table(const std::string& place, std::string bytes);
 
-/// Returns the text of the first 64 KiB of a file, from which callers recognise the format of a table.
+/// Returns the text of the first 64 KiB of a file. Callers use this text to recognise the format of a table.
 /// @throws InputError under the conditions of read_beginning() and decoded_table()
 std::string beginning_of_table(const std::string& path);
 

@@ -127,7 +127,7 @@ std::optional<KnownUnit> unit_of(const std::string& text) {
   return std::nullopt;
 }
 
-/// Returns a text without the brackets around it, if there are any.
+/// If a text is enclosed in brackets, returns it without the brackets, else unchanged.
 std::string_view without_brackets(std::string_view text) {
   text = trimmed(text);
   const bool enclosed = text.size() > 2 && ((text.front() == '[' && text.back() == ']') ||
@@ -135,8 +135,8 @@ std::string_view without_brackets(std::string_view text) {
   return enclosed ? trimmed(text.substr(1, text.size() - 2)) : text;
 }
 
-/// Whether a text in round brackets at the end of a header is a remark or a symbol, as in "sigma (effective)" and "Void
-/// ratio (e)", and not a unit.
+/// Whether a text in round brackets at the end of a header is not a unit, but a remark or a symbol, as in "sigma
+/// (effective)" and "Void ratio (e)".
 bool is_remark(const std::string& text) {
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.'; };
   return !unit_of(text) && std::all_of(text.begin(), text.end(), is_letter);

@@ -11,8 +11,8 @@ namespace floc {
 namespace {
 
 /// Paths of the existing transient files, which the signal handler removes. Null marks a free entry. The entries
-/// usually suffice for all transient files of a program. If no entry is free, the destructor of TransientFile removes a
-/// file, but the signal handler does not.
+/// usually suffice for all transient files of a program. If no entry is free, a file is removed only by the destructor
+/// of TransientFile, not by the signal handler.
 std::array<std::atomic<const char*>, 64> g_names{};
 
 void register_name(const char* name) {

@@ -13,7 +13,7 @@ namespace {
 
 using Names = std::set<std::string_view>;
 
-/// Usual names of each quantity, as without_capitals(plain(name)) returns them.
+/// Usual names of each quantity, in the form that without_capitals(plain(name)) returns.
 const std::map<std::string, Names>& usual_names() {
   static const std::map<std::string, Names> names = {
       {"pressure",
@@ -226,7 +226,7 @@ const std::map<std::string, Names>& usual_names() {
   return names;
 }
 
-/// Replacement of one or several successive characters outside ASCII in a plain name.
+/// Replacement, in a plain name, of one character or several successive characters outside ASCII.
 struct Plain {
   std::string_view from, to;
 };
@@ -264,8 +264,8 @@ std::string plain(std::string_view name) {
   return text;
 }
 
-/// Returns a plain name in small letters. Names of one or two letters are symbols, in which capitals have a meaning;
-/// they are returned unchanged.
+/// Returns a plain name in small letters. Names of one or two letters are returned unchanged: they are symbols, in
+/// which capitals have a meaning.
 std::string without_capitals(std::string name) {
   if (name.size() <= 2) return name;
   for (char& c : name)

@@ -18,7 +18,7 @@ namespace floc {
 namespace {
 
 /// Decodes base64 text up to the first character that is not base64. Padding (=) may occur within the text, because VTK
-/// sometimes encodes the length of the data and the data separately.
+/// sometimes encodes the header (the length of the data) and the data separately.
 std::string from_base64(std::string_view text) {
   constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string bytes;
@@ -100,9 +100,9 @@ std::string_view payload(const std::string& place, std::string_view block, std::
   return block.substr(header_size, length);
 }
 
-/// Returns the data of an array that is compressed in blocks. The blocks follow a header of whole numbers. The header
-/// contains the number of blocks, the size of each block before compression, the size of the last block before
-/// compression, and the compressed size of each block.
+/// Returns the data of an array that is compressed in blocks. A header of whole numbers precedes the blocks. It
+/// contains the number of blocks, the size of a full block and of the last block before compression, and the compressed
+/// size of each block.
 /// @param encoded  whether `text` is base64, with header and blocks encoded separately
 std::string inflate_blocks(const std::string& place, std::string_view text, std::size_t header_size,
                            bool encoded) {
@@ -168,7 +168,7 @@ struct VtkArrays::Document {
 VtkArrays::VtkArrays(const std::string& path, const std::string& content) : document_(new Document) {
   Document& d = *document_;
   d.path = path;
-  // The raw bytes in the element AppendedData are not XML, so this element is removed before parsing.
+  // The element AppendedData is removed before the text is parsed, because the raw bytes in this element are not XML.
   std::string text = content;
   if (const std::size_t begin = content.find("<AppendedData"); begin != std::string::npos) {
     const std::size_t end = content.rfind("</AppendedData>");
@@ -227,8 +227,8 @@ std::vector<double> VtkArrays::read(const std::string& section, const std::strin
   const pugi::xml_node array = d.array(section, name);
   const std::string here = place(section, name);
   if (!array) throw InputError(here, "the array is missing");
-  // Two arrays with the same name are an error. The section Points is not checked, because it has only one array, of
-  // any name.
+  // Two arrays with the same name are an error. The section Points is not checked, because it has only one array, which
+  // may have any name.
   for (pugi::xml_node next = array.next_sibling("DataArray"); next && section != "Points";
        next = next.next_sibling("DataArray"))
     if (name == next.attribute("Name").as_string())

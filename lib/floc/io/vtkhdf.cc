@@ -45,7 +45,7 @@ struct Column {
   void add(const Eigen::Vector3d& v) { values.insert(values.end(), v.begin(), v.end()); }
 };
 
-/// Points, cells and data arrays of the file of a packing.
+/// Points, cells and data arrays of the file that is written for a packing.
 class Grid {
  public:
   template <int Dim>
@@ -78,8 +78,8 @@ class Grid {
       connectivity.insert(connectivity.end(), {lines_[k], lines_[k + 1]});
       end_cell(kLineCell);
     }
-    // The format allows several parts. The file written here has one part, so the counts of the part are those of the
-    // whole file.
+    // The format allows several parts. The file written here has one part, so the counts of this part are the counts of
+    // the whole file.
     integers(file, kRoot + "/NumberOfPoints", {static_cast<std::int64_t>(n_points)});
     integers(file, kRoot + "/NumberOfCells", {static_cast<std::int64_t>(types.size())});
     integers(file, kRoot + "/NumberOfConnectivityIds", {static_cast<std::int64_t>(connectivity.size())});

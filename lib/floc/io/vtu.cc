@@ -66,8 +66,8 @@ Imported read_vtu(const std::string& path, const ImportOptions& options) {
   if (arrays.has("FieldData", "corners"))
     throw InputError(
         arrays.place("FieldData", "corners"),
-        "the grains of this file have corners; floc writes such files for pictures and cannot read them: "
-        "convert from the state file or from a configuration of Rockable");
+        "the grains of this file have corners; floc writes such files for pictures only and cannot read them: "
+        "convert the state file or a configuration of Rockable instead");
   PointCloud cloud;
   cloud.path = path;
   cloud.x = arrays.read("Points", "");
@@ -112,7 +112,7 @@ void append(pugi::xml_node section, const ArrayText& array) {
 }
 
 /// Returns the corners of the outline of a two-dimensional shape, counter-clockwise. The arc of a rounded corner
-/// becomes straight segments, each of which turns by 1/16 of a full turn or less.
+/// becomes straight segments; the angle of the arc that a segment replaces is at most 1/16 of a full turn.
 std::vector<Vec<2>> outline(const Shape<2>& shape) {
   constexpr double kArc = 0.125 * std::numbers::pi;
   std::vector<Vec<2>> points;
@@ -185,7 +185,7 @@ class Drawing {
   }
 
   /// Adds the points of a polygon or polyhedron.
-  /// @param points  the points, in the coordinate system of the shape that grain i has
+  /// @param points  the points, in the coordinate system of the shape of grain i
   /// @return indices of the added points
   template <int Dim>
   std::vector<int> add_placed(const Grains<Dim>& grains, int i, const std::vector<Vec<Dim>>& points) {

@@ -12,12 +12,12 @@
 namespace floc {
 namespace {
 
-/// Largest accepted extent of a triangle along the axis normal to the triangle, divided by the largest extent of the
-/// triangle along any axis. This ratio is not zero because binary STL files have seven digits.
+/// A triangle counts as perpendicular to an axis if its extent along this axis, divided by its largest extent along any
+/// axis, is at most this number. The number is not zero because binary STL files have seven digits.
 constexpr double kFlatTriangle = 1e-5;
 
-/// Whether the centre of any grain is directly above or below a plane, along the axis of the plane. The result is true
-/// for an infinite plane.
+/// Whether the centre of at least one grain is directly above or below a plane, along the axis normal to the plane. The
+/// result is true for an infinite plane.
 bool faces_grains(const WallPlane& plane, const std::vector<ListedGrain>& grains, int n_axes) {
   if (!plane.corners) return true;
   const auto& [low, high] = *plane.corners;

@@ -14,7 +14,7 @@ namespace floc {
 struct WallPlane {
   std::string place;  ///< place of the plane in its file, for messages
   int axis = 0;
-  double position = 0.0;  ///< place of the plane on its axis (length)
+  double position = 0.0;  ///< position of the plane on the axis normal to it (length)
   /// -1: the grains lie above the plane, 1: below; absent: the positions of the grains decide
   std::optional<int> side;
   /// Lowest and highest corner (length) of a plane of finite size; absent: the plane is infinite.
@@ -28,8 +28,8 @@ struct ListedWalls {
 };
 
 /// Reads the triangles of an STL file as planes.
-/// @param scale, shift  the coordinates of the file are multiplied by the factor `scale`, then displaced by `shift`
-/// (length)
+/// @param scale, shift  factor by which the coordinates in the file are multiplied, and displacement (length) that is
+/// added afterwards
 /// @throws InputError for a triangle that is not perpendicular to an axis
 std::vector<WallPlane> planes_of_mesh(const std::string& path, double scale = 1.0,
                                       const Eigen::Vector3d& shift = Eigen::Vector3d::Zero());
@@ -39,9 +39,9 @@ std::vector<WallPlane> planes_of_mesh(const std::string& path, double scale = 1.
 /// @throws InputError under the conditions of planes_of_mesh() and walls_of_script()
 ListedWalls read_wall_file(const std::string& path);
 
-/// Returns the ends of axes at which planes lie. A plane without a side is a lower end if the mean of the centres of
-/// the grains is above the plane, else an upper end. A plane of finite size is left out if no grain lies directly above
-/// or below it. If several planes lie at the same end, the innermost is used.
+/// Returns the ends of the axes, with walls at the ends where planes lie. A plane without a side is a lower end if the
+/// mean of the centres of the grains is above the plane, else an upper end. A plane of finite size is left out if no
+/// grain lies directly above or below it. If several planes lie at the same end, the innermost is used.
 std::vector<ListedEnds> ends_of_planes(const std::vector<WallPlane>& planes,
                                        const std::vector<ListedGrain>& grains, int n_axes);
 

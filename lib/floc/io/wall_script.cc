@@ -24,7 +24,8 @@ struct ScriptCommand {
     static const std::string kNone;
     return k < words.size() ? words[k] : kNone;
   }
-  /// Returns the index of a word; the number of words if the command does not contain the word.
+  /// Returns the index of a word of the command. If the command does not contain the word, returns the number of its
+  /// words.
   std::size_t find(const std::string& word) const {
     return static_cast<std::size_t>(std::find(words.begin(), words.end(), word) - words.begin());
   }
@@ -80,7 +81,7 @@ class WallScript {
     if (name == "unfix") fixes_.erase(command.word(1));
   }
 
-  /// If a word is ${name} or v_name, returns the value of the variable, else the word.
+  /// If a word is ${name} or v_name, returns the value of the variable `name`, else the word itself.
   std::string substituted(const std::string& word) const {
     std::string name;
     if (word.starts_with("${") && word.ends_with("}")) name = word.substr(2, word.size() - 3);
@@ -94,7 +95,7 @@ class WallScript {
     refuse_command(command, fmt::format("{} is \"{}\", expected a number", what, command.word(k)));
   }
 
-  /// Adds a wall at the position that word `k` of a command gives. NULL and INF mean that there is no wall.
+  /// Adds a wall at the position in word `k` of a command. The words NULL and INF mean that there is no wall.
   void add_plane(const ScriptCommand& command, std::size_t k, int axis, std::optional<int> side,
                  std::vector<WallPlane>& planes) const {
     const std::string& word = command.word(k);

@@ -97,7 +97,7 @@ bool YadeTable::take_space(const std::string& place, const std::vector<std::stri
 }
 
 /// Reads a text file of YADE.
-/// @param mark  name of a column; the comment line that contains this name gives the names of all columns
+/// @param mark  name of a column. A comment line that contains this name contains the names of all columns
 /// @param columns  names of the columns if no comment line names them; empty if the file must have such a comment line
 YadeTable read_table(const std::string& path, const std::string& mark, std::vector<std::string> columns) {
   YadeTable result;
@@ -112,8 +112,7 @@ YadeTable read_table(const std::string& path, const std::string& mark, std::vect
       const std::vector<std::string> tokens = comment_tokens(text);
       if (result.take_space(fmt::format("{}:{}", path, number), tokens)) continue;
       if (!begun && contains(tokens, mark)) {
-        // After the first row of the table, a comment does not give the names of columns, even if it contains the word
-        // `mark`.
+        // Only a comment before the first row of the table can give the names of the columns.
         columns = tokens;
       }
       continue;
@@ -182,7 +181,7 @@ void check_no_contact_columns(const ImportOptions& options) {
         "the file of interactions of YADE contains the names of its columns; leave this option out");
 }
 
-/// Whether a file begins with a number, so that no line with the names of the columns precedes the data.
+/// Whether a file begins with a number. If so, no line with the names of the columns precedes the data.
 bool begins_with_number(const std::string& path) {
   const std::string text = beginning_of_table(path);
   const std::size_t first = text.find_first_not_of(" \t\r\n");

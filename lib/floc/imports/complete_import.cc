@@ -21,10 +21,10 @@
 namespace floc {
 namespace {
 
-/// Default tolerance of force, moment and stress in the equilibrium of a packing of another program, in the units of
-/// EquilibriumTolerance. Packings of other programs are usually relaxed until the unbalanced forces are below 1e-3. In
-/// addition, other programs place a contact point up to one overlap away from the point that floc would choose, which
-/// causes unbalanced moments of the same order.
+/// Default tolerance of force, moment and stress for the equilibrium of an imported packing, in the units of
+/// EquilibriumTolerance. Packings of other programs are usually relaxed until the unbalanced forces are below 1e-3.
+/// Unbalanced moments of the same order arise because the contact points of other programs are up to one overlap away
+/// from those of floc.
 constexpr double kForeignTolerance = 1e-3;
 
 /// Returns the tolerances of the equilibrium of an imported packing. The tolerances of force, moment and stress are
@@ -38,7 +38,7 @@ EquilibriumTolerance tolerance_for(const Imported& imported, const std::optional
   return {force, force, force, own.energy * (force / own.force)};
 }
 
-/// Checks the solid fraction of a packing.
+/// Checks that the solid fraction of a packing is possible.
 /// @throws InputError if it is above 1, which is impossible for hard grains
 template <int Dim>
 void refuse_impossible_density(const std::string& place, const Packing<Dim>& packing) {
@@ -62,8 +62,8 @@ void set_target_stress(const Imported& imported, const ImportCompletion& complet
   for (int a = 0; a < Dim; ++a) state.target_stress[a] = completion.stress[a];
 }
 
-/// Adds contacts between grains whose surfaces are closer than `gap`. The forces of these contacts are unknown and set
-/// to zero. Their stiffnesses are those that the law gives for surfaces that just touch.
+/// Adds contacts between grains whose surfaces are closer than `gap`. The forces of these contacts are unknown and are
+/// set to zero. The stiffnesses are those of the law for surfaces that just touch.
 template <int Dim>
 void add_touching(double gap, Packing<Dim>& packing) {
   constexpr double kCapTolerance = 1e-6;
@@ -78,7 +78,7 @@ void add_touching(double gap, Packing<Dim>& packing) {
   }
 }
 
-/// Replaces the contacts of a packing by those found from the geometry of its grains, which have corners.
+/// Finds the contacts of a packing of grains with corners from the geometry, and replaces the contacts in the packing.
 template <int Dim>
 void find_points(Packing<Dim>& packing) {
   packing.contacts.clear();
@@ -86,7 +86,8 @@ void find_points(Packing<Dim>& packing) {
   refresh_contacts(packing);
 }
 
-/// Finds the contacts of a packing from its geometry. The contacts already in the packing are bonds, which are kept.
+/// Finds the contacts of a packing from its geometry. Before the call, the only contacts of the packing are bonds; the
+/// bonds are kept.
 template <int Dim>
 void find_missing_contacts(double touch_gap, Packing<Dim>& packing) {
   std::vector<Contact<Dim>> bonds = std::move(packing.contacts);
@@ -98,7 +99,7 @@ void find_missing_contacts(double touch_gap, Packing<Dim>& packing) {
   if (bonds.empty()) return;
   std::vector<Contact<Dim>> found = std::move(packing.contacts);
   packing.contacts.clear();
-  // If two bodies are bonded, the bond replaces the contact found between them.
+  // If there is a bond between two bodies, it replaces the contact found between them.
   std::set_difference(found.begin(), found.end(), bonds.begin(), bonds.end(),
                       std::back_inserter(packing.contacts), precedes<Contact<Dim>>);
   packing.contacts.insert(packing.contacts.end(), bonds.begin(), bonds.end());

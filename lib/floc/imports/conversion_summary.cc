@@ -13,9 +13,8 @@
 namespace floc {
 namespace {
 
-/// A difference between a listed normal force and the normal force of the law is reported if it is larger than this
-/// fraction of the mean normal force. Smaller differences can be rounding errors, because programs print forces with as
-/// few as six digits.
+/// A normal force is reported if it differs from the normal force of the law by more than this fraction of the mean
+/// normal force. Smaller differences can be rounding errors, because programs print forces with as few as six digits.
 constexpr double kForceTolerance = 1e-6;
 
 void add_list(const ListedContactCounts& listed, int n_kept, ConversionSummary& summary) {
@@ -44,8 +43,8 @@ void add_list(const ListedContactCounts& listed, int n_kept, ConversionSummary& 
                     listed.n_other_image, listed.n_read));
 }
 
-/// Reports listed stiffnesses that differ from the stiffnesses of the law. If the stiffnesses of the law were computed
-/// as the means of the listed ones, the difference is reported as information, else as an inconsistency.
+/// Reports listed stiffnesses that differ from the stiffnesses of the law. If the law has the mean of the listed
+/// stiffnesses, the difference is reported as information, else as an inconsistency.
 void add_stiffnesses(const Imported& imported, ConversionSummary& summary) {
   std::vector<std::string>& said = imported.law_of_contacts ? summary.lines : summary.inconsistencies;
   for (const std::string& difference : imported.listed_contacts.stiffness_differences)
@@ -81,13 +80,14 @@ void add_contacts(const ContactCheck& check, bool cohesive, ConversionSummary& s
         fmt::format("{} pairs of grains touch but are not listed (grains {})", check.n_missing, check.missing));
 }
 
-/// Reports that a packing has no contacts. The usual cause is a wrong radius or a wrong edge of the cell, so the
-/// message names the length that is likely to be wrong.
+/// Reports that a packing has no contacts. The usual cause is a wrong radius or a wrong edge of the cell; the message
+/// asks about the length that is likely to be wrong.
 template <int Dim>
 void add_absence_of_contacts(const Packing<Dim>& packing, ConversionSummary& summary) {
   if (!packing.contacts.empty()) return;
   const std::optional<NearestPair> nearest = nearest_pair(packing);
-  if (nearest && nearest->gap < 0.0) return;  // another message reports that the file lacks this contact
+  if (nearest && nearest->gap < 0.0)
+    return;  // another message reports that this contact is missing in the file
   constexpr double kHard = 1e-3, kDoubled = 0.1;
   std::string cause = "are the radii and the cell in the same unit of length?";
   std::string where;

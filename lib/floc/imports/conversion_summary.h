@@ -7,10 +7,10 @@
 
 namespace floc {
 
-/// Summary, in lines of text, of a packing that was read from a file of another program.
+/// Summary (lines of text) of a packing that was read from a file of another program.
 struct ConversionSummary {
-  /// Lines about the numbers of contacts that were read and kept, and about the differences of contact forces from the
-  /// law.
+  /// Lines about the numbers of contacts that were read and kept, and about differences between the contact forces and
+  /// the forces of the law.
   std::vector<std::string> lines;
   std::vector<std::string> inconsistencies;  ///< sentences about contradictions in the data of the packing
 };

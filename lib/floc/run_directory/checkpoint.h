@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Returns JSON text for a checkpoint: the point that a run has reached, that is, its step, time and so on.
-/// parse_progress() restores every number exactly.
+/// Returns the point that a run has reached (step, time and so on) as JSON text for a checkpoint. parse_progress()
+/// restores every number exactly.
 std::string progress_text(const RunPoint& point);
 
 /// Reads the point that a run has reached from the text that progress_text() returned.

@@ -32,11 +32,11 @@ class ContactTracker final : public MotionTable<Dim> {
   Packing<Dim> start_, previous_;
 };
 
-/// Starts recording the contacts of a run in the table contacts.csv of the run's directory. Contacts are recorded while
-/// the packing moves.
+/// Starts recording the contacts of a run while the packing moves, in the table contacts.csv in the directory of the
+/// run.
 /// @param options  options of the run
 /// @param interval  simulated time between two rows (time unit of the scene)
-/// @pre `run` is not finished, and the object stays at its address in memory until the run has been driven
+/// @pre `run` is not finished, and stays at its address in memory until it has been driven
 template <int Dim>
 std::unique_ptr<ContactTracker<Dim>> track_contacts(Run<Dim>& run, const RunOptions& options,
                                                     const RunDirectory& directory, double interval);

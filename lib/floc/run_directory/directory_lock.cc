@@ -27,16 +27,16 @@ std::string host_name() {
   return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "an unknown host";
 }
 
-/// Returns the words with which a message names the owner of the lock: the text that the owner has written into the
-/// lock file, or "another process" if the file is still empty.
+/// Returns the name of the owner of the lock for a message: the text that the owner has written into the lock file, or
+/// "another process" if the file is still empty.
 std::string holder(int file) {
   std::array<char, 512> text{};
   const ssize_t n = ::pread(file, text.data(), text.size() - 1, 0);
   return n > 0 ? std::string(text.data(), static_cast<std::size_t>(n)) : "another process";
 }
 
-/// Whether the path of the lock file still leads to the opened file. The answer is false if the previous owner of the
-/// lock has removed the file; every owner does this before it releases the lock.
+/// Whether the path of the lock file still refers to the opened file. The answer is false if the previous owner of the
+/// lock has removed the lock file; every owner removes the file before it releases the lock.
 bool is_current(int file, const std::string& path) {
   struct stat opened {
   }, named{};
@@ -50,7 +50,7 @@ bool has_no_locks(int error) {
   return error == ENOTSUP || error == EOPNOTSUPP || error == ENOSYS || error == ENOLCK;
 }
 
-/// Checks that a directory for a new run is empty, unless the run in it may be continued or replaced.
+/// Checks that a directory is empty, unless an existing run in the directory may be continued or replaced.
 /// @param runs  word for the content of the directory in messages, "run" or "runs"
 /// @throws InputError if the directory contains other files than the lock file
 void require_empty(const std::string& path, Existing existing, const std::string& runs) {
@@ -62,7 +62,7 @@ void require_empty(const std::string& path, Existing existing, const std::string
                                          runs, runs == "run" ? "it" : "them"));
 }
 
-/// Creates a directory if it does not exist, and returns its path, so that the directory can then be locked.
+/// Prepares a directory for a lock: checks its path, and creates the directory if it does not exist. Returns the path.
 /// @param runs  word for the content of the directory in messages, "run" or "runs"
 const std::string& prepared(const std::string& path, Existing existing, const std::string& runs) {
   if (path.empty())
@@ -70,8 +70,8 @@ const std::string& prepared(const std::string& path, Existing existing, const st
   if (path == "-") throw InputError(path, "this name means standard output: expected the name of a directory");
   if (fs::exists(path) && !fs::is_directory(path))
     throw InputError(path, "this is a file: expected a directory");
-  // If a lock file exists, another process may use the directory. The directory is then not checked here, because an
-  // attempt to lock it fails later with a message that names the other process.
+  // If a lock file exists, another process may use the directory. In this case the directory is not checked here: a
+  // later attempt to lock it fails with a message that names the other process.
   if (!fs::exists(fs::path(path) / DirectoryLock::kName)) require_empty(path, existing, runs);
   std::error_code failed;
   fs::create_directories(path, failed);
@@ -108,7 +108,7 @@ DirectoryLock::DirectoryLock(const std::string& directory)
 
 DirectoryLock::~DirectoryLock() {
   if (file_ < 0) return;
-  // A lock file that another process has created under this name is left in place.
+  // If another process has replaced the lock file by its own, that file is not removed.
   if (is_current(file_, path_)) ::unlink(path_.c_str());
   ::close(file_);
 }

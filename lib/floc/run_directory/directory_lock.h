@@ -6,8 +6,8 @@
 namespace floc {
 
 /// Lock on a directory. As long as this object exists, no other process of floc writes into the directory. The lock is
-/// an advisory lock (flock) on a file in the directory. The operating system releases it when the process ends, even if
-/// the process is killed.
+/// an advisory lock (flock) on a file in the directory. The operating system releases the lock when the process ends,
+/// even if the process is killed.
 class DirectoryLock {
  public:
   /// Name of the lock file in the directory.
@@ -21,12 +21,12 @@ class DirectoryLock {
   DirectoryLock(const DirectoryLock&) = delete;
   DirectoryLock& operator=(const DirectoryLock&) = delete;
 
-  /// Whether the path of the directory still leads to the locked directory. The answer is false if the directory has
-  /// been renamed or removed, even if a new directory now has the old name.
+  /// Whether the path of the directory still refers to the locked directory. The answer is false if the directory has
+  /// been renamed or removed, even if a new directory has the old name.
   bool is_held() const;
-  /// Checks that the path of the directory still leads to the locked directory. Callers do this before they write files
-  /// into the directory.
-  /// @throws IoError if the path leads elsewhere
+  /// Checks that the path of the directory still refers to the locked directory. This function must be called before
+  /// files are written into the directory.
+  /// @throws IoError if the path no longer refers to the locked directory
   void require_held() const;
 
  private:
@@ -49,7 +49,7 @@ class ClaimedDirectory {
   /// directory is not empty and `existing` is Existing::refuse
   ClaimedDirectory(const std::string& path, Existing existing, const std::string& runs);
 
-  /// Whether the path of the directory still leads to the locked directory, see DirectoryLock::is_held().
+  /// Whether the path of the directory still refers to the locked directory, see DirectoryLock::is_held().
   bool is_held() const { return lock_.is_held(); }
   void require_held() const { lock_.require_held(); }
 

@@ -36,8 +36,8 @@ class Driver {
   }
 
  private:
-  /// Advances the run by one chunk of time steps. If the motion cannot continue, the error message names the step and
-  /// its pressure, because the cause is no single key of the scene.
+  /// Advances the run by one chunk of time steps. If the motion cannot continue, no single key of the scene is the
+  /// cause; the error message therefore names the step and its pressure.
   RunEvent advance() {
     try {
       return run_.advance();

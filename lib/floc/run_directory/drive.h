@@ -36,11 +36,11 @@ struct DriveReport {
     gave_up,  ///< the packing does not come to equilibrium under the present load
   };
   Outcome outcome = done;
-  /// report of the relaxation that did not converge, if the outcome is `gave_up`
+  /// if the outcome is `gave_up`: report of the relaxation that did not converge
   RelaxationReport relaxation;
 };
 
-/// Returns the run in a directory, at the point that it has reached, or a new run if the directory contains none.
+/// Returns the run in a directory, at the point that the run has reached; a new run if the directory contains none.
 /// @param options  options with which `directory` was opened
 /// @throws InputError if a run with these options is not possible, or if files in the directory cannot be read
 template <int Dim>

@@ -25,7 +25,8 @@ EnergyTerms terms_of(const std::string& row) {
   std::string field;
   for (int k = 0; k < kLeading; ++k) std::getline(fields, field, ',');
   EnergyTerms t;
-  double error = 0.0;  // EnergyTerms has no member for the error, because it follows from the other terms
+  double error =
+      0.0;  // EnergyTerms has no member for the error, because the error follows from the other terms
   for (double* term : {&t.work, &t.elastic, &t.kinetic, &t.viscous, &t.sliding, &t.scaling, &t.removed,
                        &t.initial, &error, &t.liquid, &t.law, &t.hysteresis}) {
     std::getline(fields, field, ',');
@@ -56,8 +57,8 @@ void EnergyTracker<Dim>::add_row_of(const Run<Dim>& run, const Packing<Dim>& pac
 template <int Dim>
 void EnergyTracker<Dim>::record(const Run<Dim>& run, const Packing<Dim>& packing, double time) {
   const double time_step = time - std::exchange(time_, time);
-  // No balance is recorded while grains aggregate, because clusters of grains then move freely for long times, which
-  // are not divided into time steps.
+  // No balance is recorded while grains aggregate: the free flight of the clusters between collisions is not divided
+  // into time steps.
   if (run.point().aggregating) {
     account_ = EnergyAccount<Dim>(packing);
     return;
@@ -96,9 +97,10 @@ void require_energy_account(const RunOptions& options) {
     if (step.cell.applied_to(options.relaxation).softening > 1.0)
       throw InputError(
           "--track-energy",
-          fmt::format("the grains rearrange on softer springs in the stage \"{}\", so the energy balance "
-                      "of the contact law cannot be recorded; expected a scene without softening",
-                      step.branch));
+          fmt::format(
+              "in the stage \"{}\", the contacts temporarily have softer springs than those of the "
+              "contact law, so the energy balance cannot be recorded; expected a scene without softening",
+              step.branch));
   for (const LoadStage& stage : options.load)
     if (stage.shear != 0.0)
       throw InputError(

@@ -40,14 +40,14 @@ class EnergyTracker final : public MotionTable<Dim> {
 };
 
 /// Checks that the energy balance of a run can be recorded.
-/// @throws InputError if the scene has walls; if Newton steps may find the equilibria without motion; or if the scene
-/// contains a vibration or a simple shear, both of which displace grains without forces
+/// @throws InputError if the scene has walls; if Newton's method may find the equilibria without motion of the grains;
+/// or if the scene contains a vibration or a simple shear, both of which displace grains without forces
 void require_energy_account(const RunOptions& options);
 
-/// Starts recording the energy balance of a run in the table energy.csv of the run's directory. The balance is recorded
-/// while the packing moves.
+/// Starts recording the energy balance of a run while the packing moves, in the table energy.csv in the directory of
+/// the run.
 /// @param options  options of the run
-/// @pre `run` is not finished, and the object stays at its address in memory until the run has been driven
+/// @pre `run` is not finished, and stays at its address in memory until it has been driven
 /// @throws InputError if require_energy_account() refuses `options`
 template <int Dim>
 std::unique_ptr<EnergyTracker<Dim>> track_energy(Run<Dim>& run, const RunOptions& options,

@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Table in the directory of a run, to which rows are added while the packing moves. A resumed run keeps the rows up to
-/// the time from which it continues.
+/// Table in the directory of a run. Rows are added while the packing moves. A resumed run keeps the rows up to the time
+/// from which it continues.
 template <int Dim>
 class MotionTable {
  public:
@@ -31,7 +31,7 @@ class MotionTable {
   void add_row(std::string row) { rows_.push_back(std::move(row)); }
   /// Returns the first cells of a row, "step,branch,P", for the present step of a run.
   static std::string place_of(const Run<Dim>& run);
-  /// Returns the last row of the table, or an empty text if there are no rows. After a run has been resumed, this is
+  /// Returns the last row of the table; an empty text if there are no rows. Just after a run has been resumed, this is
   /// the last row that was kept.
   std::string last_row() const { return rows_.empty() ? "" : rows_.back(); }
 

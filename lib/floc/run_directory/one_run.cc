@@ -91,7 +91,7 @@ void require_one_run(const std::string& directory) {
     ++expected;
     const std::optional<Origin> origin = origin_of(file);
     if (!origin) continue;
-    // This check finds a state file that was renamed or copied within the directory of its own run.
+    // This check finds a state file that was renamed or copied within the directory of its run.
     if (origin->step != step)
       throw InputError(file,
                        fmt::format("this file contains state {} of its run, but its name is that of state {}",

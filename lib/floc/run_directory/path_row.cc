@@ -98,8 +98,9 @@ void add_axes(const State<Dim>& state, const PathReference<Dim>& reference, std:
   row.push_back(is_sheared ? TableValue{shear_stress} : TableValue{});
 }
 
-/// Adds to a row of path.csv the values that describe the walls. For each axis with walls, these include the pressure
-/// on its two walls, and the part of this pressure that is balanced by friction on the walls parallel to the axis.
+/// Adds to a row of path.csv the values that describe the walls. For each axis with walls, two of these values are the
+/// pressure on its two walls, and the part of this pressure that is balanced by friction on the walls parallel to the
+/// axis.
 template <int Dim>
 void add_walls(const State<Dim>& state, const Coordination& c, std::vector<TableValue>& row) {
   const Packing<Dim>& packing = state.packing;

@@ -8,11 +8,12 @@
 namespace floc {
 
 /// Returns the first line of path.csv (the table with one row for each equilibrium of a run): the names of its columns.
-/// @param boxed  whether the packing has walls; columns that describe the walls then follow the columns of all runs
-/// @param rigid  whether the grains are rigid; columns that describe contact dynamics then come last
+/// @param boxed  whether the packing has walls; if so, columns that describe the walls follow the columns that all runs
+/// have
+/// @param rigid  whether the grains are rigid; if so, the last columns describe contact dynamics
 std::string path_header(int dimension, bool boxed, bool rigid);
 
-/// Sides of the cell in earlier states of a run. The strains in a row of path.csv are computed relative to these sides.
+/// Sides of the cell in earlier states of a run: reference lengths for the strains in a row of path.csv.
 template <int Dim>
 struct PathReference {
   Vec<Dim> first_sides;  ///< sides of the cell (length) in the first state of the run

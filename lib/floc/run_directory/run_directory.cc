@@ -40,14 +40,14 @@ State<Dim> read_run_state(const std::string& file) {
                                      Dim == 2 ? 3 : 2, Dim));
 }
 
-/// Returns whether two stresses, lengths or strains are equal up to rounding. If a stage has been lengthened, the load
-/// of each step is computed from other numbers and may differ by rounding.
+/// Returns whether two stresses, lengths or strains are equal up to rounding. A tolerance is needed because the load of
+/// a step is computed from other numbers if its stage has been lengthened.
 bool same_load(double a, double b) {
   constexpr double kRounding = 1e-9;
   return std::abs(a - b) <= kRounding * std::max(std::abs(a), std::abs(b));
 }
 
-/// Returns whether the load of a state is the load of a planned equilibrium.
+/// Returns whether the load of a state equals the load of a planned equilibrium.
 template <int Dim>
 bool is_load_of(const PlannedEquilibrium& planned, const State<Dim>& state) {
   const StageReference& turn = state.path.turn;
@@ -161,7 +161,8 @@ std::optional<ReachedPoint<Dim>> RunDirectory::resume_point() {
   for (int step = 0; step < n_states; ++step) {
     if (rows_.contains(step) && step + 1 < n_states) continue;
     State<Dim> state = read_run_state<Dim>(state_path(step));
-    // A row is missing if the run was killed before it wrote the row. The wall time of the step is then unknown.
+    // A row is missing if the run was killed before it wrote the row. In this case the wall time of the step is
+    // unknown.
     if (!rows_.contains(step)) rows_[step] = row_of(state, std::nullopt);
     if (step + 1 == n_states)
       reached =
@@ -177,7 +178,8 @@ std::optional<ReachedPoint<Dim>> RunDirectory::resume_point() {
   return reached;
 }
 
-/// Returns the sides of the cell (length) in the equilibrium number `step`, which has been saved or is being saved.
+/// Returns the sides of the cell (length) in the equilibrium with the number `step`. This equilibrium has been saved or
+/// is being saved.
 template <int Dim>
 Vec<Dim> RunDirectory::sides_of(int step) {
   std::vector<double>& sides = sides_[step];

@@ -20,9 +20,9 @@ struct ReachedPoint {
 };
 
 /// Directory DIR of one run, with the files DIR/state-NNNN.h5 (one for each equilibrium), DIR/path.csv (a table of the
-/// equilibria) and DIR/checkpoint/checkpoint.h5. Files are always replaced as a whole. The order of the replacements
-/// allows a run to be resumed, no matter when it was killed. While this object exists, no other process of floc writes
-/// into the directory.
+/// equilibria) and DIR/checkpoint/checkpoint.h5. Files are always replaced as a whole, in an order that allows a run to
+/// be resumed at whatever time it was killed. While this object exists, no other process of floc writes into the
+/// directory.
 class RunDirectory {
  public:
   /// Opens the directory of a run, or creates it. If `existing` is Existing::overwrite, the files of an earlier run in
@@ -48,9 +48,9 @@ class RunDirectory {
   template <int Dim>
   void save_checkpoint(const State<Dim>& state, const RunPoint& point);
   void remove_checkpoint();
-  /// Checks that the path of the directory still leads to the locked directory. Callers that write other files into the
-  /// directory must check this first.
-  /// @throws IoError if the path leads elsewhere
+  /// Checks that the path of the directory still refers to the locked directory. This function must be called before
+  /// other files are written into the directory.
+  /// @throws IoError if the path no longer refers to the locked directory
   void require_held() const { claim_.require_held(); }
 
   std::string state_path(int step) const;
@@ -65,8 +65,8 @@ class RunDirectory {
  private:
   int count_states() const;
   void check_scene(const std::string& file, const RunOptions& options) const;
-  /// Checks that the states and the checkpoint in the directory agree with the first steps of the load path of
-  /// `options`.
+  /// Checks that the states and the checkpoint in the directory agree with the load path of `options`, which may have
+  /// more steps.
   void check_longer_path(const RunOptions& options) const;
   template <int Dim>
   std::string row_of(const State<Dim>& state, std::optional<double> seconds);

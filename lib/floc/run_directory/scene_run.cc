@@ -29,8 +29,8 @@ RunOptions run_options(const Scene& scene, const SceneRunOptions& asked) {
   return options;
 }
 
-/// Returns the text of the scene of the run in a directory. The text is stored in the first state of the run and, as
-/// long as there is no state, in the checkpoint. The result is empty if neither exists.
+/// Returns the text of the scene of the run in a directory. The text is read from the first state of the run or, as
+/// long as there is no state, from the checkpoint. The result is empty if neither exists.
 std::string scene_of_run(const std::string& directory) {
   for (const std::string& file : {state_file(directory, 0), directory + "/checkpoint/checkpoint.h5"})
     if (std::filesystem::exists(file))

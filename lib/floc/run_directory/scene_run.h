@@ -29,16 +29,16 @@ struct SceneRunOptions {
   bool no_timing = false;
 };
 
-/// Returns the options of a run: the options of its scene, changed by `asked`, with at most as many threads as
-/// useful_threads() returns.
+/// Returns the options of a run: the options of its scene, changed by `asked`. The number of threads is at most the
+/// result of useful_threads().
 /// @throws InputError if the scene cannot be run with these options; this function writes no files
 RunOptions checked_options(const Scene& scene, const SceneRunOptions& asked);
 
-/// Returns a message with the number of requested threads that the run does not use, and with the reason. Empty if the
-/// run uses all requested threads.
+/// Returns a message if the run uses fewer threads than requested: the number of unused threads, and the reason. Empty
+/// if the run uses all requested threads.
 std::string unused_threads(const Scene& scene, const SceneRunOptions& asked);
 
-/// A run of a scene in its directory, ready to be driven, with the table that records the motion of the packing.
+/// A run of a scene: the run, its directory, and the table that records the motion of the packing.
 template <int Dim>
 struct SceneRun {
   RunOptions options;
@@ -69,17 +69,18 @@ struct SceneRun {
 /// @param changes  texts "key=value", each of which replaces a value of the scene
 /// @param stop  function that is called between chunks of time steps and stops the run by returning true; if empty, the
 /// run continues to its end
-/// @return report whose `outcome` is `done`, `stopped`, or, if an equilibrium was not reached, `gave_up`
+/// @return report whose `outcome` is `done`, `stopped`, or `gave_up` if an equilibrium was not reached
 /// @throws InputError if read_scene() or the constructor of SceneRun refuses the scene, IoError if the directory cannot
 /// be written
 [[nodiscard]] DriveReport run_scene(const std::string& scene_file, const SceneRunOptions& asked,
                                     const std::vector<std::string>& changes = {},
                                     const std::function<bool()>& stop = {});
 
-/// Returns the treatment of a directory that already contains a run, according to the options `resume` and `overwrite`.
+/// Returns the treatment of a directory that already contains a run. It follows from the options `resume` and
+/// `overwrite`.
 Existing existing_of(const SceneRunOptions& asked);
 
-/// Returns the reason, as a message, why a run ended before its last equilibrium; empty if the run is complete.
+/// Returns a message with the reason why a run ended before its last equilibrium; empty if the run is complete.
 template <int Dim>
 std::string ending_of(const DriveReport& report, const Run<Dim>& run);
 

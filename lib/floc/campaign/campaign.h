@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// A change of one key of a scene, as the option `--set key=value` of `floc run` makes it.
+/// A change of one key of a scene, like the option `--set key=value` of `floc run`.
 struct SceneChange {
   std::string key;
   std::string value;  ///< value in the notation of TOML
@@ -26,7 +26,7 @@ struct StateChoice {
   /// branch of the load path that contains the states, if `kind` is `pressures`; empty: any branch
   std::string branch;
   std::vector<double> P_star;  ///< reduced imposed pressures of the states, if `kind` is `pressures`
-  /// whether `P_star` contains stresses on the driven axis; if not, it contains pressures that are equal on all axes
+  /// whether the values in `P_star` are stresses on the driven axis; if not, they are pressures on all axes
   bool is_driven = false;
   std::string place;  ///< "FILE:LINE" in the campaign file, for messages
 };
@@ -38,7 +38,7 @@ struct CampaignCase {
   std::string place;  ///< "FILE:LINE" in the campaign file, for messages
 };
 
-/// Columns of one table that a campaign collects from every run, for some states of the run.
+/// Part of the results of a campaign: columns of one table, collected from every run for chosen states of the run.
 struct Collection {
   std::string table;  ///< name of the table: path, moduli, network, structure or compare
   std::vector<std::string> columns;
@@ -54,33 +54,32 @@ struct CampaignFit {
   std::vector<std::string> options;
 };
 
-/// A reference value, with which a result of the campaign is compared.
+/// A reference value for one result of the campaign. The result is compared with this value.
 struct Reference {
-  std::string quantity;           ///< name of a collected column, or of a parameter of a fit
-  std::string fit;                ///< law of which `quantity` is a parameter; empty if `quantity` is a column
-  std::vector<SceneChange> when;  ///< keys and values that select the cases to compare; empty: all cases
-  StateChoice state;              ///< state at which a column is compared
+  std::string quantity;  ///< name of the result: a collected column, or a parameter of a fit
+  std::string fit;       ///< law of which `quantity` is a parameter; empty if `quantity` is a column
+  /// keys of the scene with values; cases with these values are compared. Empty: all cases
+  std::vector<SceneChange> when;
+  StateChoice state;  ///< state at which a column is compared
   double value = 0.0;
-  /// Standard deviation of the values of the reference samples. If `n_samples` is 1, it is the standard error of
-  /// `value`.
+  /// Standard deviation of the reference samples; if `n_samples` is 1, standard error of `value`.
   double deviation = 0.0;
   int n_samples = 1;
   std::string source;
   std::string place;  ///< "FILE:LINE" in the campaign file, for messages
 };
 
-/// Cost and errors of a campaign as floc plan has predicted them, see floc/planning/plan.h.
+/// Cost and errors that floc plan has predicted for a campaign, see floc/planning/plan.h.
 struct PlanPromise {
   std::string settings;       ///< name of the numerical settings in the table of prices, such as "patience 0.2"
-  std::string prices;         ///< table of prices, or pilot, from which the prediction was made
+  std::string prices;         ///< source of the prediction: a table of prices, or a pilot run
   double core_seconds = 0.0;  ///< processor time of all runs (s)
-  /// Names of observables, each with its predicted relative error: half the width of the 95 % confidence interval,
-  /// divided by the value. The value is a mean over states and samples, or the result of a fit.
+  /// Names of observables, each with the predicted relative error of its value: half the width of the 95 % confidence
+  /// interval, divided by the value. The value is a mean over states and samples, or the result of a fit.
   std::vector<std::pair<std::string, double>> errors;
 };
 
-/// A campaign: runs of one scene, one run for each pair of a case and a seed. A case changes the values of some keys of
-/// the scene.
+/// A campaign: runs of one scene, one run for each case and seed. A case changes the values of some keys of the scene.
 struct Campaign {
   std::string name;
   std::string scene_file;

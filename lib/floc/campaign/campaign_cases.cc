@@ -13,8 +13,8 @@ namespace {
 /// Label of a case that does not change the scene.
 constexpr const char* kNoChange = "base";
 
-/// Converts a text to a text that can be part of the name of a directory: characters other than letters, digits and
-/// "+-._" become hyphens.
+/// Makes a text usable as part of the name of a directory: all characters except letters, digits and "+-._" become
+/// hyphens.
 std::string as_name(const std::string& text) {
   std::string name;
   for (const char c : text) {
@@ -29,8 +29,8 @@ std::string as_name(const std::string& text) {
   return name;
 }
 
-/// Returns the end of a key, such as `coefficient` of `contact.friction.coefficient`. The returned end has as few
-/// components as possible, but enough to distinguish the key from all other keys of the campaign.
+/// Returns the shortest end of a key that distinguishes this key from all other keys of the campaign, such as
+/// `coefficient` for `contact.friction.coefficient`. An end consists of one or more components of the key.
 std::string short_key(const std::string& key, const std::vector<std::string>& keys) {
   for (std::size_t dot = key.rfind('.'); dot != std::string::npos && dot > 0; dot = key.rfind('.', dot - 1)) {
     const std::string end = key.substr(dot);

@@ -16,9 +16,9 @@ struct GridAxis {
 };
 
 /// Sets `campaign.cases` to the cases, and `campaign.keys` to the keys in which the cases differ. The cases are all
-/// combinations of a listed case with one value per axis of the grid, in an order in which the value of the last axis
-/// changes fastest. Without listed cases and without a grid, there is a single case, which does not change the scene.
-/// Each case gets a unique label, made of its name or of its values.
+/// combinations of a listed case with one value per axis of the grid; the value of the last axis changes fastest.
+/// Without listed cases and without a grid, there is a single case, which does not change the scene. Each case gets a
+/// unique label, made of the name of the case or of the values of the keys.
 /// @param place  name of the campaign file, for messages
 void set_cases(const std::vector<GridAxis>& grid, const std::vector<CampaignCase>& listed,
                const std::string& place, Campaign& campaign);

@@ -15,7 +15,7 @@ PlannedCampaign campaign_of(const std::string& directory) {
     throw InputError(directory,
                      "this directory contains no campaign: expected a directory that floc campaign plan wrote");
   PlannedCampaign planned{read_campaign(file.string(), kCampaignScene), {}};
-  // A campaign without a name is named after its file. Here this file is always campaign.toml, so the name of the
+  // A campaign without a name gets the name of its file. Here this file is always campaign.toml, so the name of the
   // directory is used instead.
   if (planned.campaign.name == file.stem().string())
     planned.campaign.name = fs::canonical(directory).filename().string();

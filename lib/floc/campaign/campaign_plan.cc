@@ -22,8 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A pressure in a campaign file selects a state if it differs from the pressure of the state by at most this fraction.
-/// Pressures in the file may therefore be rounded, such as 1.33 for 1.334.
+/// Largest relative difference between a pressure in a campaign file and the pressure of the state that it selects.
+/// Because this difference is not zero, pressures in the file may be rounded, such as 1.33 for 1.334.
 constexpr double kSamePressure = 0.01;
 
 std::vector<std::string> overrides_of(const CampaignCase& one) {
@@ -32,8 +32,8 @@ std::vector<std::string> overrides_of(const CampaignCase& one) {
   return texts;
 }
 
-/// Returns the place in the campaign file from which an error in the scene of a case comes: the place of the change
-/// that the message `fault` names or, if the message names no change, the place of the case.
+/// Returns the place in the campaign file to which an error in the scene of a case is attributed. If the error message
+/// `fault` names a key that the case changes, this is the place of the change, otherwise the place of the case.
 std::string blamed_place(const CampaignCase& one, const std::string& fault) {
   for (const SceneChange& change : one.changes)
     if (fault.find("--set " + change.text()) != std::string::npos) return change.place;
@@ -51,8 +51,9 @@ double planned_pressure(const Scene& scene, const PlannedEquilibrium& equilibriu
   return reduced_pressure(largest, pressure);
 }
 
-/// Returns the stress that an equilibrium imposes on its driven axis, or on all axes if the load is isotropic. Returns
-/// std::nullopt if this stress is not known before the run, for example because a strain is imposed on the driven axis.
+/// Returns the stress that is imposed in an equilibrium on the driven axis, or on all axes if the load is isotropic.
+/// Returns std::nullopt if this stress is not known before the run, for example because a strain is imposed on the
+/// driven axis.
 /// @param from  stress on each axis at the start of the stage, as far as it is known
 std::optional<double> planned_driven_stress(const KnownStress& from, const PlannedEquilibrium& e) {
   if (e.is_isotropic()) return e.pressure;
@@ -98,9 +99,9 @@ bool same_value(const std::string& a, const std::string& b) {
   return x && y ? *x == *y : a == b;
 }
 
-/// Returns the number of the state of a case whose reduced pressure is nearest to P_star and differs from P_star by at
-/// most the fraction kSamePressure. `choice` determines which pressure is compared: the pressure on all axes or the
-/// pressure on the driven axis.
+/// Returns the number of the state whose reduced pressure is nearest to P_star, among the states of a case. The
+/// relative difference between the two pressures must be at most kSamePressure. `choice` determines which pressure is
+/// compared: the pressure on all axes or the pressure on the driven axis.
 /// @throws InputError listing the pressures of the states, if there is no such state
 int state_at(double P_star, const StateChoice& choice, const CampaignCase& one, const CasePlan& plan) {
   int best = -1;
@@ -129,10 +130,10 @@ int state_at(double P_star, const StateChoice& choice, const CampaignCase& one, 
       choice.place,
       choice.is_driven
           ? fmt::format("{}: case {} has no state{} whose stress on the driven axis is known before "
-                        "the run: P_driven_star selects among such states; step selects the others",
+                        "the run: P_driven_star can select only such states; select other states by step",
                         key, one.label, where)
           : fmt::format("{}: case {} has no state{} with equal pressures on all axes: P_star "
-                        "selects among such states; P_driven_star selects by the stress on the driven axis",
+                        "can select only such states; P_driven_star selects by the stress on the driven axis",
                         key, one.label, where));
 }
 
@@ -183,7 +184,7 @@ std::vector<CasePlan> plan_cases(const Campaign& campaign) {
     plan.states = states_of(scene);
     plan.threads = useful_threads(scene.grains.count, scene.dimension, scene.relaxation.threads);
     plan.cost = expected_cost(scene);
-    // The states are chosen here, so that a missing state is reported before any run begins.
+    // The states are chosen here only to report a missing state before any run begins.
     for (const Collection& c : campaign.collections) {
       (void)chosen_states(c.states, one, plan);
       if (c.table == "compare" && chosen_states(c.before, one, plan).size() != 1)
@@ -201,7 +202,7 @@ std::vector<CasePlan> plan_cases(const Campaign& campaign) {
         throw InputError(r.state.place,
                          "state: several states are selected: expected the one state whose value is compared");
     }
-    // A reference that applies to no case is an error, because no result would be compared with this reference.
+    // A reference that applies to no case is an error: no result would be compared with it.
     if (!meant)
       throw InputError(r.place,
                        "when: no case of this campaign has these values of its keys: expected the values of at "

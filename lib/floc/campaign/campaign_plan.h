@@ -22,7 +22,7 @@ struct PlannedState {
 struct CasePlan {
   std::vector<PlannedState> states;
   int threads = 1;
-  double cost = 0.0;  ///< expected processor time of a run (s, on one core), to within a factor of two
+  double cost = 0.0;  ///< expected processor time of a run (s, on one core), accurate within a factor of two
 };
 
 /// A run of a campaign: a case with a seed.
@@ -33,8 +33,8 @@ struct CampaignRun {
   std::string directory;
 };
 
-/// Plans the runs of each case of a campaign, and checks that each case has the states that the campaign collects and
-/// compares.
+/// Plans the runs of each case of a campaign. Checks that each case has the states from which the campaign collects
+/// results, or which it compares.
 /// @throws InputError naming the line of the campaign file, in these cases: the scene of a case is not valid; there are
 /// several seeds, but all of them give the same sample; a case does not have a state that is collected or compared
 std::vector<CasePlan> plan_cases(const Campaign& campaign);
@@ -47,11 +47,12 @@ std::vector<CampaignRun> runs_of(const Campaign& campaign);
 /// exist
 std::vector<int> chosen_states(const StateChoice& choice, const CampaignCase& one, const CasePlan& plan);
 
-/// Returns whether a reference applies to a case: all keys in `when` of the reference have the same values in the case.
+/// Returns whether a reference applies to a case: the case has the value in `reference.when` for every key listed
+/// there.
 bool is_meant(const Reference& reference, const CampaignCase& one);
 
-/// Returns the text of the scene of a campaign with absolute file names, so that the scene can be run in another
-/// directory. In the scene file, file names are relative to that file.
+/// Returns the text of the scene of a campaign. File names, which are relative to the scene file, are replaced by
+/// absolute names, so that the scene can be run in another directory.
 std::string portable_scene(const Campaign& campaign);
 
 }  // namespace floc

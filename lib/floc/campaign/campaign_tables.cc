@@ -26,8 +26,8 @@ TableValue as_value(const std::string& text) {
   return text;
 }
 
-/// Returns the first cells of each row about a case in the tables of results: the label of the case, and the values
-/// that the case gives to the keys in which the cases differ.
+/// Returns the cells with which each row about a case begins in the tables of results: the label of the case, and the
+/// values that the case gives to the keys in which the cases differ.
 Row case_cells(const Campaign& campaign, const CampaignCase& one) {
   Row row = {one.label};
   for (const std::string& key : campaign.keys) row.push_back(as_value(value_of(one, key)));
@@ -57,8 +57,8 @@ void take_columns(const CsvTable& table, int row, const Collection& collection, 
   for (const std::string& column : collection.columns) cells[column] = table.text(row, table.column(column));
 }
 
-/// Reads the columns of one collection of the campaign for one run, and copies them into `states`. The key of `states`
-/// is the number of a state; only the states with the numbers `steps` are copied.
+/// Reads the columns of one collection for one run, and copies their values at the states `steps` into `states`. The
+/// key of `states` is the number of a state.
 /// @param number  number of the collection, counted from 0
 /// @param directory  directory of the run
 /// @param path  table path.csv of the run
@@ -93,8 +93,8 @@ std::vector<std::string> collected_columns(const Campaign& campaign) {
 /// Columns that the table of runs always has, even if the campaign does not collect them.
 const std::set<std::string> kOfState = {"case", "seed", "step", "branch", "P_star"};
 
-/// Returns the reference value for a column at a state of a case, or for a parameter of a fit to a case; null if the
-/// campaign has no reference for this value.
+/// Returns the reference for a value in a table of results; null if the campaign has no reference for it. The value is
+/// that of a column at a state of a case, or that of a parameter of a fit to a case.
 /// @param step  number of the state; -1 for a parameter of a fit
 const Reference* reference_of(const Campaign& campaign, const CampaignCase& one, const CasePlan* plan, int step,
                               const std::string& fit, const std::string& quantity) {
@@ -202,7 +202,7 @@ Table means_of(const Campaign& campaign, const std::vector<CasePlan>& plans, con
   const int label = runs.column("case"), step = runs.column("step");
   for (std::size_t k = 0; k < campaign.cases.size(); ++k) {
     const CampaignCase& one = campaign.cases[k];
-    std::map<int, std::vector<int>> rows;  // rows about the case, by the number of the state
+    std::map<int, std::vector<int>> rows;  // key: number of a state; value: rows about this state of the case
     for (int row = 0; row < runs.n_rows(); ++row)
       if (runs.text(row, label) == one.label) rows[static_cast<int>(runs.integer(row, step))].push_back(row);
     for (const auto& [number, those] : rows) {
@@ -244,7 +244,7 @@ void add_fit(const Campaign& campaign, const CampaignCase& one, const CampaignFi
   std::vector<std::string> parameters;  // names of the parameters, in the order of the printed table
   std::set<std::string> pooled;
   const auto cell = [&](int row, const char* column) { return printed.text(row, printed.column(column)); };
-  std::set<std::string> tests;  // kinds of mechanical tests; parameters have the same names in all kinds
+  std::set<std::string> tests;  // kinds of mechanical tests; the parameters have the same names for all kinds
   for (int row = 0; printed.has("test") && row < printed.n_rows(); ++row) tests.insert(cell(row, "test"));
   const auto parameter_of = [&](int row) {
     const bool of_state = printed.has("source") && cell(row, "source") == "state";

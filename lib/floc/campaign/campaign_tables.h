@@ -10,24 +10,24 @@
 
 namespace floc {
 
-/// Outcome of a run of a campaign: the floc command that failed, if one did, and the time that the tables took.
+/// Outcome of a run of a campaign: the floc command that failed, if any, and processor times.
 struct RunOutcome {
   int exit_code = 0;
   std::string command;   ///< floc command that failed; empty if none failed
   std::string words;     ///< error message of that command
   double seconds = 0.0;  ///< processor time of the commands that made tables after the run (s)
-  /// Processor time of the run in its last attempt (s); absent in directories that older versions of floc wrote.
+  /// Processor time (s) of the last attempt of the run; absent in directories that older versions of floc wrote.
   std::optional<double> run_seconds = {};
 };
 
 /// Names of the files with the outcome of a run, in the directory of the run. kOutcomeFile contains the outcome of the
-/// last attempt. If that attempt failed and the run is to be repeated, kOutcomeFile is renamed to kFailureFile.
+/// last attempt. If the last attempt failed and the run is to be repeated, kOutcomeFile is renamed to kFailureFile.
 inline constexpr const char* kOutcomeFile = "outcome.csv";
 inline constexpr const char* kFailureFile = "failed.csv";
 
 Table table_of(const RunOutcome& outcome);
 
-/// Returns the outcome of the last attempt of the run in a directory; absent if that run has not ended.
+/// Returns the outcome of the last attempt of the run in a directory; absent if the run has not ended.
 /// @throws InputError if a file with an outcome is not valid
 std::optional<RunOutcome> outcome_of(const std::string& directory);
 

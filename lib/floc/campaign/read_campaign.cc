@@ -62,7 +62,7 @@ struct Leaf {
   const toml::node* node;
 };
 
-/// Returns the values in a table and in the tables inside it, in the order in which they are in the file.
+/// Returns the values in a table and in the tables inside it, in the order of the file.
 std::vector<Leaf> leaves_of(const toml::table& table, const std::string& path = "") {
   std::vector<Leaf> leaves;
   for (const auto& [name, node] : table) {
@@ -86,7 +86,7 @@ void refuse(SceneSource& source, const std::string& key, const toml::node& node,
   source.fault(key, &node, fmt::format("{} = {}: expected {}", key, as_written(node), expected));
 }
 
-/// Reads the changes of a scene from a table of keys and values.
+/// Reads the changes of a scene from a table whose keys are keys of the scene.
 std::vector<SceneChange> read_changes(Part& part, const std::string& key, Need need) {
   std::vector<SceneChange> changes;
   constexpr const char* kExpected =
@@ -160,7 +160,7 @@ std::vector<double> one_or_more(TableReader& reader, const toml::table& table, c
 }
 
 /// Reads a choice of states.
-/// @param otherwise  the choice that is returned if the key is missing
+/// @param otherwise  kind of the choice that is returned if the key is missing
 StateChoice read_states(Part& part, const std::string& key, StateChoice::Kind otherwise) {
   StateChoice choice;
   choice.kind = otherwise;
@@ -177,8 +177,8 @@ StateChoice read_states(Part& part, const std::string& key, StateChoice::Kind ot
   TableReader states = part.reader.table(key, kStates, Need::optional);
   if (!states) return choice;
   const toml::table& table = *node->as_table();
-  // A table selects states by one of three keys: their number `step`, the pressure `P_star` on all axes or the pressure
-  // `P_driven_star` on the driven axis. Several keys together, or none of them, are an error.
+  // A table selects states by one of three keys: `step` (number of the state), `P_star` (pressure on all axes) or
+  // `P_driven_star` (pressure on the driven axis). It is an error if a table has several of these keys, or none.
   if (table.contains("step") + table.contains("P_star") + table.contains("P_driven_star") != 1) {
     part.reader.fault(key, fmt::format("{}: expected {}", part.reader.path_of(key), kStates));
     return choice;
@@ -371,7 +371,7 @@ Campaign read_campaign(const std::string& path, const std::string& scene) {
     source.fault_at(path, fmt::format("this campaign has {} cases with {} seeds: expected at most {} runs",
                                       campaign.cases.size(), campaign.seeds.size(), kMaxRuns));
   source.throw_faults();
-  // plan_cases() checks the scene itself, once for each case with the changes of that case.
+  // The scene is not checked here: plan_cases() checks it for each case, with the changes of this case.
   campaign.scene = read_text(campaign.scene_file);
   return campaign;
 }

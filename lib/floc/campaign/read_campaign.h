@@ -7,8 +7,8 @@
 namespace floc {
 
 /// Reads a campaign file (TOML; docs/commands/campaign.md describes its keys) and the text of its scene file.
-/// @param scene  name of a scene file, relative to the campaign file, that is read instead of the file that the
-/// campaign names; empty: no replacement
+/// @param scene  name of a scene file, relative to the campaign file, which replaces the scene file named in the
+/// campaign; empty: no replacement
 /// @throws InputError naming all errors, in lines such as "file:line: key = value: expectation"
 Campaign read_campaign(const std::string& path, const std::string& scene = "");
 

@@ -18,7 +18,8 @@ SampleMean mean_of_samples(const std::vector<double>& values) {
   result.high = *high;
   double sum = 0.0;
   for (const double x : values) sum += x - *low;
-  // The smallest value is subtracted before values are summed, so that the mean of equal values is exactly their value.
+  // The smallest value is subtracted from all values before they are summed, so that the mean of equal values is
+  // exactly this value.
   result.mean = *low + sum / result.n;
   if (result.n < 2) return result;
   double squares = 0.0;

@@ -18,14 +18,14 @@ struct SampleMean {
 
 SampleMean mean_of_samples(const std::vector<double>& values);
 
-/// A mean from another source, such as a publication, with which a mean of a campaign is compared.
+/// A mean from another source, such as a publication, for comparison with a mean of a campaign.
 struct ReferenceMean {
   int n = 1;
   double mean = 0.0;
   double deviation = 0.0;  ///< standard deviation of the samples; for n = 1 the standard error of `mean`
 };
 
-/// Result of the comparison of a mean with its reference.
+/// Result of the comparison of a mean with a reference mean.
 struct Difference {
   double value = 0.0;  ///< mean minus reference
   /// Largest difference at which the means agree, 2.6 sqrt(s^2/n + s_ref^2/n_ref), with the standard deviations s and

@@ -9,7 +9,7 @@
 namespace floc {
 namespace {
 
-/// Returns a text as a string literal of Python.
+/// Returns a text as a Python string literal.
 std::string python_quoted(const std::string& text) {
   std::string quoted = "\"";
   for (const char c : text) {
@@ -23,7 +23,7 @@ std::string python_quoted(const std::string& text) {
   return quoted + "\"";
 }
 
-/// Returns a text as a string literal of Python for a shell command of a Snakefile. Braces are doubled, because
+/// Returns a text as a Python string literal that can be a shell command in a Snakefile. Braces are doubled, because
 /// snakemake replaces words in single braces.
 std::string command_quoted(const std::string& text) {
   std::string doubled;
@@ -89,9 +89,9 @@ std::string command_of(const Collection& collection, const CampaignCase& one, co
   return command;
 }
 
-/// Returns the values of the option `--table` of `floc campaign run` for a collection, such as "1-moduli.csv: moduli
-/// state-0003.h5": the file of a table and the floc command that prints it. For the table "compare" there is one value
-/// per state, because one call of floc compare compares only two states.
+/// For a collection, returns the values of the option `--table` of `floc campaign run`. A value consists of the name of
+/// a file and the floc command that prints the table in this file, such as "1-moduli.csv: moduli state-0003.h5". For
+/// the table "compare" there is one value per state, because one call of floc compare compares only two states.
 std::vector<std::string> commands_of(const Campaign& campaign, int number, const CampaignCase& one,
                                      const CasePlan& plan) {
   Collection collection = campaign.collections[static_cast<std::size_t>(number)];

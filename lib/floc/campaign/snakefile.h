@@ -13,7 +13,8 @@ namespace floc {
 std::string snakefile_of(const Campaign& campaign, const std::vector<CasePlan>& plans,
                          const std::string& program);
 
-/// Returns the name of the file with the table of a collection, in the directory of a run: "1-moduli.csv".
+/// Returns the name of the file, in the directory of a run, that contains the table of a collection, such as
+/// "1-moduli.csv".
 /// @param number  index of the collection in `campaign.collections`; the number in the file name is larger by 1
 std::string collected_file(const Campaign& campaign, int number);
 

@@ -76,8 +76,8 @@ void add_residuals(const State<Dim>& state, const Packing<Dim>& recomputed, cons
 
 namespace {
 
-/// Compares the offset (component along the first axis) of a sheared lattice vector with the offset imposed by a simple
-/// shear, and adds the difference to `result`. The difference is divided by the length of the axis.
+/// For a simple shear, compares the offset (component along the first axis) of the sheared lattice vector with the
+/// imposed offset, and adds the difference, divided by the length of the axis, to `result`.
 template <int Dim>
 void check_offset(const State<Dim>& state, double limit, Criterion& result) {
   if (!state.target_offset) return;
@@ -130,15 +130,15 @@ Criterion check_recorded_stress(const State<Dim>& state, const Packing<Dim>& rec
                                 const Mat<Dim>& stress) {
   constexpr double kRelative = 1e-10;
   double lengths = 0.0;    // sum of the lengths of all branch vectors (from centre to centre)
-  double magnitude = 0.0;  // sum of the absolute values of normal force times branch length
+  double magnitude = 0.0;  // sum over all contacts of abs(normal force) times branch length
   for (const Contact<Dim>& c : recomputed.contacts) {
     const double length = branch(recomputed, c).norm();
     lengths += length;
     magnitude += std::abs(c.normal_force) * length;
   }
   const double volume = recomputed.cell.volume();
-  // At zero pressure, tensile and compressive contributions to the stress cancel. The error is then compared with the
-  // sum of the magnitudes of the contributions.
+  // At zero pressure, tensile and compressive contributions to the stress cancel. In this case, the error is compared
+  // with the sum of the magnitudes of the contributions.
   const double scale = std::max(std::abs(stress.trace() / Dim), 1e-5 * magnitude / (Dim * volume));
   const double error = (state.stress - stress).cwiseAbs().maxCoeff();
   // Both the normal and the tangential force may have the error that the criterion "law" accepts.
@@ -159,7 +159,7 @@ Criterion check_boundary(const State<Dim>& state, const Packing<Dim>& recomputed
   Vec<Dim> centre = Vec<Dim>::Zero();
   if (recomputed.walls.empty())
     for (const Vec<Dim>& x : g.position) centre += x / g.size();
-  double open = 0.0;  // difference that net forces within their tolerance can cause (force * length)
+  double open = 0.0;  // largest difference that net forces within their tolerance can cause (force * length)
   for (int i = 0; i < g.size(); ++i)
     open += std::min(net.force[i].norm(), largest) * (g.position[i] - centre).norm();
   double rounded = 0.0;
@@ -182,14 +182,14 @@ Criterion check_boundary(const State<Dim>& state, const Packing<Dim>& recomputed
 
 namespace {
 
-/// Comparison of the recorded quantities of a state, except its forces, with the values that follow from the recomputed
-/// forces. The class counts the differences and describes the first difference.
+/// Compares recorded quantities of a state (other than forces) with the values that follow from the recomputed forces.
+/// Counts the differences and describes the first one.
 class Record {
  public:
   /// Compares the recorded value of one quantity with the value `found`, which follows from the recomputed forces.
   /// @param rounding  bound on the error of `found` due to the rounding of the positions
   void compare(const char* name, double recorded, double found, double rounding) {
-    constexpr double kRelative = 1e-6;  // accepted because other compilers round sums differently
+    constexpr double kRelative = 1e-6;  // accepted, because other compilers may round sums differently
     const double size = std::max(std::abs(recorded), std::abs(found));
     if (recorded == found || std::abs(recorded - found) <= kRelative * size + rounding) return;
     wrong(fmt::format("{} is recorded as {:.3g}, but its value is {:.3g}", name, recorded, found));
@@ -226,8 +226,8 @@ void compare_flags(const Packing<Dim>& stored, Record& record) {
   }
 }
 
-/// A state records which grains have the largest residuals. Compares the residuals of these grains with the largest
-/// residuals of all grains.
+/// Checks the grains that are recorded as those with the largest residuals: the residuals of these grains must be the
+/// largest of all grains.
 /// @param found  largest residuals of the recomputed packing
 /// @param rounding  bound on the rounding error of a residual
 template <int Dim>
@@ -248,8 +248,8 @@ void compare_worst_grains(const State<Dim>& state, const Packing<Dim>& recompute
           [&](int i) { return net.moment[i].norm() / (scales.of(i).force * scales.of(i).length); });
 }
 
-/// Compares the recorded forces on walls with the contact forces on these walls. Also compares the recorded rates of
-/// the sides of a box with the velocities of its walls.
+/// Compares the recorded forces on walls with the contact forces on these walls, and the recorded rates of change of
+/// the sides with the velocities of the walls.
 template <int Dim>
 void compare_walls(const State<Dim>& state, const Packing<Dim>& recomputed, Record& record) {
   const std::vector<double> found = wall_forces(recomputed);
@@ -286,7 +286,7 @@ Criterion check_record(const State<Dim>& state, const Packing<Dim>& recomputed, 
   Record record;
   const Residuals found = residuals(recomputed, state.target_stress, stress);
   const ForceScale scale = force_scale(recomputed, state.target_stress);
-  // Assumed number of contacts of a grain; the errors of these contacts add up.
+  // Assumed number of contacts per grain; the errors of the forces of these contacts add up.
   constexpr double kContacts = 8.0;
   const double open = scale.force > 0.0 ? kContacts * force_error(recomputed) / scale.force : 0.0;
   record.compare("residuals.force", state.residuals.force, found.force, open);

@@ -15,8 +15,8 @@
 namespace floc {
 namespace {
 
-/// Largest accepted relative excess of a tangential force (or moment) above its limit. This value is sufficient for
-/// files with only six digits, in which forces and contact normals are rounded.
+/// Largest accepted excess of a tangential force (or moment) above its limit, divided by the limit. This value is
+/// sufficient for files with only six digits, in which forces and contact normals are rounded.
 constexpr double kCapTolerance = 1e-4;
 /// Largest tensile normal force that counts as a rounding error, divided by the largest normal force of the packing.
 constexpr double kNoForce = 1e-9;
@@ -26,9 +26,9 @@ std::string names_of(const Packing<Dim>& packing, const Contact<Dim>& c) {
   return fmt::format("{}-{}", packing.grains.name(c.i), body_name(packing, c.j));
 }
 
-/// Returns the normal force that the contact law gives at the present gap of a contact, with the stiffness of this
-/// contact. A contact with a linear spring may be marked as touching although its surfaces have a gap; the returned
-/// force is then tensile.
+/// Returns the normal force that the contact law gives at the present gap of a contact. A linear law is evaluated with
+/// the stiffness of the contact. A contact with a linear spring may be marked as touching although its surfaces have a
+/// gap; the returned force is then tensile.
 template <int Dim>
 double expected_normal_force(const Packing<Dim>& packing, const Contact<Dim>& c) {
   const Law& law = packing.law_of(c);

@@ -17,8 +17,8 @@ constexpr int kIncidentBit = 11, kReferenceBit = 21;
 constexpr std::uint32_t kTenBits = 1023, kOfSecond = std::uint32_t{1} << 31;
 
 /// Returns the features that meet at a contact point with this key. A search that begins with these features finds the
-/// recorded contact, even if contact_manifold() could choose another contact that is equally good within the margins of
-/// that function.
+/// recorded contact. Without them, contact_manifold() could find another contact that is equally good within its
+/// margins.
 template <int Dim>
 AxisFeatures features_of(std::uint32_t key, const Shape<Dim>& first, const Shape<Dim>& second) {
   const auto reference = static_cast<int>(key >> kReferenceBit & kTenBits),
@@ -37,7 +37,7 @@ AxisFeatures features_of(std::uint32_t key, const Shape<Dim>& first, const Shape
   return features;
 }
 
-/// Returns a recorded contact with the geometry that follows from positions and shapes.
+/// Returns a recorded contact, but with the geometry that follows from positions and shapes.
 /// @param tolerance  largest gap at which a contact point counts, divided by the diameter of the smaller grain
 template <int Dim>
 Contact<Dim> relocated(const Packing<Dim>& packing, Contact<Dim> c, double tolerance) {
@@ -54,8 +54,8 @@ Contact<Dim> relocated(const Packing<Dim>& packing, Contact<Dim> c, double toler
       features = features_of(key, *packing.grains.placed(c.i).shape, *packing.grains.placed(c.j).shape);
     return manifold_of(packing, c, r, reach, &features, key);
   };
-  // The recorded gap may be wrong, so that the point is sought at all gaps. The points within the tolerance define the
-  // type.
+  // The recorded gap may be wrong, so the point is searched for at all gaps. The type follows from the points whose
+  // gaps are within the tolerance.
   const Manifold<Dim> manifold = within(diameter);
   const ManifoldPoint<Dim>* found = manifold.with_key(key);
   if (!found) found = manifold.nearest(c.arm_i);

@@ -10,11 +10,11 @@ namespace floc {
 /// Contacts of a packing of rigid grains, computed from positions and shapes and not from the recorded geometry.
 template <int Dim>
 struct RigidGeometry {
-  /// For each recorded contact: the contact with the gap, normal and lever arms found from positions and shapes, and
-  /// with the recorded forces. If the pair has no contact point with the recorded key, the contact point nearest to the
-  /// recorded point is used. If the pair has no contact point at all, the gap is infinite.
+  /// The recorded contacts, with the recorded forces, but with gaps, normals and lever arms computed from positions and
+  /// shapes. If no contact point of the two grains has the recorded key, the contact point nearest to the recorded
+  /// point is used. If the grains have no contact point at all, the gap is infinite.
   std::vector<Contact<Dim>> recorded;
-  /// Contacts of any two surfaces whose overlap is deeper than a tolerance, the deepest first. These contacts have no
+  /// Contacts between all surfaces that overlap by more than a tolerance, the deepest first. These contacts have no
   /// forces.
   std::vector<Contact<Dim>> overlapping;
   /// Deepest overlap of any two surfaces, divided by the diameter of the smaller grain.

@@ -58,8 +58,8 @@ std::optional<Scene> scene_of(const std::string& file, const std::string& text, 
   }
 }
 
-/// Largest accepted tolerance of a state without a scene. All tolerances are expressed in units of the typical force F1
-/// of the packing and the largest diameter. A packing whose net forces reach this tolerance is far from equilibrium.
+/// Largest accepted tolerance of a state without a scene. Tolerances are in units of the force scale F1 and the largest
+/// diameter of the packing. A packing whose net forces reach this tolerance is far from equilibrium.
 constexpr double kLargestTolerance = 10.0;
 
 /// Checks the tolerances of the equilibrium that are recorded in a state.

@@ -23,9 +23,9 @@ namespace floc {
 template <int Dim>
 std::vector<Criterion> check_against_scene(const std::string& file, const State<Dim>& state);
 
-/// Reads the scene of a state of rigid grains and returns the largest gap at which a contact may carry a force, divided
-/// by the diameter of the smaller grain. The result is absent if the state has no scene, if the scene cannot be read,
-/// or if it does not set this gap.
+/// Reads the scene of a state of rigid grains. Returns the largest gap at which a contact may have a force, divided by
+/// the diameter of the smaller grain. The result is absent if the state has no scene, if the scene cannot be read, or
+/// if the scene does not set this gap.
 /// @param file  name of the state file, see check_against_scene()
 template <int Dim>
 std::optional<double> scene_gap_tolerance(const std::string& file, const State<Dim>& state);

@@ -12,8 +12,8 @@
 namespace floc {
 namespace {
 
-/// Returns whether a sorted list of contacts contains a contact between the same two bodies as `c`. The list is sorted
-/// like the contacts of a packing.
+/// Returns whether a list of contacts, sorted like the contacts of a packing, contains a contact between the two bodies
+/// of `c`.
 template <int Dim>
 bool has_pair(const std::vector<Contact<Dim>>& sorted, Contact<Dim> c) {
   c.key = std::numeric_limits<int>::min();

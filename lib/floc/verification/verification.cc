@@ -28,7 +28,7 @@ namespace floc {
 namespace {
 
 /// Identity of a pair of grains: their indices and the periodic image. The identity does not change if the two grains
-/// are exchanged and the periodic image is reversed accordingly.
+/// are exchanged and the periodic image is reversed.
 using PairIdentity = std::tuple<int, int, std::vector<int>>;
 
 template <class Pair>
@@ -80,9 +80,8 @@ Criterion check_list(const Packing<Dim>& recomputed) {
   return {"list", static_cast<double>(n_wrong), 0.0, n_wrong == 0, violations.worst_first()};
 }
 
-/// Checks the liquid bridges of a state. Their total volume must be the volume that the contact law gives. The liquid
-/// is distributed once more as a test: the number of bridges that would change must equal the number recorded in the
-/// state.
+/// Checks the liquid bridges of a state. Their total volume must be the volume that the contact law gives. As a test,
+/// the liquid is distributed once more: the number of bridges that change must equal the number recorded in the state.
 template <int Dim>
 Criterion check_liquid(const State<Dim>& state, const Packing<Dim>& recomputed) {
   if (!holds_liquid(recomputed)) return {"liquid", 0.0, 0.0, true, ""};
@@ -106,7 +105,7 @@ Criterion check_liquid(const State<Dim>& state, const Packing<Dim>& recomputed) 
 
 /// Returns the largest accepted relative difference between a stored stiffness and the stiffness that the contact law
 /// gives.
-///   - Surfaces that touch have a constant stiffness, or a stiffness that is computed from the elastic force by a root.
+///   - Surfaces that touch have a constant stiffness, or a stiffness that is computed from a root of the elastic force.
 ///     The rounding error is about 1e-15, even after a change of units.
 ///   - The stiffness of an attraction across a gap depends on the gap, and an error of the gap causes an error of the
 ///     stiffness. The ratio of the stiffness kn to the force is the relative rate at which the force decreases with the
@@ -119,8 +118,8 @@ double stiffness_tolerance(const Packing<Dim>& packing, const Contact<Dim>& c) {
   return kRelative + kSteepest * std::abs(c.kn / c.normal_force) * distance_error(packing);
 }
 
-/// Describes the first stored stiffness of a contact that differs from the contact law. Returns an empty text if all
-/// stiffnesses agree.
+/// Returns a description of the first stiffness of a stored contact that differs from the contact law. Returns an empty
+/// text if all stiffnesses agree.
 template <int Dim>
 std::string wrong_stiffness(const Packing<Dim>& packing, const Contact<Dim>& stored, double tolerance) {
   const Stiffnesses found = stiffnesses(stored), by_law = law_stiffnesses(packing, stored);
@@ -168,7 +167,8 @@ void add_geometry(const Packing<Dim>& stored, Packing<Dim>& recomputed, std::vec
     criteria = {check_geometry(stored, recomputed), check_list(recomputed)};
     return;
   }
-  // Two shapes may have several contact points. Their springs are kept, and the law gives their forces.
+  // Two shapes may have several contact points. Each point keeps its springs, and the law gives the forces at the
+  // point.
   const double error = distance_error(stored) / (2.0 * *std::ranges::min_element(stored.grains.radius));
   const RigidGeometry<Dim> geometry = rigid_geometry(stored, error);
   criteria = {check_shape_geometry(stored, geometry.recorded), check_shape_list(stored, geometry)};

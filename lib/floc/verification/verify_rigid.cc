@@ -21,10 +21,10 @@
 namespace floc {
 namespace {
 
-/// Largest accepted violation of the contact law of rigid grains, divided by the mean normal force. The forces that a
-/// run computes are more accurate than this limit by a few digits.
+/// Largest accepted violation of the contact law of rigid grains, divided by the mean normal force. The forces of a run
+/// are a few digits more accurate than this limit.
 constexpr double kForceError = 1e-9;
-/// Largest repulsive force that counts as a rounding error of zero, divided by the mean repulsive force.
+/// Largest force (repulsive or tangential) of a contact that counts as zero, divided by the mean repulsive force.
 constexpr double kCarries = 1e-9;
 /// Deepest overlap of grains in motion, divided by the diameter of the smaller grain.
 constexpr double kDeepestInMotion = 5e-2;
@@ -36,7 +36,7 @@ double mean_force(const Packing<Dim>& packing) {
   return mean > 0.0 ? mean : 1.0;
 }
 
-/// Returns the name of a property of this contact that a rigid contact cannot have; empty if there is no such property.
+/// Returns the name of a property of `c` that a rigid contact cannot have; empty if `c` has no such property.
 template <int Dim>
 std::string elastic_property(const Contact<Dim>& c) {
   if (c.kn != 0.0 || c.kt != 0.0 || c.kr != 0.0 || c.ktw != 0.0)
@@ -47,8 +47,8 @@ std::string elastic_property(const Contact<Dim>& c) {
 }
 
 /// Checks that each repulsive force is the normal force plus the adhesion of the law.
-/// @param moving  whether the forces are those of a time step: the adhesion of a contact whose gap closes in the step
-/// acts only from the next step on
+/// @param moving  whether the forces are those of a time step. If the gap of a contact closes in this step, its
+/// adhesion acts only from the next step on
 template <int Dim>
 Criterion check_law(const Packing<Dim>& packing, bool moving) {
   Criterion result{"law", 0.0, kForceError, true, ""};
@@ -119,8 +119,8 @@ Criterion check_gaps(const Packing<Dim>& recomputed, const RigidGeometry<Dim>& g
 template <int Dim>
 double contact_power(const Packing<Dim>& packing) {
   const Grains<Dim>& g = packing.grains;
-  // Along axes with walls, the velocities of the grains are absolute, so the rate of the cell along these axes is not
-  // added.
+  // Along axes with walls, the velocities of the grains contain the motion of the cell, so the rate of the cell is not
+  // added along these axes.
   Mat<Dim> rate = packing.cell.rate();
   for (int a = 0; a < Dim; ++a)
     if (between_walls(packing.walls, a)) rate(a, a) = 0.0;
@@ -153,8 +153,8 @@ Criterion check_power(const State<Dim>& state, const Packing<Dim>& recomputed) {
   return result;
 }
 
-/// Compares the stored contacts with the contact points that a time step from this packing finds. The geometry of
-/// stored and found contacts must agree up to rounding errors.
+/// Compares the stored contacts with the contact points that are found in a time step from this packing. The geometry
+/// of stored and found contacts must agree up to rounding errors.
 template <int Dim>
 Criterion check_step_geometry(const Packing<Dim>& stored, const std::vector<Contact<Dim>>& found) {
   Criterion result{"geometry", 0.0, distance_error(stored), true, ""};

@@ -25,11 +25,12 @@ std::vector<Criterion> verify_motion(const State<Dim>& state);
 ///                positions and shapes (length)
 ///   list         number of pairs of surfaces that overlap by more than `gap_tolerance` and are missing in the contact
 ///                list, plus number of contacts that are listed twice or out of order
-///   law          largest difference between elastic forces and normal forces plus adhesion, divided by the mean normal
-///                force; rigid contacts must have no stiffness and no moment, and their shear forces must be tangential
+///   law          largest difference between the elastic force of a contact and its normal force plus adhesion, divided
+///                by the mean normal force; rigid contacts must have no stiffness and no moment, and their shear forces
+///                must be tangential
 ///   cone         largest violation of F_N + F_a >= 0 and abs(F_T) <= mu (F_N + F_a), divided by the mean normal force,
 ///                with the normal force F_N, the tangential force F_T, the adhesion F_a and the friction coefficient mu
-///   gap          largest gap or overlap of a contact that carries a force, and largest overlap of any two surfaces,
+///   gap          largest gap or overlap of a contact whose force is not zero, and largest overlap of any two surfaces,
 ///                divided by the diameter of the smaller grain
 ///   force, moment, stress, energy, mean_stress, length, boundary_balance, recorded   as in verify_equilibrium()
 ///   power        power of the contact forces on the recorded motion, divided by N F1 a/T, with the number N of grains,

@@ -14,7 +14,7 @@ Balance<Dim> net_forces(const Packing<Dim>& packing) {
     const bool on_grain = !packing.is_wall(c.j);
     net.force[c.i] += on_i;
     if (on_grain) net.force[c.j] -= on_i;
-    // The forces on both grains act at the contact point, which conserves angular momentum exactly.
+    // Both forces act at the contact point, so that angular momentum is conserved exactly.
     const RotationVector<Dim> of_springs = spring_moment(c);
     net.moment[c.i] += moment<double>(c.arm_i, on_i) + of_springs;
     if (on_grain) net.moment[c.j] -= moment<double>(c.arm_j, on_i) + of_springs;

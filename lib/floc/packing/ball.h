@@ -4,8 +4,7 @@
 
 namespace floc {
 
-/// Shape of a grain: a disk in 2D, a sphere in 3D. Its member functions return the quantities that depend on
-/// the shape alone.
+/// A round grain: a disk in 2D, a sphere in 3D.
 template <int Dim>
 struct Ball {
   double radius;  ///< radius of the grain (length)
@@ -19,8 +18,8 @@ struct Ball {
 
 /// Returns Ri/(Ri + Rj) for two touching balls of radii Ri and Rj: the lever arm of the first ball, divided by the
 /// distance between the centres. The contact point divides the line between the centres in proportion to the radii
-/// (docs/physics.md, "Kinematics of a contact"). A wall counts as a ball of radius 0. For a wall the result is
-/// therefore 1: the lever arm ends at the wall.
+/// (docs/physics.md, "Kinematics of a contact"). If the second body is a wall, it counts as a ball of radius 0, and the
+/// result is 1: the lever arm ends at the wall.
 inline double lever_share(double radius_i, double radius_j) {
   return radius_i / (radius_i + radius_j);
 }

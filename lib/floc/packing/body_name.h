@@ -8,8 +8,8 @@
 
 namespace floc {
 
-/// Returns the number of the second body of a contact in tables: the identifier of a grain, or, for a wall, its index
-/// among all bodies.
+/// Returns the number by which tables refer to a body (a grain or a wall): the identifier of a grain, or the index of a
+/// wall among all bodies.
 template <int Dim>
 std::int64_t body_number(const Packing<Dim>& packing, int body) {
   return packing.is_wall(body) ? body : packing.grains.name(body);

@@ -17,8 +17,8 @@ using Strengths = std::array<double, 4>;
 inline constexpr std::array<const char*, 4> kStrengthNames = {"tensile_strength", "shear_strength",
                                                               "rolling_strength", "twisting_strength"};
 
-/// Strengths of a contact or bond of a packing, as the file of another program gives them. floc stores them with the
-/// state, but none of its contact laws uses them.
+/// Strengths of one contact or bond, read from a file of another program. floc stores them with the state, but no
+/// contact law of floc uses them.
 template <int Dim>
 struct BondStrength {
   int i = 0, j = 0;  ///< the two bodies of the contact, as in Contact
@@ -26,7 +26,8 @@ struct BondStrength {
   Strengths strengths{};
 };
 
-/// Returns the strengths of each contact; zeros for a contact without strengths. Empty if no contact has strengths.
+/// Returns the strengths of each contact; these are zero for a contact that is not in `strengths`. The result is empty
+/// if `strengths` is empty.
 /// @param strengths  sorted by precedes()
 template <int Dim>
 std::vector<Strengths> strengths_by_contact(const std::vector<Contact<Dim>>& contacts,

@@ -7,7 +7,7 @@
 
 namespace floc {
 
-/// One interaction in a packing. Either two surfaces touch, by the criterion of the contact law, or they attract each
+/// One interaction in a packing. Either two surfaces touch (by the criterion of the contact law), or they attract each
 /// other across a gap (a distant attraction). The normal force is positive in compression. The shear force and the
 /// rolling moment act on grain i.
 template <int Dim>
@@ -21,7 +21,8 @@ struct Contact {
   double gap = 0.0;                    ///< distance between the surfaces (length), negative if they overlap
   Vec<Dim> normal = Vec<Dim>::Zero();  ///< unit vector from i to j
   Vec<Dim> arm_i = Vec<Dim>::Zero();   ///< vector from the centre of i to the contact point (length)
-  /// Vector from the centre of j (or the point on the wall) to the contact point (length).
+  /// Vector from the centre of j to the contact point (length). If j is a wall, the vector begins at the point of the
+  /// wall that is nearest to the centre of i.
   Vec<Dim> arm_j = Vec<Dim>::Zero();
   double normal_force = 0.0;                ///< static normal force: elastic part plus adhesive part (force)
   double elastic_force = 0.0;               ///< elastic part of the normal force, >= 0 (force)
@@ -39,22 +40,22 @@ struct Contact {
   bool sliding = false;         ///< whether the tangential force has reached its cap
   bool rolling_yield = false;   ///< whether the rolling moment has reached its cap
   bool twisting_yield = false;  ///< whether the twisting moment has reached its cap
-  /// Kind of features that meet at a contact of shapes with corners: a vertex and a face, two edges, ...; kVertexFace
-  /// for round grains.
+  /// For grains with corners, the kind of features that meet at the contact: a vertex and a face, two edges, ...;
+  /// kVertexFace for round grains.
   ContactType type = ContactType::kVertexFace;
   bool distant = false;  ///< whether the surfaces attract each other across a gap, without touching
   /// Whether the contact is a bond: it acts at any gap, and its forces and stiffnesses are given data that do not
   /// follow from the contact law.
   bool bonded = false;
-  /// History of the contact under its law, arranged as in HistoryLayout.
+  /// History of the contact, as defined by the contact law; HistoryLayout gives the order of the numbers.
   ContactHistory<Dim> history = ContactHistory<Dim>::Zero();
 
-  /// Whether the force of any spring of the contact has reached its cap (mobilised).
+  /// Whether the contact is mobilised: at least one of its springs has a force or moment at the cap.
   bool is_mobilised() const { return sliding || rolling_yield || twisting_yield; }
 };
 
-/// Returns the sum of the moments of the rolling spring and the twisting spring on grain i (force * length), in 3D as a
-/// vector in space.
+/// Returns the total moment of the rolling and twisting springs on grain i (force * length), in 3D as a vector in
+/// space.
 template <int Dim>
 RotationVector<Dim> spring_moment(const RotationVector<Dim>& rolling, double twisting, const Vec<Dim>& normal) {
   if constexpr (Dim == 3)

@@ -7,7 +7,7 @@
 
 namespace floc {
 
-/// Returns whether p precedes q in sorted lists, where p and q are pairs of grains or contacts. Lists are sorted by (i,
+/// Returns whether p comes before q in a sorted list. p and q are contacts or pairs of grains. Lists are sorted by (i,
 /// j, image), then by the member `key` if the type has this member.
 template <class Pair>
 bool precedes(const Pair& p, const Pair& q) {
@@ -25,8 +25,8 @@ bool same_pair(const Pair& p, const Pair& q) {
   return p.i == q.i && p.j == q.j && p.image == q.image;
 }
 
-/// Returns a pair of grains with the grains exchanged. Only i, j and image change; forces and other members stay as
-/// they are.
+/// Returns a pair of grains with the two grains exchanged. Only i, j and image change; forces and other members do not
+/// change.
 template <class Pair>
 Pair swapped(Pair pair) {
   std::swap(pair.i, pair.j);
@@ -35,8 +35,7 @@ Pair swapped(Pair pair) {
 }
 
 /// Returns whether a pair of grains has its canonical form: i < j or, for a grain and an image of itself, a positive
-/// first non-zero component of the image. Of the two forms (i, j) and (j, i) of a pair, lists store only the canonical
-/// form.
+/// first non-zero component of the image. Lists store each pair once, in its canonical form.
 template <class Pair>
 bool is_canonical(const Pair& pair) {
   if (pair.i != pair.j) return pair.i < pair.j;

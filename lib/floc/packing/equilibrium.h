@@ -38,7 +38,7 @@ struct Residuals {
   }
 };
 
-/// Units of force and length for the residuals of a packing or of one grain.
+/// Units of force and length for the residuals of a packing, or of one grain.
 struct ForceScale {
   double force;   ///< force scale F1 (force)
   double length;  ///< largest diameter a of the packing, or diameter of the grain (length)
@@ -50,11 +50,11 @@ struct ForceScale {
 template <int Dim>
 ForceScale force_scale(const Packing<Dim>& packing, const Vec<Dim>& target_stress);
 
-/// Force scale of each grain of a packing, that is, the unit of the net force on this grain. Grains of similar sizes
-/// (kSimilarSizes) share the force scale F1 of the packing. If sizes differ more, a net force that is small for a large
-/// grain may be as large as the contact forces of a small grain. In this case, grain i of diameter d_i has the force
-/// scale F1_i = max(F0, P d_i^(Dim-1)) with the pull-off force F0 and the pressure P, and F1_i d_i is the unit of the
-/// net moment and of the energy of this grain. The object keeps a reference to the packing.
+/// Force scales of the grains of a packing. The force scale of a grain is the unit of the net force on it. Grains of
+/// similar sizes (kSimilarSizes) share the force scale F1 of the packing. If sizes differ more, a net force that is
+/// small for a large grain may be as large as the contact forces of a small grain. In this case, grain i of diameter
+/// d_i has the force scale F1_i = max(F0, P d_i^(Dim-1)) with the pull-off force F0 and the pressure P, and F1_i d_i is
+/// the unit of the net moment and of the energy of this grain. The object keeps a reference to the packing.
 template <int Dim>
 class GrainScales {
  public:
@@ -63,8 +63,8 @@ class GrainScales {
   const ForceScale& of_packing() const { return packing_; }
   ForceScale of(int i) const;       ///< force scale F1_i and diameter d_i of grain i
   double force_share(int i) const;  ///< force scale F1_i of grain i divided by F1 of the packing
-  /// Product of force scale and diameter for grain i, divided by the product of force scale and largest diameter for
-  /// the packing.
+  /// Product F1_i d_i of grain i (force scale times diameter), divided by the product F1 a of the packing (force scale
+  /// times largest diameter).
   double work_share(int i) const;
 
  private:
@@ -82,21 +82,22 @@ class GrainScales {
 template <int Dim>
 double reduced_pressure(const Packing<Dim>& packing, double pressure);
 
-/// Returns a weighted mean of the kinetic energies of the grains (energy). The energy of each grain is divided by the
-/// force scale times the diameter of this grain (GrainScales). The mean of these ratios is multiplied by F1 a of the
-/// packing, the force scale times the largest diameter. If all grains share one scale, the result is the plain mean.
+/// Returns a weighted mean of the kinetic energies of the grains (energy). The energy of grain i is divided by F1_i
+/// d_i, the force scale times the diameter of this grain (GrainScales). The mean of these ratios is multiplied by F1 a,
+/// the force scale times the largest diameter of the packing. If all grains share one scale, the result is the plain
+/// mean.
 /// @param counted  for each grain, whether its energy is included; if empty, the energies of all grains are included
 template <int Dim>
 double scaled_kinetic_energy(const Packing<Dim>& packing, const GrainScales<Dim>& scales,
                              const std::vector<bool>& counted = {});
 
-/// Computes the residuals of a packing from the forces in its list of contacts. If the force scale F1 is zero (no
-/// adhesion, no pressure), a residual is either exactly zero or infinite.
+/// Computes the residuals of a packing from the recorded contact forces. If the force scale F1 is zero (no adhesion, no
+/// pressure), a residual is either exactly zero or infinite.
 /// @param target_stress  stress imposed on each axis, compression positive (force/length^(Dim-1))
 template <int Dim>
 Residuals residuals(const Packing<Dim>& packing, const Vec<Dim>& target_stress);
 
-/// Computes the residuals of a packing if its static stress is already known.
+/// Computes the residuals of a packing whose static stress is already known.
 /// @param stress  static_stress() of the packing
 template <int Dim>
 Residuals residuals(const Packing<Dim>& packing, const Vec<Dim>& target_stress, const Mat<Dim>& stress);

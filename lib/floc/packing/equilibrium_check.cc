@@ -17,7 +17,7 @@ std::string equilibrium_faults(const State<Dim>& state) {
       faults += fmt::format("{}{} is {:.3g}, but the limit is {:.3g}", faults.empty() ? "" : "; ", what, value,
                             limit);
   };
-  // In a packing without grains, the index of the grain with the largest residual is negative.
+  // If the packing has no grains, the index of the grain with the largest residual is negative.
   const auto name = [&](int grain) { return grain < 0 ? grain : state.packing.grains.name(grain); };
   check(fmt::format("net force of grain {} in units of the force scale F1", name(r.worst_force_grain)), r.force,
         t.force);

@@ -26,26 +26,26 @@ double smaller_radius(const Packing<Dim>& packing, const Contact<Dim>& contact) 
   return packing.is_wall(contact.j) ? radius[contact.i] : std::min(radius[contact.i], radius[contact.j]);
 }
 
-/// Returns the mean diameter of grains (length).
+/// Returns the mean diameter of all grains (length).
 /// @pre there are grains
 inline double mean_diameter(const std::vector<double>& radius) {
   return 2.0 * std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(radius.size());
 }
 
-/// Returns the largest mass of a grain (mass).
+/// Returns the largest mass of any grain (mass).
 /// @pre there are grains
 template <int Dim>
 double largest_mass(const Grains<Dim>& grains) {
   return *std::max_element(grains.mass.begin(), grains.mass.end());
 }
 
-/// Returns the mass of all grains (mass).
+/// Returns the total mass of all grains (mass).
 template <int Dim>
 double total_mass(const Grains<Dim>& grains) {
   return std::accumulate(grains.mass.begin(), grains.mass.end(), 0.0);
 }
 
-/// Returns the volume of all grains, in 2D the area of all disks (length^Dim). Overlaps count twice.
+/// Returns the total volume of all grains, in 2D their total area (length^Dim). Overlaps count twice.
 template <int Dim>
 double total_volume(const Grains<Dim>& grains) {
   double volume = 0.0;
@@ -54,8 +54,8 @@ double total_volume(const Grains<Dim>& grains) {
 }
 
 /// The grains of a packing count as similar in size if the largest diameter is at most this number times the smallest
-/// diameter. In this case the search for neighbours and the force scale use the largest diameter for all grains;
-/// otherwise the search and the force scale use the diameter of each grain.
+/// diameter. If so, the search for neighbours and the force scale use the largest diameter for all grains; otherwise
+/// they use the diameter of each grain.
 inline constexpr double kSimilarSizes = 4.0;
 
 inline bool similar_sizes(const std::vector<double>& radius) {
@@ -65,8 +65,8 @@ inline bool similar_sizes(const std::vector<double>& radius) {
 }
 
 /// Returns the unit of length for the skin of neighbour lists: the largest diameter or, if the grains are not similar
-/// in size, the smallest diameter. A skin that is thin compared with the largest grains would contain whole layers of
-/// the smallest grains.
+/// in size, the smallest diameter. The largest diameter would be too large a unit in this case: a skin that is thin for
+/// the largest grains would contain whole layers of the smallest grains.
 inline double skin_length_unit(const std::vector<double>& radius) {
   return similar_sizes(radius) ? largest_diameter(radius)
                                : 2.0 * *std::min_element(radius.begin(), radius.end());

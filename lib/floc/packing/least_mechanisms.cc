@@ -6,8 +6,8 @@
 namespace floc {
 namespace {
 
-/// Removes grains with fewer than two contacts, together with their contacts, until no such grain is left. Returns, for
-/// each grain, whether it has remained.
+/// Removes grains with fewer than two contacts, and the contacts of these grains, until all remaining grains have two
+/// contacts or more. Returns, for each grain, whether it has remained.
 template <int Dim>
 std::vector<bool> held_grains(const Packing<Dim>& packing) {
   std::vector<bool> held(packing.grains.size(), true);
@@ -26,7 +26,7 @@ std::vector<bool> held_grains(const Packing<Dim>& packing) {
   return held;
 }
 
-/// Number of contacts of a grain, and the kinds of springs in these contacts that resist a rotation of the grain.
+/// Number of contacts of one grain, and the kinds of springs in these contacts.
 struct Hold {
   int n_contacts = 0;
   bool across = false;   ///< whether any contact has a tangential spring

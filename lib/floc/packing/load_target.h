@@ -6,13 +6,14 @@
 
 namespace floc {
 
-/// Simple shear imposed on the periodic cell: one lattice vector gets a given component along the first axis.
+/// Simple shear imposed on the periodic cell: the component of one lattice vector along the first axis.
 struct ImposedOffset {
   int axis;       ///< axis of the lattice vector, counted from 0; never 0
   double offset;  ///< component of the lattice vector along the first axis (length)
 };
 
-/// Load imposed on a packing: for each axis a stress or a side length of the cell, and a simple shear of the cell.
+/// Load imposed on a packing: for each axis a stress or a side length of the cell, and possibly a simple shear of the
+/// cell.
 template <int Dim>
 struct LoadTarget {
   /// Stress imposed on each axis, compression positive (force/length^(Dim-1)); not used on axes with an imposed side
@@ -29,9 +30,9 @@ struct LoadTarget {
   bool any_strained() const { return side.maxCoeff() > 0.0; }
   /// Whether zero stress is imposed on every axis.
   bool unloaded() const { return !any_strained() && stress.isZero(0.0); }
-  /// Returns the stress on each axis from which the force scale is computed: the imposed stress or, if a side length is
-  /// imposed on the axis, the stress that the packing carries.
-  /// @param carried  stress that the packing carries
+  /// Returns the stress on each axis for the force scale: the imposed stress or, on an axis with an imposed side
+  /// length, the present stress of the packing.
+  /// @param carried  present stress of the packing
   Vec<Dim> stress_with(const Mat<Dim>& carried) const {
     Vec<Dim> out = stress;
     for (int a = 0; a < Dim; ++a)

@@ -8,8 +8,8 @@
 namespace floc {
 namespace {
 
-/// ManifoldOptions::face_preference of rigid grains with friction. Six packings of 150 polyhedra came to rest in half
-/// the time that they needed with 0; with 1 they needed as long as with 0.
+/// ManifoldOptions::face_preference of rigid grains with friction. With this value, six packings of 150 polyhedra came
+/// to rest in half the time that they needed with the value 0. With the value 1 they needed as long as with 0.
 constexpr double kFacePreference = 0.5;
 
 }  // namespace
@@ -63,8 +63,8 @@ bool are_smooth_polyhedra(const Packing<Dim>& packing) {
 
 namespace {
 
-/// Returns the geometry of a contact of two shapes, at the contact point with the key of the contact. If no point has
-/// this key, because the features that meet have changed, the contact point nearest to the recorded point is used.
+/// Returns the geometry of a contact of two shapes at one contact point: the point with the key of the contact. If no
+/// point has this key, because other features meet now, the contact point nearest to the recorded point is used.
 template <int Dim>
 ContactGeometry<Dim> locate_shapes(const Packing<Dim>& packing, const Contact<Dim>& contact) {
   ContactGeometry<Dim> at;

@@ -5,8 +5,8 @@
 #include "floc/shape/manifold.h"
 
 /// Geometry of contacts between two bodies (grains or walls). All code computes gaps, normals and lever arms from
-/// positions and shapes with these functions. The only exception is the force loop of the dynamics, which computes them
-/// from arrays (relaxation/pair_arrays.h).
+/// positions and shapes with these functions. The only exception is the force loop of the dynamics, which computes the
+/// same quantities from arrays (relaxation/pair_arrays.h).
 namespace floc {
 
 /// Geometry of the contact of two bodies i and j, computed from their positions and shapes.
@@ -47,9 +47,9 @@ Manifold<Dim> manifold_of(const Packing<Dim>& packing, const Contact<Dim>& conta
 template <int Dim>
 ManifoldOptions manifold_options(const Packing<Dim>& packing);
 
-/// Returns whether the grains are rigid polyhedra without friction and adhesion, also on walls. Their manifolds are
-/// exact (ManifoldOptions): the forces of their contacts are normal to the surfaces, and an error of a normal
-/// unbalances them.
+/// Returns whether the grains are rigid polyhedra without friction and adhesion, both between grains and on walls.
+/// Their contact forces are normal to the surfaces, so that an error of a normal would unbalance the forces. The
+/// contact points are therefore computed with ManifoldOptions::exact.
 template <int Dim>
 bool are_smooth_polyhedra(const Packing<Dim>& packing);
 

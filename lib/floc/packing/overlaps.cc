@@ -11,14 +11,14 @@
 namespace floc {
 namespace {
 
-/// There is no warning as long as the solid fraction is at most this factor times the largest solid fraction of hard
-/// grains. The factor allows for crystals that are compressed by some tenths of a percent.
+/// Largest solid fraction without a warning, divided by the largest solid fraction of hard grains. The ratio is above 1
+/// to allow for crystals that are compressed by some tenths of a percent.
 constexpr double kCompressedCrystal = 1.01;
 /// Two radii count as equal if their relative difference is below this number, which allows for rounding.
 constexpr double kEqual = 1e-9;
 
 std::string small_overlaps_rule(const Law& law) {
-  return fmt::format("normal.law = \"{}\" holds only for small overlaps", law.normal_keyword());
+  return fmt::format("normal.law = \"{}\" is valid only for small overlaps", law.normal_keyword());
 }
 
 /// Returns a message if the grains are equal and their solid fraction is impossible for hard grains; otherwise an empty

@@ -7,8 +7,8 @@
 namespace floc {
 
 /// Largest overlap, divided by the smaller radius of the two grains, at which contact laws are valid. At larger
-/// overlaps the contact circle between spheres exceeds a third of the radius, and the contacts of a grain affect each
-/// other.
+/// overlaps the radius of the contact circle between spheres exceeds a third of the radius of the spheres, and the
+/// contacts of a grain affect each other.
 inline constexpr double kDeepOverlap = 0.1;
 /// Largest accepted mean overlap, divided by the smaller radius of the two grains. A packing with a larger mean overlap
 /// is rejected. Scene files may impose pressures P for which (E~/P)^(2/3) is at least 30, with E~ = E/(1 - nu^2),
@@ -42,7 +42,8 @@ std::string overlap_warning(const Packing<Dim>& packing);
 /// and forces?".
 std::string question_of_units(const Law& law);
 
-/// Requires that the overlaps in a packing are small if its contact law holds only for small overlaps.
+/// Requires small overlaps in a packing whose contact law is valid only for small overlaps. Packings with other laws
+/// are accepted without a check.
 /// @param place  name of the packing in messages, such as its file
 /// @throws InputError if the mean overlap is larger than kDeepestMean
 template <int Dim>

@@ -46,13 +46,14 @@ struct Grains {
   std::vector<double> mass;  ///< mass of each grain (mass)
   std::vector<Orientation<Dim>> orientation;
   std::vector<RotationVector<Dim>> angular_velocity;  ///< angular velocity of each grain (radians/time)
-  /// Identifiers that another program gave to the grains, used in messages and tables. If empty, messages and tables
-  /// use the indices of the grains.
+  /// Identifiers of the grains in the file of another program. Messages and tables use these identifiers or, if the
+  /// array is empty, the indices of the grains.
   std::vector<std::int64_t> id;
   /// Shapes of the grains; null if all grains are disks or spheres. Copies of a packing share one table of shapes.
   std::shared_ptr<const std::vector<Shape<Dim>>> shapes;
-  std::vector<int> shape;     ///< for each grain, the index of its shape in `shapes`; empty without shapes
-  std::vector<double> scale;  ///< factor by which the shape of each grain is magnified; empty without shapes
+  std::vector<int> shape;  ///< for each grain, the index of its shape in `shapes`; empty without shapes
+  std::vector<double>
+      scale;  ///< for each grain, the factor by which its shape is magnified; empty without shapes
 
   int size() const { return static_cast<int>(radius.size()); }
 
@@ -120,14 +121,14 @@ struct Packing {
   /// Returns whether the index j of a contact refers to a wall. The indices of walls follow the indices of the grains.
   bool is_wall(int body) const { return body >= grains.size(); }
   const Wall<Dim>& wall(int body) const { return walls[body - grains.size()]; }
-  /// Returns the distance from the end of a branch vector to the surface of the body at this end (length): the radius
-  /// of a grain, or zero for a wall, because the branch ends on the surface of the wall.
+  /// Returns the distance (length) from the end of a branch vector to the surface of the body at this end. It is the
+  /// radius of a grain, and zero for a wall, because the branch vector ends on the surface of the wall.
   double surface_radius(int body) const { return is_wall(body) ? 0.0 : grains.radius[body]; }
   /// Returns the contact law of a contact: the law between grains or the law between grains and walls.
   const Law& law_of(const Contact<Dim>& contact) const { return is_wall(contact.j) ? wall_law : law; }
 };
 
-/// Returns whether an axis of the cell has two ends, each a wall or open; all other axes are periodic.
+/// Returns whether an axis of the cell has two ends, each of which is a wall or open. All other axes are periodic.
 template <int Dim>
 bool between_walls(const std::vector<Wall<Dim>>& walls, int axis) {
   for (const Wall<Dim>& wall : walls)
@@ -135,7 +136,7 @@ bool between_walls(const std::vector<Wall<Dim>>& walls, int axis) {
   return false;
 }
 
-/// Returns whether one of the ends of an axis is open.
+/// Returns whether at least one of the two ends of an axis is open.
 template <int Dim>
 bool is_open_along(const std::vector<Wall<Dim>>& walls, int axis) {
   for (const Wall<Dim>& wall : walls)
@@ -143,7 +144,7 @@ bool is_open_along(const std::vector<Wall<Dim>>& walls, int axis) {
   return false;
 }
 
-/// Returns whether any end of any axis is open.
+/// Returns whether at least one end of an axis is open.
 template <int Dim>
 bool is_open(const std::vector<Wall<Dim>>& walls) {
   for (const Wall<Dim>& wall : walls)
@@ -151,12 +152,13 @@ bool is_open(const std::vector<Wall<Dim>>& walls) {
   return false;
 }
 
-/// Returns the cell in which to search for neighbours whose centres are closer than `reach` (length). The cell is
-/// widened along axes between walls, so that no grain is close to a periodic image along these axes.
+/// Returns the cell for a search for neighbours whose centres are closer than `reach` (length). The cell is widened
+/// along axes between walls, so that no grain is close to a periodic image along these axes.
 template <int Dim>
 Cell<Dim> search_cell(Cell<Dim> cell, const std::vector<Wall<Dim>>& walls, double reach);
 
-/// Sets the velocities and spins of all grains and the velocity of the cell to zero. Walls keep their velocities.
+/// Sets the velocities and angular velocities of all grains, and the velocity of the cell, to zero. Walls keep their
+/// velocities.
 template <int Dim>
 void stop_grains(Packing<Dim>& packing);
 

@@ -7,7 +7,7 @@
 
 namespace floc {
 
-/// Requires a packing whose contacts are elastic.
+/// Checks that the contacts of a packing are elastic.
 /// @param what  computation that needs stiffnesses, as the first part of the sentence "... only for elastic contacts"
 /// @param place  name of the packing in the message, such as its file
 /// @throws InputError if the contacts are rigid
@@ -20,7 +20,7 @@ void require_elastic(const Packing<Dim>& packing, const std::string& what,
                                 "elastic contacts by another contact law");
 }
 
-/// Requires a packing of disks or spheres.
+/// Checks that all grains of a packing are disks or spheres.
 /// @param what  computation that is valid for round grains, as the first part of the sentence "... only for disks and
 /// spheres"
 /// @param place  name of the packing in the message, such as its file

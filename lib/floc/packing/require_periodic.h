@@ -7,7 +7,7 @@
 
 namespace floc {
 
-/// Requires a packing without walls.
+/// Checks that a packing has no walls.
 /// @param what  computation that needs periodic boundaries, as the first part of the sentence "... only with
 /// periodic boundaries"
 /// @param place  name of the packing in the message, such as its file

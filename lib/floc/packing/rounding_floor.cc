@@ -16,8 +16,7 @@ constexpr double kHalfUnit = 0.5 * std::numeric_limits<double>::epsilon();
 
 template <int Dim>
 RoundingFloor rounding_floor(const Packing<Dim>& packing, const Vec<Dim>& target_stress) {
-  // Rounding error of the largest coordinate. The error is smaller if grains also store the low parts of their
-  // coordinates.
+  // Rounding error of the largest coordinate. The error is smaller if the low parts of the coordinates are stored, too.
   double resolution = kHalfUnit * packing.cell.matrix.cwiseAbs().maxCoeff();
   if (!packing.grains.position_low.empty()) resolution *= kHalfUnit;
   std::vector<double> stiffness(packing.grains.size(), 0.0);

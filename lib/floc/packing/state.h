@@ -14,14 +14,15 @@
 
 namespace floc {
 
-/// Reference for the steps of a stage that treats the axes differently from each other (such as an oedometric test):
-/// the sides and stresses of the packing at the start of the stage.
+/// Data about the start of a stage whose load is not the same on all axes (such as an oedometric test): the sides and
+/// stresses of the packing at this time. The steps of the stage refer to these data.
 struct StageReference {
   /// Kind of the stage, "oedometric", "triaxial", ...; empty if the state belongs to no such stage.
   std::string control;
   int axis = 0;               ///< axis along which the packing is driven, counted from 0
   std::vector<double> sides;  ///< sides of the cell at the start of the stage (length)
-  /// Stress on each axis at the start of the stage, imposed or carried (force/length^(Dim-1)).
+  /// Stress on each axis at the start of the stage: the imposed stress or, if no stress was imposed, the stress of the
+  /// packing (force/length^(Dim-1)).
   std::vector<double> stress;
   double shear = 0.0;  ///< shear strain from the start of the stage to the end of the present step
 
@@ -35,14 +36,14 @@ struct PathPosition {
   std::string branch;        ///< branch of the load path: "assembly", "load", "unload", ...
   double time = 0.0;         ///< simulated time since the start of the run (time unit of the scene file)
   std::int64_t n_steps = 0;  ///< number of time steps since the start of the run
-  std::string ending;  ///< ending of the relaxation: "static", "polished", "dynamic", ...; empty if not known
+  std::string ending;  ///< how the relaxation ended: "static", "polished", "dynamic", ...; empty if not known
   StageReference turn;
-  /// counts about the time steps of contact dynamics from which the state resulted; all zero for elastic contacts
+  /// counts of the time steps of contact dynamics that led to the state; all zero for elastic contacts
   StepCounts counts = {};
 };
 
-/// Origin of a state: the program, the seed and the state file from which the run continued. Neither date nor time is
-/// stored, so that repetitions of a run give identical files.
+/// Origin of a state: program, seed, and the state file from which the run continued. Date and time are not stored, so
+/// that repetitions of a run give identical files.
 struct Provenance {
   /// program that made the state: "floc 0.1.0", or the program from which a packing was converted
   std::string program;
@@ -55,15 +56,14 @@ struct Provenance {
   std::string source;  ///< file from which a packing was converted
 };
 
-/// Saved state of a run: all data that determine how the run continues from it, and all data that an analysis
-/// needs.
+/// Saved state of a run: all data that are needed to continue the run from this state, or to analyse the state.
 template <int Dim>
 struct State {
   std::string units = "reduced";  ///< system of units, "reduced" or "SI"
   Packing<Dim> packing;
   std::vector<BondStrength<Dim>> bond_strengths = {};  ///< sorted by precedes(); empty: no strengths are given
-  /// Stress imposed on each axis, compression positive (force/length^(Dim-1)). On an axis with an imposed side length
-  /// it is the stress that the packing carried.
+  /// Stress imposed on each axis, compression positive (force/length^(Dim-1)). On an axis with an imposed side length:
+  /// the stress of the packing when it was saved.
   Vec<Dim> target_stress = Vec<Dim>::Zero();
   /// Side length of the cell imposed on each axis (length); zero on axes with an imposed stress.
   Vec<Dim> target_side = Vec<Dim>::Zero();
@@ -74,11 +74,12 @@ struct State {
   Residuals residuals;                 ///< residuals reached when the state was saved
   int n_negative = -1;  ///< number of negative eigenvalues of the stiffness matrix; -1: not determined
   /// Number of liquid bridges that would form or break if the liquid were distributed once more; -1 if not determined,
-  /// or without liquid. The number is above 0 if the set of pairs with bridges was still changing after the largest
-  /// number of distributions; in this case, the bridges kept the volumes of the last distribution.
+  /// or without liquid. The liquid is distributed a limited number of times. If pairs were still gaining or losing
+  /// bridges at the end, the number is above 0, and the bridges have the volumes of the last distribution.
   int n_bridges_unsettled = -1;
   /// Forces on the walls, in the order of the walls, as recorded in the file from which the state was read. These
-  /// values are not written when the state is saved; the file then contains the forces of the contacts on the walls.
+  /// values are not written when the state is saved: the new file contains the forces on the walls that follow from the
+  /// contacts.
   std::vector<double> wall_force = {};
   /// Time step that begins at the state, if the state is in motion (path.ending is "moving"); absent at rest.
   std::optional<MotionRecord> motion = {};
@@ -87,8 +88,8 @@ struct State {
   Provenance provenance;
 };
 
-/// Returns the component of `stress` on the axis along which the load path drives a state. If the state belongs to no
-/// stage that drives an axis, the mean over the axes is returned.
+/// Returns the component of `stress` on the axis that is driven in the stage to which a state belongs. If this stage
+/// drives no axis, the mean over the axes is returned.
 template <int Dim>
 double stress_on_driven_axis(const State<Dim>& state, const Vec<Dim>& stress) {
   return state.path.turn.empty() ? stress.mean() : stress[state.path.turn.axis];

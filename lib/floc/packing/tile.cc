@@ -23,8 +23,8 @@ Vec<Dim, int> place_of(int tile, const Vec<Dim, int>& copies) {
   return place;
 }
 
-/// Returns the contact in copy number `tile` of a packing that corresponds to the contact c of the original packing.
-/// Its second grain may belong to another copy, or to a periodic image of a copy.
+/// Returns the copy of the contact c of the original packing in copy number `tile` of the packing. The second grain of
+/// the returned contact may belong to another copy of the packing, or to a periodic image of a copy.
 template <int Dim>
 Contact<Dim> placed(Contact<Dim> c, int tile, int n_grains, const Vec<Dim, int>& copies,
                     const ContactHistory<Dim>& parity) {
@@ -65,7 +65,7 @@ Packing<Dim> tiled(const Packing<Dim>& packing, const Vec<Dim, int>& copies) {
   repeat(out.grains.angular_velocity, n_tiles);
   repeat(out.grains.shape, n_tiles);
   repeat(out.grains.scale, n_tiles);
-  if (n_tiles > 1) out.grains.id.clear();  // otherwise several grains would share each identifier
+  if (n_tiles > 1) out.grains.id.clear();  // otherwise the copies of a grain would have the same identifier
   out.contacts.clear();
   out.contacts.reserve(n_tiles * packing.contacts.size());
   const ContactHistory<Dim> parity = swap_parity<Dim>(packing.law);

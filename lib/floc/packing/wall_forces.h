@@ -7,13 +7,13 @@
 
 namespace floc {
 
-/// Returns whether the forces on a wall move the wall. A wall of infinite mass keeps its velocity, whatever the forces
-/// are; it is fixed if its velocity is zero.
+/// Returns whether the forces on a wall move the wall. A wall of infinite mass keeps its velocity under any forces; it
+/// is fixed if its velocity is zero.
 template <int Dim>
 bool follows_forces(const Wall<Dim>& wall);
 
 /// Returns a packing that is shifted so that the lower wall of each axis lies at zero, where the cell begins. The shift
-/// is needed because walls that move drift away from zero. A packing without walls is returned unchanged.
+/// is needed because moving walls drift away from zero. A packing without walls is returned unchanged.
 template <int Dim>
 Packing<Dim> with_walls_at_cell(Packing<Dim> packing);
 
@@ -26,8 +26,8 @@ void fit_open_ends(Packing<Dim>& packing);
 template <int Dim>
 double wall_area(const Packing<Dim>& packing, int axis);
 
-/// Returns the static normal force with which the grains push each wall outwards, in the order of
-/// Packing::walls (force).
+/// Returns the static normal force of the grains on each wall, positive outwards, in the order of Packing::walls
+/// (force).
 template <int Dim>
 std::vector<double> wall_forces(const Packing<Dim>& packing);
 
@@ -41,21 +41,21 @@ Vec<Dim> wall_pressure(const Packing<Dim>& packing);
 template <int Dim>
 std::optional<double> mean_wall_pressure(const Packing<Dim>& packing);
 
-/// Returns the stress that balances the load on the boundary (force/length^(Dim-1)): the static stress, but with the
-/// pressure on the walls as the diagonal component for each axis that has a wall. At rest, the static stress and the
-/// pressure on the walls differ by stress_borne_by_friction().
+/// Returns the stress that balances the load on the boundary (force/length^(Dim-1)). It is the static stress, except
+/// that for each axis with a wall the diagonal component is the pressure on the walls. At rest, the static stress and
+/// the pressure on the walls differ by stress_borne_by_friction().
 template <int Dim>
 Mat<Dim> load_stress(const Packing<Dim>& packing);
 
-/// Returns, for each axis a, a part of the pressure on the two walls normal to a: the part that friction on the other
-/// walls balances (force/length^(Dim-1)). This part is the sum of t_a x_a over the contacts with walls, divided by the
+/// For each axis a, returns the part of the pressure on the two walls normal to a that is balanced by friction on the
+/// other walls (force/length^(Dim-1)). This part is the sum of t_a x_a over the contacts with walls, divided by the
 /// volume of the cell, where t is the friction force on a grain at x. At rest the static stress is the pressure minus
 /// this part (docs/physics.md, "Boxes with walls").
 template <int Dim>
 Vec<Dim> stress_borne_by_friction(const Packing<Dim>& packing);
 
 /// Returns the largest difference between the pressure on a wall and the stress imposed on its axis
-/// (force/length^(Dim-1)). Only walls that forces can move count; the result is 0 if there are no such walls.
+/// (force/length^(Dim-1)). Only walls that can move under forces count; the result is 0 if there are no such walls.
 template <int Dim>
 double wall_imbalance(const Packing<Dim>& packing, const Vec<Dim>& target_stress);
 

@@ -50,9 +50,9 @@ bool slides(const Law& law, const Contact<Dim>& c, double tolerance) {
   return limit > 0.0 && c.shear_force.norm() >= (1.0 - tolerance) * limit;
 }
 
-/// Sets the elastic force, history and stiffnesses of a contact whose normal force, shear force and moments are given
-/// and need not satisfy the contact law exactly. The elastic force is the normal force without the attraction by
-/// adhesion.
+/// Completes a contact whose normal force, shear force and moments are given: sets its elastic force, history and
+/// stiffnesses. The given forces need not satisfy the contact law exactly. The elastic force is the normal force
+/// without the attraction by adhesion.
 template <class Law, int Dim>
 void set_forces(const Law& law, double pull_off_force, const Grains<Dim>& grains, std::optional<double> kn,
                 std::optional<double> kt, double tolerance, Contact<Dim>& c) {
@@ -73,8 +73,8 @@ void set_forces(const Law& law, double pull_off_force, const Grains<Dim>& grains
   c.kt = Law::kHasFriction ? kt.value_or(k.tangential) : 0.0;
   c.kr = k.rolling;
   c.ktw = k.twisting;
-  // The springs get the stiffnesses of the law, even if other stiffnesses are given for the contact. The law then
-  // reproduces the given forces and their limits.
+  // The springs get the stiffnesses of the law, even if other stiffnesses are given for the contact. With these
+  // stiffnesses, the law reproduces the given forces and their limits.
   law.template set_force<Dim>(to_shear<double>(c.normal, c.shear_force), -c.rolling_moment, -c.twisting_moment,
                               k, history);
   set_mobilised(law, history, tolerance, c);

@@ -9,8 +9,8 @@
 namespace floc {
 namespace {
 
-/// Factor by which springs are lengthened when derivatives are computed. After lengthening, a spring whose force equals
-/// its cap up to rounding errors exceeds the cap and counts as sliding.
+/// Factor by which springs are lengthened when derivatives are computed. A spring whose force equals its cap up to
+/// rounding errors exceeds the cap after this lengthening, and counts as sliding.
 constexpr double kBeyondCap = 1.0 + 2e-12;
 /// Motion of the surfaces (length or radians) that is added when derivatives are computed. With this motion, a spring
 /// of zero length exceeds a cap of zero, for example between surfaces that have separated. The motion is negligible
@@ -47,9 +47,9 @@ typename Law::template PairParameters<T> constant(
     return {};
 }
 
-/// Returns the axes about which the grains of a contact roll on each other: a matrix with one column for each rotation
-/// in `ContactRows`. In 3D the first column belongs to the rotation about the normal and is zero; the other columns are
-/// the two tangents.
+/// Returns the axes about which the grains of a contact roll on each other, as the columns of a matrix: one column for
+/// each rotation in `ContactRows`. In 3D the first column belongs to the rotation about the normal, which is not
+/// rolling, and is zero; the other columns are the two tangents.
 Mat<1> rolling_axes(const Mat<2>&) {
   return Mat<1>::Identity();
 }

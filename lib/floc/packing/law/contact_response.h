@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Relative motion of the two surfaces in a contact since the history of the contact was last updated, in the frame of
-/// the contact normal.
+/// Relative motion of the two surfaces in a contact, since the last update of the history of the contact. The
+/// components refer to the frame of the contact normal.
 template <int Dim>
 struct SurfaceMotion {
   Shear<Dim> slip = Shear<Dim>::Zero();  ///< tangential displacement of grain j relative to grain i (length)
@@ -18,8 +18,9 @@ struct SurfaceMotion {
   double twist = 0.0;  ///< in 3D, rotation of grain i relative to grain j about the normal (radians)
 };
 
-/// Replaces the normal of a contact by a new normal, and rotates the history of the contact, and the motion since the
-/// last update of this history, in the same way. If the old normal is zero, nothing is rotated.
+/// Replaces the normal of a contact by `normal`. Two quantities are rotated with the normal: the history of the
+/// contact, and the motion of the surfaces since the last update of the history. If the old normal is zero, nothing is
+/// rotated.
 /// @param remembered  quantities in the history of the contact, from history_quantities()
 /// @param normal  the new normal (unit vector)
 /// @param twist  mean rotation of the two grains about the normal (radians; ignored in 2D)
@@ -28,8 +29,7 @@ void transport_history(const std::vector<HistoryQuantity>& remembered, const Vec
                        Contact<Dim>& contact, SurfaceMotion<Dim>& motion);
 
 /// Updates contacts between grains by the contact law of a packing. The static forces, stiffnesses, flags and new
-/// history of each contact follow from its gap, its normal, its old history and the motion of its surfaces. The type of
-/// the law is resolved once for all contacts.
+/// history of each contact follow from its gap, its normal, its old history and the motion of its surfaces.
 ///
 /// @param motion  motion of the surfaces of each contact, in the order of `contacts`
 template <int Dim>

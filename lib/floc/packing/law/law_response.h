@@ -5,8 +5,8 @@
 #include "floc/packing/law/contact_response.h"
 #include "floc/packing/packing.h"
 
-/// Functions that evaluate a composed contact law for one contact. All code except the force loop of the dynamics uses
-/// these functions.
+/// Functions that evaluate a contact law for one contact. All code except the force loop of the dynamics uses these
+/// functions.
 namespace floc {
 
 /// The force of a spring counts as being at its cap if it differs from the cap by at most this fraction of the cap. The
@@ -30,8 +30,8 @@ typename Law::template PairParameters<> pair_parameters(
   if (c.j >= grains.size()) return {};
   return law.template pair_parameters<Dim>(grains.radius[c.i], grains.radius[c.j], history);
 }
-/// Returns the parameters that are in effect at the present history of a contact. The result equals that of
-/// pair_parameters(), but with zero strength if the liquid bridge has broken.
+/// Returns the parameters that are in effect at the present history of a contact: those of pair_parameters(), except
+/// that a broken liquid bridge has zero strength.
 template <class Law, int Dim>
 typename Law::template PairParameters<> acting_parameters(const Law& law, const Grains<Dim>& grains,
                                                           const Contact<Dim>& c) {
@@ -45,8 +45,8 @@ bool touches(const Law& law, const Grains<Dim>& grains, const Contact<Dim>& c) {
   return law.template touches<Dim>(pair_geometry(grains, c), packed_history<Law, Dim>(c.history));
 }
 
-/// Sets the flags of a contact that tell which of its springs have forces at their caps. All flags are false if the
-/// surfaces attract each other across a gap.
+/// Sets the flags of a contact (sliding, rolling_yield, twisting_yield), each of which tells whether the force of a
+/// spring is at its cap. All flags are false if the surfaces attract each other across a gap.
 template <class Law, int Dim>
 void set_mobilised(const Law& law, const PackedHistory<Law::template kHistorySize<Dim>>& history,
                    double tolerance, Contact<Dim>& c) {
@@ -57,8 +57,8 @@ void set_mobilised(const Law& law, const PackedHistory<Law::template kHistorySiz
   c.twisting_yield = m.twisting;
 }
 
-/// Updates the static forces, stiffnesses, flags and history of a contact by the motion `surface` of its surfaces. The
-/// gap and the normal of the contact must already be those after the motion.
+/// Updates the static forces, stiffnesses, flags and history of a contact by the motion `surface` of its surfaces.
+/// Before the call, the gap and the normal of the contact must be set to those after the motion.
 template <class Law, int Dim>
 void respond_to_motion(const Law& law, const Grains<Dim>& grains, const SurfaceMotion<Dim>& surface,
                        Contact<Dim>& c) {

@@ -10,8 +10,8 @@ struct NamedStiffness {
   double tangential = 0.0;  ///< tangential stiffness K_T of each contact point, >= 0; 0 if there is no friction
 };
 
-/// Returns a packing of linear springs with the positions and forces of a packing of rigid grains. The positions and
-/// forces do not determine the stiffnesses; all contact points and the contact law get the given stiffnesses.
+/// Returns a packing of linear springs with the positions and forces of a packing of rigid grains. Positions and forces
+/// do not determine stiffnesses, so the given stiffnesses apply to all contact points and to the contact law.
 /// @throws InputError if the contacts are not rigid, or if K_T is not compatible with the friction of the law
 template <int Dim>
 Packing<Dim> with_named_stiffness(Packing<Dim> packing, const NamedStiffness& named);

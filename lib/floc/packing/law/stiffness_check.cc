@@ -19,7 +19,7 @@ namespace {
 template <class Law>
 inline constexpr bool kFollowsFromForce = history_size<typename Law::NormalModel>(2) == 0;
 
-/// Returns whether two ratios of stiffnesses are equal within the precision of the numbers in files.
+/// Returns whether two ratios of stiffnesses are equal up to the rounding of the numbers in files.
 bool same_factor(double a, double b) {
   return !differ(a, b, 10.0 * kForeignStiffness);
 }

@@ -13,8 +13,8 @@ using Stiffnesses = std::array<double, 4>;
 inline constexpr std::array<const char*, 4> kStiffnessNames = {"kn", "kt", "kr", "ktw"};
 
 /// Relative tolerance for the comparison between stiffnesses from another program and stiffnesses of the contact law.
-/// The tolerance allows for rounding in files, which contain at least six digits of a stiffness, and of the force from
-/// which the law computes the stiffness.
+/// The law computes a stiffness from the contact force. Both the stiffness and the force are rounded in files, to six
+/// digits or more; the tolerance allows for this rounding.
 inline constexpr double kForeignStiffness = 1e-5;
 
 template <int Dim>
@@ -39,20 +39,20 @@ class StiffnessComparison {
   /// @param names  names of the two grains of the contact in messages, such as "0-4"
   void add(const Stiffnesses& found, const Stiffnesses& by_law, const std::string& names);
 
-  /// Returns one message for each kind of stiffness (of the four) that differs from the contact law. The message
+  /// Returns one message for each of the four kinds of stiffness that differs from the contact law. The message
   /// contains the number of contacts, the ratio to the stiffness of the law, and the contact with the largest
   /// difference: "kn of 24 contacts is 10 times the value of the contact law (grains 0-4: 1.2e+07, by the law
   /// 1.2e+06)".
-  /// @param force_exponent  exponent of the overlap in the elastic force of the law. If it is not 1, messages point out
-  /// a common mistake: kn is given as the normal force N divided by the overlap delta, which is only two thirds of the
-  /// stiffness of Hertz contacts.
+  /// @param force_exponent  exponent of the overlap in the elastic force of the law. If the exponent is not 1, messages
+  /// point out a common mistake: the given kn is the normal force N divided by the overlap delta, which for Hertz
+  /// contacts is only two thirds of the stiffness.
   std::vector<std::string> differences(double force_exponent) const;
 
  private:
   struct Kind {
     int n = 0;
-    /// Smallest and largest ratio of the given stiffness to the stiffness of the law over all contacts; infinite if the
-    /// stiffness of the law is 0.
+    /// Smallest and largest ratio, over all contacts, of the given stiffness to the stiffness of the law. The ratio is
+    /// infinite if the stiffness of the law is 0.
     double least = 0.0, largest = 0.0;
     /// largest relative difference; the following members describe the contact with this difference
     double worst = 0.0;
@@ -62,8 +62,8 @@ class StiffnessComparison {
   std::array<Kind, 4> kinds_;
 };
 
-/// Returns messages about stiffnesses of the contacts of a packing that differ from its contact law; empty if none
-/// differ.
+/// Compares the stiffnesses of all contacts of a packing with its contact law, and returns messages about differences;
+/// empty if there are none.
 template <int Dim>
 std::string stiffness_differences(const Packing<Dim>& packing);
 

@@ -58,8 +58,8 @@ double BridgeSearch::first_reach() const {
 }
 
 /// The bound is the reach of a bridge between two grains of the largest radius, because this bridge has the largest
-/// volume. If more bridges form, the volume of each bridge decreases. If there is a single bridge, it has the volume of
-/// all the liquid.
+/// volume. If more bridges form, the volume of each bridge decreases. If there is only one bridge, it contains all the
+/// liquid.
 double BridgeSearch::reach_bound(const LiquidShares& shares) const {
   return bridges_.reach(liquid_ *
                         std::min(1.0, shares.n_bonds > 0 ? largest_radius_ / shares.radius_sum : 1.0));

@@ -7,15 +7,15 @@
 
 #include "floc/packing/packing.h"
 
-/// Liquid of a packing whose contact law has liquid bridges: these functions find the pairs of grains that have a
-/// bridge, and the volumes of the bridges.
+/// Functions for packings whose contact law has liquid bridges. They find the pairs of grains that have a bridge, and
+/// the volumes of the bridges.
 namespace floc {
 
-/// Estimated number of liquid bridges in a dense packing divided by the number of grains. The search for bridges begins
-/// with this estimate. Checks of a scene file also use it, because there are no bridges yet.
+/// Estimated number of liquid bridges per grain in a dense packing. The search for bridges begins with this estimate.
+/// Checks of a scene file also use it, because there are no bridges yet.
 inline constexpr double kBridgesPerGrain = 3.0;
 
-/// Pair of grains that a liquid bridge may connect.
+/// Pair of grains between which a liquid bridge may form.
 struct BridgeablePair {
   double gap;     ///< gap h between the surfaces (length), negative or zero if they touch
   double radius;  ///< mean radius R' = 2 Ri Rj/(Ri + Rj) of the two grains (length)
@@ -52,9 +52,9 @@ LiquidShares share_liquid(const CapillaryAdhesion& bridges, double liquid,
 /// @param volume  volume of their bridge (length^3)
 bool may_hold_liquid(const CapillaryAdhesion& bridges, double gap, double volume);
 
-/// Distributes the volume `liquid` (length^3) over those of n pairs of grains that may get liquid.
+/// Distributes the volume `liquid` (length^3) over n pairs of grains, except the pairs that cannot get liquid.
 /// @param pair  function that returns the pair number k; it returns no value if this pair gets no liquid
-/// @return distribution with the volumes of all n pairs
+/// @return distribution with the volumes of all n pairs; the volume of an excepted pair is 0
 template <class PairAt>
 LiquidShares share_liquid_among(const CapillaryAdhesion& bridges, double liquid, int n, const PairAt& pair) {
   std::vector<BridgeablePair> taking_part;
@@ -71,8 +71,8 @@ LiquidShares share_liquid_among(const CapillaryAdhesion& bridges, double liquid,
   return shares;
 }
 
-/// Sequence of gaps up to which pairs of grains are searched for liquid bridges. The gap is widened until no pair with
-/// a larger gap can have a bridge.
+/// Search for the pairs of grains that have liquid bridges. All pairs up to some gap are considered, and the gap is
+/// widened until no pair with a larger gap can have a bridge.
 class BridgeSearch {
  public:
   /// @param radius  radius of each grain (length)
@@ -80,12 +80,12 @@ class BridgeSearch {
 
   /// Returns the total volume of liquid (length^3).
   double liquid() const { return liquid_; }
-  /// Returns the gap up to which pairs are searched first (length): the largest reach of a bridge if there were
+  /// Returns the gap (length) up to which pairs are considered first: the largest reach of a bridge if there were
   /// kBridgesPerGrain bridges per grain.
   double first_reach() const;
   /// Returns an upper bound on the reach (length) of each bridge in the distribution `shares`.
   double reach_bound(const LiquidShares& shares) const;
-  /// Returns the next gap up to which pairs are searched (length), where `shares` is the distribution over all pairs
+  /// Returns the next gap (length) up to which pairs are considered, where `shares` is the distribution over all pairs
   /// closer than `reach`. The next gap is wider than `reach`, or equal to `reach` if the distribution is final.
   double wider(double reach, const LiquidShares& shares) const;
 
@@ -103,8 +103,8 @@ bool holds_liquid(const Packing<Dim>& packing) {
   return packing.law.liquid() != nullptr;
 }
 
-/// Returns the volume of the liquid at a contact (length^3), with the sign that it has in the history: negative if the
-/// liquid bridge has broken. The result is 0 if the contact law has no liquid.
+/// Returns the volume of the liquid at a contact (length^3), as stored in the history: negative if the liquid bridge
+/// has broken. The result is 0 if the contact law has no liquid.
 template <int Dim>
 double bridge_volume(const Packing<Dim>& packing, const Contact<Dim>& contact);
 /// Sets the volume of the liquid at a contact (length^3).
@@ -112,29 +112,29 @@ double bridge_volume(const Packing<Dim>& packing, const Contact<Dim>& contact);
 template <int Dim>
 void set_bridge_volume(double volume, Contact<Dim>& contact);
 
-/// Returns whether a pair of grains belongs in the list of contacts: the surfaces touch or attract each other across a
-/// gap, or there is liquid between them.
+/// Returns whether a pair of grains belongs in the list of contacts. This is the case if the surfaces touch or attract
+/// each other across a gap, or if there is liquid between them.
 /// @pre contact.distant is set: whether the surfaces attract each other across a gap
 template <int Dim>
 bool interacts(const Packing<Dim>& packing, const Contact<Dim>& contact) {
   return !contact.distant || contact.gap < packing.law.range() || bridge_volume(packing, contact) != 0.0;
 }
 
-/// Returns the gap (length) beyond which the surfaces of a contact do not act on each other: the reach of the contact
-/// law or, with liquid, the reach of the liquid bridge.
+/// Returns the largest gap (length) at which the surfaces of a contact act on each other: the reach of the contact law
+/// or, with liquid, the reach of the liquid bridge.
 template <int Dim>
 double range_of(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
-/// Returns the largest gap (length) at which any contact of a packing acts: the largest of the reach of the contact
-/// law, the reach of each liquid bridge, and the gap of each contact that has liquid.
+/// Returns the largest gap (length) at which any contact of a packing acts. It is the maximum of three lengths: the
+/// reach of the contact law, the reaches of all liquid bridges, and the gaps of all contacts that have liquid.
 template <int Dim>
 double interaction_range(const Packing<Dim>& packing);
 
-/// Returns the pull-off force F0 of two grains that have the largest radius in a packing (force); 0 without adhesion.
+/// Returns the pull-off force F0 between two grains of the largest radius in a packing (force); 0 without adhesion.
 template <int Dim>
 double pull_off_force(const Packing<Dim>& packing);
 
-/// Returns the pull-off force F0 of a contact that touches (force); 0 if no adhesion acts between its surfaces.
+/// Returns the pull-off force F0 of a contact whose surfaces touch (force); 0 if no adhesion acts between them.
 template <int Dim>
 double pull_off_force(const Packing<Dim>& packing, const Contact<Dim>& contact);
 

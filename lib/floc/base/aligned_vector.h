@@ -28,9 +28,9 @@ struct CacheLineAllocator {
   }
 };
 
-/// A vector whose first element lies at the beginning of a cache line. Loading a full vector register from such a
-/// vector never touches two cache lines. With std::vector, the speed of loops varied by a tenth, because arrays can
-/// begin anywhere within a cache line.
+/// A vector whose first element lies at the beginning of a cache line. A vector register loaded from this vector
+/// therefore never spans two cache lines. An array in a std::vector can begin anywhere within a cache line, which made
+/// the speed of loops vary by a tenth.
 template <class T>
 using AlignedVector = std::vector<T, CacheLineAllocator<T>>;
 

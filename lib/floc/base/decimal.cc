@@ -9,9 +9,10 @@
 namespace floc {
 namespace {
 
-constexpr int kDigitsOfDouble = 17;  ///< number of significant digits that distinguish any two doubles
+/// Number of significant digits that are enough to tell any two doubles apart.
+constexpr int kDigitsOfDouble = 17;
 constexpr int kDigitsKept =
-    34;  ///< number of significant digits that determine a double-double; further digits do not change it
+    34;  ///< number of significant digits of a text that are read; more digits would not change a double-double
 constexpr int kExactPower = 22;  ///< largest n for which 10^n is exactly a double
 
 DoubleDouble times_power_of_ten(DoubleDouble x, int exponent) {

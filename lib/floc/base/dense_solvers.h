@@ -4,8 +4,8 @@
 
 namespace floc {
 
-/// Decompositions of small dense matrices by the library Eigen. They are compiled in a single source file, because a
-/// decomposition adds seconds to the compile time of every file that instantiates it.
+/// Decompositions of small dense matrices by the library Eigen. One source file instantiates all of Eigen's
+/// decompositions, because each of them adds seconds to the compile time of a file.
 
 /// Eigenvalues of a symmetric matrix in ascending order, and a matrix whose columns are the eigenvectors in this order.
 struct SymmetricEigen {
@@ -26,16 +26,15 @@ Eigen::VectorXd tridiagonal_eigenvalues(const Eigen::VectorXd& diagonal, const E
 /// Returns the solution of a linear system with a symmetric matrix; the matrix may be indefinite.
 Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right_side);
 
-/// Returns the vector x that minimises |columns x - y|. If several vectors minimise this norm, returns the shortest of
-/// them.
+/// Returns the vector x that minimises |columns x - y|; if there are several, the shortest.
 Eigen::VectorXd least_squares_solution(const Eigen::MatrixXd& columns, const Eigen::VectorXd& y);
 
-/// Extends the columns of a matrix to an orthonormal basis of the whole space. Returns a matrix whose columns are the
-/// first `count` vectors of this basis. The first columns.cols() vectors of the basis span the same space as `columns`.
+/// Returns a matrix with the first `count` vectors of an orthonormal basis of the whole space. The first columns.cols()
+/// vectors of this basis span the same space as the columns of the argument.
 Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& columns, Eigen::Index count);
 
-/// Least-squares solution x = R^-1 Q^T y of the system A x = y, and the matrix R^-1. Householder reflections factorize
-/// A = Q R, where Q has orthonormal columns and R is upper triangular.
+/// Least-squares solution x = R^-1 Q^T y of the system A x = y, and the matrix R^-1. Here, A = Q R is the factorization
+/// by Householder reflections, in which Q has orthonormal columns and R is upper triangular.
 /// @pre the columns of A are linearly independent
 struct LinearSystemByQr {
   Eigen::VectorXd solution;
@@ -43,8 +42,8 @@ struct LinearSystemByQr {
 };
 LinearSystemByQr solve_by_qr(const Eigen::MatrixXd& columns, const Eigen::VectorXd& y);
 
-/// Thin singular value decomposition: the singular values in descending order, and the matrix whose columns are the
-/// right singular vectors.
+/// Result of a thin singular value decomposition: the singular values in descending order, and the matrix whose columns
+/// are the right singular vectors.
 struct SingularValues {
   Eigen::VectorXd values;
   Eigen::MatrixXd right;

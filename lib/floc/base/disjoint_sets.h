@@ -7,7 +7,8 @@
 namespace floc {
 
 /// Disjoint sets of the whole numbers from 0 to n - 1 (union-find with path halving). At first, each number is a set of
-/// its own. The name of a set is its smallest member, and so does not depend on the order in which sets are merged.
+/// its own. The smallest member of a set serves as its name, because the smallest member does not depend on the order
+/// in which sets are merged.
 class DisjointSets {
  public:
   explicit DisjointSets(int n) : parent_(n), n_sets_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -18,7 +19,7 @@ class DisjointSets {
     return i;
   }
 
-  /// Merges the set that contains i and the set that contains j. @return whether these were two different sets
+  /// Merges the set that contains i and the set that contains j. @return false if i and j already were in one set
   bool join(int i, int j) {
     i = root(i), j = root(j);
     if (i == j) return false;

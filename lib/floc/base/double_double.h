@@ -5,9 +5,9 @@
 namespace floc {
 
 /// A double-double number: the unevaluated sum high + low of two doubles, where |low| is at most half a unit in the
-/// last place of `high`. The precision is about 106 bits. Double-double numbers are used for differences of nearly
-/// equal numbers, for which doubles are not precise enough. The operators are the algorithms of Dekker (1971) and the
-/// fast "sloppy" algorithms of Hida, Li and Bailey (2001).
+/// last place of `high`. The precision is about 106 bits. Double-double numbers are used where two nearly equal numbers
+/// are subtracted and doubles are not precise enough. The operators use the algorithms of Dekker (1971) and the fast
+/// "sloppy" algorithms of Hida, Li and Bailey (2001).
 struct DoubleDouble {
   double high = 0.0;
   double low = 0.0;
@@ -22,7 +22,7 @@ inline DoubleDouble exact_sum(double p, double q) {
   return {sum, (p - (sum - q_taken)) + (q - q_taken)};
 }
 
-/// Returns the product p q as a double-double number, without rounding error unless it underflows.
+/// Returns p q as a double-double number, without rounding error unless the product underflows.
 inline DoubleDouble exact_product(double p, double q) {
   const double product = p * q;
   return {product, std::fma(p, q, -product)};

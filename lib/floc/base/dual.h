@@ -6,9 +6,9 @@
 
 namespace floc {
 
-/// A dual number: a value, and its derivatives with respect to N variables. A formula that is evaluated on dual numbers
-/// gives its value and its derivatives (forward-mode automatic differentiation). Comparisons use the values alone, so
-/// that branches are taken as for plain numbers.
+/// A dual number: a value and its derivatives with respect to N variables. If the inputs of a formula are dual numbers,
+/// the result contains the value of the formula and its derivatives (forward-mode automatic differentiation).
+/// Comparisons ignore the derivatives, so that a program takes the same branches as with plain numbers.
 template <int N>
 struct Dual {
   double value = 0.0;
@@ -65,8 +65,10 @@ struct Dual {
   }
 
  private:
-  /// Return the value of a function of p, or of p and q, with its derivatives. By the chain rule, these follow from the
-  /// derivatives of p and q and from the partial derivatives of the function with respect to p (`by_p`) and q (`by_q`).
+  /// Return a function of p, or of p and q, as a dual number. Its derivatives follow by the chain rule from the
+  /// derivatives of p and q.
+  /// @param value value of the function
+  /// @param by_p,by_q partial derivatives of the function with respect to p and q
   static constexpr Dual chain(double value, const Dual& p, double by_p) {
     Dual out(value);
     for (int k = 0; k < N; ++k) out.derivative[k] = by_p * p.derivative[k];

@@ -31,8 +31,8 @@ double left_of_address_space() {
   return static_cast<double>(limit.rlim_cur) - pages * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-/// Returns the memory (bytes) that is left below the limit of the control group of this process. A container or a batch
-/// job, for example, is a control group. Only version 2 of control groups is supported.
+/// Returns the memory (bytes) that this process can still use before its control group, for example a container or a
+/// batch job, reaches the limit of its memory. Only version 2 of control groups is supported.
 double left_of_control_group() {
   std::ifstream most("/sys/fs/cgroup/memory.max"), used("/sys/fs/cgroup/memory.current");
   double limit = 0.0, now = 0.0;

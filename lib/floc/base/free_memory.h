@@ -2,9 +2,9 @@
 
 namespace floc {
 
-/// Returns the number of bytes that this process can still allocate: the smallest of three numbers, namely the free
+/// Returns the number of bytes that this process can still allocate. This is the smallest of three numbers: the free
 /// memory of the machine, the memory left below the limit of the process (ulimit -v), and the memory left below the
-/// limit of the control group. Returns infinity if none of the three is known.
+/// limit of its control group. Returns infinity if none of the three numbers is known.
 double free_memory();
 
 }  // namespace floc

@@ -24,8 +24,8 @@ bool is_gzip(std::string_view beginning) {
 }
 
 std::string inflated_by_zlib(const std::string& place, std::string_view data, std::size_t size) {
-  // zlib compresses by a factor of at most 1032. If `size` requires a clearly larger factor, then `size` is wrong, and
-  // no memory is allocated.
+  // zlib compresses by a factor of at most 1032. If `size` implies a factor above 1100, `size` is wrong, and no memory
+  // is allocated.
   constexpr std::size_t kLargestFactor = 1100;
   uLongf length = size / kLargestFactor > data.size() ? 0 : size;
   std::string bytes(length, '\0');

@@ -9,8 +9,8 @@ namespace floc {
 namespace {
 
 constexpr std::size_t kHugePage = std::size_t{1} << 21;
-/// Size of the smallest block for which huge pages are requested (bytes). Aligning smaller blocks to huge pages costs
-/// more than it saves.
+/// Size of the smallest block for which huge pages are requested (bytes). For smaller blocks, huge pages cost more time
+/// than they save.
 constexpr std::size_t kSmallest = 4 * kHugePage;
 
 }  // namespace

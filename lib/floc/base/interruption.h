@@ -19,10 +19,10 @@ class InterruptionListener {
   std::function<void()> before_;
 };
 
-/// Calls the function of the InterruptionListener of this thread, if there is such a listener, but at most once in 50
-/// ms. Long computations call check_interruption() between two stages of their work and outside of parallel regions,
-/// because an exception at such a place leaves no data half changed.
-/// @throws any exception of the listener's function
+/// Calls the function that this thread has registered by an InterruptionListener, if any, but at most once in 50 ms.
+/// Long computations call check_interruption() between two stages of their work and outside of parallel regions, where
+/// an exception leaves no data half changed.
+/// @throws any exception of the registered function
 void check_interruption();
 
 }  // namespace floc

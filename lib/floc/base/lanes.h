@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <type_traits>
 
-/// Functions that contact laws call in addition to + - * /. They work for every number type on which a law is
-/// evaluated: `double`, a dual number (a number with its derivatives, like Ceres' Jet), or a pack of several doubles
-/// (SIMD lanes). The comparison of two packs gives a mask, which a function blend() uses to select between two packs in
-/// each lane.
+/// Functions that contact laws call in addition to + - * /. A law is evaluated on three types of numbers: `double`, a
+/// dual number (a number with its derivatives, like Ceres' Jet), or a pack of several doubles (SIMD lanes). The
+/// functions accept all three types. The comparison of two packs gives a mask. The function blend() uses a mask to
+/// choose, in each lane, the value of one of two packs.
 namespace floc::lanes {
 
 /// Returns `when ? a : b`; for packs of doubles, the choice is made separately for each lane.
@@ -39,7 +39,7 @@ inline T clamp_magnitude(const T& value, const T& bound) {
 }
 
 /// Returns p * 2^n.
-/// @param shifted  the whole number n plus 1.5 * 2^52
+/// @param shifted the sum n + 1.5 * 2^52, where n is a whole number
 /// @pre neither p nor the result is subnormal
 inline double times_power_of_two(double p, double shifted) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(p) + (std::bit_cast<std::uint64_t>(shifted) << 52));
@@ -51,14 +51,13 @@ inline double times_power_of_two(double p, double shifted) {
 template <class T>
 inline T exp_of_negative(const T& x) {
   if constexpr (std::is_same_v<T, double> || requires { T::kWidth; }) {
-    // The number 1.5 * 2^52. Adding this number to x rounds x to a whole number, which is stored in the last bits of
-    // the sum.
+    // The number 1.5 * 2^52. If it is added to a number, the last bits of the sum are the nearest whole number.
     constexpr double kShift = 6755399441055744.0;
     const T in_range = max(x, T(-690.0));
     const T shifted = in_range * T(1.4426950408889634) + T(kShift);
     const T n = shifted - T(kShift);
-    // r = x - n ln 2, where ln 2 is the sum of two constants. The first constant has so few digits that its product
-    // with n is exact.
+    // r = x - n ln 2. Here, ln 2 is written as the sum of two constants, and the first constant has so few digits that
+    // its product with n is exact.
     const T r = (in_range - n * T(6.93147180369123816490e-01)) - n * T(1.90821492927058770002e-10);
     const T q = r * r;
     // The power series of exp(r), up to the term r^13/13!, equals even + r * odd, where `even` and `odd` are power

@@ -6,8 +6,8 @@
 namespace floc {
 namespace {
 
-/// Returns the Levenshtein distance of two texts: the smallest number of letters to insert, remove or replace that
-/// turns one text into the other.
+/// Returns the Levenshtein distance of two texts: the smallest number of insertions, removals and replacements of
+/// letters that turn one text into the other.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});

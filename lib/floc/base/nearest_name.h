@@ -6,10 +6,9 @@
 
 namespace floc {
 
-/// Returns the candidate that is most similar to `name`, for messages about unknown names. The most similar name has
-/// the smallest Levenshtein distance: the smallest number of letters to insert, remove or replace that turns one name
-/// into the other. Returns the first of several equally similar candidates, and an empty text if there are no
-/// candidates.
+/// Returns the candidate that is most similar to `name`, for messages about unknown names. This is the first candidate
+/// with the smallest Levenshtein distance from `name` (number of insertions, removals and replacements of letters that
+/// turn one name into the other). Returns an empty text if there are no candidates.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);
 
 }  // namespace floc

@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// A list of strings that are stored one after the other in a single block of memory. For tables with millions of
-/// cells, the list takes less memory than a vector of strings.
+/// A list of strings, stored one after the other in a single block of memory. The list takes less memory than a vector
+/// of strings, which matters for tables with millions of cells.
 class PackedStrings {
  public:
   std::size_t size() const { return ends_.size(); }

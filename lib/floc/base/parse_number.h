@@ -33,8 +33,7 @@ std::optional<T> parse_number(std::string_view text) {
   return value;
 }
 
-/// Returns the integer that equals a real number, or std::nullopt if the real number has a fraction or does not fit
-/// into 64 bits.
+/// Converts a real number to an integer. Returns std::nullopt if the number is not whole or does not fit into 64 bits.
 inline std::optional<std::int64_t> whole_number(double value) {
   constexpr double kBeyond = 9223372036854775808.0;  // 2^63
   if (!(value >= -kBeyond && value < kBeyond) || value != std::floor(value)) return std::nullopt;

@@ -6,10 +6,10 @@
 
 namespace floc {
 
-/// Seeded stream of random numbers. The generator is determined by one 64-bit integer, which a state file of a packing
-/// can store. The generator is SplitMix64 (Steele, Lea, Flood, OOPSLA 2014). The conversions to real numbers are
-/// written here and not taken from the standard library, because the implementations of the standard library differ, so
-/// that results would not be reproducible.
+/// Seeded stream of random numbers, from the generator SplitMix64 (Steele, Lea, Flood, OOPSLA 2014). The state of the
+/// generator is one 64-bit integer, which a state file of a packing can store. This class itself converts the integers
+/// of the generator to real numbers, because the distributions of the standard library give different numbers in
+/// different implementations.
 class RandomStream {
  public:
   /// Starts a stream of random numbers. Streams with the same `seed` and different values of `purpose` are independent.

@@ -43,9 +43,9 @@ std::string range_fault(const std::string& name, std::int64_t value, const Whole
 /// @throws InputError with the message of range_fault() if the value is outside of the range
 void require_in_range(const std::string& name, double value, const NumberRange& range);
 void require_in_range(const std::string& name, std::int64_t value, const WholeRange& range);
-/// Checks that no faults were found in the options of a computation.
-/// @param faults  messages about the faults, as the function validate() of the options returns them
-/// @throws InputError with all messages, if there are any
+/// Throws if faults were found in the options of a computation.
+/// @param faults messages about the faults, from the function validate() of the options
+/// @throws InputError with all messages, unless `faults` is empty
 void refuse_faults(const std::vector<std::string>& faults);
 
 }  // namespace floc

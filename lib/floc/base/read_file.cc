@@ -27,9 +27,9 @@ File open_file(const std::string& path) {
   return file;
 }
 
-/// @throws InputError if the last attempt to read the file has failed
+/// @throws InputError if reading the file has failed
 void require_read(const std::string& place, std::FILE* file) {
-  // A directory can be opened like a file; an error occurs only when it is read.
+  // A directory can be opened like a file. The error occurs only when the directory is read.
   if (std::ferror(file))
     throw InputError(place,
                      errno == EISDIR ? "this is a directory, but a file is expected" : std::strerror(errno));

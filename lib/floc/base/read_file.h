@@ -8,14 +8,14 @@
 namespace floc {
 
 /// Returns the whole content of a file, or of the standard input if the path is "-". A file compressed by gzip is
-/// decompressed; its name does not matter.
+/// recognised by its content, not by its name, and decompressed.
 /// @throws InputError with the error message of the operating system if the file is missing or cannot be read
 std::string read_file(const std::string& path);
 
 /// Returns up to `most` bytes from the beginning of a file, so that its format can be recognised without reading the
 /// whole file. A file compressed by gzip is decompressed as far as needed.
-/// @param path  name of the file. For "-", the standard input, the result is empty, because bytes from the standard
-/// input can be read only once
+/// @param path name of the file. For "-" (the standard input), the result is empty, because the standard input can be
+/// read only once
 /// @param most  at most 65536
 /// @throws InputError if the file is missing or cannot be read
 std::string read_beginning(const std::string& path, std::size_t most);

@@ -11,8 +11,8 @@ namespace {
 
 using Words = std::array<std::uint32_t, 8>;
 
-/// Round constants of SHA-256: the first 32 bits of the fractional part of the cube root of each of the first 64 primes
-/// (FIPS 180-4, section 4.2.2).
+/// Round constants of SHA-256: the first 32 bits of the fractional parts of the cube roots of the first 64 primes (FIPS
+/// 180-4, section 4.2.2).
 constexpr std::array<std::uint32_t, 64> kRound = {
     0x428a2f98, 0x71374491, 0xb5c0fbcf, 0xe9b5dba5, 0x3956c25b, 0x59f111f1, 0x923f82a4, 0xab1c5ed5,
     0xd807aa98, 0x12835b01, 0x243185be, 0x550c7dc3, 0x72be5d74, 0x80deb1fe, 0x9bdc06a7, 0xc19bf174,
@@ -48,8 +48,8 @@ void absorb(Words& hash, const unsigned char* block) {
 
 }  // namespace
 
-/// Adds bytes to the end of the text whose hash is computed. The initial hash value consists of the first 32 bits of
-/// the fractional part of the square root of each of the first 8 primes (FIPS 180-4, section 5.3.3).
+/// Adds bytes to the end of the text whose hash is computed. The initial hash value is the first 32 bits of the
+/// fractional parts of the square roots of the first 8 primes (FIPS 180-4, section 5.3.3).
 void Sha256::update(std::string_view bytes) {
   std::size_t held = n_bytes_ % rest_.size();
   n_bytes_ += bytes.size();

@@ -19,7 +19,7 @@ class Sha256 {
  private:
   std::array<std::uint32_t, 8> hash_ = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
                                         0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
-  /// last bytes of the text, which do not fill a block of 64 bytes yet
+  /// Last bytes added, too few to fill a block of 64 bytes.
   std::array<unsigned char, 64> rest_{};
   std::uint64_t n_bytes_ = 0;
 };

@@ -8,7 +8,7 @@
 namespace floc {
 namespace {
 
-constexpr int kBits = 20;  // number of bits that store the number of an iteration
+constexpr int kBits = 20;  // number of bits that store the index of a turn
 
 /// Number of times that a waiting thread tests its condition before it yields its core.
 constexpr int kSpins = 2000;
@@ -43,8 +43,7 @@ void SharedLoops::for_each(int n, const std::function<void(int)>& work) {
     for (int k = 0; k < n; ++k) work(k);
     return;
   }
-  // No thread can take an iteration before the parts are stored below, because all iterations of the previous loop have
-  // ended.
+  // All turns of the previous loop have ended. No thread can therefore take a turn before the parts are stored below.
   work_ = &work;
   remaining_.store(n, std::memory_order_relaxed);
   const std::uint64_t loop = loop_.load(std::memory_order_relaxed) + 1;
@@ -73,7 +72,7 @@ void SharedLoops::help(int thread) {
 void SharedLoops::take_turns(int thread) {
   for (int n = 0; n < n_threads_; ++n) {
     Part& part = parts_[(thread + n) % n_threads_];
-    // While a thread is working on an iteration, the loop cannot end and its data cannot change.
+    // While a thread runs a turn, the loop cannot end, and `work_` cannot change.
     for (int k = take(part, n == 0); k >= 0; k = take(part, n == 0)) {
       (*work_)(k);
       remaining_.fetch_sub(1, std::memory_order_acq_rel);

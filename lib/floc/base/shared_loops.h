@@ -7,11 +7,12 @@
 
 namespace floc {
 
-/// Short loops whose iterations (here "turns") are shared by a team of threads. One thread of the team, the leader,
-/// runs a program. The other threads, the helpers, take part in the loops of this program. In each loop, a thread first
-/// takes the turns of its own part, and then turns from the parts of other threads. The part of a thread is the same in
-/// every loop, so that data stay in the cache of the thread. The leader never waits for a helper that has not begun a
-/// turn: if other programs occupy the cores of all helpers, the leader makes all turns alone.
+/// Short loops whose iterations, here called "turns", are shared by a team of threads. One thread of the team, the
+/// leader, runs a program. The other threads, the helpers, take part in the loops of this program. A loop is divided
+/// into one part for each thread. A thread first runs the turns of its own part, and then turns from the parts of other
+/// threads. In all loops of equal length, a thread has the same part, so that data stay in the cache of the thread. The
+/// leader waits only for turns that a helper has begun: if other programs occupy the cores of all helpers, the leader
+/// runs all turns alone.
 class SharedLoops {
  public:
   /// Runs `program` in this thread, with n_threads - 1 helpers.
@@ -30,15 +31,16 @@ class SharedLoops {
   static constexpr int kMostTurns = (1 << 20) - 1;
 
  private:
-  /// Turns of one part that no thread has begun yet: the number of the loop (24 bits), the index of the first turn, and
-  /// the index after the last turn (20 bits each). Each part has a cache line of its own.
+  /// The turns of one part that no thread has begun yet. The 64 bits of `turns` contain the number of the loop (24
+  /// bits), the index of the first turn (20 bits), and the index after the last turn (20 bits). Each part has a cache
+  /// line of its own.
   struct alignas(64) Part {
     std::atomic<std::uint64_t> turns{0};
   };
 
   explicit SharedLoops(int n_threads);
   void help(int thread);
-  /// Makes turns until no turns are left in any part, beginning with the part of this thread.
+  /// Runs turns of the part of this thread and then of the other parts, until all parts are empty.
   void take_turns(int thread);
   /// Takes one turn of a part: the first turn if the part belongs to this thread, otherwise the last turn.
   /// @return number of the turn; -1 if the part has no turns left

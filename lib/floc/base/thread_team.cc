@@ -35,8 +35,8 @@ void Barrier::wait_for_others() {
     return;
   }
   for (int spin = 0; phase_.load(std::memory_order_acquire) == phase; ++spin) {
-    // The second test is needed because a thread may abandon the next barrier before this thread has noticed that the
-    // present barrier is open.
+    // The second test is needed because this barrier may already be open when another thread calls abandon(). In this
+    // case, this wait() returns, and the next wait() throws.
     if (abandoned_.load(std::memory_order_acquire) && phase_.load(std::memory_order_acquire) == phase)
       throw Abandoned();
     if (spin > kSpins) std::this_thread::yield();
@@ -53,8 +53,7 @@ void run_in_team(int n_threads, const std::function<void(int thread, Barrier& ba
       require_team(n_threads);
       work(thread, barrier);
     } catch (const Barrier::Abandoned&) {
-      // An exception Abandoned is not recorded, because run_in_team() has to throw the exception of the thread that
-      // called abandon().
+      // Abandoned is not recorded: run_in_team() throws the exception of the thread that called abandon().
     } catch (...) {
       thrown[static_cast<std::size_t>(thread)] = std::current_exception();
       barrier.abandon();

@@ -9,10 +9,10 @@
 namespace floc {
 namespace {
 
-/// Returns the unit vector towards the light source, in the coordinates of the viewer. A sphere is brightest at the
-/// point where its normal is this vector.
+/// Returns the unit vector towards the light source, in the coordinates of the viewer. A sphere is brightest where its
+/// normal has this direction.
 Vec<3> light() {
-  constexpr double kFromAxis = 0.45;  // sine of the angle between the light and the line of sight
+  constexpr double kFromAxis = 0.45;  // sine of the angle between the directions to the light and to the eye
   return {kFromAxis * kLight[0], -kFromAxis * kLight[1], std::sqrt(1.0 - kFromAxis * kFromAxis)};
 }
 
@@ -20,7 +20,7 @@ Vec<3> light() {
 /// pale at the brightest point.
 Color shaded(const Color& color, const Vec<3>& normal) {
   constexpr double kDarkest = 0.6, kPalest = 0.6;
-  // a facet keeps its colour if the angle between the light and its normal has this cosine
+  // cosine of the angle between the normal and the light at which a facet keeps its colour
   constexpr double kPlain = 0.75;
   const double lit = std::max(0.0, normal.dot(light()));
   return lit < kPlain ? darker(color, kDarkest * (1.0 - lit / kPlain))
@@ -29,8 +29,8 @@ Color shaded(const Color& color, const Vec<3>& normal) {
 
 void draw_capsule(cairo_t* page, const SeenBody& body, const std::function<Vec<2>(const Vec<3>&)>& on_page,
                   double points_per_length, const Color& color) {
-  constexpr double kNearlyEndOn =
-      0.2;  // apparent length of the axis, divided by the radius, below which the capsule is drawn as a disk
+  // length of the axis in the picture, divided by the radius, below which a capsule is drawn as a disk
+  constexpr double kNearlyEndOn = 0.2;
   const Vec<2> from = on_page(body.points[0]), to = on_page(body.points[1]);
   const double radius = points_per_length * body.rounding;
   if ((to - from).norm() < kNearlyEndOn * radius)
@@ -45,10 +45,10 @@ void draw_body(cairo_t* page, const SeenBody& body, const std::function<Vec<2>(c
                double points_per_length, const Color& color) {
   // width of edges: largest width (points), and width divided by the radius of the body
   constexpr double kWidest = 0.5, kWidth = 0.03;
-  // amount by which an edge is darker than its facets, for sharp and for rounded edges
+  // fractions by which an edge is darker than its facets, for sharp and for rounded edges
   constexpr double kSharp = 0.35, kRounded = 0.18;
   if (body.facets.empty()) return draw_capsule(page, body, on_page, points_per_length, color);
-  // The edges of each facet are drawn together with the facet. They also cover the seams that antialiasing leaves
+  // The edges are drawn together with each facet. The lines of the edges also cover the seams that antialiasing leaves
   // between facets.
   cairo_set_line_width(page, std::min(kWidest, kWidth * points_per_length * body.radius));
   cairo_set_line_join(page, CAIRO_LINE_JOIN_ROUND);

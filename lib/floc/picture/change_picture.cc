@@ -13,10 +13,10 @@ PackingPicture<Dim> contacts_changed(const Packing<Dim>& before, const Packing<D
   for (const int c : changes.lost) add_before(c, LineKind::lost);
   const Mat<Dim> back = changes.deformation.inverse();
   for (const int c : changes.gained) {
-    // A gained contact is drawn along its branch vector before the change, b. After the change, the branch vector is
-    // the deformed b plus the relative displacement of the two grains; b follows from this equation. The line is
-    // straight even between grains with corners, because these grains do not touch before the change and have no
-    // contact point then.
+    // A gained contact is drawn along the vector b that connects the two grain centres before the change. The branch
+    // vector after the change is the deformed b plus the relative displacement of the two grains; b follows from this
+    // equation. The line is straight even between grains with corners: before the change, they do not touch, so there
+    // is no contact point at which the line could bend.
     const Contact<Dim>& contact = after.contacts[c];
     const Vec<Dim> apart = changes.displacement[contact.j] - changes.displacement[contact.i];
     const Vec<Dim>& from = before.grains.position[contact.i];

@@ -14,12 +14,13 @@
 namespace floc {
 namespace {
 
-/// Limit for the unit normal of a plane that separates two bodies. If the component of this normal along the line of
-/// sight is below the limit, neither body is in front of the other.
+/// Let n be the unit normal of a plane that separates two bodies. If the component of n along the line of sight is not
+/// above this limit in magnitude, neither body is in front of the other.
 constexpr double kPlaneEndOn = 1e-9;
 
-/// Returns the image of a body, relative to the image of its centre. Only the members of the shape that
-/// closest_points() reads are set: vertices, rounding and outer radius. Some vertices may lie inside the image.
+/// Returns the projection of a body onto the picture, with the centre of the body at the origin. Only the members that
+/// closest_points() reads are set: vertices, rounding and outer radius. Some of the projected vertices may lie inside
+/// the projection.
 Shape<2> image_of(const PlacedShape<3>& body, const Camera& camera) {
   Shape<2> image;
   image.rounding = body.rounding();
@@ -54,8 +55,9 @@ class Sorter {
             static_cast<int>(std::floor(centre_[i][1] / (2.0 * largest_)))};
   }
 
-  /// Compares all pairs of bodies that may overlap in the picture. The picture is divided into square tiles that are as
-  /// wide as the largest circumscribed circle, and bodies in the same tile or in adjacent tiles are compared.
+  /// Compares all pairs of bodies that may overlap in the picture. The picture is divided into square tiles. Each tile
+  /// is as wide as the circumscribed circle of the largest body. Two bodies are compared if their centres are in the
+  /// same tile or in adjacent tiles.
   void find_pairs() {
     std::map<Tile, std::vector<int>> in_tile;
     for (int i = 0; i < static_cast<int>(bodies_.size()); ++i) {
@@ -80,9 +82,8 @@ class Sorter {
     ++n_farther_[near];
   }
 
-  /// Returns whether the images of two bodies overlap. If the images do not overlap, the two bodies can be drawn in any
-  /// order. No order is then derived from a separating plane, because such orders of several pairs could contradict
-  /// each other.
+  /// Returns whether the images of two bodies overlap. If they do not, the two bodies can be drawn in any order. An
+  /// order from a plane between these bodies would be unnecessary, and could contradict the orders of other pairs.
   bool images_overlap(int i, int j, const Vec<2>& apart) const {
     const RelativePlace<2> place(Mat<2>::Identity(), apart, 1.0);
     const Vec<2> guess = apart.isZero(0.0) ? Vec<2>(Vec<2>::Unit(0)) : apart;
@@ -90,8 +91,8 @@ class Sorter {
     return closest.overlap || closest.distance < image_[i].rounding + image_[j].rounding;
   }
 
-  /// Takes a plane that separates the bodies i and j, and its unit normal from i to j. Returns the component of this
-  /// normal towards the eye.
+  /// Finds a plane that separates the bodies i and j, and its normal from i to j (a unit vector, or the vector between
+  /// the centres). Returns the component of the normal towards the eye.
   double normal_towards_eye(int i, int j, const Vec<3>& apart, double radii) const {
     // If the circumscribed spheres do not overlap, a plane normal to the line between the centres separates the bodies.
     if (apart.norm() >= radii) return apart[2];
@@ -99,7 +100,7 @@ class Sorter {
     return contact.n > 0 ? camera_.seen(contact.normal)[2] : apart[2];
   }
 
-  /// Returns the drawing order. A body is free to be drawn if all bodies that it may cover have been drawn. The free
+  /// Returns the drawing order. A body is free if all bodies that it may cover have been drawn. Of the free bodies, the
   /// body with the farthest centre is drawn next.
   std::vector<int> sorted() {
     using Waiting = std::pair<double, int>;
@@ -135,8 +136,9 @@ class Sorter {
   std::vector<Vec<3>> centre_;            ///< centres in the coordinates of the viewer
   std::vector<Shape<2>> image_;           ///< images of the bodies, see image_of()
   double largest_ = 0.0;                  ///< largest circumscribed radius (length)
-  std::vector<std::vector<int>> nearer_;  ///< bodies that have to be drawn after each body
-  std::vector<int> n_farther_;            ///< number of bodies that have to be drawn before each body
+  std::vector<std::vector<int>> nearer_;  ///< for each body, the bodies that have to be drawn after it
+  /// For each body, the number of bodies not yet drawn that have to precede it.
+  std::vector<int> n_farther_;
 };
 
 }  // namespace

@@ -36,7 +36,7 @@ double rms_displacement(const PackingPicture<Dim>& picture) {
 
 double round_number_below(double x) {
   const double power = std::pow(10.0, std::floor(std::log10(x)));
-  // The last factor prevents rounding errors of the logarithm or the quotient from changing 0.2 into 0.1.
+  // Without the last factor, rounding errors of the logarithm or the quotient could change the result for 0.2 into 0.1.
   const double digit = x / power * (1.0 + 1e-12);
   return power * (digit >= 10.0 ? 10.0 : digit >= 5.0 ? 5.0 : digit >= 2.0 ? 2.0 : 1.0);
 }

@@ -4,15 +4,15 @@
 
 namespace floc {
 
-/// Factors by which lengths, forces and displacements of a picture are multiplied to give points on the page.
+/// Factors that convert lengths, forces and displacements of a picture to points on the page.
 struct DrawnScale {
   double points_per_length = 1.0;
   double points_per_force = 0.0;  ///< line width of a unit force (points)
   double points_per_displacement = 0.0;
 };
 
-/// Mean diameter of the grains of a picture (length). The diameter of a grain with corners is the diameter of the disk
-/// or sphere of equal volume.
+/// Returns the mean diameter of the grains of a picture (length). The diameter of a grain with corners is the diameter
+/// of the disk or sphere of equal volume.
 template <int Dim>
 double mean_diameter(const PackingPicture<Dim>& picture);
 

@@ -7,8 +7,8 @@
 namespace floc {
 namespace {
 
-/// Makes the facets of a rounded polyhedron. The points of the facets are the corners of the faces of the core, moved
-/// outwards along the normal of each face. They are numbered like `Shape::corners`.
+/// Makes the facets of a rounded polyhedron. The points are the corners of the faces of the core, each moved outwards
+/// along the normal of its face. The points are numbered like `Shape::corners`.
 class BevelledFacets {
  public:
   explicit BevelledFacets(const Shape<3>& shape) : shape_(shape) {}
@@ -41,8 +41,7 @@ class BevelledFacets {
     for (const int f : shape_.faces_at(vertex)) out += shape_.normals[f];
     out.normalize();
     const Vec<3> a = out.unitOrthogonal(), b = out.cross(a);
-    std::vector<std::pair<double, int>>
-        around;  // angle about the outward direction, and the corner at this angle
+    std::vector<std::pair<double, int>> around;  // corners around the outward direction: angle and index
     for (const int f : shape_.faces_at(vertex)) {
       const Vec<3>& n = shape_.normals[f];
       around.emplace_back(std::atan2(n.dot(b), n.dot(a)), corner(f, vertex));

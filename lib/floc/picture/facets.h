@@ -16,9 +16,8 @@ struct Facets {
   std::vector<Facet> facets;
 };
 
-/// Returns the facets of a polyhedron. A rounded polyhedron, whose edges and corners are parts of cylinders and
-/// spheres, is drawn with a bevel in place of each edge and each corner: its facets are the facets of the convex hull
-/// of the flat parts of its surface.
+/// Returns the facets of a polyhedron. The edges and corners of a rounded polyhedron are parts of cylinders and
+/// spheres. Flat bevels replace them: the facets are the facets of the convex hull of the flat parts of the surface.
 /// @pre the core of the shape (the shape without its rounding) has faces
 Facets facets_of(const Shape<3>& shape);
 

@@ -47,8 +47,8 @@ double size_of_force(const Contact<Dim>& c, const UnitForce& unit) {
   return std::hypot(c.normal_force, c.shear_force.norm()) / unit.size;
 }
 
-/// Returns the sign of the pressure of each grain: 1 or -1. The result is 0 for rattlers, and for grains whose pressure
-/// has a magnitude of at most zero_force/a^(Dim-1), where a is the largest diameter.
+/// Returns the sign of the pressure of each grain: 1 or -1. The sign is 0 for rattlers, and for grains whose pressure
+/// is at most zero_force/a^(Dim-1) in magnitude, where a is the largest diameter.
 template <int Dim>
 std::vector<int> signs_of(const Packing<Dim>& packing, const std::vector<bool>& rattler, double zero_force) {
   std::vector<int> sign;
@@ -57,8 +57,8 @@ std::vector<int> signs_of(const Packing<Dim>& packing, const std::vector<bool>& 
   return sign;
 }
 
-/// Finds the clusters of grains that are connected by the contacts marked in `active`, and sets `shade` to `value` for
-/// the grains of the largest cluster.
+/// Sets `shade` to `value` for the grains of the largest cluster. A cluster consists of grains that are connected by
+/// the contacts marked in `active`.
 template <int Dim>
 void mark_largest(const ContactNetwork<Dim>& network, const Adjacency& of, const std::vector<bool>& active,
                   double value, std::vector<double>& shade) {
@@ -74,8 +74,8 @@ LineKind line_of_kind(ContactType kind) {
                                         : LineKind::compression;
 }
 
-/// Returns the kind of a contact between a grain and a wall: whether a vertex, an edge or a face of the grain lies on
-/// the wall. The kind follows from the number of contact points with a force.
+/// Returns the kind of a contact between a grain and a wall: the part of the grain that touches the wall is a vertex,
+/// an edge or a face. The kind follows from the number of contact points with a force.
 template <int Dim>
 ContactType kind_on_wall(const Packing<Dim>& packing, const Contact<Dim>& contact, double zero_force) {
   const auto of_grain = std::ranges::equal_range(packing.contacts, contact.i, {}, &Contact<Dim>::i);

@@ -11,8 +11,8 @@ namespace {
 constexpr double kTilesPerRadius = 8.0;
 constexpr double kMaxTilesPerSide = 3000.0;
 
-/// Square tiles into which the picture is divided in order to find hidden spheres. A tile is marked when one sphere
-/// covers it completely.
+/// Square tiles into which the picture is divided in order to find hidden spheres. A tile is marked as soon as a single
+/// sphere covers all of it.
 class Tiles {
  public:
   /// Divides the rectangle around all spheres into tiles.
@@ -30,9 +30,9 @@ class Tiles {
                     false);
   }
 
-  /// Returns whether the sphere is hidden, that is, whether earlier calls have marked all tiles that the sphere
-  /// overlaps. Also marks the tiles that lie within the sphere. @pre calls are made from the nearest to the farthest
-  /// sphere
+  /// Returns whether the sphere is hidden: whether earlier calls have marked all tiles that it overlaps. Also marks the
+  /// tiles that lie within the sphere. @pre the function is called for the nearest sphere first, and for the farthest
+  /// last
   bool hides_then_cover(const SeenSphere& s) {
     bool hidden = true;
     for_each_tile(s, [&hidden](auto tile, bool within) {
@@ -74,8 +74,8 @@ class Tiles {
   }
 
   int row_of(double x, int axis) const { return static_cast<int>((x - low_[axis]) / side_); }
-  /// Returns the smallest and the largest distance, along an axis, between the coordinate `x` and a column (axis 0) or
-  /// row (axis 1) of tiles.
+  /// Returns the smallest and the largest distance from the coordinate `x` to the points of a column (axis 0) or row
+  /// (axis 1) of tiles, measured along the axis.
   /// @param row  number of the column or row of tiles
   std::pair<double, double> distances(int row, int axis, double x) const {
     const double begin = low_[axis] + row * side_ - x, end = begin + side_;
@@ -104,8 +104,9 @@ std::vector<SeenSphere> without_hidden(std::vector<SeenSphere> spheres) {
 std::vector<bool> hidden_bodies(const std::vector<BodyExtent>& bodies) {
   std::vector<bool> hidden(bodies.size(), false);
   if (bodies.empty()) return hidden;
-  // The sphere inside a body hides another body if the nearest point of the other body is behind the centre of
-  // the sphere. The events are therefore sorted by the depths of the centres and of the nearest points.
+  // The sphere inside a body can hide another body only if the nearest point of the other body is behind the centre of
+  // the sphere. There are two events for each body: one at the depth of its centre, the other at the depth of its
+  // nearest point. The events are sorted by depth.
   struct Event {
     double depth;
     /// true if the body is tested at this event; false if the body hides other bodies from this event on

@@ -6,9 +6,9 @@
 
 namespace floc {
 
-/// Removes spheres that are completely hidden behind other spheres, and returns the others. Every visible sphere is
-/// kept. Some hidden spheres are kept too. The picture is divided into square tiles, whose width is an eighth of the
-/// smallest radius, and a tile counts as covered only if a single sphere covers all of it.
+/// Removes spheres that are completely hidden behind other spheres, and returns the remaining spheres: all visible
+/// spheres, and some hidden spheres. For this test, the picture is divided into square tiles, whose width is an eighth
+/// of the smallest radius. A tile counts as covered only if a single sphere covers all of it.
 std::vector<SeenSphere> without_hidden(std::vector<SeenSphere> spheres);
 
 /// Extent of a convex body in a picture.
@@ -19,8 +19,8 @@ struct BodyExtent {
 };
 
 /// Returns for each body whether the body is completely hidden behind other bodies. No visible body counts as hidden. A
-/// hidden body may count as visible for two reasons: only the sphere inside each body is taken to hide other bodies,
-/// and tiles are used as in without_hidden().
+/// hidden body may count as visible, because only the inner sphere of each body is taken to hide other bodies, and
+/// because tiles are used as in without_hidden().
 std::vector<bool> hidden_bodies(const std::vector<BodyExtent>& bodies);
 
 }  // namespace floc

@@ -18,7 +18,7 @@ namespace {
 constexpr double kLatticeMargin = 8.0;  // margin around the picture (points)
 constexpr double kMostPixels = 3000.0;
 
-/// Plane that is drawn: the whole cell in 2D, and a section through the cell in 3D.
+/// The plane that is drawn: in 2D the plane of the whole cell, in 3D a section through the cell.
 template <int Dim>
 struct Section {
   const Lattice<Dim>& lattice;
@@ -58,12 +58,12 @@ int nearest_node(const NodeGrid<Dim>& grid, const Vec<Dim>& point, double spacin
   return nearest;
 }
 
-/// Returns the periodic copy of the point x that lies in the drawn box: a rectangular box along the axes whose sides
-/// are the diagonal elements of the cell matrix.
+/// Returns the periodic copy of the point x in the drawn box. The edges of this rectangular box are along the axes, and
+/// their lengths are the diagonal elements of the cell matrix.
 template <int Dim>
 Vec<Dim> brought_into_room(const Cell<Dim>& cell, Vec<Dim> x) {
-  // Lattice vector a has no components along the axes after a. The axes are therefore treated from the last to the
-  // first, so that a shift along one axis does not change the coordinates that are already in the box.
+  // Cell vector a has no components along the axes after a. A shift by this vector therefore does not change the
+  // coordinates along these axes. For this reason, the loop begins at the last axis.
   for (int a = Dim; a-- > 0;) {
     const double side = cell.matrix(a, a);
     const double times = std::floor(x[a] / std::abs(side));
@@ -104,8 +104,9 @@ void set_source(cairo_t* page, const Color& c) {
   cairo_set_source_rgb(page, c.red, c.green, c.blue);
 }
 
-/// Draws each bond in `picture.faces`, that is, each broken bond, as a line across the bond, through the point at which
-/// its force acts. In a 3D section, a bond is drawn only if this point is within half a lattice spacing of the section.
+/// Draws each broken bond (listed in `picture.faces`) as a line. The line is perpendicular to the bond, and goes
+/// through the point at which the force of the bond acts. In 3D, a bond is drawn only if this point is within half a
+/// lattice spacing of the section.
 template <int Dim>
 void draw_faces(cairo_t* page, const Section<Dim>& section, const LatticePicture<Dim>& picture, double scale) {
   set_source(page, palette::kArrow);

@@ -11,17 +11,19 @@
 
 namespace floc {
 
-/// Colours of the nodes of a lattice, and texts, for draw_lattice(). Each node is drawn as the region of all points
-/// nearest to it, for example a hexagon in 2D.
+/// Colours of the nodes of a lattice, and texts, for draw_lattice(). A node is drawn as the region of all points to
+/// which it is the nearest node, for example a hexagon in 2D.
 template <int Dim>
 struct LatticePicture {
   std::vector<Color> color;  ///< colour of each node
-  /// Indices of broken bonds. To show cracks, a broken bond is drawn as a line between the regions of its two nodes.
+  /// Indices of broken bonds. A broken bond is drawn as a line between the regions of its two nodes, so that cracks are
+  /// visible.
   std::vector<int> faces;
   std::string caption;
   /// Colours and their meanings, which the legend lists.
   std::vector<std::pair<Color, std::string>> meanings;
-  /// name of the quantity that the colour bar shows, from -bar_largest to bar_largest; if empty, there is no colour bar
+  /// Name of the quantity of the colour bar, which goes from -bar_largest to bar_largest. If empty, there is no colour
+  /// bar.
   std::string bar_name;
   double bar_largest = 1.0;
 };
@@ -32,7 +34,7 @@ struct LatticeSheetOptions {
   double width = 482.0;  ///< width of the page (points)
   int cut_axis = 1;      ///< 3D: axis normal to the drawn section, counted from 0
   double cut_at = 0.5;   ///< 3D: position of the section along cut_axis, as a fraction of the cell
-  /// Number of pixels per lattice spacing. The number is reduced if a side of the picture would exceed 3000 pixels.
+  /// Number of pixels per lattice spacing, reduced if a side of the picture would exceed 3000 pixels.
   double pixels_a_node = 4.0;
 
   static constexpr NumberRange kPixels{.least = 1.0, .most = 100.0};
@@ -40,26 +42,27 @@ struct LatticeSheetOptions {
   std::vector<std::string> validate() const;
 };
 
-/// Returns whether draw_lattice() can draw a lattice in this cell: the first cell vector has to lie along the first
-/// axis, and the second cell vector in the plane of the first two axes. The picture then shows a rectangular box whose
-/// sides are the diagonal elements of the cell matrix. The box contains each point of the periodic lattice once, even
-/// if the cell is slanted.
+/// Returns whether draw_lattice() can draw a lattice in this cell. The first cell vector has to lie along the first
+/// axis, and the second cell vector in the plane of the first two axes. The picture of such a lattice shows a
+/// rectangular box whose sides are the diagonal elements of the cell matrix. Even if the cell is slanted, the box
+/// contains each point of the periodic lattice once.
 template <int Dim>
 bool can_be_drawn(const Cell<Dim>& cell) {
   return cell.matrix.isLowerTriangular(0.0);
 }
 
 /// Draws a lattice.
-/// @return content of the picture file; in svg and pdf files, the nodes are an embedded image, and all other elements
-/// are vector graphics
+/// @return content of the picture file; in svg and pdf files, the nodes are drawn as an embedded image, and all other
+/// elements as vector graphics
 /// @pre can_be_drawn(lattice.cell)
 /// @throws InputError naming the errors of the options
 template <int Dim>
 std::string draw_lattice(const Lattice<Dim>& lattice, const LatticePicture<Dim>& picture,
                          const LatticeSheetOptions& options);
 
-/// Returns the colour that shows the stress of each node: blue for compression, orange for tension, white for zero, and
-/// grey if the node has no stress. Stresses larger than `largest` in magnitude have the last colours of the scale.
+/// Returns the colour of each node for its stress: blue for compression, orange for tension, white for zero, and grey
+/// if the node has no stress. The colour scale goes from -largest to `largest`; stresses beyond an end have the colour
+/// of this end.
 /// @param value  stress of each node
 /// @param there  whether the node has a stress
 std::vector<Color> stress_colors(const std::vector<double>& value, const std::vector<bool>& there,

@@ -16,8 +16,7 @@ namespace {
 
 constexpr double kBetween = 12.0;  ///< distance between two items of the legend (points)
 constexpr double kAfterSample = 4.0;
-/// Largest width (points) of the line in the legend that shows the line width for a force. A wider line would cover
-/// text.
+/// Largest width (points) of the line that shows the force scale in the legend. A wider line would cover text.
 constexpr double kThickest = 8.0;
 
 template <int Dim>
@@ -93,10 +92,10 @@ LegendItem text_item(const std::string& text) {
   return {-kAfterSample, [](cairo_t*, double, double) {}, text};
 }
 
-/// Distributes the items of a legend over lines of text, which are filled from the left, and calls `place(item, x,
-/// line)` for each item: x is the distance of the item from the left end of the line (points), and `line` is the index
-/// of the line. An item that is wider than a line takes as many lines as its text needs. @return number of lines of the
-/// legend
+/// Distributes the items of a legend over lines of text, and calls `place(item, x, line)` for each item: x is the
+/// distance of the item from the left end of the line (points), and `line` is the index of the line. Each line is
+/// filled from the left. An item that is wider than a line takes as many lines as its text needs. @return number of
+/// lines of the legend
 template <class Place>
 int flow(const std::vector<LegendItem>& items, double width, Place&& place) {
   double x = 0.0;
@@ -112,8 +111,8 @@ int flow(const std::vector<LegendItem>& items, double width, Place&& place) {
   return n_lines;
 }
 
-/// Returns the number of bytes in the longest initial part of a text that fits into `width` (points). This part has at
-/// least one letter, even if the letter does not fit. It never ends within a letter of several bytes (UTF-8).
+/// Returns the number of bytes of the longest beginning of a text that fits into `width` (points). The beginning has at
+/// least one letter, even if this letter does not fit. A letter of several bytes (UTF-8) is never divided.
 std::size_t end_of_fitting(const std::string& text, double width) {
   std::size_t end = 0;
   do {

@@ -11,7 +11,7 @@ namespace floc {
 /// @param diameter  mean diameter of the grains (points)
 template <int Dim>
 double drawn_width(const ContactLine<Dim>& line, const DrawnScale& scale, double diameter) {
-  // Smallest widths of lines, divided by the mean diameter. They keep contacts with small forces visible.
+  // Smallest widths of lines, divided by the mean diameter, so that contacts with small forces remain visible.
   constexpr double kFaintest = 0.02;
   constexpr double kMarked = 0.09;
   if (line.kind == LineKind::lost || line.kind == LineKind::gained) return 1.5 * kMarked * diameter;

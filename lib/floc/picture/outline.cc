@@ -15,8 +15,8 @@ Outline outline_of(const PlacedShape<2>& placed) {
   outline.radius = placed.rounding();
   const int n = shape.n_faces();
   for (int side = 0; side < n; ++side) {
-    // The arc about the first vertex of a side turns from the normal of the previous side to the normal of this
-    // side.
+    // The arc about the first vertex of a side begins at the direction of the normal of the previous side. It ends at
+    // the direction of the normal of the side itself.
     const Vec<2>& vertex = shape.vertices[shape.loop(side).front()];
     const double begin = angle_of((side + n - 1) % n);
     double end = angle_of(side);

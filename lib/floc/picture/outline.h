@@ -9,7 +9,7 @@ namespace floc {
 /// Corner of the outline of a shape in 2D: a counter-clockwise arc of a circle.
 struct OutlineCorner {
   Vec<2> centre =
-      Vec<2>::Zero();  ///< centre of the circle: a vertex of the core, the shape without its rounding
+      Vec<2>::Zero();  ///< centre of the circle: a vertex of the core (the shape without its rounding)
   double begin = 0.0,
          end = 0.0;  ///< angles at which the arc begins and ends (radians), begin < end <= begin + 2 pi
 };

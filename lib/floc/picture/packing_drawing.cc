@@ -13,11 +13,11 @@
 namespace floc {
 namespace {
 
-/// Largest number of shapes that are combined in one cairo path. Larger paths would take more time, because the time
-/// for drawing a path increases faster than the number of its shapes.
+/// Largest number of shapes in one cairo path. The time for drawing a path increases faster than the number of its
+/// shapes, so longer paths would be slower.
 constexpr int kBatch = 200;
 constexpr double kSmallestOutlined = 2.5;
-/// Line widths are rounded to multiples of this width (points), so that many lines share one path. This keeps files
+/// Line widths are rounded to multiples of this width (points). Lines of equal width share one path, which keeps files
 /// small.
 constexpr double kWidthStep = 0.05;
 constexpr int kShades = 64;
@@ -149,7 +149,7 @@ class Drawing {
     cairo_new_sub_path(page_);
     for (const OutlineCorner& corner : outline.corners) {
       const Vec<2> p = on_page(corner.centre + shift);
-      // The y axis of the page points down, so the sense of rotation of arcs is reversed on the page.
+      // The y axis of the page points down. Arcs therefore turn in the opposite sense on the page.
       if (radius > 0.0)
         cairo_arc_negative(page_, p[0], p[1], radius, -corner.begin, -corner.end);
       else

@@ -18,7 +18,7 @@ struct Box {
 Box box_of(const Cell<2>& cell);
 
 /// Position and scales of a picture on the page. The position is the upper left corner of the rectangle around the cell
-/// (points). The scales apply to lengths, forces and displacements.
+/// (points).
 struct Placement {
   double left = 0.0, top = 0.0;
   DrawnScale scale;
@@ -28,8 +28,8 @@ void set_color(cairo_t* page, const Color& color);
 
 Color color_of(LineKind kind);
 
-/// Draws the grains, lines and arrows of a picture, and those of their periodic copies that reach into the cell. All
-/// are clipped at the border of the cell. Grains have no outlines if their mean diameter is below 2.5 points.
+/// Draws the grains, lines and arrows of a picture, and their periodic copies that reach into the cell. The drawing is
+/// clipped at the border of the cell. Grains have no outlines if their mean diameter is below 2.5 points.
 void draw_packing(cairo_t* page, const PackingPicture<2>& picture, const Placement& placement);
 
 /// Draws the border of the periodic cell.

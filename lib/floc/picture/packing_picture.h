@@ -11,7 +11,8 @@
 
 namespace floc {
 
-/// Meaning of a line between two grains. Lines are drawn in the order of these kinds, so that the last kind is on top.
+/// Meaning of a line between two grains. Lines are drawn in the order of these kinds: a later kind covers an earlier
+/// kind.
 enum class LineKind {
   background,  ///< a contact that the picture shows, but does not emphasize
   zero,        ///< a contact whose normal force is zero within the tolerance
@@ -23,7 +24,7 @@ enum class LineKind {
 };
 
 /// An interaction of two grains (or of a grain and a wall), drawn as a line from the centre of grain i to the centre of
-/// grain j. At a contact of shapes with corners, the line bends at the contact point.
+/// grain j. Between shapes with corners, the line bends at the contact point.
 template <int Dim>
 struct ContactLine {
   Vec<Dim> from = Vec<Dim>::Zero();
@@ -43,10 +44,10 @@ struct DisplacementArrow {
   int grain = 0;
 };
 
-/// A value of every grain, which is drawn as the colour of the grain.
+/// Values of the grains, which are shown by their colours.
 struct GrainShade {
   std::vector<double> value;  ///< value of each grain
-  double largest = 1.0;       ///< value > 0 at the end of the colour scale; larger values have the last colour
+  double largest = 1.0;       ///< value > 0 at the end of the colour scale; larger values have the same colour
   std::string name;           ///< name of the quantity in the legend
 };
 
@@ -63,7 +64,8 @@ struct DrawnShape {
   }
 };
 
-/// A layer of a cell between two lattice planes. The positions of the planes are fractions of a lattice vector.
+/// A layer of a cell between two planes, which are parallel to two cell vectors. The positions of the planes, `from`
+/// and `to`, are fractions of the third cell vector.
 struct Slab {
   int axis = 2;  ///< index of the cell vector that crosses the layer, counted from 0
   double from = 0.0, to = 1.0;
@@ -72,8 +74,8 @@ struct Slab {
   std::vector<std::string> validate() const;
 };
 
-/// A picture of a packing: grains, lines, arrows and colours. Lengths have the unit of length of the state. Each
-/// element is stored once. The functions that draw the picture add the periodic copies of each element and clip them at
+/// A picture of a packing: grains, lines, arrows and colours. Lengths are in the unit of length of the state. Each
+/// grain, line and arrow is stored once. The functions that draw the picture add the periodic copies, and clip them at
 /// the border of the cell.
 template <int Dim>
 struct PackingPicture {
@@ -95,11 +97,11 @@ struct PackingPicture {
   std::string distant_name = "distant";
   std::string background_name = "other contacts";
   std::vector<DisplacementArrow<Dim>> arrows;
-  /// layer of the cell that is shown (see part_in_slab()); if absent, the whole cell is shown
+  /// Layer of the cell that is shown, see part_in_slab(). If absent, the whole cell is shown.
   std::optional<Slab> slab;
   GrainShade shade;  ///< values that colour the grains; if there are none, grains are grey
-  /// Parts of the caption above the picture. Lines of the caption are broken between two parts, and within a part only
-  /// if the part is wider than a line.
+  /// Parts of the caption above the picture. The caption is broken into lines between two parts; a part is broken only
+  /// if it is wider than a line.
   std::vector<std::string> caption;
   std::string note;  ///< note in the legend; may be empty
 
@@ -112,15 +114,16 @@ template <int Dim>
 PackingPicture<Dim> grains_of(const Packing<Dim>& packing);
 
 /// Returns the line that shows a contact of a packing. Between round grains, the line is the branch vector. If the
-/// packing has grains with corners, the line goes from the centre of grain i through the contact point to the centre of
-/// grain j; at a wall, the line ends at the contact point.
+/// packing has grains with corners, the line goes from the centre of grain i to the contact point, and from there to
+/// the centre of grain j unless j is a wall.
 /// @param force  force in the unit of the picture
 template <int Dim>
 ContactLine<Dim> contact_line(const Packing<Dim>& packing, const Contact<Dim>& contact, LineKind kind,
                               double force);
 
-/// Returns the part of a picture that lies in a slab of the cell: grains whose centres lie in the slab, their arrows,
-/// and lines between two such grains. A centre on the border between two slabs is in the upper slab.
+/// Returns the part of a picture that lies in a slab of the cell: the grains with their centres in the slab, the arrows
+/// of these grains, and the lines between two of these grains. A centre on the border between two slabs belongs to the
+/// upper slab.
 PackingPicture<3> part_in_slab(const PackingPicture<3>& picture, const Slab& slab);
 
 }  // namespace floc

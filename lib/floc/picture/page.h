@@ -9,10 +9,10 @@
 namespace floc {
 
 /// A white page on which cairo draws. The origin is the upper left corner, and lengths are in points (1/72 inch). The
-/// picture file has no time stamp, so that equal drawings give equal files.
+/// picture file contains no date, so that equal drawings give equal files.
 class Page {
  public:
-  /// @param pixels_per_point  resolution of a png, and of embedded images in other formats
+  /// @param pixels_per_point resolution of a png file, or of the embedded images in a file of another format
   Page(PictureFormat format, double width, double height, double pixels_per_point);
   ~Page();
   Page(const Page&) = delete;
@@ -31,9 +31,8 @@ class Page {
   cairo_t* context_;
 };
 
-/// Pixel image that replaces a part of a page. Such an image is used when a drawing has so many shapes that vector
-/// graphics would be slow to display. The shapes are drawn on the context() of the image, and its destructor paints the
-/// image on the page.
+/// Pixel image of a rectangle of a page. An image is used if a drawing has so many shapes that vector graphics would be
+/// slow to display. The shapes are drawn on the context() of the image. The destructor paints the image on the page.
 class ImageLayer {
  public:
   /// @param left,top,width,height  rectangle of the page that the image covers (points)
@@ -42,7 +41,7 @@ class ImageLayer {
   ImageLayer(const ImageLayer&) = delete;
   ImageLayer& operator=(const ImageLayer&) = delete;
 
-  /// Returns the cairo context of the image. Its coordinates are the coordinates of the page.
+  /// Returns the cairo context of the image, in which positions are given in the coordinates of the page.
   cairo_t* context() const { return context_; }
 
  private:

@@ -37,7 +37,7 @@ inline constexpr Color kOutline = hex_color(0xA6A6A6);
 inline constexpr Color kCell = hex_color(0x707070);
 inline constexpr Color kText = hex_color(0x202020);
 
-/// Colour scale from orange (most negative value) through white (zero) to blue (most positive value), combined from the
+/// Colour scale from orange (negative values) through white (zero) to blue (positive values), combined from the
 /// ColorBrewer scales PuOr and RdBu.
 inline constexpr std::array<Color, 9> kDiverging = {
     hex_color(0xB35806), hex_color(0xE08214), hex_color(0xFDB863), hex_color(0xFEE0B6), hex_color(0xFFFFFF),

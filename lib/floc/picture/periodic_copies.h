@@ -10,7 +10,7 @@
 namespace floc {
 
 /// Finds the periodic copies of an object that reach into the periodic cell. The cell consists of the points whose
-/// reduced coordinates are in [0, 1). It may have any lattice vectors, and the object may be larger than the cell.
+/// reduced coordinates are in [0, 1). The cell may be slanted, and smaller than the object.
 template <int Dim>
 class PeriodicCopies {
  public:
@@ -46,8 +46,9 @@ class PeriodicCopies {
   }
 
  private:
-  /// Calls `draw(shift)` for each periodic copy of an object that reaches into the cell. The object is made of disks or
-  /// balls of radius `radius` (length), whose centres have reduced coordinates between `low_centre` and `high_centre`.
+  /// Calls `draw(shift)` for each periodic copy of an object that reaches into the cell. The object consists of disks
+  /// or balls of the given radius (length). The reduced coordinates of their centres are between `low_centre` and
+  /// `high_centre`.
   template <class Draw>
   void of_extent(const Vec<Dim>& low_centre, const Vec<Dim>& high_centre, double radius, Draw& draw) const {
     const Vec<Dim> low = low_centre - radius * reach_;
@@ -65,7 +66,8 @@ class PeriodicCopies {
 
   Cell<Dim> cell_;
   Mat<Dim> reciprocal_;  ///< matrix whose product with a point gives the reduced coordinates of the point
-  Vec<Dim> reach_;       ///< half the extent of a ball of radius 1 along each reduced coordinate
+  /// Change of each reduced coordinate from the centre of a ball of radius 1 to its outermost point.
+  Vec<Dim> reach_;
 };
 
 }  // namespace floc

@@ -36,7 +36,7 @@ void append_path(std::string_view path, std::string& out) {
 
 /// Texts in an svg that are followed by the name of an element.
 constexpr std::string_view kBeforeName[] = {"id=\"", "href=\"#", "url(#"};
-/// Beginnings of the names of elements that cairo numbers, such as "surface12".
+/// Beginnings of names to which cairo appends a number, such as "surface12".
 constexpr std::string_view kCounted[] = {"surface", "image", "source-"};
 /// Text in an svg that is followed by the coordinates of a path.
 constexpr std::string_view kBeforePath = " d=\"";
@@ -54,8 +54,8 @@ std::string plain_svg(std::string_view svg) {
     i += text.size();
     return true;
   };
-  // Copies the name of an element with a new number. The new numbers follow the order in which the names first appear.
-  // The definition of an element and all references to the element get the same new name.
+  // Copies the name of an element, but with a new number. Names are numbered in the order in which they first appear.
+  // The definition of an element and all references to it get the same number.
   const auto take_name = [&] {
     for (const std::string_view prefix : kCounted) {
       if (!take(prefix)) continue;
@@ -66,8 +66,8 @@ std::string plain_svg(std::string_view svg) {
       return;
     }
   };
-  // Only the names of elements depend on earlier drawings of the process, and only paths take much space. All other
-  // text is therefore copied unchanged.
+  // All text is copied unchanged except the names of elements, which depend on earlier drawings of the process, and
+  // paths, which take much space.
   while (i < svg.size()) {
     bool taken = false;
     for (const std::string_view before : kBeforeName)

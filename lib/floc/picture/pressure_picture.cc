@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kShown = 0.98;
 
-/// Returns a quantile of the magnitudes of the values: the fraction `share` of the magnitudes is at most this large.
+/// Returns the quantile `share` (a fraction) of the magnitudes of the values.
 double size_within(std::vector<double> values, double share) {
   for (double& value : values) value = std::abs(value);
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));

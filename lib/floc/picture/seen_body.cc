@@ -10,17 +10,16 @@
 namespace floc {
 namespace {
 
-/// A facet counts as seen edge-on if the cosine of the angle between its normal and the line of sight is below this
-/// limit.
+/// A facet counts as seen edge-on if its unit normal has a component along the line of sight below this limit.
 constexpr double kFaceEndOn = 1e-9;
 
-/// Part of a line segment, as fractions of the length of the segment. Planes cut away pieces of the part one after the
-/// other.
+/// Part of a line segment, stored as fractions of the length of the segment. The part is the whole segment at first;
+/// each call of cut() shortens it.
 class CutSegment {
  public:
   CutSegment(const Vec<3>& from, const Vec<3>& to) : from_(from), along_(to - from) {}
 
-  /// Cuts away the part with normal . x > offset.
+  /// Cuts away all points x with normal . x > offset.
   void cut(const Vec<3>& normal, double offset) {
     const double above = normal.dot(from_) - offset, rise = normal.dot(along_);
     if (rise > 0.0)
@@ -40,9 +39,9 @@ class CutSegment {
 
 void add_hidden_by_facets(const Vec<3>& from, const Vec<3>& to, const SeenBody& body,
                           std::vector<std::pair<double, double>>& hidden) {
-  // The hidden region consists of the body and of all points behind it. The region is bounded by the planes of the
-  // facets that face the eye, and by the planes along the line of sight through the edges of the outline. An edge
-  // belongs to the outline if it borders only one facet that faces the eye.
+  // The hidden region consists of the body and of all points behind the body. The region is bounded by two kinds of
+  // planes: the planes of the facets that face the eye, and the planes along the line of sight through the edges of the
+  // outline. An edge belongs to the outline if it borders only one facet that faces the eye.
   CutSegment segment(from, to);
   std::set<std::pair<int, int>> sides;
   for (const Facets::Facet& facet : body.facets) {
@@ -63,8 +62,8 @@ void add_hidden_by_facets(const Vec<3>& from, const Vec<3>& to, const SeenBody& 
   if (!segment.is_empty()) hidden.push_back(segment.part());
 }
 
-/// Adds the parts of a line segment that a capsule hides. The capsule is replaced by a chain of spheres, whose
-/// outline deviates from the outline of the capsule by less than 1 % of the radius.
+/// Adds the parts of a line segment that a capsule hides. A row of spheres replaces the capsule. The outlines of the
+/// spheres and of the capsule differ by less than 1 % of the radius.
 void add_hidden_by_capsule(const Vec<3>& from, const Vec<3>& to, const SeenBody& body,
                            std::vector<std::pair<double, double>>& hidden) {
   constexpr double kStep = 0.25;  // distance between the centres, divided by the radius
@@ -76,14 +75,14 @@ void add_hidden_by_capsule(const Vec<3>& from, const Vec<3>& to, const SeenBody&
   }
 }
 
-/// Returns the distance from the centre of a capsule to its surface in a given direction; `along` is the component of
-/// the direction along the axis of the capsule.
+/// Returns the distance from the centre of a capsule to its surface in a given direction.
+/// @param along component of the direction (a unit vector) along the axis of the capsule
 double distance_in_capsule(double half_length, double radius, double along) {
   const double across = std::sqrt(std::max(0.0, 1.0 - along * along));
   const double to_cylinder = radius / std::max(across, 1e-12);
   if (to_cylinder * along <= half_length) return to_cylinder;
-  // The distance t from the centre to the sphere around the end of the axis solves (t - h along)^2 + h^2 across^2 =
-  // radius^2, with h = half_length.
+  // At the distance t from the centre, the direction meets the sphere around the end of the axis. This t solves (t - h
+  // along)^2 + h^2 across^2 = radius^2, with h = half_length.
   const double beside = half_length * across;
   return half_length * along + std::sqrt(std::max(0.0, radius * radius - beside * beside));
 }

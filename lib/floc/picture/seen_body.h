@@ -14,7 +14,7 @@ namespace floc {
 /// A grain with corners or a capsule, in the coordinates of the viewer.
 struct SeenBody {
   Vec<3> centre = Vec<3>::Zero();
-  double radius = 0.0;  ///< radius of the sphere about the centre that contains the body, with its drawn size
+  double radius = 0.0;  ///< radius of a sphere about the centre that contains the body as drawn
   int grain = 0;
   std::vector<Vec<3>> points;         ///< corners of the facets; for a capsule, the ends of its axis
   std::vector<Facets::Facet> facets;  ///< facets that face the eye; empty for a capsule
@@ -30,7 +30,7 @@ SeenBody seen_body(const PlacedShape<3>& placed, const Facets& facets, const Cam
 void add_hidden_parts(const Vec<3>& from, const Vec<3>& to, const SeenBody& body,
                       std::vector<std::pair<double, double>>& hidden);
 
-/// Returns the distance (length) from the centre of a shape to its surface, without the rounding of edges and corners.
+/// Returns the distance (length) from the centre of a shape to its surface, as if its edges and corners were sharp.
 /// @param direction  unit vector in space
 double distance_to_surface(const PlacedShape<3>& placed, const Vec<3>& direction);
 

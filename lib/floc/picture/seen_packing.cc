@@ -14,11 +14,11 @@ namespace floc {
 namespace {
 
 constexpr double kWithLines = 0.25;
-/// Smallest length, divided by the width, at which a tube is drawn. Between spheres that are drawn with their true
+/// A tube is drawn only if its length, divided by its width, is above this limit. Between spheres with their true
 /// radii, shorter tubes would look like splinters at the contact point.
 constexpr double kShortest = 0.05;
-/// A face of the cell counts as seen edge-on if the cosine of the angle between its normal and the line of sight is
-/// below this limit.
+/// A face of the cell counts as seen edge-on if its unit normal has a component along the line of sight below this
+/// limit.
 constexpr double kEndOn = 1e-9;
 
 using Interval = std::pair<double, double>;
@@ -49,8 +49,9 @@ std::optional<Interval> part_in_cell(const Vec<3>& from, const Vec<3>& to) {
   return part.first < part.second ? std::optional(part) : std::nullopt;
 }
 
-/// Returns the radius of a sphere about the centre of a grain that lies inside all drawn facets of the grain. The
-/// bevels of a rounded polyhedron lie closer to the centre than its surface, but outside of the core.
+/// Returns the radius of a sphere about the centre of a grain; the sphere lies inside the drawn facets of the grain.
+/// For a rounded polyhedron, the sphere inside the core is used, because bevels lie inside the true surface, but
+/// outside the core.
 double radius_inside(const PlacedShape<3>& placed) {
   return placed.shape->n_faces() == 0 ? placed.rounding() : placed.inner_radius() - placed.rounding();
 }
@@ -92,8 +93,8 @@ class Sight {
  private:
   using Part = SeenPacking::Part;
 
-  /// Adds all spheres that are not hidden. Sets `far` and `near` to the smallest and the largest coordinate towards the
-  /// eye among the centres of all spheres, including hidden spheres.
+  /// Adds all spheres that are not hidden. Sets `far` and `near` to the smallest and the largest coordinate of sphere
+  /// centres towards the eye; hidden spheres are included.
   void add_spheres() {
     for (int i = 0; i < static_cast<int>(home_.size()); ++i) {
       const Vec<3> centre = camera_.seen(home_[i]);
@@ -104,7 +105,7 @@ class Sight {
     for (std::size_t k = 0; k < seen_.spheres.size(); ++k) mark(Part::sphere, k, seen_.spheres[k].centre[2]);
   }
 
-  /// Adds all grains of a packing with corners, in the same way as add_spheres().
+  /// Does the work of add_spheres() for a packing with shapes other than spheres.
   void add_shapes() {
     std::vector<BodyExtent> extents;
     std::vector<PlacedShape<3>> placed;
@@ -146,7 +147,7 @@ class Sight {
     seen_.order.push_back({part, static_cast<int>(index), depth});
   }
 
-  /// Returns the distance (length) from the centre of a body, a grain or a wall, to its drawn surface.
+  /// Returns the distance (length) from the centre of a body (a grain or a wall) to its drawn surface; 0 for a wall.
   /// @param direction  unit vector in space
   double drawn_reach(int body, const Vec<3>& direction) const {
     if (body >= static_cast<int>(home_.size())) return 0.0;
@@ -177,8 +178,8 @@ class Sight {
     std::optional<int> body;  ///< grain or wall; absent at a bend
   };
 
-  /// Adds the tube of a contact. A tube begins where its surface meets the surface of the grain. On a sphere of radius
-  /// R, this is at the distance sqrt(R^2 - (width/2)^2) from the centre.
+  /// Adds the tube of a contact. The tube begins where its surface meets the surface of the grain: on a sphere of
+  /// radius R, at the distance sqrt(R^2 - (width/2)^2) from the centre.
   void add_tube(const ContactLine<3>& line, const End& from, const End& to) {
     const auto in_cell = part_in_cell(picture_.cell.reduced(from.x), picture_.cell.reduced(to.x));
     if (!in_cell) return;
@@ -215,7 +216,7 @@ class Sight {
     }
   }
 
-  /// Adds tubes and arrows to the drawing order of the grains.
+  /// Inserts tubes and arrows into the drawing order of the grains.
   void order() {
     for (std::size_t k = 0; k < seen_.tubes.size(); ++k)
       mark(Part::tube, k, 0.5 * (seen_.tubes[k].from[2] + seen_.tubes[k].to[2]));
@@ -263,8 +264,9 @@ std::optional<std::pair<double, double>> hidden_part(const Vec<3>& from, const V
   const Vec<3> apart = from - sphere.centre, along = to - from;
   const Vec<2> apart2 = apart.head<2>(), along2 = along.head<2>();
   const double r2 = sphere.radius * sphere.radius;
-  // A sphere hides all points inside the sphere, and all points behind it in a cylinder of the same radius along the
-  // line of sight. The union of sphere and cylinder is convex, so the hidden part of the segment is a single interval.
+  // A sphere hides all points inside the sphere. It also hides all points behind the sphere that lie in the cylinder of
+  // the same radius along the line of sight. The union of sphere and cylinder is convex, so the hidden part of the
+  // segment is a single interval.
   std::optional<Interval> cylinder =
       negative_part(apart2.squaredNorm() - r2, 2.0 * apart2.dot(along2), along2.squaredNorm());
   if (!cylinder) return std::nullopt;

@@ -5,8 +5,7 @@
 
 namespace floc {
 
-/// Radius below which shading would be invisible (points). Smaller shapes have a single colour, which keeps files
-/// small.
+/// Smallest radius at which shading is visible (points). Smaller shapes have a single colour, which keeps files small.
 inline constexpr double kSmallestShaded = 0.6;
 
 /// Unit vector on the page (x to the right, y down) that points towards the light source.

@@ -23,9 +23,9 @@ template <int Dim>
 constexpr double kMinPixels = (Dim == 2 ? 200.0 : 300.0) / 72.0;
 constexpr double kMaxPixelsPerSide = 3000.0;
 constexpr double kPixelsPerDiameter = 6.0;
-/// Largest number of shapes that are drawn as vectors; more shapes are drawn as an image. In 3D, each round shape has
-/// its own colour gradient, which takes about 600 bytes of the file. Each facet of a shape with corners counts as a
-/// shape.
+/// Largest number of shapes that are drawn as vectors. If there are more shapes, they are drawn as an image. The number
+/// is smaller in 3D, where each round shape has its own colour gradient of about 600 bytes. Each facet of a grain with
+/// corners counts as a shape.
 template <int Dim>
 constexpr std::size_t kMaxVectors = Dim == 2 ? 15000 : 6000;
 constexpr double kAxisRoom = 10.0;  ///< margin around a picture in 3D for the names of the axes (points)
@@ -38,7 +38,7 @@ Box drawn_box(const PackingPicture<3>& picture, const SheetOptions& options) {
   return box_of(picture, options.view);
 }
 
-/// Positions and scales of the pictures, captions and legend of a page (points).
+/// Positions (points) and scales of the pictures, the captions and the legend of a page.
 template <int Dim>
 class Layout {
  public:
@@ -95,7 +95,7 @@ class Layout {
   }
 
  private:
-  /// Sets the width of the line for a force of 1, and the length of the arrow for a displacement of 1 (points).
+  /// Sets the width of the line for a unit force, and the length of the arrow for a unit displacement (points).
   void set_scales() {
     double moved = 0.0, force = 0.0, force_diameter = 0.0;
     for (const PackingPicture<Dim>& p : pictures_) {
@@ -118,7 +118,7 @@ class Layout {
       double row = 0.0;
       for (std::size_t k = first; k < end; ++k) row = std::max(row, size_of(k)[1]);
       for (std::size_t k = first; k < end; ++k) {
-        // A single picture is centred on the page; several pictures are at the upper left of their columns.
+        // A single picture is centred on the page. If there are several pictures, each is at the left of its column.
         const double left = pictures_.size() == 1 ? 0.5 * (inner_width() - size_of(k)[0])
                                                   : static_cast<double>(k - first) * (column_width_ + kGap);
         placements_.push_back({kMargin + left + room_, top + above + room_, scale_of(k)});
@@ -250,8 +250,8 @@ std::string draw_sheet(const std::vector<PackingPicture<Dim>>& pictures, const S
     placed.emplace_back(pictures[k], layout.placements()[k], layout.boxes()[k], options);
     n_marks += placed.back().n_marks();
   }
-  // In svg and pdf files, grains and lines are embedded as an image if there are so many of them that vector graphics
-  // would take megabytes. Frames, axes and text are always vector graphics. A png file needs no embedded image.
+  // In svg and pdf files, grains and lines are embedded as an image if vector graphics would take megabytes. Frames,
+  // axes and text are always vector graphics. A png file needs no embedded image.
   const bool as_image =
       options.format != PictureFormat::png && options.as_image.value_or(n_marks > kMaxVectors<Dim>);
   Page page(options.format, options.width, layout.height(), pixels);

@@ -11,12 +11,12 @@
 namespace floc {
 namespace {
 
-/// Fractions of white in the colours of the parts farthest from the eye. The fraction is smaller in pictures of full
-/// grains, which hide each other, than in pictures of contact networks.
+/// Fractions of white in the colours of the parts farthest from the eye, in pictures without and with tubes. The
+/// fraction is smaller without tubes, because grains of full size hide each other.
 constexpr double kPaleSpheres = 0.25;
 constexpr double kPaleTubes = 0.65;
-/// Width of arrows and length of their heads, in mean diameters. Arrows are thinner than in 2D, because more of them
-/// overlap.
+/// Width of arrows and length of their heads, in mean diameters. Arrows are thinner than in 2D, because in 3D more
+/// arrows overlap.
 constexpr double kArrowWidth = 0.04;
 constexpr double kArrowHead = 0.2;
 
@@ -152,12 +152,12 @@ class SeenDrawing {
     cairo_stroke(page_);
   }
 
-  /// Returns the edge of the cell that is parallel to the first edge and diagonally opposite to it.
+  /// Returns the edge of the cell that is parallel and diagonally opposite to the first edge.
   const SeenEdge& opposite() const { return seen_.cell_edges[3]; }
 
   /// Returns the edge of the cell beside which the name of an axis is drawn; null if the axis is seen end-on. The edge
-  /// is chosen among the edges along this axis that belong to the outline of the cell: the lowest edge on the page or,
-  /// of several equally low edges, the leftmost.
+  /// is along this axis and belongs to the outline of the cell. It is the lowest of these edges on the page or, of
+  /// several equally low edges, the leftmost.
   const SeenEdge* labelled_edge(int axis) const {
     constexpr double kShortestLabelled = 30.0, kLevel = 1.0;
     const SeenEdge* best = nullptr;
@@ -173,8 +173,8 @@ class SeenDrawing {
     return best;
   }
 
-  /// Returns the distance (points) by which a label has to be moved from a point of the outline of the cell, in the
-  /// direction `out`, so that the label overlaps no grain.
+  /// Returns the distance (points) that a label has to keep from a point of the outline of the cell, in the direction
+  /// `out`, so that the label overlaps no grain.
   /// @param length  length of the label along the outline (points)
   double clear_of_grains(const Vec<2>& point, const Vec<2>& along, const Vec<2>& out, double length) const {
     constexpr double kClearance = 4.0;
@@ -259,8 +259,8 @@ void draw_bar(cairo_t* page, const Bar& bar, const Color& color) {
   cairo_translate(page, bar.from[0], bar.from[1]);
   cairo_rotate(page, std::atan2(along[1], along[0]));
   cairo_new_path(page);
-  // The outline of each end is half an ellipse: a round end is half a circle, and the flat end of a tilted bar is
-  // flatter. A flat end that is seen edge-on is drawn as a straight line, because cairo cannot scale an arc by zero.
+  // The outline of a round end is half a circle. The outline of a flat end is half an ellipse, or a straight line if
+  // the end is seen edge-on. The straight line is drawn separately, because cairo cannot scale an arc by zero.
   const auto end_at = [&](double x, double bulge, double begin) {
     if (bulge <= 1e-3 * half) {
       cairo_line_to(page, x, begin < 0.0 ? -half : half);

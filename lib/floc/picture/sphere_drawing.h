@@ -8,8 +8,7 @@
 
 namespace floc {
 
-/// Returns the rectangle (length) around a cell and its grains, as seen from the viewpoint. The grains have their drawn
-/// radii.
+/// Returns the rectangle (length) around a cell and its grains with their drawn radii, as seen from the viewpoint.
 Box box_of(const PackingPicture<3>& picture, const View& view);
 
 /// Draws a sphere that is lit from the upper left. Centre and radius are in points.
@@ -20,14 +19,14 @@ struct Bar {
   Vec<2> from = Vec<2>::Zero();
   Vec<2> to = Vec<2>::Zero();
   double width = 1.0;
-  /// Lengths by which the outline of the bar extends beyond `from` and `to` (points): half the width at a round end,
-  /// and half the width times the sine of the angle between the bar and the page at a flat end.
+  /// Lengths by which the outline of the bar extends beyond `from` and `to` (points). At a round end, this is half the
+  /// width; at a flat end, half the width times the sine of the angle between the bar and the page.
   double bulge_from = 0.0, bulge_to = 0.0;
 };
 void draw_bar(cairo_t* page, const Bar& bar, const Color& color);
 
-/// Draws the edges of the cell that lie behind the grains, and the edges of the slab if only a slab of the cell is
-/// shown. Then it draws grains, tubes and arrows from the farthest to the nearest. Parts farther from the eye are
+/// Draws, in this order: the edges of the cell that lie behind the grains, the edges of the slab if only a slab of the
+/// cell is shown, and the grains, tubes and arrows from the farthest to the nearest. Parts farther from the eye are
 /// paler.
 /// @param picture  picture from which `seen` was computed
 /// @param box  rectangle around the picture, from box_of()

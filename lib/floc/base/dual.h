@@ -67,8 +67,8 @@ struct Dual {
  private:
   /// Return a function of p, or of p and q, as a dual number. Its derivatives follow by the chain rule from the
   /// derivatives of p and q.
-  /// @param value value of the function
-  /// @param by_p,by_q partial derivatives of the function with respect to p and q
+  /// @param value  value of the function
+  /// @param by_p,by_q  partial derivatives of the function with respect to p and q
   static constexpr Dual chain(double value, const Dual& p, double by_p) {
     Dual out(value);
     for (int k = 0; k < N; ++k) out.derivative[k] = by_p * p.derivative[k];

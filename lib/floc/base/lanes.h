@@ -39,7 +39,7 @@ inline T clamp_magnitude(const T& value, const T& bound) {
 }
 
 /// Returns p * 2^n.
-/// @param shifted the sum n + 1.5 * 2^52, where n is a whole number
+/// @param shifted  the sum n + 1.5 * 2^52, where n is a whole number
 /// @pre neither p nor the result is subnormal
 inline double times_power_of_two(double p, double shifted) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(p) + (std::bit_cast<std::uint64_t>(shifted) << 52));

@@ -44,7 +44,7 @@ std::string range_fault(const std::string& name, std::int64_t value, const Whole
 void require_in_range(const std::string& name, double value, const NumberRange& range);
 void require_in_range(const std::string& name, std::int64_t value, const WholeRange& range);
 /// Throws if faults were found in the options of a computation.
-/// @param faults messages about the faults, from the function validate() of the options
+/// @param faults  messages about the faults, from the function validate() of the options
 /// @throws InputError with all messages, unless `faults` is empty
 void refuse_faults(const std::vector<std::string>& faults);
 

@@ -14,7 +14,7 @@ std::string read_file(const std::string& path);
 
 /// Returns up to `most` bytes from the beginning of a file, so that its format can be recognised without reading the
 /// whole file. A file compressed by gzip is decompressed as far as needed.
-/// @param path name of the file. For "-" (the standard input), the result is empty, because the standard input can be
+/// @param path  name of the file. For "-" (the standard input), the result is empty, because the standard input can be
 /// read only once
 /// @param most  at most 65536
 /// @throws InputError if the file is missing or cannot be read

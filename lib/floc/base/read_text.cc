@@ -36,9 +36,10 @@ void require_text(const std::string& place, std::string_view beginning) {
   if (const std::string_view encoding = foreign_encoding(beginning); !encoding.empty())
     throw InputError(place, "the file is in the encoding " + std::string(encoding) + ": save it as UTF-8");
   if (ends_in_carriage_return(beginning))
-    throw InputError(place,
-                     "the lines of this file end in carriage returns alone, as on old Macs: save it with the "
-                     "line ends of Unix or Windows");
+    throw InputError(
+        place,
+        "the lines of this file end in carriage returns alone, as on old Macs: save the file with the "
+        "line ends of Unix or Windows");
 }
 
 std::string read_text(const std::string& path) {

@@ -21,7 +21,7 @@ void require_team(int n_threads) {
         "threads",
         fmt::format(
             "{} threads were requested, but OpenMP starts only {}: change OMP_THREAD_LIMIT or OMP_DYNAMIC "
-            "so that it can start them, or request fewer threads",
+            "so that OpenMP can start all of them, or request fewer threads",
             n_threads, n));
 }
 

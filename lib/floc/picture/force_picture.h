@@ -38,7 +38,7 @@ PackingPicture<Dim> contact_kinds_of(const Packing<Dim>& packing, double zero_fo
 /// lines. The unit of the changes of force is the increment of stress times a (in 3D, a^2), where a is the largest
 /// diameter.
 /// @param network  contact network of the packing
-/// @param step response of the network to the increment of stress
+/// @param step  response of the network to the increment of stress
 template <int Dim>
 PackingPicture<Dim> increment_forces(const Packing<Dim>& packing, const ContactNetwork<Dim>& network,
                                      const StepResponse<Dim>& step);

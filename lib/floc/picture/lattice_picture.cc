@@ -151,7 +151,7 @@ std::vector<std::string> LatticeSheetOptions::validate() const {
   if (cut_axis < 0 || cut_axis > 2) faults.push_back(fmt::format("cut axis = {}: must be 0 to 2", cut_axis));
   if (!(cut_at >= 0.0 && cut_at <= 1.0))
     faults.push_back(fmt::format(
-        "cut = {}: must be a position along the axis of the cut, as a fraction of the cell, 0 to 1", cut_at));
+        "cut = {}: must be 0 to 1 (position along the axis of the cut, as a fraction of the cell)", cut_at));
   if (!kPixels.holds(pixels_a_node))
     faults.push_back(fmt::format("pixels per node = {}: must be 1 to 100", pixels_a_node));
   return faults;

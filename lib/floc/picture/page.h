@@ -12,7 +12,7 @@ namespace floc {
 /// picture file contains no date, so that equal drawings give equal files.
 class Page {
  public:
-  /// @param pixels_per_point resolution of a png file, or of the embedded images in a file of another format
+  /// @param pixels_per_point  resolution of a png file, or of the embedded images in a file of another format
   Page(PictureFormat format, double width, double height, double pixels_per_point);
   ~Page();
   Page(const Page&) = delete;

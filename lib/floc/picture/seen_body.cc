@@ -76,7 +76,7 @@ void add_hidden_by_capsule(const Vec<3>& from, const Vec<3>& to, const SeenBody&
 }
 
 /// Returns the distance from the centre of a capsule to its surface in a given direction.
-/// @param along component of the direction (a unit vector) along the axis of the capsule
+/// @param along  component of the direction (a unit vector) along the axis of the capsule
 double distance_in_capsule(double half_length, double radius, double along) {
   const double across = std::sqrt(std::max(0.0, 1.0 - along * along));
   const double to_cylinder = radius / std::max(across, 1e-12);

@@ -6,24 +6,25 @@
 
 namespace floc {
 
-/// Returns a packing after affine compression or expansion to the given solid fraction: its cell and all positions are
-/// scaled by one factor, and the grains keep their sizes.
+/// Returns a packing after affine compression or expansion to the given solid fraction: the cell and all positions are
+/// scaled by one factor, but the grains keep their sizes.
 template <int Dim>
 Packing<Dim> scaled_to(const Packing<Dim>& packing, double solid_fraction);
 
 /// Coordination numbers and pressure of a packing directly after affine scaling, before its grains move to a new
 /// equilibrium.
 struct AffinePrediction {
-  /// Coordination number, including rattlers, of pairs of grains that overlap after all distances are scaled by a
-  /// factor s. It equals z_I(a/s - a), where a is the diameter and z_I(h) is the coordination number of neighbours at
-  /// gaps up to h in the given packing.
+  /// Coordination number, including rattlers, after all distances are scaled by a factor s: twice the number of pairs
+  /// of grains that overlap, divided by the number of grains. For equal grains of diameter a, this is z_I(a/s - a),
+  /// where z_I(h) is the coordination number of neighbours at gaps up to h before the scaling.
   double z = 0.0;
   /// Coordination number like `z`, but with the rattlers (grains that carry no force) pushed against other grains
   /// before the scaling.
   double z_pushed = 0.0;
-  /// Mean normal stress (force/length^(Dim-1)) after all distances r are scaled by a factor s. It is the sum of N(a - s
-  /// r) s r over the pairs of grains whose scaled distance s r is below the diameter a, divided by Dim times the volume
-  /// of the scaled cell. N(h) is the normal force that the contact law gives for the overlap h.
+  /// Mean normal stress (force/length^(Dim-1)) after all distances are scaled by a factor s. For equal grains of
+  /// diameter a, this is the sum of N(a - s r) s r over all pairs of grains with a distance s r < a, divided by Dim
+  /// times the volume of the scaled cell. Here, r is the distance before the scaling, and N(h) is the normal force that
+  /// the contact law gives for the overlap h.
   double pressure = 0.0;
 };
 

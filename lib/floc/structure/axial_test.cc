@@ -9,8 +9,8 @@ double lateral_mean(int axis, const Vec<Dim>& values) {
   return (values.sum() - values[axis]) / (Dim - 1);
 }
 
-/// Returns the value on the driven axis minus the mean of the values on the other axes. For stresses, the result is the
-/// deviator q. For strains, the result is in proportion to eps_q, the strain on which q does work.
+/// Returns the value on the driven axis minus the mean of the values on the other axes. For stresses, this is the
+/// deviator q. For strains, it is proportional to eps_q, the strain on which q does work.
 template <int Dim>
 double difference(int axis, const Vec<Dim>& values) {
   return values[axis] - lateral_mean<Dim>(axis, values);

@@ -11,7 +11,7 @@ namespace floc {
 namespace {
 
 /// Returns the volume of the part of a ball between two planes normal to the first axis.
-/// @param place, low, high  coordinates of the centre of the ball and of the planes on this axis (length)
+/// @param place, low, high  coordinates on this axis: centre of the ball, first plane and second plane (length)
 template <int Dim>
 double ball_between(double place, double radius, double low, double high) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
@@ -20,11 +20,11 @@ double ball_between(double place, double radius, double low, double high) {
   return ball_in_box<Dim>(centre, radius, from, to);
 }
 
-/// Adds the stress of each contact to the slices that its branch vector crosses, in proportion to the length of the
-/// branch vector in each slice.
-/// @param to_reduced  vector whose scalar product with a position is the coordinate along the axis, divided by the side
-/// of the cell
-/// @param origin  coordinate at which the first slice begins, divided by the side of the cell
+/// Adds the stress of each contact to the slices that its branch vector crosses. The share of a slice is the fraction
+/// of the branch vector that lies in the slice.
+/// @param to_reduced  vector whose scalar product with a position is the reduced coordinate along the axis (0 to 1 in
+/// the cell)
+/// @param origin  reduced coordinate at which the first slice begins
 template <int Dim>
 void add_stress(const Packing<Dim>& packing, const Vec<Dim>& to_reduced, double origin, bool walled,
                 std::vector<ProfileSlice>& slices) {
@@ -40,7 +40,7 @@ void add_stress(const Packing<Dim>& packing, const Vec<Dim>& to_reduced, double 
     for (int k = first; k <= last; ++k) {
       const double inside = std::min(high, k + 1.0) - std::max(low, static_cast<double>(k));
       const double share = first == last ? 1.0 : inside / (high - low);
-      // If a branch ends on a wall, rounding may move its end beyond the wall, where there is no slice.
+      // If a branch vector ends on a wall, rounding may move its end beyond the wall, where there is no slice.
       const int slice = walled ? std::clamp(k, 0, n - 1) : ((k % n) + n) % n;
       for (int a = 0; a < Dim; ++a) slices[slice].stress[a] += share * along[a];
     }
@@ -71,7 +71,7 @@ std::vector<ProfileSlice> axis_profile(const Packing<Dim>& packing, int axis, in
     double s = to_reduced.dot(packing.grains.position[i]) - origin;
     if (!walled) s -= std::floor(s);
     const double radius = packing.grains.radius[i];
-    if (s >= 0.0 && s <= 1.0) {  // a grain whose centre lies outside the walls belongs to no slice
+    if (s >= 0.0 && s <= 1.0) {  // a grain with its centre outside the walls belongs to no slice
       const int own = std::min(static_cast<int>(s * n), n - 1);
       ++slices[own].n_grains;
       for (std::size_t v = 0; v < values.size(); ++v) slices[own].mean[v] += values[v][i];

@@ -8,18 +8,19 @@
 namespace floc {
 
 /// A slice of the cell between two planes, with the grains whose centres lie in the slice. The planes are parallel to
-/// all lattice vectors except one.
+/// all lattice vectors except the vector along which the cell is divided.
 struct ProfileSlice {
-  /// Distances of the two planes of the slice from the origin or, between walls, from the lower wall (length).
+  /// Distances (length) of the two planes of the slice from the origin. Between walls, the distances from the lower
+  /// wall.
   double low = 0.0, high = 0.0;
-  /// solid fraction from exact volumes; the volume of an overlap counts once for each of its two grains
+  /// Solid fraction, from the exact volume of each grain in the slice. The volume of an overlap counts twice, once for
+  /// each of the two grains.
   double solid_fraction = 0.0;
   int n_grains = 0;
-  /// Stress along each axis (force/length^(d-1)), compression positive. Each contact contributes its force times the
-  /// part of its branch vector that lies in the slice; the sum is divided by the volume of the slice.
+  /// Normal stress along each axis (force/length^(Dim-1)), compression positive. The stress is the sum over contacts of
+  /// the force times the part of the branch vector that lies in the slice, divided by the volume of the slice.
   std::vector<double> stress;
-  /// For each array of values passed to axis_profile(): mean of the values over the grains of the slice; NaN if the
-  /// slice has no grains.
+  /// Means over the grains of the slice, one for each array of values passed to axis_profile(); NaN without grains.
   std::vector<double> mean;
 };
 
@@ -27,7 +28,7 @@ inline constexpr WholeRange kProfileSlices{.least = 1, .most = 100000};
 
 /// Divides the cell into slices of equal thickness, and computes the solid fraction, the stress and the mean values of
 /// each slice. The mean of the stresses of all slices is static_stress().
-/// @param axis    index, from 0, of the lattice vector that is not parallel to the slices
+/// @param axis    index (from 0) of the lattice vector along which the cell is divided
 /// @param n       number of slices
 /// @param values  arrays with one number per grain; the mean of each array is computed in every slice
 /// @throws InputError if n is not in kProfileSlices

@@ -4,22 +4,22 @@
 
 namespace floc {
 
-/// Numbers and mean forces of bonds in compression, in tension, and with a normal force F_N near zero. A bond is any
-/// interaction of two grains, including attraction across a gap; contacts with walls are left out. Each coordination
-/// number z is twice the number of bonds divided by the number of grains.
+/// Numbers and mean forces of three groups of bonds: in compression, in tension, and with a normal force F_N near zero.
+/// A bond is any interaction of two grains, including attraction across a gap; contacts with walls are left out. The
+/// coordination number z of a group is twice the number of bonds divided by the number of grains.
 struct BondSigns {
   int n_bonds = 0;
   double z = 0.0;
   double z_plus = 0.0;   ///< coordination number of bonds in compression, without bonds near zero
   double z_minus = 0.0;  ///< coordination number of bonds in tension, without bonds near zero
   double z_near = 0.0;   ///< coordination number of bonds with |F_N| < `near`
-  /// Share of bonds in tension among the bonds that are not near zero; 0 if there are no such bonds.
+  /// Number of bonds in tension divided by the number of bonds in compression or tension; 0 without such bonds.
   double minus_share = 0.0;
   double mean_plus = 0.0, mean_minus = 0.0;  ///< mean |F_N| of the bonds in compression and in tension (force)
 };
 
 /// Counts the bonds by the sign of their normal force F_N.
-/// @param near  bonds with |F_N| < near count as near zero (force), >= 0; otherwise InputError
+/// @param near  limit >= 0 (force), otherwise InputError; a force counts as near zero if |F_N| < near
 template <int Dim>
 BondSigns bond_signs(const Packing<Dim>& packing, double near);
 
@@ -29,14 +29,14 @@ BondSigns bond_signs(const Packing<Dim>& packing, double near);
 ///
 ///   z Phi F0/(pi d^(Dim-1)),
 ///
-/// which is the virial stress of equal grains that touch. The formula is exact for a crystal. With z = pi/(1 - Phi), it
-/// becomes Rumpf's estimate of the tensile strength.
+/// which is the virial stress of equal grains that touch. This formula is exact for a crystal. For z = pi/(1 - Phi), it
+/// gives Rumpf's estimate of the tensile strength.
 /// @param F0  pull-off force (force)
 /// @param d   diameter (length)
 double virial_strength(int dimension, double z, double solid_fraction, double F0, double d);
 
 /// Returns Rumpf's estimate of the tensile strength (stress), Phi/(1 - Phi) F0/d^(Dim-1), where Phi is the solid
-/// fraction. It equals virial_strength() for the coordination number pi/(1 - Phi).
+/// fraction. This estimate equals virial_strength() for the coordination number pi/(1 - Phi).
 /// @param F0  pull-off force (force)
 /// @param d   diameter (length)
 double rumpf_strength(int dimension, double solid_fraction, double F0, double d);

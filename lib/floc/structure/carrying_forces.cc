@@ -30,8 +30,8 @@ double reduced_moment(const Packing<Dim>& packing, const CarryingStructure& carr
 }
 
 /// Returns the fabric tensor of the strong contacts if `strong` is true, otherwise of the weak contacts. A contact is
-/// strong if its elastic normal force is above the mean. The tensor is the sum of n n - 1/Dim over these contacts (n:
-/// normal), divided by the number of all force-carrying contacts.
+/// strong if its elastic normal force is above the mean. The tensor is the sum of n n - 1/Dim over the strong or the
+/// weak contacts, divided by the number of all force-carrying contacts; n is the normal of a contact.
 template <int Dim>
 Mat<Dim> fabric_of(const Packing<Dim>& packing, const CarryingStructure& carrying, double mean, bool strong) {
   Mat<Dim> sum = Mat<Dim>::Zero();

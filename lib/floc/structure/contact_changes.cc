@@ -12,12 +12,12 @@
 namespace floc {
 namespace {
 
-/// The radii of a grain in two files count as equal if their relative difference is at most this value. The difference
-/// may be due to the rounding of numbers in the files.
+/// The radii of a grain in two files count as equal if their relative difference is at most this value, because the
+/// numbers in the files are rounded.
 constexpr double kSameRadius = 1e-9;
 
-/// Returns the integer matrix M that expresses the lattice vectors of the later state (rows of `later`) by those of the
-/// earlier state: later = M * earlier, up to a strain.
+/// Returns the integer matrix M that relates the lattice vectors of two states. If the rows of A and B are the lattice
+/// vectors of the states before and after, then B = M A, up to a strain.
 template <int Dim>
 Mat<Dim> lattice_choice(const Cell<Dim>& before, const Cell<Dim>& after) {
   return (after.matrix * before.matrix.inverse()).array().round().matrix();
@@ -28,8 +28,8 @@ bool is_lattice_choice(const Mat<Dim>& choice) {
   return std::abs(std::abs(choice.determinant()) - 1.0) < 1e-6;
 }
 
-/// Returns the circular mean of displacements in reduced coordinates, component by component. The mean does not depend
-/// on the choice of the periodic image of each grain.
+/// Returns the circular mean of each component of displacements in reduced coordinates. This mean is the same for any
+/// choice of the periodic images of the grains.
 template <int Dim>
 Vec<Dim> circular_mean(const std::vector<Vec<Dim>>& displacement) {
   Vec<Dim> mean;
@@ -46,8 +46,8 @@ Vec<Dim> circular_mean(const std::vector<Vec<Dim>>& displacement) {
 
 /// Identity of a contact, and index of the contact in the contact list. The identity consists of the two grains in
 /// canonical order, the periodic image in the lattice of the state before, and a key that distinguishes several
-/// contacts of one pair of grains. For grains with corners the key is set to 0, because their keys denote corners,
-/// edges or faces, which change while the pair remains in contact.
+/// contacts of one pair of grains. For grains with corners, a key in the contact list denotes corners, edges or faces,
+/// which change while the two grains remain in contact. Here, the key is therefore set to 0.
 template <int Dim>
 struct Named {
   Contact<Dim> name;
@@ -79,7 +79,7 @@ std::vector<Named<Dim>> named(const Packing<Dim>& packing, const auto& image_of)
   return names;
 }
 
-/// Finds the contacts that are kept, lost and gained, by one pass through the sorted contact lists of both states.
+/// Finds the contacts that are kept, lost and gained, in one pass through both lists of contacts, which are sorted.
 template <int Dim>
 void match(const Packing<Dim>& before, const Packing<Dim>& after, const std::vector<Named<Dim>>& old_names,
            const std::vector<Named<Dim>>& new_names, ContactChanges<Dim>& out) {
@@ -156,10 +156,10 @@ ContactChanges<Dim> contact_changes(const Packing<Dim>& before, const Packing<Di
   out.cell_after = choice.inverse() * after.cell.matrix;
   out.deformation = out.cell_after.transpose() * before.cell.matrix.transpose().inverse();
 
-  // Displacements are computed in reduced coordinates, where the affine part is zero. The circular mean of the
-  // displacements, which does not depend on the images of the grains, is subtracted before the displacements are
-  // rounded to the nearest periodic image. Otherwise the rounding would separate grains that moved together by half a
-  // cell.
+  // Displacements are computed in reduced coordinates, where the affine part is zero. First, the circular mean of the
+  // displacements is subtracted; it does not depend on the periodic images of the grains. Then, whole cells are
+  // subtracted from each displacement. In the opposite order, grains that moved together by half a cell would be
+  // separated.
   const int n = before.grains.size();
   const Mat<Dim> to_reduced = out.cell_after.transpose().inverse();
   std::vector<Vec<Dim>> moved(n);
@@ -177,8 +177,9 @@ ContactChanges<Dim> contact_changes(const Packing<Dim>& before, const Packing<Di
   }
   for (int i = 0; i < n; ++i) out.displacement.push_back(out.cell_after.transpose() * (moved[i] - mean));
 
-  // Contacts are identified by their periodic image in the lattice of `before`. If other lattice vectors are chosen, or
-  // if a grain crosses the border of the cell, the image of a contact changes, but the contact remains the same.
+  // The image of a contact changes if other lattice vectors are chosen, or if a grain crosses the border of the cell,
+  // although the contact remains the same. Contacts of both states are therefore identified by their image in the
+  // lattice of `before`.
   const auto old_names = named<Dim>(before, [](const Contact<Dim>& c) { return c.image; });
   const auto new_names = named<Dim>(after, [&](const Contact<Dim>& c) -> Vec<Dim, int> {
     return images * c.image + out.wrapped[c.j] - out.wrapped[c.i];

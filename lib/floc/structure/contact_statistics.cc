@@ -12,8 +12,8 @@ namespace {
 
 /// Smallest number of forces from which a parameter is estimated.
 constexpr int kFewestForces = 10;
-/// If the ratio of the deviatoric stress to the mean stress is below this value, the deviatoric stress is a residual
-/// error of equilibrium, and its direction has no meaning.
+/// If the deviatoric stress divided by the mean stress is below this value, the deviatoric stress is only a residual
+/// error of the equilibrium, and its direction has no meaning.
 constexpr double kIsotropic = 1e-4;
 
 template <int Dim>
@@ -23,8 +23,8 @@ ContactType kind_of(const Contact<Dim>& first, int n_points) {
   return Dim == 3 && n_points == 2 ? ContactType::kDouble : ContactType::kFaceFace;
 }
 
-/// Log-likelihood, up to a constant, of forces x that follow the joined form of the distribution (ForceShape); the
-/// forces are in units of their mean.
+/// Log-likelihood, up to a constant, of forces x in units of their mean. The forces are assumed to follow the joined
+/// form of the distribution, see ForceShape.
 struct JoinedForm {
   double n = 0.0;
   double log_below = 0.0;     ///< sum of ln x over the forces x < 1
@@ -37,8 +37,8 @@ struct JoinedForm {
   }
 };
 
-/// Returns the argument between `low` and `high` at which a function with a single maximum is largest, by
-/// golden-section search.
+/// Returns the argument between `low` and `high` at which f is largest, by golden-section search. @pre f has a single
+/// maximum
 template <class Function>
 double maximum(const Function& f, double low, double high) {
   const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
@@ -111,8 +111,8 @@ ForceShape force_shape(const std::vector<double>& forces) {
     out.beta_error = *out.beta / std::sqrt(n_above);
   }
   if (n < kFewestForces || n_below == 0 || !(form.beyond_above > 0.0)) return out;
-  // The interval of the search for alpha extends, on both sides, far beyond the values that occur in packings. If the
-  // likeliest alpha lies at an end of this interval, the distribution does not have the joined form.
+  // Values of alpha in packings are far from both ends of the interval of search. If the likeliest alpha lies at an
+  // end, the distribution does not have the joined form.
   constexpr double kLeast = -50.0, kMost = 0.999, kStep = 1e-4;
   const auto likelihood = [&](double alpha) { return form.log_likelihood(alpha); };
   const double alpha = maximum(likelihood, kLeast, kMost);
@@ -151,13 +151,13 @@ std::optional<ContactAnisotropy> contact_anisotropy(const Packing<Dim>& packing,
   const Mat<Dim> deviatoric = deviatoric_part<Dim>(stress);
   const double size = deviatoric.norm();
   if (!(stress.trace() > 0.0) || size < kIsotropic * stress.trace() / Dim) return std::nullopt;
-  // Norm of the deviatoric tensor for a distribution whose anisotropy is 1.
+  // Norm of a deviatoric tensor of unit amplitude: diag(1, -1) in 2D, diag(2, -1, -1) in 3D.
   const double unit = Dim == 2 ? std::sqrt(2.0) : std::sqrt(6.0);
   const auto along = [&](const Mat<Dim>& m) {
     return deviatoric_part<Dim>(m).cwiseProduct(deviatoric).sum() / (size * unit);
   };
-  // With D the dimension, <n n> = (1 + 2 A/(D + 2))/D for the normals n, and <t n> = C/(D + 2) for the tangential part
-  // t of a vector. A and C are the tensors of ContactAnisotropy.
+  // Let A and C be the tensors of ContactAnisotropy, and D the dimension. Over the normals n, the mean of n n is (1 + 2
+  // A/(D + 2))/D. The mean of t n is C/(D + 2), where t is the tangential part of a force or branch vector.
   constexpr double kOfNormals = 0.5 * Dim * (Dim + 2), kOfTangents = Dim == 2 ? 4.0 : 1.5 * 5.0;
   ContactAnisotropy out;
   out.normals = kOfNormals * along(fabric) / n;

@@ -10,7 +10,7 @@
 namespace floc {
 namespace {
 
-/// Returns the number of contacts between two grains that have exactly two contacts each.
+/// Counts the contacts whose two grains each have exactly two contacts.
 template <int Dim>
 int between_pairs(const Packing<Dim>& packing) {
   std::vector<int> degree(packing.grains.size(), 0);
@@ -30,8 +30,9 @@ Coordination coordination(const Packing<Dim>& packing, double zero_force) {
   require_in_range("zero_force", zero_force, kNotNegativeNumber);
   Coordination result;
   int positive = 0, negative = 0;
-  // The coordination number z counts grains that touch. In contrast to [GRC2008], it does not count attractions across
-  // a gap (docs/physics.md, "Coordination and rattlers"). Contacts with walls count only in the search for rattlers.
+  // The coordination number z counts pairs of grains that touch. Pairs that attract each other across a gap do not
+  // count, in contrast to [GRC2008] (docs/physics.md, "Coordination and rattlers"). Contacts with walls matter only in
+  // the search for rattlers.
   for (const Contact<Dim>& c : packing.contacts) {
     if (packing.is_wall(c.j)) continue;
     if (c.distant) {
@@ -52,7 +53,7 @@ Coordination coordination(const Packing<Dim>& packing, double zero_force) {
   const std::vector<bool> rattler = find_rattlers(packing, zero_force);
   result.n_rattlers = static_cast<int>(std::count(rattler.begin(), rattler.end(), true));
   result.rattler_fraction = static_cast<double>(result.n_rattlers) / n;
-  // The coordination number z* counts only grains that are not rattlers, and contacts between two such grains.
+  // The coordination number z* counts grains that are not rattlers, and contacts between two of these grains.
   int n_held = 0;
   for (const Contact<Dim>& c : packing.contacts)
     n_held += !c.distant && !packing.is_wall(c.j) && !rattler[c.i] && !rattler[c.j];

@@ -53,8 +53,7 @@ class Painter {
         circumradius_(0.5 * std::max((edge1_ + edge2_).norm(), (edge1_ - edge2_).norm())) {
     const Mat<2> to_reduced = cell.matrix.transpose().inverse();
     for (int a = 0; a < 2; ++a) reach_[a] = to_reduced.row(a).norm() * size[a];
-    // Corners of a mesh cell relative to its centre, counter-clockwise for lattice vectors of either
-    // handedness.
+    // Corners of a mesh cell relative to its centre, counter-clockwise even if the lattice vectors are left-handed.
     const bool right = wedge(edge1_, edge2_) > 0.0;
     const Vec<2>&u = right ? edge1_ : edge2_, &v = right ? edge2_ : edge1_;
     corners_ = {Vec<2>(-0.5 * (u + v)), Vec<2>(0.5 * (u - v)), Vec<2>(0.5 * (u + v)), Vec<2>(0.5 * (v - u))};
@@ -97,7 +96,7 @@ class Painter {
   Vec<2> edge1_, edge2_;
   double area_;
   double circumradius_;
-  // for each lattice vector: largest change of the index of the mesh cell along this vector over a distance of 1
+  // for each lattice vector: number of mesh cells along this vector that a unit of length can span
   Vec<2> reach_;
   std::array<Vec<2>, 4> corners_;
 };

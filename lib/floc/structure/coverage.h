@@ -7,9 +7,9 @@
 
 namespace floc {
 
-/// Map of a packing in mesh cells. The value of a mesh cell is the share of its area that lies inside grains. Mesh
-/// cells are parallelograms whose sides are the lattice vectors divided by `size`. Mesh cell (k1, k2) has the index k1
-/// * size[1] + k2.
+/// Map of the solid fraction of a packing on a mesh. Mesh cells are parallelograms; their sides are the lattice vectors
+/// divided by `size`. The value of a mesh cell is the share of its area that lies inside grains.
+/// Mesh cell (k1, k2) has the index k1 * size[1] + k2.
 struct CoverageMap {
   Vec<2, int> size = Vec<2, int>::Zero();  ///< number of mesh cells along each lattice vector
   std::vector<double> share;               ///< solid fraction of each mesh cell; overlaps count twice
@@ -25,8 +25,8 @@ double disk_polygon_overlap(double R, const std::vector<Vec<2>>& corners);
 inline constexpr WholeRange kMapSide{.least = 1, .most = 10000};
 inline constexpr WholeRange kMapCells{.least = 1, .most = 10000000};
 
-/// Computes a map of the solid fraction. The map is exact in every mesh cell, because the area shared by a disk and a
-/// mesh cell is computed in closed form. The mean of the map is the solid fraction of the packing.
+/// Computes a map of the solid fraction. The area that a disk shares with a mesh cell is computed in closed form, so
+/// the value of every mesh cell is exact. The mean of the map is the solid fraction of the packing.
 /// @param size  number of mesh cells along each lattice vector, >= 1
 /// @throws InputError if a number is less than 1
 CoverageMap coverage_map(const Packing<2>& packing, const Vec<2, int>& size);

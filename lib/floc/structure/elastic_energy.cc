@@ -9,8 +9,8 @@
 namespace floc {
 namespace {
 
-/// Relative tolerance of the relation 2 K_N h = 3 N of a Hertz contact (stiffness K_N, overlap h, normal force N). The
-/// tolerance allows for overlaps down to 1e-7 diameters that are computed from positions with 15 digits.
+/// Relative tolerance of the relation 2 K_N h = 3 N of a Hertz contact (stiffness K_N, overlap h, normal force N). With
+/// this tolerance, even an overlap of 1e-7 diameters passes if it is computed from positions with 15 digits.
 constexpr double kHertzian = 1e-6;
 
 }  // namespace

@@ -19,8 +19,8 @@ double elastic_energy_per_grain(const Packing<Dim>& packing);
 double hertz_contact_pressure(double N, double h, double R);
 
 /// Returns the largest hertz_contact_pressure() over the contacts of a packing of spheres.
-/// @return no value if there is no contact, or if a contact does not follow Hertz' law (2 K_N h = 3 N for stiffness
-/// K_N, overlap h and force N)
+/// @return no value if there are no contacts, or if a contact does not follow Hertz' law: 2 K_N h = 3 N, with stiffness
+/// K_N, overlap h and force N
 std::optional<double> largest_contact_pressure(const Packing<3>& packing);
 
 }  // namespace floc

@@ -44,7 +44,7 @@ struct StepMotion {
   Vec<Dim> branch;  ///< branch vector at the end of the step (length)
   Vec<Dim> normal_before, normal, middle;
   double opening;   ///< increase of the gap in the step (length)
-  Shear<Dim> slip;  ///< slip of the surfaces in the step, in the tangential frame at its end (length)
+  Shear<Dim> slip;  ///< slip in the step, in the tangential frame at the end of the step (length)
   RotationVector<Dim> rolling;
   double twisting = 0.0;
   double twist = 0.0;  ///< mean rotation of the two grains about the normal in the step (radians)
@@ -70,15 +70,14 @@ struct StepMotion {
     }
   }
 
-  /// Transports a tangential force of the contact from the frame at the beginning of the step to the frame at the end
-  /// of the step.
+  /// Converts a tangential force from the frame at the beginning of the step to the frame at the end of the step.
   Shear<Dim> carried(const Shear<Dim>& force) const {
     return transport<double>(force, normal_before, normal, twist);
   }
 };
 
-/// Returns the energy that a spring dissipates in a step: the energy stored before the step, plus the work of the
-/// displacement `motion` on the spring, minus the energy stored after the step.
+/// Returns the energy that a spring dissipates in a step: the energy stored before the step, plus the work that
+/// `motion` does on the spring, minus the energy stored after the step.
 template <class V>
 double spring_loss(const V& before, double stiffness_before, const V& after, double stiffness_after,
                    const V& motion) {
@@ -100,8 +99,8 @@ void add_spring_losses(const Contact<Dim>& before, const Contact<Dim>& after, co
                    0.5 * (start - scaled).dot(motion.slip);
   terms.sliding += spring_loss<Shear<Dim>>(scaled, after.kt, to_shear<double>(motion.normal, after.shear_force),
                                            after.kt, motion.slip);
-  // The contact stores the moments on grain i. Here the signs of the moments are changed, because a positive rotation
-  // of i relative to j causes positive moments on grain j.
+  // The contact stores the moments on grain i. A positive rotation of grain i relative to grain j causes positive
+  // moments on grain j, and therefore negative moments on grain i. Hence the minus signs.
   terms.sliding += spring_loss<RotationVector<Dim>>(motion.carried(-before.rolling_moment), before.kr,
                                                     -after.rolling_moment, after.kr, motion.rolling);
   terms.sliding += spring_loss<Vec<1>>(Vec<1>(-before.twisting_moment), before.ktw,
@@ -133,8 +132,8 @@ double attraction_energy(const Law& law, const Packing<Dim>& packing, const Cont
                                                 acting_parameters(law, packing.grains, c));
 }
 
-/// Returns the change of the elastic energy due to changes of the volumes of liquid bridges in a step. It is computed
-/// with the positions of the grains at the end of the step. Volumes change when liquid is distributed anew, flows into
+/// Returns the change of the elastic energy in a step due to changes of the volumes of liquid bridges. The change is
+/// computed with the grain positions at the end of the step. Volumes change when liquid is distributed anew, flows into
 /// new bridges, or leaves bridges that are no longer in the contact list.
 template <int Dim>
 double energy_of_liquid(const Packing<Dim>& before, const Packing<Dim>& after,
@@ -215,8 +214,8 @@ class Step {
     viscous_virial_ += force * motion.normal * motion.branch.transpose();
   }
 
-  /// Returns the energy that is stored in a contact by the normal component of the contact law; 0 for a contact that
-  /// does not exist yet or no longer exists.
+  /// Returns the energy that the normal part of the contact law stores in a contact; 0 for a contact that does not
+  /// exist yet or no longer exists.
   static double normal_energy(const Packing<Dim>& packing, const Contact<Dim>& c) {
     if (c.normal.isZero(0.0)) return 0.0;
     const ContactEnergy energy = contact_energy(packing, c);
@@ -273,8 +272,8 @@ void EnergyAccount<Dim>::advance(const Packing<Dim>& now, double time_step) {
   Step<Dim>(previous_, now, time_step).add_to(terms_);
   terms_.elastic = elastic_energy_of(now);
   terms_.kinetic = kinetic_energy_of(now);
-  // If all velocities have been set to zero, the change of the error of the energy balance in this step is the energy
-  // that was removed.
+  // If all velocities have been set to zero in this step, the error of the energy balance changes by the energy that
+  // was removed.
   if (terms_.kinetic == 0.0 && kinetic_before > 0.0) terms_.removed += terms_.error() - error_before;
   previous_ = now;
 }

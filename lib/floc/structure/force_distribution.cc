@@ -17,11 +17,11 @@ namespace {
 
 /// Forces up to this share of the largest force in the packing count as zero, because they may be rounding errors.
 constexpr double kRoundedForce = 1e-12;
-/// A pressure counts as zero if it is at most this share of the pressure that the contact forces would cause if all of
-/// these forces were compressive.
+/// A pressure counts as zero if it is at most this share of the pressure that would result if all contact forces were
+/// compressive.
 constexpr double kNoPressure = 1e-8;
 
-/// Returns the largest magnitude among the elastic and the total normal forces of all contacts of a packing (force).
+/// Returns the largest magnitude of all elastic and all total normal forces in a packing (force).
 template <int Dim>
 double largest_part(const Packing<Dim>& packing) {
   double largest = 0.0;

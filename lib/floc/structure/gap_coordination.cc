@@ -10,8 +10,8 @@
 namespace floc {
 namespace {
 
-/// Grains touch if their gap is at most this share of the sum of their radii. The tolerance allows for the
-/// rounding of positions of rattlers that were pushed against other grains.
+/// Grains touch if their gap is at most this share of the sum of their radii. The gaps of rattlers that were pushed
+/// against other grains have rounding errors below this tolerance.
 constexpr double kTouching = 1e-12;
 
 }  // namespace

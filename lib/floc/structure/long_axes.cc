@@ -8,10 +8,10 @@
 namespace floc {
 namespace {
 
-/// A shape is elongated if the ratio of its largest to its second largest extent is at least this value.
+/// A shape is elongated if its largest extent divided by its second largest extent is above this value.
 constexpr double kElongated = 1.05;
 
-/// Returns the second moments (in any unit) of the core of a shape, which is the shape without its rounding.
+/// Returns the second moments of the core of a shape (the shape without its rounding), up to a factor.
 template <int Dim>
 Mat<Dim> second_moments(const Shape<Dim>& shape) {
   if (shape.n_faces() > 2) {

@@ -4,9 +4,9 @@
 
 namespace floc {
 
-/// Mean mobilisation of friction in contacts with large and with small forces. The mobilisation is the ratio |F_T|/N of
-/// tangential to elastic normal force. One mean is taken over contacts with N above the mean of N, the other over
-/// contacts with N below it. Contacts are added one by one.
+/// Mean mobilisation of friction, separately for contacts with large and with small forces. The mobilisation |F_T|/N is
+/// the tangential force divided by the elastic normal force. A force N is large if it is above the mean of N. Contacts
+/// are added one by one.
 class MobilisationByForce {
  public:
   /// @param mean  mean elastic normal force of the contacts, > 0 (force)
@@ -21,11 +21,9 @@ class MobilisationByForce {
     ++side.n;
   }
 
-  /// Returns the mean of |F_T|/N over contacts whose elastic normal force N is above the mean (F_T: tangential force);
-  /// 0 if there are no such contacts.
+  /// Returns the mean of |F_T|/N over the contacts with N above the mean; 0 without such contacts.
   double M1() const { return above_.value(); }
-  /// Returns the mean of |F_T|/N over contacts whose elastic normal force N is at most the mean (F_T: tangential
-  /// force); 0 if there are no such contacts.
+  /// Returns the mean of |F_T|/N over the contacts with N at most the mean; 0 without such contacts.
   double M2() const { return below_.value(); }
 
  private:

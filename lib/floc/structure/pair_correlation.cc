@@ -28,7 +28,7 @@ double inner_volume(const Packing<Dim>& packing, double reach) {
   return volume;
 }
 
-/// Counts the pairs around those grains whose distance from every wall is at least `reach`.
+/// Counts the neighbours of all grains whose distance from every wall is at least `reach`.
 /// @return number of these grains
 template <int Dim>
 int count_away_from_walls(const Packing<Dim>& packing, const Grains<Dim>& points, double reach,

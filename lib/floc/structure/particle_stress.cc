@@ -15,8 +15,9 @@ std::vector<Mat<Dim>> particle_stress(const Packing<Dim>& packing) {
     stress[c.i] += on_j * c.arm_i.transpose();
     if (!packing.is_wall(c.j)) stress[c.j] -= on_j * c.arm_j.transpose();
   }
-  // The volume V_i that belongs to grain i is its own volume divided by the solid fraction. For round grains, V_i is V
-  // R_i^Dim / (sum of R_k^Dim over all grains k), with the volume V of the cell and the radii R.
+  // The volume V_i assigned to grain i is the volume of the grain divided by the solid fraction. For round grains, V_i
+  // is V R_i^Dim / (sum of R_k^Dim over all grains k), where V is the volume of the cell, and R_i the radius of grain
+  // i.
   const auto size = [&](int i) { return g.are_round() ? std::pow(g.radius[i], Dim) : g.volume(i); };
   double sum = 0.0;
   for (int i = 0; i < g.size(); ++i) sum += size(i);

@@ -20,9 +20,9 @@ std::vector<Mat<Dim>> particle_stress(const Packing<Dim>& packing);
 template <int Dim>
 std::vector<double> particle_pressure(const Packing<Dim>& packing);
 
-/// Returns the pressures of the grains, but zero in place of each pressure whose sign is not significant. Pressures
-/// without a significant sign are the pressures of rattlers, whose forces are rounding errors, and all pressures with
-/// magnitudes up to zero_force/a^(Dim-1), where a is the largest diameter.
+/// Returns the pressures of the grains, with zero for each pressure whose sign is not significant. There are two such
+/// cases: rattlers, whose forces are rounding errors, and pressures of at most zero_force/a^(Dim-1) in magnitude, where
+/// a is the largest diameter.
 /// @param pressure    pressure of each grain (stress)
 /// @param zero_force  largest force that counts as zero (force)
 template <int Dim>

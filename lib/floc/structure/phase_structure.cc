@@ -22,7 +22,8 @@ int sign_of(double p) {
 template <int Dim>
 struct PhaseParts {
   std::vector<int> sizes;
-  std::vector<Vec<Dim>> winding;  ///< vectors along which the connected parts wind around the periodic cell
+  /// Vectors (length) along which the connected parts wind around the periodic cell.
+  std::vector<Vec<Dim>> winding;
   int n_directions = 0;
 };
 
@@ -56,9 +57,9 @@ void describe(const PhaseParts<Dim>& parts, const Cell<Dim>& cell, PhaseGeometry
   }
 }
 
-/// Returns the number of bonds between two grains with nonzero pressure, and the number of these bonds whose two grains
-/// have pressures of equal sign. A bond between a grain and its own image is left out, because the two signs are always
-/// equal.
+/// Returns the number of bonds between two grains with nonzero pressure and, among these bonds, the number of bonds
+/// whose two pressures have equal signs. A bond between a grain and its own image is left out, because the two signs
+/// are always equal.
 template <int Dim>
 std::pair<int, int> like_bonds(const ContactNetwork<Dim>& network, const std::vector<int>& sign) {
   int n = 0, like = 0;
@@ -70,9 +71,8 @@ std::pair<int, int> like_bonds(const ContactNetwork<Dim>& network, const std::ve
   return {n, like};
 }
 
-/// Sorts the grains of one phase (positive or negative pressure) into bins. The bin of a grain depends on the share of
-/// its neighbours that belong to the same phase. Returns the mean magnitude of the pressure in each bin. Neighbours
-/// with zero pressure are ignored.
+/// Returns the mean magnitude of the pressure of the grains of one phase, as a function of the share of neighbours in
+/// the same phase. The grains are sorted into bins of this share. Neighbours with zero pressure are ignored.
 template <int Dim>
 std::vector<LikeNeighbourBin> by_share(const ContactNetwork<Dim>& network, const Adjacency& of,
                                        const std::vector<int>& sign, const std::vector<double>& pressure,
@@ -92,8 +92,7 @@ std::vector<LikeNeighbourBin> by_share(const ContactNetwork<Dim>& network, const
       like += sign[other] == phase;
     }
     if (n == 0) continue;
-    // If a share of neighbours is exactly on the border between two bins, it belongs to the upper bin; integer
-    // arithmetic makes this exact.
+    // A share exactly on the border between two bins belongs to the upper bin. Integer arithmetic makes this exact.
     const int b = std::min(n_bins - 1, n_bins * like / n);
     ++bins[b].n_grains;
     bins[b].mean_size += std::abs(pressure[i]);
@@ -110,8 +109,8 @@ std::vector<LikeNeighbourBin> by_share(const ContactNetwork<Dim>& network, const
   return bins;
 }
 
-/// Adds the results for random signs, for comparison with the results for the real signs. Random signs result from
-/// shuffling the signs of the pressures among the grains with nonzero pressure.
+/// Adds the results for random signs, for comparison with the results for the real signs. The random signs are the real
+/// signs, shuffled among the grains with nonzero pressure.
 template <int Dim>
 void add_control(const ContactNetwork<Dim>& network, const Adjacency& of, std::vector<int> sign,
                  const PhaseOptions& options, PhaseStructure& out) {

@@ -10,14 +10,14 @@
 
 namespace floc {
 
-/// Settings of phase_structure(), which compares the phases of a packing with the phases that result if the signs of
-/// the particle pressures are shuffled at random.
+/// Settings of phase_structure(). This function compares the phases of a packing with the phases that result if the
+/// signs of the particle pressures are shuffled at random.
 struct PhaseOptions {
   /// Number of times that the signs of the particle pressures are shuffled. With 20 shuffles, the error of
   /// shuffled_percolates is about 0.1. Each shuffle requires a search for connected parts in each phase.
   int n_shuffles = 20;
   std::uint64_t seed = 1;
-  /// number of bins for the share of neighbours whose pressure has the same sign as the pressure of the grain
+  /// Number of bins for the share of neighbours in the phase of the grain.
   int n_bins = 10;
 
   static constexpr WholeRange kShuffles{.least = 1, .most = 100000};
@@ -25,10 +25,9 @@ struct PhaseOptions {
   std::vector<std::string> validate() const;
 };
 
-/// A bin of grains of one phase (positive or negative pressure), with their mean pressure. The grains of a bin have
-/// similar shares of neighbours in this phase.
+/// Grains of one phase (positive or negative pressure) with similar shares of neighbours in the same phase.
 struct LikeNeighbourBin {
-  /// range [low, high) of the share of neighbours in this phase; the last bin includes 1
+  /// Range [low, high) of the share of neighbours in the same phase; the last bin includes 1.
   double low = 0.0, high = 0.0;
   int n_grains = 0;
   double mean_size = 0.0;   ///< mean magnitude of the pressure over the grains of the bin (stress)
@@ -38,21 +37,20 @@ struct LikeNeighbourBin {
 /// Connectivity of one of the two phases: the grains with positive pressure, or the grains with negative pressure.
 struct PhaseGeometry {
   std::vector<int> cluster_sizes;  ///< number of grains of each connected part, the largest first
-  /// For each lattice vector, whether a connected part winds around the cell along it.
+  /// For each lattice vector, whether a connected part winds around the cell along this vector.
   std::array<bool, 3> along{};
   /// Largest number of independent directions in which a connected part winds around the cell.
   int n_directions = 0;
   double shuffled_directions = 0.0;  ///< mean of n_directions over the shuffles of the signs
-  double shuffled_percolates = 0.0;  ///< share of the shuffles in which n_directions is not zero
+  double shuffled_percolates = 0.0;  ///< share of the shuffles with n_directions > 0
   /// Number of grains of the largest connected part, averaged over the shuffles.
   double largest_shuffled = 0.0;
   std::vector<LikeNeighbourBin> by_share;
 };
 
-/// The two phases of a packing: the grains with positive pressure and the grains with negative pressure. Grains of a
-/// phase are connected by bonds. Even with random signs, phases could percolate, and many neighbours would have equal
-/// signs. The phases are therefore compared with the phases that result if the signs are shuffled among the grains with
-/// nonzero pressure.
+/// The two phases of a packing: the grains with positive pressure and the grains with negative pressure. Grains of the
+/// same phase are connected by bonds. Phases may percolate, and neighbours may have equal signs, by mere chance. For
+/// comparison, the signs are therefore shuffled among the grains with nonzero pressure.
 struct PhaseStructure {
   PhaseGeometry positive, negative;
   int n_bonds = 0;             ///< number of bonds between two grains of nonzero pressure

@@ -26,7 +26,7 @@ std::vector<Edge> edges_of(const Packing<2>& packing, DisjointSets& sets) {
   for (const Contact<2>& c : packing.contacts) {
     const bool again = previous != nullptr && same_pair(*previous, c);
     previous = &c;
-    // If an edge between these two grains exists already, c is another contact of the same grains.
+    // There is already an edge for this pair of grains; c is a further contact point of the same pair.
     if (again) continue;
     edges.push_back({c.i, c.j, c.image, branch(packing, c)});
     sets.join(c.i, c.j);
@@ -89,7 +89,7 @@ struct AreaMoments {
   }
 };
 
-/// Face of the network of interactions. The area covered by disks is left out of the moments of the face.
+/// Face of the network of interactions. The moments are integrals over the part of the face outside the disks.
 struct Face {
   AreaMoments moments;   // moments of area about `origin`
   double polygon = 0.0;  // signed area of the polygon of grain centres around the face
@@ -98,8 +98,8 @@ struct Face {
   bool winds = false;  // whether the face winds around the periodic cell
 };
 
-/// Finds the faces of a network of edges in the periodic cell by walking around each face. Every edge e consists of two
-/// half edges: half edge 2e leads from grain i to grain j, half edge 2e + 1 from j to i.
+/// Finds the faces of a network of edges in the periodic cell by a walk around each face. Every edge e consists of two
+/// half edges: half edge 2e from grain i to grain j, and half edge 2e + 1 from j to i.
 class FaceWalk {
  public:
   FaceWalk(const Packing<2>& packing, const std::vector<Edge>& edges)
@@ -112,8 +112,8 @@ class FaceWalk {
     }
     for (std::vector<int>& around : out) {
       std::sort(around.begin(), around.end(), [&](int p, int q) { return angle_[p] < angle_[q]; });
-      // A walk that arrives along the half edge opposite to `around[k]` continues along the half edge that comes next
-      // in clockwise order. The face is therefore always on the left of the walk.
+      // A walk that arrives along the opposite of half edge `around[k]` continues along the half edge that follows
+      // `around[k]` in clockwise order. The face is therefore always on the left of the walk.
       const std::size_t n = around.size();
       for (std::size_t k = 0; k < n; ++k) next_[twin(around[k])] = around[(k + n - 1) % n];
     }
@@ -168,8 +168,8 @@ class FaceWalk {
 };
 
 /// Removes unbounded faces, and sets `unbounded` if there are any. There are two kinds: faces that wind around the
-/// cell, and the outside of a network that does not span the cell. Euler's formula determines which of the two kinds is
-/// present, and whether edges cross.
+/// cell, and the outside of a network that does not span the cell. Euler's formula shows whether edges cross, and
+/// distinguishes a network that spans the cell from a network that does not.
 /// @return false if the edges cross
 bool remove_unbounded(double area, int n_grains, int n_edges, std::vector<Face>& faces, bool& unbounded) {
   constexpr double kWhole = 1e-6;

@@ -17,25 +17,26 @@ struct Pore {
   std::vector<int> grains;
 };
 
-/// Pores of a 2D packing: the faces of the network of interactions, including attraction across gaps, without the area
-/// covered by disks (docs/physics.md, "Structure"). The areas of the pores are computed in closed form. Their sum is A
-/// (1 - Phi), where A is the area of the cell and Phi the solid fraction. In Phi, overlaps count twice.
+/// Pores of a 2D packing (docs/physics.md, "Structure"). Interactions, including attractions across gaps, are the edges
+/// of a network. A pore is a face of this network without the area covered by disks. The areas of the pores are
+/// computed in closed form. Their sum is A (1 - Phi), where A is the area of the cell, and Phi the solid fraction, in
+/// which overlaps count twice.
 struct Pores {
   std::vector<Pore> pores;  ///< pores that do not wind around the periodic cell
   /// Whether there is also a pore that winds around the cell. Such a pore has no size.
   bool unbounded = false;
   double total_area = 0.0;  ///< sum of the areas of `pores` (length^2)
-  /// Size xi' of the pores: root mean square of the radius of gyration, weighted by the area of each pore (length); 0
-  /// without pores.
+  /// Size xi' of the pores (length): root of the mean squared radius of gyration, weighted by area; 0 without pores.
   double size = 0.0;
   double mean_area = 0.0;  ///< mean area of the pores (length^2)
-  /// Reason why the pores could not be identified; empty if they were identified. With large overlaps, lines between
-  /// the centres of touching grains may cross each other.
+  /// Reason why the pores could not be identified, or an empty text. If overlaps are large, lines between the centres
+  /// of touching grains may cross each other.
   std::string failure_reason;
 };
 
-/// Finds the pores of a packing. If the network of interactions has separate parts, or single grains lie inside a pore,
-/// lines join them to their nearest neighbours. These lines do not change the area of the pore.
+/// Finds the pores of a packing. The network of interactions may have separate parts, or single grains inside a pore.
+/// Extra edges join these parts and grains to the network across the smallest gaps, which does not change the area of
+/// the pore.
 Pores find_pores(const Packing<2>& packing);
 
 }  // namespace floc

@@ -9,7 +9,7 @@
 namespace floc {
 namespace {
 
-/// Returns the centre of the cell. Along an axis with walls, the centre is the middle between the walls.
+/// Returns the centre of the cell or, along an axis with walls, the middle between the walls.
 template <int Dim>
 Vec<Dim> centre_of(const Packing<Dim>& packing) {
   Vec<Dim> centre = packing.cell.matrix.transpose() * Vec<Dim>::Constant(0.5);

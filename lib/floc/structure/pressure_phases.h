@@ -14,8 +14,8 @@ struct PressurePhase {
   double mean = 0.0;        ///< mean pressure of the grains of the phase (stress)
   int n_clusters = 0;       ///< number of clusters (connected parts), including single grains
   int largest_cluster = 0;  ///< number of grains of the largest cluster
-  /// Largest number of independent directions in which a cluster winds around the cell; the phase percolates if
-  /// it is > 0.
+  /// Largest number of independent directions in which a cluster winds around the cell. If it is above 0, the phase
+  /// percolates.
   int n_directions = 0;
 };
 

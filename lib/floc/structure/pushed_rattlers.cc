@@ -13,8 +13,8 @@
 namespace floc {
 namespace {
 
-/// Ball into which the centre of a rattler cannot move: another grain, with a radius increased by the radius of the
-/// rattler.
+/// Ball that the centre of a rattler cannot enter. Its centre is the centre of another grain, and its radius is the sum
+/// of the radii of that grain and of the rattler.
 template <int Dim>
 struct Obstacle {
   Vec<Dim> centre;
@@ -40,8 +40,8 @@ bool next_choice(std::array<int, Dim>& choice, int n) {
   return false;
 }
 
-/// Returns the corner of the intersection of half spaces that lies furthest along a direction. The function tries all
-/// corners, because there are only a few.
+/// Returns the corner that lies furthest along a direction, among the corners of the intersection of half spaces. There
+/// are only a few corners, so the function tries all of them.
 /// @pre The intersection is bounded and contains the origin.
 template <int Dim>
 Vec<Dim> furthest_corner(const std::vector<HalfSpace<Dim>>& spaces, const Vec<Dim>& direction, double length) {
@@ -64,11 +64,12 @@ Vec<Dim> furthest_corner(const std::vector<HalfSpace<Dim>>& spaces, const Vec<Di
   return best;
 }
 
-/// Pushes a point from the origin along a direction until it is stopped by the obstacles, which are balls. Each step
-/// replaces every ball by a half space that contains it. The half space touches the ball at the point of the ball that
-/// is nearest to the moving point. The step is the longest move outside all half spaces, found by linear programming.
-/// The point therefore never enters a ball. The positions converge quadratically to a corner between balls.
-/// @return place where the point stops; no value if it moves further than `length`
+/// Pushes a point from the origin along a direction until obstacles, which are balls, stop the point. In each step, a
+/// half space replaces each ball. The half space contains the ball, and its boundary touches the ball at the place
+/// nearest to the point. The point makes the longest move along the direction outside all of these half spaces, found
+/// by linear programming, and therefore never enters a ball. The positions converge quadratically to a corner between
+/// balls.
+/// @return place where the point stops; no value if the point moves further than `length`
 template <int Dim>
 std::optional<Vec<Dim>> pushed(const std::vector<Obstacle<Dim>>& obstacles, const Vec<Dim>& direction,
                                double length) {

@@ -12,8 +12,8 @@
 namespace floc {
 namespace {
 
-/// Returns the rotation that takes a grain from its orientation in the state before to its orientation in the state
-/// after.
+/// Returns the rotation of a grain from the state before to the state after.
+/// @param before, after  orientations of the grain
 Eigen::Rotation2Dd rotation_of(double before, double after) {
   return Eigen::Rotation2Dd(after - before);
 }

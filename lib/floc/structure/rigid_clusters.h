@@ -19,12 +19,12 @@ struct RigidClusters {
   int n_clustered() const;  ///< number of grains in clusters
 };
 
-/// Finds groups of grains joined by contacts that exist in both states and show no relative motion. A contact shows no
-/// relative motion if it satisfies two conditions. First, the two material points that touch in the state before have a
-/// distance of at most tolerance * a in the state after, where a is the largest diameter. Second, the rotations of the
-/// two grains differ by at most `tolerance` (radians). A rigid body that moves and rotates satisfies both conditions
-/// exactly. Along a chain of contacts, differences below the tolerance may add up. Both packings must contain the
-/// orientations of the grains; packings from other programs may lack them.
+/// Finds groups of grains that are joined by contacts without relative motion. A contact has no relative motion if it
+/// exists in both states and satisfies two conditions. First, the two material points that touch in the state before
+/// have a distance of at most tolerance * a in the state after, where a is the largest diameter. Second, the rotations
+/// of the two grains differ by at most `tolerance` (radians). Within a moving and rotating rigid body, both differences
+/// are exactly zero. Along a chain of contacts, differences below the tolerance may add up. Both packings must contain
+/// the orientations of the grains; packings from other programs may lack them.
 ///
 /// @param changes    changes of contacts from `before` to `after`
 /// @param tolerance  largest relative displacement (in units of the largest diameter) and largest relative rotation

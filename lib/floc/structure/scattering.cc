@@ -14,8 +14,7 @@
 namespace floc {
 namespace {
 
-/// Returns the smallest number of the form 2^a 3^b 5^c 7^d that is at least n, a size for which Fourier
-/// transforms are fast.
+/// Returns the smallest number >= n of the form 2^a 3^b 5^c 7^d. For meshes of this size, Fourier transforms are fast.
 int smooth_size(int n) {
   for (;; ++n) {
     int rest = n;
@@ -38,8 +37,8 @@ std::vector<std::complex<double>> transform(const CoverageMap& field) {
   return out;
 }
 
-/// Returns the factor by which averaging over mesh cells reduces the amplitude of a wave with n periods in the cell:
-/// sin(x)/x with x = pi n/size.
+/// Returns the factor sin(x)/x, x = pi n/size, by which averaging over mesh cells reduces the amplitude of a wave with
+/// n periods in the cell.
 double kept_by_averaging(int n, int size) {
   const double x = std::numbers::pi * n / size;
   return n == 0 ? 1.0 : std::sin(x) / x;
@@ -62,7 +61,7 @@ std::vector<std::string> ScatteringOptions::validate() const {
 std::vector<double> scattering_bins(double largest, double unit, double growth) {
   std::vector<double> edges = {0.5 * unit};
   while (edges.back() < largest) edges.push_back(std::max(edges.back() + unit, edges.back() * growth));
-  // If the first edge, half the smallest wave number of the cell, is not below the largest k, there is a single bin.
+  // If the first edge (half the smallest wave number of the cell) is not below the largest k, there is a single bin.
   if (edges.size() == 1) edges.push_back(edges[0] * growth);
   edges.back() = std::max(largest, edges[0] * growth);
   return edges;
@@ -126,8 +125,8 @@ void ScatteringAverage::add(const Cell<2>& cell, const CoverageMap& field) {
       if (k < edges_.front() || k >= edges_.back()) continue;
       const double kept = kept1 * kept_by_averaging(n2, field.size[1]);
       const std::complex<double> chi = hat[static_cast<std::size_t>(row) * n_columns + n2];
-      // For n2 = 0, the transform contains both k and -k. For other n2, the transform contains only one of these two
-      // wave vectors, which therefore counts twice.
+      // For n2 = 0, the transform contains both k and -k. For other n2, it contains only one vector of this pair, which
+      // therefore counts twice.
       add_vector(k, per_cell * per_cell * std::norm(chi) / (kept * kept * area), n2 == 0 ? 1 : 2);
     }
   }

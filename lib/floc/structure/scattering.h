@@ -12,9 +12,9 @@ namespace floc {
 
 inline constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
-/// Scattering intensity I(k) = |chi_hat(k)|^2/V in bins of the wave number k, averaged over directions. chi is the
-/// function that is 1 inside grains and 0 outside, chi_hat is its Fourier transform, and V is the volume of the cell
-/// (docs/physics.md, "Structure").
+/// Scattering intensity I(k) = |chi_hat(k)|^2/V, averaged over directions, in bins of the wave number k
+/// (docs/physics.md, "Structure"). Here, chi_hat is the Fourier transform of a function that is 1 inside grains and 0
+/// outside, and V is the volume of the cell.
 struct Scattering {
   std::vector<double> k;  ///< mean wave number of each bin (1/length)
   std::vector<double> I;  ///< mean intensity of each bin (length^Dim)
@@ -25,21 +25,21 @@ struct Scattering {
 
 /// Numerical settings for the computation of a scattering intensity.
 struct ScatteringOptions {
-  /// Largest wave number k, in units of 2 pi divided by the largest diameter. At k above 1 in this unit, the intensity
-  /// shows the shape of grains and their contacts; at k below 1, it shows aggregates.
+  /// Largest wave number k, in units of 2 pi divided by the largest diameter. In this unit, intensities at k > 1 show
+  /// the shapes and contacts of grains, and intensities at k < 1 show aggregates.
   double largest = 2.0;
-  /// For disks: number of mesh cells per wavelength of the largest k. The value at each mesh cell is an average over
-  /// the mesh cell, and the intensity is corrected for this averaging. With 8 mesh cells per wavelength, aliasing from
-  /// shorter waves is below 1 % of the intensity, and decreases as k^5 towards small k.
+  /// For disks: number of mesh cells per wavelength of the largest k. The value of each mesh cell is an average over
+  /// its area, and the intensity is corrected for this averaging. With 8 mesh cells per wavelength, the error due to
+  /// shorter waves (aliasing) is below 1 % of the intensity, and decreases as k^5 towards small k.
   double cells_per_wave = 8.0;
-  /// Ratio of the upper to the lower edge of a bin of k. The width of a bin is at least 2 pi/V^(1/Dim), where V is the
+  /// Upper edge of a bin of k, divided by the lower edge. The width of a bin is at least 2 pi/V^(1/Dim), where V is the
   /// volume of the cell.
   double bin_growth = 1.05;
-  /// For spheres: largest number of wave vectors over which a bin is averaged. A bin with more wave vectors is averaged
-  /// over a random sample of this size. The relative error of the intensity is then 1/sqrt(most_vectors), which is 6 %
-  /// for 300 wave vectors. In bins of small k, which contain fewer wave vectors, the error is at least as large.
+  /// For spheres: largest number of wave vectors in the average of a bin. From a bin with more wave vectors, a random
+  /// sample of this size is taken. The relative error of the intensity is then 1/sqrt(most_vectors), which is 6 % for
+  /// 300 wave vectors. In bins of small k with fewer wave vectors, the error is larger.
   int most_vectors = 300;
-  /// For spheres: largest total number of wave vectors from which the random samples are drawn. If the number would be
+  /// For spheres: largest number of wave vectors in all bins together, before samples are taken. If the number would be
   /// larger, the largest k is lowered.
   std::int64_t most_waves = std::int64_t{1} << 24;
   /// For disks: largest number of mesh cells. If the number would be larger, the largest k is lowered.
@@ -51,8 +51,9 @@ struct ScatteringOptions {
   std::vector<std::string> validate() const;
 };
 
-/// Returns the edges of the bins of the wave number k (1/length). The first edge is `unit`/2, with `unit` the smallest
-/// k of the cell. Each further edge is `growth` times the previous edge, but at least `unit` larger, up to `largest`.
+/// Returns the edges of the bins of the wave number k (1/length), from `unit`/2 to `largest`. Each edge is `growth`
+/// times the previous edge, but at least `unit` larger.
+/// @param unit  smallest wave number of the cell (1/length)
 std::vector<double> scattering_bins(double largest, double unit, double growth);
 
 /// Bins of the wave number k, and the mesh that resolves the largest k.
@@ -60,14 +61,14 @@ struct ScatteringMesh {
   std::vector<double> edges;  ///< edges of the bins of the wave number, ascending (1/length)
   double spacing = 0.0;       ///< largest side of a mesh cell (length)
 
-  /// Returns the number of mesh cells along each lattice vector of a cell; each number has only the prime factors 2, 3,
-  /// 5 and 7.
+  /// Returns the number of mesh cells along each lattice vector of a cell. Each number has no prime factors other than
+  /// 2, 3, 5 and 7.
   Vec<2, int> size(const Cell<2>& cell) const;
 };
 
-/// Returns the grains of a packing in the cell with the shortest sides that its lattice has. The scattering intensity
-/// does not depend on the choice of the cell, but a very slanted cell, with nearly parallel sides, would need a large
-/// mesh along its long sides. A cell that already has the shortest sides is left unchanged.
+/// Returns the grains of a packing in another cell of the same lattice: the cell with the shortest sides. The
+/// scattering intensity is the same for all cells of a lattice, but a very slanted cell would need a large mesh along
+/// its long sides. A cell that already has the shortest sides is left unchanged.
 Packing<2> in_shortest_cell(const Packing<2>& packing);
 
 /// Chooses the bins of the wave number and the mesh for a packing of disks. Both depend only on the options, the area
@@ -81,17 +82,17 @@ ScatteringMesh scattering_mesh(const Packing<2>& packing, const ScatteringOption
 /// @throws InputError with the faults of the options if they are not valid
 std::vector<double> scattering_edges(const Packing<3>& packing, const ScatteringOptions& options);
 
-/// Average of the scattering intensity I(k) over wave vectors and states, with the same bins for all states.
+/// Scattering intensity I(k), averaged over wave vectors and states. All states have the same bins.
 class ScatteringAverage {
  public:
   /// @param edges  edges of the bins of the wave number k, ascending (1/length)
   explicit ScatteringAverage(std::vector<double> edges);
 
-  /// Adds a field in a periodic cell, such as a map of the solid fraction. The field is given by its averages over mesh
-  /// cells.
+  /// Adds a field in a periodic cell, such as a map of the solid fraction.
+  /// @param field  averages of the field over the mesh cells
   void add(const Cell<2>& cell, const CoverageMap& field);
-  /// Adds a packing of spheres. The Fourier transforms of the spheres are added up, without a mesh; overlaps count
-  /// twice.
+  /// Adds a packing of spheres. The Fourier transform of the packing is the sum of the Fourier transforms of the
+  /// spheres, without a mesh; overlaps count twice.
   /// @param most_vectors  largest number of wave vectors per bin, >= 1; a bin with more wave vectors is averaged over a
   /// random sample, with a fixed seed
   void add(const Packing<3>& packing, int most_vectors);

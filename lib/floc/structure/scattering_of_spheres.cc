@@ -23,11 +23,11 @@ bool in_half_space(const Wave& n) {
   return n[0] > 0 || (n[0] == 0 && (n[1] > 0 || (n[1] == 0 && n[2] > 0)));
 }
 
-/// Returns, for each bin of the wave number, the integer vectors n of all wave vectors k = 2 pi M^-1 n in this bin; the
-/// rows of M are the lattice vectors.
+/// Returns the integer vectors n of all wave vectors k = 2 pi M^-1 n, sorted into bins of the wave number. The rows of
+/// M are the lattice vectors. Of n and -n, only one is returned.
 std::vector<std::vector<Wave>> waves_in(const std::vector<double>& edges, const Cell<3>& cell) {
   const Mat<3> reciprocal = kTwoPi * cell.matrix.inverse();
-  // Largest value of each component of an integer vector n. The component for the lattice vector a is k . a/(2 pi).
+  // Largest value of each component of an integer vector n. The component for the lattice vector a is (k . a)/(2 pi).
   Wave reach;
   for (int a = 0; a < 3; ++a) reach[a] = static_cast<int>(edges.back() * cell.matrix.row(a).norm() / kTwoPi);
   std::vector<std::vector<Wave>> bins(edges.size() - 1);

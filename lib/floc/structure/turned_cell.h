@@ -8,11 +8,12 @@
 
 namespace floc {
 
-/// A periodic cell in the form that Voro++ requires: rotated so that its lattice vectors are (bx, 0, 0), (bxy, by, 0),
-/// (bxz, byz, bz). Lengths are divided by a unit of the order of the distance between neighbours, because Voro++ has
-/// absolute tolerances that assume distances of order one.
+/// A periodic cell in the form that Voro++ requires. The cell is rotated so that its lattice vectors are (bx, 0, 0),
+/// (bxy, by, 0) and (bxz, byz, bz). Lengths are divided by a unit, about the distance between neighbours, because
+/// Voro++ has absolute tolerances for distances of about 1.
 struct TurnedCell {
-  Mat<3> turn = Mat<3>::Identity();  ///< rotation or reflection; the position in Voro++ is turn * position/unit
+  /// Rotation, or rotation and reflection; the position in Voro++ is turn * position/unit.
+  Mat<3> turn = Mat<3>::Identity();
   /// Rotated lattice vectors, one per row (lower triangular, with positive diagonal).
   Mat<3> lattice;
   double unit = 1.0;  ///< unit of length of the rotated cell (length)
@@ -31,8 +32,7 @@ struct TurnedCell {
   Vec<3> there(const Vec<3>& x) const { return turn * x / unit; }
   Vec<3> here(const Vec<3>& x) const { return turn.transpose() * x * unit; }
 
-  /// Returns the number of search blocks along an axis for which Voro++ is fastest, with kGrainsPerBlock grains
-  /// in each block.
+  /// Returns the number of search blocks along an axis. Voro++ is fastest with about kGrainsPerBlock grains in a block.
   int blocks(int axis) const {
     return std::max(1, static_cast<int>(std::ceil(lattice(axis, axis) * std::cbrt(1.0 / kGrainsPerBlock))));
   }

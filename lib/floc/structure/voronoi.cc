@@ -54,8 +54,8 @@ std::vector<Corner> tessellate(const Packing<3>& packing, std::vector<double>& v
   return corners;
 }
 
-/// Merges vertices at the same place. Returns a ball about each merged vertex. The ball extends to the nearest of the
-/// grains whose Voronoi cells meet at this vertex.
+/// Merges vertices at the same place. Returns a ball about each merged vertex. Among the grains whose Voronoi cells
+/// meet at the vertex, the ball touches the nearest.
 std::vector<VoidBall> merged(const Packing<3>& packing, const std::vector<Corner>& corners) {
   Grains<3> points = Grains<3>::with_size(static_cast<int>(corners.size()));
   for (std::size_t k = 0; k < corners.size(); ++k) points.position[k] = corners[k].at;
@@ -80,8 +80,8 @@ bool equal_sizes(const Grains<3>& grains) {
   return *least == *most;
 }
 
-/// Reduces the radius of each ball so that it extends to the nearest surface of any grain. For unequal spheres, this
-/// may be the surface of a grain whose Voronoi cell does not extend to the centre of the ball.
+/// Reduces the radius of each ball so that the ball extends to the nearest surface of all grains. With unequal spheres,
+/// the nearest grain may be a grain whose Voronoi cell does not contain the centre of the ball.
 void shrink_to_nearest(const Packing<3>& packing, std::vector<VoidBall>& voids) {
   Grains<3> all = packing.grains;
   all.position_low.clear();
@@ -91,7 +91,7 @@ void shrink_to_nearest(const Packing<3>& packing, std::vector<VoidBall>& voids) 
   }
   const int n = packing.grains.size();
   for (const NeighborPair<3>& pair : find_pairs(packing.cell, all, 0.0)) {
-    if (pair.i >= n || pair.j < n) continue;  // keep only pairs of a grain i and a ball j that overlaps it
+    if (pair.i >= n || pair.j < n) continue;  // keep only pairs of a grain i and a ball j
     const Vec<3> r = all.position[pair.j] + packing.cell.shift(pair.image) - all.position[pair.i];
     double& radius = voids[pair.j - n].radius;
     radius = std::min(radius, r.norm() - all.radius[pair.i]);

@@ -12,15 +12,15 @@ struct VoidBall {
   double radius = 0.0;             ///< radius of the ball (length), > 0
 };
 
-/// Radical Voronoi tessellation of a packing of spheres (docs/physics.md, "Structure"). The Voronoi cell of a sphere
-/// contains the points whose tangent to this sphere is shorter than their tangents to all other spheres.
+/// Radical Voronoi tessellation of a packing of spheres (docs/physics.md, "Structure"). A point belongs to the Voronoi
+/// cell of the sphere to which the tangent from the point is shortest.
 struct VoronoiTessellation {
   /// Volume of the Voronoi cell of each grain (length^3); 0 if the grain has no cell.
   std::vector<double> volume;
   /// Volume of each grain divided by the volume of its Voronoi cell; 0 if the grain has no cell.
   std::vector<double> solid_fraction;
-  /// Balls around the vertices of the tessellation. Each ball extends to the nearest surface of a grain; vertices
-  /// inside a grain have no ball. For equal spheres, each ball touches four spheres.
+  /// Balls around the vertices of the tessellation. Each ball extends to the nearest surface of a grain. Vertices
+  /// inside a grain have no ball. In a packing of equal spheres, each ball touches four or more spheres.
   std::vector<VoidBall> voids;
 };
 

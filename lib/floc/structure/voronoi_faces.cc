@@ -10,7 +10,7 @@
 namespace floc {
 namespace {
 
-/// A face of the Voronoi cell of one point, relative to this point and in the coordinates of Voro++.
+/// A face of the Voronoi cell of a point, in the coordinates of Voro++ with this point as the origin.
 struct Polygon {
   Vec<3> area = Vec<3>::Zero();    // area times the normal of the face
   Vec<3> centre = Vec<3>::Zero();  // centre of area of the face
@@ -72,7 +72,7 @@ class FaceList {
     out_.faces.push_back(out);
   }
 
-  /// Faces with areas up to this value exist only by rounding; they are edges or corners of the exact tessellation. The
+  /// Faces with areas up to this value are due to rounding; in the exact tessellation, they are edges or corners. The
   /// unit of length is such that the mean volume of a Voronoi cell is 1.
   static constexpr double kNoFace = 1e-12;
 

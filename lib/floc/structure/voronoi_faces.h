@@ -7,7 +7,8 @@
 
 namespace floc {
 
-/// Face between the Voronoi cells of two points, and the bond of the Delaunay network that crosses it.
+/// Face between the Voronoi cells of two points, with the branch vector between the points, which is a bond of the
+/// Delaunay network.
 struct VoronoiFace {
   int i, j;           ///< indices of the two points, i <= j
   Vec<3, int> image;  ///< periodic image of point j: branch = point[j] + image * cell.matrix - point[i]

@@ -7,8 +7,8 @@
 namespace floc {
 namespace {
 
-/// Returns one weight per point, for the slope of the least-squares line through the points: the sum of weight *
-/// (1/Phi) over all points is the decrease of 1/Phi per unit of ln P.
+/// Returns one weight per point. The sum of weight * (1/Phi) over the points is minus the slope of the least-squares
+/// line of 1/Phi against ln P.
 Eigen::VectorXd slope_weights(const Eigen::VectorXd& log_P) {
   const Eigen::VectorXd d = log_P.array() - log_P.mean();
   return -d / d.squaredNorm();
@@ -25,8 +25,8 @@ double distance_of_jumps(const Eigen::MatrixXd& samples, const Eigen::VectorXd& 
   const double variance = (steps.colwise() - steps.rowwise().mean()).squaredNorm() /
                           static_cast<double>(samples.cols() - 1) / (2.0 * lambda * lambda);
   const auto expected = [&](double g) { return g * g * (1.0 - (-h.array() / g).exp()).sum(); };
-  // The function expected(g) grows with g; the g at which it equals `variance` is found by bisection. The search ends
-  // at the range of ln P, because at larger g there are hardly any jumps.
+  // Bisection finds the g at which expected(g), a growing function, equals `variance`. The search ends at the range of
+  // ln P, because there are hardly any jumps if g is larger.
   double low = 1e-9, high = log_P[n - 1] - log_P[0];
   if (expected(high) <= variance) return high;
   constexpr int kHalvings = 60;
@@ -53,8 +53,7 @@ bool samples_bend_at(const Eigen::MatrixXd& samples, const Eigen::VectorXd& log_
   constexpr double kDeviations = 4.0;
   const Eigen::Index n = log_P.size();
   assert(end >= 2 && end < n && samples.cols() >= 2);
-  // A slope needs two points. If only one point is left from `end` on, the slope is computed from this point and the
-  // last point before it.
+  // A slope needs two points. If only one point remains from `end` on, the last point before `end` is used too.
   const Eigen::Index beyond = std::max<Eigen::Index>(n - end, 2);
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(n);
   weights.head(end) += slope_weights(log_P.head(end));

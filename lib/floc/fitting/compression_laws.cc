@@ -54,8 +54,7 @@ std::vector<DensityResidual<Model>> residuals_of(const CompressionPoints& points
   return residuals;
 }
 
-/// Returns the index of the coordinate that is the limit of the solid fraction in a model; -1 if the model has no
-/// limit.
+/// Returns the index of the coordinate for the limit of the solid fraction in a model; -1 without such a limit.
 template <class Model>
 constexpr int limit_coordinate() {
   if constexpr (requires { Model::kLimit; }) return Model::kLimit;
@@ -96,9 +95,9 @@ std::optional<Solution> solve(const CompressionPoints& points, const Compression
   return solution;
 }
 
-/// Returns the covariance of theta. Its entries are zero for coordinates that were not fitted. The covariance is not
-/// computed from the weights, because the dependence of the errors of D on D is unknown. Instead, the error of each
-/// point is estimated as its residual divided by 1 - h, where h is the leverage of the point (estimator HC3 [MW1985]).
+/// Returns the covariance of theta; the entries of coordinates that were not fitted are zero. The error of each point
+/// is estimated as the residual of the point divided by 1 - h, where h is the leverage of the point (estimator HC3
+/// [MW1985]). Errors from the weights would be wrong, because the dependence of the errors of D on D is unknown.
 Eigen::MatrixXd covariance_of(const Solution& solution) {
   const Eigen::MatrixXd& J = solution.jacobian;
   Eigen::MatrixXd c = unit_covariance(J);
@@ -120,8 +119,8 @@ Eigen::MatrixXd covariance_of(const Solution& solution) {
   return covariance;
 }
 
-/// Returns the standard error of a quantity with the given gradient. The sum runs only over the coordinates on which
-/// the quantity depends, because the other coordinates may have an infinite variance.
+/// Returns the standard error of a quantity with the given gradient. Coordinates on which the quantity does not depend
+/// are left out of the sum, because their variance may be infinite.
 template <class Gradient>
 double error_of(const Gradient& gradient, const Eigen::MatrixXd& covariance) {
   double variance = 0.0;
@@ -131,10 +130,9 @@ double error_of(const Gradient& gradient, const Eigen::MatrixXd& covariance) {
   return std::sqrt(std::max(variance, 0.0));
 }
 
-/// If the data do not identify a parameter, removes the value of this parameter, and each end of its interval that is
-/// so far from the value that it is useless.
+/// If the data do not identify a parameter, removes its value, and each end of its interval that is far from the value.
 void remove_if_unknown(FittedParameter& p) {
-  constexpr double kFar = 1e3;  // largest factor between an end and the best value
+  constexpr double kFar = 1e3;  // largest factor between the value and an end of the interval that is kept
   if (p.identified) return;
   if (p.low95 && !(*p.low95 * kFar > *p.value)) p.low95 = std::nullopt;
   if (p.high95 && !(*p.high95 < *p.value * kFar)) p.high95 = std::nullopt;
@@ -159,15 +157,15 @@ std::vector<FittedParameter> parameters_of(const Solution& solution, double fact
   return parameters;
 }
 
-/// Sets the parameters that were not fitted freely. A fixed parameter gets its given value. If a limit of the solid
-/// fraction is at its bound, its value is removed and the bound is reported.
+/// Sets the parameters that were not fitted freely: D0 if the user gave it, and Phi_max if it is at its bound. In the
+/// second case, Phi_max gets no value, and the bound is the upper end of its interval.
 void mark_given(const CompressionOptions& options, const Solution& solution, CompressionFit& fit) {
   for (FittedParameter& p : fit.parameters) {
     if (p.name == "D0" && options.D0 > 0.0) p = held_at("D0", options.D0);
     if (p.name != "Phi_max" || !solution.at_limit) continue;
     p = {"Phi_max", {}, {}, {}, options.phi_limit, false};
     fit.warnings.push_back(fmt::format(
-        "Phi_max is at its bound, {:g}: the best fit without this bound exceeds it, so that the law "
+        "Phi_max is at its bound, {:g}: the best fit without this bound has a larger Phi_max, so that the law "
         "may not describe the data",
         options.phi_limit));
   }
@@ -179,7 +177,7 @@ ResidualPattern pattern_of(const Solution& solution) {
 
 double aicc_of(const Solution& solution, Eigen::Index n_points) {
   const auto n = static_cast<double>(n_points);
-  const double k = solution.n_free + 1.0;  // the variance of the residuals counts as a parameter
+  const double k = solution.n_free + 1.0;  // the variance of the residuals counts as one more parameter
   const double mean = std::max(solution.sum_of_squares / n, kRoundingOfTables * kRoundingOfTables);
   return n * std::log(mean) + 2.0 * k + 2.0 * k * (k + 1.0) / (n - k - 1.0);
 }
@@ -244,7 +242,7 @@ CompressionFit fit_law(CompressionLaw law, const CompressionPoints& points, cons
   return refused(law, "unknown law");
 }
 
-/// Sets the differences of AIC and the Akaike weights of laws that were fitted to the same points.
+/// Sets `delta_aicc` and the Akaike weight of each law. The laws were fitted to the same points.
 void rank(std::vector<CompressionFit>& fits) {
   double least = kInfinity, sum = 0.0;
   for (const CompressionFit& fit : fits)

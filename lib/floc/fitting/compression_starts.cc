@@ -19,8 +19,8 @@ std::vector<double> values_of_D0(const CompressionPoints& points, double D0) {
   return values;
 }
 
-/// Points in Heckel's coordinates, P and ln[1/(1 - D)], up to the first D >= 1. The weights correspond to equal
-/// errors of D.
+/// Points in Heckel's coordinates P and y = ln[1/(1 - D)], before the first point with D >= 1. The weights of D are
+/// converted to weights of y.
 struct HeckelPoints {
   Eigen::VectorXd P, y, weight;
 };
@@ -35,7 +35,7 @@ HeckelPoints heckel_points(const CompressionPoints& points) {
 /// Result of a test whether ln[1/(1 - D)] is a straight function of P.
 struct Straightness {
   bool is_straight;
-  double t;  ///< curvature divided by its standard error
+  double t;  ///< magnitude of the quadratic term divided by its standard error
 };
 
 Straightness straightness(const HeckelPoints& h, Eigen::Index first, Eigen::Index n) {
@@ -72,7 +72,7 @@ std::vector<double> geometric(double low, double high, int n) {
 
 std::pair<int, int> straight_part(const CompressionPoints& points) {
   constexpr Eigen::Index kLeast = 4;
-  constexpr Eigen::Index kPlaces = 60;  // number of positions that are tried for each end
+  constexpr Eigen::Index kPlaces = 60;  // number of positions to try for each end of the straight part
   const HeckelPoints h = heckel_points(points);
   const Eigen::Index n = h.P.size();
   const Eigen::Index step = std::max<Eigen::Index>(n / kPlaces, 1);

@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// Points of a compression curve in the order of growing pressure.
+/// Points of a compression curve, in the order of growing pressure.
 struct CompressionPoints {
   Eigen::VectorXd P;       ///< pressures, > 0
   Eigen::VectorXd D;       ///< solid fractions, > 0
@@ -19,9 +19,9 @@ struct CompressionPoints {
   }
 };
 
-/// Returns starting points of theta for a model. They are found by fits of straight lines in coordinates in which the
-/// model is linear, on a grid of values of the remaining coordinates. The result is empty if the solid fraction does
-/// not grow with pressure.
+/// Returns starting points of theta for a model. A grid gives the values of some coordinates; straight lines fitted to
+/// the points give coordinates in which the model is linear. The result may be empty if the solid fraction does not
+/// grow with pressure.
 /// @param D0  given solid fraction without pressure; 0 if it is fitted
 template <class Model>
 std::vector<Eigen::VectorXd> starts_of(const CompressionPoints& points, double D0);
@@ -40,7 +40,7 @@ std::vector<Eigen::VectorXd> starts_of<AdamsModel>(const CompressionPoints& poin
 
 /// Finds the longest part of a curve in which ln[1/(1 - D)] is a straight function of the pressure. Returns the index
 /// of the first point of this part, and the number of its points. If no part with at least four points is straight,
-/// returns the whole curve. Points with D >= 1 belong to no straight part.
+/// returns the whole curve. A straight part contains no points with D >= 1.
 std::pair<int, int> straight_part(const CompressionPoints& points);
 
 }  // namespace floc

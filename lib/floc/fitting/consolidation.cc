@@ -17,8 +17,8 @@ namespace {
 
 using Law = ConsolidationLaw;
 
-/// Smallest number of samples for which the scatter between samples is used to compute weights and standard errors of
-/// the fit to their mean curve.
+/// Smallest number of samples for which weights and standard errors of a fit to their mean curve are computed from the
+/// scatter between samples.
 constexpr Eigen::Index kMinSamples = 3;
 
 const char* name_of(Law law) {
@@ -39,9 +39,9 @@ Eigen::MatrixXd deviations_of(const Eigen::MatrixXd& samples) {
   return samples.colwise() - samples.rowwise().mean();
 }
 
-/// Returns the variance of 1/Phi between samples at each pressure. A few samples determine the variance at a single
-/// pressure badly. The variance is therefore averaged over five neighbouring pressures, and is raised to at least a
-/// tenth of its mean over all pressures.
+/// Returns the variance of 1/Phi between samples at each pressure. With a few samples, the variance at a single
+/// pressure is inaccurate. It is therefore averaged over five neighbouring pressures, and raised to at least a tenth of
+/// its mean over all pressures.
 Eigen::VectorXd smooth_variance(const Eigen::MatrixXd& samples) {
   constexpr Eigen::Index kReach = 2;
   constexpr double kMinRelativeVariance = 0.1;
@@ -56,8 +56,8 @@ Eigen::VectorXd smooth_variance(const Eigen::MatrixXd& samples) {
   return smooth.cwiseMax(kMinRelativeVariance * smooth.mean());
 }
 
-/// Returns a weight for each point of a curve, by which the residual of the point is multiplied. The mean square of the
-/// weights is one.
+/// Returns the factor by which the residual of each point of a curve is multiplied. The mean square of these factors is
+/// one.
 Eigen::VectorXd weights_of(const ConsolidationCurve& curve, const Eigen::VectorXd& y, Weighting weighting) {
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(y.size());
   if (weighting == Weighting::relative) weights = y.cwiseInverse();
@@ -70,8 +70,8 @@ Eigen::VectorXd weights_of(const ConsolidationCurve& curve, const Eigen::VectorX
 }
 
 Window given_window(const ConsolidationCurve& curve, std::pair<double, double> window) {
-  // Relative tolerance of the bounds of the window. It is needed because a user types a bound with few digits: the
-  // window then includes the point whose rounded pressure is the bound.
+  // Relative tolerance of the bounds of the window. Users type a bound with few digits; with the tolerance, the window
+  // includes the point whose rounded pressure is the bound.
   constexpr double kTyped = 1e-3;
   const auto inside = [&](double P) {
     return P >= window.first * (1 - kTyped) && P <= window.second * (1 + kTyped);
@@ -134,9 +134,9 @@ void describe_window(const ConsolidationCurve& curve, const Window& window, Cons
   fit.window_high = curve.P_star[window.first + window.n - 1];
 }
 
-/// Adds the uncertainty of the ends of the regimes to the covariance of theta, the coordinates of a fit. The law is
-/// fitted again with each of the less probable ends of a regime. The squared change of theta is added, weighted by the
-/// probability of that end.
+/// Adds the uncertainty of the ends of the regimes to the covariance of the coordinates of a fit. The law is fitted
+/// again with each of the less probable ends of a regime. The squared change of the coordinates is added, weighted by
+/// the probability of this end.
 void add_spread_over_places(const LawEstimate& e, const LawPoints& all, const Window& window,
                             const Regimes& regimes, Covariance& covariance) {
   struct Other {
@@ -145,8 +145,8 @@ void add_spread_over_places(const LawEstimate& e, const LawPoints& all, const Wi
   };
   std::vector<Other> others;
   const int end = window.first + window.n;
-  // If samples collapse in jumps, the end of the plateau is not varied: its uncertainty is already contained in the
-  // scatter of the samples.
+  // If samples collapse in jumps, their scatter already contains the uncertainty of the end of the plateau. This end is
+  // therefore not varied.
   const bool of_jumps = regimes.jump_distance > 0.0 && e.law == Law::log;
   if (e.law != Law::power && regimes.plateau_end && !of_jumps)
     for (const ChangePlace& p : regimes.plateau_end->places) others.push_back({p.first, end, p.probability});
@@ -185,8 +185,8 @@ std::vector<ErrorParts> parts_of_errors(const LawEstimate& reported, const Covar
   return parts;
 }
 
-/// Returns the fit of the law that the points can identify: the line of regime II if `estimate` is the full law and the
-/// points do not show its bend, otherwise `estimate`.
+/// Returns a fit that the points can identify: a fit of the line of regime II if `estimate` is a fit of the full law
+/// but the points do not show the bend of this law, otherwise `estimate`.
 LawEstimate identifiable_estimate(LawEstimate estimate) {
   if (estimate.law == Law::full && !detects_regime_three(estimate.points, estimate.solution) &&
       !detects_bend(estimate.points, estimate.solution)) {
@@ -221,8 +221,7 @@ ConsolidationFit fit_window(const ConsolidationCurve& curve, LawPoints all, cons
   const Law law = options.law;
   LawPoints points = all.range(window.first, window.n);
   auto solution = solve_robustly(law, points, options.loss);
-  if (!solution)
-    return refused(law, "the solid fraction does not grow with pressure in the window that is fitted");
+  if (!solution) return refused(law, "the solid fraction does not grow with pressure in the window fitted");
   all.weight.segment(window.first, window.n) = points.weight;
   const int n_plateau = options.hold_P0 ? 0 : window.n_plateau;
   const LawPoints plateau = all.range(n_plateau > 0 ? window.first_of_plateau() : window.first, n_plateau);

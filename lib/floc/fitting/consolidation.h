@@ -30,11 +30,11 @@ enum class Weighting {
 struct ConsolidationOptions {
   ConsolidationLaw law = ConsolidationLaw::full;
   /// Lowest and highest reduced pressure P* of the points to fit. If absent, the regimes of the curve are found first:
-  /// regime I (a plateau), regime II (1/Phi is linear in ln P*) and regime III (a power law). The full law is then
-  /// fitted to regimes II and III, the line to regime II, and the power law to regime III.
+  /// regime I (a plateau), regime II (a line in ln P*) and regime III (a power law). The full law is then fitted to
+  /// regimes II and III, the law `log` to regime II, and the law `power` to regime III.
   std::optional<std::pair<double, double>> window;
   /// Whether P0*, the pressure at which the line of regime II begins, is set to the first pressure fitted. Otherwise
-  /// P0* is the pressure at which this line meets the plateau of regime I.
+  /// P0* is the pressure at which the line of regime II meets the plateau of regime I.
   bool hold_P0 = false;
   Weighting weighting = Weighting::automatic;
   Loss loss = Loss::squared;
@@ -42,8 +42,8 @@ struct ConsolidationOptions {
   std::uint64_t seed = 1;
   /// Largest solid fraction to which a law may tend at high pressure; infinity for no bound.
   double phi_limit = 1.0;
-  /// Regimes of the curve; absent if they are not known. If given, a recompression line is fitted to the points before
-  /// regime II, and its slope kappa is a parameter.
+  /// Regimes of the curve, if they are known. In this case, a recompression line is fitted to the points before regime
+  /// II, and its slope kappa is a parameter.
   std::optional<Regimes> regimes = {};
   /// Whether systematic residuals widen the intervals of a fit to a single curve.
   bool widen = false;
@@ -64,8 +64,8 @@ struct ConsolidationCurve {
   Eigen::MatrixXd samples;
 };
 
-/// Result of a fit for which one end of the range of fitted points is moved by one point: the value of lambda, which is
-/// the slope of the line of regime II.
+/// Value of lambda, the slope of the line of regime II, from a fit with one end of the range of fitted points moved by
+/// one point.
 struct WindowShift {
   /// End that moves: "first row earlier", "first row later", "last row earlier" or "last row later".
   std::string change;
@@ -73,12 +73,12 @@ struct WindowShift {
   std::optional<double> lambda;
 };
 
-/// Two parts of the standard error of a parameter of the consolidation law. Their squares add up to the square of the
-/// standard error.
+/// Standard error of a parameter of the consolidation law, divided into two parts. The squares of the parts add up to
+/// the square of the standard error.
 struct ErrorParts {
   std::string name;      ///< name of the parameter
-  double scatter = 0.0;  ///< part due to the scatter between samples or, without it, the residuals of the fit
-  /// Part due to the uncertain ends of the regimes: scatter of the parameter among fits with other ends of the regimes.
+  double scatter = 0.0;  ///< part due to the scatter between samples or, for a single curve, the residuals
+  /// Part due to the uncertain ends of the regimes: the scatter between fits with different ends of the regimes.
   double regimes = 0.0;
 };
 
@@ -94,7 +94,7 @@ struct ConsolidationFit {
   /// Last reduced pressure of the plateau of regime I; 0 if there is no plateau.
   double plateau_high = 0.0;
   double plateau_low = 0.0;  ///< first reduced pressure of the plateau; 0 if there is no plateau
-  RecompressionLine line;    ///< line through the points of the plateau; its slope is 0 unless `slopes` is set
+  RecompressionLine line;    ///< line through the points of the plateau; level unless line.slopes
   std::vector<FittedParameter> parameters;  ///< parameters of the law, the fitted ones first
   /// Names of the parameters, in the order of the rows of `correlation`.
   std::vector<std::string> correlated;
@@ -109,11 +109,12 @@ struct ConsolidationFit {
   Weighting weighting = Weighting::automatic;  ///< weighting that the fit used
   /// True if the standard errors are from the scatter between samples, false if they are from the residuals of the fit.
   bool errors_from_samples = false;
-  std::vector<ErrorParts> error_parts;  ///< parts of the standard error of each parameter that has one
+  /// Parts of the standard errors; parameters without a standard error are left out.
+  std::vector<ErrorParts> error_parts;
   /// Names of the parameters whose 95 % interval is from the profile likelihood.
   std::vector<std::string> profiled;
-  /// Dependence of lambda, the slope of regime II, on the window: the values of lambda for windows of which one end is
-  /// moved by one point. Moves beyond the ends of the curve are left out.
+  /// Values of lambda, the slope of regime II, for other windows: in each of them, one end is moved by one point. Ends
+  /// beyond the curve are left out.
   std::vector<WindowShift> window_shifts;
   int n_bootstrapped = 0;  ///< number of bootstrap fits that leave at least three points to regime II
   /// Mean, standard deviation and percentiles 2.5 and 97.5 of each parameter over the bootstrap fits.
@@ -123,8 +124,7 @@ struct ConsolidationFit {
   std::vector<std::string> warnings;
 
   bool found() const { return failure_reason.empty(); }
-  /// Returns 1/Phi, the inverse solid fraction, by the fitted law at the reduced pressure P* with ln P* = `log_P`. @pre
-  /// found()
+  /// Returns 1/Phi, the inverse solid fraction, of the fitted law at the reduced pressure exp(log_P). @pre found()
   double value(double log_P) const;
   /// Returns the parameter with the given name, or null if the law has no such parameter.
   const FittedParameter* find(const std::string& name) const;
@@ -134,24 +134,24 @@ struct ConsolidationFit {
 /// Weighting::scatter, because the deviations of a sample at neighbouring pressures are correlated.
 [[nodiscard]] LawPoints law_points(const ConsolidationCurve& curve, Weighting weighting);
 
-/// Fits a consolidation law (docs/physics.md, "Consolidation laws") to a curve of the solid fraction Phi
-/// against the reduced pressure P*, by weighted least squares in 1/Phi, with a robust loss function if the
-/// options choose one.
+/// Fits a consolidation law (docs/physics.md, "Consolidation laws") to a curve of the solid fraction Phi against the
+/// reduced pressure P*. The fit is by weighted least squares in 1/Phi or, if the options choose a robust loss function,
+/// by the minimum of this function.
 ///
-/// Standard errors of a fit to a single curve follow from the residuals. For a mean over three samples or more they
-/// follow from the scatter of the samples: the deviation of each sample from the mean is propagated through the
-/// linearised fit, so that the correlation of errors along the curve is included. If the fit has found the regimes, the
-/// scatter of the parameters over the probable ends of the regimes is added. Samples may lag behind the line of regime
-/// II at its beginning (Regimes::n_lagging). The line is then fitted without the points with a lag, and the beginning
-/// of regime II is not varied.
+/// Standard errors of a fit to a single curve follow from the residuals. Standard errors of a fit to a mean over three
+/// samples or more follow from the scatter of the samples: the deviation of each sample from the mean is propagated
+/// through the linearised fit, which includes the correlation of errors along the curve. If the fit has found the
+/// regimes, the scatter of the parameters over the probable ends of the regimes is added. At the beginning of regime
+/// II, samples may lag behind the line (Regimes::n_lagging). In this case, the line is fitted without the points with a
+/// lag, and the beginning of regime II is not varied.
 ///
 /// The 95 % intervals follow from Student's t in the logarithm of a parameter, or in 1/Phi0 for Phi0. The intervals of
 /// alpha and Phi_max follow from the profile likelihood. The bootstrap draws samples if the curve is a mean over
 /// samples; otherwise it draws residuals.
 ///
-/// If the data end before P1*, the pressure at which regime III begins, the fit gives bounds of P1* and Phi_max and no
-/// value of the exponent alpha. There is no fit, but a `failure_reason`, if there are too few points, if all points lie
-/// in regime I, or if the solid fraction does not grow with pressure.
+/// If the data end before P1*, the pressure at which regime III begins, the fit gives only bounds of P1* and Phi_max,
+/// and no value of the exponent alpha. There is no fit, but a `failure_reason`, if there are too few points, if all
+/// points lie in regime I, or if the solid fraction does not grow with pressure.
 /// @pre All pressures and solid fractions are positive and finite, and the pressures grow.
 /// @throws InputError with the faults of the options if they are not valid
 [[nodiscard]] ConsolidationFit fit_consolidation(const ConsolidationCurve& curve,

@@ -21,8 +21,8 @@ Eigen::VectorXd mean_of_draw(const Eigen::MatrixXd& samples, RandomStream& rando
   return sum / static_cast<double>(n_drawn);
 }
 
-/// Residuals from which the bootstrap draws, and fitted values to which it adds the drawn residuals. Each residual is
-/// enlarged according to the leverage of its point, so that all residuals have the same variance.
+/// Fitted values and residuals of a fit. The bootstrap draws residuals and adds them to the fitted values. Each
+/// residual is enlarged according to the leverage of its point, so that all residuals have the same variance.
 struct ResidualPool {
   Eigen::VectorXd fitted, weight, residuals;
 
@@ -71,9 +71,9 @@ Resampled resample(const LawEstimate& estimate, const Eigen::MatrixXd& samples, 
   for (const Quantity& q : quantities_of(estimate)) names.push_back(q.name);
   std::vector<std::vector<double>> values(names.size());
   Resampled found;
-  // All bootstrap fits use the pressures, the weights and the ends of the regimes of the original fit: the bootstrap
-  // gives the scatter of the parameters for one choice of the regimes. A fit that leaves fewer than three points to
-  // regime II has no lambda and is not counted.
+  // All bootstrap fits use the pressures, the weights and the ends of the regimes of the original fit. The bootstrap
+  // therefore gives the scatter of the parameters for one choice of the regimes. A fit that leaves fewer than three
+  // points to regime II does not count.
   for (int k = 0; k < n; ++k) {
     check_interruption();
     const Eigen::VectorXd y = samples.cols() >= 2 ? mean_of_draw(samples, random) : pool.draw(random);

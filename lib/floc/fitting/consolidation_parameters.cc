@@ -12,8 +12,7 @@ namespace {
 using Law = ConsolidationLaw;
 
 /// Returns the correlation matrix of the first `n` parameters of a fit. If the inverse of a parameter was fitted
-/// (1/Phi_max instead of Phi_max), the signs of the correlations are reversed, because a parameter falls as its inverse
-/// grows.
+/// (1/Phi_max instead of Phi_max), its correlations change their sign, because a parameter falls as its inverse grows.
 Eigen::MatrixXd correlation_of(const std::vector<Quantity>& quantities, Eigen::Index n,
                                const Eigen::MatrixXd& covariance) {
   Eigen::MatrixXd gradients(n, covariance.cols());
@@ -48,8 +47,8 @@ std::string bounds_in_words(const FittedParameter& p) {
   return "not bounded";
 }
 
-/// If the best Phi_max is at its bound, removes the value of Phi_max. The bound is then reported as the upper end of
-/// the interval.
+/// Reports a Phi_max whose best value is at its bound: Phi_max gets no value, and the bound is the upper end of its
+/// interval.
 void report_limit(double phi_limit, FittedParameter& p, ConsolidationFit& fit) {
   if (!p.low95 || *p.low95 > phi_limit) p.low95 = std::nullopt;
   p.value = p.standard_error = std::nullopt;
@@ -57,7 +56,7 @@ void report_limit(double phi_limit, FittedParameter& p, ConsolidationFit& fit) {
   p.identified = false;
   fit.warnings.push_back(fmt::format(
       "Phi_max is not identified by these data: it is at its bound, {:g} (option --phi-limit), and "
-      "the best fit without this bound exceeds it. The law may not describe the data, and the other "
+      "the best fit without this bound has a larger Phi_max. The law may not describe the data, and the other "
       "parameters belong to Phi_max = {:g}",
       phi_limit, phi_limit));
 }

@@ -12,7 +12,7 @@ namespace floc {
 PhysicalRange range_of(const std::string& name, double phi_limit);
 
 /// Adds the parameters of a fitted consolidation law, their 95 % intervals and warnings about them to `fit`.
-/// @param last_phi  solid fraction at the highest pressure fitted; lower bound of Phi_max if the fit gives no Phi_max
+/// @param last_phi  solid fraction at the highest pressure fitted; the lower bound of Phi_max if Phi_max has no value
 void add_parameters(const LawEstimate& estimate, const Covariance& covariance, double last_phi,
                     ConsolidationFit& fit);
 

@@ -62,8 +62,8 @@ Eigen::VectorXd grid(double low, double high, int n) {
   return Eigen::VectorXd::LinSpaced(n, low, high);
 }
 
-// For a given exponent alpha and, in the full law, a given P1*, the consolidation laws are linear in the other
-// parameters. A starting point of the solver therefore follows from a straight line fitted to the data.
+// If the exponent alpha and, in the full law, P1* are given, the consolidation laws are linear in the other parameters.
+// A straight line fitted to the data therefore gives a starting point of the solver.
 
 std::vector<Start> log_starts(const LawPoints& points) {
   const Line line = fit_line(points.log_P.array() - points.log_P[0], points);
@@ -90,8 +90,7 @@ std::vector<Start> full_starts(const LawPoints& points) {
   const Eigen::VectorXd& log_P = points.log_P;
   const double first = log_P[0];
   const double end = log_P[log_P.size() - 1] + 1.0;
-  // The starting values of ln P1* are 0.5 apart, close enough to find the minimum. A wide range of pressures needs more
-  // starting values.
+  // The starting values of ln P1* are at most about 0.5 apart, which is close enough to find the minimum.
   const int n_P1 = std::clamp(static_cast<int>(std::ceil((end - first) / 0.5)) + 1, 16, 128);
   for (const double alpha_log : grid(std::log(0.2), std::log(6.0), 10))
     for (const double log_P1 : grid(first, end, n_P1)) {
@@ -113,8 +112,8 @@ std::vector<Residual> residuals_of(const LawPoints& points) {
   return residuals;
 }
 
-/// Returns limits of the parameters alpha and P1*. Without limits, these parameters could diverge. The limits lie far
-/// beyond the values at which the consolidation laws reach their limiting forms.
+/// Returns limits of the parameters alpha and P1*, which could diverge without limits. The limits are so wide that the
+/// consolidation laws have reached their limiting forms.
 std::vector<ParameterLimits> limits_of(int n_parameters, const LawPoints& points) {
   constexpr double kFar = 15.0;
   std::vector<ParameterLimits> limits;
@@ -134,8 +133,8 @@ std::optional<LawSolution> refine(const LawPoints& points, const Eigen::VectorXd
   const std::vector<Residual> residuals = residuals_of<Residual>(points);
   std::vector<ParameterLimits> limits = limits_of(Residual::kParameters, points);
   auto found = minimize(residuals, start, {}, held);
-  // The solver is less accurate if the parameters have limits. It therefore runs without limits first. Only if this run
-  // fails or ends beyond the limits, it runs again with limits.
+  // The solver is less accurate if the parameters have limits. It therefore runs without limits first. If this run
+  // fails or ends beyond the limits, the solver runs again with limits.
   if (!found || !within(limits, found->theta)) found = minimize(residuals, start, limits, held);
   if (!found) return std::nullopt;
   const bool beyond = Residual::kParameters > kLimitParameter && held != kLimitParameter &&
@@ -250,8 +249,8 @@ std::optional<Eigen::VectorXd> start_of_law(ConsolidationLaw law, const LawPoint
   for (Start& start : starts) {
     Eigen::VectorXd end = start.theta;
     const double left = minimize_law(law, points, end);
-    // A solution beyond the limits of alpha and P1* does not replace the starting point, because the solver reaches no
-    // minimum within the limits from such a solution.
+    // A solution beyond the limits of alpha and P1* does not replace the starting point: from such a solution, the
+    // solver would not reach a minimum within the limits.
     if (left < start.sum_of_squares && within(limits, end)) start = {end, left};
   }
   const auto best = std::min_element(starts.begin(), starts.end(), less);

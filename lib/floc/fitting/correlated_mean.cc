@@ -31,7 +31,7 @@ FittedParameter mean_along_path(const std::string& name, const std::vector<doubl
   assert(!values.empty());
   const double center = arithmetic_mean(values);
   if (values.size() < 2 * kBatches) return held_at(name, center);
-  // If the number of values is no multiple of the number of batches, the first values belong to no batch.
+  // If the number of values is not a multiple of the number of batches, some values at the beginning are in no batch.
   const std::size_t length = values.size() / kBatches, first = values.size() - kBatches * length;
   std::vector<double> batches;
   for (std::size_t b = 0; b < kBatches; ++b) {

@@ -11,9 +11,10 @@ namespace floc {
 /// For a single value, there is no interval.
 FittedParameter mean_of_samples(const std::string& name, const std::vector<double>& values);
 
-/// Returns the mean of successive correlated values, such as the values along the load path of one sample. The interval
-/// of the mean is computed from the means of five successive batches of equal length, which are treated as independent.
-/// The correlation length must therefore be shorter than one batch. With fewer than ten values there is no interval.
+/// Returns the mean of successive correlated values, such as the values along the load path of one sample. The values
+/// are divided into five successive batches of equal length. The interval of the mean is computed from the means of
+/// these batches, which count as independent. The correlation length must therefore be shorter than one batch. With
+/// fewer than ten values, there is no interval.
 FittedParameter mean_along_path(const std::string& name, const std::vector<double>& values);
 
 }  // namespace floc

@@ -10,7 +10,7 @@ constexpr int kMinValues = 10;
 
 /// Returns the mean of a random variable x with density ~ exp(-t x) on [0, 1], accurate to rounding for any t.
 double mean_in_unit(double t) {
-  // For small t, a series is used, because the formula loses digits. The first neglected term of the series is below
+  // For small t, the formula loses digits, and a series is used. The first neglected term of the series is below
   // rounding.
   if (std::abs(t) < 1e-2) return 0.5 - t / 12.0 + t * t * t / 720.0;
   return 1.0 / t - 1.0 / std::expm1(t);
@@ -57,9 +57,10 @@ ExponentEstimate fit_exponent(const std::vector<CutSample>& windows) {
       if (w.n > 0) left += w.n * mean_of(b, w);
     return left;
   };
-  // excess(b) falls as b grows. Its root is the exponent with the largest likelihood. If no window has an upper end,
-  // the root is n/sum, with the number n of values and the sum of their distances from the lower ends. If there is no
-  // root within a factor kFar of n/sum, all values lie at one end of their windows, and the likelihood has no maximum.
+  // The root of excess(b), a falling function, is the exponent with the largest likelihood. If no window has an upper
+  // end, the root is n/sum, where n is the number of values, and `sum` the sum of their distances from the lower ends
+  // of the windows. If there is no root within a factor kFar of n/sum, all values lie at one end of their windows, and
+  // the likelihood has no maximum.
   const double tail = fit.n / sum;
   constexpr double kFar = 1e6;
   double low = has_tail ? tail / kFar : -kFar * tail, high = kFar * tail;

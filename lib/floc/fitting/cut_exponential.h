@@ -8,7 +8,7 @@ namespace floc {
 struct CutSample {
   double width = 0.0;  ///< width of the window, > 0; infinite if the window has no upper end
   int n = 0;           ///< number of values in the window
-  double mean = 0.0;   ///< mean distance of these values from the lower end of the window
+  double mean = 0.0;   ///< mean distance of the values in the window from its lower end
 };
 
 /// Returns the summary of the values from `low` to `high`, both included. @param high  upper end of the window; may be
@@ -24,9 +24,9 @@ struct ExponentEstimate {
 };
 
 /// Estimates one exponent b by maximum likelihood from the values in several windows of an exponential distribution.
-/// The number n of values in each window is treated as given. The exponent b is the root of the function sum_windows n
-/// [m(b) - mean]. Here `mean` is the mean distance of the values from the lower end of their window. The expected value
-/// of this distance in a window of width w is m(b) = 1/b - w/(exp(b w) - 1).
+/// The number n of values in each window is treated as given. The exponent b is the root of the sum of n [m(b) - mean]
+/// over the windows. Here, `mean` is the mean distance of the values from the lower end of their window, and m(b) = 1/b
+/// - w/(exp(b w) - 1) is the expected distance in a window of width w.
 [[nodiscard]] ExponentEstimate fit_exponent(const std::vector<CutSample>& windows);
 
 }  // namespace floc

@@ -25,12 +25,12 @@ constexpr int kParameters = 7;
 constexpr std::array<const char*, kParameters> kNames = {"e_min", "De", "C", "A", "s_m", "a", "b"};
 using Parameters = Eigen::Matrix<double, kParameters, 1>;
 
-/// Residual of the void ratio e of one sample. The parameters of the plateau refer to a pressure. During the fit, this
-/// pressure is the geometric mean of the pressures of the samples instead of p_D, because the law may have a pole
-/// between p_D and the pressures of the samples.
+/// Residual of the void ratio e of one sample. The parameter De of the plateau belongs to a reference pressure. During
+/// the fit, this is not p_D but p_m, the geometric mean over the samples of the pressure at which the plateau is
+/// evaluated, because the law may have a pole between p_D and the pressures of the samples.
 struct CompactionResidual {
   static constexpr int kParameters = floc::kParameters;
-  /// ln(p/p_m) with the pressure p at which the plateau is evaluated; p_m is the geometric mean of p over the samples
+  /// ln(p/p_m), where p is the pressure at which the plateau is evaluated for this sample.
   double log_p;
   double log_x, e, weight;
   template <class T>
@@ -44,8 +44,7 @@ using Residuals = std::vector<CompactionResidual>;
 struct CompactionData {
   std::vector<int> rows;  ///< index of the sample of each residual
   Residuals residuals;
-  /// ln(p_D/p_m) with the reference pressure p_D; p_m is the geometric mean, over the samples, of the pressure at which
-  /// the plateau is evaluated.
+  /// ln(p_D/p_m), with p_m as in CompactionResidual.
   double log_p_D = 0.0;
   double log_x_1 = 0.0;  ///< ln x at eta* = 1, with x = eta*/eta_m and eta* = sc/sqrt(p se)
 
@@ -62,9 +61,9 @@ double plateau_pressure(const CompactedSample& s, PlateauPressure plateau) {
   return plateau == PlateauPressure::own ? s.p : s.sc * s.sc / s.se;
 }
 
-/// Sets the parameters De and C of the plateau in a starting point `theta`, which already has e_min and the two power
-/// laws that give e_r. De and C follow from a linear fit of e_r/(e - e_min) = 1/De + C ln p, where p is the pressure at
-/// which the plateau is evaluated.
+/// Sets the parameters De and C of the plateau in a starting point `theta`. The other entries of theta are set already:
+/// e_min, and the two power laws from which e_r follows. De and C follow from a linear fit of e_r/(e - e_min) = 1/De +
+/// C ln p, where p is the pressure at which the plateau is evaluated.
 /// @return false if this fit gives no positive De
 bool add_plateau(const Residuals& data, Eigen::VectorXd& theta) {
   const auto n = static_cast<Eigen::Index>(data.size());
@@ -82,7 +81,7 @@ bool add_plateau(const Residuals& data, Eigen::VectorXd& theta) {
     columns.row(i) << over * over / e_r, over * over / e_r * r.log_p;
     y[i] = over;
   }
-  // If all samples have one pressure, the solution is not unique, and the solution with the smallest norm is taken.
+  // If all samples have the same pressure, there are many solutions; the solution with the smallest norm is taken.
   const Eigen::Vector2d found = least_squares_solution(columns, y);
   if (!(found[0] > 0.0) || !found.allFinite()) return false;
   theta[1] = -std::log(found[0]);
@@ -108,8 +107,8 @@ std::vector<Eigen::VectorXd> starts_of(const Residuals& data) {
   return starts;
 }
 
-/// Fits the law of dynamic compaction: descends from every starting point, then refines the best end point from
-/// which the full solver converges.
+/// Fits the law of dynamic compaction. A fast solver descends from every starting point. An exact solver continues from
+/// the best end point from which it converges.
 std::optional<LeastSquaresSolution> solve(const Residuals& data) {
   struct End {
     double left;
@@ -130,13 +129,12 @@ std::optional<LeastSquaresSolution> solve(const Residuals& data) {
 struct RobustView {
   Eigen::VectorXd misfit;  ///< void ratio e minus its value by the law
   double deviation = 0.0;  ///< standard deviation of the misfit of a sample that follows the law
-  /// True for samples that may be flagged, because they lie above the plateau of the law or have eta* = sc/sqrt(p se) >
-  /// 1.
+  /// Whether each sample may be flagged: it lies above the plateau of the law, or has eta* = sc/sqrt(p se) > 1.
   std::vector<bool> may_flag;
 };
 
-/// Fits the law with weights that are recomputed from the residuals until the solution no longer changes, so that
-/// samples far from the law have almost no weight. Returns the misfit of each sample.
+/// Fits the law with weights that give almost no influence to samples far from the law. The weights are recomputed from
+/// the residuals until the solution no longer changes. Returns the misfit of each sample.
 std::optional<RobustView> robust_view(const CompactionData& data) {
   auto solution = solve(data.residuals);
   if (!solution) return std::nullopt;
@@ -161,7 +159,7 @@ std::optional<RobustView> robust_view(const CompactionData& data) {
   std::nth_element(sizes.begin(), middle, sizes.end());
   // standard deviation divided by median absolute value, for a normal variable
   constexpr double kNormal = 1.4826;
-  // The standard deviation is taken to be at least the rounding of a table with ten digits.
+  // The standard deviation is at least 1e-10, the rounding of a table with ten digits.
   view.deviation = std::max(kNormal * *middle, 1e-10);
   const Eigen::VectorXd& t = solution->theta;
   for (const CompactionResidual& r : data.residuals) {
@@ -171,8 +169,8 @@ std::optional<RobustView> robust_view(const CompactionData& data) {
   return view;
 }
 
-/// Returns the indices of the samples that do not lie on the plateau: samples that may be flagged according to
-/// view.may_flag, and whose distance from the law is more than `n_deviations` standard deviations.
+/// Returns the indices of the samples that do not lie on the plateau. A sample is among them if view.may_flag is true
+/// and its distance from the law is more than `n_deviations` standard deviations.
 std::vector<int> beside_plateau(const CompactionData& data, const RobustView& view, double n_deviations) {
   std::vector<int> rows;
   for (std::size_t k = 0; k < data.rows.size(); ++k)
@@ -181,7 +179,7 @@ std::vector<int> beside_plateau(const CompactionData& data, const RobustView& vi
   return rows;
 }
 
-/// Converts the fitted numbers theta into the quantities of which standard errors are computed: e_min, 1/De, C, and the
+/// Converts the fitted numbers theta to the coordinates in which standard errors are computed: e_min, 1/De, C, and the
 /// logarithms of A, s_m, a and b.
 Parameters coordinates(const Eigen::VectorXd& t, double log_p_D) {
   Parameters y;
@@ -200,8 +198,8 @@ Eigen::MatrixXd gradients(const Eigen::VectorXd& t, double log_p_D) {
   return G;
 }
 
-/// Returns the standard errors of coordinates(). The variance of a coordinate is summed only over the entries of theta
-/// on which it depends, because other entries may have infinite variance.
+/// Returns the standard errors of coordinates(). Entries of theta on which a coordinate does not depend are left out of
+/// its variance, because their own variance may be infinite.
 /// @param G  gradients() of the coordinates
 /// @param covariance  covariance of theta
 Parameters errors_of(const Eigen::MatrixXd& G, const Eigen::MatrixXd& covariance) {
@@ -241,16 +239,16 @@ struct CompactionEstimate {
   double variance = 0.0;       ///< variance of the residuals
   double scatter_share = 1.0;  ///< fraction of `variance` that is the scatter between repeated runs
   Eigen::MatrixXd covariance;  ///< covariance of theta, from the residuals
-  /// Values of coordinates(); their standard errors from the residuals (`scatter`); their standard errors from
-  /// the choice of the samples that are left out (`spread`).
+  /// Values of coordinates(), and two parts of their standard errors: `scatter` from the residuals, and `spread` from
+  /// the choice of the samples that are left out.
   Parameters value, scatter, spread;
 
   int dof() const { return static_cast<int>(data.rows.size()) - kParameters; }
   double error(int k) const { return std::hypot(scatter[k], spread[k]); }
 };
 
-/// Fits the law with a smaller and with a larger threshold; the threshold is the distance from the law beyond which a
-/// sample is flagged as not lying on the plateau. Returns the root mean square change of each of coordinates().
+/// Returns the root mean square change of each of coordinates() if the threshold is smaller or larger. The threshold is
+/// the distance from the law beyond which a sample is flagged as not lying on the plateau.
 Parameters spread_over_flags(const CompactionEstimate& estimate, const CompactionData& all,
                              const RobustView& view, const std::vector<int>& flagged) {
   Parameters sum = Parameters::Zero();
@@ -286,13 +284,13 @@ FittedParameter parameter_of(const CompactionEstimate& e, int k) {
 /// Replaces the 95 % interval of the parameter A (or a) by the interval from the profile likelihood of ln A (or ln a).
 void profile(const CompactionEstimate& e, int k, FittedParameter& p, CompactionFit& fit) {
   const double error = e.error(k);
-  // If the standard error is very small, changes of the sum of squares are only rounding. The interval from the
-  // covariance is then kept.
+  // If the standard error is very small, changes of the sum of squares are only rounding, and the interval from the
+  // covariance is kept.
   if (!std::isfinite(error) || error < 1e-9) return;
   const double t95 = student_t_95(e.dof());
   const double inflated = std::pow(t95 * error / e.scatter[k], 2) * e.variance;
-  // The search for the ends of the interval stops at a factor of 100 from the solution, because the law has no meaning
-  // for parameters beyond.
+  // The ends of the interval are searched up to a factor of 100 from the solution; the law has no meaning beyond this
+  // factor.
   const double reach = std::log(100.0);
   const double center = e.value[k];
   const ProfileSearch search{
@@ -310,8 +308,8 @@ void profile(const CompactionEstimate& e, int k, FittedParameter& p, CompactionF
   });
   p.low95 = p.high95 = std::nullopt;
   fit.profiled.push_back(p.name);
-  // An interval is accepted only if its width, divided by the width that follows from the covariance, is at least this
-  // value. Along a valley of nearly equal solutions the solver stops early, which makes the interval too narrow.
+  // An interval is accepted only if its width, divided by the width from the covariance, is at least this value. If
+  // many solutions are nearly equal, the solver stops early, which makes the interval too narrow.
   constexpr double kFollowed = 0.1;
   const double width = 2.0 * t95 * error;
   p.identified = false;
@@ -323,9 +321,8 @@ void profile(const CompactionEstimate& e, int k, FittedParameter& p, CompactionF
                  *p.high95 < kIdentifiedFactor * *p.value;
 }
 
-/// Returns the parts of the standard error of a parameter. They are the parts of the error of coordinate `k` in
-/// coordinates(), multiplied by one common factor. With this factor, the squares of the parts add up to the squared
-/// error of the parameter.
+/// Returns the parts of the standard error of a parameter: the parts of the error of coordinate `k` in coordinates(),
+/// times a common factor. With this factor, the squares of the parts add up to the squared error of the parameter.
 CompactionErrorParts parts_of(const CompactionEstimate& e, int k, const FittedParameter& p) {
   const double all = e.error(k);
   const double unit = all > 0.0 ? *p.standard_error / all : 0.0;
@@ -345,8 +342,8 @@ int n_of_first_power(const CompactionEstimate& e) {
 }
 
 void add_parameters(const CompactionEstimate& e, CompactionFit& fit) {
-  // Two samples determine the prefactor and the exponent of the first power law. A third one is needed to
-  // distinguish it from the second power law.
+  // Two samples determine the prefactor and the exponent of the first power law. A third sample is needed to
+  // distinguish the first power law from the second.
   const bool sees_first_power = n_of_first_power(e) >= 3;
   for (int k = 0; k < kParameters; ++k) {
     FittedParameter p = parameter_of(e, k);
@@ -391,7 +388,7 @@ CompactionData data_of(const std::vector<CompactedSample>& samples, const Compac
   for (int i = 0; i < static_cast<int>(samples.size()); ++i) {
     const CompactedSample& s = samples[static_cast<std::size_t>(i)];
     const double p = plateau_pressure(s, reference.plateau);
-    // The tolerance keeps samples whose pressure is equal to p_0 apart from rounding.
+    // With the tolerance, a sample whose pressure equals p_0 up to rounding is fitted.
     if (p < p_0 * (1 - 1e-6)) {
       fit.below_p_0.push_back(i);
       continue;
@@ -406,14 +403,12 @@ CompactionData data_of(const std::vector<CompactedSample>& samples, const Compac
   return data;
 }
 
-/// Warns about the samples left out of the fit, and compares the residuals of the fitted samples with the scatter
-/// between repeated runs.
+/// Warns about the samples left out of the fit. Compares the residuals with the scatter between repeated runs.
 void describe(const std::vector<CompactedSample>& samples, CompactionEstimate& estimate, CompactionFit& fit) {
   if (!fit.beside_plateau.empty())
     fit.warnings.push_back(fmt::format(
-        "{} of the {} samples lie above the plateau of the law or at eta* > 1, and miss the law by "
-        "more than four "
-        "standard deviations: they are flagged as samples that do not lie on the plateau, and are not fitted",
+        "{} of the {} samples lie above the plateau of the law or at eta* > 1, and miss the law by more than "
+        "four standard deviations: they are flagged as samples that do not lie on the plateau, and not fitted",
         fit.beside_plateau.size(), samples.size()));
   fit.rms = std::sqrt(estimate.solution.sum_of_squares / static_cast<double>(fit.used.size()));
   const auto between_runs = variance_between_runs(samples, fit.used);

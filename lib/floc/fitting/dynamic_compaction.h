@@ -21,25 +21,26 @@ struct CompactedSample {
 /// Pressure at which the plateau of the void ratio is evaluated in the law of dynamic compaction.
 enum class PlateauPressure {
   own,  ///< pressure p of the sample
-  /// pressure p_crit = sc^2/se of the sample, at which eta* = sc/sqrt(p se) equals 1; the printed law of [SVI2024] has it
+  /// Pressure p_crit = sc^2/se of the sample, at which eta* = sc/sqrt(p se) equals 1, as in the printed law of
+  /// [SVI2024].
   critical,
 };
 
-/// Reference values of the law of dynamic compaction. They are chosen by the user and not fitted. With other reference
-/// values, the form of the law is the same, but the parameters of the law have other values.
+/// Reference values of the law of dynamic compaction, which the user chooses. Other reference values do not change the
+/// form of the law, but the values of its parameters.
 struct CompactionReference {
   /// Pressure, in the unit of p, at which the plateau of the void ratio is e_min + De; 0.01 MPa in [SVI2024].
   double p_D = 0.01;
   /// Reference value by which eta* = sc/sqrt(p se) is divided in the law; 0.045 in [SVI2024]. The parameter s_m is the
-  /// value of (1 - e_r)/e_r at eta* = eta_m, with the relative void ratio e_r.
+  /// value of (1 - e_r)/e_r at eta* = eta_m, where e_r is the relative void ratio.
   double eta_m = 0.045;
-  /// Lower limit of the pressure at which the plateau is evaluated; samples with a lower pressure are not fitted. If
-  /// p_0 is 0, there is no limit for PlateauPressure::own. For PlateauPressure::critical, the limit is then p_D,
-  /// because the published plateau has a pole not far below p_D.
+  /// Lower limit of the pressure at which the plateau is evaluated; samples below this limit are not fitted. The value
+  /// 0 means no limit for PlateauPressure::own, and the limit p_D for PlateauPressure::critical, because the published
+  /// plateau has a pole not far below p_D.
   double p_0 = 0.0;
   PlateauPressure plateau = PlateauPressure::own;
 
-  /// Returns the faults of the values, each as "name = value: requirement".
+  /// Returns the faults of the reference values, each as "name = value: requirement".
   std::vector<std::string> validate() const;
 };
 
@@ -65,9 +66,9 @@ T compacted_void_ratio(const T* theta, double log_p_over_p_D, double log_x) {
 /// to the square of the standard error.
 struct CompactionErrorParts {
   std::string name;  ///< name of the parameter
-  /// part due to the scatter between repeated runs or, if no run is repeated, due to the residuals
+  /// Part due to the scatter between repeated runs or, if no run is repeated, due to the residuals.
   double scatter = 0.0;
-  /// Part due to residuals of the law that are larger than the scatter between repeated runs; 0 if no run is repeated.
+  /// Part due to the amount by which the residuals exceed the scatter between repeated runs; 0 if no run is repeated.
   double law = 0.0;
   /// Part due to the choice of the samples that are left out because they do not lie on the plateau of the law.
   double plateau = 0.0;
@@ -82,13 +83,13 @@ struct CompactionFit {
   std::vector<int> used;  ///< indices of the samples fitted
   /// Indices of samples left out because their plateau is evaluated at a pressure below p_0.
   std::vector<int> below_p_0;
-  /// indices of samples left out because they do not lie on the plateau of the law
+  /// Indices of samples left out because they do not lie on the plateau of the law.
   std::vector<int> beside_plateau;
   double rms = 0.0;  ///< root mean square residual of the void ratio e
   /// True if CompactionErrorParts::scatter is from repeated runs (equal p, sc and se), false if it is from the
   /// residuals.
   bool errors_from_runs = false;
-  /// Parts of the standard error of each parameter that has one.
+  /// Parts of the standard errors; parameters without a standard error are left out.
   std::vector<CompactionErrorParts> error_parts;
   /// Names of the parameters whose 95 % interval is from the profile likelihood.
   std::vector<std::string> profiled;
@@ -103,9 +104,9 @@ struct CompactionFit {
 /// or has eta* > 1, and if its distance from a robust fit to all samples is more than four standard deviations.
 ///
 /// Standard errors have two parts: one follows from the residuals, the other is the change of the parameters if samples
-/// are flagged at a distance of 2.5 or 6 standard deviations instead of four. The 95 % intervals follow from Student's
-/// t in e_min, 1/De, C and the logarithms of the other parameters, but the intervals of A and a follow from the profile
-/// likelihood.
+/// are flagged at a distance of 2.5 or 6 standard deviations instead of four. The 95 % intervals of A and a follow from
+/// the profile likelihood. All other intervals follow from Student's t, in the coordinates e_min, 1/De, C, ln s_m and
+/// ln b.
 ///
 /// With fewer than eight samples, there is no fit, but a `failure_reason`. A parameter that the samples do not identify
 /// has no value, and is named in a warning.

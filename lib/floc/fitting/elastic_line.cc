@@ -15,16 +15,16 @@
 namespace floc {
 namespace {
 
-/// Returns the bulk modulus between the neighbouring points i and i + 1 of a branch of a load path; y is ln Phi, with
-/// Phi the solid fraction.
+/// Returns the bulk modulus between the neighbouring points i and i + 1 of a branch of a load path.
+/// @param y  ln Phi of the points, where Phi is the solid fraction
 double secant(const Eigen::VectorXd& P, const Eigen::VectorXd& y, Eigen::Index i) {
   return (P[i + 1] - P[i]) / (y[i + 1] - y[i]);
 }
 
-/// Returns whether y = ln Phi is a curved function of the pressure P: the quadratic term of a fitted parabola exceeds
-/// both its error and rounding.
-/// @param n_errors  number of standard errors that the quadratic term must exceed; if absent, it must exceed the half
-/// width of its 95 % interval
+/// Returns whether y = ln Phi is a curved function of the pressure P: the quadratic term of a fitted parabola is larger
+/// than its error and than rounding.
+/// @param n_errors  the quadratic term must exceed this number of standard errors; if absent, the half width of its 95
+/// % interval
 bool is_curved(const Eigen::VectorXd& P, const Eigen::VectorXd& y, std::optional<double> n_errors = {}) {
   if (P.size() < 4) return false;
   const Eigen::ArrayXd x = (P.array() - P.mean()) / (P.maxCoeff() - P.minCoeff());
@@ -52,8 +52,8 @@ FittedPart line_through(const Eigen::VectorXd& P, const Eigen::VectorXd& y, Eige
   return {first, n, fit_linear(columns, y.segment(first, n))};
 }
 
-/// Returns whether the line fitted to a whole branch has a positive modulus, that is, whether the solid fraction falls
-/// as the pressure falls.
+/// Returns whether the line fitted to a whole branch has a positive modulus: the solid fraction falls with the
+/// pressure.
 bool falls_as_a_whole(const Eigen::VectorXd& P, const Eigen::VectorXd& y) {
   return line_through(P, y, 0, P.size()).fit.coefficients[1] > 0.0;
 }
@@ -68,27 +68,27 @@ std::pair<double, double> secants(const Eigen::VectorXd& P, const Eigen::VectorX
   return {low, high};
 }
 
-/// Compares the moduli between neighbouring points in a part of a branch with the modulus of the line fitted to this
-/// part. Returns whether all of them differ from it by at most 15 %.
+/// Returns whether all moduli between neighbouring points in a part of a branch differ by at most 15 % from the modulus
+/// of the line fitted to this part.
 bool has_equal_secants(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const FittedPart& part) {
   constexpr double kEqual = 0.15;
   const auto [low, high] = secants(P, y, part);
   return low > (1.0 - kEqual) * part.B() && high < (1.0 + kEqual) * part.B();
 }
 
-/// Returns whether the solid fraction `y` falls from each point of a part of a branch to the point at the next lower
+/// Returns whether, in a part of a branch, the solid fraction falls from each point to the point at the next lower
 /// pressure.
 bool falls_throughout(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const FittedPart& part) {
   return secants(P, y, part).first > 0.0;
 }
 
-/// Returns the longest straight part among those that begin or end at an end of the branch. Of two straight parts with
-/// the same number of points, returns the part at low pressures. If the line through the whole branch has no positive
-/// modulus, the solid fraction must fall from every point of the part to the point at the next lower pressure.
+/// Returns the longest straight part of a branch that contains an end of the branch. Of two straight parts with the
+/// same number of points, returns the part at low pressures. If the line through the whole branch has no positive
+/// modulus, the solid fraction must fall throughout the part, see falls_throughout().
 std::optional<FittedPart> straight_part(const Eigen::VectorXd& P, const Eigen::VectorXd& y) {
   constexpr Eigen::Index kFewest = 4;
-  // A part of the branch counts as curved if its quadratic term exceeds this number of standard errors. The 95 %
-  // interval of the term is not used: with few points, it is so wide that no curvature would be significant.
+  // A part of the branch counts as curved if its quadratic term exceeds this number of standard errors. The half width
+  // of the 95 % interval would be too strict a limit: with few points, no curvature would exceed it.
   constexpr double kErrors = 2.0;
   const bool falls = P[0] > P[P.size() - 1], whole = falls_as_a_whole(P, y);
   for (Eigen::Index n = P.size(); n >= kFewest; --n)
@@ -197,7 +197,7 @@ void hold_against(double B_first, double B_last, ElasticFit& fit) {
   if (high >= *B.low95 && (!B.high95 || low <= *B.high95)) return;
   fit.warnings.push_back(fmt::format(
       "B = {:.4g} from the slope of the fitted part of the branch disagrees with the bulk moduli computed from "
-      "its states, {:.4g} to {:.4g}: the branch is not elastic there, and B is not identified",
+      "the states of this part, {:.4g} to {:.4g}: the branch is not elastic there, and B is not identified",
       *B.value, low, high));
   B = not_identified("B");
 }

@@ -8,8 +8,8 @@
 namespace floc {
 namespace {
 
-/// A parameter is identified if its 95 % interval lies between the value divided by this factor and the value times
-/// this factor.
+/// A parameter with the value v is identified if its 95 % interval lies between v/kIdentifiedFactor and
+/// v*kIdentifiedFactor.
 constexpr double kIdentifiedFactor = 10.0;
 
 }  // namespace

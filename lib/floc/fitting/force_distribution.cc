@@ -15,7 +15,7 @@ namespace floc {
 namespace {
 
 constexpr int kMinForces = 10;
-/// Drop of the log-likelihood from its maximum to the ends of a 95 % interval: half the 95 % quantile of chi
+/// The log-likelihood at the ends of a 95 % interval is below its maximum by this amount: half the 95 % quantile of chi
 /// squared with one degree of freedom.
 constexpr double kDrop95 = 0.5 * 3.841458820694124;
 constexpr double kNormal95 = 1.959963984540054;
@@ -34,7 +34,7 @@ double maximize(const ForceLaw& law, const std::vector<double>& f) {
   double inner = high - kGolden * (high - low), outer = low + kGolden * (high - low);
   double at_inner = log_likelihood(law, inner, f), at_outer = log_likelihood(law, outer, f);
   while (high - low > 1e-9 * (law.high - law.low)) {
-    // The log-likelihood is -infinity if the parameter is so large that the law is no probability density. If both
+    // If the parameter is too large, the law is not a probability density, and the log-likelihood is -infinity. If both
     // values are -infinity, `>=` makes the search continue at smaller parameters.
     if (at_inner >= at_outer) {
       high = outer, outer = inner, at_outer = at_inner;
@@ -49,8 +49,8 @@ double maximize(const ForceLaw& law, const std::vector<double>& f) {
   return 0.5 * (low + high);
 }
 
-/// Returns the parameter between `best`, the maximum of the log-likelihood, and `end` at which the log-likelihood has
-/// fallen by kDrop95; absent if it falls by less than kDrop95 up to `end`.
+/// Returns the parameter at which the log-likelihood is kDrop95 below its maximum. The parameter lies between `best`,
+/// the place of the maximum, and `end`. Absent if the log-likelihood falls by less than kDrop95 up to `end`.
 std::optional<double> interval_end(const ForceLaw& law, const std::vector<double>& f, double best, double end) {
   const double wanted = log_likelihood(law, best, f) - kDrop95;
   if (log_likelihood(law, end, f) > wanted) return std::nullopt;
@@ -88,8 +88,8 @@ double normalize(std::vector<double>& forces) {
 }
 
 /// Returns the p-value of a fit. Random samples of `n` forces are drawn from the fitted law, and the law is fitted
-/// again to each sample. The p-value is the fraction of the samples for which the Kolmogorov-Smirnov distance between
-/// the sample and the law fitted to it is at least `found`.
+/// again to each sample. The p-value is the fraction of samples whose Kolmogorov-Smirnov distance from their own fitted
+/// law is at least `found`.
 template <class Draw, class Distance>
 double share_as_far(const ForceFitOptions& options, int n, double found, const Draw& draw,
                     const Distance& distance) {
@@ -162,8 +162,8 @@ ForceFit fit_exponential_tail(const std::string& form, const std::vector<double>
   fit.mean = threshold;
   const auto cumulative = [](double f) { return -std::expm1(-f); };
   const double scale = normalize(excess);
-  // For n exponentially distributed excesses over the threshold, the maximum-likelihood estimate of f_0 is the mean
-  // excess, and the standard error of ln f_0 is 1/sqrt(n).
+  // The excess of a force is the force minus the threshold. For n exponentially distributed excesses, the
+  // maximum-likelihood estimate of f_0 is the mean excess, and the standard error of ln f_0 is 1/sqrt(n).
   fit.parameters = {from_logarithm("f_0", std::log(scale), 1.0 / std::sqrt(n), kNormal95)};
   fit.log_likelihood = -n * (1.0 + std::log(scale));
   fit.distance = distance_of(excess, cumulative);

@@ -11,8 +11,8 @@
 
 namespace floc {
 
-// Distributions of contact forces f ([RTV2010], Eqs 2-5), each with one free parameter. For compressive forces, f is
-// the force divided by the mean force, so that every distribution has the integral 1 and the mean 1.
+// Distributions of contact forces f ([RTV2010], Eqs 2-5), each with one free parameter. Here, f is the compressive
+// force divided by its mean, so that every distribution has the integral 1 and the mean 1.
 
 /// Distribution of the contact force f >= 0 with one free parameter.
 struct ForceLaw {
@@ -26,16 +26,15 @@ struct ForceLaw {
   std::function<double(double, RandomStream&)> draw;  ///< random force from the law with the given parameter
 };
 
-/// Returns the law with the probability density P(f) = k f^-alpha for f < 1 and k exp[beta (1 - f)] for larger f, with
-/// beta^2 = (1-alpha)(2-alpha) and 1/k = 1/(1-alpha) + 1/beta. The free parameter is alpha < 1.
+/// Returns the law with the probability density P(f) = k f^-alpha for f < 1, and k exp[beta (1 - f)] for f > 1. The
+/// free parameter is alpha < 1; beta and k follow from beta^2 = (1-alpha)(2-alpha) and 1/k = 1/(1-alpha) + 1/beta.
 const ForceLaw& power_exponential();
 
 /// Returns the law with the probability density P(f) = a (1 - b exp(-f^2)) exp(-beta f). The free parameter is beta.
 /// The constants a and b follow from two conditions: the integral of P is 1, and the mean of f is 1.
 const ForceLaw& quadratic_exponential();
 
-/// Result of a maximum-likelihood fit of a force distribution, with the quality of the fit; or the reason why there is
-/// no fit.
+/// Maximum-likelihood fit of a force distribution and the quality of this fit, or the reason why there is no fit.
 struct ForceFit {
   /// Name of the law: power_exponential, quadratic_exponential, tail_positive or tail_negative.
   std::string form;
@@ -45,11 +44,11 @@ struct ForceFit {
   /// Mean of the forces; for an exponential tail, the threshold where it begins.
   double mean = 0.0;
   double log_likelihood = 0.0;  ///< log-likelihood of the forces (natural logarithm)
-  /// Kolmogorov-Smirnov distance: largest difference between the cumulative distributions of the forces and the
+  /// Kolmogorov-Smirnov distance: largest difference between the cumulative distribution of the forces and that of the
   /// law.
   double distance = 0.0;
-  /// Probability of a distance of at least `distance` if the forces follow the law. It is estimated from random samples
-  /// of the fitted law; the law is fitted again to each sample.
+  /// Probability of a distance of at least `distance` if the forces follow the law. The probability is estimated from
+  /// random samples of the fitted law; the law is fitted again to each sample.
   double p_value = 0.0;
 
   bool found() const { return failure_reason.empty(); }
@@ -71,8 +70,8 @@ struct ForceFitOptions {
 [[nodiscard]] ForceFit fit_compressive_forces(const ForceLaw& law, std::vector<double> forces,
                                               const ForceFitOptions& options);
 
-/// Fits an exponential tail, P(f) ~ exp[-(f - threshold)/f_0] beyond the threshold; the free parameter is f_0, in the
-/// unit of the forces. There is no fit with fewer than 10 forces beyond the threshold.
+/// Fits an exponential tail P(f) ~ exp[-(f - threshold)/f_0] to the forces beyond the threshold. The free parameter is
+/// f_0, in the unit of the forces. There is no fit with fewer than 10 forces beyond the threshold.
 /// @param forces  magnitudes of the forces, > 0   @param threshold  force beyond which the tail begins, >= 0
 /// @throws InputError if the threshold is negative or options.n_draws is not in ForceFitOptions::kDraws
 [[nodiscard]] ForceFit fit_exponential_tail(const std::string& form, const std::vector<double>& forces,

@@ -14,8 +14,7 @@ double exponential(double rate, RandomStream& random) {
   return -std::log(1.0 - random.uniform()) / rate;
 }
 
-/// Force distribution power_exponential() with its constants: a power law for f < 1 that continues as an exponential
-/// for f > 1.
+/// Force distribution power_exponential() with its constants: a power law for f < 1, and an exponential for f > 1.
 struct PowerExponential {
   double alpha, beta, k;
   explicit PowerExponential(double a)
@@ -34,9 +33,9 @@ struct PowerExponential {
   }
 };
 
-/// Force distribution quadratic_exponential() with its constants a and b. They follow from two conditions: the norm
-/// (the integral of the distribution) and the mean are 1. Let I_m be the integral of f^m exp(-f^2 - beta f) over f > 0.
-/// The conditions are
+/// Force distribution quadratic_exponential() with its constants a and b. Two conditions give a and b: the norm (the
+/// integral of the distribution) and the mean are 1. Let I_m be the integral of f^m exp(-f^2 - beta f) over f > 0. The
+/// conditions are
 ///   norm  a (1/beta - b I_0) = 1,  mean  a (1/beta^2 - b I_1) = 1
 struct QuadraticExponential {
   double beta, b, a;

@@ -31,7 +31,7 @@ double incomplete_beta(double a, double b, double x) {
   assert(a > 0 && b > 0 && 0 <= x && x <= 1);
   if (x <= 0.0) return 0.0;
   if (x >= 1.0) return 1.0;
-  // The continued fraction converges fast for x below the mean. For x above the mean, I_x(a, b) = 1 - I_(1-x)(b, a) is
+  // The continued fraction converges fast for x below about the mean. For larger x, I_x(a, b) = 1 - I_(1-x)(b, a) is
   // used.
   if (x > (a + 1.0) / (a + b + 2.0)) return 1.0 - incomplete_beta(b, a, 1.0 - x);
   const double log_front =

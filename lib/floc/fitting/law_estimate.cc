@@ -24,10 +24,10 @@ ResidualVariance residuals_of_law(const LawEstimate& e) {
   return {e.solution.sum_of_squares / dof, dof};
 }
 
-/// Returns the variance of the residuals in one part of the data, before or within regime II. `own` is the variance
-/// computed from this part alone. The function returns `own` if it has enough degrees of freedom, because the errors
-/// may differ between the parts. It also returns `own` if the plateau was fitted by a level line, because the residuals
-/// of a sloping plateau from a level line are not noise. Otherwise it returns the common variance of both parts.
+/// Returns the variance of the residuals in one part of the data: the points before the law, or the points of the law.
+/// Returns `own`, the variance from this part alone, if it has enough degrees of freedom, because the errors may differ
+/// between the parts. Returns `own` also if a level line was fitted to the plateau, because the residuals of a sloping
+/// plateau from a level line are not noise. Otherwise, returns the common variance of both parts.
 ResidualVariance shared_variance(const LawEstimate& e, const ResidualVariance& own) {
   constexpr int kEnough = 6;
   if (!e.line.slopes || own.dof >= kEnough) return own;
@@ -45,8 +45,8 @@ ResidualVariance variance_of_line(const LawEstimate& e) {
   return shared_variance(e, {dof > 0 ? e.line.sum_of_squares / dof : 0.0, dof});
 }
 
-/// Returns (J^T J)^-1 of the law, with J the Jacobian of the weighted residuals. If 1/Phi_max is at its bound,
-/// 1/Phi_max is treated as given.
+/// Returns (J^T J)^-1 of the law, where J is the Jacobian of the weighted residuals. If 1/Phi_max is at its bound, it
+/// counts as given, not fitted.
 Eigen::MatrixXd unit_covariance_of(const LawSolution& solution) {
   if (!solution.at_limit) return unit_covariance(solution.jacobian);
   Eigen::MatrixXd jacobian = solution.jacobian;
@@ -63,18 +63,18 @@ Eigen::VectorXd unit(Eigen::Index n, Eigen::Index k) {
 }
 
 /// Adds Phi0 and P0*, the solid fraction and the reduced pressure at which the line of regime II begins, with their
-/// gradients. If there is a plateau or a recompression line before regime II, the line of regime II begins at the
-/// intersection of the two. Otherwise the line of regime II begins at the first pressure, and only Phi0 is added.
+/// gradients. The line of regime II begins where it meets the plateau or the recompression line before it. If there is
+/// no such plateau or line, the line of regime II begins at the first pressure, and only Phi0 is added.
 ///
-/// `log_P` and `y` are ln P* and 1/Phi of a point on the line of regime II. `to_log_P` and `to_y` are their gradients
-/// with respect to the coordinates of the fit.
+/// @param log_P, y  ln P* and 1/Phi of a point on the line of regime II
+/// @param to_log_P, to_y  gradients of log_P and y with respect to the coordinates of the fit
 void add_start_of_regime_two(const LawEstimate& e, double log_P, const Eigen::VectorXd& to_log_P, double y,
                              const Eigen::VectorXd& to_y, std::vector<Quantity>& quantities) {
   const double lambda = std::exp(e.solution.theta[0]);
   const Eigen::Index n = to_y.size();
   if (e.has_plateau()) {
-    // The line of regime II meets the line before regime II at ln P0* = log_P + drop, where y - lambda drop =
-    // line.at(log_P + drop).
+    // The line of regime II and the line before it meet at ln P0* = log_P + drop, where y - lambda drop = line.at(log_P
+    // + drop).
     const double steeper = lambda - e.line.kappa;
     const double drop = (y - e.line.at(log_P)) / steeper;
     const double log_P0 = log_P + drop;
@@ -102,7 +102,7 @@ Eigen::VectorXd weighted_distances(const LawEstimate& e) {
   return e.plateau.weight.array() * (e.plateau.log_P.array() - e.line.centre);
 }
 
-/// Returns a function of a value of one coordinate: the function fixes the coordinate at this value, fits the other
+/// Returns the profile of the sum of squares: a function that fixes the coordinate at a given value, fits the other
 /// coordinates, and returns the sum of squares. Each call starts from the solution of the previous call.
 ProfileFunction profile_of(const LawEstimate& estimate, int coordinate) {
   return [&estimate, coordinate, theta = estimate.solution.theta](double value) mutable {
@@ -133,17 +133,15 @@ std::vector<Quantity> quantities_of(const LawEstimate& e) {
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(n);
   const double first = e.points.log_P[0];
   std::vector<Quantity> found;
-  // Each parameter is a function of the coordinates (see LawSolution). fitted_parameter() computes the standard error
-  // of a parameter from the gradient of this function. P0* and Phi0 follow from the other parameters and from the level
-  // of the plateau.
+  // Each parameter is a function of the coordinates (see LawSolution). fitted_parameter() needs the gradient of this
+  // function to compute the standard error. P0* and Phi0 follow from the other parameters and the plateau.
   switch (e.law) {
     case Law::log:
       found.push_back({"lambda", false, theta[0], unit(n, 0), true});
       add_start_of_regime_two(e, first, none, theta[1], unit(n, 1), found);
       break;
     case Law::power: {
-      // theta contains A1 = A P_first^-alpha, which refers to the first pressure; hence ln A = ln A1 + alpha ln
-      // P_first.
+      // theta contains the logarithm of A1 = A P_first^-alpha, so that ln A = ln A1 + alpha ln P_first.
       const double alpha = std::exp(theta[1]);
       found.push_back({"A", false, theta[0] + alpha * first, unit(n, 0) + alpha * first * unit(n, 1)});
       found.push_back({"alpha", false, theta[1], unit(n, 1)});
@@ -204,8 +202,7 @@ Covariance covariance_from_samples(const LawEstimate& e, const Eigen::MatrixXd& 
 
 FittedParameter fitted_parameter(const Quantity& quantity, const Covariance& covariance) {
   double variance = 0.0;
-  // The sum runs only over the coordinates on which the parameter depends, because other coordinates may have infinite
-  // variance.
+  // Coordinates on which the parameter does not depend are left out, because their variance may be infinite.
   for (int i = 0; i < quantity.gradient.size(); ++i)
     for (int j = 0; j < quantity.gradient.size(); ++j)
       if (quantity.gradient[i] != 0.0 && quantity.gradient[j] != 0.0)
@@ -215,8 +212,8 @@ FittedParameter fitted_parameter(const Quantity& quantity, const Covariance& cov
   if (quantity.is_inverse) return from_inverse(quantity.name, quantity.value, error, t95);
   FittedParameter p = from_logarithm(quantity.name, quantity.value, error, t95);
   if (!covariance.is_of_samples || !quantity.is_mean) return p;
-  // Student's interval of a mean is symmetric about the mean. Its lower end is raised to 0 if it is negative, because
-  // the parameter is positive.
+  // Student's interval of a mean is symmetric about the mean. A negative lower end is raised to 0, because the
+  // parameter is positive.
   p.low95 = std::max(0.0, *p.value - t95 * *p.standard_error);
   p.high95 = *p.value + t95 * *p.standard_error;
   return p;
@@ -234,7 +231,7 @@ ProfileInterval profile_interval(const LawEstimate& estimate, int coordinate, co
   const double center = estimate.solution.theta[coordinate];
   const double t95 = student_t_95(covariance.dof);
   const double error = std::sqrt(covariance.matrix(coordinate, coordinate));
-  // If the standard error is below this limit, changes of the sum of squares are only rounding. The interval is then
+  // If the standard error is below this limit, changes of the sum of squares are only rounding, and the interval is
   // computed from the covariance.
   constexpr double kRounding = 1e-9;
   const bool is_at_limit = coordinate == kLimitParameter && estimate.solution.at_limit;

@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Turns off the log messages of Ceres, which writes them through glog.
+/// Turns off the log messages of Ceres (written by glog).
 void silence_ceres() {
   static std::once_flag once;
   std::call_once(once, [] {
@@ -37,8 +37,8 @@ class ResidualBlock final : public ceres::CostFunction {
   const ResidualFunction& function_;
 };
 
-/// Cost function in the form that Ceres' TinySolver requires. The number of parameters is known only at run time,
-/// because each number of parameters that is known at compile time costs ten seconds of compilation.
+/// Cost function in the form that Ceres' TinySolver requires. The number of parameters is given at run time: for each
+/// number given at compile time, compilation would take ten seconds more.
 class TinyFunction {
  public:
   using Scalar = double;
@@ -98,8 +98,8 @@ std::optional<LeastSquaresSolution> minimize(const ResidualFunction& function, c
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
   options.num_threads = 1;
-  // The tolerances are as small as rounding, because the problems are tiny and the standard errors follow from the
-  // Jacobian at the solution.
+  // The tolerances are as small as rounding. The problems are tiny, so this costs little. The solution has to be exact,
+  // because the standard errors follow from the Jacobian at the solution.
   options.max_num_iterations = 400;
   options.function_tolerance = 1e-16;
   options.gradient_tolerance = 1e-18;

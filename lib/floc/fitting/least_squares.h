@@ -28,8 +28,7 @@ struct ParameterLimits {
 /// has infinite variance.
 [[nodiscard]] Eigen::MatrixXd unit_covariance(const Eigen::MatrixXd& jacobian);
 
-/// Interface of the residuals of a least-squares problem. With this interface, the solvers are compiled only once for
-/// all problems.
+/// Interface of the residuals of a least-squares problem, so that the solvers are compiled only once for all problems.
 class ResidualFunction {
  public:
   virtual ~ResidualFunction() = default;
@@ -40,9 +39,8 @@ class ResidualFunction {
   virtual void evaluate(const double* theta, double* values, double* jacobian) const = 0;
 };
 
-/// Minimises a sum of squares by Levenberg-Marquardt (Ceres) from one starting point, with an accuracy that is limited
-/// only by rounding.
-/// @param limits  limits of some parameters; a parameter that is not listed has no limits
+/// Minimises a sum of squares by Levenberg-Marquardt (Ceres) from one starting point. The minimum is exact to rounding.
+/// @param limits  limits of some parameters; all other parameters have no limits
 /// @param held    index of a parameter that is held fixed; -1 to fit all
 /// @return the minimum; absent if the solver fails
 [[nodiscard]] std::optional<LeastSquaresSolution> minimize(const ResidualFunction& function,
@@ -50,8 +48,8 @@ class ResidualFunction {
                                                            const std::vector<ParameterLimits>& limits = {},
                                                            int held = -1);
 
-/// Minimises a sum of squares by normal equations (Ceres' TinySolver), ten times faster than minimize() and accurate to
-/// half the digits. It is meant for comparing many starting points.
+/// Minimises a sum of squares by normal equations (Ceres' TinySolver). This solver compares many starting points: it is
+/// ten times faster than minimize(), but only half of the digits of the result are accurate.
 /// @param theta  the starting point; replaced by the minimum
 /// @return the sum of squares reached, which may be NaN
 double descend(const ResidualFunction& function, Eigen::VectorXd& theta);

@@ -7,7 +7,7 @@ namespace floc {
 /// Solution of a linear least-squares problem, with the covariance of its coefficients.
 struct LinearFit {
   Eigen::VectorXd coefficients;
-  /// Covariance of the coefficients, scaled by the residual variance; zero if dof is 0.
+  /// Covariance of the coefficients, from the residual variance; zero if dof is 0.
   Eigen::MatrixXd covariance;
   double sum_of_squares = 0.0;
   int dof = 0;  ///< degrees of freedom: number of points minus number of coefficients

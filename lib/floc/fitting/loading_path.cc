@@ -12,8 +12,8 @@ void add_point(const std::vector<PathRow>& rows, std::size_t i, Loading& loading
   loading.rows.push_back(static_cast<int>(i));
 }
 
-/// Returns whether row `i` is superseded: the next row belongs to the same branch and has the same pressure. A
-/// superseded row is not used.
+/// Returns whether row `i` is superseded by the next row, because both are isotropic rows of one branch at one
+/// pressure. A superseded row is not used.
 bool is_superseded(const std::vector<PathRow>& rows, std::size_t i) {
   if (i + 1 >= rows.size() || rows[i].P_star == 0.0) return false;
   const PathRow &row = rows[i], &next = rows[i + 1];
@@ -69,8 +69,8 @@ std::vector<int> superseded_rows(const std::vector<PathRow>& rows) {
   std::vector<int> found;
   for (std::size_t i = 0, first = 0; i < rows.size(); ++i) {
     if (is_superseded(rows, i)) continue;
-    // The last of successive rows at one pressure is a point of a curve. There is one exception: if all rows of a
-    // branch are at the last pressure of the previous branch, none of them is a point of a curve.
+    // Of successive rows at one pressure, the last row is a point of a curve. There is one exception: if all rows of a
+    // branch are at the last pressure of the previous branch, none of these rows is a point of a curve.
     for (; first < i; ++first)
       if (steps[i] != PathStep::hold) found.push_back(static_cast<int>(first));
     first = i + 1;

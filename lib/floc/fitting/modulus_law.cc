@@ -27,7 +27,7 @@ Eigen::MatrixXd line_columns(const Eigen::VectorXd& x) {
   return columns;
 }
 
-/// Returns the reason why a power law cannot be fitted to points; empty if it can.
+/// Returns the reason why a power law cannot be fitted to points; empty if a fit is possible.
 std::string why_no_power(const char* quantity, const std::vector<double>& x, std::size_t least) {
   if (x.size() < least)
     return fmt::format("there are {} states, but this law needs at least {}", x.size(), least);
@@ -44,28 +44,28 @@ void warn_of_pattern(ModulusLaw& law) {
                     law.pattern.correlation, std::min(law.pattern.smoothness_p, law.pattern.runs_p)));
 }
 
-/// Fit of the power law M = coefficient (Phi - phi_0)^exponent to moduli M at solid fractions Phi. If phi_0 is given,
-/// ln M is a straight line against ln(Phi - phi_0), which gives exponent and coefficient. The search therefore needs a
-/// single coordinate: u, the logarithm of the distance of phi_0 from the smallest Phi.
+/// Fit of the power law M = coefficient (Phi - phi_0)^exponent to moduli M at solid fractions Phi. For a given phi_0, a
+/// straight line of ln M against ln(Phi - phi_0) gives exponent and coefficient. Only one coordinate has to be
+/// searched: u = ln[(smallest Phi) - phi_0].
 class FractionProblem {
  public:
   FractionProblem(const std::vector<double>& phi, const std::vector<double>& modulus)
       : phi_(Eigen::Map<const Eigen::VectorXd>(phi.data(), static_cast<Eigen::Index>(phi.size()))),
         y_(logarithms_of(modulus)),
-        // phi_0 is at least 0. It is not too close to the smallest Phi, because the first state, with a very negative
-        // ln(Phi - phi_0), would then outweigh all other states.
+        // phi_0 is at least 0. If phi_0 were too close to the smallest Phi, the first state, with a very negative
+        // ln(Phi - phi_0), would outweigh all other states.
         low_(std::log(kNearest * (phi.back() - phi.front()))),
         high_(std::log(phi.front())) {}
 
   Eigen::VectorXd x_at(double u) const { return (phi_.array() - phi_[0] + std::exp(u)).log(); }
   LinearFit line_at(double u) const { return fit_linear(line_columns(x_at(u)), y_); }
   double squares(double u) const { return line_at(u).sum_of_squares; }
-  /// Sum of squared residuals of the best line with the given slope.
+  /// Returns the sum of squared residuals of the best line with the given slope.
   double squares_with_slope(double u, double slope) const {
     const Eigen::ArrayXd rest = y_ - slope * x_at(u);
     return (rest - rest.mean()).square().sum();
   }
-  /// Sum of squared residuals of the best line with the given value at x = 0.
+  /// Returns the sum of squared residuals of the best line with the given value at x = 0.
   double squares_with_intercept(double u, double intercept) const {
     const Eigen::VectorXd x = x_at(u), rest = y_.array() - intercept;
     return (rest - x.dot(rest) / x.squaredNorm() * x).squaredNorm();
@@ -75,8 +75,8 @@ class FractionProblem {
   double low() const { return low_; }
   double high() const { return high_; }
 
-  /// Returns the position and the value of the minimum of a function f(u) between the limits of u: first the best point
-  /// of a grid, then a golden-section search around this point.
+  /// Returns the position and the value of the minimum of a function f(u) between the limits of u. The best point of a
+  /// grid is found first, and then refined by golden-section search.
   std::pair<double, double> minimum_of(const std::function<double(double)>& f) const {
     constexpr int kGrid = 60, kSections = 40;
     const double step = (high_ - low_) / kGrid;
@@ -110,7 +110,7 @@ class FractionProblem {
   double low_, high_;
 };
 
-/// Returns the matrix that projects on the derivatives of ln M with respect to coefficient, exponent and phi_0.
+/// Returns the matrix that projects on the space of the derivatives of ln M with respect to the three parameters.
 Eigen::MatrixXd tangent_of(const FractionProblem& problem, double u) {
   const Eigen::VectorXd x = problem.x_at(u);
   Eigen::MatrixXd columns(x.size(), 3);
@@ -118,13 +118,14 @@ Eigen::MatrixXd tangent_of(const FractionProblem& problem, double u) {
   return projection_on(columns);
 }
 
-/// Sum of squares of the best fit (`least`), and largest sum of squares within a 95 % interval (`allowed`), for a power
-/// law in the solid fraction.
+/// Limits of the sum of squares of a power law in the solid fraction: `least` of the best fit, and `allowed` at the
+/// ends of a 95 % interval.
 struct Profile {
   double least, allowed, t95;
 
-  /// Returns a parameter with its interval from the profile of the sum of squares. The parameter is the function
-  /// `value` of a coordinate c; `squares` is the smallest sum of squares for a given c.
+  /// Returns a parameter with its interval from the profile of the sum of squares.
+  /// @param squares  smallest sum of squares as a function of a coordinate c
+  /// @param value    parameter as a function of c
   template <class Squares, class Value>
   FittedParameter parameter(const char* name, const ProfileSearch& search, const Squares& squares,
                             const Value& value) const {
@@ -138,22 +139,22 @@ struct Profile {
     };
     p.low95 = end(c.low);
     p.high95 = end(c.high);
-    // The coordinate of phi_0 is the logarithm of its distance from the smallest Phi, so that phi_0 falls as the
-    // coordinate grows.
+    // phi_0 falls as its coordinate u grows, so the ends of its interval are in reverse order.
     if (value(search.low_end) > value(search.high_end)) std::swap(p.low95, p.high95);
     if (p.identified) p.standard_error = (*p.high95 - *p.low95) / (2.0 * t95);
     return p;
   }
 };
 
-/// Returns the parameters of the power law in the solid fraction. The best fit is at the coordinate u, and `line` is
-/// the line fitted there.
+/// Returns the parameters of the power law in the solid fraction.
+/// @param u     coordinate of the best fit
+/// @param line  line fitted at this coordinate
 std::vector<FittedParameter> parameters_of_fractions(const FractionProblem& problem, double u,
                                                      const LinearFit& line, const Profile& profile) {
   const auto exponential = [](double c) { return std::exp(c); };
   const double of_exponent = std::log(line.coefficients[1]), intercept = line.coefficients[0];
-  // Range of the search: exponents from 1/100 to 100 times the best exponent, coefficients from 10^-20 to 10^20 times
-  // the best coefficient.
+  // Range of the search for the ends of intervals: exponents from 1/100 to 100 times the best exponent, coefficients
+  // from 10^-20 to 10^20 times the best coefficient.
   const double far = std::log(100.0), farther = 20.0 * std::log(10.0);
   return {
       profile.parameter(
@@ -213,7 +214,7 @@ ModulusLaw fit_modulus_of_fraction(const std::vector<double>& phi, const std::ve
   law.rms = std::sqrt(line.sum_of_squares / static_cast<double>(phi.size()));
   const int dof = line.dof - 1;  // phi_0 is fitted too
   const double t95 = student_t_95(dof);
-  // If the residuals are only rounding, the interval corresponds to this small increase of the sum of squares.
+  // If the residuals are only rounding, the ends of an interval are at this small increase of the sum of squares.
   constexpr double kRounding = 1e-20;
   const double growth = t95 * t95 * law.pattern.variance_factor() * line.sum_of_squares / dof;
   const Profile profile{line.sum_of_squares, line.sum_of_squares + std::max(growth, kRounding), t95};

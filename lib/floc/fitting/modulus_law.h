@@ -8,10 +8,10 @@
 
 namespace floc {
 
-/// Power law of an elastic modulus, or the reason why there is none.
+/// Power law of an elastic modulus, or the reason why there is no fit.
 struct ModulusLaw {
   std::string failure_reason;  ///< reason why there is no fit; empty if there is one
-  /// in this order: exponent, phi_0 (only in a power law in the solid fraction), coefficient
+  /// In this order: exponent, phi_0 (only in a power law in the solid fraction), coefficient.
   std::vector<FittedParameter> parameters;
   double rms = 0.0;         ///< root mean square residual of the logarithm of the modulus
   ResidualPattern pattern;  ///< pattern in the residuals, in the order of the points
@@ -22,7 +22,7 @@ struct ModulusLaw {
 
 /// Fits the power law M = coefficient P^exponent to a modulus M at several pressures P. The fit is by least squares in
 /// ln M, which assumes errors in proportion to M. Intervals follow from Student's t. If the residuals are systematic,
-/// the intervals are widened according to the correlation of the residuals.
+/// their correlation widens the intervals.
 /// @param P  pressures, > 0, in growing order, four or more   @param modulus  > 0, one per pressure
 [[nodiscard]] ModulusLaw fit_modulus_of_pressure(const std::vector<double>& P,
                                                  const std::vector<double>& modulus);

@@ -23,8 +23,9 @@ double angle_of_ratio(double N) {
   return degrees(std::asin((N - 1.0) / (N + 1.0)));
 }
 
-/// Fits the line y = C + N x by least squares of relative residuals, and returns it with the coefficients C and N. The
-/// residuals are divided by the fitted y, which is found by iteration in a few rounds.
+/// Fits the line y = C + N x by least squares of relative residuals; the coefficients of the result are C and N. Each
+/// residual is divided by the fitted y. The fit is repeated in a few rounds, because the fitted y is not known at
+/// first; the first round uses the measured y.
 LinearFit line_of_relative_errors(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
   constexpr int kRounds = 4;
   Eigen::VectorXd scale = y;
@@ -40,7 +41,7 @@ LinearFit line_of_relative_errors(const Eigen::VectorXd& x, const Eigen::VectorX
   return line;
 }
 
-/// Stress that is imposed on each sample, and the stress at which the sample fails.
+/// For each sample, the imposed stress and the stress at which the sample fails.
 struct Failures {
   Eigen::VectorXd imposed, found;
   const char* name;  ///< name of the imposed stress in messages
@@ -70,8 +71,7 @@ std::string why_no_line(const Failures& f) {
   if (f.found.minCoeff() > 0.0 && most - least >= kLeastRange * most) return "";
   return fmt::format(
       "the {} stresses of the tests, {:.6g} to {:.6g}, differ by less than 5 %, so that friction angle and "
-      "cohesion "
-      "cannot be separated",
+      "cohesion cannot be separated",
       f.name, least, most);
 }
 
@@ -113,8 +113,8 @@ MohrCoulombFit fit_mohr_coulomb(const std::vector<FailureStress>& stresses, cons
                angle_of_ratio(*ratio.low95),
                angle_of_ratio(*ratio.high95),
                *ratio.low95 > 1.0};
-  // The cohesion is c = C/(2 sqrt N), for the line sigma_1 = C + N sigma_3. Its error follows from the covariance of C
-  // and N by error propagation.
+  // For the line sigma_1 = C + N sigma_3, the cohesion is C/(2 sqrt N). Its error follows from the covariance of C and
+  // N by error propagation.
   const double by_C = 0.5 / std::sqrt(N), by_N = -0.25 * C / (N * std::sqrt(N));
   const double variance = by_C * by_C * line.covariance(0, 0) + 2.0 * by_C * by_N * line.covariance(0, 1) +
                           by_N * by_N * line.covariance(1, 1);

@@ -11,7 +11,7 @@ namespace {
 
 using TestPoints = std::vector<ShearPoint>;
 
-/// Returns the points whose axial stress is larger than the axial stresses of all earlier points.
+/// Returns the points whose axial stress is larger than that of every earlier point.
 TestPoints first_loading_of(const TestPoints& points) {
   TestPoints loading;
   for (const ShearPoint& p : points)

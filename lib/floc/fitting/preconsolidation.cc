@@ -18,9 +18,9 @@
 namespace floc {
 namespace {
 
-/// Returns the correlation of neighbouring residuals. Returns 0 if independent residuals could have this correlation by
-/// chance, or if the residuals are only rounding. Residuals are correlated, for example, if a sharp bend is fitted to a
-/// curve with a round bend.
+/// Returns the correlation of neighbouring residuals; 0 if independent residuals could have this correlation by chance,
+/// or if the residuals are only rounding. Residuals are correlated, for example, if a sharp bend is fitted to a round
+/// bend.
 double correlation_of_neighbours(const Eigen::VectorXd& residuals) {
   constexpr double kRounding = 1e-9;
   const Eigen::Index n = residuals.size();
@@ -58,8 +58,7 @@ PreconsolidationFit refused(std::string why) {
 
 PreconsolidationFit fit_preconsolidation(const std::vector<double>& P, const std::vector<double>& phi) {
   assert(P.size() == phi.size());
-  constexpr int kMinPressures =
-      5;  // one more than the number of parameters of a sharp bend: P_c, y_c, kappa and lambda
+  constexpr int kMinPressures = 5;  // one more than a sharp bend has parameters (P_c, y_c, kappa and lambda)
   // with fewer pressures a round bend cannot be distinguished from a sharp bend
   constexpr int kEnoughForWidth = 10;
   constexpr int kEnoughForConstructions = 8;
@@ -86,7 +85,7 @@ PreconsolidationFit fit_preconsolidation(const std::vector<double>& P, const std
         "the branch does not bend towards a steeper line: it does not reach the preconsolidation pressure");
   PreconsolidationFit fit;
   // Upper limit of the correlation of neighbouring residuals. Correlated residuals count as a smaller number of
-  // independent residuals; at a correlation of 1 this number would be zero.
+  // independent residuals. At a correlation of 1, this number would be zero.
   constexpr double kMostCorrelated = 0.9;
   const double r = correlation_of_neighbours(lines.residuals);
   const double fewer = (1.0 + r) / (1.0 - std::min(r, kMostCorrelated));
@@ -125,8 +124,8 @@ PreconsolidationFit fit_preconsolidation(const std::vector<double>& P, const std
     fit.warnings.insert(fit.warnings.end(), constructions.warnings.begin(), constructions.warnings.end());
     if (!fit.parameters.back().value)
       fit.warnings.emplace_back(
-          "the methods do not agree on a preconsolidation pressure: their intervals have no pressure in "
-          "common");
+          "the methods do not agree on a preconsolidation pressure: no pressure lies in all of their "
+          "intervals");
   }
   fit.rms = std::sqrt(best.sum_of_squares / static_cast<double>(n));
   return fit;

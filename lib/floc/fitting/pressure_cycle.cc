@@ -6,8 +6,8 @@
 namespace floc {
 namespace {
 
-/// Returns the loading that ends at the row `turn`: this row and all rows directly before it in which the
-/// pressure grows or is constant.
+/// Returns the loading that ends at the row `turn`. The loading consists of this row and of the rows directly before
+/// it, as long as the pressure is positive and does not fall.
 Loading loading_up_to(const std::vector<PathRow>& rows, int turn) {
   int first = turn;
   while (first > 0 && rows[first - 1].P_star > 0.0 && rows[first - 1].P_star <= rows[first].P_star) --first;

@@ -7,10 +7,10 @@ namespace floc {
 namespace {
 
 /// Returns the coordinate at which the profile of the sum of squares reaches `search.allowed` on one side of the
-/// solution. First, growing steps, beginning with `step` (signed), bracket this coordinate. The coordinate is then
-/// found by the method of false position. This method works best for a linear function; it is therefore applied to the
+/// solution. First, growing steps, beginning with `step` (signed), bracket this coordinate. The method of false
+/// position then finds the coordinate. This method works best for linear functions. It is therefore applied to the
 /// square root of the increase of the sum of squares, which is nearly linear in the coordinate. The result is absent if
-/// the profile does not reach `search.allowed` before `end`, or if the solver fails before.
+/// the profile does not reach `search.allowed` up to `end`, or if the solver fails before.
 std::optional<double> crossing(const ProfileSearch& search, double step, double end,
                                const ProfileFunction& profile) {
   const double target = std::sqrt(search.allowed - search.least);
@@ -29,7 +29,7 @@ std::optional<double> crossing(const ProfileSearch& search, double step, double 
     miss_outside = miss(outside);
   }
   constexpr int kRounds = 40;
-  // Relative accuracy of the width of the interval, far below its statistical uncertainty.
+  // Relative accuracy of the distance from the solution to the end of the interval.
   constexpr double kAccuracy = 1e-3;
   for (int round = 0; round < kRounds; ++round) {
     const double share = std::isfinite(miss_outside) ? miss_inside / (miss_inside - miss_outside) : 0.5;

@@ -5,8 +5,8 @@
 
 namespace floc {
 
-/// Interval of a coordinate of a least-squares fit, from the profile of the sum of squares. An end is absent if
-/// the data allow any value on that side, as far as the profile can be computed.
+/// Interval of a coordinate of a least-squares fit, from the profile of the sum of squares. An end is absent if, on
+/// that side, the data allow all values for which the profile can be computed.
 struct ProfileInterval {
   std::optional<double> low, high;
 };
@@ -25,10 +25,10 @@ struct ProfileSearch {
 /// previous call.
 using ProfileFunction = std::function<double(double value)>;
 
-/// Finds the ends of a ProfileInterval, at which the profile of the sum of squares reaches `search.allowed`. Their
-/// accuracy is 1e-3 of the width of the interval.
-/// @param profile_from_solution  function that returns a profile; the first call of this profile starts from the
-/// solution of the fit. A new profile is requested for each end of the interval
+/// Finds the ends of a ProfileInterval, where the profile of the sum of squares reaches `search.allowed`. The ends are
+/// accurate to about 1e-3 of their distance from the solution.
+/// @param profile_from_solution  function that returns a new profile, for each end of the interval; the first call of a
+/// profile starts from the solution of the fit
 [[nodiscard]] ProfileInterval profile_interval(const ProfileSearch& search,
                                                const std::function<ProfileFunction()>& profile_from_solution);
 

@@ -4,8 +4,8 @@
 
 namespace floc {
 
-/// Straight line through the points before regime II, along which 1/Phi falls by kappa per unit of ln P*. It is the
-/// recompression line of a soil or, with kappa = 0, the plateau of regime I.
+/// Straight line through the points before regime II: the recompression line of a soil or, with kappa = 0, the plateau
+/// of regime I. Along the line, 1/Phi falls by kappa per unit of ln P*.
 struct RecompressionLine {
   bool slopes = false;  ///< whether kappa was fitted; otherwise it is 0
   double centre = 0.0;  ///< weighted mean of ln P* over the points

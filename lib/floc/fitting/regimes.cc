@@ -37,7 +37,7 @@ bool less_information(const Place& a, const Place& b) {
 }
 
 /// Returns the weighted sum of squared residuals of the plateau, which consists of the first `k` points. The level of
-/// the plateau must be a value that the law takes between the last point of the plateau and the next point.
+/// the plateau is limited to the values of the law between the last point of the plateau and the next point.
 /// @param theta  solution of the law fitted to the points after the plateau
 double residual_of_plateau(Law law, const LawPoints& points, int k, const Eigen::VectorXd& theta) {
   if (k == 0) return 0.0;
@@ -48,21 +48,21 @@ double residual_of_plateau(Law law, const LawPoints& points, int k, const Eigen:
   return (points.weight.head(k).array() * (points.y.head(k).array() - level)).square().sum();
 }
 
-/// Returns a possible end of the plateau of regime I: between the points `k - 1` and `k`. It comes with the information
-/// criterion of the fit by a plateau before this place and by the law after it.
+/// Returns a possible end of the plateau of regime I, between the points `k - 1` and `k`, with its information
+/// criterion. The points before this end are fitted by a plateau, and the points after it by the law.
 /// @param theta  solution of the law fitted to the points after the plateau
-/// @param left  sum of squared residuals of the law at these points
+/// @param left   sum of squared residuals of the points after the plateau
 Place plateau_end(Law law, const LawPoints& points, int k, const Eigen::VectorXd& theta, double left) {
   // The end of the plateau counts as one more fitted parameter.
   return {k, information(left + residual_of_plateau(law, points, k, theta), points.size(),
                          n_parameters(law) + (k > 0 ? 1 : 0))};
 }
 
-/// Returns the possible ends of the plateau of regime I if the points after it follow the full law. A possible end is
-/// left out if fewer than three points lie between it and P1*, where regime III begins.
+/// Returns the possible ends of the plateau of regime I if the points after the plateau follow the full law. An end is
+/// left out if fewer than three points lie between this end and P1*, where regime III begins.
 std::vector<Place> ends_before_full_law(const LawPoints& points) {
-  // If this number of consecutive ends of the plateau leave too few points to regime II, the search stops. A plateau
-  // that reaches P1*, where regime III begins, leaves too few points, and so does every longer plateau.
+  // The search stops when this number of consecutive plateaus have left too few points to regime II: if a plateau
+  // reaches P1*, where regime III begins, all longer plateaus also leave too few points.
   constexpr int kGiveUp = 3;
   std::vector<Place> places;
   std::optional<Eigen::VectorXd> theta;
@@ -71,7 +71,7 @@ std::vector<Place> ends_before_full_law(const LawPoints& points) {
   for (int k = 0; n - k > n_parameters(Law::full) && n_failed < kGiveUp; ++k) {
     const LawPoints rest = points.range(k, n - k);
     // Each fit has one point less than the previous fit. The solver starts from the previous solution, and also from a
-    // new starting point, because the point that is now left out may have hidden the bend of the law.
+    // new starting point, because the point now left out may have hidden the bend of the law.
     double left = kInfinity;
     if (theta) left = minimize_law(Law::full, rest, *theta);
     if (auto other = start_of_law(Law::full, rest, theta ? 1 : 4)) {
@@ -86,7 +86,7 @@ std::vector<Place> ends_before_full_law(const LawPoints& points) {
   return places;
 }
 
-/// Returns the possible ends of the plateau of regime I if the points after it follow the line of regime II.
+/// Returns the possible ends of the plateau of regime I if the points after the plateau follow the line of regime II.
 std::vector<Place> ends_before_line(const LawPoints& points) {
   std::vector<Place> places;
   const int n = points.size();
@@ -96,15 +96,15 @@ std::vector<Place> ends_before_line(const LawPoints& points) {
   return places;
 }
 
-/// Returns the possible beginnings of regime III. The points before it follow a line in ln P*, the points after it a
-/// power law. Both the line and the power law are fitted to at least one point more than they have parameters.
+/// Returns the possible beginnings of regime III. A line in ln P* is fitted to the points before the beginning, and a
+/// power law to the points after it. Each part has at least one point more than its law has parameters.
 std::vector<Place> onsets_of_three(const LawPoints& points) {
   std::vector<Place> places;
   const int n = points.size();
   for (int k = kMinInRegimeTwo; n - k > n_parameters(Law::power); ++k) {
     const auto line = residual_of_line(points.range(0, k));
     const auto power = residual_of_power_law(points.range(k, n - k));
-    // The six parameters are two of the line, three of the power law, and the place of the change.
+    // Of the six parameters, two belong to the line, three to the power law, and one is the place of the change.
     if (line && power) places.push_back({k, information(*line + *power, n, 6)});
   }
   return places;
@@ -165,8 +165,8 @@ std::optional<Regimes> find_regimes(const LawPoints& points) {
   const int n = points.size();
   std::vector<Place> ends = ends_before_full_law(points);
   const std::vector<Place> line_ends = ends_before_line(points);
-  // If a constant or an elastic line explains the curve better than a plateau followed by a law, the curve has no
-  // separate regimes.
+  // The curve has no separate regimes if a constant or an elastic line explains it better than a plateau followed by a
+  // law.
   const double flat = std::min(information(residual_of_constant(points), n, 1),
                                information(residual_of_elasticity(points), n, 2));
   const auto explains_more = [flat](const Place& p) { return p.information < flat; };

@@ -10,17 +10,17 @@
 namespace floc {
 namespace {
 
-/// Probability of a false alarm: each of the two tests reports a pattern in independent residuals with this
-/// probability.
+/// Probability of a false alarm: the probability with which each of the two tests finds a pattern in independent
+/// residuals.
 constexpr double kLevel = 0.005;
 
 double log_choose(int n, int k) {
   return std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0);
 }
 
-/// Returns the fraction of sequences that have `runs` runs of equal signs, among all exp(log_all) sequences with n_plus
-/// positive and n_minus negative signs. The number of sequences with `runs` runs is the number of ways to divide the
-/// positive and the negative signs into this number of alternating runs.
+/// Returns the fraction of sequences with `runs` runs of equal signs, among all exp(log_all) sequences of n_plus
+/// positive and n_minus negative signs. To count the sequences, the signs are divided into `runs` alternating runs in
+/// all possible ways.
 double share_with_runs(int runs, int n_plus, int n_minus, double log_all) {
   const auto ways = [&](int of_plus, int of_minus) {
     if (of_plus < 1 || of_minus < 1 || of_plus > n_plus || of_minus > n_minus) return 0.0;
@@ -30,8 +30,8 @@ double share_with_runs(int runs, int n_plus, int n_minus, double log_all) {
   return runs % 2 == 0 ? 2.0 * ways(half, half) : ways(half + 1, half) + ways(half, half + 1);
 }
 
-/// Returns the probability that independent residuals, with as many positive and negative signs as `r`, have at most as
-/// many runs of equal signs as `r`.
+/// Returns the probability that independent residuals have at most as many runs of equal signs as `r`, if they have as
+/// many positive and as many negative signs as `r`.
 double runs_probability(const Eigen::VectorXd& r) {
   const auto n = static_cast<int>(r.size());
   const auto n_plus = static_cast<int>((r.array() > 0.0).count());
@@ -74,8 +74,8 @@ bool ResidualPattern::is_systematic() const {
 }
 
 double ResidualPattern::variance_factor() const {
-  // Upper limit of the correlation. Correlated residuals count as a smaller number of independent residuals; at a
-  // correlation of 1 this number would be zero.
+  // Upper limit of the correlation. Correlated residuals count as a smaller number of independent residuals. At a
+  // correlation of 1, this number would be zero.
   constexpr double kMost = 0.9;
   if (!is_systematic()) return 1.0;
   const double r = std::clamp(correlation, 0.0, kMost);

@@ -13,7 +13,7 @@
 namespace floc {
 namespace {
 
-/// Returns s(d), the function that describes the transition of a round bend from one line to the other (see RoundBend).
+/// Returns the function s(d) of a RoundBend, which describes the transition from one line to the other.
 double softened(double d, double width) {
   if (width == 0.0) return std::max(d, 0.0);
   // ln(1 + e^u) without overflow.
@@ -29,8 +29,8 @@ Eigen::MatrixXd columns_of(const Eigen::ArrayXd& x, double bend, double width) {
   return columns;
 }
 
-/// Fits the common level and the slopes of the two lines for a given position and width of the bend. The normal
-/// equations are well conditioned, because x is centred on the bend.
+/// For a given position and width of the bend, fits the slopes of both lines, and their common level at the bend. The
+/// normal equations are well conditioned, because x is measured from the bend.
 RoundBend with_lines(const Eigen::ArrayXd& x, const Eigen::VectorXd& y, double bend, double width) {
   const Eigen::MatrixXd columns = columns_of(x, bend, width);
   const Eigen::VectorXd c = solve_symmetric(columns.transpose() * columns, columns.transpose() * y);
@@ -71,8 +71,8 @@ struct BendResidual {
 };
 
 /// Minimises the sum of squares over all five parameters, starting from the bend `near`. Returns `near` if the solver
-/// fails, finds no smaller sum, or leaves the allowed range. In this range, the bend lies between the second and the
-/// second-last x, and its width is at most `widest`.
+/// fails, finds no smaller sum, or leaves the allowed range. In the allowed range, the bend lies between the second and
+/// the second-last x, and the width is at most `widest`.
 RoundBend polished(const Eigen::ArrayXd& x, const Eigen::VectorXd& y, const RoundBend& near, double widest) {
   std::vector<BendResidual> residuals;
   for (Eigen::Index i = 0; i < x.size(); ++i) residuals.push_back({x[i], y[i]});
@@ -85,8 +85,8 @@ RoundBend polished(const Eigen::ArrayXd& x, const Eigen::VectorXd& y, const Roun
   return {t[3], std::exp(t[4]), t[0], t[1], t[2], found->sum_of_squares};
 }
 
-/// Fits bends of the given widths at all positions `fit.places`. Updates the best bend and, at each position,
-/// the smallest sum of squares.
+/// Fits bends of the given widths at all positions in `fit.places`. Updates `fit.best`, and the smallest sum of squares
+/// at each position (`fit.profile`).
 void try_widths(const std::vector<double>& widths, const Eigen::ArrayXd& x, const Eigen::VectorXd& y,
                 RoundBendFit& fit) {
   const Eigen::Index last = fit.places.size() - 1;

@@ -17,15 +17,15 @@ struct RoundBend {
   double at(double x) const;
 };
 
-/// Least-squares fit of a round bend, with the smallest sum of squares for each position of the bend (the
-/// profile).
+/// Least-squares fit of a round bend, with its profile: the smallest sum of squares for each position of the bend.
 struct RoundBendFit {
   RoundBend best;
-  /// Positions of the bend on a grid from the second x to the second-last x, and the smallest sum of squares
-  /// for each.
+  /// Positions of the bend on a grid from the second x to the second-last x, and the smallest sum of squares for each
+  /// position.
   Eigen::VectorXd places, profile;
   Eigen::VectorXd residuals;  ///< data minus fit
-  /// derivatives of the fit with respect to level, both slopes, bend and width (left out if the width is 0)
+  /// Derivatives of the fit with respect to level, slope_below, slope_above, bend and width (left out if the width is
+  /// 0).
   Eigen::MatrixXd jacobian;
 };
 

@@ -19,7 +19,7 @@ constexpr int kMinBins = 6;
 constexpr double kFarOff = 9.0;
 
 /// Residual of ln I in one bin of wave numbers, divided by the standard deviation of ln I, where I is the scattered
-/// intensity. The parameters theta of the scattering law are ln I0, ln xi and dF.
+/// intensity. theta consists of ln I0, ln xi and dF, see ScatteringFit.
 struct ScatteringResidual {
   static constexpr int kParameters = 3;
   double k, log_I, weight;
@@ -32,9 +32,9 @@ struct ScatteringResidual {
   }
 };
 
-/// Returns the bias of the logarithm of an intensity that is an average over n wave vectors. The bias is the mean of ln
-/// X, where X is the average of n exponential random variables of mean 1: digamma(n) - ln n. It is computed by
-/// Abramowitz and Stegun 6.3.18; for small n, the recurrence of digamma is applied first.
+/// Returns the bias of the logarithm of an intensity that is an average over n wave vectors: digamma(n) - ln n. This is
+/// the mean of ln X, where X is the average of n exponential random variables of mean 1. digamma(n) is computed by
+/// Abramowitz and Stegun 6.3.18, after the recurrence of digamma has increased a small n.
 double log_bias(double n) {
   double shift = 0.0, m = n;
   for (; m < 6.0; m += 1.0) shift -= 1.0 / m;
@@ -52,8 +52,8 @@ std::vector<ScatteringResidual> residuals_of(const std::vector<ScatteredPoint>& 
   return data;
 }
 
-/// Fits the scattering law from starting points whose crossover length xi lies anywhere in the fitted range,
-/// and returns the best solution.
+/// Fits the scattering law from several starting points, and returns the best solution. The length xi of a starting
+/// point is the wavelength of any of the bins.
 std::optional<LeastSquaresSolution> solve(const std::vector<ScatteringResidual>& data) {
   Eigen::VectorXd best;
   double least = std::numeric_limits<double>::infinity();
@@ -132,7 +132,7 @@ ScatteringFit fit_scattering(const std::vector<ScatteredPoint>& points, double l
     fit.warnings.push_back(fmt::format("{} is not identified by these data", p.name));
     p.value = p.standard_error = p.low95 = p.high95 = std::nullopt;
   }
-  // Largest possible dF: smooth surfaces in 3D scatter with the steepest possible slope (Porod's law).
+  // Largest possible dF, by Porod's law: the intensity falls most steeply for smooth surfaces in 3D, as k^-4.
   constexpr double kPorod = 4.0;
   if (const std::string beyond = keep_in_range({0.0, kPorod}, fit.parameters[2]); !beyond.empty())
     fit.warnings.push_back(beyond);

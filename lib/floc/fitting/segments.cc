@@ -37,10 +37,11 @@ double criterion(const Misfit& misfit, int n) {
   return n * std::log(std::max(misfit.squares, floor) / n) + misfit.n_free * std::log(n) * n / left;
 }
 
-/// Fits a recompression line to the first `k` points. The curve `upper(ln P)` describes the points after them; its
-/// initial slope is -`steeper`. Line and curve have to meet between the points k - 1 and k. If the best line meets the
-/// curve elsewhere, the function fits another line, which meets the curve at the one of these two points that is nearer
-/// to the intersection. A line that would rise is replaced by a horizontal line.
+/// Fits a recompression line to the first `k` points, and returns its misfit. The curve `upper(ln P)`, with the initial
+/// slope -`steeper`, describes the later points. Line and curve have to meet between the points k - 1 and k. If the
+/// best line meets the curve elsewhere, another line is fitted, which meets the curve at the point k - 1 or k,
+/// whichever is nearer to the first intersection. A line that would rise is replaced by a horizontal line. The result
+/// is absent if the line is steeper than the curve.
 template <class Upper>
 std::optional<Misfit> misfit_below(const LawPoints& points, int k, double steeper, const Upper& upper) {
   if (k == 0) return Misfit{};
@@ -52,8 +53,7 @@ std::optional<Misfit> misfit_below(const LawPoints& points, int k, double steepe
   const double above_before = upper(before) - line.at(before), above_after = upper(after) - line.at(after);
   const Misfit met{line.sum_of_squares, line.slopes ? 2 : 1};
   if (above_before >= 0.0 && above_after <= 0.0) return met;
-  // Fits a line that meets the curve at one end of the gap between the two points: the end that is nearer to the
-  // intersection.
+  // Fits a line that meets the curve at the point k - 1 or k, whichever is nearer to the intersection.
   const double at = above_before < 0.0 ? before : after;
   const Eigen::ArrayXd w2 = lower.weight.array().square();
   const Eigen::ArrayXd dx = lower.log_P.array() - at, dy = lower.y.array() - upper(at);
@@ -63,9 +63,8 @@ std::optional<Misfit> misfit_below(const LawPoints& points, int k, double steepe
   return Misfit{(w2 * (dy - slope * dx).square()).sum(), met.n_free};
 }
 
-/// Returns the misfit of the points from `first` on. These points are described by a flatter line or by the power law
-/// of regime III: the one with the smaller criterion. The index `first` counts as one more parameter. The result is
-/// absent if there are too few points.
+/// Returns the misfit of the points from `first` on, for a line or for the power law of regime III, whichever has the
+/// smaller criterion. The index `first` counts as one more parameter. The result is absent if there are too few points.
 std::optional<Misfit> misfit_above(const LawPoints& points, int first) {
   constexpr int kOfLine = 2, kOfPower = 3, kPlace = 1;
   const int n = points.size() - first;
@@ -82,8 +81,8 @@ std::optional<Misfit> misfit_above(const LawPoints& points, int first) {
   return best;
 }
 
-/// Returns whether the curve after the point `j` falls much faster than a line with the slope `slope`. If it does, the
-/// line is not the steepest part of the curve; it may be a plateau before a collapse.
+/// Returns whether the curve from the point `j` - 1 on falls much faster than a line with the slope `slope`. This line
+/// is then not the steepest part of the curve, but for example a plateau before a collapse.
 bool steepens(const LawPoints& points, int j, double slope) {
   constexpr double kMuchSteeper = 2.0;
   const int first = j - 1, n = std::min(3, points.size() - first);
@@ -112,8 +111,7 @@ std::vector<Division> divisions_with_two(const LawPoints& points) {
   return found;
 }
 
-/// Returns all divisions without regime II, in which the power law of regime III directly follows the
-/// recompression line.
+/// Returns all divisions of the curve in which the power law of regime III follows the recompression line directly.
 std::vector<Division> divisions_without_two(const LawPoints& points) {
   const int n = points.size();
   std::vector<Division> found;
@@ -121,8 +119,8 @@ std::vector<Division> divisions_without_two(const LawPoints& points) {
     const LawPoints rest = points.range(k, n - k);
     const auto power = residual_of_power_law(rest);
     if (!power) continue;
-    // At the intersection with the recompression line, the power law is approximated by the line through the first two
-    // points of regime III.
+    // For the intersection with the recompression line, the line through the first two points of regime III
+    // approximates the power law.
     const WeightedLine start = line_of(rest.range(0, 2));
     const auto below = misfit_below(points, k, -start.slope, [&](double x) { return start.at(x); });
     if (!below) continue;
@@ -132,8 +130,10 @@ std::vector<Division> divisions_without_two(const LawPoints& points) {
   return found;
 }
 
-/// Returns the position and the uncertainty of one end of regime II. The probability of each position of this end is
-/// summed over all positions of the other end. `best` is the position in the best division.
+/// Returns the position and the uncertainty of one end of regime II. The probability of a position is the sum over all
+/// positions of the other end.
+/// @param best   position in the best division
+/// @param place  function that returns the position of this end in a division
 template <class Place>
 ChangePoint change_of(const std::vector<Division>& divisions, int n, int best, const Place& place) {
   double least = kInfinity;
@@ -154,6 +154,7 @@ ChangePoint change_of(const std::vector<Division>& divisions, int n, int best, c
 
 /// Returns whether a constant, or an elastic law (1/Phi linear in P*), describes the curve better than the best
 /// division.
+/// @param information  criterion of the best division
 bool is_elastic(const LawPoints& points, double information) {
   const int n = points.size();
   const double constant = recompression_line(points, false).sum_of_squares;

@@ -28,10 +28,9 @@ TestCurve curve_of(const TestPoints& points) {
   return curve;
 }
 
-/// Returns the sine of the dilatancy angle psi at the peak. It follows from the slope s of the volumetric
-/// strain against the magnitude of the axial strain, at the points around the peak. For the plastic potential
-/// of Mohr and Coulomb, sin psi is -s/(2 - s) if the sample shortens along the axis, and -s/(2 + s) if it
-/// lengthens, both in 2D and in 3D.
+/// Returns the sine of the dilatancy angle psi at the peak. Let s be the slope of the volumetric strain against the
+/// magnitude of the axial strain, at the points around the peak. For the plastic potential of Mohr and Coulomb, sin psi
+/// is -s/(2 - s) if the sample shortens along the axis, and -s/(2 + s) if it lengthens, both in 2D and in 3D.
 FittedParameter dilatancy_sine(const LinearFit& line, bool shortens) {
   const double slope = line.coefficients[1];
   const double shear = shortens ? 2.0 - slope : 2.0 + slope;

@@ -9,8 +9,8 @@
 namespace floc {
 namespace {
 
-/// Returns the points of a test with positive shear: if the shear strain is negative, reverses the signs of shear
-/// strain and shear stress.
+/// Returns the points of a test, with the signs of shear strain and shear stress reversed if the last shear strain is
+/// negative.
 std::vector<PlaneShearPoint> forwards(std::vector<PlaneShearPoint> points) {
   if (points.empty() || points.back().shear_strain >= 0.0) return points;
   for (PlaneShearPoint& p : points) {

@@ -44,12 +44,12 @@ SmoothingSpline::SmoothingSpline(const Eigen::VectorXd& x, const Eigen::VectorXd
   const Eigen::ArrayXd s = penalty.values.array().max(0.0);
   const Eigen::ArrayXd parts = penalty.vectors.transpose() * y;
   const double largest = s.maxCoeff();
-  // the first two eigenvalues, which belong to straight lines, are 0
+  // the first two eigenvalues are 0: they belong to straight lines
   const double smallest = *std::min_element(s.begin() + 2, s.end());
   double best = kInfinity, mu = 0.0;
   constexpr int kTried = 80;
-  // Without this factor, the spline chosen by generalised cross-validation sometimes follows the noise, especially
-  // correlated noise.
+  // Factor of the degrees of freedom. Without this factor, generalised cross-validation sometimes chooses a spline that
+  // follows the noise, especially if the noise is correlated.
   constexpr double kCaution = 1.4;
   const double low = std::log(1e-3 / largest), high = std::log(1e3 / smallest);
   for (int k = 0; k <= kTried; ++k) {

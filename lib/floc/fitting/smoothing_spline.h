@@ -5,10 +5,10 @@
 namespace floc {
 
 /// Natural cubic smoothing spline f of points (x, y): the function that minimises sum (y - f(x))^2 + mu integral f''^2.
-/// The weight mu minimises the score of generalised cross-validation [CW1979]. In this score the degrees of freedom of
-/// the spline are multiplied by 1.4, so that the spline seldom follows the noise. For given mu, values and derivatives
-/// of the spline are linear functions of y. For other values y at the same x, the spline is therefore obtained by a
-/// product with a matrix.
+/// The weight mu minimises the score of generalised cross-validation [CW1979]. In this score, the degrees of freedom of
+/// the spline are multiplied by 1.4, so that the spline seldom follows the noise. For a given mu, values and
+/// derivatives of the spline are linear functions of y: matrices multiplied by y. The matrices also serve for other y
+/// at the same x.
 class SmoothingSpline {
  public:
   /// @param x  increasing values; four or more
@@ -27,7 +27,7 @@ class SmoothingSpline {
 
  private:
   Eigen::VectorXd x_;
-  /// matrices that are multiplied by y to obtain values and second derivatives of the spline at x
+  /// Matrices that are multiplied by y to obtain values and second derivatives of the spline at x.
   Eigen::MatrixXd smoother_, second_;
 };
 

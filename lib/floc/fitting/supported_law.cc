@@ -42,13 +42,12 @@ void add_indices(ConsolidationFit& fit) {
   std::vector<FittedParameter> indices;
   if (const FittedParameter* lambda = fit.find("lambda")) indices.push_back(per_decade(*lambda, "C_c"));
   if (const FittedParameter* kappa = fit.find("kappa")) indices.push_back(per_decade(*kappa, "C_s"));
-  // lambda and kappa, if the law has them, are the first parameters.
+  // lambda and kappa, if the law has these parameters, are the first in the list.
   fit.parameters.insert(fit.parameters.begin() + static_cast<std::ptrdiff_t>(indices.size()), indices.begin(),
                         indices.end());
 }
 
-/// Returns the pressure P1* at which regime III begins. It lies between two neighbouring pressures of the
-/// curve.
+/// Returns the pressure P1*, at which regime III begins: the geometric mean of two neighbouring pressures of the curve.
 FittedParameter onset_of(const ChangePoint& change, const ConsolidationCurve& curve) {
   const auto last = static_cast<int>(curve.P_star.size()) - 1;
   const auto at = [&](int i) { return curve.P_star[static_cast<std::size_t>(std::clamp(i, 0, last))]; };
@@ -80,28 +79,28 @@ void add_beyond(const ConsolidationCurve& curve, const ConsolidationOptions& opt
   line.parameters.insert(after_indices, {alpha, phi_max, P1});
 }
 
-/// Returns the regimes of a mean over samples. If the samples do not show the bend away from the line of regime II, the
-/// curve is divided again without such a bend.
+/// Returns the regimes of a mean over samples. If the samples do not confirm the bend at the end of regime II, the
+/// curve is divided again without a bend.
 std::optional<Regimes> regimes_of_samples(const ConsolidationCurve& curve, const LawPoints& points) {
   const std::optional<Regimes> regimes = find_segments(points);
   const int n = points.size();
   if (!regimes || regimes->all_in_one || regimes->end_of_two == n) return regimes;
   const int first = regimes->n_plateau, end = regimes->end_of_two - first;
-  // Without regime II, the bend has no definite position; the middle of the points after the plateau is used.
+  // Without regime II, the position of the bend is unknown, and the middle of the points after the plateau is used.
   const int place = end > 0 ? end : (n - first) / 2;
   if (samples_bend_at(curve.samples.bottomRows(n - first), points.log_P.tail(n - first), place)) return regimes;
   const std::optional<Regimes> straight = find_segments(points, false);
   return straight ? straight : regimes;
 }
 
-/// Finds the mean distance between the jumps of samples, and the points at which the samples lag behind the line of
-/// regime II.
+/// Sets the mean distance between the jumps of samples, and the number of points at which the samples lag behind the
+/// line of regime II.
 /// @param lambda  slope of the line of regime II that was fitted to the mean of the samples
 void find_jumps(const ConsolidationCurve& curve, const LawPoints& points, double lambda, Regimes& regimes) {
   const int first = regimes.n_plateau, n = regimes.end_of_two - first;
   const Eigen::VectorXd log_P = points.log_P.segment(first, n);
   regimes.jump_distance = distance_of_jumps(curve.samples.middleRows(first, n), log_P, lambda);
-  // If there is no plateau, the samples already lag at the first point, and no points are left out.
+  // Without a plateau, the samples lag already at the first point, and no points are left out.
   if (first > 0) regimes.n_lagging = points_in_lag(log_P, regimes.jump_distance);
 }
 
@@ -111,9 +110,8 @@ ConsolidationFit without_two(ConsolidationFit power) {
   if (!power.found()) return power;
   power.parameters.insert(power.parameters.begin(), bounded_below("lambda", std::nullopt));
   power.warnings.emplace_back(
-      "no regime II was found, because the power law of regime III begins where the solid fraction begins to "
-      "grow: "
-      "lambda is not identified (--law full fits both regimes)");
+      "no regime II was found, because the power law of regime III describes the curve from where the solid "
+      "fraction begins to grow: lambda is not identified (--law full fits both regimes)");
   return power;
 }
 
@@ -124,11 +122,11 @@ ConsolidationFit fit_supported_law(const ConsolidationCurve& curve, Consolidatio
   options.regimes = std::nullopt;
   constexpr Eigen::Index kMinSamples = 3;
   const bool has_samples = curve.samples.cols() >= kMinSamples;
-  // The weighting `between` is a compromise, because it is not known how the errors in the user's table depend on Phi.
+  // It is not known how the errors in the user's table depend on Phi; the weighting `between` is a compromise.
   if (options.weighting == Weighting::automatic && !has_samples) options.weighting = Weighting::between;
   if (!options.window) {
     const auto n = static_cast<int>(curve.phi.size());
-    constexpr int kEnough = 5;  // smallest number of points that determine a division into regimes
+    constexpr int kEnough = 5;  // smallest number of points for a division into regimes
     const LawPoints points = law_points(curve, Weighting::between);
     if (n >= kEnough) options.regimes = has_samples ? regimes_of_samples(curve, points) : find_segments(points);
     if (options.regimes && options.regimes->all_in_one) return fit_as(Law::log, curve, options);
@@ -140,7 +138,7 @@ ConsolidationFit fit_supported_law(const ConsolidationCurve& curve, Consolidatio
   }
   if (options.regimes && options.regimes->end_of_two == options.regimes->n_plateau)
     return without_two(fit_as(Law::power, curve, options));
-  // Weights from the scatter of a few samples would depend on the deviations of these samples, which would make the
+  // Weights from the scatter of a few samples would depend on the same deviations as the errors, which would make the
   // intervals of the line too small.
   if (options.weighting == Weighting::automatic) options.weighting = Weighting::between;
   ConsolidationFit line = fit_as(Law::log, curve, options);

@@ -25,7 +25,7 @@ LinearFit volume_at_peak(const TestCurve& curve, std::size_t peak) {
   const double enough = kNear * curve.mobilised[peak];
   while (first > 0 && curve.mobilised[first - 1] >= enough) --first;
   while (last + 1 < curve.size() && curve.mobilised[last + 1] >= enough) ++last;
-  // Several points are needed to determine the error of the slope.
+  // The error of the slope needs several points.
   constexpr std::size_t kLeast = 5;
   while (last - first + 1 < std::min(kLeast, curve.size())) {
     if (first > 0) --first;
@@ -58,7 +58,7 @@ CriticalPart critical_part(const TestCurve& curve, const std::optional<double>& 
         curve.strain[part.first], n, kLeast);
   else if (!(strain > 0.0) || std::abs(volume) > kSteady * strain)
     part.why_not = fmt::format(
-        "the test has not come to a critical state: from a strain of {:.4g} on, the volumetric strain still "
+        "the test has not reached a critical state: from a strain of {:.4g} on, the volumetric strain still "
         "changes by {:.3g}, which is {:.2g} times the change of the strain; expected at most {}",
         curve.strain[part.first], volume, std::abs(volume) / strain, kSteady);
   return part;

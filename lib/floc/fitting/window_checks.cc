@@ -12,8 +12,7 @@ namespace {
 
 using Law = ConsolidationLaw;
 
-/// Returns the weighted residuals of the recompression line at the points before regime II, followed by the weighted
-/// residuals of the law.
+/// Returns the weighted residuals of all fitted points: first of the recompression line, then of the law.
 Eigen::VectorXd all_residuals(const LawEstimate& e) {
   const LawPoints& p = e.plateau;
   Eigen::VectorXd residuals(p.size() + e.points.size());
@@ -22,7 +21,7 @@ Eigen::VectorXd all_residuals(const LawEstimate& e) {
   return residuals;
 }
 
-/// Returns the matrix that projects on the columns of the Jacobian of the residuals in all_residuals().
+/// Returns the matrix that projects on the columns of the Jacobian of all_residuals().
 Eigen::MatrixXd hat_of(const LawEstimate& e) {
   const Eigen::Index n_plateau = e.plateau.size(), n = e.points.size();
   Eigen::MatrixXd hat = Eigen::MatrixXd::Zero(n_plateau + n, n_plateau + n);
@@ -100,7 +99,7 @@ void shift_window(const LawEstimate& estimate, const LawPoints& all, const Windo
     if (!s.lambda ||
         std::abs(*s.lambda - *lambda->value) > std::max(*lambda->standard_error, kWorthSaying * *lambda->value))
       fit.warnings.push_back(fmt::format(
-          "lambda depends on the window of pressures: {2:.4g} for the window fitted, but {0} if the window has "
+          "lambda depends on the window of pressures: {2:.4g} for the window fitted, but {0} for a window with "
           "its {1}",
           s.lambda ? fmt::format("{:.4g}", *s.lambda) : "no regime II is left", s.change, *lambda->value));
 }

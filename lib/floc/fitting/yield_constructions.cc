@@ -22,7 +22,7 @@ struct Sides {
 };
 
 Sides sides_of(const Eigen::VectorXd& x, const RoundBend& bend) {
-  // smallest distance of the points of a line from the bend, divided by the width of the bend
+  // smallest distance from the bend of a point that belongs to a line, divided by the width of the bend
   constexpr double kBeyond = 2.0;
   constexpr Eigen::Index kLeast = 3;
   const Eigen::Index n = x.size();
@@ -43,8 +43,8 @@ std::optional<double> meeting(const WeightedLine& a, const WeightedLine& b) {
   return (b.intercept - a.intercept) / steeper;
 }
 
-/// Constructions of the preconsolidation pressure P_c. All curves must have the same pressures and the same division
-/// into `sides`. Each function returns ln P_c.
+/// Constructions of the preconsolidation pressure P_c of a curve y. Each function returns ln P_c. All curves have the
+/// same pressures, and the same points below and above the bend (`sides`).
 class Constructions {
  public:
   Constructions(const Eigen::VectorXd& P, const SmoothingSpline& spline, const Sides& sides)
@@ -111,8 +111,8 @@ constexpr NamedConstruction kConstructions[] = {{"P_c_casagrande", &Construction
                                                 {"P_c_butterfield", &Constructions::butterfield},
                                                 {"P_c_becker", &Constructions::becker}};
 
-/// Returns the parameter exp(value). The logarithms `drawn` are shifted so that their median is `value`. The interval
-/// then contains 95 % of them.
+/// Returns the parameter exp(value). For its interval, the logarithms `drawn` are shifted so that their median is
+/// `value`; the interval contains 95 % of the shifted logarithms.
 FittedParameter parameter_of(const char* name, double value, std::vector<double> drawn) {
   std::sort(drawn.begin(), drawn.end());
   const auto at = [&](double share) {

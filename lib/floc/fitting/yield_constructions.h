@@ -9,15 +9,15 @@
 
 namespace floc {
 
-/// Preconsolidation pressure by the constructions of soil mechanics, or the reason why there is none.
+/// Preconsolidation pressures from several constructions of soil mechanics, and warnings about constructions that fail.
 struct YieldConstructions {
-  /// P_c_casagrande, P_c_pacheco_silva, P_c_butterfield and P_c_becker. A parameter that cannot be constructed is left
-  /// out.
+  /// The parameters P_c_casagrande, P_c_pacheco_silva, P_c_butterfield and P_c_becker, except those that cannot be
+  /// constructed.
   std::vector<FittedParameter> parameters;
   std::vector<std::string> warnings;
 };
 
-/// Number and seed of the resampled curves of a bootstrap.
+/// Number of the resampled curves of a bootstrap, and seed of the random numbers.
 struct BootstrapDraws {
   int n = 400;
   std::uint64_t seed = 1;
@@ -33,19 +33,19 @@ struct BootstrapDraws {
 /// - Butterfield [Butterfield1979]: two straight lines of ln y against ln P intersect at P_c;
 /// - Becker [BCBJ1987]: two straight lines of the work per volume, sum P_mean d(strain), against P intersect at P_c.
 ///
-/// The virgin line is fitted to the points above the round bend. Butterfield and Becker need two lines: one is fitted
-/// to the points below the bend, the other to the points above it. Each line is fitted to at least three points, the
-/// first three or the last three of the curve. Intervals contain 95 % of the results for resampled curves, which are
-/// the smoothing spline plus drawn residuals. The choice of the points for each line is the same for all curves.
+/// The virgin line is fitted to the points above the round bend. For Butterfield and Becker, one line is fitted to the
+/// points below the bend, and the other to the points above the bend. Each line is fitted to at least three points: if
+/// necessary, the first three or the last three of the curve. Intervals contain 95 % of the results for resampled
+/// curves, which are the smoothing spline plus drawn residuals. Each line is fitted to the same points in all curves.
 /// @param P     pressures, > 0, increasing; eight or more
 /// @param y     1/Phi, one per pressure
 /// @param bend  round bend fitted to y against ln P
 [[nodiscard]] YieldConstructions yield_constructions(const std::vector<double>& P, const Eigen::VectorXd& y,
                                                      const RoundBend& bend, const BootstrapDraws& draws = {});
 
-/// Returns the parameter P_c_agreed, the pressure on which several methods agree. Its value is the median over the
-/// methods. Its interval is the intersection of the intervals of all methods. If this intersection is empty, P_c_agreed
-/// has no value.
+/// Returns the parameter P_c_agreed, the pressure on which several methods agree. The interval is the intersection of
+/// the intervals of all methods. The value is the median over the methods, limited to this interval. If the
+/// intersection is empty, or if there are fewer than three methods, P_c_agreed has no value.
 [[nodiscard]] FittedParameter agreed_pressure(const std::vector<FittedParameter>& methods);
 
 }  // namespace floc

@@ -78,7 +78,8 @@ TEST(Elastic, OfACurvedBranchIsThatOfItsStraightPartOrNotIdentified) {
   EXPECT_TRUE(held.parameters[0].value);
   hold_against(3.6e4, 3.4e4, held);
   EXPECT_FALSE(held.parameters[0].value || held.parameters[0].low95 || held.parameters[0].identified);
-  EXPECT_THAT(held.warnings.back(), HasSubstr("disagrees with the bulk moduli computed from its states"));
+  EXPECT_THAT(held.warnings.back(),
+              HasSubstr("disagrees with the bulk moduli computed from the states of this part"));
 
   // ln Phi is proportional to the square root of P, so that no part of the branch is straight.
   phi.clear();

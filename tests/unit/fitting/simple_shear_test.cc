@@ -62,7 +62,7 @@ TEST(SimpleShear, ThatStillDilatesHasNoCriticalState) {
   points.resize(50);
   const SimpleShearTest test = evaluate_simple_shear_test(points, {});
   EXPECT_FALSE(test.critical_stress.has_value());
-  EXPECT_THAT(test.warnings, testing::ElementsAre(HasSubstr("has not come to a critical state")));
+  EXPECT_THAT(test.warnings, testing::ElementsAre(HasSubstr("has not reached a critical state")));
   EXPECT_THAT(evaluate_simple_shear_test({{}, {}}, {}).failure_reason, HasSubstr("it has 2 states"));
 }
 

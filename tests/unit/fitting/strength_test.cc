@@ -133,7 +133,7 @@ TEST(ShearTest, StillDilatingHasNoCriticalState) {
   points.resize(80);
   const ShearTest test = evaluate_shear_test(points, {});
   EXPECT_FALSE(test.critical_stress.has_value());
-  EXPECT_THAT(test.warnings, testing::ElementsAre(HasSubstr("has not come to a critical state")));
+  EXPECT_THAT(test.warnings, testing::ElementsAre(HasSubstr("has not reached a critical state")));
   EXPECT_FALSE(evaluate_shear_test(drained_test(0.6, 0.4, 12), {0.05, false}).critical_stress.has_value());
   EXPECT_TRUE(evaluate_shear_test(drained_test(0.6, 0.4, 12), {0.12, false}).critical_stress.has_value());
   EXPECT_THAT(evaluate_shear_test({{}, {}}, {}).failure_reason, HasSubstr("it has 2 states"));

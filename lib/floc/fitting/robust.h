@@ -5,7 +5,7 @@
 namespace floc {
 
 /// Loss function of a fit. The scale of the residuals is their median absolute value times 1.4826; for normally
-/// distributed residuals, it equals the standard deviation.
+/// distributed residuals, the scale equals the standard deviation.
 enum class Loss {
   squared,  ///< least squares
   huber,    ///< linear beyond 1.345 times the scale of the residuals; 95 % efficient for normal errors

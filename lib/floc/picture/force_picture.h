@@ -31,12 +31,11 @@ PackingPicture<Dim> pressure_phases_of(const Packing<Dim>& packing, double zero_
 template <int Dim>
 PackingPicture<Dim> contact_kinds_of(const Packing<Dim>& packing, double zero_force);
 
-/// Returns a picture of the changes of the contact forces when the stress changes by a small increment. The elastic
-/// energy of the increment is concentrated in part of the contacts. The contacts that together contain 95 % of this
-/// energy are drawn as lines whose width shows the change of the force. A line has the colour of compression if the
-/// normal force grows, and the colour of tension if the normal force falls. The other contacts are thin background
-/// lines. The unit of the changes of force is the increment of stress times a (in 3D, a^2), where a is the largest
-/// diameter.
+/// Returns a picture of the changes of the contact forces when the stress changes by a small increment. The contacts
+/// that together contain 95 % of the elastic energy of the increment are drawn as lines whose width shows the change of
+/// the force. A line has the colour of compression if the normal force grows, and the colour of tension if the normal
+/// force falls. The other contacts are thin background lines. The unit of the changes of force is the increment of
+/// stress times a (in 3D, a^2), where a is the largest diameter.
 /// @param network  contact network of the packing
 /// @param step  response of the network to the increment of stress
 template <int Dim>

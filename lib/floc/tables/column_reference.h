@@ -7,8 +7,7 @@ namespace floc {
 
 /// Description of a column of a table, as docs/columns.md gives it.
 struct DescribedColumn {
-  /// name of the column; or a pattern with the wildcards `*` and `?`, such as "C??", that matches the names of several
-  /// columns
+  /// name of the column; or a pattern with the wildcards `*` and `?`, such as "C??", for several columns
   std::string name;
   std::string unit;  ///< unit; empty for a column without unit, such as a count or a name
   std::string meaning;
@@ -26,8 +25,8 @@ struct DescribedTable {
 /// Returns the descriptions of all tables, from docs/columns.md. The text of this file is compiled into the library.
 const std::vector<DescribedTable>& described_tables();
 
-/// Returns the description of the table that has all the given columns; if there are several such tables, the one with
-/// the fewest columns. Returns nullptr if there is no such table.
+/// Returns the description of the table that has all the given columns. If several tables have them, returns the table
+/// with the fewest columns; if no table has them, nullptr.
 const DescribedTable* table_with(const std::vector<std::string>& columns);
 
 /// Returns whether a name matches a pattern with the wildcards `*` and `?`.

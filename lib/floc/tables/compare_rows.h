@@ -11,9 +11,9 @@ namespace floc {
 
 /// Options of the tables of `floc compare`.
 struct CompareTableOptions {
-  /// Two grains in contact belong to one rigid cluster if their relative motion is at most this value. Two numbers
-  /// measure the relative motion: the distance between the two material points that touched each other before, in units
-  /// of the largest diameter, and the difference between the rotations of the two grains, in radians.
+  /// Largest relative motion of two grains in contact that belong to one rigid cluster. Two numbers measure the
+  /// relative motion: the distance between the two material points that touched each other before, in units of the
+  /// largest diameter, and the difference between the rotations of the two grains, in radians.
   double rigid_tolerance = 0.01;
   bool displacements = false;  ///< whether the table with a row for each grain is computed
   bool contacts = false;       ///< whether the table with a row for each contact is computed
@@ -36,7 +36,7 @@ struct CompareTables {
   Table displacements, contacts;
 };
 
-/// Compares two states of the same grains. Adds rows to those tables in `side` that the options select.
+/// Compares two states of the same grains. Adds rows to the tables in `side` that the options select.
 /// @throws InputError if the two states do not have equal grains
 template <int Dim>
 CompareRow compare_row(const std::string& old_file, const State<Dim>& before, const std::string& new_file,

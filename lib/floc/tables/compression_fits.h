@@ -15,8 +15,8 @@ struct CompressionFitOptions {
   std::string density = "out-of-die";  ///< "out-of-die", or "in-die" for densities measured under load
   CompressionOptions fit;
 
-  /// Returns the upper bound of solid fractions: the bound in `fit` or, for densities measured in a die, no bound
-  /// (infinity).
+  /// Returns the upper bound of solid fractions: infinity for densities measured in a die, otherwise the bound in
+  /// `fit`.
   double phi_limit() const;
 };
 

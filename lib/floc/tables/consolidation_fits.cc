@@ -14,7 +14,7 @@
 namespace floc {
 namespace {
 
-/// The descriptions are continuations of a message that begins with "N row(s)".
+/// Kinds of steps that are left out. Each description continues a message that begins with "N row(s)".
 constexpr LeftOutStep kLeftOut[] = {
     {PathStep::zero_pressure, "zero_pressure", "at P* = 0"},
     {PathStep::unloading, "unloading", "of unloading"},
@@ -26,8 +26,8 @@ constexpr LeftOutStep kLeftOut[] = {
     {PathStep::first_loading, "before_loading", "before the branch \"load\""},
 };
 
-/// Applies the option --P0: sets the beginning of the fitted window to the pressure of the curve that is nearest to P0,
-/// and its end to the last pressure. Does nothing if P0 is not positive.
+/// Applies the option --P0: the fitted window begins at the pressure of the curve that is nearest to P0, and ends at
+/// the last pressure. Does nothing if P0 is not positive.
 void start_at_P0(double P0, const ConsolidationCurve& curve, ConsolidationOptions& options) {
   if (P0 <= 0.0 || curve.P_star.empty()) return;
   const auto distance = [P0](double P) { return std::abs(std::log(P / P0)); };

@@ -18,17 +18,17 @@ struct ConsolidationFitOptions {
   std::string protocol;
   std::vector<double> window;
   double P0 = 0.0;
-  /// rows to fit: "first" (first loading) or "virgin" (first loading and virgin parts of later loadings). Empty:
-  /// "virgin" if floc chooses the law, otherwise "first"
+  /// rows to fit: "first" (first loading) or "virgin" (first loading, and the parts of later loadings above the largest
+  /// pressure reached before). Empty: "virgin" if floc chooses the law, otherwise "first"
   std::string loading;
   std::string weights;
   std::string loss = "squared";
   int n_bootstrap = 0;
   std::uint64_t seed = 1;
   std::string stress = "driven";
-  double phi_limit = 1.0;  ///< largest solid fraction that a law may approach; infinity for no bound
+  double phi_limit = 1.0;  ///< largest solid fraction that a fitted law may approach; infinity for no bound
 
-  /// Whether floc chooses the law that the data support. The options --protocol and --P0 require the full law.
+  /// Whether floc chooses the law from the data. If the option --protocol or --P0 is given, floc fits the full law.
   bool chooses_law() const { return law == "auto" && protocol.empty() && P0 <= 0.0; }
 };
 
@@ -37,19 +37,19 @@ struct ConsolidationFitOptions {
 struct ConsolidationSample {
   std::string name;
   Loading loading;
-  std::vector<PathStep> steps;  ///< kind of step that leads to each row of the table
+  std::vector<PathStep> steps;  ///< for each row of the table, kind of the step that ends at this row
   std::string unit;             ///< unit of the pressures; empty if the table does not contain it
   /// Stress used as the pressure in rows of oedometer tests: "driven" (on the driven axis) or "mean" (over the axes);
   /// empty if the table has no such rows.
   std::string stress = {};
   std::vector<PathRow> path = {};  ///< rows of the table; empty for the mean of several tables
 
-  /// Returns the points (P*, 1/Phi) of the unloadings and reloadings in the table. Each unloading or reloading ends
-  /// with a pair of NaN.
+  /// Returns the points (P*, 1/Phi) of all loops in the table. A loop consists of successive rows of unloading or
+  /// reloading and of the row before them. A pair of NaN follows each loop, unless the table ends with the loop.
   std::vector<std::vector<double>> loops() const;
 };
 
-/// A kind of step of a load path, such as unloading. The consolidation law is fitted without the rows of this kind. The
+/// A kind of step of a load path, such as unloading, whose rows are left out of the fit of the consolidation law. The
 /// kind has a key in the json output, and a description for messages.
 struct LeftOutStep {
   PathStep step;
@@ -58,8 +58,8 @@ struct LeftOutStep {
 /// Returns all kinds of steps whose rows are left out of fits of the consolidation law.
 std::span<const LeftOutStep> left_out_steps();
 
-/// Returns the indices of the table rows of a sample that are not fitted because the step that leads to the row is of
-/// the given kind.
+/// Returns the indices of those table rows of a sample that are left out of the fit and at which a step of the given
+/// kind ends.
 std::vector<int> left_out(const ConsolidationSample& sample, PathStep step);
 
 /// Returns the consolidation curve of a load path. Its points are the rows of the first loading and, if the option
@@ -84,8 +84,7 @@ std::vector<ConsolidationSample> with_pooled(std::vector<ConsolidationSample> sa
 std::optional<std::pair<double, double>> range_of_lambda(const ConsolidationFit& fit);
 
 /// Fits the consolidation law to one sample.
-/// @param asked    options as keywords, of which only `weights` and `P0` are used, because the effect of these two
-/// depends on the sample
+/// @param asked    options as keywords. Only `weights` and `P0` are used, because their effect depends on the sample
 /// @param options  all other options, from consolidation_options()
 ConsolidationFit fit_of(const ConsolidationSample& sample, const ConsolidationFitOptions& asked,
                         const ConsolidationOptions& options);

@@ -32,7 +32,7 @@ int driven_axis_of(const PathTable& path, const Loading& branch) {
   return axis;
 }
 
-/// Returns the branch with the stresses on the driven axis as pressures, in place of the mean stresses.
+/// Returns the branch with the mean stresses replaced by the stresses on the driven axis.
 Loading against_driven_stress(const PathTable& path, Loading branch) {
   for (std::size_t i = 0; i < branch.rows.size(); ++i)
     branch.curve.P_star[i] *= path.rows[static_cast<std::size_t>(branch.rows[i])].driven_over_mean;

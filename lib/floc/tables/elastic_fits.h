@@ -29,7 +29,7 @@ struct ElasticBranch {
 };
 
 /// Fits elastic lines to all unloading branches of a load path: the bulk modulus B against the mean stress and, in an
-/// oedometer test, also the modulus M against the stress on the driven axis. Compares each fit with the moduli of a
+/// oedometer test, also the modulus M against the stress on the driven axis. Each fit is compared with the moduli of a
 /// saved state.
 /// @param path   load path, read with OedometerPressure::mean
 /// @param state  file of the saved state. If `state` is empty, each branch is compared with the state named in the
@@ -38,8 +38,8 @@ struct ElasticBranch {
 std::vector<ElasticBranch> elastic_branches(const PathTable& path, const std::string& state);
 
 /// Returns the distance of an unloading branch from the elastic line of a saved state: the root mean square difference
-/// of ln Phi, where Phi is the solid fraction. The elastic line is ln Phi as a function of the mean stress. This line
-/// passes through the point of the state; its slope is 1/B_S or, in an oedometer test, 1/B_uniaxial, with the moduli of
+/// of ln Phi, where Phi is the solid fraction. The elastic line, ln Phi as a function of the mean stress, passes
+/// through the point of the state. Its slope is 1/B_S or, in an oedometer test, 1/B_uniaxial; these moduli belong to
 /// the state.
 double distance_from(const StateModuli& state, const ConsolidationCurve& branch);
 

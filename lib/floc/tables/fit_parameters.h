@@ -18,7 +18,7 @@ Json number_or_null(const std::optional<double>& x);
 /// Returns the parameters of a fit as a json object {name: {value, stderr, low95, high95, identified}}.
 Json parameters_as_json(const std::vector<FittedParameter>& parameters);
 
-/// Returns the pattern in the residuals of a fit as a json object.
+/// Returns a pattern that was found in the residuals of a fit, as a json object.
 Json pattern_as_json(const ResidualPattern& pattern);
 
 /// Returns the table cells of one fitted parameter, in the order value, stderr, low95, high95, identified.

@@ -46,8 +46,7 @@ class LoadColumns {
     return control == "oedometric" ? PathLoad::oedometric : PathLoad::other;
   }
 
-  /// Returns the stress on the driven axis of a row, divided by the mean stress in this row. @pre the row has a driven
-  /// axis
+  /// Returns the ratio of the stress on the driven axis to the mean stress in a row. @pre the row has a driven axis
   double driven_over_mean(int row) const {
     const std::string name = fmt::format("stress_{}", static_cast<int>(table_.number(row, axis_)));
     return table_.number(row, table_.column(name)) / table_.number(row, mean_);
@@ -114,7 +113,7 @@ void require_unit_of_pressure(const CsvTable& table, const UnitColumn& pressure)
                                table.columns()[static_cast<std::size_t>(pressure.index)], pressure.unit));
 }
 
-/// Returns a one-line summary of the data that were read from a table.
+/// Returns a summary of a table that was read as a load path, in one line.
 std::string reading_of(const PathTable& path, const std::string& density) {
   const int n_reversals = count_reversals(path.rows);
   const std::string description = path.table.description();
@@ -123,8 +122,8 @@ std::string reading_of(const PathTable& path, const std::string& density) {
                      n_reversals == 1 ? "" : "s", description.empty() ? "" : "; ", description);
 }
 
-/// Adds two notes to a path: which rows are left out because a later row has the same pressure, and which stress is
-/// used as the pressure in rows of oedometer tests.
+/// Adds two notes to a path. The first note lists the rows that are left out because the next row has the same
+/// pressure. The second note names the stress that is used as the pressure in rows of oedometer tests.
 void add_notes(PathTable& path) {
   if (const std::vector<int> rows = superseded_rows(path.rows); !rows.empty())
     path.notes.push_back(

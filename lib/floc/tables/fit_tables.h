@@ -29,7 +29,7 @@ struct PathTable {
   std::string stress = {};
   /// Summary of the table in one line: number of rows, quantities, units and reversals of the load.
   std::string reading = {};
-  /// whether `floc run` has written the table; if so, its `reading` need not be printed
+  /// whether `floc run` has written the table, so that `reading` need not be printed
   bool is_of_run = false;
   std::vector<std::string> notes =
       {};  ///< messages about conversions of the pressures, and about rows that are left out
@@ -39,8 +39,9 @@ struct PathTable {
 };
 
 /// Finds the column of the pressures: the column that the user named; otherwise the first of `names` that is a column
-/// of the table; otherwise a column with another usual name of a pressure. @return name and column
-/// @throws InputError listing the columns of the table if there is none
+/// of the table; otherwise a column with another usual name of a pressure.
+/// @return name and column
+/// @throws InputError, with a list of the columns of the table, if there is no column of pressures
 std::pair<std::string, UnitColumn> pressure_column(const NamedColumns& columns,
                                                    const std::vector<std::string>& names);
 
@@ -51,8 +52,7 @@ enum class OedometerPressure { driven, mean };
 /// the name of the branch. If successive rows have the same pressure, only the last of them is used. In rows of
 /// oedometer tests in a table of `floc run`, the pressure is the stress that `oedometer` selects. If the unit of P_star
 /// changes along a path of `floc run`, the pressures are converted to the unit of the first rows.
-/// @param columns    headers that the user assigned to quantities. Needed if a header is neither the name that floc
-/// uses for the quantity nor another usual name of the quantity
+/// @param columns    headers that the user assigned to quantities; needed for headers that floc does not know
 /// @param pressures  names of columns of pressures; the first of them that exists in the table is read
 /// @param phi_limit  see largest_solid_fraction()
 /// @throws InputError with file, line and value if a column is missing, if a value is not a number or is negative, or

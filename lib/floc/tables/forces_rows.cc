@@ -20,8 +20,7 @@ namespace {
 /// friction of a contact counts as mobilised if the tangential force differs from its limit by less than the tolerance.
 /// The errors of balanced forces are smaller than the tolerance by a few orders of magnitude.
 constexpr double kNothing = 1e-6;
-/// If the predicted time for computing the ranges of all forces exceeds this value (s), a remark gives the predicted
-/// time.
+/// Time (s). If computing the ranges of all forces is predicted to take longer, a remark gives the predicted time.
 constexpr double kLongSeconds = 2.0;
 
 const char* name_of(ForceSelection selection) {
@@ -39,7 +38,7 @@ std::optional<Mat<Dim>> stress_of(const std::vector<double>& components) {
   if (n == 1) return Mat<Dim>(components[0] * Mat<Dim>::Identity());
   Mat<Dim> stress = Mat<Dim>::Zero();
   for (int s = 0; s < n; ++s) {
-    // For a shear component, two entries of unit_strain() are 1/2. The corresponding entries of a unit stress are 1.
+    // The matrix unit_strain() has two entries 1/2 for a shear component. A unit stress has two entries 1 instead.
     const Mat<Dim> unit = unit_strain<Dim>(s);
     stress += components[s] * (s < Dim ? unit : Mat<Dim>(2.0 * unit));
   }

@@ -55,7 +55,7 @@ struct ForcesRow {
   int dimension = 0, n_grains = 0, n_contacts = 0, n_carrying = 0;
   ForceSelection selection = ForceSelection::kClosest;
   double friction = 0.0;
-  /// largest net force on a grain, divided by the mean normal force; both computed from the contact forces in the
+  /// largest net force on a grain, divided by the mean normal force; both are computed from the contact forces in the
   /// state. Absent if the state contains no forces
   std::optional<double> net_force_before;
   double net_force = 0.0, net_moment = 0.0, stress_error = 0.0;
@@ -68,8 +68,9 @@ struct ForcesRow {
   int n_factorizations = 0;
 };
 
-/// Computes contact forces that balance the load of a state at rest, by StaticForces, and returns the row of the state.
-/// @param contacts  receives the forces of the contacts, and their ranges, if the options select them
+/// Computes contact forces that balance the load of a state at rest (see StaticForces), and returns the row of the
+/// state.
+/// @param contacts  receives the forces of the contacts, and the ranges of these forces, if the options select them
 /// @throws InputError if an option is not valid, or if force_balance() refuses the packing
 /// @throws NoResult if no set of forces balances the load
 template <int Dim>

@@ -11,8 +11,8 @@
 
 namespace floc {
 
-/// The row of the table of `floc lattice`: a cemented packing as a lattice of springs, its load, and its response to
-/// the load.
+/// The row of the table of `floc lattice`: a cemented packing that is modelled as a lattice of springs, its load, and
+/// its response to the load.
 struct LatticeRow {
   std::string file;
   int dimension = 2;

@@ -29,9 +29,9 @@ struct ModeRow {
 
 /// Adds the rows of one state to the table of `floc modes`: its free motions by kind, the strains of its cell that cost
 /// no energy, and its softest modes.
-/// @param count  number of modes to add. If absent, all modes with eigenvalues below the largest |F_N|/r of the
-/// contacts are added, but at least 10 and at most 100 modes. Here F_N is the normal force of a contact and r the
-/// distance between the centres of its two grains
+/// @param count  number of modes to add. If absent, all modes are added whose eigenvalues are below the largest |F_N|/r
+/// of a contact (F_N: normal force, r: distance between the centres of the two grains), but at least 10 and at most 100
+/// modes
 /// @return messages, for stderr, about the mechanisms and about the modes with eigenvalues below the largest |F_N|/r
 /// @throws InputError if the state has walls
 template <int Dim>

@@ -44,15 +44,15 @@ TableValue entry(const Eigen::MatrixXd& c, int a, int b) {
   return c(a, b);
 }
 
-/// Returns the mean of the diagonal entries of the stiffness matrix C for shear strains: C33 for disks, C44, C55 and
-/// C66 for spheres. The cell is empty if C was computed without shear strains.
+/// Returns the mean of those diagonal entries of the stiffness matrix C that belong to shear strains: C33 for disks;
+/// C44, C55 and C66 for spheres. The cell is empty if C was computed without shear strains.
 TableValue shear_strain_modulus(const ModuliRow& r) {
   const Eigen::Index n_shear = r.moduli.C.rows() - r.dimension;
   if (n_shear <= 0) return {};
   return r.moduli.C.diagonal().tail(n_shear).mean();
 }
 
-/// Returns the compliance matrix, the inverse of the stiffness matrix C. Returns nothing if C cannot be inverted. If C
+/// Returns the compliance matrix, that is, the inverse of the stiffness matrix C; nothing if C cannot be inverted. If C
 /// was computed without shear strains, the compliance describes a cell whose shear strains are zero; otherwise it
 /// describes a cell whose shear stresses are zero.
 std::optional<Eigen::MatrixXd> compliance(const ModuliRow& r) {

@@ -36,13 +36,13 @@ struct ModuliRow {
   std::optional<double> wall_pressure;  ///< mean pressure on the walls (stress); absent if there are no walls
   double solid_fraction;
   Moduli moduli;
-  /// Mechanics of the contact network; absent unless the moduli were computed by --method factor.
+  /// Mechanics of the contact network. Absent unless the moduli were computed by --method factor.
   std::optional<NetworkMechanics> network;
-  /// Error budget of the moduli; absent unless the moduli were computed by --method factor.
+  /// Contributions to the error of the bulk modulus. Absent unless the moduli were computed by --method factor.
   std::optional<ErrorBudget> budget;
   std::optional<int> n_near_mechanisms;
-  /// Bulk modulus (stress) with prestress, that is, with the effect of the contact forces on the stiffness. Computed
-  /// only if --prestress is given or the network has near-mechanisms; otherwise absent.
+  /// Bulk modulus (stress) that includes the effect of the contact forces on the stiffness (prestress). Absent unless
+  /// --prestress is given or the network has near-mechanisms.
   std::optional<double> B_prestress;
   std::optional<double> G_prestress;
   std::optional<double> rolling_stiffness;
@@ -56,7 +56,7 @@ struct ModuliRow {
 
 /// Options that determine the columns of the table of `floc moduli`.
 struct ModuliColumnChoice {
-  /// Whether the user gave rolling stiffnesses in place of the rolling stiffnesses in the states.
+  /// Whether the user gave rolling stiffnesses, which replace the rolling stiffnesses in the states.
   bool rolling_stiffness = false;
   bool prestress = false;
 };

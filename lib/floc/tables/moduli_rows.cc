@@ -47,8 +47,7 @@ ModuliRow described(const std::string& file, const State<Dim>& state) {
   return row;
 }
 
-/// Beginning of a message, for require_elastic(). The message is shown for a state of rigid grains if --kn and --kt are
-/// not given.
+/// Beginning of the message of require_elastic() for a state of rigid grains if --kn and --kt are not given.
 const std::string kNeedsStiffness = "without named stiffnesses --kn and --kt, moduli are computed";
 
 /// Requires a packing whose moduli can be computed: its contacts are elastic and, for moduli with prestress of grains
@@ -60,8 +59,8 @@ void require_stiffness(const Packing<Dim>& packing, bool prestress, const std::s
     require_periodic(packing, "moduli with prestress of grains with corners are computed", file);
 }
 
-/// Returns a state of rigid grains with the stiffnesses --kn and --kt in its contacts, and warns that these stiffnesses
-/// are not a property of the grains.
+/// Returns a state of rigid grains whose contacts are springs with the stiffnesses --kn and --kt. Warns that these
+/// stiffnesses are not a property of the grains.
 template <int Dim>
 State<Dim> with_named_stiffness(const std::string& file, State<Dim> state, const ModuliTableOptions& options,
                                 const Remarks& remarks) {
@@ -74,14 +73,15 @@ State<Dim> with_named_stiffness(const std::string& file, State<Dim> state, const
   } catch (const InputError& error) {
     throw InputError(file, error.what());
   }
-  remarks.warn(file,
-               "the grains are rigid: these moduli are the moduli of springs --kn and --kt in the contacts of "
-               "the state, and are not a property of the grains");
+  remarks.warn(
+      file,
+      "the grains are rigid: these moduli are those of springs with the stiffnesses --kn and --kt at the "
+      "contacts, and are not a property of the grains");
   return state;
 }
 
-/// Warns if the rounding of the grain positions in a state causes residual forces or stresses that reach the tolerances
-/// of equilibrium.
+/// Warns if the rounding of the grain positions causes residual forces or stresses that reach the tolerances of
+/// equilibrium.
 template <int Dim>
 void warn_of_rounding(const std::string& file, const State<Dim>& state, const Remarks& remarks) {
   const RoundingFloor floor = rounding_floor(state.packing, state.target_stress);
@@ -139,8 +139,7 @@ void add_network(const State<Dim>& state, ModuliOptions options, ModuliRow& row,
   row.moduli.response = {};
 }
 
-/// Returns the options with a rolling stiffness that replaces the rolling stiffness of the state. If
-/// `rolling_stiffness` is absent, returns the options unchanged.
+/// Returns the options. If `rolling_stiffness` is present, it replaces the rolling stiffness of the state.
 ModuliOptions with_rolling(ModuliOptions options, std::optional<double> rolling_stiffness) {
   if (rolling_stiffness) options.rolling_stiffness = rolling_stiffness;
   return options;
@@ -167,7 +166,7 @@ bool by_factor(const ModuliTableOptions& options) {
   return options.moduli.method == ModuliMethod::factor && !options.accuracy;
 }
 
-/// Sets the memory that a Cholesky factor of the stiffness matrix may take: the value in the options or, if there is
+/// Sets the largest memory for a Cholesky factor of the stiffness matrix: the value in the options or, if there is
 /// none, 70 % of the free memory. The rest of the memory is needed for the matrix itself and for workspace.
 ModuliTableOptions with_largest_factor(ModuliTableOptions options) {
   constexpr double kShare = 0.7;
@@ -191,9 +190,9 @@ ModuliRows::ModuliRows(const ModuliTableOptions& options)
       space_(options_.moduli),
       last_row_(processor_seconds()) {}
 
-/// Computes the moduli of a packing whose stiffness matrix has a Cholesky factor that is predicted to be too large for
-/// the memory. The function uses PETSc, which needs no factor. If floc was built without PETSc, it tries to compute the
-/// factor nevertheless.
+/// Computes the moduli of a packing if the Cholesky factor of the stiffness matrix is predicted to be too large for the
+/// memory. PETSc is used, because it needs no factor. If floc was built without PETSc, the function tries to compute
+/// the factor nevertheless.
 /// @param bytes  predicted size of the factor (bytes)
 template <int Dim>
 std::vector<Moduli> ModuliRows::without_factor(const std::string& file, const Packing<Dim>& packing,

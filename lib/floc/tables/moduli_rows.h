@@ -45,8 +45,8 @@ struct ModuliTableOptions {
   std::vector<std::string> validate() const;
 };
 
-/// Parses the values of the option --accuracy, which are required relative errors of the moduli: "X" for both B and G,
-/// "B=X" or "G=X" for one of them. Returns nothing if `texts` is empty.
+/// Parses the values of the option --accuracy: "X" is the required relative error of both B and G, "B=X" or "G=X" of
+/// one of them. Returns nothing if `texts` is empty.
 /// @throws InputError with the text that is not valid
 std::optional<ModuliAccuracy> moduli_accuracy(const std::vector<std::string>& texts);
 
@@ -87,8 +87,8 @@ class ModuliRows {
   std::unique_ptr<ParallelSolver> solver_;
 };
 
-/// Computes the rows of the table of `floc moduli` for one state with the solver of PETSc, on all its processes. All
-/// processes must call this function with the same state, and all obtain the same rows.
+/// Computes the rows of the table of `floc moduli` for one state, on all processes of the PETSc solver. All processes
+/// must call this function with the same state, and all obtain the same rows.
 /// @param state  the state, passed by value so that its contacts can be freed early, to save memory
 /// @throws NoResult if the state has no moduli
 template <int Dim>
@@ -96,8 +96,8 @@ std::vector<ModuliRow> parallel_moduli_rows(const std::string& file, State<Dim> 
                                             const ModuliTableOptions& options, ParallelSolver& solver,
                                             const Remarks& remarks = {});
 
-/// Checks that the boundary of a state can impose a set of strains on the state. Walls cannot impose shear strains.
-/// @throws InputError if the boundary cannot impose them
+/// Checks that the boundary of a state can impose a set of strains. Walls cannot impose shear strains.
+/// @throws InputError if the boundary cannot impose the strains
 void require_strains(const std::string& file, const AnyState& any, StrainSet strains);
 
 /// Returns a message if the moduli in a row do not have the required accuracy, otherwise an empty text.
@@ -108,8 +108,8 @@ std::string accuracy_fault(const ModuliRow& row, const std::optional<ModuliAccur
 Table moduli_table(const ModuliTableOptions& options, const std::vector<ModuliRow>& rows);
 
 /// Computes the table of `floc moduli` for one state in a single call; docs/columns.md describes its columns. If the
-/// state is not in equilibrium, `remarks` receives a warning. The table of the force increments of contacts is not
-/// computed; it requires the class ModuliRows.
+/// state is not in equilibrium, `remarks` receives a warning. For the table of the force increments of contacts, use
+/// the class ModuliRows.
 /// @param file  name of the state in the table and in messages
 /// @throws InputError if an option is not valid or cannot be applied to the state
 /// @throws NoResult if the state has no moduli

@@ -10,8 +10,8 @@
 namespace floc {
 
 struct ModulusFitOptions {
-  /// Headers of the columns of the moduli to fit. If empty, the moduli in default_moduli() that the table contains are
-  /// fitted.
+  /// Headers of the columns of the moduli to fit. If empty, those moduli in default_moduli() are fitted that the table
+  /// contains.
   std::vector<std::string> moduli;
   std::string branch = "first";  ///< "first": the states of the first loading; "all": all states
   double phi_limit = 1.0;        ///< see largest_solid_fraction()
@@ -23,7 +23,7 @@ const std::vector<std::string>& default_moduli();
 /// Quantity against which a modulus is fitted.
 enum class ModulusAgainst { pressure, fraction };
 
-/// Power law of one modulus of one sample.
+/// Power law of one modulus, fitted to one sample.
 struct ModulusFit {
   /// directory of the states or, if unknown, name of the table; "pooled" for the mean over samples
   std::string sample;
@@ -44,13 +44,13 @@ struct ModulusFits {
 
 /// Fits power laws of elastic moduli against the pressure and, if the table has solid fractions, also against the solid
 /// fraction. Consecutive rows belong to one sample if their states, in the column "file", are in the same directory;
-/// without this column, all rows belong to one sample. States are left out if the pressure or the modulus is not
-/// positive, because only positive numbers have a logarithm.
+/// without this column, all rows belong to one sample. Rows in which the pressure or the modulus is not positive are
+/// left out, because these numbers have no logarithm.
 /// @throws InputError with file, line and value if a column is missing or a value is not a number
 ModulusFits modulus_fits(const std::string& file, const ColumnNames& columns, const ModulusFitOptions& options);
 
-/// Returns the means of the parameters over samples, with Student's interval, for each modulus and each quantity
-/// against which it is fitted. The result is empty if there is only one sample.
+/// Returns the means of the parameters over samples, with Student's intervals: one result for each modulus and each
+/// quantity against which it is fitted. The result is empty if there is only one sample.
 std::vector<ModulusFit> pooled_over_samples(const std::vector<ModulusFit>& fits);
 
 /// Returns the table of `floc fit moduli`, with a row for each parameter.

@@ -26,14 +26,14 @@ std::vector<double> scaled(std::vector<double> values, double unit) {
   return values;
 }
 
-/// Values of one quantity (normal force or particle pressure), and the windows of values to which exponential
-/// distributions are fitted. All numbers are in the unit `unit`.
+/// Values of one quantity (normal force or particle pressure). Exponential distributions are fitted to the values in
+/// several windows. All numbers are in the unit `unit`.
 struct Measured {
   std::string quantity, unit;
   double unit_size = 0.0;
   std::vector<double> values;  ///< values of the quantity
   std::vector<double> from;    ///< magnitudes at which the windows begin
-  /// Largest magnitude that a negative value can have. Windows of negative values end here.
+  /// Largest magnitude that a negative value can have, at which the windows of negative values end.
   double end_of_negative = kEnd;
   /// Ends of two additional windows: `window_plus` for positive values, `window_minus` for negative values. An end is
   /// absent if there is no such window.
@@ -67,8 +67,8 @@ void add_exponents(const std::string& file, const Measured& of, Table& table) {
   }
 }
 
-/// Returns the windows in which exponential distributions are fitted to the values of a quantity. The member `values`
-/// of the result is empty.
+/// Returns the windows of values in which exponential distributions are fitted, for one quantity in one unit. The
+/// member `values` of the result is empty.
 /// @param near             magnitude below which a normal force counts as near zero, in units of F0
 /// @param end_of_negative  largest magnitude that a negative value can have, expressed in `unit`
 Measured limits_of(const std::string& quantity, const std::string& unit, double near, double end_of_negative) {

@@ -53,16 +53,17 @@ struct BondTables {
   Table pressures{{"file", "unit_stress", "low", "high", "count", "n", "density", "n_outside"}, {}};
   Table neighbours{{"file", "phase", "like_low", "like_high", "n_grains", "mean_size", "stderr"}, {}};
   Table clusters{{"file", "phase", "n_grains", "count"}, {}};
-  /// Values of all states together; the key consists of quantity and unit. Each value is divided by the size that the
-  /// unit has in the state of the value.
+  /// Values from all states together; the key consists of quantity and unit. Each value is divided by the size of the
+  /// unit in the state from which the value comes.
   std::map<std::pair<std::string, std::string>, std::vector<double>> pooled;
 };
 
-/// Forces below these limits cannot be distinguished from zero, because the equilibrium of a state is accurate only to
-/// a tolerance.
+/// Limits below which a force cannot be distinguished from zero, because the state is in equilibrium only to a
+/// tolerance.
 struct ForceLimits {
-  double zero;      ///< largest normal force that counts as zero (force)
-  double pressure;  ///< largest force P a^(Dim-1) that counts as zero (force); P: pressure, a: largest diameter
+  double zero;  ///< largest normal force that counts as zero (force)
+  double
+      pressure;  ///< largest value of P a^(Dim-1) that counts as zero (force); P: pressure, a: largest diameter
 };
 
 /// Computes the bonds and phases of one state, and adds its rows to the tables that the options select.

@@ -5,15 +5,15 @@
 namespace floc {
 namespace {
 
-/// Returns a function that computes the cell of a column from a row: the integer `number` of the optional member `part`
-/// of the row. The cell is empty if this member is absent.
+/// Returns a function that computes a cell from a row: the integer `number` in the optional member `part` of the row.
+/// The cell is empty if `part` is absent.
 template <class Part>
 auto count_of(std::optional<Part> NetworkRow::*part, int Part::*number) {
   return [=](const NetworkRow& r) { return r.*part ? count((*(r.*part)).*number) : TableValue{}; };
 }
 
-/// Returns a function that computes the cell of a column from a row: the member `number` of its network mechanics. The
-/// cell is empty if the mechanics or this member are absent.
+/// Returns a function that computes a cell from a row: the member `number` of the network mechanics. The cell is empty
+/// if the network mechanics or this member are absent.
 auto number_of(std::optional<double> NetworkMechanics::*number) {
   return [=](const NetworkRow& r) { return r.mechanics ? or_undefined((*r.mechanics).*number) : TableValue{}; };
 }
@@ -146,16 +146,16 @@ std::vector<Column<NetworkRow>> anisotropy_columns() {
   return columns;
 }
 
-/// Returns the name of a column about the distribution of forces. If the forces are counted by pairs of grains,
-/// "_pairs" is inserted: alpha becomes alpha_pairs, and alpha_error becomes alpha_pairs_error.
+/// Returns the name of a column about the distribution of forces. If `by_pairs` is true (forces between pairs of
+/// grains), "_pairs" is inserted: alpha becomes alpha_pairs, and alpha_error becomes alpha_pairs_error.
 std::string with_pairs(const std::string& name, bool by_pairs) {
   if (!by_pairs) return name;
   const std::size_t at = name.find("_error");
   return at == std::string::npos ? name + "_pairs" : name.substr(0, at) + "_pairs_error";
 }
 
-/// Returns the columns about the distribution of forces, which are counted by contact points and by pairs of grains,
-/// and the columns about the long axes.
+/// Returns two sets of columns: columns about the distribution of forces (first counted by contact points, second by
+/// pairs of grains), and columns about the long axes of grains.
 std::vector<Column<NetworkRow>> force_shape_columns() {
   using Row = NetworkRow;
   std::vector<Column<Row>> columns;

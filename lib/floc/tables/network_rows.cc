@@ -20,8 +20,8 @@ namespace {
 constexpr ForceKind kForceKinds[] = {ForceKind::normal, ForceKind::tangential, ForceKind::rolling};
 
 /// Computes the degree of hyperstaticity (number of independent self-stresses) of the force-carrying structure `held`.
-/// @param network, response  contact network with which the moduli were computed, and its elastic response. To save
-/// time, the network and the response are used again if the network has the same contacts as `held`
+/// @param network, response  contact network with which the moduli were computed, and its elastic response. If this
+/// network has the same contacts as `held`, the response is used again, to save time
 template <int Dim>
 Indeterminacy hyperstaticity(const Packing<Dim>& packing, const CarryingStructure& held,
                              const ContactNetwork<Dim>& network, const ElasticResponse& response) {
@@ -113,14 +113,14 @@ void add_distribution(const std::string& file, ForceKind kind, const ForceDistri
         {file, name_of(kind), d.unit, d.low(b), d.low(b + 1), d.counts[b], d.n, d.density(b), d.n_outside});
 }
 
-/// Returns the largest value of the force P a^(Dim-1) that cannot be distinguished from zero (P: pressure, a: largest
-/// diameter). The stress is in equilibrium only to a tolerance.
+/// Returns the largest value of P a^(Dim-1) (force) that cannot be distinguished from zero, because the stress is in
+/// equilibrium only to a tolerance (P: pressure, a: largest diameter).
 template <int Dim>
 double least_pressure_force(const State<Dim>& state) {
   return state.tolerance.stress * force_scale(state.packing, state.target_stress).force;
 }
 
-/// Returns, for a warning, the reason why the normal forces of a state cannot be expressed in a unit.
+/// For a warning, returns the reason why the normal forces of a state cannot be expressed in a unit.
 const char* why_no_unit(ForceUnit unit) {
   switch (unit) {
     case ForceUnit::pull_off:

@@ -92,9 +92,9 @@ struct NetworkTables {
   BondTables bonds;
 };
 
-/// Computes the row of one state, and adds rows to those tables in `side` that the options select. For a state with
-/// walls, contacts with walls support grains and contribute to the pressure of the grains, but they are not counted as
-/// contacts, and the network mechanics are not computed.
+/// Computes the row of one state, and adds rows to the tables in `side` that the options select. In a state with walls,
+/// the contacts with walls support grains and contribute to the pressure of the grains, but are not counted as
+/// contacts. The network mechanics are not computed for such a state.
 template <int Dim>
 NetworkRow network_row(const std::string& file, const State<Dim>& state, const NetworkTableOptions& options,
                        NetworkTables& side, const Remarks& remarks = {});

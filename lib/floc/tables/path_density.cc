@@ -74,8 +74,8 @@ std::string percent_question(const std::string& name, const std::string& header)
                      item, item);
 }
 
-/// Returns advice for a solid fraction above 1 that may have been measured on a powder in a die; empty for other solid
-/// fractions.
+/// Returns advice for a solid fraction above 1 that is possible for a powder measured in a die under load. Returns an
+/// empty text for other solid fractions.
 std::string advice_for_die(double phi) {
   if (!(phi > 1.0 && phi <= largest_solid_fraction(kInfinity))) return "";
   return "; if this density was measured in a die under load, where elastic strain may raise it above the "
@@ -105,7 +105,7 @@ class DensityReader {
   }
 
  private:
-  /// Returns whether all numbers that are needed to convert the density `name` to a solid fraction are given.
+  /// Returns whether all numbers are given that are needed to convert the density `name` to a solid fraction.
   bool is_complete(const std::string& name) const {
     const auto known = [this](const char* of) { return columns_.given_number(of) || columns_.has(of); };
     if (name == "dry_density" || name == "bulk_density") return known("particle_density");
@@ -134,10 +134,9 @@ class DensityReader {
                                                  fmt::join(table_.columns(), ", "), almost));
   }
 
-  /// Returns whether a column contains a density. It does in two cases: if the user has named this column for the
-  /// density, or its header is the name that floc uses for the density; or if the header is another usual name of the
-  /// density, and the unit is absent or is a unit of this density. For example, the diameter "D [mm]" of a tablet is
-  /// not a relative density.
+  /// Returns whether a column contains a density: the user has named the column for the density, or the header is the
+  /// name that floc uses for the density. If the header is another usual name of the density, the unit must be absent
+  /// or be a unit of the density. For example, the diameter "D [mm]" of a tablet is not a relative density.
   bool is_of(const Density& density, const UnitColumn& column) const {
     if (columns_.is_named(density.name) || columns_.find_exactly(density.name)) return true;
     return column.unit.empty() || quantity_of_unit(column.unit) == density.measures;
@@ -152,9 +151,8 @@ class DensityReader {
                        density.words, needed);
   }
 
-  /// If the table has a column of void ratios and a column of solid fractions, returns the column of void ratios; the
-  /// two columns must agree. Returns nothing if the table has only one of the two columns, or if the user has named
-  /// only one of them.
+  /// If the table has columns of both void ratios and solid fractions, returns the column of void ratios; the two
+  /// columns must agree. Returns nothing if one of the columns is missing, or if the user has named only one of them.
   std::optional<DensityColumn> second_column() const {
     const bool phi = columns_.is_named("phi"), void_ratio = columns_.is_named("void_ratio");
     if (!main_.is("phi") || phi != void_ratio) return std::nullopt;
@@ -221,7 +219,7 @@ class DensityReader {
   }
 
   /// Returns `phi` if it is a possible solid fraction.
-  /// @throws InputError if `phi` is not possible; the message names the cell from which it was computed
+  /// @throws InputError if `phi` is not possible; the message names the cell from which `phi` was computed
   double in_range(int row, double phi, const char* expected) const {
     if (phi > 0.0 && phi <= largest_solid_fraction(phi_limit_)) return phi;
     throw InputError(table_.place(row), fmt::format("{} = {}: expected {}; {}{}", main_.density.name,
@@ -296,17 +294,17 @@ double factor_of_share(const NamedColumns& columns, const std::string& name) {
   const bool is_strain = name == "axial_strain";
   auto [least, most] = range_of(table, column.index);
   if (is_strain && most <= 0.0) std::tie(least, most) = std::pair(-most, -least);
-  // Void ratios of soils are below 5; those of peat and of the loosest powders are below 20. Solid fractions above 1
+  // Void ratios of soils are below 5, void ratios of peat and of the loosest powders below 20. Solid fractions above 1
   // are refused later, in a message that names the row.
   constexpr double kLoose = 10.0, kLoosest = 30.0;
   const bool has_no_bound = name == "void_ratio" || name == "e" || name == "specific_volume";
   if (factor == 1.0 && has_no_bound && least >= kLoose)
     refuse(fmt::format("{:.4g} and more in every row", least));
   if (factor == 1.0 && name != "phi" && most > (has_no_bound ? kLoosest : 1.0))
-    refuse(fmt::format("{:.4g} in some row", most));
+    refuse(fmt::format("{:.4g} in at least one row", most));
   // A strain below one percent is possible, but a solid fraction below one percent is not.
   if (factor < 1.0 && !is_strain && most <= 1.0)
-    refuse(fmt::format("at most {:.4g} {}, as the table says", most, column.unit));
+    refuse(fmt::format("at most {:.4g} {}, according to the header", most, column.unit));
   return factor;
 }
 

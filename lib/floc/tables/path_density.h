@@ -38,9 +38,9 @@ std::vector<std::string> density_names();
 /// contradict each other
 SolidFractions solid_fractions(const NamedColumns& columns, double phi_limit = 1.0);
 
-/// Returns the largest solid fraction that a row of a table may have: 1 or, if `phi_limit` is larger, `phi_limit`, but
-/// at most 1.5. Solid fractions above 1 occur for powders in a die, because elastic strain makes the grains denser than
-/// the solid without load. Numbers above 1.5 are assumed to be in percent.
+/// Returns the largest solid fraction that a row of a table may have: `phi_limit`, but at least 1 and at most 1.5.
+/// Solid fractions above 1 occur for powders in a die, because elastic strain makes the grains denser than the solid
+/// without load. Numbers above 1.5 are assumed to be in percent.
 double largest_solid_fraction(double phi_limit);
 
 /// Returns the factor that converts the numbers in the column `name` (a void ratio or another ratio) to plain ratios:

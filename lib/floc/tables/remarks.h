@@ -12,8 +12,8 @@ namespace floc {
 class Remarks {
  public:
   /// Function that receives a remark.
-  /// @param severity  measure of how serious the remark is. Of several remarks that differ only in their numbers, the
-  /// remark with the largest severity is the most serious
+  /// @param severity  measure of how serious the remark is. If several remarks differ only in their numbers, the remark
+  /// with the largest severity is the most serious
   using Receiver = std::function<void(const std::string& file, const std::string& text, double severity)>;
 
   /// Creates an object that ignores all remarks.
@@ -31,7 +31,7 @@ class Remarks {
   Receiver receiver_;
 };
 
-/// Returns the first number in the text of a remark, which is used as its severity; 0 if there is no number.
+/// Returns the first number in the text of a remark, which serves as its severity; 0 if the text contains no number.
 double first_number(const std::string& text);
 
 }  // namespace floc

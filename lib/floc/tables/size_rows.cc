@@ -21,8 +21,8 @@ std::vector<Column<SizeClass>> size_columns() {
           {"passing_asked", [](const SizeClass& c) { return or_undefined(c.passing_asked); }}};
 }
 
-/// Returns the size distribution in the text of a scene. If the text cannot be read, returns a distribution that
-/// consists of the given diameters.
+/// Returns the size distribution in the text of a scene or, if the text cannot be read, a distribution that consists of
+/// the given diameters.
 /// @param file  name of the state file that contains the text
 /// @param diameters  diameters of the grains of the state (length)
 DiameterDistribution distribution_of(const std::string& file, const std::string& scene,
@@ -32,7 +32,7 @@ DiameterDistribution distribution_of(const std::string& file, const std::string&
       return parse_scene(scene, "the scene", std::filesystem::path(file).parent_path().string())
           .grains.diameter;
   } catch (const InputError&) {
-    // The scene may start from a saved state, and the file of this state may no longer exist.
+    // The scene may start from a saved state whose file no longer exists.
   }
   DiameterDistribution list;
   list.kind = DiameterDistribution::Kind::list;

@@ -13,8 +13,8 @@ namespace floc {
 Table size_table(const std::vector<SizeClass>& classes);
 
 /// Adds to the table of `floc info --sizes` a row for each interval of the grain diameters of a state. The intervals
-/// and the expected volume fractions come from the size distribution in the scene of the state. If the state has no
-/// scene that can be read, the intervals are the quarters of the range of diameters.
+/// and the expected volume fractions come from the size distribution in the scene of the state. Without a scene that
+/// can be read, the range of diameters is divided into four equal intervals.
 /// @param file  name of the state file
 void add_size_rows(const std::string& file, const AnyState& state, Table& table);
 

@@ -20,7 +20,7 @@ struct Pool {
   /// Lateral stress at the beginning of each test or, in tests on planes, normal stress on the planes.
   std::vector<double> imposed;
   std::map<std::string, std::vector<double>> values;  ///< values of each parameter; the key is its name
-  std::vector<std::string> names;                     ///< names of the parameters, in order
+  std::vector<std::string> names;  ///< names of the parameters, in the order in which they were added
 
   void add(const std::vector<FittedParameter>& parameters) {
     for (const FittedParameter& p : parameters) {
@@ -45,7 +45,7 @@ void convert_stresses(const StrengthTest& to, StrengthTest& test) {
   }
 }
 
-/// Adds the states of a table to a pool. Each row of this table is a sample at failure.
+/// Adds the states of a table to a pool. Each row of the table is the state of one sample at failure.
 void add_failures(const StrengthTest& test, Pool& pool) {
   for (const ShearPoint& p : test.points) {
     ++pool.n_tests;
@@ -109,7 +109,7 @@ StrengthFit evaluate(const StrengthTest& test, const StrengthOptions& options, P
   return evaluate_shear(test, options, pool);
 }
 
-/// Returns whether all tests began under the same stress, to 5 %.
+/// Returns whether the stresses at the beginning of all tests are equal, to 5 % of the largest.
 bool have_one_stress(const std::vector<double>& imposed) {
   constexpr double kSame = 0.05;
   const auto [least, most] = std::ranges::minmax(imposed);

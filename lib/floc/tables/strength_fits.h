@@ -19,11 +19,11 @@ struct StrengthOptions {
 
 /// Parameters that were computed from one test, or from all tests of one kind together.
 struct StrengthFit {
-  std::string sample;  ///< name of the table; "pooled" for all tests of a kind
-  std::string rows;    ///< rows of the table, as text; empty for all tests of a kind
+  std::string sample;  ///< name of the table; "pooled" for all tests of one kind together
+  std::string rows;    ///< rows of the table, as text; empty for all tests of one kind together
   TestKind kind = TestKind::drained;
   std::string unit;  ///< unit of the stresses; empty if the tables have none
-  int n = 0;         ///< number of states of the test; for all tests of a kind, number of tests
+  int n = 0;         ///< number of states of the test or, for all tests of one kind together, number of tests
   std::vector<FittedParameter> parameters;
   std::string failure_reason;  ///< reason why there are no parameters; empty if there are parameters
   std::vector<std::string> warnings;

@@ -67,8 +67,9 @@ class RunColumns {
     return p;
   }
 
-  /// Returns the state in a row of a test of simple shear. If `is_start` is true, the row is the last row before the
-  /// test, and the returned shear strain and shear stress are 0.
+  /// Returns the state in a row of a test of simple shear.
+  /// If `is_start` is true, the row is the last row before the test, and the shear strain and shear stress are set to
+  /// 0.
   PlaneShearPoint plane(int row, std::size_t axis, bool is_start) const {
     PlaneShearPoint p;
     p.normal_stress = table_.number(row, stress_[axis]);
@@ -100,7 +101,7 @@ void count_strains_from_start(StrengthTest& test) {
 }
 
 /// Adds the state in the row `row` to `test`.
-/// @param of  a row of the test; `row` is this row, or the row before the test
+/// @param of  a row of the test: `row` itself or, if `row` is the row before the test, the first row of the test
 void add_state(const RunColumns& columns, int row, int of, StrengthTest& test) {
   if (test.kind == TestKind::simple_shear)
     test.planes.push_back(columns.plane(row, columns.axis(of), row != of));
@@ -146,7 +147,7 @@ StrainColumn strain_column(const NamedColumns& columns, const std::string& name)
   return {column.index, strain_factor(columns.table(), column)};
 }
 
-/// Returns whether the stresses in a table are stresses on planes that slide along each other.
+/// Returns whether a table contains stresses on planes that slide along each other.
 bool is_of_planes(const NamedColumns& columns, TestKind kind) {
   return kind == TestKind::simple_shear || (!columns.has("sigma1") && columns.has("tau"));
 }
@@ -182,7 +183,7 @@ std::vector<StrengthTest> tests_of_laboratory(const std::string& name, const Nam
   std::optional<StrainColumn> strain, volume;
   if (columns.has("strain")) {
     strain = strain_column(columns, "strain");
-    // In an oedometer, the lateral lengths are constant, so that the volumetric strain equals the axial strain.
+    // In an oedometer, the lateral lengths are constant. Therefore the volumetric strain equals the axial strain.
     volume = kind == TestKind::oedometer ? strain : strain_column(columns, "volumetric_strain");
   }
   StrengthTest test{name, strain ? kind : TestKind::failure, {}, axial.unit, {}, {}};

@@ -31,9 +31,10 @@ struct StrengthTest {
   TestKind kind = TestKind::drained;
   std::vector<int> rows;  ///< rows of the table, from 0
   std::string unit;       ///< unit of the stresses; empty if the header has none
-  /// States of the test. The first one is the row before the test, if there is one; strains are measured from it.
+  /// States of the test. The first state is the row before the test, if the table has such a row. Strains are measured
+  /// from the first state.
   std::vector<ShearPoint> points;
-  /// states of a test of simple shear, or of another test in which the failure planes are given
+  /// states of a test of simple shear, or of another test whose table gives the stresses on the failure planes
   std::vector<PlaneShearPoint> planes;
 
   std::size_t n_states() const { return points.size() + planes.size(); }

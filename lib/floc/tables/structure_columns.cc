@@ -37,8 +37,8 @@ std::vector<Column<StructureRow>> structure_columns() {
   columns.emplace_back("fit_high", of_fit([](const ScatteringFit& f) { return f.high; }));
   columns.emplace_back("fit_points", of_fit([](const ScatteringFit& f) { return count(f.n_points); }));
   columns.emplace_back("chi_square", of_fit([](const ScatteringFit& f) { return f.chi_square; }));
-  // The columns of the mesh and of the pores have values only for disks; those of the local solid fraction and of the
-  // voids have values only for spheres.
+  // The columns about the mesh and the pores have values only for disks; the columns about the local solid fraction and
+  // the voids only for spheres.
   columns.emplace_back("mesh_spacing", [](const Row& r) { return or_undefined(r.mesh_spacing); });
   for (const int a : {0, 1})
     columns.emplace_back(fmt::format("mesh{}", a + 1),

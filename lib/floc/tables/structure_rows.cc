@@ -64,8 +64,9 @@ void add_fit(const Scattering& s, double diameter, const StructureTableOptions& 
   report(row.file, s, *row.fit, series.intensity, remarks);
 }
 
-/// Returns the object in `series` that averages the scattered intensity over all states. The first call creates it.
-/// @param edges     edges of the bins of wave number; those passed in the first call are used for all states
+/// Returns the object in `series` that averages the scattered intensity over all states. The first call creates the
+/// object.
+/// @param edges     edges of the bins of wave number; the edges of the first call are used for all states
 /// @param diameter  largest diameter in the first state (length)
 ScatteringAverage& average_in(Series& series, const std::vector<double>& edges, double diameter) {
   if (!series.average) {
@@ -101,8 +102,8 @@ void add_scattering(const Packing<3>& packing, const StructureTableOptions& opti
   if (options.average) average_in(series, edges, diameter).add(packing, options.scattering.most_vectors);
 }
 
-/// If a table has no rows yet, sets its columns to `names`, which depend on the dimension of the state. If the table
-/// has rows, checks that its columns are `names`.
+/// If a table has no rows yet, sets its columns to `names`, which depend on the dimension of the state. Otherwise
+/// checks that its columns are `names`.
 void choose_columns(const std::string& file, const std::vector<std::string>& names, Table& table) {
   if (table.rows.empty()) table.columns.clear();
   expect_columns(file, names, table);
@@ -184,8 +185,8 @@ void add_voronoi(const Packing<3>& packing, const StructureTableOptions& options
   }
 }
 
-/// Returns the factor by which the lengths in a packing are multiplied to compare it with the first packing:
-/// (Phi/Phi0)^(1/Dim), where Phi is the solid fraction of the packing and Phi0 the solid fraction of the first packing.
+/// Returns the factor by which the lengths in a packing are multiplied to compare the packing with the first packing:
+/// (Phi/Phi0)^(1/Dim), where Phi is the solid fraction of the packing and Phi0 that of the first packing.
 template <int Dim>
 double rescaling(const Packing<Dim>& packing, const Series& series) {
   return std::pow(solid_fraction(packing) / *series.reference_phi, 1.0 / Dim);
@@ -204,8 +205,8 @@ void add_pairs(const std::string& file, const Packing<Dim>& packing, const Struc
     series.pairs.rows.push_back({file, found.middle(b), found.g[b], found.n_pairs[b], scale * found.middle(b)});
 }
 
-/// Returns the values of h (length) for which the neighbours of a grain at gaps up to h are counted: 0, and ten values
-/// per decade from 1e-6 to 1 times the largest diameter.
+/// Returns the gaps h (length) up to which the neighbours of a grain are counted: 0, and ten values per decade from
+/// 1e-6 to 1 times the largest diameter.
 std::vector<double> gaps_of(double diameter) {
   std::vector<double> gaps = {0.0};
   for (int k = -60; k <= 0; ++k) gaps.push_back(diameter * std::pow(10.0, 0.1 * k));
@@ -292,8 +293,8 @@ void add_prediction(const std::string& file, const State<Dim>& state, Series& se
                                     coordination(state.packing, 0.0).z, p.pressure, p.z, p.z_pushed});
 }
 
-/// Adds the quantities that can be computed only in a periodic cell without walls, because they need the periodic
-/// images of the grains: scattered intensity, pores, map and Voronoi cells.
+/// Adds the scattered intensity, the pores, the map and the Voronoi cells. They can be computed only in a periodic cell
+/// without walls, because they need the periodic images of the grains.
 template <int Dim>
 void add_periodic_structure(const Packing<Dim>& packing, const StructureTableOptions& options, Series& series,
                             StructureRow& row, const Remarks& remarks) {

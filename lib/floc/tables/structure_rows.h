@@ -25,8 +25,8 @@ struct StructureTableOptions {
   /// Whether each of these tables in Series is computed in addition to the table of states.
   bool intensity = false, pairs = false, gaps = false, pores = false, map = false, prediction = false;
   bool porosity = false, profile = false;
-  /// Number of cubes in which the porosity is computed; the cubes have different sizes and a common centre, the centre
-  /// of the cell.
+  /// Number of cubes in which the porosity is computed. The cubes have different sizes, and are all centred at the
+  /// centre of the cell.
   int n_probes = 40;
   std::optional<int> profile_axis;  ///< axis of the profile, from 0; if absent, the last axis
   int n_slices = 20;                ///< number of slices of the profile

@@ -11,8 +11,8 @@
 #include "floc/tables/fit_parameters.h"
 #include "floc/tables/fit_tables.h"
 
-/// Results of the fits of `floc fit`, as tables and as json objects, except fits of the consolidation law and of
-/// elastic moduli.
+/// Fits of `floc fit`, with their tables and json objects. Fits of the consolidation law and of elastic moduli are
+/// declared in other headers.
 namespace floc {
 
 /// A reloading branch of a load path, or its first loading, and the preconsolidation pressure fitted to it.

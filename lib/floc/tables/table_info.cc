@@ -56,7 +56,7 @@ bool is_path(const NamedColumns& columns) {
   return (has("P_star") || has("P")) && std::any_of(densities.begin(), densities.end(), has);
 }
 
-/// One row of the table of `floc info` for a table file; it describes one column of this file.
+/// One row of the table of `floc info` for a table file. It describes one column of the file.
 struct ColumnInfo {
   std::string file;
   int number;
@@ -116,7 +116,8 @@ TableInfo add_table_info(const std::string& file, const ColumnNames& names, doub
   const CsvTable read = CsvTable::read(file, wanted_names(names_of_quantities(), names));
   const NamedColumns columns(read, names);
   TableInfo info;
-  // thrown only after the columns were added to the table, because the user may have to choose a column from it
+  // The exception is thrown only after the columns were added to the table, because the user may have to choose a
+  // column from the table.
   std::exception_ptr refusal;
   std::map<int, std::string> quantities;
   if (is_path(columns)) {

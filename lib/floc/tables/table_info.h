@@ -21,8 +21,8 @@ std::vector<std::string> names_of_quantities();
 /// to `table`, the table of `floc info`: header, quantity, unit and range of the numbers.
 /// @param names      headers of columns, as `--columns NAME=COLUMN,...` gives them
 /// @param phi_limit  see largest_solid_fraction()
-/// @throws InputError if the table cannot be read. If the table is a load path with values that are not possible, the
-/// error is thrown after the rows were added
+/// @throws InputError if the table cannot be read. If a load path contains values that are not possible, the error is
+/// thrown after the rows were added
 TableInfo add_table_info(const std::string& file, const ColumnNames& names, double phi_limit, Table& table);
 
 }  // namespace floc

@@ -14,11 +14,11 @@ namespace {
 
 constexpr double kQuantile = 0.95;
 constexpr double kConfidence = 0.95;
-/// A step of the load path counts as elastic if the logarithm of the solid fraction changes by at most kElastic times
-/// dP/B, the change of pressure divided by the bulk modulus.
+/// A step of the load path counts as elastic if the logarithm of the solid fraction changes by at most kElastic dP/B,
+/// with the change of pressure dP and the bulk modulus B.
 constexpr double kElastic = 3.0;
-/// Changes of the logarithm of the solid fraction up to this value count as zero, because Newton steps alone may cause
-/// them.
+/// Changes of the logarithm of the solid fraction up to this value count as zero, because Newton's method alone may
+/// cause them.
 constexpr double kStill = 1e-5;
 
 /// Returns the probability that at most k of n independent errors lie below the 95 % quantile of their distribution.
@@ -30,7 +30,8 @@ double at_most(int k, int n) {
   return sum;
 }
 
-/// Returns the number x for which a normally distributed variable of variance 1 lies in [-x, x] with this probability.
+/// Returns the number x for which the interval [-x, x] contains a normally distributed variable (mean 0, variance 1)
+/// with the given probability.
 double half_width(double probability) {
   double low = 0.0, high = 10.0;
   while (true) {
@@ -40,10 +41,11 @@ double half_width(double probability) {
   }
 }
 
-/// Returns the factor by which the largest of n absolute errors is multiplied, so that the product is an upper
-/// confidence limit of their 95 % quantile, if the errors are normally distributed around zero. All n errors lie below
-/// the quantile q of the probability p with the probability p^n = 1 - kConfidence. The limit is therefore the largest
-/// error times the ratio of the 95 % quantile to q. The factor is 31 for n = 1, 1.9 for n = 8, and 1 from n = 59 on.
+/// Returns a factor. The largest of n absolute errors, multiplied by this factor, is an upper confidence limit of the
+/// 95 % quantile of the errors, if the errors are normally distributed around zero. Derivation: let q be the quantile
+/// of the probability p with p^n = 1 - kConfidence. With the probability 1 - kConfidence, all n errors are below q. The
+/// factor is therefore the ratio of the 95 % quantile to q, but at least 1. It is 31 for n = 1, 1.9 for n = 8, and 1
+/// from n = 59 on.
 double extrapolation(int n) {
   return std::max(1.0, half_width(kQuantile) / half_width(std::pow(1.0 - kConfidence, 1.0 / n)));
 }
@@ -91,9 +93,9 @@ double mean_difference(int k, const SamplePath& reference, const SamplePath& pat
 /// Index of a state of a path, and index of the state of its reference path under the same load.
 using StatePair = std::pair<std::size_t, std::size_t>;
 
-/// Pairs the states of a path with those states of its reference path that have the same stage and load, and returns
-/// the pairs in the order of the states. If the paths have equally many states, every state is paired with the state of
-/// the same index.
+/// Returns pairs of states with the same stage and load: one from a path and one from its reference path. The pairs are
+/// in the order of the states. If the paths have equally many states, every state is paired with the state of the same
+/// index.
 std::vector<StatePair> under_equal_loads(const SamplePath& reference, const SamplePath& path) {
   constexpr double kRounding = 1e-6;
   std::vector<StatePair> pairs;
@@ -148,8 +150,8 @@ void add_paths(const std::vector<const SamplePath*>& references, const std::vect
   for (std::size_t p = 0; p < fitted.size(); ++p) out[kLambda + p].mean = fitted[p];
 }
 
-/// Returns, for each sample, the relative deviation of observable number k from its mean over all samples. For an
-/// observable of single states, the deviations in all states of the sample are averaged.
+/// For each sample, returns the relative deviation of observable number k from the mean over all samples. For an
+/// observable of single states, the deviations in the states of the sample are averaged.
 std::vector<double> deviations_of(std::size_t k, const std::vector<const SamplePath*>& paths) {
   std::vector<double> deviations;
   if (is_of_path(k)) {
@@ -159,7 +161,7 @@ std::vector<double> deviations_of(std::size_t k, const std::vector<const SampleP
     for (const double value : values) deviations.push_back(value / mean - 1.0);
     return deviations;
   }
-  // mean[i] is the mean of the observable over all samples, in state i. Deviations are relative to these means.
+  // mean[i] is the mean of the observable over all samples in state i. Each deviation is divided by this mean.
   const std::size_t n_states = paths.front()->states.size();
   std::vector<double> mean(n_states);
   for (std::size_t i = 0; i < n_states; ++i)

@@ -13,8 +13,8 @@ namespace floc {
 struct Spread {
   double error = 0.0;  ///< 95 % quantile of the relative errors: 95 % of them are at most this large
   /// Upper 95 % confidence limit of the 95 % quantile. With at least 59 errors, the limit is one of the sorted errors
-  /// (order statistics). With fewer errors, none of the sorted errors is a limit. The limit is then the largest error
-  /// times a factor, which is exact for errors that are normally distributed around zero.
+  /// (an order statistic). With fewer errors, the limit is the largest error times a factor. The factor is exact for
+  /// errors that are normally distributed around zero.
   double high = 0.0;
   int n = 0;  ///< number of relative errors; 0 if no states were compared
 };
@@ -23,9 +23,9 @@ struct Spread {
 /// @param errors  relative errors >= 0; values that are not finite are left out
 Spread spread_of(std::vector<double> errors);
 
-/// Relative difference, averaged over samples, with the standard error of this mean. For each sample, two runs with
-/// equal seeds but different settings are compared. For a single sample, the standard error and `error95` are NaN.
-/// Without samples, all members are zero.
+/// Relative difference between two runs with equal seeds but different settings, averaged over samples, with the
+/// standard error of this mean. For a single sample, the standard error and `error95` are NaN. Without samples, all
+/// members are zero.
 struct MeanDifference {
   double difference = 0.0;
   double standard_error = 0.0;
@@ -39,13 +39,13 @@ MeanDifference mean_of(const std::vector<double>& differences);
 
 /// Errors of one observable with one numerical setting, relative to the reference: the run with the strictest settings.
 struct ObservableError {
-  /// Errors of the states of each stage before its first collapse (a sudden rearrangement of grains, see
-  /// before_collapse()). Each state is compared with the state of the reference at the same step.
+  /// Errors of those states that precede the first collapse (sudden rearrangement of grains) of their stage, see
+  /// before_collapse(). Each state is compared with the state of the reference at the same step.
   Spread before;
   /// Errors of all other states: of the assembly, and of each stage from its first collapse on. Each state is compared
   /// with the equilibrium to which it relaxes under the strictest settings.
   Spread after;
-  /// difference of the observable from the reference, averaged over the states of the member `after`
+  /// difference of the observable from the reference, averaged over the states to which `after` applies
   MeanDifference mean;
 };
 
@@ -76,9 +76,10 @@ ObservableErrors compare(const std::vector<const SamplePath*>& references,
                          const std::vector<const SamplePath*>& paths,
                          const std::optional<PressureWindow>& window);
 
-/// Returns the errors of samples whose number of grains or steps of the load path differ from those of the reference
-/// paths. Only mean differences are computed: differences are averaged over the samples and, for observables of single
-/// states, also over those states of a sample whose loads occur on both paths.
+/// Returns the errors of samples that differ from the reference paths in the number of grains or in the steps of the
+/// load path. Only mean differences are computed: the differences are averaged over the samples. For observables of
+/// single states, they are also averaged over the states of a sample, but only over states whose loads occur on both
+/// paths.
 /// @param references  paths (equilibria) of the runs with the strictest settings, one path for each seed
 /// @param paths  samples: as many as `references`
 /// @param window  range of pressures for the fits of the consolidation law; if absent, nothing is fitted
@@ -86,16 +87,16 @@ ObservableErrors compare_means(const std::vector<const SamplePath*>& references,
                                const std::vector<const SamplePath*>& paths,
                                const std::optional<PressureWindow>& window);
 
-/// Returns the errors of elastic moduli that were computed for the states of the reference paths, but by another method
-/// or with another tolerance.
+/// Returns the errors of elastic moduli that were computed by another method or with another tolerance. The states are
+/// the states of the reference paths.
 /// @param references  paths (equilibria) of the runs with the strictest settings, one path for each seed
 /// @param observations  for each reference path, the observables of each of its states, computed with these moduli
 ObservableErrors compare_levels(const std::vector<const SamplePath*>& references,
                                 const std::vector<std::vector<Observation>>& observations);
 
-/// Returns the error that random sampling alone causes in a mean over n samples, computed from the scatter between the
-/// reference paths. In the member `mean` of each observable, the difference is 0 and the standard error is this
-/// sampling error.
+/// Returns the error that random sampling alone causes in a mean over n samples. It is computed from the scatter
+/// between the reference paths, and is the standard error in the member `mean` of each observable. The difference in
+/// `mean` is 0.
 /// @param references  paths (equilibria) of the runs with the strictest settings, one path for each seed
 /// @param n  number of samples
 /// @param window  range of pressures for the fits of the consolidation law; if absent, nothing is fitted

@@ -22,7 +22,7 @@ namespace {
 /// Largest fraction of the processor time of the study that may be spent on making samples.
 constexpr double kShareOfSamples = 0.97;
 
-/// Returns the lattice with this spacing (length) that `floc lattice` makes by default for the cell of a packing.
+/// Returns the lattice that `floc lattice` makes by default for the cell of a packing, with the given spacing (length).
 Lattice<2> lattice_in(const Cell<2>& cell, double spacing) {
   return triangular_lattice_in(cell, spacing);
 }
@@ -61,12 +61,12 @@ Observation observe_lattice(const Packing<Dim>& packing, const LatticeStudyOptio
   const CementedSample<Dim> sample = cement(packing, lattice_in(packing.cell, spacing), cement_options);
   ElementStiffness stiffness;
   stiffness.grain = options.stiffness_ratio;
-  // If all elements in 3D had the same spring constant, the modulus of the lattice would be inversely proportional to
-  // the spacing of its nodes.
+  // With one spring constant for all elements in 3D, the modulus of the lattice would be inversely proportional to the
+  // spacing of the nodes.
   stiffness.by_facet = Dim == 3;
   const LatticeNetwork<Dim> network = lattice_network(sample, stiffness);
   if (network.n_directions < Dim)
-    throw InputError("lattice", "the cemented grains do not hold together across the cell");
+    throw InputError("lattice", "the cemented grains are not connected across the cell");
   RelaxationSettings relaxation;
   relaxation.method = settings.method;
   relaxation.tolerance = settings.tolerance;

@@ -99,7 +99,7 @@ const std::array<DeclaredObservable, kObservables>& declared_observables() {
       {"z", "1", "coordination number", Source::state, in_every_scene, [](const M& m) { return m.z; }},
       {"rattlers", "1", "fraction of grains that carry no force", Source::state, in_every_scene,
        [](const M& m) { return m.rattlers; }},
-      {"Z2", "1", "mean square of the elastic normal forces divided by the square of their mean", Source::state,
+      {"Z2", "1", "mean square of the elastic normal forces, divided by the square of the mean", Source::state,
        in_every_scene, [](const M& m) { return m.force_moment; }},
       {"mobilised", "1", "mean ratio of tangential to normal force in contacts whose force is above the mean",
        Source::state, has_friction, [](const M& m) { return m.mobilised; }},
@@ -133,15 +133,13 @@ const std::array<DeclaredObservable, kObservables>& declared_observables() {
       {"E_lattice", "stress", "Young's modulus of cemented grains", Source::lattice, in_every_scene, nullptr},
       {"spread_nodes", "1", "standard deviation of the stress of all nodes divided by its mean",
        Source::lattice, in_every_scene, nullptr},
-      {"beta_grain", "1",
-       "decay rate of the exponential tail of the stresses in grains, each divided by their mean",
+      {"beta_grain", "1", "decay rate of the exponential tail of the ratio of a stress in grains to the mean",
        Source::lattice, in_every_scene, nullptr},
       {"beta_matrix", "1",
-       "decay rate of the exponential tail in the distribution of the ratio of a stress in the matrix to the "
-       "mean",
-       Source::lattice, in_every_scene, nullptr},
+       "decay rate of the exponential tail of the ratio of a stress in the matrix to the mean", Source::lattice,
+       in_every_scene, nullptr},
       {"beta_forces", "1",
-       "decay rate of the exponential tail of the forces between cemented grains, each divided by their mean",
+       "decay rate of the exponential tail of the ratio of a force between cemented grains to the mean",
        Source::lattice, in_every_scene, nullptr},
   }};
   return observables;

@@ -52,8 +52,8 @@ enum Observable {
 };
 
 /// Values of all observables of a state. A value is NaN if it is undefined, for example the tail of a force
-/// distribution with fewer than 10 forces above the mean. Observables of whole paths, and observables that the scene
-/// does not have, are NaN, too.
+/// distribution with fewer than 10 forces above the mean. The values of observables of whole paths, and of observables
+/// that the scene does not have, are NaN, too.
 using Observation = std::array<double, kObservables>;
 
 /// Data from which the value of an observable is computed.
@@ -69,7 +69,8 @@ enum class ObservableSource {
 struct StateMeasures {
   double solid_fraction = 0.0;
   double z = 0.0, z_plus = 0.0, z_minus = 0.0, rattlers = 0.0;
-  /// decay forces of the exponential tails of the compressive and the tensile forces, divided by the force scale F1
+  /// decay forces of two exponential tails, divided by the force scale F1: the tail of the compressive and the tail of
+  /// the tensile forces
   double tail_plus = 0.0, tail_minus = 0.0;
   double force_moment = 0.0, mobilised = 0.0;
   double wall_contacts = 0.0, lateral_ratio = 0.0, stress_ratio = 0.0;
@@ -139,9 +140,9 @@ std::optional<ShearPoint> test_point(const State<Dim>& state);
 template <int Dim>
 std::optional<ShearPoint> start_of_test(const State<Dim>& state);
 
-/// Returns the number by which a difference between two observations is divided to give a relative difference: the mean
-/// of the two absolute values. For each of the coordination numbers z_plus and z_minus, the divisor is instead the sum
-/// z_plus + z_minus, averaged over the two observations, because one of the coordination numbers may be near zero.
+/// Returns the divisor that turns a difference between two observations into a relative difference: the mean of the two
+/// absolute values. For each of the coordination numbers z_plus and z_minus, the divisor is instead the sum z_plus +
+/// z_minus, averaged over the two observations, because one of the coordination numbers may be near zero.
 /// @param k  number of the observable
 double size_of(int k, const Observation& x, const Observation& y);
 

@@ -17,9 +17,9 @@ namespace {
 
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
-/// Fits an exponential tail to the forces above their mean, and returns its decay force (force); NaN if it cannot be
-/// fitted.
-/// @param sign  1 for the tail of the compressive normal forces, -1 for that of the tensile normal forces
+/// Fits an exponential tail to the forces above their mean, and returns the decay force (force); NaN if the fit is not
+/// possible.
+/// @param sign  1 for the tail of the compressive normal forces, -1 for the tail of the tensile normal forces
 template <int Dim>
 double tail_of(const Packing<Dim>& packing, double sign) {
   std::vector<double> sizes;
@@ -27,7 +27,7 @@ double tail_of(const Packing<Dim>& packing, double sign) {
     if (sign * c.normal_force > 0.0) sizes.push_back(sign * c.normal_force);
   if (sizes.empty()) return kNoValue;
   const double mean = std::accumulate(sizes.begin(), sizes.end(), 0.0) / static_cast<double>(sizes.size());
-  // The p-value of the fit, which random draws determine, is not used. A single draw is therefore enough.
+  // A single random draw is enough, because draws determine only the p-value of the fit, which is not used.
   const ForceFit fit = fit_exponential_tail("", sizes, mean, {.n_draws = 1});
   return fit.found() ? fit.parameters.front().value.value_or(kNoValue) : kNoValue;
 }
@@ -62,7 +62,7 @@ template <int Dim>
 void measure_contacts(const State<Dim>& state, StateMeasures& m) {
   const Packing<Dim>& packing = state.packing;
   const double force = force_scale(packing, state.target_stress).force;
-  // Forces below `zero_force` count as zero. This limit is the same for every tolerance of the run: otherwise
+  // Forces below `zero_force` count as zero. This limit does not depend on the tolerance of the run. Otherwise
   // coordination numbers would differ between settings even for equal packings.
   const double zero_force = EquilibriumTolerance{}.force * force;
   const Coordination c = coordination(packing, zero_force);

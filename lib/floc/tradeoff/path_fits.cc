@@ -76,8 +76,8 @@ Fitted differences(Fitted values, const Fitted& from) {
 }
 
 /// Returns differences with their standard errors, which are estimated by the jackknife. Leaving out one of n samples
-/// changes a mean by 1/(n - 1) times the deviation of this sample. The standard error is therefore n - 1 times the
-/// standard error of the mean of n values, each of which is computed without one of the samples.
+/// changes a mean by 1/(n - 1) times the deviation of this sample. Consider n values, each computed without one of the
+/// samples. The standard error is n - 1 times the standard error of the mean of these values.
 /// @param value  function that returns the differences without the sample of a given index or, without an index, the
 /// differences of all samples
 template <class Value>
@@ -98,8 +98,8 @@ std::array<MeanDifference, 3> jackknife(std::size_t n, const Value& value) {
   return out;
 }
 
-/// Returns the stresses and strains along the first stage that has one of these controls. The first point is the state
-/// from which the stage began.
+/// Returns the stresses and strains along the first stage whose control is one of `controls`. The first point is the
+/// state from which the stage began.
 std::vector<ShearPoint> points_of_test(const SamplePath& path, std::initializer_list<const char*> controls) {
   std::vector<ShearPoint> points;
   int stage = -1;

@@ -25,9 +25,9 @@ ConsolidationValues fitted_consolidation(const std::vector<const SamplePath*>& p
 
 /// Returns the relative differences of the parameters lambda, alpha and Phi_max of the consolidation law between
 /// samples and reference paths. The law is fitted twice to the first loading: to its mean over the samples and to its
-/// mean over the reference paths. Standard errors are estimated by the jackknife: the fits are repeated with each pair
-/// of a sample and its reference path left out in turn. For a parameter that could not be fitted, MeanDifference::n is
-/// 0.
+/// mean over the reference paths. Standard errors are estimated by the jackknife: the fits are repeated without one
+/// sample and its reference path, for each sample in turn. For a parameter that could not be fitted, MeanDifference::n
+/// is 0.
 /// @param references  paths (equilibria) of the runs with the strictest settings, one path for each seed
 /// @param paths  samples from the same seeds as the reference paths
 /// @param window  range of reduced pressures P* in which the law is fitted
@@ -35,14 +35,15 @@ std::array<MeanDifference, 3> compare_fits(const std::vector<const SamplePath*>&
                                            const std::vector<const SamplePath*>& paths,
                                            const PressureWindow& window);
 
-/// Returns the error that random sampling causes in each parameter of the consolidation law fitted to the mean of these
-/// paths. The error is the standard error by the jackknife, divided by the parameter; the member `difference` is 0.
+/// Returns the error that random sampling causes in each parameter of the consolidation law, fitted to the mean of
+/// several paths. The error is the standard error by the jackknife, divided by the parameter; the member `difference`
+/// is 0.
 std::array<MeanDifference, 3> sampling_errors_of_fits(const std::vector<const SamplePath*>& paths,
                                                       const PressureWindow& window);
 
 /// Returns the value of an observable that describes a whole path, such as K0 of an oedometer test. The value is NaN if
-/// the path does not have this observable, and for the parameters of the consolidation law, which are fitted only to
-/// the mean of several paths.
+/// the path does not have this observable. It is also NaN for the parameters of the consolidation law, because the law
+/// is fitted only to the mean of several paths.
 double path_value(int observable, const SamplePath& path);
 
 }  // namespace floc

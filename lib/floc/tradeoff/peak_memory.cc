@@ -10,8 +10,8 @@
 namespace floc {
 namespace {
 
-/// Returns the entry of /proc/self/status with this name (MB), such as "VmHWM:" for the largest resident memory; NaN if
-/// there is no such entry.
+/// Returns the number (MB) in the entry `name` of /proc/self/status, such as "VmHWM:" for the largest resident memory;
+/// NaN if there is no such entry.
 double status_entry(const std::string& name) {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;)

@@ -146,8 +146,8 @@ SamplePath make_sample(const RunOptions& options, const ModuliOptions& moduli, c
 
 void settle(const RelaxationOptions& strict, const Deadline& deadline, SamplePath& path) {
   RelaxationOptions options = strict;
-  // In most states, the grains are very close to the equilibrium that the strictest settings require. Newton steps then
-  // find it without simulated motion.
+  // In most states, the grains are already very close to equilibrium with the strictest settings. Newton's method then
+  // finds this equilibrium without simulated motion.
   options.finish = Finish::statics;
   for (ObservedState& s : path.states)
     if (!std::visit([&](const auto& state) { return settle(options, deadline, state, s, path); }, s.state))

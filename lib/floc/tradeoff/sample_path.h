@@ -17,7 +17,7 @@ namespace floc {
 struct ObservedState {
   int stage = -1;       ///< index of the stage of the load path; -1 for the assembly
   std::string control;  ///< keyword for the loading of the axes in the stage; empty for the assembly
-  /// stress, averaged over the axes; on an axis with an imposed length, the resulting stress counts
+  /// stress (imposed or resulting), averaged over the axes
   double mean_stress = 0.0;
   /// load that is imposed on the driven axis: a stress, a logarithmic strain or a shear strain
   double driven_load = 0.0;
@@ -50,8 +50,8 @@ struct SamplePath {
 
 /// Makes a sample: assembles a packing from a gas, then takes it through every stage of the load path.
 /// @param moduli     method and tolerance for computing the elastic moduli
-/// @param reference  complete path with the strictest settings from the same seed, or null. If it is given, each stage
-///                   starts from the state from which the reference starts this stage. States of the two paths can then
+/// @param reference  complete path with the strictest settings from the same seed, or null. If given, each stage
+///                   starts from the same state as on the reference path. States of the two paths can then
 ///                   be compared one by one until the first collapse (sudden rearrangement of grains) in the stage.
 /// @param deadline   deadline at which the run is stopped
 SamplePath make_sample(const RunOptions& options, const ModuliOptions& moduli, const SamplePath* reference,
@@ -59,8 +59,8 @@ SamplePath make_sample(const RunOptions& options, const ModuliOptions& moduli, c
 
 /// Sets the member `settled` of every state: relaxes the packing further with the strictest settings and computes the
 /// observables of the result. A state of elastic grains that already satisfies these settings does not change. The
-/// processor time of this relaxation is not added to that of the path. If a state does not converge, the member
-/// `failure` of the path gives the reason.
+/// processor time of this relaxation is not part of the processor time of the path. If a state does not converge, the
+/// member `failure` of the path gives the reason.
 /// @param strict  options of the relaxation with the strictest settings
 /// @param deadline  deadline at which the relaxation is stopped
 /// @param path  path whose states are relaxed

@@ -37,7 +37,7 @@ bool applies_to_cells(const Scene& scene) {
   return !scene.assembly.box;
 }
 
-/// Whether equilibria of the scene can be finished by Newton steps, which is possible for elastic grains in periodic
+/// Whether equilibria of the scene can be completed by Newton's method. It is possible for elastic grains in periodic
 /// cells. In packings between walls, grains always move until they reach equilibrium.
 bool applies_to_newton(const Scene& scene) {
   return applies_to_elastic(scene) && applies_to_cells(scene);
@@ -125,8 +125,8 @@ void add_forces(const Scene& scene, const StudiedSetting& base, Settings& list) 
           list);
 }
 
-/// Adds settings with other tolerances. All of them have finish = "dynamic", with which equilibrium is reached by
-/// motion alone: with Newton steps, the residual would be about 1e-8 for every tolerance.
+/// Adds settings with other tolerances. They all have finish = "dynamic", so that equilibrium is reached by motion
+/// alone. With Newton's method, the residual would be about 1e-8 for every tolerance.
 void add_tolerance(const Scene&, const StudiedSetting& base, Settings& list) {
   for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-6, 1e-8})
     add(

@@ -43,8 +43,8 @@ struct StudiedSetting {
   /// of its own: its moduli are computed for the states of the reference.
   bool is_moduli_level() const { return parameter == "moduli"; }
   /// Whether the variant has another number of grains, other steps of the load path, or softer springs than the
-  /// reference. The states of the two then cannot be compared one by one, but only by means over all states under equal
-  /// loads.
+  /// reference. If so, its states cannot be compared with single states of the reference, but only by means over all
+  /// states under equal loads.
   bool has_other_states() const { return n_grains != 0 || steps_factor != 1.0 || numerical.softening.any(); }
 };
 
@@ -63,21 +63,20 @@ const std::vector<DeclaredSetting>& declared_settings();
 /// does not list the diameter of each grain.
 bool has_any_number_of_grains(const Scene& scene);
 
-/// Removes from the list of a study all variants of parameters that are not named. The strictest settings and the scene
-/// as it is are kept.
+/// Keeps, in the list of a study, only the variants of the named parameters, the strictest settings, and the scene as
+/// it is.
 /// @param names  parameters to keep; empty: all
 /// @throws InputError if no variant in the list belongs to one of the named parameters
 void keep_parameters(const std::vector<std::string>& names, std::vector<StudiedSetting>& settings);
 
-/// Returns the strictest numerical settings of elastic grains: a tolerance of 1e-8 (smaller forces are lost in the
-/// rounding errors of the positions), about a quarter of the default time step, and twice the default patience
-/// (NumericalSettings::patience).
+/// Returns the strictest numerical settings of elastic grains: a tolerance of 1e-8, about a quarter of the default time
+/// step, and twice the default patience (NumericalSettings::patience). With a smaller tolerance, forces would be lost
+/// in the rounding errors of the positions.
 NumericalSettings strict_settings();
 
 /// Returns all variants of a scene that a study compares: the strictest settings first, then the scene as it is, then
-/// the values of each declared parameter. Two choices are not varied separately: power control (stopping all grains
-/// when the kinetic energy falls), which is part of the finish "dynamic", and the precision of forces, which is always
-/// double.
+/// the values of each declared parameter. Two choices are not varied separately. Power control (stopping all grains
+/// when the kinetic energy falls) is part of the finish "dynamic". The precision of forces is always double.
 std::vector<StudiedSetting> studied_settings(const Scene& scene);
 
 /// Returns the variants in a study of the lattice of cemented grains: the finest lattice with the strictest tolerance
@@ -95,8 +94,8 @@ double time_step_of(const Scene& scene, const StudiedSetting& setting);
 
 double patience_of(const StudiedSetting& setting);
 
-/// Returns the keyword for the method by which a setting finishes equilibria: the value of equilibrium.finish; for
-/// rigid grains, the value of dynamics.finish; for a lattice, the method of its solution.
+/// Returns the keyword for the method by which a setting completes equilibria: for elastic grains the value of
+/// equilibrium.finish, for rigid grains the value of dynamics.finish, for a lattice the method of its solution.
 std::string finish_of(const Scene& scene, const StudiedSetting& setting);
 
 /// Returns the options for running a scene with a setting of the study, on one thread.

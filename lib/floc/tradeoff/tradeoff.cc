@@ -17,8 +17,8 @@
 namespace floc {
 namespace {
 
-/// Numbers of disks and of spheres in the small sample whose run measures the speed of this machine. The samples of a
-/// study have at least as many grains.
+/// Numbers of disks and of spheres in the small sample whose run measures the speed of this machine. These numbers are
+/// also the smallest numbers of grains in the samples of a study.
 constexpr int kMinDisks = 40;
 constexpr int kMinSpheres = 100;
 /// The number of grains is reduced until this number of samples fits into the budget with every setting. The error of a
@@ -31,8 +31,8 @@ constexpr double kReferenceCost = 4.0;
 /// Largest fraction of the processor time of the study that may be spent on runs. The rest is left for comparisons and
 /// fits.
 constexpr double kShareOfRuns = 0.97;
-/// If the processor time of a run exceeds that of the run with the strictest settings by this factor, the run is
-/// stopped and its setting is left out of the study.
+/// A run is stopped, and its setting left out of the study, if its processor time exceeds this number times the
+/// processor time with the strictest settings.
 constexpr double kLongestRun = 1.5;
 /// Safety factor by which the expected processor time of a run is multiplied before it is compared with the remaining
 /// budget.
@@ -64,11 +64,11 @@ class Study {
   struct Sample {
     int index;
     SamplePath path;
-    // Observables of the states of the reference path, with moduli computed by this setting. Empty unless the setting
-    // changes only the computation of the moduli.
+    // Observables of the states of the reference path, with moduli computed by this setting. Used only if the setting
+    // changes nothing but the computation of the moduli; otherwise empty.
     std::vector<Observation> levels;
     // Processor time of the run (s) without the moduli. The time of the moduli with this setting is added to it. Used
-    // only if the setting changes only the computation of the moduli.
+    // only if the setting changes nothing but the computation of the moduli.
     double base_seconds = 0.0;
   };
 
@@ -78,8 +78,8 @@ class Study {
     keep_parameters(options_.parameters, settings_);
   }
 
-  /// Returns the expected processor time of a sample with a setting, divided by that of a sample with the settings of
-  /// the scene.
+  /// Returns the expected ratio of the processor time of a sample with a setting to that of a sample with the settings
+  /// of the scene.
   double relative_cost(const StudiedSetting& s) const {
     const double steps = time_step_of(scene_, settings_[1]) / time_step_of(scene_, s);
     const double size = s.n_grains > 0 ? static_cast<double>(s.n_grains) / scene_.grains.count : 1.0;
@@ -195,8 +195,8 @@ class Study {
     return path;
   }
 
-  /// Returns whether one more sample with a setting fits into the budget. If it would be the first sample with this
-  /// setting and does not fit, the setting is left out of the whole study.
+  /// Returns whether one more sample with a setting fits into the budget. If not even the first sample with this
+  /// setting fits, the setting is left out of the whole study.
   /// @param i  index of the setting
   /// @param reference  path with the strictest settings from the same seed
   bool affordable(std::size_t i, const SamplePath& reference) {
@@ -222,7 +222,7 @@ class Study {
     left_out_.push_back(
         fmt::format("{} {}, seed {}: {}", settings_[i].parameter, settings_[i].value, seed, reason));
     if (budget_is_used_up) return;
-    skipped_.insert(i);  // later samples do without this setting, because it may fail again
+    skipped_.insert(i);  // later samples are made without this setting, because it may fail again
   }
 
   Sample moduli_level(int k, const StudiedSetting& setting, const SamplePath& reference,

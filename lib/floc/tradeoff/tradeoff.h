@@ -29,7 +29,7 @@ struct MeasuredSetting {
   double core_seconds = 0.0;
   /// mean processor time of computing the elastic moduli of a sample (s); core_seconds includes it
   double moduli_seconds = 0.0;
-  /// processor time divided by that of the runs with the strictest settings from the same seeds
+  /// processor time of the samples, divided by the processor time with the strictest settings from the same seeds
   double cost_ratio = 0.0;
   /// largest memory of a sample, without that of the program (MB); NaN if not known
   double memory = 0.0;
@@ -51,13 +51,13 @@ struct Tradeoff {
   std::vector<std::string> left_out;
 };
 
-/// Studies how the errors of a run grow if cheaper numerical settings save processor time. It runs a scene with its
-/// strictest settings (the reference) and with several values of each parameter, all from the same seeds, and compares
-/// the observables that are usually reported.
+/// Studies the errors of runs with cheaper numerical settings, and the processor time that these settings save. The
+/// study runs a scene with its strictest settings (the reference) and with several values of each parameter, all from
+/// the same seeds, and compares the observables that are usually reported.
 ///
 /// With every setting, a packing is assembled and taken through the load path. Unless the number of grains differs,
-/// each stage starts from the state from which the reference starts this stage. States can then be compared one by one
-/// until the first collapse of the stage.
+/// each stage starts from the same state as on the reference path. States can then be compared one by one until the
+/// first collapse of the stage.
 ///
 /// The study keeps its budget as follows:
 /// 1. The processor time is measured on a small sample. The number of grains is reduced until two samples with every
@@ -67,8 +67,8 @@ struct Tradeoff {
 /// 3. A run is stopped if it reaches the deadline, or if it takes more than about 1.5 times as long as the run with the
 /// strictest settings.
 ///
-/// A scene that starts from a saved packing keeps its number of grains. If seeds do not change its states either, there
-/// is only one sample, and the errors are computed from the states of this sample alone.
+/// A scene that starts from a saved packing keeps its number of grains. If its states do not depend on the seed either,
+/// there is only one sample, and the errors are computed from the states of this sample alone.
 /// @throws InputError if the budget is not positive, if the number of samples is outside of kSamples, or if a study of
 /// the scene does not vary one of the given parameters
 Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options);
@@ -99,8 +99,8 @@ void add_sample_numbers(const Scene& scene, const StudiedSetting& strict,
                         const std::vector<const SamplePath*>& references,
                         const std::optional<PressureWindow>& window, Tradeoff& out);
 
-/// Returns, for each setting of a study, whether the setting is Pareto-optimal for an observable. It is Pareto-optimal
-/// unless another setting is cheaper and at least as accurate, or more accurate and at least as cheap. The accuracy is
+/// Returns, for each setting of a study, whether the setting is Pareto-optimal for an observable. Pareto-optimal means:
+/// no other setting is cheaper and at least as accurate, or more accurate and at least as cheap. The accuracy is
 /// measured by single_state_error().
 /// @param observable  index of the observable in ObservableErrors
 std::vector<bool> pareto_front(const Tradeoff& tradeoff, std::size_t observable);

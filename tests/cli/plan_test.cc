@@ -59,7 +59,7 @@ TEST_F(PlanCommand, ObservablesCanBeChosen) {
 
 TEST_F(PlanCommand, BadInputIsNamedAndNothingIsRunOrWritten) {
   const std::pair<std::string, std::string> refused[] = {
-      {kDemoScene, "expected --budget, the time that may be spent, or --want"},
+      {kDemoScene, "expected --budget (time that may be spent) or --want"},
       {"", "expected a scene file, or --check DIR"},
       {kDemoScene + "--budget 2m", "--budget 2m: expected a positive number with one of the units"},
       {kDemoScene + "--budget 1ms", "--budget 1ms: expected"},

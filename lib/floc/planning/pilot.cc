@@ -18,8 +18,8 @@ namespace {
 /// Samples of two sizes are run: kSamples larger ones, on which the scatter is measured, and kSmallSamples smaller
 /// ones.
 constexpr int kSamples = 6, kSmallSamples = 3;
-/// Number of grains of a larger sample: of disks, and of spheres. If the scene has fewer grains, a larger sample has as
-/// many grains as the scene.
+/// Numbers of grains of a larger sample: of disks, and of spheres. A larger sample never has more grains than the
+/// scene.
 constexpr int kDisks = 200, kSpheres = 150;
 /// Limits of the exponent of the processor time. The limits are needed because a few small samples determine the
 /// exponent only roughly.
@@ -63,9 +63,9 @@ double exponent_between(double seconds, double more_seconds, double ratio_of_gra
   return std::log(more_seconds / seconds) / std::log(ratio_of_grains);
 }
 
-/// Runs one sample with as many grains as the remaining time allows, and replaces the exponent of the processor time by
-/// the exponent that this sample gives. Small samples do not show that many equilibria are found more slowly in large
-/// packings. Nothing changes if the time does not suffice for many grains, or if the run stops early.
+/// Runs one sample with as many grains as the remaining time allows, and computes the exponent of the processor time
+/// from this sample. This is needed because small samples do not show that, in large packings, many equilibria are
+/// found more slowly. Nothing changes if the time does not suffice for many grains, or if the run stops early.
 void measure_many_grains(const Scene& scene, const Deadline& deadline, PilotResult& result) {
   const double seconds = kShareOfManyGrains * deadline.left();
   if (!(seconds > result.core_seconds)) return;

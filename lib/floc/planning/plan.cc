@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Costs may exceed the budget by this factor, because they have rounding errors.
+/// Factor by which rounding errors may raise a cost above the budget.
 constexpr double kRounding = 1.0 + 1e-12;
 
 /// Ratio of successive numbers of grains in the list from which a plan is chosen.
@@ -76,7 +76,7 @@ class PlanSearch {
   /// A plan and its score, by which plans are compared: the plan with the smallest score is the best.
   using ScoredPlan = std::pair<double, Plan>;
 
-  /// Returns the best plan for each group of numerical settings that has a plan.
+  /// For each set of numerical settings, returns the best plan if there is a plan.
   std::vector<ScoredPlan> plans_of_settings(int least_samples) const {
     std::vector<ScoredPlan> found;
     for (const PricedSettings& settings : settings_) {
@@ -94,8 +94,8 @@ class PlanSearch {
         observables_.begin());
   }
 
-  /// Removes observables whose error is not known for any settings. Nothing is removed if the user has named
-  /// observables or requested errors.
+  /// Removes the observables whose error is not known for any settings, unless the user has named observables or
+  /// requested errors.
   void drop_unpriced() {
     if (!wanted_.empty() || !request_.observables.empty()) return;
     std::erase_if(observables_, [&](const ObservablePrice& o) {

@@ -39,9 +39,9 @@ struct PlanChoice {
   std::vector<Plan> plans;
 };
 
-/// Smallest and largest number of samples of a plan. A plan has fewer samples than the smallest number only if four
-/// samples of the smallest size exceed the budget: the scatter between fewer than four samples is not known well
-/// enough.
+/// Smallest and largest number of samples of a plan. If four samples of the smallest size exceed the budget, a plan may
+/// have fewer than the smallest number of samples. The reason for the smallest number is that fewer than four samples
+/// do not determine the scatter well enough.
 inline constexpr int kLeastSamples = 4, kMostSamples = 10'000;
 
 /// Returns the plan with the given numbers and settings, with its cost and its errors.
@@ -56,12 +56,12 @@ std::vector<int> numbers_of_grains(const PriceModel& model);
 /// Chooses the number of grains, the number of samples and the settings.
 /// 1. If errors are requested, no error of a plan may exceed its requested value, and the plan with the smallest
 /// processor time is the best.
-/// 2. Otherwise a plan must fit into the budget. Plans are compared by the logarithms of the errors, averaged over the
-/// observables, and the plan with the smallest mean is the best. The order of the plans does not depend on the scales
-/// of the observables.
+/// 2. Otherwise a plan must fit into the budget. The logarithms of the errors are averaged over the observables, and
+/// the plan with the smallest mean is the best. Therefore the order of the plans does not depend on the scales of the
+/// observables.
 /// @param n_plans  largest number of plans
 /// @throws InputError if the model lacks an observable, if a requested error is smaller than any plan can reach, if the
-/// requested errors do not fit into the budget, or if the budget is below the cost of one sample; the message names the
+/// requested errors cost more than the budget, or if the budget is below the cost of one sample. The message names the
 /// nearest values that are possible
 PlanChoice choose_plans(const PriceModel& model, const PlanRequest& request, int n_plans);
 

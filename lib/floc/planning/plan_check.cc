@@ -25,7 +25,7 @@ CsvTable as_csv(const Table& table, const std::string& place) {
   return CsvTable::parse(place, text);
 }
 
-/// Returns, for each sample with values in a column, the mean of the column over the states of the sample. The key is
+/// For each sample with values in a column, returns the mean of the column over the states of the sample. The key is
 /// the seed of the sample.
 std::map<std::string, double> means_of_samples(const CsvTable& runs, const std::string& column) {
   std::map<std::string, SampleMean> sums;
@@ -93,8 +93,8 @@ class SampleFits {
   }
 
   /// Stores in `check` the fitted value and the half width of its 95 % interval, which is computed by the jackknife.
-  /// The standard error of the fit to all n samples is n - 1 times the standard error of the mean of n fits, each of
-  /// which leaves out one sample.
+  /// Consider n fits, each of which leaves out one of the n samples. The standard error is n - 1 times the standard
+  /// error of the mean of these fits.
   void check(PlanCheck& check) const {
     check.mean = value_of(whole_, check.quantity);
     if (!check.mean) return;

@@ -21,9 +21,9 @@ struct PlanCheck {
 };
 
 /// Compares the runs of a campaign with the promises of floc plan. For each observable that the campaign collects or
-/// fits, the achieved error is the half width t s/sqrt(n) of the 95 % interval of its mean over n samples: t is
-/// Student's factor, and s is the standard deviation between samples, each represented by the mean over its states. The
-/// last comparison concerns the processor time.
+/// fits, the achieved error is the half width t s/sqrt(n) of the 95 % interval of the mean over n samples. Here t is
+/// Student's factor, and s is the standard deviation between the samples; the value of a sample is the mean over its
+/// states. The last comparison concerns the processor time.
 /// @param directory  directory of the campaign
 /// @throws InputError if floc plan has not made the campaign, or if fewer than two samples have succeeded
 std::vector<PlanCheck> check_plan(const Campaign& campaign, const std::vector<CasePlan>& plans,

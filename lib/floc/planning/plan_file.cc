@@ -80,8 +80,8 @@ std::string promise_of(const Plan& plan, const std::vector<ObservablePrice>& obs
       plan.settings.name(), prices, plan.core_seconds, fmt::join(errors, ", "));
 }
 
-/// Adds to `changes` the changes that give a scene the softening `softening`. Adds nothing if the scene already has
-/// this softening.
+/// Adds to `changes` the changes that give a scene the softening `softening`, unless the scene already has this
+/// softening.
 void add_softening(const Softening& softening, const Scene& scene, std::vector<std::string>& changes) {
   if (softening == softening_of(scene)) return;
   changes.push_back(fmt::format("equilibrium.softening={:g}", softening.load));

@@ -11,13 +11,13 @@ namespace floc {
 struct PlanSource {
   std::string scene_file;              ///< path of the scene file
   std::vector<std::string> overrides;  ///< texts "key.path=value" that change the scene, see read_scene()
-  std::string prices;                  ///< source of the prices, for example the name of a table of prices
+  std::string prices;                  ///< source of the prices, such as the name of a table of prices
 };
 
 /// Whether an observable is a parameter of the fit of the consolidation law to paths.
 bool is_fitted(const std::string& observable);
 
-/// Returns the changes of a scene, as texts "key.path=value", that give it the numerical settings `settings`.
+/// Returns the changes, as texts "key.path=value", that give a scene the numerical settings `settings`.
 /// @throws InputError if the settings cannot be written into a scene
 std::vector<std::string> changes_of(const PricedSettings& settings, const Scene& scene);
 
@@ -25,8 +25,8 @@ std::vector<std::string> changes_of(const PricedSettings& settings, const Scene&
 /// tolerance must be smaller than the pressure.
 bool allows(const PlanSource& source, const Scene& scene, const PricedSettings& settings);
 
-/// Returns the text of the file of a plan. For several samples, this is a campaign file with one run for each sample
-/// and with the promised errors in its table [plan]. For a single sample, it is a scene.
+/// Returns the text of the file of a plan. For a single sample, this file is a scene. For several samples, it is a
+/// campaign file with one run for each sample and with the promised errors in its table [plan].
 /// @param output  path of the file; in a campaign file, the name of the scene file is relative to the folder of this
 /// file
 std::string plan_file(const Plan& plan, const std::vector<ObservablePrice>& observables, const Scene& scene,

@@ -18,8 +18,8 @@ namespace {
 constexpr int kPlans = 3;
 /// Largest processor time of a pilot: as a share of the budget or, if no budget is given, as a time (s).
 constexpr double kShareOfPilot = 0.2, kPilotSeconds = 600.0;
-/// Largest ratio of the number of grains of a plan to the number of grains in the table. If the ratio is larger, a
-/// remark says that prices are extrapolated.
+/// If the ratio of the number of grains of a plan to the number of grains in the table exceeds this value, a remark
+/// says that prices are extrapolated.
 constexpr double kFarExtrapolation = 10.0;
 constexpr double kSecondsPerHour = 3600.0;
 
@@ -31,7 +31,7 @@ PlanRequest request_of(const PlanWishes& wishes) {
   if (!wishes.budget.empty()) request.budget = duration_of("--budget", wishes.budget);
   if (!request.budget && wishes.wants.empty())
     throw InputError("floc plan",
-                     "expected --budget, the time that may be spent, or --want, the errors that are wanted");
+                     "expected --budget (time that may be spent) or --want (errors that are wanted)");
   return request;
 }
 
@@ -43,8 +43,8 @@ Scene plannable_scene(const PlanWishes& wishes) {
   if (scene.starts_from_state())
     throw InputError(
         wishes.scene,
-        "assembly.protocol = \"state\": a plan needs samples with any number of grains, which requires a "
-        "gas in place of a saved state: expected \"direct\" or \"aggregation\"");
+        "assembly.protocol = \"state\": a plan chooses the number of grains, which requires a gas in place of "
+        "a saved state: expected \"direct\" or \"aggregation\"");
   return scene;
 }
 
@@ -65,9 +65,10 @@ PilotResult measured_pilot(const Scene& scene, const std::optional<double>& budg
                            const PlansOfScene::Remark& tell) {
   const double limit = budget ? kShareOfPilot * *budget : kPilotSeconds;
   const PilotResult pilot = run_pilot(scene, limit);
-  tell(fmt::format(
-      "pilot: a sample of {} grains takes {}; this time grows as the power {:.2f} of the number of grains",
-      pilot.n_grains, duration_in_words(pilot.core_seconds), pilot.cost_exponent));
+  tell(
+      fmt::format("pilot: a sample of {} grains takes {}; this time is proportional to the number of grains to "
+                  "the power {:.2f}",
+                  pilot.n_grains, duration_in_words(pilot.core_seconds), pilot.cost_exponent));
   return pilot;
 }
 

@@ -32,12 +32,12 @@ class PlansOfScene {
 
   /// Reads the scene and its prices, runs a pilot if the user requests it, and chooses the plans.
   /// @param tell  function that takes remarks, such as the measurements of a pilot
-  /// @throws InputError as choose_plans(); also if neither a budget nor a wanted error is given, if the scene has
-  /// faults, contains numerical settings or starts from a saved packing, or if no table of prices applies and no pilot
-  /// is requested
+  /// @throws InputError as choose_plans(); also in three other cases: neither a budget nor a wanted error is given; the
+  /// scene has faults, contains numerical settings or starts from a saved packing; or no table of prices applies and no
+  /// pilot is requested
   PlansOfScene(PlanWishes wishes, const Remark& tell);
-  // A PlansOfScene cannot be copied, because the model refers to the scene, and the plans refer to rows of the table in
-  // the model.
+  // A PlansOfScene cannot be copied, because it contains references between its members: from the model to the scene,
+  // and from the plans to rows of the table in the model.
   PlansOfScene(const PlansOfScene&) = delete;
   PlansOfScene& operator=(const PlansOfScene&) = delete;
 

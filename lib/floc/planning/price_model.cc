@@ -22,21 +22,22 @@ namespace {
 /// contains only one size. The exponent is above 1 because larger packings need more time steps to come to rest.
 constexpr double kCostExponent = 1.25;
 /// Fraction of the processor time of a run that is proportional to its number of equilibria. This value is used if a
-/// table of prices does not contain the fraction. Most of the time is spent in the assembly and in rearrangements, and
-/// the number of rearrangements depends on the range of the load, not on the number of equilibria. The value was
-/// measured on 200 cohesive disks: a load path took 1.6 s with 16 states, and 2.3 s with 40 states.
+/// table of prices does not contain the fraction. The fraction is small because most of the time is spent in the
+/// assembly and in rearrangements; the number of rearrangements depends on the range of the load, not on the number of
+/// equilibria. The value was measured on 200 cohesive disks: a load path took 1.6 s with 16 states, and 2.3 s with 40
+/// states.
 constexpr double kShareOfSteps = 0.3;
-/// kShareOfSoft: share of the processor time of a run during which springs may be soft. This value is used if a table
-/// has no rows of softening. kShareOfAssembly: share of the processor time before the first pressure of the load path
-/// is reached. Both were measured on 1400 cohesive disks: 0.57 of the time steps were made before the first pressure
-/// was reached. Springs softer by a factor of 5 reduced the time to 0.6 of the time with full stiffness, and springs
-/// softer by a factor of 10 reduced it to 0.57.
+/// Shares of the processor time of a run. kShareOfSoft: time during which springs may be soft; used if a table has no
+/// rows of softening. kShareOfAssembly: time before the first pressure of the load path is reached. Both were measured
+/// on 1400 cohesive disks: 0.57 of the time steps were made before the first pressure was reached. Springs softer by a
+/// factor of 5 reduced the time to 0.6 of the time with full stiffness, and springs softer by a factor of 10 reduced it
+/// to 0.57.
 constexpr double kShareOfSoft = 0.7, kShareOfAssembly = 0.57;
-/// Prices are extrapolated to at most this number times the measured number of grains: kExtrapolation if there is a
-/// table of prices, kExtrapolationOfPilot if there is only a pilot.
+/// Prices are extrapolated at most to this multiple of the measured number of grains: kExtrapolation with a table of
+/// prices, kExtrapolationOfPilot with only a pilot.
 constexpr int kExtrapolation = 50, kExtrapolationOfPilot = 10;
 /// Memory (MB) of the program itself, and memory (MB) per grain in two and in three dimensions. The values apply to
-/// runs that finish equilibria by Newton steps.
+/// runs that complete equilibria by Newton's method.
 constexpr double kProgramMemory = 36.0;
 constexpr double kMemoryOfDisk = 0.006, kMemoryOfSphere = 0.03;
 
@@ -45,7 +46,7 @@ double number_or_nan(const std::string& text) {
       .value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
-/// Returns the rows of a table that describe one observable with one parameter.
+/// Returns the rows of a table for one observable and one parameter.
 std::vector<const PriceRow*> rows_of(const PriceTable& table, const std::string& parameter,
                                      const std::string& observable) {
   std::vector<const PriceRow*> found;
@@ -62,9 +63,9 @@ double scatter_of(const PriceTable& table, const std::string& observable, int n_
   // Older tables contain the standard error of a mean over n samples instead.
   for (const PriceRow* row : rows_of(table, "samples", observable))
     if (row->mean_stderr > 0.0) return row->mean_stderr * std::sqrt(number_or_nan(row->value));
-  // For fits, older tables contain the difference between fits to two independent sets of n samples: samples of N
-  // grains, and samples of n0 grains. If s is the scatter between samples of n0 grains, the difference has the variance
-  // s^2 (n0/N + 1)/n.
+  // For fits, older tables contain the difference between two fits to independent sets of n samples: one set with N
+  // grains per sample, the other with n0 grains. If s is the scatter between samples of n0 grains, the difference has
+  // the variance s^2 (n0/N + 1)/n.
   double squares = 0.0;
   int n = 0;
   for (const PriceRow* row : rows_of(table, "count", observable)) {
@@ -77,9 +78,9 @@ double scatter_of(const PriceTable& table, const std::string& observable, int n_
 }
 
 /// Returns the factor c in the error c/N^q that a finite number N of grains causes; absent if the table contains only
-/// one size. The factor is fitted by weighted least squares to the differences from the samples of `n_grains` grains.
-/// To include the uncertainty of the fit, the function returns the root of a sum of two squares: the fitted value, and
-/// the half width of its 95 % interval.
+/// one size. A value c0 of the factor is fitted by weighted least squares to the differences from the samples of
+/// `n_grains` grains. The returned factor is sqrt(c0^2 + h^2), with the half width h of the 95 % interval of c0, so
+/// that it includes the uncertainty of the fit.
 std::optional<double> size_of_table(const PriceTable& table, const std::string& observable, int n_grains,
                                     double exponent) {
   double xx = 0.0, xy = 0.0;
@@ -127,8 +128,8 @@ double share_of_steps(const PriceTable& table, const PriceRow& as_it_is) {
   return points.size() < 2 ? kShareOfSteps : std::clamp(slope_of(points), 0.0, 1.0);
 }
 
-/// Interpolates linearly between points (x, y) in ascending order of x; beyond the last point, returns the y of this
-/// point.
+/// Interpolates linearly between points (x, y) in ascending order of x. Beyond the last point, returns the y of the
+/// last point.
 double interpolated(const std::vector<std::pair<double, double>>& points, double x) {
   for (std::size_t k = 1; k < points.size(); ++k)
     if (x <= points[k].first)

@@ -13,7 +13,7 @@ namespace floc {
 /// Parts of the error of a mean over states and samples, or of a fit to a path. All parts are half widths of 95 %
 /// intervals divided by the mean.
 struct PricedError {
-  double settings = 0.0;  ///< error that the numerical settings cause, if the table of prices has it
+  double settings = 0.0;  ///< error that the numerical settings cause, if the table of prices contains it
   double size = 0.0;      ///< error that the finite number of grains causes
   double scatter = 0.0;   ///< error that the scatter between samples causes
 
@@ -46,8 +46,8 @@ struct PilotResult {
 
 /// Model of the cost and the errors of runs of a scene, as functions of the number of grains, the number of samples and
 /// the settings. It extrapolates from a table of prices, from a pilot, or from both. If both are given, the processor
-/// time is taken from the pilot, and its dependence on the settings from the table. The dependence of the processor
-/// time on the number of grains is taken from the source with the larger samples. The scatters of the two are pooled.
+/// time comes from the pilot, and the dependence of the processor time on the settings from the table. Its dependence
+/// on the number of grains comes from the source with the larger samples. The scatters from both sources are pooled.
 ///
 /// 1. The processor time of a sample of N grains is proportional to N^p (1 - b + b n/n0) for a run with n equilibria,
 /// where n0 is the number of equilibria in the table and b the fraction of the time that is proportional to this
@@ -70,15 +70,14 @@ class PriceModel {
   /// @throws InputError that names the most similar observable, if the model has no observable with this name
   const ObservablePrice& observable(const std::string& name, const std::string& place) const;
 
-  /// Removes settings from the model, so that no plan uses them.
-  /// @param is_wrong  function that returns whether settings are removed; the settings of the row "scene" are always
-  /// kept
+  /// Removes settings from the model, so that no plan uses them. The settings of the row "scene" are always kept.
+  /// @param is_wrong  function that returns whether settings are removed
   void remove_settings(const std::function<bool(const PricedSettings&)>& is_wrong);
 
   int measured_grains() const { return n_grains_; }
-  /// Smallest and largest number of grains for which the model is used. The smallest is the smallest measured number,
-  /// and the largest is fifty times the measured number (ten times if there is only a pilot). If the scene lists the
-  /// diameters of its grains, both are the number of grains of the scene.
+  /// Smallest and largest number of grains for which the model is used. If the scene lists the diameters of its grains,
+  /// both are the number of grains of the scene. Otherwise the smallest is the smallest measured number, and the
+  /// largest is fifty times the measured number (ten times if there is only a pilot).
   int least_grains() const { return least_grains_; }
   int most_grains() const { return most_grains_; }
   bool knows_settings() const { return table_.has_value(); }
@@ -87,16 +86,15 @@ class PriceModel {
   double core_seconds(const PricedSettings& settings, double n_grains) const;
   /// Returns the largest memory (MB) of a run of `n_grains` grains.
   double memory_mb(double n_grains) const;
-  /// Returns the error of an observable. The error is infinite if the table does not contain the error that the
-  /// settings cause.
+  /// Returns the error of an observable; infinite if the table does not contain the error that the settings cause.
   PricedError error(const ObservablePrice& observable, const PricedSettings& settings, double n_grains,
                     double n_samples) const;
   /// Returns the row of the table that has the same settings as the scene. If there is no such row, returns the row
   /// for the parameter "scene", with the processor time converted to the time step and the softening of the scene.
   PricedSettings settings_of_scene() const;
   /// Returns the processor time of a run with softer springs, divided by the time without softening. The ratio is
-  /// interpolated between the rows of softening in the table, separately for the assembly, which takes a fixed share of
-  /// the time, and for the load path.
+  /// interpolated between the rows of softening in the table, separately for the assembly and for the load path. The
+  /// assembly takes a fixed share of the time.
   double time_with_softening(const Softening& softening) const;
 
  private:

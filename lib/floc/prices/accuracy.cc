@@ -12,11 +12,11 @@
 namespace floc {
 namespace {
 
-/// Errors depend on the stiffness. Errors measured on one scene are therefore used for another scene only if the
-/// stiffness numbers of the two scenes differ by at most this factor.
+/// Errors depend on the stiffness. Therefore errors that were measured on one scene are used for another scene only if
+/// the stiffness numbers of the two scenes differ by at most this factor.
 constexpr double kStiffnessRange = 10.0;
 
-/// Keys of the table [accuracy] of a scene. Each key stands for one or several observables, which are given by their
+/// Keys of the table [accuracy] of a scene. Each key stands for one or several observables. The observables have their
 /// names in the column "observable" of a table of prices.
 const std::vector<std::pair<std::string, std::vector<std::string>>> kKeys = {
     {"phi", {"phi"}},
@@ -37,8 +37,8 @@ bool is_of_cell(const std::string& parameter) {
   return parameter == kMassOfCell || parameter == kCapOfCell;
 }
 
-/// Whether a scene can set a parameter of a table of prices to change the accuracy. Some parameters in the list are for
-/// elastic grains, others for rigid grains.
+/// Whether a scene can set a parameter of a table of prices to change the accuracy. Some of these parameters apply to
+/// elastic grains, others to rigid grains.
 bool is_settable(const std::string& parameter) {
   static const std::vector<std::string> kSettable = {
       "strict",   "scene",           "finish",        "tolerance", "time_step",         "patience",
@@ -78,8 +78,8 @@ double guaranteed_error(const PricedSettings& candidate, const std::string& obse
   return std::isfinite(scatter) ? difference + scatter : std::numeric_limits<double>::infinity();
 }
 
-/// Returns the value of a setting of the cell divided by the default value, for example 10 for the value "10 times";
-/// NaN if the value contains no number.
+/// Returns the factor of a setting of the cell, that is, its value divided by the default value: for example 10 for the
+/// text "10 times"; NaN if the text contains no number.
 double factor_of(const PricedSettings& of_cell) {
   return parse_number<double>(of_cell.value.substr(0, of_cell.value.find(' ')))
       .value_or(std::numeric_limits<double>::quiet_NaN());
@@ -94,8 +94,8 @@ bool is_default(double factor) {
 }
 
 /// Returns the measured setting of the cell that covers a factor of a scene. A measured factor covers the factor of the
-/// scene if both are above 1 or both below 1, and the measured factor is at least as far from 1. If several settings
-/// cover the factor, the setting whose factor is closest to 1 is returned; null if there is none.
+/// scene if both are above 1 or both below 1, and the measured factor is at least as far from 1. Of several settings
+/// that cover the factor, the setting whose factor is closest to 1 is returned; null if no setting covers it.
 /// @param of_cell  measured settings of the mass of the cell and of the cap on its strain rate
 /// @param parameter  quantity that the factor multiplies: "cell_mass" or "strain_rate_cap"
 /// @param factor  value in the scene, divided by the default value
@@ -158,9 +158,8 @@ class AccuracyChooser {
     return table_.is_shipped ? "table of measured errors shipped with floc" : table_.name();
   }
 
-  /// Returns the relative error that the settings guarantee for all observables of a request. The errors that the mass
-  /// and the strain rate of the cell cause are included. The result is infinite if the table has none of the
-  /// observables.
+  /// Returns the relative error that the settings guarantee for all observables of a request, including the errors that
+  /// the mass and the strain rate of the cell cause. The error is infinite if the table has none of the observables.
   double guaranteed_error_of(const PricedSettings& candidate, const Wish& wish) const {
     if (wish.observables.empty()) return std::numeric_limits<double>::infinity();
     double least = 0.0;
@@ -172,7 +171,7 @@ class AccuracyChooser {
     return least;
   }
 
-  /// Returns the reason why no settings achieve a requested error; empty if some settings achieve it.
+  /// Returns the reason why no settings achieve a requested error; empty if some settings achieve this error.
   std::string reason_against(const Wish& wish) const {
     double floor = std::numeric_limits<double>::infinity();
     for (const PricedSettings& c : candidates_)
@@ -254,8 +253,8 @@ double settings_error(const PricedSettings& settings, const std::string& observa
   const auto found = settings.of.find(observable);
   if (found == settings.of.end()) return std::numeric_limits<double>::quiet_NaN();
   const PriceRow& row = *found->second;
-  // Soft springs change the mean, perhaps by more than the measured difference. The half width of the confidence
-  // interval is therefore not subtracted from the difference, but added in quadrature.
+  // Soft springs change the mean, perhaps by more than the measured difference. Therefore the half width of the
+  // confidence interval is added to the difference in quadrature. For stiff springs, it is subtracted instead.
   if (settings.settings.softening.any()) return std::hypot(row.mean_difference, row.mean_error);
   const double detected = std::isfinite(row.mean_error)
                               ? std::max(0.0, std::abs(row.mean_difference) - row.mean_error)

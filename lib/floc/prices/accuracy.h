@@ -41,21 +41,21 @@ struct PricedSettings {
   std::string name() const { return parameter + " " + value; }
 };
 
-/// Returns the numerical settings in a table of prices that a scene can contain, the cheapest first. Rows of other
-/// parameters are left out. These parameters change the physics, the number of grains, the cell, or the analysis of the
-/// states.
+/// Returns the numerical settings in a table of prices that a scene can contain, the cheapest first. Rows of parameters
+/// that change the physics, the number of grains, the cell, or the analysis of the states are left out.
 std::vector<PricedSettings> settable_prices(const PriceTable& table);
 
-/// Returns the measured settings of the cell that cover the cells of a scene: for each factor in `cells` that differs
-/// from 1, the setting whose factor is the nearest of those that lie on the same side of 1 and at least as far from 1.
-/// The errors of these settings are added to the errors of the numerical settings.
+/// Returns the measured settings of the cell that cover the cells of a scene. A setting covers a factor in `cells` that
+/// differs from 1 if the factor of the setting is on the same side of 1 and at least as far from 1. For each factor,
+/// the covering setting with the nearest factor is returned. The errors of these settings are added to the errors of
+/// the numerical settings.
 std::vector<PricedSettings> cell_prices(const PriceTable& table, const std::vector<CellFactors>& cells);
 
 /// Returns a bound of the relative error that settings cause in the mean of an observable over states. Let d be the
-/// difference of the means from those of the strictest settings, and h the half width of the 95 % confidence interval
-/// of d. The bound is the larger of two numbers: the error that 95 % of the single states do not exceed, and |d| - h
-/// (at least 0). Soft springs result in other packings; for settings with soft springs, the bound is sqrt(d^2 + h^2).
-/// The result is NaN if nothing was measured.
+/// difference between this mean and the mean with the strictest settings, and h the half width of the 95 % confidence
+/// interval of d. The bound is the larger of two numbers: the error that 95 % of the single states do not exceed, and
+/// |d| - h (at least 0). Soft springs result in other packings; for settings with soft springs, the bound is sqrt(d^2 +
+/// h^2). The result is NaN if nothing was measured.
 double settings_error(const PricedSettings& settings, const std::string& observable);
 
 /// Result of choose_accuracy(): the cheapest numerical settings whose errors do not exceed the requested errors or, if
@@ -92,13 +92,13 @@ struct AccuracyChoice {
                                              const std::vector<CellFactors>& cells = {});
 
 /// Whether the table of errors was measured on grains whose stiffness number differs from `kappa` by at most a factor
-/// of ten. If the stiffness numbers differ by more, the errors do not apply, because errors depend on the stiffness.
+/// of ten. Otherwise the errors do not apply, because errors depend on the stiffness.
 /// @param kappa  stiffness number a K_N/F0 of the scene (largest diameter a, normal stiffness K_N, pull-off force F0)
 bool covers_stiffness(const PriceTable& table, double kappa);
 
-/// Whether the table covers the mass and the cap of `cell`. The table covers a value if it contains errors measured
-/// with a value that differs from the default in the same direction and by at least the same factor, or if the value is
-/// the default.
+/// Whether the table covers the mass and the cap of `cell`. A value is covered if it is the default. It is also covered
+/// if the table contains errors measured with a value that differs from the default in the same direction and by at
+/// least the same factor.
 bool covers_cell(const PriceTable& table, const CellFactors& cell);
 
 }  // namespace floc

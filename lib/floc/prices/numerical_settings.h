@@ -11,8 +11,7 @@ constexpr const char* finish_name(Finish finish) {
   return finish == Finish::automatic ? "auto" : finish == Finish::dynamic ? "dynamic" : "static";
 }
 
-/// Factors >= 1 by which springs are softer than in the contact law while grains rearrange
-/// (RelaxationOptions::softening).
+/// Factors >= 1 by which the stiffness of springs is divided while grains rearrange (RelaxationOptions::softening).
 struct Softening {
   double assembly = 1.0;  ///< factor while the grains are put together
   /// largest factor of all stages of the load path; if there are no stages, the factor of the assembly
@@ -31,13 +30,12 @@ struct NumericalSettings {
   double time_step = RelaxationOptions{}.time_step;
   Finish finish = Finish::automatic;
   double patience = 1.0;
-  /// apply() and of() leave this member out, because parts of a run may have different factors
-  /// (scene/scene_softening.h).
+  /// apply() and of() ignore this member, because parts of a run may have different factors (scene/scene_softening.h).
   Softening softening = {};
 
-  /// Returns the tolerance of the kinetic energy. A packing with a lower energy counts as at rest. The tolerance of the
-  /// energy is proportional to `tolerance`, but at least 5e-8 (the value for tolerance = 1e-5). A stricter value is not
-  /// needed, because the remaining motion is removed afterwards.
+  /// Returns the tolerance of the kinetic energy. A packing with a lower energy counts as at rest. The result is 5e-3
+  /// times `tolerance`, but at least 5e-8. A stricter value is not needed, because the remaining motion is removed
+  /// afterwards.
   double energy() const { return 5e-3 * std::max(tolerance, 1e-5); }
 
   /// Writes these settings into the options of a relaxation.

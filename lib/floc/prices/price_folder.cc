@@ -14,13 +14,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Possible paths of the folder of tables, relative to a folder above the program. The first is for an installation,
-/// the second for the build tree.
+/// Possible paths of the folder of tables, relative to a folder above the program: the first in an installation, the
+/// second in the build tree.
 constexpr const char* kPlaces[] = {"share/floc/tables/tradeoff", "apps/share/floc/tables/tradeoff"};
 
-/// Number of parent folders of the program or library that are searched for the folder of tables. A module of the Python
-/// package is a file in PREFIX/lib/python3/dist-packages/floc, so its fifth parent folder is the prefix of the
-/// installation.
+/// Number of parent folders of the program or library that are searched for the folder of tables. For example, a module
+/// of the Python package is a file in PREFIX/lib/python3/dist-packages/floc, so that its fifth parent folder is the
+/// prefix of the installation.
 constexpr int kFoldersAbove = 5;
 
 /// Returns two paths: the path of the file that contains this code (the program or, in Python, a module), and the path

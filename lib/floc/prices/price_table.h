@@ -17,12 +17,12 @@ struct PriceRow {
   NumericalSettings settings;
   std::string observable;
   std::string unit;     ///< unit of the observable; empty if the table has no units
-  double cost_ratio;    ///< processor time divided by that of the run with the strictest settings
+  double cost_ratio;    ///< processor time divided by the processor time with the strictest settings
   double core_seconds;  ///< processor time of a sample (s)
   double memory_mb;     ///< largest memory of a run (MB), not including the memory of the program itself
   double error;         ///< error that 95 % of the states do not exceed; NaN if no states were compared
-  /// Mean relative difference of the observable from its value in the run with the strictest settings. The mean is over
-  /// samples and over the states after a collapse (a sudden rearrangement of grains). NaN if no means were compared.
+  /// Mean relative difference of the observable from its value with the strictest settings; NaN if no means were
+  /// compared. The mean is over samples and over the states after a collapse (a sudden rearrangement of grains).
   double mean_difference;
   double mean_stderr;  ///< standard error of mean_difference
   double mean_error;   ///< half width of the 95 % confidence interval of mean_difference

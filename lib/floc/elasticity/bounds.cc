@@ -11,14 +11,14 @@
 namespace floc {
 namespace {
 
-/// B_reuss is set to zero if the pressure is below this share of sum |F_N| r/(Dim V), the pressure that the normal
-/// forces F_N would give if all were compressive (distance r between centres, volume V). In an equilibrium computed to
-/// a tolerance of 1e-8, a pressure below this share cannot be distinguished from zero.
+/// Let P_0 = sum |F_N| r/(Dim V) be the pressure that the normal forces F_N would give if all were compressive
+/// (distance r between centres, volume V). If the pressure is below this share of P_0, B_reuss is set to zero: in an
+/// equilibrium computed to a tolerance of 1e-8, a smaller pressure cannot be distinguished from zero.
 constexpr double kNoPressure = 1e-8;
-/// The contact forces count as balanced if the net force on each grain is at most this share of the largest contact
-/// force, and the net force on each pair of walls is at most this share of the sum of the forces on both walls. The
-/// share is a hundred times the tolerance of an equilibrium. Net forces up to this share change the complementary
-/// energy by a share of the same order.
+/// The contact forces count as balanced if two ratios are at most this number: the net force on each grain divided by
+/// the largest contact force, and the net force on each pair of walls divided by the sum of the forces on both walls.
+/// The number is a hundred times the tolerance of an equilibrium. Net forces up to this limit cause a relative change
+/// of the complementary energy of the same order.
 constexpr double kBalanced = 1e-3;
 
 struct Sums {
@@ -95,8 +95,8 @@ RowStiffness<Dim> row_forces(const NetworkContact<Dim>& c) {
 }
 
 /// Returns whether the contact forces balance on every grain and on each pair of opposite walls. The two walls of an
-/// axis count as one body, because they may move together. The principle of minimum complementary energy, which gives
-/// the Reuss bound, admits only forces that balance.
+/// axis count as one body, because they may move together. The Reuss bound follows from the principle of minimum
+/// complementary energy, which admits only forces that balance.
 template <int Dim>
 bool forces_balance(const ContactNetwork<Dim>& network) {
   Eigen::VectorXd on_grains = Eigen::VectorXd::Zero(network.n_unknowns());

@@ -13,8 +13,8 @@ struct Bounds {
   /// Voigt bounds: moduli if every grain follows the strain of the cell, without rotation. B_voigt is the sum over
   /// contacts of K_N r^2/(Dim^2 V), with the normal stiffness K_N, the distance r between the two centres and the
   /// volume V; G_voigt is the analogous sum for shear. In a stable network, B_voigt is an upper bound on the bulk
-  /// modulus B_C under imposed strain, and G_voigt is an upper bound on the shear modulus G = (C11 + C22 - 2 C12)/4
-  /// with the moduli C. In 3D, G is the mean over the three pairs of axes.
+  /// modulus B_C under imposed strain, and G_voigt is an upper bound on the shear modulus G = (C11 + C22 - 2 C12)/4,
+  /// where C is the matrix of moduli. In 3D, G is the mean of this expression over the three pairs of axes.
   double B_voigt = 0.0;
   double G_voigt = 0.0;
   /// Reuss bound V P^2/sum(F_N^2/K_N + F_T^2/K_T + Gamma^2/K_R), with the volume V and the pressure P. The sum over
@@ -24,10 +24,10 @@ struct Bounds {
   /// the stress is also isotropic, B_reuss is a lower bound on the bulk modulus B_S under imposed stress.
   double B_reuss = 0.0;
   /// Reason why B_reuss <= B_C <= B_voigt is not guaranteed, as a clause that follows "because". Empty if the
-  /// inequality is guaranteed, that is, if no force acts across a gap, no stiffness is negative, and the forces
+  /// inequality is guaranteed. It is guaranteed if no force acts across a gap, no stiffness is negative, and the forces
   /// balance.
   std::string fault;
-  /// B_voigt, G_voigt and B_reuss in the mean-field forms printed in [GRC2008], which replace averages of products by
+  /// Mean-field forms of B_voigt, G_voigt and B_reuss, as printed in [GRC2008]: averages of products are replaced by
   /// products of averages.
   double B_voigt_printed = 0.0;
   double G_voigt_printed = 0.0;

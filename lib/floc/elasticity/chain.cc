@@ -67,7 +67,7 @@ ContactNetwork<2> chain_network(const std::vector<Vec<2>>& branches, double R, c
 struct Chord {
   Vec<2> along, across;
   double length;
-  double last_contact;  ///< distance along the chord from its middle to the last contact
+  double last_contact;  ///< distance along the chord from the middle of the chord to the last contact
 };
 
 Chord chord_of(const std::vector<Vec<2>>& branches) {
@@ -85,7 +85,7 @@ Chord chord_of(const std::vector<Vec<2>>& branches) {
 }
 
 /// Returns three motions of the last disk, one per column: a unit displacement along the chord (the line through the
-/// centres of the end disks), a unit displacement across the chord, and a unit rotation of the disk about its middle.
+/// centres of the end disks), a unit displacement across the chord, and a unit rotation of the disk about its centre.
 Mat<3> end_motions(const Chord& chord) {
   Mat<3> motion = Mat<3>::Zero();
   motion.block<2, 1>(0, 0) = chord.along;
@@ -134,9 +134,9 @@ Compliance invert_stiffness(const Mat<3>& stiffness, const Mat<3>& error) {
   // The stiffness matrix is inverted in extended precision, because its large terms nearly cancel if soft and stiff
   // directions are mixed.
   c.value = stiffness.cast<long double>().inverse().cast<double>();
-  // The error E of the stiffness matrix S changes its inverse by at most |S^-1| E |exact^-1|, where `exact` is S
-  // without error and |exact^-1| <= |S^-1|/(1 - change). `change` is the norm of |S^-1| E after a diagonal scaling,
-  // which gives all entries the same unit.
+  // The matrix S is the computed stiffness, E the bound on its error, and `exact` the stiffness without error. The
+  // error changes the inverse by at most |S^-1| E |exact^-1|, where |exact^-1| <= |S^-1|/(1 - change). Here `change` is
+  // the norm of |S^-1| E after a diagonal scaling, which gives all entries the same unit.
   const Mat<3> size = c.value.cwiseAbs();
   const Vec<3> scale = stiffness.diagonal().cwiseAbs().cwiseSqrt();
   const Mat<3> relative = scale.asDiagonal() * (size * error) * scale.cwiseInverse().asDiagonal();
@@ -187,7 +187,8 @@ SolvedChain solve_chain(const std::vector<Vec<2>>& branches, double R, const Cha
   const SpringInverse found = invert(springs, factor);
   check_interruption();
   Condensation end = condense(springs, found.inverse, {.tolerance = 1e-14});
-  // A chain has no mechanism. If the factor finds one, rounding has hidden a stiffness, and the error has no bound.
+  // A chain has no mechanism. If the factor finds a mechanism, rounding has hidden a stiffness, and the error has no
+  // bound.
   if (found.n_mechanisms > 0) end.error.setConstant(std::numeric_limits<double>::infinity());
   const Compliance c = invert_stiffness(end.stiffness, end.error);
   const auto scaled = [](BoundedValue v, double size) { return BoundedValue{v.value / size, v.error / size}; };

@@ -27,9 +27,9 @@ double chain_axial_compliance(int n, const ChainStiffness& k);
 ///
 ///   1/K_T^(n) = (n-1)/K_T + n (n-1) (n-2) R^2 / (3 K_R)
 ///
-/// Two disks of radius (n-1) R, with this compliance in their contact, are equivalent to the chain. Their contact lies
-/// in the middle of the chain; a transverse force that acts there does not turn the two ends relative to each other.
-/// The formula is exact: it equals the compliance of the solved network up to rounding errors. Eq. 16 of [GRC2008], as
+/// The chain is equivalent to two disks of radius (n-1) R whose contact has this compliance and lies in the middle of
+/// the chain. A transverse force at this point does not turn the two ends of the chain relative to each other. The
+/// formula is exact: it equals the compliance of the solved network up to rounding errors. Eq. 16 of [GRC2008], as
 /// printed, describes another displacement, see end_disk_deflection().
 /// @param n  number of disks, in kChainLength; for n = 2 the chain is a single contact
 /// @param R  radius of the disks (length), > 0
@@ -43,13 +43,13 @@ double chain_transverse_compliance(int n, double R, const ChainStiffness& k);
 /// @throws InputError if n is out of range or a stiffness is not positive
 double chain_rolling_compliance(int n, const ChainStiffness& k);
 
-/// Returns how far the centre of the last disk in a straight chain moves if the first disk is fixed and a unit
-/// transverse force acts along a line through the last contact (length/force; [GRC2008], Eq. 16 as printed).
+/// Returns the transverse displacement of the centre of the last disk in a straight chain (length/force; [GRC2008], Eq.
+/// 16 as printed). The first disk is fixed, and a unit transverse force acts along a line through the last contact.
 ///
 ///   (n-1)/K_T + (n-1) (4 n^2 - 11 n + 6) R^2 / (3 K_R)
 ///
-/// For large n it is the displacement l^3/(3 EI) of a cantilever with the bending stiffness EI = 2 R K_R and the length
-/// l = 2 (n-1) R.
+/// For large n, the result is the displacement l^3/(3 EI) of a cantilever with the bending stiffness EI = 2 R K_R and
+/// the length l = 2 (n-1) R.
 /// @param n  number of disks, in kChainLength
 /// @param R  radius of the disks (length), > 0
 /// @param k  stiffnesses K_N, K_T, K_R of a contact
@@ -77,13 +77,14 @@ struct SolvedChain {
   double condition;
 };
 
-/// Returns the unit vectors from each disk of an evenly bent chain of n disks to the next disk. Each vector is turned
-/// by `bend` (radians) relative to the previous one. With bend = 0 the chain is straight along x.
+/// For an evenly bent chain of n disks, returns the unit vectors from each disk to the next. Each vector is turned by
+/// `bend` (radians) relative to the previous vector. With bend = 0 the chain is straight along x.
 /// @throws InputError if n is out of range or `bend` is not finite
 std::vector<Vec<2>> bent_chain(int n, double bend);
 
 /// Solves the contact network of a chain for its compliances, with error bounds.
-/// @param branches  unit vectors from the centre of each disk to the centre of the next: one fewer than the number of
+/// @param branches  unit vectors from the centre of each disk to the centre of the next disk: one fewer than the number
+/// of
 ///                  disks, which has to be in kChainLength. The last disk must not coincide with the first
 /// @param R         radius of the disks (length), > 0
 /// @param k         stiffnesses of a contact

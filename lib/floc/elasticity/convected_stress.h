@@ -14,8 +14,8 @@ double conjugate(const Mat<Dim>& tensor, int column) {
 }
 
 /// Returns the term that prestress adds to the moduli, because a strain E of the cell convects the static stress sigma:
-/// -sym(sigma E) + sigma tr E, as a symmetrised matrix (docs/physics.md, "Prestress"). The term is added to K/V, with
-/// the stiffness K against strain after relaxation of the grains and the volume V.
+/// -sym(sigma E) + sigma tr E, as a symmetrised matrix (docs/physics.md, "Prestress"). The term is added to K/V, where
+/// K is the stiffness against strain after relaxation of the grains, and V the volume.
 /// @param stress  static stress sigma, compression positive (force/length^(Dim-1))
 /// @param n       number of strains of the cell, in the order of StrainSet
 /// @return n x n matrix, in the unit of the stress

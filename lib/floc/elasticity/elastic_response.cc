@@ -17,9 +17,9 @@
 namespace floc {
 namespace {
 
-/// Lists the springs of a network, with stiffnesses divided by `unit` (force/length). The free unknowns are the motions
-/// of the grains that are solved for. The boundary unknowns are the strains of the cell and, between walls, the wall
-/// shifts: the common displacements of the two walls of an axis.
+/// Lists the springs of a network, with stiffnesses divided by `unit` (force/length). The free unknowns are those
+/// motions of the grains that are solved for. The boundary unknowns are the strains of the cell and, between walls, the
+/// wall shifts. A wall shift is a common displacement of the two walls of an axis.
 template <int Dim>
 class SpringList {
  public:
@@ -80,7 +80,7 @@ class SpringList {
 };
 
 /// Elastic problem of a contact network: the network without dead ends (grains that hang on a single contact), the
-/// motions that are solved for, and the elastic response.
+/// unknowns that are solved for, and the elastic response.
 template <int Dim>
 struct Problem {
   const ContactNetwork<Dim>& whole;
@@ -111,7 +111,7 @@ struct Problem {
   }
   SpringSystem springs() const { return SpringList<Dim>(core(), unknowns, unit, options).take(); }
 
-  /// Returns a result without a response, but with the reason: the factor would take too many bytes.
+  /// Returns a result that contains no response, but the reason: the factor would take too many bytes.
   ElasticResponse refuse(double bytes) {
     answer.factor_bytes = bytes;
     answer.failure = fmt::format(
@@ -169,7 +169,7 @@ Eigen::VectorXd diagonal_of(const SpringSystem& springs) {
 }
 
 /// Largest number of iteration steps with a factor that was made for another network. If more steps are needed, a new
-/// factor is cheaper: for 1400 grains, its computation takes as long as some 30 steps.
+/// factor is cheaper. For 1400 grains, computing a factor takes as long as some 30 steps.
 constexpr int kMaxSteps = 40;
 
 /// Solves for the motions of the grains by refinement with an approximate inverse of the stiffness matrix. The accuracy
@@ -212,8 +212,7 @@ std::optional<ElasticResponse> solve_by_single_factor(Problem<Dim>& problem) {
 }
 
 /// Approximate inverse of the stiffness matrix of this network, made from the factor of another network. The factor is
-/// used for the unknowns that both networks have. For all other unknowns, the diagonal entries of the matrix are
-/// inverted.
+/// used for unknowns that both networks have. For all other unknowns, the diagonal entry of the matrix is inverted.
 class InheritedInverse {
  public:
   InheritedInverse(const ResponseMemory& memory, const ReducedUnknowns& unknowns, Eigen::VectorXd diagonal)
@@ -253,8 +252,8 @@ class InheritedInverse {
 template <int Dim>
 std::optional<ElasticResponse> solve_from(const ResponseMemory& memory, Problem<Dim>& problem) {
   const ReducedUnknowns& unknowns = problem.unknowns;
-  // The stored fluctuation is the initial guess of the solver. The fluctuation has a column for each strain but no
-  // columns for displacements of walls. Therefore it cannot be used for a packing between walls.
+  // The stored fluctuation is the initial guess of the solver. It has a column for each strain, but no columns for
+  // displacements of walls. Therefore it cannot be used for a packing between walls.
   if (!memory.factor || !problem.whole.wall_axes.empty() ||
       memory.fluctuation.rows() != problem.whole.n_unknowns() ||
       memory.fluctuation.cols() != n_strains<Dim>(problem.options.strains))

@@ -30,14 +30,14 @@ struct ResponseOptions {
   /// refinement step usually suffices.
   double tolerance = 1e-11;
   /// Largest absolute eigenvalue of the stiffness matrix K that counts as a mechanism, divided by the largest contact
-  /// stiffness. In K, rotations are multiplied by the grain's size. Rounding of K moves an eigenvalue by some 1e-15.
+  /// stiffness. In K, rotations are multiplied by the grain's size. Rounding of K changes an eigenvalue by some 1e-15.
   /// The bound must be below the eigenvalues of near-mechanisms: in real packings, near-mechanisms with eigenvalues
-  /// down to 6e-13 have contributed 3 % of the bulk modulus. The bound is used only where K may be indefinite;
-  /// otherwise the rank of the square root of K shows the mechanisms.
+  /// down to 6e-13 have contributed 3 % of the bulk modulus. The bound is used only if K may be indefinite. Otherwise
+  /// mechanisms are found from the rank of the square root of K.
   double mechanism_bound = 1e-13;
-  /// Motions also count as mechanisms if they stretch the springs of the network (in units of sqrt(K_N)) by at most
-  /// this share of their size. Used only where K has no reliable Cholesky factor and no negative stiffness. With 0,
-  /// all motions count that double precision resolves.
+  /// A motion also counts as a mechanism if it stretches the springs of the network (in units of sqrt(K_N)) by at most
+  /// this share of the size of the motion. Used only if K has no reliable Cholesky factor and no contact has a negative
+  /// stiffness. With 0, a motion counts only if double precision cannot resolve its stiffness.
   double mechanism_length = 0.0;
   /// Largest size of a factor of K in double precision (bytes). A factor whose predicted size is larger is not
   /// computed.
@@ -57,12 +57,12 @@ struct ElasticResponse {
   /// Fluctuation of the grains (their motion relative to the affine motion) per unit strain: one row per unknown of the
   /// stiffness matrix K, one column per strain of the cell. Rows of unknowns whose motion no contact resists are zero.
   Eigen::MatrixXd fluctuation;
-  /// Common displacement of the two walls of an axis, per unit strain, at which the forces on both walls are equal: one
-  /// row per axis, one column per strain. Empty without walls.
+  /// For each axis with walls, the wall shift per unit strain: the common displacement of the two walls at which the
+  /// forces on both walls are equal. One row per axis, one column per strain. Empty without walls.
   Eigen::MatrixXd wall_shift;
   FreeMotions free;
-  /// number of independent wall shifts that no stiffness resists after relaxation of the grains; in a wall shift, the
-  /// two walls of an axis move together
+  /// number of independent wall shifts (common displacements of the two walls of an axis) that no stiffness resists
+  /// after relaxation of the grains
   int n_free_shifts = 0;
   /// number of negative eigenvalues of the stiffness matrix of grains, wall shifts and dead ends
   int n_negative = 0;
@@ -83,32 +83,32 @@ struct ElasticResponse {
   int steps = 0;  ///< number of refinement steps of the solution
   /// Reason why there is no response, as a sentence; empty if there is a response.
   std::string failure;
-  /// Predicted size of the factor of the stiffness matrix (bytes) if it is too large, so that there is no response;
-  /// otherwise 0.
+  /// Predicted size (bytes) of the factor of the stiffness matrix if there is no response because the factor is too
+  /// large; otherwise 0.
   double factor_bytes = 0.0;
 };
 
 /// Solves for the response of a network to strains of its cell. A singular or indefinite stiffness matrix K is a
 /// result, not an error. Without prestress and without attractions across gaps, a mechanism of the grains cannot couple
-/// to strain. In this case ElasticResponse::relaxed is exact even if K is singular.
+/// to strain. Therefore ElasticResponse::relaxed is then exact even if K is singular.
 template <int Dim>
 [[nodiscard]] ElasticResponse elastic_response(const ContactNetwork<Dim>& network,
                                                const ResponseOptions& options);
 
-/// Solves for the response of a network and leaves the factor of the stiffness matrix in `factor`. If `factor` comes
-/// from an earlier network with the same contacts, the symbolic part of the factor is used again. The ordering of
-/// `factor` replaces `options.ordering`.
+/// Solves for the response of a network. The factor of the stiffness matrix is returned in `factor`. If `factor`
+/// already contains the factor of an earlier network with the same contacts, its symbolic part is used again. The
+/// ordering of `factor` replaces `options.ordering`.
 template <int Dim>
 [[nodiscard]] ElasticResponse elastic_response(const ContactNetwork<Dim>& network,
                                                const ResponseOptions& options, SymmetricFactor& factor);
 
-/// Solution and factor of the elastic response of one state, which are kept for the next state. Conjugate gradients
-/// start from the solution, and the factor is their preconditioner as long as few contacts have changed.
+/// Solution and factor of the elastic response of one state, kept for the next state. Conjugate gradients start from
+/// the solution. The factor is their preconditioner as long as few contacts have changed.
 struct ResponseMemory {
   std::unique_ptr<SymmetricFactor> factor;
   std::vector<int> unknown;  ///< for each row of the factor, the number of its unknown in the stiffness matrix
-  /// for each row of the factor: the unknown divided by the value solved for, which is 1 or, for rotations, 1/(size of
-  /// the grain)
+  /// for each row of the factor, the ratio of the unknown to the value solved for: 1/(size of the grain) for rotations,
+  /// otherwise 1
   Eigen::VectorXd length;
   Eigen::MatrixXd fluctuation;  ///< fluctuation of the grains of the last network, see ElasticResponse
 };

@@ -12,8 +12,8 @@ std::optional<double> pearson(const std::vector<double>& x, const std::vector<do
   const Eigen::ArrayXd u = Eigen::Map<const Eigen::ArrayXd>(x.data(), n);
   const Eigen::ArrayXd v = Eigen::Map<const Eigen::ArrayXd>(y.data(), n);
   const Eigen::VectorXd du = u - u.mean(), dv = v - v.mean();
-  // Values count as equal if their relative deviation from the mean is at most this number, because such a deviation
-  // may be due to rounding alone.
+  // Values count as equal if their relative deviation from the mean is at most this number; rounding alone may cause
+  // such a deviation.
   constexpr double kVaries = 1e-12;
   if (!(du.norm() > kVaries * u.matrix().norm()) || !(dv.norm() > kVaries * v.matrix().norm()))
     return std::nullopt;

@@ -10,11 +10,11 @@
 namespace floc {
 namespace {
 
-/// StepResponse::n_holding counts the contacts with the largest elastic energies that together have this share of the
-/// elastic energy of all touching contacts.
+/// Share of the elastic energy of all touching contacts. StepResponse::n_holding is the smallest number of contacts
+/// that together have this share; these are the contacts with the largest elastic energies.
 constexpr double kHeldShare = 0.95;
-/// Largest work that counts as zero. It is the work of a unit stress on a strain that no stiffness resists. Such a strain
-/// is a computed eigenvector, and its rounding errors change the work.
+/// Up to this value, the work of a unit stress on a strain that no stiffness resists counts as zero. Such a strain is a
+/// computed eigenvector, whose rounding errors change the work.
 constexpr double kNoWork = 1e-9;
 
 template <int Dim>
@@ -88,7 +88,7 @@ std::vector<ForceIncrement<Dim>> force_increments(const ContactNetwork<Dim>& net
   std::vector<ForceIncrement<Dim>> increments;
   increments.reserve(network.contacts.size());
   for (const NetworkContact<Dim>& c : network.contacts) {
-    // A dead end moves with the grain that it hangs on, so the forces of its contact do not change.
+    // A dead end moves with the grain on which it hangs, so that the forces of its contact do not change.
     if (response.free.dead_end[c.i] || response.free.dead_end[c.j]) {
       increments.push_back(increment_of<Dim>(c, ForceRows<Dim>::Zero()));
       continue;

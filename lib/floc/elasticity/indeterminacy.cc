@@ -45,8 +45,8 @@ Indeterminacy rigid_indeterminacy(const Packing<Dim>& packing, double smallest_f
   std::erase_if(network.contacts, [&](const NetworkContact<Dim>& c) {
     return !(packing.contacts[c.source].elastic_force > smallest_force);
   });
-  // The matrix of the equations of balance is the transpose of the rigidity matrix. Each spring with the stiffness 1
-  // adds the row of one force component to the scaled rigidity matrix.
+  // The matrix of the equations of balance is the transpose of the rigidity matrix. Springs of stiffness 1 are added
+  // for all force components, so that the scaled rigidity matrix contains one row for each component.
   const bool sticks = packing.law.resists_sliding();
   Indeterminacy out;
   std::vector<bool> connected(network.n_grains, false);
@@ -57,8 +57,8 @@ Indeterminacy rigid_indeterminacy(const Packing<Dim>& packing, double smallest_f
     connected[c.i] = connected[c.j] = true;
   }
   Eigen::SparseMatrix<double> matrix = scaled_rigidity_matrix(network, StrainSet::diagonal);
-  // Rotations and strains are converted to lengths. A column that contains only rounding errors, for example that of a
-  // rotation without resistance, is then far smaller than all other columns.
+  // Rotations and strains are converted to lengths. A column that contains only rounding errors, such as the column of
+  // a rotation without resistance, is then far smaller than all other columns.
   for (int u = 0; u < matrix.cols(); ++u) {
     const int grain = u / kDofs<Dim>;
     if (grain >= network.n_grains)

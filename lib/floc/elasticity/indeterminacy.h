@@ -28,7 +28,7 @@ Indeterminacy force_indeterminacy(const ContactNetwork<Dim>& network, const Elas
 /// force of a contact that sticks by friction has one component for each direction of space. The force of a contact
 /// that slides or has no friction has one component, because the normal force determines the whole force. The forces
 /// balance on every grain and give the normal stress on each axis of the cell. Indeterminacy::degree is therefore the
-/// number of force components minus the number of independent equations of balance. This number is the dimension of the
+/// number of force components minus the number of independent equations of balance. This degree is the dimension of the
 /// set of forces that balance, as long as no further force reaches its limit.
 /// @param smallest_force  a contact does not count if its elastic force (the normal force without the adhesion) is at
 /// most this value (force), >= 0

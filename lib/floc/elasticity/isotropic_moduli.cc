@@ -14,8 +14,8 @@ double bulk_modulus(const Eigen::MatrixXd& c) {
 }
 
 double pure_shear_modulus_error(const Eigen::MatrixXd& error) {
-  // pure_shear_modulus() multiplies the off-diagonal entries by a negative number. Their errors are therefore negated,
-  // so that all errors add up.
+  // pure_shear_modulus() multiplies the off-diagonal entries by a negative number. The errors of these entries are
+  // therefore negated, so that all errors add up.
   Eigen::MatrixXd worst = -error;
   worst.diagonal() = error.diagonal();
   return pure_shear_modulus(worst);

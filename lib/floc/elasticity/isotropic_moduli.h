@@ -9,8 +9,8 @@ namespace floc {
 /// @param diagonal_block  C: the Dim x Dim block of the matrix of moduli that belongs to the diagonal strains
 double pure_shear_modulus(const Eigen::MatrixXd& diagonal_block);
 
-/// Returns the bulk modulus, the mean of the entries of C: the increase of pressure per relative decrease of volume if
-/// all diagonal strains are equal.
+/// Returns the bulk modulus, which is the mean of the entries of C: the increase of pressure divided by the relative
+/// decrease of volume, if all diagonal strains are equal.
 /// @param diagonal_block  C: the Dim x Dim block of the matrix of moduli that belongs to the diagonal strains
 double bulk_modulus(const Eigen::MatrixXd& diagonal_block);
 

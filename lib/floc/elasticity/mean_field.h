@@ -18,8 +18,8 @@ struct MeanFieldEstimates {
   double G_voigt_smooth = 0.0;
   /// Reuss estimate of the bulk modulus, with the forces of the state as trial forces: `z Phi <F_N>^2/(3 pi a
   /// <F_N^2/K_N + F_T^2/K_T + Gamma^2/K_R>)` for equal spheres, with the normal force F_N, the tangential force F_T,
-  /// the rolling moment Gamma and their stiffnesses. K_N may differ from contact to contact, unlike in
-  /// Bounds::B_reuss_printed.
+  /// the rolling moment Gamma and their stiffnesses. Unlike in Bounds::B_reuss_printed, K_N may differ between
+  /// contacts.
   double B_reuss = 0.0;
   /// Ratio `<F_N^(5/3) (1 + (K_N/K_T) F_T^2/F_N^2)>/<F_N>^(5/3)` of averages over contacts with a normal force F_N > 0,
   /// with the tangential force F_T and the stiffnesses K_N and K_T. For Hertz contacts B_voigt/B_reuss = Z(1/3) Z_hat,

@@ -11,11 +11,11 @@ namespace floc {
 namespace {
 
 /// An eigenvalue of the stiffness against strain of the cell (after relaxation of the grains) counts as zero if its
-/// absolute value is at most this share of the trace of the stiffness without relaxation. An eigenvalue below this
-/// limit may be due to rounding.
+/// absolute value, divided by the trace of the stiffness without relaxation, is at most this number. Such an eigenvalue
+/// may be due to rounding.
 constexpr double kVanishingStiffness = 1e-11;
 /// Standard deviation of the random displacements that bring grains to general positions, divided by the size of the
-/// grain. The value is of order one, but so small that the two grains of a contact do not exchange their positions.
+/// grain. The value is of order one, but small enough that the two grains of a contact do not exchange their positions.
 constexpr double kDisplacement = 0.2;
 
 /// Returns |p|^2/|v|^2, where p is the projection of the vector v onto the span of the given orthonormal columns.

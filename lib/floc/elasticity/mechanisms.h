@@ -10,7 +10,8 @@ namespace floc {
 
 /// Strains of the cell that no stiffness resists when the grains relax.
 struct StrainMechanisms {
-  Eigen::MatrixXd strains;  ///< one such strain per column, orthonormal; rows in the order of StrainSet
+  Eigen::MatrixXd
+      strains;  ///< strains that no stiffness resists, one per column, orthonormal; rows in the order of StrainSet
   /// fluctuation of the grains under each strain in `strains`; one row per unknown of the stiffness matrix
   Eigen::MatrixXd motions;
   /// Names of the moduli that are zero because of these strains: "C11" etc. for diagonal entries of the moduli C; "B"
@@ -31,17 +32,17 @@ Eigen::MatrixXd vanishing_strains(const Eigen::MatrixXd& relaxed, const Eigen::M
 template <int Dim>
 StrainMechanisms strain_mechanisms(const ElasticResponse& response, const Eigen::MatrixXd& affine);
 
-/// Numbers of mechanisms that a network has because of the list of touching grains alone; the positions of the grains
-/// have no influence on these numbers.
+/// Numbers of mechanisms that follow from the list of touching grains alone. They do not depend on the positions of the
+/// grains.
 struct StructuralMechanisms {
   int n_mechanisms = 0;  ///< number of mechanisms of the grains at zero strain; free motions do not count
   int n_coupled = 0;     ///< number of strains of the cell that no stiffness resists
 };
 
-/// Counts the mechanisms that a network has when its grains are moved to random (general) positions, where no
-/// near-mechanism disturbs the count. If the original network has additional mechanisms, they result from its special
-/// geometry. At the random positions, lever arms are still parallel to the normals, and all stiffnesses that are not
-/// zero are of order one.
+/// Counts the mechanisms that a network has after its grains have been moved to random (general) positions. At such
+/// positions, no near-mechanism disturbs the count. Additional mechanisms of the original network result from its
+/// special geometry. At the random positions, lever arms are still parallel to the normals, and all stiffnesses that
+/// are not zero are of order one.
 template <int Dim>
 StructuralMechanisms structural_mechanisms(const ContactNetwork<Dim>& network, StrainSet strains);
 

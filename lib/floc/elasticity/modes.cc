@@ -26,9 +26,9 @@ std::vector<bool> connected_unknowns(const ContactNetwork<Dim>& network) {
   return connected;
 }
 
-/// Returns, for each unknown of the stiffness matrix, whether a contact resists the motion that the unknown describes.
-/// If all contacts of a grain have only a normal stiffness, and their normal forces no moments, no contact resists the
-/// rotation of the grain.
+/// For each unknown of the stiffness matrix, returns whether a contact resists the motion that the unknown describes.
+/// No contact resists the rotation of a grain if its contacts have only a normal stiffness, and if their normal forces
+/// have no moments about its centre.
 template <int Dim>
 std::vector<bool> resisted_unknowns(const ContactNetwork<Dim>& network) {
   std::vector<bool> resisted(network.n_unknowns(), false);
@@ -40,7 +40,7 @@ std::vector<bool> resisted_unknowns(const ContactNetwork<Dim>& network) {
   return resisted;
 }
 
-/// Returns the free motions of a network, except those of grains without contact, as columns of unit length.
+/// Returns the free motions of a network as columns of unit length, without the motions of grains that have no contact.
 Eigen::SparseMatrix<double> scaled_free_motions(const FreeMotions& free, const ReducedUnknowns& u) {
   std::vector<Eigen::Triplet<double>> entries;
   int n = 0;
@@ -71,8 +71,8 @@ double near_bound(const ContactNetwork<Dim>& network) {
   return bound;
 }
 
-/// Computes the energies of a mode, without and with prestress, and its coupling to strain. All values are computed as
-/// sums over the contacts, without the rounding errors of the stiffness matrix.
+/// Computes the energies of a mode, without and with prestress, and the coupling of the mode to strain. All values are
+/// sums over the contacts, so that the rounding errors of the stiffness matrix have no influence.
 template <int Dim>
 void add_energies(const ContactNetwork<Dim>& network, StrainSet strains, Mode<Dim>& mode) {
   mode.coupling = Eigen::VectorXd::Zero(n_strains<Dim>(strains));
@@ -193,7 +193,7 @@ std::optional<int> count_near_mechanisms(const ContactNetwork<Dim>& network, con
                             static_cast<std::ptrdiff_t>(unknowns.unknown.size());
   const int n_free =
       static_cast<int>(free.kind.size()) - free.count(FreeMotionKind::rattler) - static_cast<int>(n_unresisted);
-  // The matrix is assembled with fixed walls. Negative eigenvalues due to displacements of walls are therefore left
+  // The matrix is assembled with fixed walls. Therefore negative eigenvalues due to displacements of walls are left
   // out.
   const int n_negative = response.n_negative - response.n_negative_shifts;
   return factor.count_eigenvalues_below(bound) - n_free - response.n_mechanisms - n_negative;

@@ -30,16 +30,16 @@ constexpr double kWarnCondition = 1e10;
 /// Condition number of the stiffness matrix above which the residual forces of a packing can decide whether a motion
 /// relaxes a strain of the cell.
 constexpr double kSoftCondition = 1e12;
-/// Share by which B may be smaller than its lower bound, which is exact only if the forces balance exactly: ten times
-/// the usual tolerance of an equilibrium.
+/// B counts as below its lower bound only if the relative difference exceeds this number, because the bound is exact
+/// only if the forces balance exactly. The number is ten times the usual tolerance of an equilibrium.
 constexpr double kBalancedShare = 1e-4;
 /// Values of ResponseOptions::mechanism_length that are tried one after another.
 constexpr double kMechanismLengths[] = {1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4};
-/// Tolerance of a solution by a factor, as a share of the tolerance on the moduli. Each refinement step squares the
-/// error, so this strict tolerance costs no additional steps.
+/// Ratio of the tolerance of a solution by a factor to the tolerance on the moduli. Each refinement step squares the
+/// error, so that this strict tolerance costs no additional steps.
 constexpr double kToleranceOfSolution = 1e-3;
-/// Tolerance of a solution by any other method, as a share of the tolerance on the moduli. The steps of such a method
-/// do not square the error, so a stricter tolerance would cost more steps.
+/// Ratio of the tolerance of a solution by any other method to the tolerance on the moduli. The steps of such a method
+/// do not square the error, so that a stricter tolerance would cost more steps.
 constexpr double kToleranceOfIterativeSolution = 0.1;
 /// B_reuss counts as a lower bound on B_S, the bulk modulus under imposed stress, if the normal stresses along the axes
 /// differ from the pressure by at most this share of the pressure.
@@ -47,8 +47,7 @@ constexpr double kIsotropic = 1e-4;
 /// Bound on the relative rounding error of the cell's volume, and of the stresses that prestress adds to the moduli.
 constexpr double kCellRounding = 16.0 * std::numeric_limits<double>::epsilon();
 
-/// Returns a limit for the eigenvalues of the moduli C: if the absolute value of an eigenvalue is at most this limit,
-/// the eigenvalue cannot be distinguished from zero.
+/// Returns the largest absolute value at which an eigenvalue of the moduli C cannot be distinguished from zero.
 /// @param scale  Voigt stiffness, the stiffness of affine motion (stress)
 double vanishing_bound(double scale, const Moduli& m) {
   const double error = m.C_error.rowwise().sum().maxCoeff();
@@ -92,8 +91,8 @@ void derive_stress_controlled_bulk(const Eigen::MatrixXd& c, const Eigen::Matrix
   }
   if (compliance == 0.0) return;
   m.B_S = 1.0 / compliance;
-  // To first order, an error dC of C changes 1/B_S by -strain^T dC strain. The terms of higher order are small compared
-  // with this change as long as the compliance changes little.
+  // To first order, an error dC of C changes 1/B_S by -strain^T dC strain. As long as this change is small, the terms
+  // of higher order are negligible.
   const double change = strain.cwiseAbs().dot(error * strain.cwiseAbs()) / std::abs(compliance);
   m.B_S_error = change < 0.5 ? 2.0 * change * std::abs(m.B_S) : kInfinity;
 }
@@ -156,7 +155,7 @@ void add_warnings(Moduli& m) {
   if (std::isfinite(m.condition) && m.condition > kWarnCondition)
     m.warnings.push_back(
         fmt::format("the stiffness matrix has a condition number of {:.1e}: soft modes dominate the moduli; "
-                    "compare them with the moduli computed with prestress",
+                    "compare the moduli with those computed with prestress",
                     m.condition));
   if (!m.bounds_hold())
     m.warnings.push_back("B_reuss and B_voigt do not bound B, because " + m.bounds.fault);
@@ -284,17 +283,17 @@ Moduli moduli_of(ElasticResponse response, const ContactNetwork<Dim>& network, c
   return m;
 }
 
-/// Returns whether a network has motions of almost no stiffness, and B is below its lower bound. For forces that
-/// balance the pressure exactly, this is impossible: P times the change of volume in a motion is the work of the
-/// forces in it, and a motion without stiffness does not change the volume. A residual force lets it change the volume
-/// slightly, and motions of large amplitude then relax a strain of the cell without energy.
+/// Returns whether a network has motions of almost no stiffness, and B is below its lower bound. This is impossible if
+/// the forces balance the pressure P exactly: P times the change of volume in a motion is the work of the forces, so
+/// that a motion without stiffness does not change the volume. Residual forces let such a motion change the volume
+/// slightly. With a large amplitude, the motion then relaxes a strain of the cell without energy.
 bool is_softened_by_residual_forces(const Moduli& m) {
   return m.failure.empty() && m.condition > kSoftCondition && m.bounds_hold() &&
          m.B < (1.0 - kBalancedShare) * m.bounds.B_reuss;
 }
 
 /// Computes the moduli of a network from its elastic response. If residual forces make B smaller than its lower bound,
-/// motions of little stiffness count as mechanisms, beginning with those of the least stiffness, until B is not
+/// motions of little stiffness count as mechanisms: first the softest motions, then more motions, until B is no longer
 /// smaller.
 /// @param respond  function that returns the elastic response of a network; it may reuse data of its last call
 template <int Dim>
@@ -331,18 +330,19 @@ Moduli solved_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>&
     if (is_softened_by_residual_forces(held)) continue;
     held.warnings.push_back(fmt::format(
         "motions that stretch the springs by less than {:.0e} of their size count as mechanisms that do not "
-        "change the volume, because with the residual forces of this packing B would be below its lower bound",
+        "change the volume; otherwise the residual forces of this packing would make B smaller than its lower "
+        "bound",
         length));
     return held;
   }
   found.warnings.push_back(fmt::format(
-      "B = {:.6g} is below its lower bound {:.6g}: the forces of this packing balance too badly for its "
-      "motions of little stiffness; compare the moduli computed with prestress",
+      "B = {:.6g} is below its lower bound {:.6g}: the residual forces of this packing are too large for its "
+      "motions of little stiffness; compare B with the value computed with prestress",
       found.B, found.bounds.B_reuss));
   return found;
 }
 
-/// Copies B, G and the elastic response from the moduli without prestress into members of the moduli with prestress.
+/// Copies B, G and the elastic response from the moduli without prestress into the moduli with prestress.
 /// @return the completed moduli, or `without` if it contains no moduli
 Moduli beside(Moduli without, Moduli with) {
   if (!without.failure.empty()) return without;

@@ -23,8 +23,8 @@ enum class ModuliMethod {
   /// preconditioner; gives error estimates
   iterative,
   /// Mean of the lower and the upper bound of each modulus; no system is solved. Half the distance between the bounds
-  /// is a bound on the error. Fails if the bounds are not guaranteed (Bounds::fault). The stress-controlled bulk
-  /// modulus B_S and its error are NaN if the stress is not isotropic.
+  /// is a bound on the error. Fails if the bounds are not guaranteed (Bounds::fault). The bulk modulus B_S under
+  /// imposed stress, and the error of B_S, are NaN if the stress is not isotropic.
   bounds,
   petsc,  ///< conjugate gradients by PETSc, on one process or many; gives error estimates
 };
@@ -35,24 +35,24 @@ struct ModuliOptions {
   /// Whether the geometric terms, which result from the contact forces, are added to the stiffness. The moduli are in
   /// this case derivatives of the Cauchy stress. Packings of grains with corners must not have walls.
   bool prestress = false;
-  /// Used in the search for rattlers of a cohesionless packing: a contact counts as carrying no force if its normal
-  /// force is at most this number, in units of F1 = max(F0, P a^(Dim-1)) (pull-off force F0, pressure P, largest
+  /// Tolerance for the search for rattlers of a cohesionless packing. A contact counts as carrying no force if its
+  /// normal force is at most this number, in units of F1 = max(F0, P a^(Dim-1)) (pull-off force F0, pressure P, largest
   /// diameter a). The default is the tolerance of an equilibrium (docs/physics.md, "Equilibrium").
   double force_tolerance = 1e-5;
-  /// Rolling stiffness of every touching contact, in place of the stiffness of the contact law (force * length); absent
-  /// if the contact law applies.
+  /// Rolling stiffness of every touching contact (force * length), in place of the stiffness of the contact law. If
+  /// absent, the contact law applies.
   std::optional<double> rolling_stiffness;
   Ordering ordering = Ordering::automatic;
-  /// Whether the packing was brought to equilibrium under zero stress. If so, the small stress of its contact forces is
-  /// a residual and gives no lower bound on the moduli (B_reuss = 0).
+  /// Whether the packing was brought to equilibrium under zero stress. If so, the small stress of the contact forces is
+  /// only a residual, and B_reuss is 0.
   bool unloaded = false;
   /// Tolerance on the relative errors of B and G. A warning is given if an error bound exceeds this tolerance.
   double tolerance = 1e-10;
   /// Largest size of a factor (bytes). If the factor would be larger, no moduli are computed, see Moduli::failure.
   double largest_factor = std::numeric_limits<double>::infinity();
 
-  /// Returns the contacts from which the moduli of a packing are computed: all contacts but those of rattlers, with
-  /// `rolling_stiffness` if it is given.
+  /// Returns the contacts from which the moduli of a packing are computed: all contacts except the contacts of
+  /// rattlers, with `rolling_stiffness` if it is given.
   /// @throws InputError if the contacts are rigid, or if `prestress` is set for grains with corners between walls
   template <int Dim>
   ContactNetwork<Dim> loaded_network(const Packing<Dim>& packing) const;
@@ -111,17 +111,16 @@ struct Moduli {
   double residual = 0.0;
   /// estimated condition number of the stiffness matrix; infinite if there are mechanisms
   double condition = 1.0;
-  /// B and G without prestress; present if `options.prestress` is set. The prestress contributes the difference between
-  /// B and B_without_prestress, and between G and G_without_prestress.
+  /// B and G without prestress; present if `options.prestress` is set. The differences between B and
+  /// B_without_prestress, and between G and G_without_prestress, are the contributions of the prestress.
   std::optional<double> B_without_prestress;
   std::optional<double> G_without_prestress;
   /// Elastic response, without prestress, of the network from which the moduli were computed. Mechanisms, force
   /// increments and the backbone are computed from this response.
   ElasticResponse response;
-  /// Method that was used: the method in the options, or ModuliMethod::factor if the method in the options failed. Only
-  /// ModuliMethod::factor counts negative eigenvalues and mechanisms, and gives error bounds from the solution. With
-  /// ModuliMethod::bounds, the error is half the distance between the bounds. With the remaining methods, the error is
-  /// an estimate.
+  /// Method that was used: the method in the options or, if it failed, ModuliMethod::factor. Only ModuliMethod::factor
+  /// counts negative eigenvalues and mechanisms, and gives error bounds from the solution. With ModuliMethod::bounds,
+  /// the error is half the distance between the bounds. With all other methods, the error is an estimate.
   ModuliMethod method = ModuliMethod::factor;
   int steps = 0;  ///< number of refinement steps of the solution
   std::vector<std::string> warnings;
@@ -134,13 +133,13 @@ struct Moduli {
   /// Reason why there are no moduli, as a sentence. Empty if there are moduli; otherwise only the member `bounds` is
   /// meaningful.
   std::string failure;
-  /// Predicted size of the factor (bytes) if it is too large, so that there are no moduli; otherwise 0.
+  /// Predicted size (bytes) of the factor if there are no moduli because the factor is too large; otherwise 0.
   double factor_bytes = 0.0;
 };
 
 /// Computes the moduli C of a state, with every contact treated as elastic.
 ///
-/// Without prestress C = K/V, with the stiffness K against strain after relaxation of the grains and the volume V.
+/// Without prestress C = K/V, where K is the stiffness against strain after relaxation of the grains, and V the volume.
 ///
 /// With prestress, a symmetric strain E changes the Cauchy stress sigma by dsigma = K E/V - sym(sigma E) + sigma tr E.
 /// For diagonal strains this means C_ab = K_ab/V + sigma_a (1 - delta_ab), with the Kronecker delta. This equals H_ab/V
@@ -157,8 +156,8 @@ template <int Dim>
 [[nodiscard]] Moduli elastic_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
                                     const ModuliOptions& options);
 
-/// Computes the moduli with prestress. Those members of the result that describe the network without prestress, such as
-/// B_without_prestress, are copied from `without`. The value of `options.prestress` has no influence.
+/// Computes the moduli with prestress. Some members of the result, such as B_without_prestress, describe the network
+/// without prestress; they are copied from `without`. The value of `options.prestress` has no influence.
 /// @param without  moduli of the same network without prestress
 template <int Dim>
 [[nodiscard]] Moduli prestressed_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,

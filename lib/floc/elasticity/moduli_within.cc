@@ -15,10 +15,10 @@ namespace {
 constexpr double kMinError = 1e-14;
 /// B_reuss counts as a lower bound on B_S, the bulk modulus under imposed stress, if the range of the principal
 /// stresses, divided by their mean, is at most this share of the required relative accuracy of B. The bound holds
-/// exactly only if the principal stresses are equal. If they are P (1 + delta_a), with the pressure P, the bound is
-/// wrong by a relative error of about the largest delta_a.
+/// exactly only if the principal stresses are equal. If they are P (1 + delta_a), with the pressure P, the relative
+/// error of the bound is about the largest delta_a.
 constexpr double kAnisotropyShare = 0.01;
-/// Largest number of grains for which a factor in single precision is cheaper than one in double precision.
+/// Largest number of grains for which a factor in single precision is cheaper than a factor in double precision.
 constexpr int kMaxForSingle = 1000;
 
 /// Returns whether the moduli may be taken as the mean of their bounds: only B is required, and the stress is nearly
@@ -30,8 +30,8 @@ bool bounds_suffice(const Packing<Dim>& packing, const ModuliOptions& options, c
   return stress.maxCoeff() - stress.minCoeff() <= kAnisotropyShare * accuracy.B * std::abs(stress.mean());
 }
 
-/// Returns whether the numbers of zero and negative eigenvalues in `m` are reliable. ModuliMethod::factor counts all
-/// these eigenvalues. With any other method, the numbers are reliable only if both are zero.
+/// Returns whether the numbers of zero and negative eigenvalues in `m` are reliable. They are always reliable with
+/// ModuliMethod::factor. With any other method, they are reliable only if both are zero.
 bool fully_counted(const Moduli& m) {
   return m.method == ModuliMethod::factor || (m.n_mechanisms == 0 && m.n_negative == 0);
 }

@@ -8,13 +8,13 @@
 
 namespace floc {
 
-/// Largest relative errors that the moduli B and G may have; infinite for a modulus whose error does not matter.
+/// Largest accepted relative errors of the moduli B and G; infinite for a modulus whose error does not matter.
 struct ModuliAccuracy {
   double B = std::numeric_limits<double>::infinity();
   double G = std::numeric_limits<double>::infinity();
 
-  /// Returns whether the errors of B and G in `moduli` are within these limits. The limit of a modulus that is known to
-  /// be zero counts as met, because this modulus has no relative error.
+  /// Returns whether the errors of B and G in `moduli` are within these limits. If a modulus is known to be zero, its
+  /// limit counts as met, because a zero has no relative error.
   bool met_by(const Moduli& moduli) const;
   /// Returns every invalid limit as "name = value: requirement". At least one of the limits on B and G has to be
   /// finite, and none may be below the rounding error.

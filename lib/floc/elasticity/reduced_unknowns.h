@@ -10,14 +10,15 @@ namespace floc {
 /// Unknowns of the stiffness matrix K that are solved for. All other unknowns are free motions, which no contact
 /// resists. The values solved for are all lengths: rotations are multiplied by the grain's size.
 struct ReducedUnknowns {
-  std::vector<int> row;  ///< for each unknown of K, its row in the reduced system; -1 if it is not solved for
+  std::vector<int>
+      row;  ///< for each unknown of K, its row in the reduced system; -1 if the unknown is not solved for
   std::vector<int> unknown;  ///< for each row of the reduced system, its unknown of K
-  /// for each row of the reduced system: the unknown of K divided by the value solved for, which is 1 or, for
-  /// rotations, 1/(size of the grain)
+  /// for each row of the reduced system, the ratio of the unknown of K to the value solved for: 1/(size of the grain)
+  /// for rotations, otherwise 1
   Eigen::VectorXd length;
 };
 
-/// Selects the unknowns of the stiffness matrix that are solved for.
+/// Selects those unknowns of the stiffness matrix that are solved for.
 /// @param kept  for each unknown of the stiffness matrix, whether it is solved for, see FreeMotions::kept
 template <int Dim>
 ReducedUnknowns reduce_unknowns(const ContactNetwork<Dim>& network, const std::vector<bool>& kept);
@@ -28,7 +29,7 @@ ReducedUnknowns reduce_unknowns(const ContactNetwork<Dim>& network, const std::v
 Eigen::SparseMatrix<double> reduce(const Eigen::SparseMatrix<double>& grains, const ReducedUnknowns& unknowns,
                                    double unit);
 
-/// Returns, for each row of the reduced system, the number of its grain, in ascending order. SymmetricFactor keeps the
+/// For each row of the reduced system, returns the number of its grain, in ascending order. SymmetricFactor places the
 /// rows of a grain together in its ordering.
 template <int Dim>
 std::vector<int> grain_of_rows(const ReducedUnknowns& unknowns);

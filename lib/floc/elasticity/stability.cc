@@ -21,10 +21,9 @@ namespace floc {
 namespace {
 
 /// An eigenvalue of the stiffness against strain of the cell (after relaxation of the grains) counts as zero if it is
-/// at most this share of the stiffness without relaxation. A strain with such an eigenvalue is a mechanism.
+/// at most this share of the stiffness without relaxation. The strain of such an eigenvalue is a mechanism.
 constexpr double kVanishingStrain = 1e-11;
-/// If the condition number is above this value, a Cholesky factor may hide a mechanism, and the eigenvalues are counted
-/// as well.
+/// Condition number above which a Cholesky factor may hide a mechanism, so that the eigenvalues are counted as well.
 constexpr double kSuspiciousCondition = 1e12;
 /// Assumed largest eigenvalue of a stiffness matrix scaled to a diagonal of 1. In packings it is 2 to 4.
 constexpr double kLargestEigenvalue = 4.0;
@@ -51,12 +50,12 @@ struct ReducedStiffness {
   int n_unstable_ends = 0;  // number of negative eigenvalues of the dead ends, which `grains` does not contain
 };
 
-/// Returns how far below zero the eigenvalue of a mechanism may be, in units of the largest contact stiffness. Only the
-/// symmetric part S of the tangent matrix K = S + A is tested. A mechanism v has K v = 0, and thus S v = -A v and v.S v
-/// = 0, with the antisymmetric part A of K. Because S v is not zero, S couples v to stiff motions (stiffness k), and
-/// the eigenvalue of S is about -|A v|^2/k instead of zero. A results from tangential forces F_T and moments alone and
-/// is of the order of F_T/r, with the distance r between centres. The eigenvalue of a real instability from geometric
-/// terms is of the order of -F_T/r, not of the square of F_T/r divided by k.
+/// Returns the largest amount by which the eigenvalue of a mechanism may be below zero, in units of the largest contact
+/// stiffness. Only the symmetric part S of the tangent matrix K = S + A is tested. A mechanism v has K v = 0, and thus
+/// S v = -A v and v.S v = 0, with the antisymmetric part A of K. Because S v is not zero, S couples v to stiff motions
+/// (stiffness k), and the eigenvalue of S is about -|A v|^2/k instead of zero. A results from tangential forces F_T and
+/// moments alone and is of the order of F_T/r, with the distance r between centres. For comparison, |A v|^2/k is of the
+/// order of (F_T/r)^2/k, whereas the eigenvalue of a real instability from geometric terms is of the order of -F_T/r.
 template <int Dim>
 double unresolved_by_symmetry(const ContactNetwork<Dim>& network, double unit) {
   double largest = 0.0;

@@ -15,9 +15,9 @@ struct StabilityOptions {
   double most_operations = 1e12;
   /// Tolerance of the iterative test, which replaces a factor that would be too expensive: a state counts as stable if
   /// no eigenvalue of the stiffness matrix, scaled to a diagonal of 1, is below minus this value. Real instabilities
-  /// have far lower eigenvalues: if a grain is at the distance from its neighbours at which their attraction ends, the
-  /// lowest eigenvalue is of the order of -F0/(D0 K_N), about -1e-2, with the pull-off force F0, the range D0 of the
-  /// attraction and the normal stiffness K_N.
+  /// have far lower eigenvalues. For example, if a grain is at the distance from its neighbours at which the attraction
+  /// ends, the lowest eigenvalue is of the order of -F0/(D0 K_N), about -1e-2, with the pull-off force F0, the range D0
+  /// of the attraction and the normal stiffness K_N.
   double bound = 1e-4;
 };
 
@@ -27,7 +27,7 @@ struct Stability {
   /// negative eigenvalue, so that the number is 1. Absent if the state was not tested, or if an iterative test did not
   /// reach its tolerance.
   std::optional<int> n_negative;
-  /// Method and result of the test, or the reason why there was no test, as a sentence. Empty if a factor of the
+  /// Method and result of the test or, if there was no test, the reason, as a sentence. Empty if a factor of the
   /// stiffness matrix was used.
   std::string note;
 
@@ -38,10 +38,10 @@ struct Stability {
 /// Counts the negative eigenvalues of the stiffness matrix of a network. The unknowns of the matrix are the motions of
 /// the grains and the diagonal strains of the cell. Motions that cost no energy do not count: mechanisms, rigid
 /// translations, and the motions of rattlers and free rollers. The first rule that applies gives the number:
-/// 1. If no contact has a negative stiffness, it is zero.
+/// 1. If no contact has a negative stiffness, the number is zero.
 /// 2. If a factor would be too expensive, Lanczos' method searches for a motion of negative energy (test_positivity()).
-/// 3. If the matrix has a Cholesky factor, it is zero.
-/// 4. Otherwise it is the number of negative entries of the diagonal matrix S in the factorization L S L^T.
+/// 3. If the matrix has a Cholesky factor, the number is zero.
+/// 4. Otherwise the number is the number of negative entries of the diagonal matrix S in the factorization L S L^T.
 template <int Dim>
 [[nodiscard]] Stability stability(const ContactNetwork<Dim>& network, const StabilityOptions& options = {});
 

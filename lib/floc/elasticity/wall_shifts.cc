@@ -9,8 +9,8 @@ namespace floc {
 namespace {
 
 /// A stiffness against a wall shift (common displacement of the two walls of an axis) counts as zero if it is at most
-/// this share of the stiffness against strain, because it may be due to rounding. A shift has no stiffness if the
-/// grains between the two walls touch no other boundary and move along with the walls.
+/// this share of the stiffness against strain, because it may be due to rounding. There is no stiffness if the grains
+/// between the two walls touch no other boundary and move along with the walls.
 constexpr double kFreeShift = 1e-11;
 
 }  // namespace
@@ -19,8 +19,8 @@ template <int Dim>
 void relax_wall_shifts(const ContactNetwork<Dim>& network, ElasticResponse& out) {
   const auto n = static_cast<Eigen::Index>(network.wall_axes.size());
   const Eigen::Index n_strains = out.relaxed.rows() - n;
-  // The wall shifts (common displacements of the two walls of an axis) are eliminated by a pseudo-inverse. A shift
-  // without stiffness moves the grains along without resistance; its amplitude has no influence on the forces.
+  // The wall shifts (common displacements of the two walls of an axis) are eliminated by a pseudo-inverse. In a shift
+  // without stiffness, the grains move along without resistance, and the amplitude has no influence on the forces.
   const SymmetricEigen eigen = symmetric_eigen(out.relaxed.bottomRightCorner(n, n));
   const double least = kFreeShift * out.relaxed.trace();
   Eigen::VectorXd inverse = Eigen::VectorXd::Zero(n);

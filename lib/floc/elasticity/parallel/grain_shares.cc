@@ -29,8 +29,8 @@ void split(const std::vector<Vec<Dim>>& centres, std::span<int> grains, std::siz
   std::nth_element(grains.begin(), grains.begin() + static_cast<std::ptrdiff_t>(n_low), grains.end(), is_lower);
 }
 
-/// Sorts grains by recursive bisection of space: first each process gets its grains, then the grains of each process
-/// are halved until the groups have at most kLeaf grains.
+/// Sorts grains by recursive bisection of space. First the grains are divided among the processes. Then the grains of
+/// each process are halved until the groups have at most kLeaf grains.
 /// @param first  receives the index of the first grain of each process
 template <int Dim>
 void divide(const std::vector<Vec<Dim>>& centres, std::span<int> grains, std::span<int> first) {

@@ -17,9 +17,10 @@ struct GrainShares {
   int n_processes() const { return static_cast<int>(first.size()) - 1; }
 };
 
-/// Distributes grains over processes by recursive bisection across the longest side of the box around them. The two
-/// halves get grains in proportion to their numbers of processes. All processes compute the same distribution, because
-/// grains with equal coordinates are sorted by their numbers.
+/// Distributes grains over processes by recursive bisection: a group of grains and its processes are divided into two
+/// halves, across the longest side of the box around the grains. The numbers of grains in the halves are proportional
+/// to the numbers of processes. All processes compute the same distribution, because grains with equal coordinates are
+/// sorted by their numbers.
 /// @param centres      centres of all grains, inside or outside the cell (length)
 /// @param taken        for each grain, whether it gets a block
 /// @param n_processes  number of processes, >= 1

@@ -14,7 +14,7 @@ namespace {
 constexpr double kEntryRounding = 8.0 * std::numeric_limits<double>::epsilon();
 
 /// Shift that is added to the diagonal of the stiffness matrix. The entries of the matrix are of order one. The shift
-/// is below the stiffness of the softest motions that influence the response, and above rounding errors.
+/// is above rounding errors, and below the stiffness of the softest motions that influence the response.
 constexpr double kShift = 1e-11;
 
 template <int Dim>
@@ -121,7 +121,7 @@ typename LocalRows<Dim>::Unknowns LocalRows<Dim>::motion_of(int grain, const Eig
   return scale_of(grain).cwiseProduct(u.template segment<kDofs<Dim>>(kDofs<Dim> * place_[grain]));
 }
 
-/// Calls visit(rows, stiffness, boundary) for the springs of a contact. `rows` are the ContactRows of the contact,
+/// For the springs of a contact, calls visit(rows, stiffness, boundary). `rows` are the ContactRows of the contact,
 /// `stiffness` contains the stiffnesses of the springs, divided by `unit_`, and `boundary` contains the changes of the
 /// lengths of the springs per unit of each boundary unknown (strain or wall displacement).
 template <int Dim>
@@ -163,8 +163,8 @@ double LocalRows<Dim>::set_row(int place, ParallelSolver& solver) const {
       at(shares_.block[other]) += forces.transpose() * theirs;
     });
   }
-  // Unknowns that are not solved for have the scale 0. They get a one on the diagonal, which gives all blocks the same
-  // size.
+  // Unknowns that are not solved for have the scale 0. Each of them gets a one on the diagonal, so that all blocks have
+  // the same size.
   auto own = at(first_ + place);
   for (int b = 0; b < kSize; ++b)
     if (scale[b] == 0.0)

@@ -10,12 +10,13 @@
 namespace floc {
 
 /// Rows of the stiffness matrix K that belong to the grains of one process, and the contacts of these grains. K is
-/// divided by the stiffness `unit`, and rotations are multiplied by the grain's size (see ReducedUnknowns). To give all
-/// blocks the same size, unknowns that are not solved for have rows with a one on the diagonal and zeros elsewhere.
+/// divided by the stiffness `unit`, and rotations are multiplied by the grain's size (see ReducedUnknowns). An unknown
+/// that is not solved for has a row with a one on the diagonal and zeros elsewhere, so that all blocks have the same
+/// size.
 ///
-/// Mechanisms have no influence on the response, but would make K singular. If K cannot have negative eigenvalues, a
-/// shift is therefore added to its diagonal. The shift is far below any stiffness that resists a strain, and refinement
-/// by balance() removes its effect.
+/// Mechanisms have no influence on the response, but would make K singular. Therefore a shift is added to the diagonal
+/// of K if K cannot have negative eigenvalues. The shift is far below any stiffness that resists a strain, and
+/// refinement by balance() removes the effect of the shift.
 template <int Dim>
 class LocalRows {
  public:
@@ -31,9 +32,9 @@ class LocalRows {
   /// @return largest diagonal entry of these rows
   double assemble(const std::vector<Vec<Dim>>& centres, ParallelSolver& solver) const;
 
-  /// n_own() is the number of unknowns of the grains of this process. n_at_hand() also counts the unknowns of those
-  /// grains of other processes that touch a grain of this process; n_at_hand() is the size of u in balance() and
-  /// energies().
+  /// n_own() is the number of unknowns of the grains of this process. n_at_hand() also counts the unknowns of their
+  /// neighbours, which are those grains of other processes that touch a grain of this process. It is the size of u in
+  /// balance() and energies().
   Eigen::Index n_own() const { return kDofs<Dim> * static_cast<Eigen::Index>(n_grains_); }
   Eigen::Index n_at_hand() const { return kDofs<Dim> * static_cast<Eigen::Index>(at_hand_.size()); }
 

@@ -13,14 +13,14 @@
 namespace floc {
 namespace {
 
-/// The first solution has to reduce the residual forces to the share kFirstReduction of their initial size. It thereby
-/// reduces the remaining energy to about the square of this share. A later solution never has to reduce the residual
-/// forces to less than the share kLeastReduction, because rounding prevents a further reduction.
+/// The first solution has to reduce the residual forces to the share kFirstReduction of their initial size. The
+/// remaining energy is then reduced to about the square of this share. A later solution never has to reduce the
+/// residual forces to a share below kLeastReduction, because rounding prevents it.
 constexpr double kFirstReduction = 1e-6;
 constexpr double kLeastReduction = 1e-8;
 /// The grains are relaxed in rounds: each round solves for the residual forces that the previous round has left. There
 /// are at most kMostRounds rounds. A new round begins only if the last round has reduced the remaining energy to less
-/// than kGain times the energy before that round.
+/// than kGain times its value before the last round.
 constexpr int kMostRounds = 6;
 constexpr double kGain = 0.25;
 /// The smallest Ritz value times this factor is taken as a lower bound on the eigenvalues of the preconditioned
@@ -70,8 +70,8 @@ class ParallelCondensation {
  private:
   using Balance = typename LocalRows<Dim>::Balance;
 
-  /// Displaces boundary unknown b by 1 and relaxes the grains: solves for the remaining net forces repeatedly, until
-  /// the energy that further relaxation would release is within the tolerance.
+  /// Displaces boundary unknown b by 1 and relaxes the grains. The remaining net forces are solved for repeatedly,
+  /// until the energy that further relaxation would release is within the tolerance.
   /// @return reason for a failure, as a sentence, or empty
   std::string relax_one(int b) {
     Eigen::VectorXd u = Eigen::VectorXd::Zero(rows_.n_at_hand());
@@ -96,7 +96,7 @@ class ParallelCondensation {
     }
     if (!(excess <= std::max(kUseful * std::abs(now.energy), kNothing * affine)))
       return fmt::format(
-          "rounding leaves an error of {:.1e} in a stiffness of {:.1e} of the relaxed network (before "
+          "rounding causes an error of {:.1e} in the stiffness {:.1e} of the relaxed network (stiffness before "
           "relaxation: {:.1e})",
           excess, now.energy, affine);
     steps = std::max(steps, n_steps);

@@ -10,12 +10,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Directories in which floc's PETSc module may be, relative to the directory of the program. The first is for the
-/// build tree, the second for an installation.
+/// Directories in which floc's PETSc module may be, relative to the directory of the program: the first in the build
+/// tree, the second in an installation.
 constexpr const char* kPlaces[] = {".", FLOC_PETSC_MODULE_FROM_PROGRAM};
 
-/// Returns the path of floc's PETSc module. If the module is in none of the directories kPlaces, returns the name of
-/// the file only, so that the dynamic loader searches its own directories.
+/// Returns the path of floc's PETSc module. If no directory in kPlaces contains the module, returns only the name of
+/// the file, so that the dynamic loader searches its own directories.
 fs::path module_path() {
   std::error_code none;
   const fs::path program = fs::read_symlink("/proc/self/exe", none).parent_path();
@@ -45,8 +45,7 @@ std::unique_ptr<ParallelSolver> load_parallel_solver() {
   using Make = ParallelSolver* (*)();
   const auto make = reinterpret_cast<Make>(dlsym(module, "floc_make_petsc_solver"));
   if (make == nullptr)
-    throw std::runtime_error(std::string("the library that was loaded is not floc's PETSc module: ") +
-                             dlerror());
+    throw std::runtime_error(std::string("the file that was loaded is not floc's PETSc module: ") + dlerror());
   return std::unique_ptr<ParallelSolver>(make());
 }
 

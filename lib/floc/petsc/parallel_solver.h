@@ -9,18 +9,18 @@ namespace floc {
 /// Outcome of the solution of one linear system A x = b. The values are equal on all processes.
 struct ParallelSolution {
   bool converged = false;
-  std::string failure;  ///< sentence about the reason why the iteration did not converge; empty if it converged
+  std::string failure;  ///< reason why the iteration did not converge, as a sentence; empty if it converged
   int iterations = 0;
   /// Estimates (Ritz values) of the smallest and the largest eigenvalue of M^-1 A, where M is the preconditioner; 0 if
-  /// no step was taken. The estimates miss eigenvectors that do not contribute to b.
+  /// no step was taken. Eigenvectors that do not contribute to b are missed.
   double smallest_ratio = 0.0;
   double largest_ratio = 0.0;
 };
 
-/// Solver of symmetric linear systems A x = b. The rows are distributed over the processes of an MPI run, or are all on
-/// a single process. The method is PETSc's preconditioned conjugate gradients, in a module that is loaded when needed.
-/// The rows of A form blocks of equal size, one block for the unknowns of each grain. Each process has consecutive
-/// blocks. Unless a comment says otherwise, members are collective: all processes must call them in the same order.
+/// Solver of symmetric linear systems A x = b by PETSc's preconditioned conjugate gradients, in a module that is loaded
+/// when needed. The rows are distributed over the processes of an MPI run, or all belong to a single process. The rows
+/// of A form blocks of equal size, one block for the unknowns of each grain. Each process has consecutive blocks.
+/// Unless a comment says otherwise, members are collective: all processes must call them in the same order.
 ///
 /// Members throw std::runtime_error with PETSc's message on the process that failed. The other processes may then wait
 /// for this process forever; abort() must be called to end them.
@@ -75,8 +75,8 @@ class ParallelSolver {
   virtual double preconditioned_square(std::span<const double> r) = 0;
 };
 
-/// Loads floc's PETSc module. Under `mpirun`, the solver uses all processes of the run, else a single process. A
-/// process can load the module only once, because the destructor of the solver ends MPI.
+/// Loads floc's PETSc module. Under `mpirun`, the solver uses all processes of the run; otherwise it uses a single
+/// process. A process can load the module only once, because the destructor of the solver ends MPI.
 /// @throws std::runtime_error if floc was built without PETSc or the module cannot be loaded
 std::unique_ptr<ParallelSolver> load_parallel_solver();
 

@@ -13,8 +13,8 @@
 namespace floc {
 namespace {
 
-/// Conjugate gradients stop after kMostSteps steps, or if the norm of the residual has not reached a new minimum for
-/// kPatience steps.
+/// Conjugate gradients stop after kMostSteps steps, or after kPatience successive steps in which the norm of the
+/// residual has not reached a new minimum.
 constexpr PetscInt kMostSteps = 20000;
 constexpr PetscInt kPatience = 2000;
 
@@ -61,8 +61,8 @@ class Lent {
   Vec vector_;
 };
 
-/// State of the convergence test of a solution: the required reduction of the residual, the first and the smallest norm
-/// of the residual, and the step with the smallest norm.
+/// State of the convergence test during a solution: the required reduction of the residual, the first and the smallest
+/// norm of the residual, and the step with the smallest norm.
 struct Progress {
   double reduction = 0.0;
   double first = 0.0;
@@ -90,12 +90,12 @@ std::string words_for(KSPConvergedReason reason, PetscInt steps) {
   const std::string after = " after " + std::to_string(steps) + " steps of conjugate gradients";
   switch (reason) {
     case KSP_DIVERGED_INDEFINITE_MAT:
-      return "the stiffness matrix is not positive definite (some motion of the grains releases energy), as "
-             "found" +
+      return "the stiffness matrix is not positive definite (some motion of the grains releases energy); this "
+             "was found" +
              after;
     case KSP_DIVERGED_INDEFINITE_PC:
-      return "the preconditioner is not positive definite, probably because the stiffness matrix is not, as "
-             "found" +
+      return "the preconditioner is not positive definite, probably because the stiffness matrix is not; this "
+             "was found" +
              after;
     case KSP_DIVERGED_DTOL:
     case KSP_DIVERGED_ITS:

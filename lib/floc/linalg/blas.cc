@@ -15,8 +15,8 @@ void dgemm_(const char*, const char*, const int*, const int*, const int*, const 
 namespace floc {
 namespace {
 
-/// Returns the name by which OpenBLAS selects its routines with AVX-512 instructions or, if this processor lacks
-/// AVX-512, its routines with AVX2 instructions. Returns null if the processor has neither.
+/// Returns the name by which OpenBLAS selects its routines with AVX-512 instructions. If this processor lacks AVX-512,
+/// returns the name for AVX2 instructions; if it lacks both, null.
 const char* widest_kernels() {
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
@@ -27,9 +27,9 @@ const char* widest_kernels() {
   return nullptr;
 }
 
-/// If OpenBLAS has not recognised the processor and uses slow routines, makes it choose its routines again. Does
-/// nothing if OpenBLAS was built for one type of processor only and therefore lacks the functions whose names begin
-/// with gotoblas_dynamic_.
+/// If OpenBLAS has not recognised the processor and uses slow routines, makes it choose its routines again. If OpenBLAS
+/// was built for one type of processor only, it lacks the functions whose names begin with gotoblas_dynamic_, and
+/// nothing is done.
 void choose_kernels() {
   constexpr const char* kVariable = "OPENBLAS_CORETYPE";
   constexpr const char* kFallback = "Prescott";

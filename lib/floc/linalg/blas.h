@@ -8,13 +8,13 @@ namespace floc {
 /// call in a process has an effect.
 /// 1. The library is limited to one thread. Sums in a fixed order then give the same bits in every run, and
 ///    simultaneous runs of floc do not oversubscribe the machine.
-/// 2. A version of OpenBLAS that does not know the processor would use SSE3 instructions, which are five times slower.
+/// 2. If OpenBLAS does not know the processor, it would use SSE3 instructions, which are five times slower.
 ///    This function makes OpenBLAS use the widest vector instructions of the processor, unless the environment variable
 ///    OPENBLAS_CORETYPE is set.
 void prepare_blas();
 
-/// Returns, for provenance and benchmarks, the path of the BLAS library of this process, followed by the type of
-/// processor for which the library has chosen its routines. Returns an empty text if the path cannot be found.
+/// Returns the path of the BLAS library of this process, followed by the type of processor for which the library has
+/// chosen its routines; for provenance and benchmarks. Returns an empty text if the path cannot be found.
 std::string blas_library();
 
 }  // namespace floc

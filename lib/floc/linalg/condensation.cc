@@ -97,16 +97,16 @@ class Relaxation {
   }
 
  private:
-  /// After this number of steps, the lowest Ritz value times kShareOfRitz is a safe estimate of the lowest eigenvalue
-  /// of M^-1 K. The factor kShareOfRitz is needed because Ritz values approach the eigenvalue from above; in one case
-  /// the lowest Ritz value was 5 times too large after these steps.
+  /// After kStepsOfEstimate steps, the lowest Ritz value times kShareOfRitz is a safe estimate of the lowest eigenvalue
+  /// of M^-1 K. The factor kShareOfRitz is needed because Ritz values approach the eigenvalue from above. In one case,
+  /// the lowest Ritz value was 5 times too large after this number of steps.
   static constexpr int kStepsOfEstimate = 4;
   static constexpr double kShareOfRitz = 0.1;
 
   /// Returns an estimate of the lowest eigenvalue of the preconditioned matrix M^-1 K: the lowest Ritz value times
   /// kShareOfRitz, but at most 1. Before kStepsOfEstimate steps, the estimate is 0. The lowest Ritz value is the lowest
-  /// eigenvalue of a tridiagonal matrix, whose entries follow from the coefficients alpha and beta of the conjugate
-  /// gradients.
+  /// eigenvalue of a tridiagonal matrix. The coefficients alpha and beta of the conjugate gradients give the entries of
+  /// this matrix.
   double estimated_ratio() const {
     const auto n = static_cast<Eigen::Index>(alphas_.size());
     if (n < kStepsOfEstimate) return 0.0;
@@ -157,9 +157,9 @@ class Relaxation {
   std::vector<double> alphas_, betas_;  // coefficients alpha and beta of each step of the conjugate gradients
 };
 
-/// Computes the condensed stiffness S = (A U + B)^T k (A U + B) of a SpringSystem. Column j of U contains the free
-/// unknowns that have relaxed while boundary unknown j is displaced by 1; `u` is the list of these columns. The
-/// function also computes a bound on the error of S due to rounding errors of the entries of A and B.
+/// Computes the condensed stiffness S = (A U + B)^T k (A U + B) of a SpringSystem. Column j of U contains the relaxed
+/// free unknowns for a displacement of boundary unknown j by 1; `u` is the list of these columns. The function also
+/// computes a bound on the error of S that rounding errors of the entries of A and B cause.
 void sum_energies(const SpringSystem& s, const std::vector<Extended>& u, Condensation& out) {
   const int n = static_cast<int>(u.size());
   Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> sum(n, n);
@@ -192,7 +192,7 @@ void sum_energies(const SpringSystem& s, const std::vector<Extended>& u, Condens
   out.stiffness = sum.cast<double>();
 }
 
-/// Relaxes the free unknowns once for each boundary unknown, while this boundary unknown is displaced by 1.
+/// For each boundary unknown in turn, displaces this unknown by 1 and relaxes the free unknowns.
 /// @param u       receives the relaxed free unknowns, one vector per boundary unknown
 /// @param excess  receives, for each boundary unknown, sqrt(2 E), where E is the energy that further relaxation would
 ///                release

@@ -11,8 +11,8 @@ namespace floc {
 namespace {
 
 /// Ordering::automatic tries nested dissection if a factorization takes more floating-point operations per group of
-/// unknowns than this number. The search for an order by nested dissection takes about as long as 3e5 operations per
-/// group.
+/// unknowns than this number. For comparison, the search for an order by nested dissection takes as long as about 3e5
+/// operations per group.
 constexpr double kNestedDissectionCost = 1e6;
 
 /// Order in which groups of unknowns are eliminated.

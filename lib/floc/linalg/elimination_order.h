@@ -18,7 +18,7 @@ enum class Ordering {
 /// next to each other.
 /// @param lower  lower triangle of the matrix, column-major
 /// @param group  number of the group (grain) to which each unknown belongs, ascending from 0. The unknowns of a group
-///               are placed together. The search for an order is then faster by the square of the group size, and no
+///               are placed together. This makes the search for an order faster by the square of the group size, and no
 ///               sparsity of the factor is lost
 /// @throws std::runtime_error if memory runs out
 Eigen::VectorXi elimination_places(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& group,

@@ -15,17 +15,18 @@ namespace floc {
 namespace {
 
 /// Smallest shift of the diagonal that is tried to make a matrix positive definite. If the entries of the matrix are of
-/// order one, this shift is far above the rounding error, and below all eigenvalues except those of mechanisms.
+/// order one, this shift is far above the rounding error. It is below all eigenvalues except the eigenvalues of
+/// mechanisms.
 constexpr double kFirstShift = 1e-10;
 /// Largest shift of the diagonal that is tried to make a matrix positive definite.
 constexpr double kLastShift = 1e6;
 /// Lanczos' iteration ends when the relative change of the eigenvalues of the inverse is below this value. The relative
 /// error of an eigenvalue is then about this value. The error of an eigenvector is the square root of this value,
-/// divided by the relative distance between its eigenvalue and the next one.
+/// divided by the relative distance between the eigenvalue and the next eigenvalue.
 constexpr double kConverged = 1e-11;
 /// Limit on the number of restarts of the Lanczos iteration.
 constexpr int kMaxRestarts = 300;
-/// Rounding does not change the inertia of A - b * 1 if the number b differs from every eigenvalue of A by more than
+/// Rounding does not change the inertia of A - b * 1 if every eigenvalue of A differs from the number b by more than
 /// this value.
 constexpr double kClear = 1e-13;
 /// Matrices up to this order are small: a dense solver computes their eigenpairs in negligible time.
@@ -53,8 +54,8 @@ class Projector {
   Eigen::MatrixXd dense_;
 };
 
-/// Operator P (A + s * 1)^-1 P with the projector P, in the form that Spectra requires. `factor` contains the matrix A
-/// and the shift s.
+/// Operator P (A + s * 1)^-1 P, where P is the projector, in the form that Spectra requires. The matrix A and the shift
+/// s are in `factor`.
 struct ShiftInvert {
   using Scalar = double;
   const SymmetricFactor& factor;
@@ -85,8 +86,8 @@ Eigenpairs search(const SymmetricFactor& factor, const Projector& project, doubl
   ShiftInvert op{factor, project, n};
   const Eigen::Index basis = std::min<Eigen::Index>(n, std::max(2 * count + 20, 40));
   Spectra::SymEigsShiftSolver<ShiftInvert> solver(op, count, basis, -shift);
-  // The entries of the start vector must have no symmetry. A vector with the symmetry of a lattice would be orthogonal
-  // to some modes, which the search would then miss.
+  // The entries of the start vector must have no symmetry. Otherwise, in a lattice, the start vector could be
+  // orthogonal to some modes, and the search would miss them.
   Eigen::VectorXd start(n);
   for (Eigen::Index k = 0; k < n; ++k) start[k] = std::sin(1.0 + 1.7 * static_cast<double>(k % 100003));
   start = project(start);
@@ -107,7 +108,8 @@ Eigenpairs best_in_span(const SymmetricFactor& factor, const Eigen::MatrixXd& ve
 
 /// Returns up to `count` vectors v for which A v is zero to rounding, where A is the matrix in `factor`. All these
 /// vectors are eigenvectors of the eigenvalue zero; a Lanczos search would find only one of them. The inverse of A +
-/// shift * 1 multiplies each of them by 1/shift, so a few products with the inverse separate them from other vectors.
+/// shift * 1 multiplies each null vector by the large number 1/shift, so that a few products with the inverse separate
+/// the null vectors from all others.
 Eigenpairs search_null_space(const SymmetricFactor& factor, const Projector& project, Eigen::Index n,
                              int count) {
   constexpr int kPasses = 2;

@@ -8,16 +8,17 @@
 namespace floc {
 namespace {
 
-/// Returns the factor ln(1.648 sqrt(n)/oversight) in the bound of [KW1992]. n is the order of the matrix, and
-/// `oversight` is the accepted probability that Lanczos' method misses the lowest eigenvalue.
+/// Returns the factor ln(1.648 sqrt(n)/oversight) in the bound of [KW1992].
+/// @param n          order of the matrix
+/// @param oversight  accepted probability that Lanczos' method misses the lowest eigenvalue
 double log_of_odds(Eigen::Index n, double oversight) {
   return std::log(1.648 * std::sqrt(static_cast<double>(n)) / oversight);
 }
 
-/// Returns the bound of [KW1992] on the error of the lowest Ritz value after `steps` steps of Lanczos' method. The
-/// error is divided by the difference between the largest and the lowest eigenvalue.
+/// Returns the bound of [KW1992] on the error of the lowest Ritz value after `steps` steps of Lanczos' method, divided
+/// by the difference between the largest and the lowest eigenvalue.
 /// @param n          order of the matrix
-/// @param oversight  accepted probability that the bound is exceeded
+/// @param oversight  accepted probability that the error exceeds the bound
 double missed_share(Eigen::Index n, int steps, double oversight) {
   return std::pow(log_of_odds(n, oversight) / (2.0 * steps - 1.0), 2);
 }

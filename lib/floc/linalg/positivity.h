@@ -9,8 +9,8 @@ struct PositivityOptions {
   /// The test ends when the steps suffice to find any eigenvalue below -bound.
   double bound = 1e-4;
   int max_steps = 10000;
-  /// Accepted probability that the test misses an eigenvalue below -bound, which happens if the random start vector is
-  /// nearly orthogonal to the eigenvector.
+  /// Accepted probability that the test misses an eigenvalue below -bound. The test misses it if the random start
+  /// vector is nearly orthogonal to the eigenvector.
   double oversight = 1e-6;
   /// Rounding error of eigenvalues. An eigenvalue between -rounding and 0 counts as zero: it may be the eigenvalue of a
   /// mechanism.
@@ -19,9 +19,9 @@ struct PositivityOptions {
 
 /// Result of a test whether the lowest eigenvalue of a symmetric matrix A is negative.
 struct Positivity {
-  /// whether the test found a vector x with x^T A x < 0, so that A has a negative eigenvalue
+  /// whether A has a negative eigenvalue, because the test found a vector x with x^T A x < 0
   bool negative = false;
-  /// If not `negative`: no eigenvalue of A is below -bound. This statement is wrong with the probability
+  /// If not `negative`: no eigenvalue of A is below -bound. The probability that this statement is wrong is
   /// PositivityOptions::oversight.
   double bound = 0.0;
   int steps = 0;  ///< number of products with A

@@ -16,7 +16,7 @@ namespace floc {
 namespace {
 
 /// Blocks of at most this number of columns are eliminated column by column. Larger blocks are divided into halves,
-/// which are eliminated by products of dense matrices; this is faster.
+/// because products of dense matrices are faster.
 constexpr int kPanel = 32;
 
 /// View of consecutive columns of a supernode, from one row of the supernode to its last row. The supernode belongs to
@@ -85,8 +85,8 @@ class SignedFactorization {
     }
   }
 
-  /// Adds the supernode d to the list of supernodes that will be subtracted from a later supernode s. The supernode s
-  /// has the column whose number equals the number of the first row of d that has not been subtracted yet.
+  /// Let r be the number of the first row of supernode d that has not been subtracted yet, and s the later supernode
+  /// that contains column r. Adds d to the list of supernodes that will be subtracted from s.
   void wait(int d) {
     if (next_row_[d] == n_rows(d)) return;
     const int s = owner_[row(d, next_row_[d])];
@@ -137,9 +137,9 @@ class SignedFactorization {
            &stride);
   }
 
-  /// Eliminates columns first, ..., first + count - 1 of supernode s. All earlier supernodes have been subtracted from
-  /// them. The columns are divided into halves recursively, so that most of the work consists of products of large
-  /// blocks.
+  /// Eliminates columns first, ..., first + count - 1 of supernode s, from which all earlier supernodes have already
+  /// been subtracted. The columns are divided into halves recursively, so that most of the work consists of products of
+  /// large blocks.
   /// @return false if a value is not finite
   bool eliminate(int s, int first, int count) {
     if (count <= kPanel) return eliminate_panel(s, first, count);

@@ -21,8 +21,8 @@ struct Supernodes {
   double* value = nullptr;
 };
 
-/// Lower triangle of a symmetric matrix by columns. The supernodes of the factor must have a place for each entry of
-/// this triangle.
+/// Lower triangle of a symmetric matrix by columns. Each entry of this triangle must have a place in the supernodes of
+/// the factor.
 struct LowerColumns {
   /// index of the first entry of each column; last entry: number of all entries
   std::span<const std::int64_t> first;
@@ -32,8 +32,8 @@ struct LowerColumns {
 
 /// Factorizes a symmetric matrix A + shift * 1, definite or indefinite, as L S L^T without pivoting. S is diagonal with
 /// entries of 1 and -1. By Sylvester's law of inertia, A + shift * 1 has as many negative eigenvalues as S has negative
-/// entries. Most of the work consists of products of dense matrices. The factorization is therefore as fast as a
-/// Cholesky factorization by supernodes.
+/// entries. The factorization is as fast as a Cholesky factorization by supernodes, because most of the work consists
+/// of products of dense matrices.
 /// @param matrix          lower triangle of A
 /// @param smallest_pivot  value that replaces pivots of smaller absolute value, so that the elimination can continue
 /// @param factor          receives L

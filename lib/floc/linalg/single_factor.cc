@@ -6,9 +6,9 @@
 namespace floc {
 namespace {
 
-/// Shifts that are added to the diagonal of a matrix, one after another, until it is positive definite. The smallest
-/// shift is the rounding error of single precision. Each further shift is kNextShift times larger. The largest is of
-/// order one, as the diagonal is.
+/// Shifts that are added to the diagonal of a matrix, one after another, until the matrix is positive definite. The
+/// smallest shift is the rounding error of single precision. Each further shift is kNextShift times larger. The largest
+/// shift is of order one, like the diagonal.
 constexpr float kSmallestShift = 1e-6F;
 constexpr float kLargestShift = 1.0F;
 constexpr float kNextShift = 10.0F;

@@ -15,24 +15,24 @@ namespace {
 /// If the condition number of the stiffness matrix is above this number, its Cholesky factor may hide a mechanism.
 constexpr double kSuspiciousCondition = 1e12;
 /// Tolerances of the factorization of sqrt(k) A by SuiteSparseQR, tried one after another until the factor is accurate.
-/// A column of sqrt(k) A counts as a mechanism if its component orthogonal to the previous columns, divided by the norm
-/// of sqrt(k) A, is shorter than the tolerance. Due to rounding, this component of a mechanism has a length of 1e-15,
-/// or more if many columns are nearly dependent. For the softest chain of springs that double precision resolves, the
-/// component is longer than the first tolerance.
+/// Consider the component of a column of sqrt(k) A that is orthogonal to the previous columns, divided by the norm of
+/// sqrt(k) A. The column counts as a mechanism if the length of this component is below the tolerance. For a mechanism,
+/// rounding gives it a length of 1e-15, or more if many columns are nearly dependent. For the softest chain of springs
+/// that double precision resolves, it is longer than the first tolerance.
 constexpr double kDependent[] = {1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8};
 /// Bound on the relative rounding error of the triangular factor R of sqrt(k) A = Q R: each entry of R is a sum of some
 /// tens of products.
 constexpr double kFactorRounding = 100.0 * std::numeric_limits<double>::epsilon();
-/// Hager's estimate of a norm is a lower bound. Multiplied by this factor, it serves as an upper bound, because the
-/// estimate is seldom too low by more than this factor.
+/// Hager's estimate of a norm is a lower bound, but seldom too low by more than this factor. Multiplied by this factor,
+/// the estimate serves as an upper bound.
 constexpr double kEstimateMargin = 3.0;
 
 std::function<Eigen::VectorXd(const Eigen::VectorXd&)> by(const SymmetricFactor& factor) {
   return [&factor](const Eigen::VectorXd& b) -> Eigen::VectorXd { return factor.solve(b, 0); };
 }
 
-/// Returns whether all columns of `root` are, within rounding, linear combinations of the columns that `qr` has kept.
-/// If this is true, the columns that `qr` has left out are mechanisms and not soft springs.
+/// Returns whether every column of `root` is, within rounding, a linear combination of the columns that `qr` has kept.
+/// If so, the columns that `qr` has left out are mechanisms and not soft springs.
 /// @param root  sqrt(k) A, the square root of the stiffness matrix
 bool spans(const Eigen::SparseMatrix<double>& root, const LeastSquaresFactor& qr) {
   constexpr double kRounding = 1e-14, kLargest = 1e6;
@@ -51,7 +51,7 @@ SpringInverse invert_root(const SymmetricFactor& factor, const SpringSystem& spr
   SpringInverse out;
   for (const double resolved : kDependent) {
     if (resolved != kDependent[0] && resolved <= mechanism_length)
-      continue;  // would repeat the first factorization
+      continue;  // this tolerance would repeat the first factorization
     const double dependent = std::max(resolved, mechanism_length);
     const auto qr = std::make_shared<LeastSquaresFactor>(root, dependent * std::sqrt(factor.norm()));
     if (resolved != kDependent[0] && !spans(root, *qr)) break;
@@ -91,8 +91,8 @@ SpringInverse invert_shifted(SymmetricFactor& factor, double bound) {
   out.inverse.definite = out.n_negative == 0 && factor.factorize_positive(shift);
   const bool factorized = out.inverse.definite || factor.factorize_indefinite(shift);
   out.condition = out.n_mechanisms > 0 || !factorized ? kInfinity : factor.condition_estimate();
-  // The eigenvalues of the stiffness matrix exceed `bound`, except those of mechanisms. The factor 0.5 allows for
-  // rounding errors.
+  // The eigenvalues of the stiffness matrix, except the eigenvalues of mechanisms, exceed `bound`. The factor 0.5
+  // allows for rounding errors.
   if (out.inverse.definite)
     out.inverse.smallest_ratio = 0.5 * bound / (bound + shift);
   else

@@ -20,8 +20,8 @@
 namespace floc {
 namespace {
 
-/// This number replaces pivots of L S L^T whose absolute value is smaller, so that the elimination can continue. This
-/// number is far below rounding errors.
+/// Value that replaces pivots of L S L^T of smaller absolute value, so that the elimination can continue. The value is
+/// far below rounding errors.
 constexpr double kSmallestPivot = 1e-30;
 /// Limits CHOLMOD to one thread while this object exists. CHOLMOD always starts four threads, even for blocks of a few
 /// columns, and no option changes this. The threads mostly wait for each other, so one thread is faster.
@@ -56,7 +56,7 @@ struct SymmetricFactor::Factor {
 
   Ordering ordering;
   std::vector<int> group;  // number of the group to which each unknown belongs
-  // permutation from the order of the unknowns outside this class to their order in `matrix`
+  // permutation from the order of the unknowns for callers of this class to the order in `matrix`
   Eigen::PermutationMatrix<Eigen::Dynamic> to_matrix;
   double norm = 0.0;   // largest absolute row sum of the matrix A
   double shift = 0.0;  // shift s of the last factorization, in which A + s * 1 was factorized
@@ -249,8 +249,8 @@ struct SymmetricFactor::Factor {
     return solve_with(CHOLMOD_Lt, sign.asDiagonal() * solve_with(CHOLMOD_L, B));
   }
 
-  /// Improves the solution X of A X = B by iterative refinement, which ends when the residual decreases by less than
-  /// half.
+  /// Improves the solution X of A X = B by iterative refinement. The refinement ends when a step reduces the residual
+  /// by less than half.
   void refine(Eigen::MatrixXd& X, const Eigen::MatrixXd& B, int max_steps) {
     Eigen::MatrixXd R = B - multiply(X);
     for (int k = 0; k < max_steps && R.norm() > 0.0; ++k) {
@@ -268,8 +268,8 @@ struct SymmetricFactor::Factor {
     return lower().selfadjointView<Eigen::Lower>() * X;
   }
 
-  /// Calls visit(d) for each pivot of the last factorization, where d is the absolute value of the pivot, that is, the
-  /// square of a diagonal entry of L.
+  /// Calls visit(d) for each pivot of the last factorization. The number d is the absolute value of the pivot, which is
+  /// the square of a diagonal entry of L.
   template <class Visit>
   void for_each_pivot(Visit visit) const {
     const Supernodes l = supernodes();

@@ -17,7 +17,7 @@ struct FactorCost {
 /// Sparse Cholesky factor of a symmetric matrix A (CHOLMOD). A may be positive definite or indefinite; both kinds are
 /// factorized by supernodes, at the same speed. An indefinite A is not an error, and its negative eigenvalues can be
 /// counted. The unknowns should be scaled so that the diagonal of A is of order one, because the smallest pivot and the
-/// shifts are fixed numbers, which are not scaled with the entries of A.
+/// shifts are fixed numbers.
 class SymmetricFactor {
  public:
   explicit SymmetricFactor(Ordering ordering = Ordering::automatic);
@@ -29,13 +29,13 @@ class SymmetricFactor {
   /// kept.
   /// @param lower  lower triangle of A, column-major; entries above the diagonal are ignored
   /// @param group  number of the group (grain) to which each unknown belongs, ascending from 0. The unknowns of a group
-  ///               are placed together in the elimination order. The search for an order is then faster by the square
+  ///               are placed together in the elimination order. This makes the search for an order faster by the square
   ///               of the group size, and no sparsity of the factor is lost. If empty, each unknown forms a group
   /// @throws std::runtime_error if memory runs out
   void set_matrix(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& group = {});
 
-  /// Predicts the cost of factorize_positive(), which is also the cost of factorize_indefinite(). Makes only the
-  /// symbolic analysis; its result is kept for the factorization. No memory is allocated for the factor.
+  /// Predicts the cost of factorize_positive(), which is also the cost of factorize_indefinite(). Only the symbolic
+  /// analysis is made, which is kept for the factorization; no memory is allocated for the factor.
   FactorCost predicted_cost();
 
   /// Factorizes A + shift * 1 as L L^T.
@@ -67,8 +67,8 @@ class SymmetricFactor {
   /// Returns A * X.
   Eigen::MatrixXd multiply(const Eigen::MatrixXd& X) const;
 
-  /// Returns an estimate of the condition number, in the 1-norm, of the matrix A + shift * 1 that was factorized last
-  /// (Hager's method). The estimate is a lower bound, seldom too low by more than a factor of 3.
+  /// Estimates the condition number, in the 1-norm, of the matrix A + shift * 1 that was factorized last (Hager's
+  /// method). The estimate is a lower bound. It is seldom too low by more than a factor of 3.
   /// @pre the last factorization succeeded
   double condition_estimate() const;
 

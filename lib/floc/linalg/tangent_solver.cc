@@ -11,20 +11,20 @@
 namespace floc {
 namespace {
 
-/// BiCGSTAB ends when the norm of the residual of a linear system, divided by the norm of the right-hand side, is at
-/// most this value.
+/// BiCGSTAB ends when the norm of the residual, divided by the norm of the right-hand side, is at most this value.
 constexpr double kTolerance = 1e-8;
-/// Shifts that are added to the diagonal of the symmetric part of the tangent matrix, one after another, until it is
-/// positive definite. The shifts are given as fractions of the largest entry of the matrix; each shift is
+/// Shifts that are added to the diagonal of the symmetric part of the tangent matrix, one after another, until this
+/// part is positive definite. The shifts are given as fractions of the largest entry of the matrix; each shift is
 /// kTangentNextShift times the previous one. Without a shift, the symmetric part may be indefinite: the normal force of
 /// a compressed contact causes a small negative stiffness along the tangents of the contact.
 constexpr double kTangentFirstShift = 1e-9;
 constexpr double kTangentLastShift = 1e-2;
 constexpr double kTangentNextShift = 100.0;
-/// If BiCGSTAB needed more than this number of steps, the Cholesky factor, which was made for an earlier matrix, is
-/// replaced by a new one.
+/// If BiCGSTAB needs more than this number of steps with a Cholesky factor of an earlier matrix, the factor is replaced
+/// by a new one.
 constexpr int kStaleSteps = 30;
-/// Largest numbers of BiCGSTAB steps with a Cholesky factor and with the diagonal as preconditioner.
+/// Largest numbers of BiCGSTAB steps: with a Cholesky factor as preconditioner, and with the diagonal as
+/// preconditioner.
 constexpr int kMostStepsWithFactor = 60;
 constexpr int kMostStepsWithDiagonal = 4000;
 
@@ -114,10 +114,10 @@ TangentPlan plan_tangent(const Eigen::SparseMatrix<double>& tangent, const Tange
   constexpr double kMatrices = 4.0;
   constexpr double kFactorRate = 15e9, kLuRate = 5e9, kSubstitutionRate = 3e9, kProductRate = 1.2e9;
   constexpr double kStepsWithFactor = 5.0, kStepsWithDiagonal = 300.0, kProductsPerStep = 2.0;
-  // LU factors are chosen whenever their predicted time (seconds) is below this value, because they are exact.
+  // LU factors are chosen whenever their predicted time (seconds) is below this value, because LU factors are exact.
   constexpr double kNoMatter = 0.05;
   constexpr double kLargestFactor = 4e9;  // largest accepted size of a factor (bytes)
-  // If BiCGSTAB does not converge, LU factors may replace it if their predicted time (seconds) is below this value.
+  // LU factors may replace BiCGSTAB, where it does not converge, if their predicted time (seconds) is below this value.
   constexpr double kAtNeed = 20.0;
 
   const Eigen::Index n = tangent.rows() - layout.n_boundary;

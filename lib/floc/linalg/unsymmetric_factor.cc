@@ -30,8 +30,7 @@ struct UnsymmetricFactor::Factors {
     control[UMFPACK_PRL] = 0;
     // Makes UMFPACK use its ordering for symmetric matrices. The tangent matrices of floc have symmetric patterns and
     // large diagonals, even if their values are not symmetric. With this ordering, the factorization is three to five
-    // times faster (1400 grains). Without this setting, UMFPACK, which knows only the pattern here, would choose
-    // another ordering.
+    // times faster (1400 grains). UMFPACK would not choose it by itself, because only the pattern is passed to it here.
     control[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
   }
   ~Factors() {

@@ -10,8 +10,8 @@ namespace floc {
 
 /// Strains of the cell that no stiffness resists when the grains relax.
 struct StrainMechanisms {
-  Eigen::MatrixXd
-      strains;  ///< strains that no stiffness resists, one per column, orthonormal; rows in the order of StrainSet
+  /// strains that no stiffness resists, one per column, orthonormal; rows in the order of StrainSet
+  Eigen::MatrixXd strains;
   /// fluctuation of the grains under each strain in `strains`; one row per unknown of the stiffness matrix
   Eigen::MatrixXd motions;
   /// Names of the moduli that are zero because of these strains: "C11" etc. for diagonal entries of the moduli C; "B"

@@ -10,8 +10,8 @@ namespace floc {
 /// Unknowns of the stiffness matrix K that are solved for. All other unknowns are free motions, which no contact
 /// resists. The values solved for are all lengths: rotations are multiplied by the grain's size.
 struct ReducedUnknowns {
-  std::vector<int>
-      row;  ///< for each unknown of K, its row in the reduced system; -1 if the unknown is not solved for
+  /// for each unknown of K, its row in the reduced system; -1 if the unknown is not solved for
+  std::vector<int> row;
   std::vector<int> unknown;  ///< for each row of the reduced system, its unknown of K
   /// for each row of the reduced system, the ratio of the unknown of K to the value solved for: 1/(size of the grain)
   /// for rotations, otherwise 1

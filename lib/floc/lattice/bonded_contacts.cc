@@ -12,8 +12,8 @@
 namespace floc {
 namespace {
 
-/// The limits of adhesion, friction and rolling resistance in the contact law are at least this number times the forces
-/// and moments of the bonds.
+/// Smallest ratio of a limit in the contact law (adhesion, friction, rolling resistance) to the forces and moments of
+/// the bonds.
 constexpr double kMargin = 2.0;
 
 void set_moment(const RotationVector<2>& moment, Contact<2>& c) {
@@ -61,8 +61,8 @@ LawParameters law_for(const BondedContacts<Dim>& bonds) {
 
 template <int Dim>
 void set_bonded_contacts(const BondedContacts<Dim>& bonds, Packing<Dim>& packing) {
-  /// A force counts as mobilised if it differs from its limit by at most this fraction of the limit. The contact law is
-  /// chosen so that the forces of all bonds are far from their limits.
+  /// A force counts as mobilised if it differs from its limit by at most this fraction of the limit. The limits in the
+  /// contact law are so large that no force of a bond is mobilised.
   constexpr double kCapTolerance = 1e-9;
   packing.law = law_for(bonds);
   packing.contacts.clear();

@@ -22,11 +22,11 @@ struct BondedContact {
 template <int Dim>
 using BondedContacts = std::vector<BondedContact<Dim>>;
 
-/// Replaces the contacts of a packing by the given bonds, and the contact law of the packing by a law that allows the
-/// forces of the bonds:
+/// Replaces the contacts of a packing by the given bonds. The contact law of the packing is replaced by a law that
+/// allows the forces of the bonds:
 /// - linear springs, with the mean stiffnesses of the bonds;
 /// - adhesion with a pull-off force of twice the largest tension, but at least a tenth of the largest force;
-/// - friction if bonds resist shear, and rolling resistance if they also resist rolling; in every bond, the limits are
+/// - friction if bonds resist shear, and rolling resistance if they also resist rolling; the limits in every bond are
 ///   at least twice the tangential force and twice the moment.
 template <int Dim>
 void set_bonded_contacts(const BondedContacts<Dim>& bonds, Packing<Dim>& packing);

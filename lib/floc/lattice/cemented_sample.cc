@@ -47,7 +47,7 @@ class Cementing {
     const double wanted = options.matrix_content * out_.lattice.cell.volume();
     if (wanted > 0.0) choose_nodes(options.matrix_content, nodes_by_width(options.matrix_content));
     // The owner of each node of the matrix is the grain with the nearest surface. The search distance is doubled until
-    // all nodes of the matrix have an owner.
+    // every node of the matrix has an owner.
     for (double reach = 0.25 * out_.mean_diameter; without_owner(); reach *= 2.0) take_owners(reach);
     for (int k = 0; k < out_.lattice.n_nodes(); ++k)
       if (out_.phase[k] == Phase::none) out_.owner[k] = -1;
@@ -58,8 +58,8 @@ class Cementing {
 
  private:
   struct CoveredNode {
-    // smallest width of a bridge that covers the node, divided by R' = 2 R_i R_j/(R_i + R_j), where R_i and R_j are the
-    // radii of the two grains of the bridge
+    // width of the narrowest bridge that covers the node, divided by R' = 2 R_i R_j/(R_i + R_j), where R_i and R_j are
+    // the radii of the two grains of the bridge
     double width;
     int node;
   };
@@ -92,7 +92,7 @@ class Cementing {
     return volume / out_.lattice.cell.volume();
   }
 
-  /// Finds the owner (the grain with the nearest surface) of each node inside a grain or near one.
+  /// For each node inside a grain or near a grain, finds the owner (the grain with the nearest surface).
   /// @param reach  largest distance of a node from the surface of its owner (length)
   void take_owners(double reach) {
     for (int i = 0; i < out_.grains.size(); ++i) {
@@ -114,9 +114,9 @@ class Cementing {
     return false;
   }
 
-  /// Returns a number for each node: the smallest width of a bridge of matrix that covers the node, divided by R' = 2
-  /// R_i R_j/(R_i + R_j) with the radii R_i, R_j of the two grains of the bridge. The number is infinite if it would
-  /// exceed `largest`.
+  /// For each node, returns the width of the narrowest bridge of matrix that covers the node. The width is divided by
+  /// R' = 2 R_i R_j/(R_i + R_j), where R_i and R_j are the radii of the two grains of the bridge. The result is
+  /// infinite if it would exceed `largest`.
   std::vector<double> covering_widths(double largest) const {
     std::vector<double> width(out_.lattice.n_nodes(), kFar);
     for (const NeighborPair<Dim>& pair : pairs_) {
@@ -136,14 +136,15 @@ class Cementing {
     return width;
   }
 
-  /// Returns nodes that bridges of matrix can cover, sorted by the smallest width of a bridge that covers the node. The
-  /// list contains at least as many nodes as the wanted matrix content requires.
+  /// Returns nodes that bridges of matrix can cover, sorted by the width of the narrowest bridge that covers the node.
+  /// The list contains at least as many nodes as the wanted matrix content requires.
   /// @param wanted  matrix content as a share of the volume
   std::vector<CoveredNode> nodes_by_width(double wanted) const {
     std::vector<CoveredNode> covered;
     double reached = 0.0;
     /// Largest width of a bridge that is tried, divided by R' = 2 R_i R_j/(R_i + R_j), where R_i and R_j are the radii
-    /// of its grains. This width is many times the size of the grains, so that no wider bridge covers additional nodes.
+    /// of the two grains. This width is many times the size of the grains, so that wider bridges cover no additional
+    /// nodes.
     constexpr double kWidest = 64.0;
     for (double largest = 0.5; largest <= kWidest; largest *= 2.0) {
       const std::vector<double> width = covering_widths(largest);
@@ -157,8 +158,8 @@ class Cementing {
     if (reached < wanted - 1e-12)
       throw InputError("",
                        fmt::format("matrix = {:.6g} cannot be reached: with a grain content of {:.4g}, "
-                                   "the bridges between {} pairs of neighbours can hold a matrix content of "
-                                   "{:.4g} at most",
+                                   "the bridges between {} pairs of neighbours can contain a matrix content of "
+                                   "at most {:.4g}",
                                    wanted, out_.grain_content, out_.n_bridges, reached));
     std::sort(covered.begin(), covered.end(), [](const CoveredNode& a, const CoveredNode& b) {
       return a.width != b.width ? a.width < b.width : a.node < b.node;
@@ -166,7 +167,7 @@ class Cementing {
     return covered;
   }
 
-  /// Chooses the width of the bridges that brings the matrix content nearest to the wanted content.
+  /// Chooses the width of the bridges for which the matrix content is nearest to the wanted content.
   /// @param wanted   matrix content as a share of the volume
   /// @param covered  result of nodes_by_width() for this content
   void choose_nodes(double wanted, const std::vector<CoveredNode>& covered) {

@@ -17,9 +17,9 @@ enum class Phase : std::uint8_t { none, grain, matrix };
 struct CementOptions {
   /// matrix content rho_m: share of the volume that the matrix has to fill, 0 to 1
   double matrix_content = 0.0;
-  /// Largest gap between the surfaces of two grains that a bridge of matrix joins, divided by the mean diameter, >= 0.
-  /// In a frictionless packing, the default is wider than the gaps between nearest neighbours and narrower than the
-  /// gaps between second neighbours.
+  /// Largest gap between two grains that a bridge of matrix joins, divided by the mean diameter, >= 0. In a
+  /// frictionless packing, the default is wider than the gaps between nearest neighbours and narrower than the gaps
+  /// between second neighbours.
   double bridge_gap = 0.05;
 
   static constexpr NumberRange kContent{.least = 0.0, .most = 1.0};
@@ -37,14 +37,14 @@ struct CementedSample {
   std::vector<Phase> phase;  ///< material of each node
   /// For each node, its owner: the grain whose surface is nearest to it; -1 for void nodes.
   std::vector<int> owner;
-  /// For each node, the nearest periodic image of its owner. The centre of this image is the centre of the owner +
-  /// owner_image * cell.matrix.
+  /// For each node, the periodic image of its owner that is nearest to the node. The centre of this image is the centre
+  /// of the owner + owner_image * cell.matrix.
   std::vector<Vec<Dim, int>> owner_image;
   double grain_content = 0.0;  ///< grain content rho_p: share of the volume of all nodes that belongs to grains
   /// matrix content rho_m: share of the volume of all nodes that belongs to the matrix
   double matrix_content = 0.0;
-  /// Width of a bridge divided by R' = 2 R_i R_j/(R_i + R_j), where R_i and R_j are the radii of its two grains. This
-  /// ratio is equal for all bridges.
+  /// Width of a bridge divided by R' = 2 R_i R_j/(R_i + R_j), where R_i and R_j are the radii of its two grains. All
+  /// bridges have the same ratio.
   double bridge_width = 0.0;
   /// number of pairs of grains that a bridge joins, including bridges that contain no node
   int n_bridges = 0;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// Element that breaks first when the load increases, and the load at which it breaks, divided by the present load.
+/// Element that breaks first when the load increases, and the ratio of the load at which it breaks to the present load.
 struct Weakest {
   int element = -1;
   double factor = kNever;
@@ -19,7 +19,7 @@ struct Weakest {
 template <int Dim>
 Weakest weakest_of(const LatticeNetwork<Dim>& network, const LatticeSolution<Dim>& solution,
                    const ElementStrength& strength, const std::vector<bool>& gone) {
-  // Tensions up to the rounding error of the forces do not break an element.
+  // Tensions that may be rounding errors of the forces do not break an element.
   double largest = 0.0;
   for (const double f : solution.normal_force) largest = std::max(largest, std::abs(f));
   const double least = 1e-9 * largest;

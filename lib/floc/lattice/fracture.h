@@ -10,10 +10,9 @@
 
 namespace floc {
 
-/// Strength of the elements of a lattice: for each kind of element, the tension at which the element breaks (force);
-/// infinite if it never breaks.
+/// Strength of the elements of a lattice.
 struct ElementStrength {
-  /// for each ElementKind, the tension at which an element breaks (force)
+  /// for each ElementKind, the tension at which an element of this kind breaks (force); infinite if it never breaks
   std::array<double, kElementKinds> tension{};
 
   /// Returns every invalid strength as "name = value: requirement".
@@ -29,11 +28,11 @@ struct Breakage {
 
 struct FractureOptions {
   ElementStrength strength;
-  /// The simulation ends when the stress has fallen below this share of its largest value so far. The share must be in
-  /// kShare.
+  /// Share of the largest stress so far, a number in kShare. The simulation ends when the stress has fallen below this
+  /// share.
   double end_at = 0.2;
   static constexpr NumberRange kShare{.least = 0.0, .most = 1.0};
-  int most_broken = 1'000'000;  ///< largest number of elements that may break before the simulation ends
+  int most_broken = 1'000'000;  ///< largest number of elements that may break; the simulation then ends
   /// Function that is called after each breakage, with the number of broken elements; if it returns false, the
   /// simulation ends.
   std::function<bool(const Breakage&, int n_broken)> observe = {};
@@ -42,18 +41,19 @@ struct FractureOptions {
 /// Result of a simulation in which the elements of a sample break one by one.
 struct FracturePath {
   std::vector<Breakage> broken;  ///< breakages in the order in which they happened
-  /// strength of the sample: largest absolute stress along the load that the sample carried; 0 if no element can break
+  /// strength of the sample: largest absolute stress along the load during the simulation; 0 if no element can break
   double strength = 0.0;
-  double strain_at_strength = 0.0;  ///< strain along the load at which the sample carried its largest stress
+  double strain_at_strength = 0.0;  ///< strain along the load when the stress had its largest absolute value
   std::string end;                  ///< reason why the simulation ended, as a sentence
 };
 
 /// Simulates the fracture of a sample, one element at a time:
-/// 1. The load is increased in proportion to `load` until the first element reaches its strength. All elements
-///    are linear until then, so this load follows from scaling one solution.
+/// 1. The load is increased in proportion to `load` until the first element reaches its strength. Until then
+///    all elements are linear, so that this load follows from scaling one solution.
 /// 2. This element is removed, and the lattice is solved again.
 ///
-/// If the next element breaks at a smaller load than the last one, a sample under constant load would fail at once.
+/// The next element may break at a smaller load than the last element. Under constant load, the sample would then fail
+/// at once.
 /// @param load  direction of the load; its magnitude has no influence
 /// @param axis  axis along which the result contains the strain and the stress
 /// @throws InputError if an option is invalid

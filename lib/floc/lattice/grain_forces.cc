@@ -120,8 +120,8 @@ Packing<Dim> packing_of(const CementedSample<Dim>& sample, const Packing<Dim>& p
   out.cell = sample.lattice.cell;
   out.grains = sample.grains;
   out.grains.mass = packing.grains.mass;
-  // A contact with the normal stiffness K_N that is as wide as the bridge between its grains has the rolling stiffness
-  // K_N width^2/12.
+  // Rolling stiffness of a contact: K_N width^2/12, where K_N is the normal stiffness. The contact is assumed to be as
+  // wide as the bridge between its grains.
   const double width = std::max(sample.bridge_width * 0.5 * sample.mean_diameter, sample.lattice.spacing);
   BondedContacts<Dim> bonds;
   for (const GrainForce<Dim>& f : forces)

@@ -23,9 +23,9 @@ struct GrainForce {
   double kn, kt;
 };
 
-/// Returns the forces between the grains of a cemented sample, sorted by (i, j, image). The forces balance on every
-/// grain if the forces that keep fixed nodes in place are included. The forces between grains give the stress sigma of
-/// the cell: the sum of the tensor products of branch and force is exactly V sigma, with the volume V of the cell.
+/// Returns the forces between the grains of a cemented sample, sorted by (i, j, image). Together with the forces that
+/// keep fixed nodes in place, they balance on every grain. They also give the stress sigma of the cell: the sum of the
+/// tensor products of branch and force is exactly V sigma, with the volume V of the cell.
 template <int Dim>
 std::vector<GrainForce<Dim>> grain_forces(const CementedSample<Dim>& sample, const LatticeNetwork<Dim>& network,
                                           const LatticeSolution<Dim>& solution);
@@ -37,8 +37,7 @@ template <int Dim>
 Packing<Dim> packing_of(const CementedSample<Dim>& sample, const Packing<Dim>& packing,
                         const std::vector<GrainForce<Dim>>& forces);
 
-/// Agreement between the normal forces in two lists of contacts. Only pairs of grains that both lists contain are
-/// compared.
+/// Agreement between the normal forces in two lists of contacts, for the pairs of grains that both lists contain.
 struct ForceAgreement {
   /// Pearson's correlation coefficient of the two lists of forces. Absent if fewer than 3 pairs are in both lists, or
   /// if all forces of one list are equal.

@@ -19,9 +19,9 @@ struct IrregularLatticeOptions {
   std::vector<std::string> validate() const;
 };
 
-/// Returns a lattice of randomly displaced points of a cubic grid in any periodic cell, with their Delaunay bonds (some
-/// 7.8 per point) and their Voronoi cells. The force of a bond acts at the centre of the face that the Voronoi cells of
-/// its two points share.
+/// Returns a lattice in any periodic cell. The nodes are randomly displaced points of a cubic grid, joined by Delaunay
+/// bonds (some 7.8 per point) and surrounded by Voronoi cells. The force of a bond acts at the centre of the face that
+/// the Voronoi cells of its two points share.
 /// @throws InputError if an option is invalid, or if more than 1e8 nodes would be needed
 Lattice<3> irregular_lattice(const Cell<3>& cell, const IrregularLatticeOptions& options);
 

@@ -61,7 +61,8 @@ Lattice<2> triangular_lattice_in(const Cell<2>& cell, double spacing) {
     throw InputError(
         "",
         fmt::format("a spacing of {:.3g} is too small: the lattice would have more than 1e8 nodes", spacing));
-  /// A number of columns is tried if it differs from the cell's width divided by the spacing by at most this fraction.
+  /// Largest relative difference between a number of columns that is tried and the width of the cell divided by the
+  /// spacing.
   constexpr double kTried = 0.03;
   const double asked = width / spacing;
   int best_columns = 1, best_rows = 2;

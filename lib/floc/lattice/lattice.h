@@ -22,11 +22,11 @@ struct LatticeBond {
 template <int Dim>
 struct Lattice {
   Cell<Dim> cell;
-  /// Distance between neighbouring nodes (length). For an irregular lattice, it is the distance in a regular lattice of
-  /// the same density.
+  /// Distance between neighbouring nodes (length). For an irregular lattice: the distance in a regular lattice of the
+  /// same density.
   double spacing = 0.0;
   std::vector<Vec<Dim>> node;  ///< positions of the nodes, inside the cell (length)
-  /// volume (2D: area) of the cell around each node; the volumes add up to that of the periodic cell
+  /// volume (2D: area) of the cell around each node; the sum of these volumes is the volume of the periodic cell
   std::vector<double> volume;
   std::vector<LatticeBond<Dim>> bonds;
 
@@ -42,9 +42,9 @@ struct Lattice {
 Lattice<2> triangular_lattice(int columns, int rows, double spacing);
 
 /// Returns the triangular lattice that fits best into a rectangular cell. The number of columns is within 3 % of the
-/// cell's width divided by the spacing. The lattice has the area of the cell, and the ratio of its sides is as close as
-/// possible to that of the cell. The sides of the lattice and of the cell differ by a fraction of some 1e-4. A packing
-/// in the cell has to be deformed by this strain to fit the lattice.
+/// cell's width divided by the spacing. The lattice has the area of the cell. The ratio of its sides is as close as
+/// possible to the ratio of the sides of the cell. The sides of the lattice and of the cell differ by a fraction of
+/// some 1e-4. To fit the lattice, a packing in the cell has to be deformed by this strain.
 /// @throws InputError if the cell is not rectangular, or if more than 1e8 nodes would be needed
 Lattice<2> triangular_lattice_in(const Cell<2>& cell, double spacing);
 

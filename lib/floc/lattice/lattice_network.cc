@@ -58,8 +58,7 @@ class NetworkBuilder {
     double k = stiffness_.of(kind);
     if (stiffness_.by_facet) k *= bond.facet / bond.branch.norm();
     if (k == 0.0) return;
-    // The force of a central spring acts along the line between the nodes, independent of the position of the face
-    // between their cells.
+    // The force of a central spring acts along the line between the nodes, wherever the face between their cells lies.
     const Vec<Dim> arm_i = stiffness_.central() ? Vec<Dim>(0.5 * bond.branch) : bond.arm_i;
     out_.elements.push_back({bond.i, bond.j, bond.image, bond.branch, arm_i, k, kind,
                              bare && stiffness_.contact == BareContact::unilateral, number});
@@ -99,7 +98,7 @@ class NetworkBuilder {
     return false;
   }
 
-  /// The elements at one node: their number, the direction of the first element, and whether any other element has a
+  /// The elements at one node: their number, the direction of the first element, and whether another element has a
   /// different direction.
   struct Holding {
     int count = 0;
@@ -140,8 +139,8 @@ class NetworkBuilder {
     return holding;
   }
 
-  /// Removes connected parts of the network that cannot carry a load, because they neither wind around the periodic
-  /// cell nor connect the two fixed sides of the cell.
+  /// Removes connected parts of the network that cannot carry a load. These parts neither wind around the periodic cell
+  /// nor connect the two fixed sides of the cell.
   void remove_islands() {
     const Parts parts = find_parts();
     std::vector<bool> carries(parts.winding.size(), false);
@@ -162,17 +161,17 @@ class NetworkBuilder {
   struct Parts {
     // for each node, the number of the connected part that contains it; -1 for nodes without elements
     std::vector<int> of;
-    // for each connected part, linearly independent loops around the cell; a loop is given by the number of cells that
-    // it crosses along each lattice vector
+    // for each connected part, linearly independent loops around the cell; each loop is given by the number of cells
+    // that it crosses along each lattice vector
     std::vector<std::vector<Vec<Dim, int>>> winding;
-    // for each connected part, the sum of two numbers: 1 if the part contains a fixed node in the lower half of the
-    // cell, and 2 if it contains a fixed node in the upper half
+    // for each connected part, the sum of two numbers: 1 if a fixed node of the part is in the lower half of the cell,
+    // and 2 if a fixed node of the part is in the upper half
     std::vector<int> n_faces;
   };
 
   static int rank_of(const std::vector<Vec<Dim, int>>& winding) { return static_cast<int>(winding.size()); }
 
-  /// Adds a loop around the cell to the loops found so far, if it is linearly independent of these.
+  /// Adds a loop around the cell to the loops found so far, if it is linearly independent of them.
   static void note_winding(const Vec<Dim, int>& loop, std::vector<Vec<Dim, int>>& found) {
     if (loop.isZero() || static_cast<int>(found.size()) == Dim) return;
     Eigen::Matrix<double, Dim, Eigen::Dynamic> all(Dim, found.size() + 1);
@@ -227,9 +226,8 @@ class NetworkBuilder {
     return parts;
   }
 
-  /// Returns a number for the fixed sides of the cell to which a node belongs: 1 for a fixed node in the lower half of
-  /// the cell, 2 for a fixed node in the upper half, 3 (both sides) if the whole border is fixed, and 0 for a free
-  /// node.
+  /// Returns a number for the fixed sides of the cell to which a node belongs: 0 for a free node, 1 for a fixed node in
+  /// the lower half of the cell, 2 for a fixed node in the upper half, and 3 (both sides) if the whole border is fixed.
   int faces_of(int node) const {
     if (!is_held(node)) return 0;
     if (boundary_ == LatticeBoundary::uniform_strain) return 3;

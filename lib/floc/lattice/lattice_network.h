@@ -36,13 +36,13 @@ enum class LatticeBoundary {
   uniform_strain,  ///< all nodes at the border of the cell move with the uniform strain of the cell
 };
 
-/// Stiffness of the elements of a lattice: one spring constant per kind of element, independent of the element's
-/// length, as in [RTV2010]. By default, an element across an interface has the stiffness of two springs of half the
+/// Stiffness of the elements of a lattice: one spring constant per kind of element, independent of the length of the
+/// element, as in [RTV2010]. By default, an element across an interface has the stiffness of two springs of half the
 /// length in series, one of each material. With this default, the stiffness of a laminate is exact.
 struct ElementStiffness {
   /// stiffness k_p of elements within grains (force/length), or Young's modulus E (stress) if `by_facet`
   double grain = 1.0;
-  double matrix = 1.0;              ///< stiffness k_m of elements within the matrix, in the same unit
+  double matrix = 1.0;  ///< stiffness k_m of elements within the matrix, in the same unit as `grain`
   std::optional<double> interface;  ///< stiffness of interfaces; 2 k_p k_m/(k_p + k_m) if absent
   std::optional<double> bare;       ///< stiffness of bare elements; k_p if absent
   double shear = 0.0;               ///< ratio K_T/K_N of tangential to normal stiffness; 0 for central springs
@@ -53,8 +53,8 @@ struct ElementStiffness {
   /// behaviour of bare elements, which join two grains without matrix
   BareContact contact = BareContact::unilateral;
   /// Largest distance of a bare element from the line between the centres of its two grains, divided by R' = 2 R_i
-  /// R_j/(R_i + R_j), where R_i and R_j are the radii of the grains. Bare elements farther away are voids. If absent,
-  /// all bare elements are springs, and the contact area depends on the spacing of the lattice.
+  /// R_j/(R_i + R_j), where R_i and R_j are the radii of the grains. Bare elements at larger distances are left out. If
+  /// absent, all bare elements are springs, and the contact area depends on the spacing of the lattice.
   std::optional<double> patch;
 
   bool central() const { return shear == 0.0 && bending == 0.0; }
@@ -88,8 +88,8 @@ struct LatticeNetwork {
   double bending = 0.0;
   std::vector<LatticeElement<Dim>> elements;
   std::vector<bool> present;  ///< for each node, whether it has an element
-  /// Whether each component of the displacement of each node, relative to the uniform strain, is fixed at zero: Dim
-  /// entries per node. Empty if no displacement is fixed.
+  /// For each component of the displacement of each node (relative to the uniform strain), whether it is fixed at zero:
+  /// Dim entries per node. Empty if no displacement is fixed.
   std::vector<bool> held;
   /// number of nodes (of grains or of the matrix) that were removed because they cannot carry a force
   int n_removed = 0;

@@ -5,9 +5,9 @@
 
 namespace floc {
 
-/// Returns a loaded lattice as a packing. Its grains are the nodes that have an element, in the order of the nodes,
-/// with the spacing as diameter. Its contacts are the elements that carry a force, with their forces and stiffnesses.
-/// Moduli, modes and pictures of this packing are therefore moduli, modes and pictures of the lattice.
+/// Returns a loaded lattice as a packing. The grains are the nodes that have an element, in the order of the nodes,
+/// with the spacing as diameter. The contacts are the elements that carry a force, with their forces and stiffnesses.
+/// The packing and the lattice therefore have the same moduli, modes and pictures.
 template <int Dim>
 Packing<Dim> packing_of(const Lattice<Dim>& lattice, const LatticeNetwork<Dim>& network,
                         const LatticeSolution<Dim>& solution);

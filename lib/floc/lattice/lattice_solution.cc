@@ -5,9 +5,8 @@
 namespace floc {
 namespace {
 
-/// Copies the forces of one element from its springs to the solution: the normal force; the tangential forces, if the
-/// element resists shear; and the moments about its axes of rotation, if it resists bending (in 3D not about the
-/// normal).
+/// Copies the forces of one element from its springs to the solution: the normal force; if the element resists shear,
+/// the tangential forces; and if it resists bending, the moments about its axes of rotation (in 3D without the normal).
 template <int Dim>
 void read_element(const RelaxedSprings<Dim>& springs, const LatticeNetwork<Dim>& network, int e,
                   LatticeSolution<Dim>& out) {

@@ -8,8 +8,8 @@
 
 namespace floc {
 
-/// Load on a sample: for each component, in the order of StrainSet::full, the imposed strain or the imposed stress;
-/// compression positive.
+/// Load on a sample, compression positive: for each component, in the order of StrainSet::full, the imposed strain or
+/// the imposed stress.
 template <int Dim>
 struct LatticeLoad {
   using Components = Eigen::Matrix<double, kSymmetric<Dim>, 1>;
@@ -46,8 +46,8 @@ struct LatticeSolution {
   Vec<Dim> force_on_i(const LatticeNetwork<Dim>& network, int element) const;
 };
 
-/// Solver for a lattice network that is loaded once or several times. The factor of the stiffness matrix and the set of
-/// closed elements are kept for the next load.
+/// Solver for a lattice network under one load or several successive loads. The factor of the stiffness matrix and the
+/// set of closed elements are kept for the next load.
 template <int Dim>
 class LatticeSolver {
  public:
@@ -57,11 +57,11 @@ class LatticeSolver {
   LatticeSolver(const LatticeNetwork<Dim>& network, const RelaxationSettings& settings,
                 LatticeBoundary boundary = LatticeBoundary::periodic, int axis = Dim - 1);
 
-  /// Finds the state of the network under a load. Between plates, all components of the load except that along the axis
-  /// of the plates are ignored.
+  /// Finds the state of the network under a load. Between plates, only the component of the load along the axis of the
+  /// plates is used.
   [[nodiscard]] LatticeSolution<Dim> solve(const LatticeLoad<Dim>& load);
 
-  /// Returns the moduli of the sample, with all nodes free to relax: stress per unit of each strain, in the order of
+  /// Returns the moduli of the sample: stress per unit of each strain after relaxation of all nodes, in the order of
   /// StrainSet::full. The elements that were open in the last solution remain open.
   /// @pre solve() was called
   Eigen::MatrixXd moduli();

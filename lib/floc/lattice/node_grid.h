@@ -33,7 +33,7 @@ class NodeGrid {
     for (int k = 0; k < lattice.n_nodes(); ++k) order_[next[bin[k]]++] = k;
   }
 
-  /// Calls visit(node, from, image) for every periodic image of a node that is closer to the point `centre` than
+  /// Calls visit(node, from, image) for every periodic image of a node whose distance from the point `centre` is below
   /// `radius`. `from` is the vector from `centre` to this image of the node, and image * cell.matrix is the
   /// displacement of the image.
   template <class Visit>

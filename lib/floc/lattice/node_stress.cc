@@ -7,7 +7,7 @@
 namespace floc {
 namespace {
 
-/// An exponential tail is fitted only if at least this number of values are above the threshold.
+/// Smallest number of values above the threshold for which an exponential tail is fitted.
 constexpr int kFewest = 10;
 
 StressTail tail_beyond(const std::vector<double>& x, double from) {

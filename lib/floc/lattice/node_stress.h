@@ -8,10 +8,10 @@
 namespace floc {
 
 /// Returns the stress of each node, compression positive. The stress of node a is the symmetric part of -(1/V_a) times
-/// the sum of r f^T over the elements of the node, with the volume V_a of the node, the force f of the element on the
-/// node, and the vector r from the node to the point at which f acts. The mean over all nodes, weighted by volume and
-/// with zero for void nodes, is the stress of the cell. The stress of a fixed node includes the forces that keep the
-/// node in place.
+/// the sum of r f^T over the elements of the node. Here V_a is the volume of the node, f is the force of the element on
+/// the node, and r is the vector from the node to the point at which f acts. The mean over all nodes, weighted by
+/// volume and with zero for void nodes, is the stress of the cell. The stress of a fixed node includes the forces that
+/// keep the node in place.
 template <int Dim>
 std::vector<Mat<Dim>> node_stress(const Lattice<Dim>& lattice, const LatticeNetwork<Dim>& network,
                                   const LatticeSolution<Dim>& solution);
@@ -37,8 +37,8 @@ struct StressDistribution {
   double other_share = 0.0;  ///< share of the nodes where the component and the load have opposite signs
   double largest = 0.0;      ///< largest value of x
   StressTail loaded_1{1.0}, loaded_2{2.0};  ///< exponential tails of the distribution of x above 1 and above 2
-  /// exponential tail, above 1, for the nodes where the component and the load have opposite signs; the number x is
-  /// here the component divided by its mean over these nodes
+  /// exponential tail, above 1, for the nodes where the component and the load have opposite signs; for this tail, x is
+  /// the component divided by its mean over these nodes
   StressTail other_1{1.0};
 };
 

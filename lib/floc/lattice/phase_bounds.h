@@ -4,8 +4,8 @@
 
 namespace floc {
 
-/// Isotropic phase (component) of a composite, and its share of the volume. In 2D the bulk modulus K is that of a
-/// sheet, E/(2(1 - nu)) with Young's modulus E and Poisson's ratio nu.
+/// Isotropic phase (component) of a composite, and its share of the volume. In 2D the bulk modulus K is the bulk
+/// modulus of a sheet, E/(2(1 - nu)) with Young's modulus E and Poisson's ratio nu.
 struct ElasticPhase {
   double share;  ///< share of the volume, 0 to 1
   double K, G;   ///< bulk and shear modulus (stress); 0 for voids
@@ -18,8 +18,8 @@ struct ModulusBounds {
 };
 
 /// Bounds on the bulk modulus K and shear modulus G of an isotropic composite of isotropic phases that are bonded to
-/// each other. The bounds of Hashin and Shtrikman take the stiffest phase as reference for the upper bound and the
-/// softest for the lower bound; if there are voids, the lower bounds are zero.
+/// each other. In the bounds of Hashin and Shtrikman, the reference phase is the stiffest phase for the upper bound,
+/// and the softest phase for the lower bound. If there are voids, the lower bounds are zero.
 struct CompositeBounds {
   ModulusBounds K, G;
 };

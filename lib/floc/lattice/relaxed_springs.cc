@@ -11,18 +11,18 @@
 namespace floc {
 namespace {
 
-/// Largest number of springs that may have opened or closed since the last factorization. Up to this number, conjugate
+/// Largest number of springs that may open or close before the factor is replaced. Up to this number, conjugate
 /// gradients with the old factor take less time than a new factor.
 constexpr int kMostChanged = 60;
-/// Largest number of conjugate-gradient steps with an old factor; if they do not suffice, a new factor is made.
+/// Largest number of conjugate-gradient steps with an old factor. If more steps are needed, a new factor is made.
 constexpr int kStepsOnOldFactor = 30;
 /// Largest number of unknowns for which a factor is cheap in 3D.
 constexpr int kSmallInSpace = 20000;
 /// Net forces on nodes count as rounding errors if they are below this share of the load and have stopped decreasing.
 constexpr double kRounding = 1e-8;
-/// A sample counts as not resisting its load if its strain is larger than this number times the affine strain, that is,
-/// the strain under the load if all springs are closed and all nodes follow the strain of the cell. The preconditioner
-/// could not distinguish a still softer sample from a sample with free motions.
+/// A sample counts as not resisting its load if its strain is larger than this number times the affine strain. The
+/// affine strain is the strain under the load if all springs are closed and all nodes follow the strain of the cell.
+/// The preconditioner could not distinguish a still softer sample from a sample with free motions.
 constexpr double kBeyond = 1e8;
 /// A motion counts as free (without resistance) if its energy, divided by the energy that the preconditioner predicts
 /// for it, is below this number.
@@ -199,7 +199,7 @@ class Springs final : public RelaxedSprings<Dim> {
     int n_changed = 0;
     for (const int r : springs_.one_sided) {
       const double o = overlap(r, x_);
-      // A spring with zero overlap keeps its state (open or closed). All springs are therefore still closed at the
+      // A spring with zero overlap remains open or closed as it was. Therefore all springs are still closed at the
       // first deformation.
       const char now = o > 0.0 || (o == 0.0 && active_[r]) ? 1 : 0;
       n_changed += now != active_[r];
@@ -214,8 +214,8 @@ class Springs final : public RelaxedSprings<Dim> {
   }
 
   /// Returns the size of the load in the norm of the preconditioner: the square root of twice an energy. This energy is
-  /// a sum: the energy of the imposed strain, if the nodes follow the strain affinely, plus the energy that the nodes
-  /// would afterwards release by relaxation.
+  /// the sum of two terms: the energy of the imposed strain if the nodes follow the strain affinely, and the energy
+  /// that the nodes would then release by relaxation.
   double norm_of_load(SpringRelaxationReport& report) {
     Eigen::VectorXd kept = Eigen::VectorXd::Zero(x_.size());
     for (int a = 0; a < kSymmetric<Dim>; ++a)
@@ -258,8 +258,8 @@ class Springs final : public RelaxedSprings<Dim> {
       const Eigen::VectorXd q = applied(p);
       const double curvature = p.dot(q);
       if (curvature <= (inverse_->is_exact() ? kNoEnergy : 1e-14) * rz) {
-        // No spring resists the direction p. In the first step p itself is returned, because one-sided springs may
-        // close along it; in later steps the direction found so far is returned.
+        // No spring resists the direction p. In the first step, p itself is returned, because a motion along p may
+        // close one-sided springs. In later steps, the direction found so far is returned.
         if (step == 0) out.direction = p;
         return out;
       }
@@ -291,8 +291,8 @@ class Springs final : public RelaxedSprings<Dim> {
 
   void take_step(const Eigen::VectorXd& down, double norm, double whole, SpringRelaxationReport& report) {
     const bool one_sided = !springs_.one_sided.empty();
-    // As long as springs open and close, an inexact direction is sufficient. If the inverse is nearly exact, an exact
-    // direction is cheap, and the accuracy is higher.
+    // As long as springs open and close, an inexact direction is sufficient. If the inverse is nearly exact, a much
+    // more accurate direction is cheap, and the result is more accurate.
     const double share = inverse_->is_exact() ? 1e-8 : one_sided ? 0.03 : 0.0;
     const double target = std::max(share * norm, 0.5 * settings_.tolerance * whole);
     const bool old_factor = inverse_->is_exact() && prepared_ != active_;
@@ -314,7 +314,8 @@ class Springs final : public RelaxedSprings<Dim> {
     if (slope >= 0.0) return true;
     double
         square = 0.0,
-        // After a step of t times the direction, the energy of the two-sided springs has the slope linear + t * square.
+        // Energy of the two-sided springs: after a step of t times the direction, its slope along the direction is
+        // linear + t * square.
         linear = slope;
     // for each one-sided spring: overlap, change of the overlap per unit step along the direction, stiffness
     std::vector<std::array<double, 3>> one_sided;
@@ -345,8 +346,8 @@ class Springs final : public RelaxedSprings<Dim> {
       const double at = slope_at(t, curvature);
       if (std::abs(at) <= (trial == 0 ? 0.3 : 1e-10) * -slope) break;
       (at < 0.0 ? low : high) = t;
-      // The slope of the energy is piecewise linear. Newton's step is therefore exact once the active springs are
-      // known.
+      // The slope of the energy is piecewise linear. Therefore Newton's step is exact once the set of active springs no
+      // longer changes.
       double to = curvature > 0.0 ? t - at / curvature : std::numeric_limits<double>::infinity();
       if (!(to > low && to < high)) to = std::isfinite(high) ? 0.5 * (low + high) : 4.0 * t;
       if (to > kForEver) return false;

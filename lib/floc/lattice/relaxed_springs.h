@@ -11,7 +11,7 @@ namespace floc {
 
 /// Method that relaxes the springs of a lattice.
 enum class LatticeMethod {
-  automatic,  ///< `factor` in 2D and for up to 20 000 unknowns in 3D, otherwise `iterative`
+  automatic,  ///< `factor` in 2D, and in 3D for up to 20 000 unknowns; otherwise `iterative`
   factor,     ///< conjugate gradients with a Cholesky factor as preconditioner: a few steps per solution
   iterative,  ///< conjugate gradients with diagonal blocks as preconditioner: hundreds of steps, little memory
 };
@@ -28,8 +28,8 @@ struct RelaxationRound {
 
 struct RelaxationSettings {
   LatticeMethod method = LatticeMethod::automatic;
-  /// The relaxation ends when the net forces on the nodes are at most this share of the load. Net forces and load are
-  /// both measured in the norm of the preconditioner.
+  /// The relaxation ends when the net forces on the nodes, divided by the load, are at most this number. Both are
+  /// measured in the norm of the preconditioner.
   double tolerance = 1e-10;
   int max_rounds = 100;  ///< largest number of rounds of the relaxation; about ten are usual
   /// Function that is called after each round of the relaxation, if set.
@@ -47,29 +47,29 @@ struct StrainControl {
 /// Report of the relaxation of a lattice.
 struct SpringRelaxationReport {
   bool converged = false;
-  bool holds = true;       ///< false if the load moves a mechanism, which no spring resists
+  bool holds = true;       ///< false if a mechanism, which no spring resists, moves under the load
   double imbalance = 0.0;  ///< size of the net forces that remain on the nodes, divided by the size of the load
-  /// numbers of rounds, of conjugate-gradient steps and of preconditioners made
+  /// number of rounds, number of conjugate-gradient steps, and number of preconditioners that were made
   int n_rounds = 0, n_steps = 0, n_factors = 0;
 };
 
-/// Springs between nodes in a cell. The positions of the nodes and the strain of the cell are relaxed to the smallest
-/// energy. Some springs are one-sided: they carry compression only. With the overlap o and the stiffness k of a spring,
-/// the energy is E = sum_two k o^2/2 + sum_one k max(o, 0)^2/2 - dot(load, strain), where sum_two is over the two-sided
-/// and sum_one over the one-sided springs. It is a convex function.
+/// Springs between nodes in a cell. The nodes and the strain of the cell are moved to the smallest energy. Some springs
+/// are one-sided: they carry compression only. With the overlap o and the stiffness k of a spring, the energy is E =
+/// sum_two k o^2/2 + sum_one k max(o, 0)^2/2 - dot(load, strain), where sum_two is over the two-sided and sum_one over
+/// the one-sided springs. It is a convex function.
 ///
 /// Newton's method finds the minimum of the energy. The active set consists of the one-sided springs in compression.
 /// The first relaxation starts with all springs in the active set, and later relaxations start with the last active
-/// set. Along each step, a line search finds the smallest energy. The energy thus decreases in every round, and no
+/// set. Along each step, a line search finds the smallest energy. Therefore the energy decreases in every round, and no
 /// active set occurs twice.
 template <int Dim>
 class RelaxedSprings {
  public:
   virtual ~RelaxedSprings() = default;
 
-  /// Relaxes the springs under imposed strains and loads.
-  /// @return report of the relaxation; the springs are left in the best state found, even if the relaxation has not
-  /// converged
+  /// Relaxes the springs under imposed strains and loads. If the relaxation does not converge, the springs are left in
+  /// the best state found.
+  /// @return report of the relaxation
   [[nodiscard]] virtual SpringRelaxationReport relax(const StrainControl<Dim>& control) = 0;
   /// Returns the volume times the stress per unit of each strain, in the order of StrainSet::full, after relaxation of
   /// the nodes. No spring opens or closes during this relaxation.

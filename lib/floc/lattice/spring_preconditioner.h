@@ -18,7 +18,7 @@ class SpringPreconditioner {
   /// Computes the approximate inverse for a given set of closed springs; must be called before apply().
   /// @param active  for each spring, whether it is closed
   virtual void prepare(const std::vector<char>& active) = 0;
-  /// Sets, for each strain, whether it is free. A free strain is an unknown; the other strains have imposed values.
+  /// For each strain, sets whether it is free. Free strains are unknowns; all other strains have imposed values.
   virtual void set_free(const Eigen::Matrix<bool, kSymmetric<Dim>, 1>& free) = 0;
   /// Returns the product of the approximate inverse with a residual; zero for strains that are not free.
   /// @param residual  entries for the motions of the nodes, then for the strains
@@ -28,13 +28,13 @@ class SpringPreconditioner {
   virtual bool is_exact() const = 0;
 };
 
-/// Returns a preconditioner that uses a Cholesky factor. The matrix that is factorized has a small shift on its
-/// diagonal (1e-9 of the largest stiffness), because some motions may have no stiffness.
+/// Returns a preconditioner that uses a Cholesky factor. Before the factorization, a small shift (1e-9 of the largest
+/// stiffness) is added to the diagonal of the matrix, because some motions may have no stiffness.
 template <int Dim, int Size>
 std::unique_ptr<SpringPreconditioner<Dim, Size>> factor_preconditioner(const SpringRows<Dim, Size>& springs);
 
-/// Returns a preconditioner that uses the diagonal blocks of the nodes, and the stiffness against strain if the nodes
-/// do not relax.
+/// Returns a preconditioner that consists of the diagonal blocks of the nodes, and of the stiffness against strain
+/// without relaxation of the nodes.
 template <int Dim, int Size>
 std::unique_ptr<SpringPreconditioner<Dim, Size>> block_preconditioner(const SpringRows<Dim, Size>& springs);
 

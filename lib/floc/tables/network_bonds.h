@@ -62,8 +62,8 @@ struct BondTables {
 /// tolerance.
 struct ForceLimits {
   double zero;  ///< largest normal force that counts as zero (force)
-  double
-      pressure;  ///< largest value of P a^(Dim-1) that counts as zero (force); P: pressure, a: largest diameter
+  /// largest value of P a^(Dim-1) that counts as zero (force), with the pressure P and the largest diameter a
+  double pressure;
 };
 
 /// Computes the bonds and phases of one state, and adds its rows to the tables that the options select.

@@ -28,8 +28,8 @@ Table to_table(const std::vector<Column<Row>>& columns, const std::vector<Row>& 
   return table;
 }
 
-/// Sets the columns of a table to `names` if it has no columns yet. Otherwise, an earlier state has added rows to the
-/// table, and the function checks that the table has the columns `names`.
+/// If a table has no columns yet, sets its columns to `names`. Otherwise an earlier state has set the columns, and the
+/// function checks that they equal `names`.
 /// @param file  file of the state that is about to add rows, for messages
 /// @throws InputError if the table has other columns, because the earlier state has another dimension
 inline void expect_columns(const std::string& file, const std::vector<std::string>& names, Table& table) {

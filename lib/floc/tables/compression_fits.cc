@@ -13,7 +13,7 @@ std::pair<double, double> window_of(const CompressedPath& compressed, const Comp
   return {P[static_cast<std::size_t>(fit.first)], P[static_cast<std::size_t>(fit.first + fit.n_points - 1)]};
 }
 
-/// Returns the unit of a parameter, expressed by the unit of the pressures; empty for a pure number.
+/// Returns the unit of a parameter, formed from the unit of the pressures; empty for a pure number.
 std::string unit_of(const std::string& parameter, const std::string& unit) {
   if (unit.empty()) return "";
   if (parameter == "b") return "1/" + unit;

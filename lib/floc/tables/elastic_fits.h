@@ -22,7 +22,7 @@ struct ElasticBranch {
   std::optional<ElasticFit> driven = {};
   Loading driven_fitted = {};  ///< points to which `driven` was fitted
 
-  /// Returns the parameters of `fit` and, if `driven` exists, its modulus M.
+  /// Returns the parameters of `fit` and, if `driven` exists, the modulus M of `driven`.
   std::vector<FittedParameter> parameters() const;
   /// Returns the warnings of `fit` and `driven`. The warnings of `driven` begin with the words "fit of the modulus M".
   std::vector<std::string> warnings() const;

@@ -29,7 +29,7 @@ inline constexpr NumberRange kNearGap{.least = 0.0, .most = 1.0};
 
 /// Options of the table of static forces.
 struct ForcesTableOptions {
-  /// criterion of selection; if absent, kClosest, or kCanonical if the state has no forces
+  /// criterion of selection; if absent: kClosest if the state has forces, otherwise kCanonical
   std::optional<ForceSelection> selection;
   std::optional<double> friction;  ///< friction coefficient; if absent, the coefficient of the contact law
   /// Normal and tangential stiffness of all contacts (force/length). If absent, the stiffnesses of the contacts in the

@@ -53,7 +53,7 @@ ModulusColumns modulus_columns(const NamedColumns& named, const ModulusFitOption
           columns_of_moduli(named, options.moduli)};
 }
 
-/// Returns the name of each sample and its rows.
+/// For each sample in a table, returns the name and the rows of the sample.
 std::vector<std::pair<std::string, std::vector<int>>> samples_of(const CsvTable& table,
                                                                  const std::string& name) {
   std::vector<std::pair<std::string, std::vector<int>>> samples;

@@ -64,7 +64,7 @@ struct NetworkRow {
   ForceCorrelation correlation;
   std::optional<Indeterminacy> hyperstaticity;
   CarryingForces carrying;
-  double energy = 0.0;  ///< elastic energy of the contacts per grain
+  double energy = 0.0;  ///< elastic energy of all contacts, divided by the number of grains
   std::optional<double> contact_pressure;
   double stress_spread;
   BondRow bonds;

@@ -213,7 +213,7 @@ std::vector<double> gaps_of(double diameter) {
   return gaps;
 }
 
-/// Returns, for each grain, whether it is a rattler. Forces below the tolerance of equilibrium of the state count as
+/// For each grain, returns whether it is a rattler. Forces below the tolerance of equilibrium of the state count as
 /// zero.
 template <int Dim>
 std::vector<bool> rattlers_of(const State<Dim>& state) {

@@ -39,7 +39,8 @@ Table cycle_table();
 int add_cycles(const PathTable& path, Table& table);
 
 /// Returns the main source of the standard error of a parameter in the law of dynamic compaction: "samples" (too few
-/// samples), "law" (misfit of the law) or "plateau" (choice of the samples that do not lie on the plateau).
+/// samples), "law" (misfit of the law) or "plateau" (choice of the samples that count as not lying on the plateau of
+/// the law).
 /// @param parts  parts of this standard error
 const char* limit_of(const CompactionErrorParts& parts);
 /// Returns a sample of dynamic compaction: its void ratio e, pressure p, cohesion sc = f_c/d^2 and stiffness

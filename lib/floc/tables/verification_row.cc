@@ -10,7 +10,8 @@ void add_verification_row(const std::string& file, const std::vector<Criterion>&
   for (const Criterion& c : criteria)
     if (!c.holds) failed += (failed.empty() ? "" : " ") + std::string(c.name);
   if (table.columns.empty()) table.columns = {"file", "equilibrium", "failed"};
-  // States of elastic grains and of rigid grains have different criteria. A table with both has the columns of both.
+  // States of elastic grains and states of rigid grains have different criteria. A table with both kinds of states has
+  // the columns of both kinds.
   std::vector<TableValue> row(table.columns.size());
   row[0] = file;
   row[1] = failed.empty();

@@ -38,7 +38,7 @@ struct SamplePath {
   std::vector<ObservedState> states;
   double core_seconds = 0.0;    ///< processor time of the assembly, the load path and the elastic moduli (s)
   double moduli_seconds = 0.0;  ///< processor time of computing the elastic moduli alone (s)
-  /// largest memory of the run, without that of the program (MB); NaN if not known
+  /// largest memory of the run (MB), not including the memory of the program itself; NaN if not known
   double memory = 0.0;
   std::string failure;  ///< reason why the run stopped early; empty if all its equilibria were reached
   bool out_of_time = false;
@@ -51,8 +51,8 @@ struct SamplePath {
 /// Makes a sample: assembles a packing from a gas, then takes it through every stage of the load path.
 /// @param moduli     method and tolerance for computing the elastic moduli
 /// @param reference  complete path with the strictest settings from the same seed, or null. If given, each stage
-///                   starts from the same state as on the reference path. States of the two paths can then
-///                   be compared one by one until the first collapse (sudden rearrangement of grains) in the stage.
+///                   starts from the same state as on the reference path. States of the two paths can then be
+///                   compared one by one until the first collapse (sudden rearrangement of grains) in the stage.
 /// @param deadline   deadline at which the run is stopped
 SamplePath make_sample(const RunOptions& options, const ModuliOptions& moduli, const SamplePath* reference,
                        const Deadline& deadline);

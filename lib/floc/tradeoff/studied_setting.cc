@@ -179,8 +179,8 @@ void add_softening(const Scene& scene, const StudiedSetting& base, Settings& lis
           list);
 }
 
-/// Adds settings with softer contact springs during the assembly only. On the load path the springs have their own
-/// stiffness.
+/// Adds settings with softer contact springs during the assembly only. On the load path, the springs have the stiffness
+/// of the contact law.
 void add_assembly_softening(const Scene& scene, const StudiedSetting& base, Settings& list) {
   if (scene.load.empty() || scene.starts_from_state()) return;
   for (const double factor : {10.0, 100.0})
@@ -214,8 +214,8 @@ void add_cell_mass(const Scene&, const StudiedSetting& base, Settings& list) {
         [&](StudiedSetting& s) { s.cell_mass_factor = factor; }, list);
 }
 
-/// Adds settings for scenes with walls: other criteria that end a compaction and, if the scene limits its duration,
-/// other time limits.
+/// Adds settings for scenes with walls: other criteria that end a compaction and, if the scene limits the duration of
+/// the compaction, other time limits.
 void add_end(const Scene& scene, const StudiedSetting& base, Settings& list) {
   using Criterion = CompactionEnd::Criterion;
   if (scene.relaxation.compaction.criterion != Criterion::settled)
@@ -394,8 +394,8 @@ RunOptions run_options(const Scene& scene, const StudiedSetting& setting, std::u
   options.seed = seed;
   options.text.clear();
   apply_settings(setting.numerical, options);
-  // A scene gives four tolerances, but a study varies only that of the forces. If a setting has the force tolerance of
-  // the scene, all four tolerances of the scene are used.
+  // A scene gives four tolerances, but a study varies only the tolerance of the forces. If a setting has the force
+  // tolerance of the scene, all four tolerances of the scene are used.
   if (setting.numerical.tolerance == scene.relaxation.tolerance.force)
     options.relaxation.tolerance = scene.relaxation.tolerance;
   options.relaxation.contact_dynamics = setting.contact_dynamics;

@@ -84,8 +84,8 @@ std::vector<StudiedSetting> studied_settings(const Scene& scene);
 /// numbers of grains.
 std::vector<StudiedSetting> lattice_settings(const Scene& scene);
 
-/// Returns the tolerance of a setting: the tolerance of equilibria or, in a study of a lattice, that of the solution of
-/// the lattice.
+/// Returns the tolerance of a setting: the tolerance of equilibria or, in a study of a lattice, the tolerance of the
+/// solution of the lattice.
 double tolerance_of(const StudiedSetting& setting);
 
 /// Returns the time step of a setting: NumericalSettings::time_step or, for rigid grains,

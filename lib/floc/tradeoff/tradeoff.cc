@@ -24,9 +24,9 @@ constexpr int kMinSpheres = 100;
 /// The number of grains is reduced until this number of samples fits into the budget with every setting. The error of a
 /// mean can only be estimated from two or more samples.
 constexpr double kSamplesWanted = 2.0;
-/// Processor time of a run with the strictest settings, divided by that of a run with the settings of the scene. This
-/// value is assumed until the ratio has been measured. With the strictest settings, time steps are shorter, and more
-/// time passes before a packing counts as at rest.
+/// Processor time of a run with the strictest settings, divided by the processor time of a run with the settings of the
+/// scene. This value is assumed until the ratio has been measured. With the strictest settings, time steps are shorter,
+/// and more time passes before a packing counts as at rest.
 constexpr double kReferenceCost = 4.0;
 /// Largest fraction of the processor time of the study that may be spent on runs. The rest is left for comparisons and
 /// fits.

@@ -31,7 +31,7 @@ struct MeasuredSetting {
   double moduli_seconds = 0.0;
   /// processor time of the samples, divided by the processor time with the strictest settings from the same seeds
   double cost_ratio = 0.0;
-  /// largest memory of a sample, without that of the program (MB); NaN if not known
+  /// largest memory of a sample (MB), not including the memory of the program itself; NaN if not known
   double memory = 0.0;
   ObservableErrors errors;
 };

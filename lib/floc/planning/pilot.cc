@@ -15,8 +15,8 @@
 namespace floc {
 namespace {
 
-/// Samples of two sizes are run: kSamples larger ones, on which the scatter is measured, and kSmallSamples smaller
-/// ones.
+/// Numbers of samples of two sizes: kSamples larger samples, on which the scatter is measured, and kSmallSamples
+/// smaller samples.
 constexpr int kSamples = 6, kSmallSamples = 3;
 /// Numbers of grains of a larger sample: of disks, and of spheres. A larger sample never has more grains than the
 /// scene.

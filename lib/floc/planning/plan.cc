@@ -195,7 +195,8 @@ class PlanSearch {
             ? fmt::format(
                   "a single sample of the smallest size, {} grains, takes {}: expected at least this budget",
                   sizes_.front(), duration_in_words(1.005 * least))
-            : "the table of prices has no settings with errors of all these quantities: expected fewer "
+            : "the table of prices has no settings for which the errors of all these quantities are known: "
+              "expected fewer "
               "quantities (--observables)");
   }
 

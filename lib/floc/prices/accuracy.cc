@@ -254,7 +254,7 @@ double settings_error(const PricedSettings& settings, const std::string& observa
   if (found == settings.of.end()) return std::numeric_limits<double>::quiet_NaN();
   const PriceRow& row = *found->second;
   // Soft springs change the mean, perhaps by more than the measured difference. Therefore the half width of the
-  // confidence interval is added to the difference in quadrature. For stiff springs, it is subtracted instead.
+  // confidence interval is added to the difference in quadrature. Without soft springs, it is subtracted.
   if (settings.settings.softening.any()) return std::hypot(row.mean_difference, row.mean_error);
   const double detected = std::isfinite(row.mean_error)
                               ? std::max(0.0, std::abs(row.mean_difference) - row.mean_error)

@@ -83,9 +83,8 @@ struct SolvedChain {
 std::vector<Vec<2>> bent_chain(int n, double bend);
 
 /// Solves the contact network of a chain for its compliances, with error bounds.
-/// @param branches  unit vectors from the centre of each disk to the centre of the next disk: one fewer than the number
-/// of
-///                  disks, which has to be in kChainLength. The last disk must not coincide with the first
+/// @param branches  unit vectors from the centre of each disk to the centre of the next disk: one fewer than the
+///                  number of disks, which has to be in kChainLength. The last disk must not coincide with the first
 /// @param R         radius of the disks (length), > 0
 /// @param k         stiffnesses of a contact
 /// @throws InputError if R or a stiffness is not positive, or if the last disk lies on the first

@@ -75,7 +75,8 @@ struct ElasticResponse {
   double residual = 0.0;
   /// estimated condition number of the stiffness matrix K; infinite if there are mechanisms
   double condition = 1.0;
-  /// false if rounding leaves no digit of `relaxed` correct, even with the square root of the stiffness matrix
+  /// false if rounding leaves no digit of `relaxed` correct, even if the square root of the stiffness matrix is
+  /// factorized
   bool resolved = true;
   /// Whether the solver counts negative eigenvalues and mechanisms. If it does not, `error` is an estimate instead of a
   /// bound.

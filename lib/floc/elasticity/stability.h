@@ -41,7 +41,7 @@ struct Stability {
 /// 1. If no contact has a negative stiffness, the number is zero.
 /// 2. If a factor would be too expensive, Lanczos' method searches for a motion of negative energy (test_positivity()).
 /// 3. If the matrix has a Cholesky factor, the number is zero.
-/// 4. Otherwise the number is the number of negative entries of the diagonal matrix S in the factorization L S L^T.
+/// 4. Otherwise it equals the number of negative entries of the diagonal matrix S in the factorization L S L^T.
 template <int Dim>
 [[nodiscard]] Stability stability(const ContactNetwork<Dim>& network, const StabilityOptions& options = {});
 

@@ -33,8 +33,8 @@ class LocalRows {
   double assemble(const std::vector<Vec<Dim>>& centres, ParallelSolver& solver) const;
 
   /// n_own() is the number of unknowns of the grains of this process. n_at_hand() also counts the unknowns of their
-  /// neighbours, which are those grains of other processes that touch a grain of this process. It is the size of u in
-  /// balance() and energies().
+  /// neighbours, which are those grains of other processes that touch a grain of this process. n_at_hand() is the size
+  /// of u in balance() and energies().
   Eigen::Index n_own() const { return kDofs<Dim> * static_cast<Eigen::Index>(n_grains_); }
   Eigen::Index n_at_hand() const { return kDofs<Dim> * static_cast<Eigen::Index>(at_hand_.size()); }
 

@@ -15,7 +15,7 @@ namespace {
 
 /// The first solution has to reduce the residual forces to the share kFirstReduction of their initial size. The
 /// remaining energy is then reduced to about the square of this share. A later solution never has to reduce the
-/// residual forces to a share below kLeastReduction, because rounding prevents it.
+/// residual forces to a share below kLeastReduction, because rounding prevents a further reduction.
 constexpr double kFirstReduction = 1e-6;
 constexpr double kLeastReduction = 1e-8;
 /// The grains are relaxed in rounds: each round solves for the residual forces that the previous round has left. There

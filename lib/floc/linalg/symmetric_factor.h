@@ -29,8 +29,8 @@ class SymmetricFactor {
   /// kept.
   /// @param lower  lower triangle of A, column-major; entries above the diagonal are ignored
   /// @param group  number of the group (grain) to which each unknown belongs, ascending from 0. The unknowns of a group
-  ///               are placed together in the elimination order. This makes the search for an order faster by the square
-  ///               of the group size, and no sparsity of the factor is lost. If empty, each unknown forms a group
+  ///               are placed together in the elimination order. This makes the search for an order faster by the
+  ///               square of the group size, and no sparsity of the factor is lost. If empty, each unknown forms a group
   /// @throws std::runtime_error if memory runs out
   void set_matrix(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& group = {});
 

@@ -91,7 +91,7 @@ struct DeclaredObservable {
 };
 
 /// Returns all observables, in the order of `Observable`. New observables are added at the end, because tables and
-/// scripts may rely on the order of the earlier ones.
+/// scripts may rely on the order of earlier observables.
 const std::array<DeclaredObservable, kObservables>& declared_observables();
 
 /// Returns the names of all observables.

@@ -37,7 +37,7 @@ bool applies_to_cells(const Scene& scene) {
   return !scene.assembly.box;
 }
 
-/// Whether equilibria of the scene can be completed by Newton's method. It is possible for elastic grains in periodic
+/// Whether equilibria of the scene can be completed by Newton's method. This is possible for elastic grains in periodic
 /// cells. In packings between walls, grains always move until they reach equilibrium.
 bool applies_to_newton(const Scene& scene) {
   return applies_to_elastic(scene) && applies_to_cells(scene);

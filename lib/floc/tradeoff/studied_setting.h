@@ -31,7 +31,7 @@ struct StudiedSetting {
   double rate_cap_factor = 1.0;   ///< factor by which every cap on the strain rate of the cell is multiplied
   double cell_mass_factor = 1.0;  ///< factor by which the mass of the cell is multiplied on the load path
   double steps_factor = 1.0;      ///< factor by which the numbers of steps per decade are multiplied
-  int n_grains = 0;               ///< number of grains; 0 for the number of the scene
+  int n_grains = 0;               ///< number of grains; 0: number of grains of the scene
   ModuliOptions moduli;
   /// settings of the lattice; present only in a study of cemented grains
   std::optional<LatticeSettings> lattice;

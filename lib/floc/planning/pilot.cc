@@ -28,7 +28,8 @@ constexpr double kLeastExponent = 1.1, kLargestExponent = 1.5;
 constexpr double kLeastFarExponent = 0.8, kLargestFarExponent = 2.0;
 /// Expected processor time of the sample with many more grains, divided by the time that the pilot has left.
 constexpr double kShareOfManyGrains = 0.5;
-/// Limits of the number of grains of this sample, divided by the number of grains of a larger sample.
+/// Limits of the number of grains of the sample with many more grains, divided by the number of grains of a larger
+/// sample.
 constexpr double kLeastGrowth = 2.0, kLargestGrowth = 20.0;
 
 /// Runs the k-th sample with the settings of the scene.
@@ -58,7 +59,7 @@ std::vector<SamplePath> samples(const Scene& scene, int n_grains, int n_samples,
   return paths;
 }
 
-/// Returns the exponent of the processor time between two numbers of grains.
+/// Returns the exponent with which the processor time grows between two numbers of grains.
 double exponent_between(double seconds, double more_seconds, double ratio_of_grains) {
   return std::log(more_seconds / seconds) / std::log(ratio_of_grains);
 }

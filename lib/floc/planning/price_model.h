@@ -46,8 +46,9 @@ struct PilotResult {
 
 /// Model of the cost and the errors of runs of a scene, as functions of the number of grains, the number of samples and
 /// the settings. It extrapolates from a table of prices, from a pilot, or from both. If both are given, the processor
-/// time comes from the pilot, and the dependence of the processor time on the settings from the table. Its dependence
-/// on the number of grains comes from the source with the larger samples. The scatters from both sources are pooled.
+/// time comes from the pilot, and the dependence of the processor time on the settings from the table. The dependence
+/// of the processor time on the number of grains comes from the source with the larger samples. The scatters from both
+/// sources are pooled.
 ///
 /// 1. The processor time of a sample of N grains is proportional to N^p (1 - b + b n/n0) for a run with n equilibria,
 /// where n0 is the number of equilibria in the table and b the fraction of the time that is proportional to this

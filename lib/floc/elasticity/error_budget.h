@@ -34,7 +34,7 @@ struct ErrorBudget {
   const char* limit() const;
 };
 
-/// Computes the error budget of the bulk modulus B.
+/// Computes the contributions to the error of the bulk modulus B.
 /// @param network  contact network from which the moduli were computed
 /// @param moduli   moduli of that network
 /// @param step     response of that network to an isotropic step of stress; null if there is none

@@ -13,7 +13,7 @@
 
 namespace floc {
 
-/// Kind of a mode, an eigenvector of the stiffness matrix, according to its eigenvalue.
+/// Kind of a mode (an eigenvector of the stiffness matrix), according to the eigenvalue of the mode.
 enum class ModeKind {
   unstable,   ///< eigenvalue below zero
   mechanism,  ///< eigenvalue zero within rounding errors (free motions, see FreeMotions, do not count as modes)

@@ -247,7 +247,7 @@ void set_midpoint_of_bounds(int n_strains, Moduli& m) {
 }
 
 /// Returns whether the normal stresses along the axes are equal. Shear stresses have no influence on the bulk modulus
-/// under imposed stress, B_S, because it is defined with the shear strains fixed at zero.
+/// under imposed stress, B_S, because B_S is defined with the shear strains fixed at zero.
 template <int Dim>
 bool is_isotropic(const Mat<Dim>& stress, double pressure) {
   const Vec<Dim> deviator = stress.diagonal() - Vec<Dim>::Constant(pressure);

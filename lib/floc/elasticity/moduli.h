@@ -13,7 +13,8 @@ namespace floc {
 
 class ParallelSolver;
 
-/// Method by which the moduli are computed. It determines their cost, and whether their errors are bounds or estimates.
+/// Method by which the moduli are computed. The method determines the cost of the moduli, and whether their errors are
+/// bounds or estimates.
 enum class ModuliMethod {
   factor,  ///< Cholesky factor in double precision; gives error bounds
   /// Cholesky factor in single precision, with refinement in double precision; needs half the memory and gives error

@@ -62,9 +62,9 @@ template <int Dim>
                                   const StabilityOptions& options = {});
 
 /// Tests the stability of a packing at rest. Stability is a condition of equilibrium.
-/// - With liquid bridges, the test includes the geometric terms of the forces: the length r of a bridge is comparable
-///   to the length over which its force F decays, and its transverse stiffness F/r may exceed the magnitude of its
-///   negative normal stiffness.
+/// - With liquid bridges, the test includes the geometric terms of the forces. The length r of a bridge is comparable
+///   to the length over which the force F of the bridge decays. Therefore the transverse stiffness F/r may exceed the
+///   magnitude of the negative normal stiffness.
 /// - Without liquid, the geometric terms are left out, because the range of the attraction is short compared with r.
 template <int Dim>
 [[nodiscard]] Stability stability_at_rest(const Packing<Dim>& packing);

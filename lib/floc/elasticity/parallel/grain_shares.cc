@@ -10,8 +10,8 @@ namespace {
 /// Groups of at most this number of grains are not sorted, because the data of so few grains fit into a cache.
 constexpr std::size_t kLeaf = 32;
 
-/// Moves the `n_low` grains with the lowest coordinates to the front. The coordinates are those along the longest side
-/// of the box around all given grains.
+/// Moves the `n_low` grains with the lowest coordinates to the front. The coordinates are measured along the longest
+/// side of the box around all given grains.
 /// @param n_low  number of grains to move to the front
 template <int Dim>
 void split(const std::vector<Vec<Dim>>& centres, std::span<int> grains, std::size_t n_low) {

@@ -86,7 +86,7 @@ class LocalRows {
   // first the grains of this process in the order of their rows, then those grains of other processes that touch a
   // grain of this process
   std::vector<int> at_hand_;
-  std::vector<int> place_;     // for each grain, its index in `at_hand_`; -1 if it is not there
+  std::vector<int> place_;     // index of each grain in `at_hand_`; -1 for grains that are not listed there
   std::vector<int> contacts_;  // contacts of the grains of this process
   std::vector<int> of_start_,
       // contacts of the grains of this process, listed grain by grain; `of_start_` contains, for each grain, the index

@@ -8,9 +8,9 @@ namespace floc {
 /// call in a process has an effect.
 /// 1. The library is limited to one thread. Sums in a fixed order then give the same bits in every run, and
 ///    simultaneous runs of floc do not oversubscribe the machine.
-/// 2. If OpenBLAS does not know the processor, it would use SSE3 instructions, which are five times slower.
-///    This function makes OpenBLAS use the widest vector instructions of the processor, unless the environment variable
-///    OPENBLAS_CORETYPE is set.
+/// 2. If OpenBLAS does not know the processor, it uses SSE3 instructions, which are five times slower. In this case,
+///    the widest vector instructions of the processor are selected, unless the environment variable OPENBLAS_CORETYPE
+///    is set.
 void prepare_blas();
 
 /// Returns the path of the BLAS library of this process, followed by the type of processor for which the library has

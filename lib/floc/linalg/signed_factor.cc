@@ -185,7 +185,7 @@ class SignedFactorization {
   std::vector<double> sign_;
   std::vector<int> place_;  // for each row of the matrix: place among the rows of the current supernode
   std::vector<int> owner_;  // for each column of the matrix: number of the supernode
-  // for each supernode: first in the list of the supernodes that will be subtracted from it
+  // for each supernode s, the first entry of the list of supernodes that will be subtracted from s
   std::vector<int> first_waiting_;
   std::vector<int> next_waiting_;
   // for each eliminated supernode: first row that has not been subtracted from a later supernode yet

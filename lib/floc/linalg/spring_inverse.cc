@@ -17,8 +17,8 @@ constexpr double kSuspiciousCondition = 1e12;
 /// Tolerances of the factorization of sqrt(k) A by SuiteSparseQR, tried one after another until the factor is accurate.
 /// Consider the component of a column of sqrt(k) A that is orthogonal to the previous columns, divided by the norm of
 /// sqrt(k) A. The column counts as a mechanism if the length of this component is below the tolerance. For a mechanism,
-/// rounding gives it a length of 1e-15, or more if many columns are nearly dependent. For the softest chain of springs
-/// that double precision resolves, it is longer than the first tolerance.
+/// rounding gives this component a length of 1e-15, or more if many columns are nearly dependent. For the softest chain
+/// of springs that double precision resolves, the component is longer than the first tolerance.
 constexpr double kDependent[] = {1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8};
 /// Bound on the relative rounding error of the triangular factor R of sqrt(k) A = Q R: each entry of R is a sum of some
 /// tens of products.

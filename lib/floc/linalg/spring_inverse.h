@@ -33,8 +33,8 @@ std::optional<SpringInverse> invert_positive(SymmetricFactor& factor);
 /// @param mechanism_bound   largest absolute eigenvalue of K that counts as zero
 /// @param mechanism_length  In case 1, consider the component of a column of sqrt(k) A that is orthogonal to other
 /// columns, divided by the norm of sqrt(k) A. If the length of this component is at most `mechanism_length`, the
-/// unknown of the column counts as a mechanism. With 0, it counts as a mechanism only if the component is a rounding
-/// error.
+/// unknown of the column counts as a mechanism. With 0, the unknown counts as a mechanism only if the component is a
+/// rounding error.
 SpringInverse invert_singular(SymmetricFactor& factor, const SpringSystem& springs, double mechanism_bound,
                               double mechanism_length = 0.0);
 

@@ -30,12 +30,13 @@ class SymmetricFactor {
   /// @param lower  lower triangle of A, column-major; entries above the diagonal are ignored
   /// @param group  number of the group (grain) to which each unknown belongs, ascending from 0. The unknowns of a group
   ///               are placed together in the elimination order. This makes the search for an order faster by the
-  ///               square of the group size, and no sparsity of the factor is lost. If empty, each unknown forms a group
+  ///               square of the group size, and no sparsity of the factor is lost. If `group` is empty, each unknown
+  ///               forms a group
   /// @throws std::runtime_error if memory runs out
   void set_matrix(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& group = {});
 
   /// Predicts the cost of factorize_positive(), which is also the cost of factorize_indefinite(). Only the symbolic
-  /// analysis is made, which is kept for the factorization; no memory is allocated for the factor.
+  /// analysis is made; its result is kept for the factorization. No memory is allocated for the factor.
   FactorCost predicted_cost();
 
   /// Factorizes A + shift * 1 as L L^T.

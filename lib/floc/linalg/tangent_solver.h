@@ -38,8 +38,8 @@ struct TangentPlan {
 TangentPlan plan_tangent(const Eigen::SparseMatrix<double>& tangent, const TangentLayout& layout);
 
 /// Solver for the linear systems of successive Newton steps. All matrices have the same pattern. The block of the
-/// grains should be nearly symmetric and positive definite, which it is unless many contacts slide. If BiCGSTAB does
-/// not converge and TangentPlan::lu_at_need is true, an LU factor replaces BiCGSTAB.
+/// grains should be nearly symmetric and positive definite. This holds unless many contacts slide. If BiCGSTAB does not
+/// converge and TangentPlan::lu_at_need is true, an LU factor replaces BiCGSTAB.
 class TangentSolver {
  public:
   TangentSolver(const TangentPlan& plan, const TangentLayout& layout);

@@ -314,8 +314,8 @@ class Springs final : public RelaxedSprings<Dim> {
     if (slope >= 0.0) return true;
     double
         square = 0.0,
-        // Energy of the two-sided springs: after a step of t times the direction, its slope along the direction is
-        // linear + t * square.
+        // After a step of t times the direction, the slope of the energy of the two-sided springs along the direction
+        // is linear + t * square.
         linear = slope;
     // for each one-sided spring: overlap, change of the overlap per unit step along the direction, stiffness
     std::vector<std::array<double, 3>> one_sided;

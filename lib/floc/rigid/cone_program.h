@@ -11,19 +11,22 @@ namespace floc {
 ///
 ///     minimise  1/2 x' Q x + c' x + 1/2 y' S y    subject to    A x + S y = b,    x_k in K for each block k,
 ///
-/// where block x_k of x has Dim entries and K = {v : |(v_1, ..)| <= v_0} is the second-order cone. Two problems have
-/// this form. The first problem is to find the forces of rigid grains at rest: S = 0, and x_k = (P, t/mu) for contact
-/// k, with the repulsive normal force P, the tangential force t and the friction coefficient mu; A x = b is the balance
-/// of forces and moments of every grain and of the stress of the cell. The second problem is to find the impulses of a
-/// time step: S contains the masses, and A x + S y = b is the balance of momentum (implicit_step.h).
+/// where block x_k of x has Dim entries (v_0, v_1, ..), and K = {v : |(v_1, ..)| <= v_0} is the second-order cone. Q
+/// and S are symmetric and positive semidefinite.
 ///
-/// A is stored block by block: `row` and `coefficient` list the entries of block k, which have the indices first[k] to
-/// first[k + 1] - 1. The entries of one block have different rows.
+/// Two problems have this form. The first problem is to find the forces of rigid grains at rest. In this case S = 0,
+/// and x_k = (P, t/mu) for contact k, with the repulsive normal force P, the tangential force t and the friction
+/// coefficient mu. A x = b are the balances of forces and moments on every grain, and the condition that the forces
+/// give the stress of the cell. The second problem is to find the impulses of a time step. In this case S contains the
+/// masses, and A x + S y = b is the balance of momentum (implicit_step.h).
+///
+/// A is stored block by block. The entries of block k are the elements first[k] to first[k + 1] - 1 of `row` and
+/// `coefficient`. The entries of one block have different rows.
 template <int Dim>
 struct ConeProgram {
   std::vector<int> first{0};
   std::vector<int> row;
-  /// coefficients of the entries of A; an entry has the Dim coefficients of one block in one row
+  /// coefficients of each entry of A: the Dim coefficients of one block in one row
   std::vector<Vec<Dim>> coefficient;
   /// number of the group (grain) of each row, ascending; the rows of a group are eliminated together
   std::vector<int> group;

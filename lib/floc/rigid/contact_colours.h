@@ -11,7 +11,7 @@ namespace floc {
 /// not fit into another colour, and these may share a body.
 struct ContactColours {
   std::vector<int> contacts;  ///< indices of the contacts, in the order of their colours
-  /// for each colour, the index in `contacts` of its first contact; the last element is the number of contacts
+  /// for each colour, the position of its first contact in `contacts`; the last element is the number of contacts
   std::vector<int> start;
 
   int n_colours() const { return static_cast<int>(start.size()) - 1; }

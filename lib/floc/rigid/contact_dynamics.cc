@@ -37,10 +37,10 @@ constexpr int kMostHalvings = 5;
 constexpr double kShortestStep = 1e-3;
 /// Share of an overlap that a step removes if the step is solved by sweeps.
 constexpr double kStabilisation = 0.1;
-/// Overlap, divided by the diameter of the smaller grain, that is not removed if impacts are elastic. Its removal would
-/// add energy.
+/// If impacts are elastic, this part of each overlap (divided by the diameter of the smaller grain) is not removed. Its
+/// removal would add energy.
 constexpr double kElasticOverlap = 5e-3;
-/// Shortest time, divided by the longest time step, in which an overlap is removed.
+/// Shortest time in which an overlap is removed, divided by the longest time step.
 constexpr double kShortestRemoval = 0.125;
 /// If the largest displacement in a step is less than this share of its limit, the next time step is doubled.
 constexpr double kTimid = 0.4;
@@ -114,7 +114,8 @@ ContactDynamics<Dim>::ContactDynamics(Packing<Dim> packing, const BoundaryLoad<D
   find_contacts(packing_);
 }
 
-/// Replaces the contacts of a packing by all contact points within reach, and gives them the present forces.
+/// Replaces the contacts of a packing by all contact points within reach. The new points get the forces of the old
+/// contacts.
 template <int Dim>
 void ContactDynamics<Dim>::find_contacts(Packing<Dim>& packing) {
   std::vector<Contact<Dim>> contacts = points_.find(packing, reach());
@@ -176,9 +177,9 @@ double ContactDynamics<Dim>::terminal_speed(const Wall<Dim>& wall) const {
   return closing / static_cast<double>(std::ranges::count_if(packing_.walls, shares));
 }
 
-/// Adds the walls to the bodies of a step. The equation of motion of a wall is M v' = F - P A - (P A/V) v, with its
-/// mass M, its area A, its outward velocity v, the force F of the grains, the imposed pressure P and the terminal speed
-/// V. The last term is a drag.
+/// Adds the walls to the bodies of a step. The equation of motion of a wall is M dv/dt = F - P A - (P A/V) v, with the
+/// mass M, the area A and the outward velocity v of the wall, the force F of the grains, the imposed pressure P and the
+/// terminal speed V. The last term is a drag.
 template <int Dim>
 void ContactDynamics<Dim>::add_walls(double dt, bool at_rest, BodyMotion<Dim>& bodies) const {
   for (const Wall<Dim>& wall : packing_.walls) {
@@ -196,9 +197,9 @@ void ContactDynamics<Dim>::add_walls(double dt, bool at_rest, BodyMotion<Dim>& b
   }
 }
 
-/// Sets the rate of stretch of the cell in the bodies of a step. For a side under stress, the equation of motion is M_a
-/// L' = V (sigma_a - P_a) - (V P_a/E) L, with the inertia M_a, the rate of stretch L, the volume V, the stress sigma_a
-/// of the contacts, the imposed stress P_a and the cap E on the strain rate. Without contacts, L tends to -E.
+/// Sets the rate of stretch of the cell in `bodies`. For a side under stress along axis a, the equation of motion of
+/// the rate of stretch L is M_a dL/dt = V (sigma_a - P_a) - (V P_a/E) L, with the inertia M_a, the volume V, the stress
+/// sigma_a of the contacts, the imposed stress P_a and the cap E on the strain rate. Without contacts, L tends to -E.
 template <int Dim>
 void ContactDynamics<Dim>::add_cell(double dt, bool at_rest, BodyMotion<Dim>& bodies) const {
   const double volume = packing_.cell.volume();
@@ -242,8 +243,9 @@ double ContactDynamics<Dim>::removal_time(double dt) const {
 }
 
 /// Returns the contact points as contacts of a step, with the impulses of the last step as initial values. If impacts
-/// are elastic, points with a gap are left out unless their adhesion acts. With these points, the step would reduce the
-/// velocity of approach until the gap just closes, and the restitution could no longer use the original velocity.
+/// are elastic, points with a gap are left out unless their adhesion acts. Otherwise the step would reduce the velocity
+/// of approach so far that the gap only just closes. The velocity before the impact, from which the restitution is
+/// computed, would be lost.
 template <int Dim>
 std::vector<StepContact<Dim>> ContactDynamics<Dim>::step_contacts(double dt, double removed,
                                                                   std::vector<int>& source) const {
@@ -276,8 +278,9 @@ std::vector<StepContact<Dim>> ContactDynamics<Dim>::step_contacts(double dt, dou
           kStabilisation * std::min(0.0, c.gap + kElasticOverlap * 2.0 * smaller_radius(packing_, c)) / removal;
     else
       k.bias[0] += c.gap > 0.0 ? c.gap / dt : removed * c.gap / removal;
-    // An impact of rigid grains in a short step leaves large forces. Multiplied by a longer step, they would give too
-    // large impulses, so the forces are multiplied by the shorter of the last and the present time step.
+    // If rigid grains collide in a short step, the recorded forces (impulse divided by time step) are large. Multiplied
+    // by a longer step, these forces would give too large impulses. The forces are therefore multiplied by the shorter
+    // of the last and the present time step.
     const double known = rigid ? std::min(dt, last_step_) : dt;
     k.impulse = -known * (k.frame.transpose() * c.shear_force);
     k.impulse[0] = known * c.elastic_force;
@@ -337,8 +340,8 @@ double ContactDynamics<Dim>::largest_share_moved(const Trial& trial, double dt, 
   return largest;
 }
 
-/// Returns the packing at the end of a step. The contacts are those at the start of the step, with the forces of the
-/// step.
+/// Returns the packing at the end of a step. Its contacts are the contacts at the start of the step, with the forces of
+/// the step.
 template <int Dim>
 Packing<Dim> ContactDynamics<Dim>::moved(const Trial& trial, double dt) const {
   Packing<Dim> out = packing_;
@@ -439,8 +442,8 @@ void ContactDynamics<Dim>::step(bool at_rest) {
     const double share = largest_share_moved(trial, dt, method);
     if (share > 1.0) {
       dt *= 0.5;
-      // A shorter step alone does not reduce the displacements that remove overlaps, so only half of each overlap is
-      // removed.
+      // A shorter step does not reduce the displacements that remove overlaps. The share of each overlap that is
+      // removed is therefore halved, too.
       if (method.at_once) method.removed *= 0.5;
       continue;
     }

@@ -23,8 +23,8 @@ struct BoundaryLoad {
   /// For each axis, whether the side of the cell moves under the stress; not used for axes with walls.
   std::array<bool, Dim> under_stress = {};
   double cell_mass = 1.0;  ///< mass of a side of the cell divided by the mass of all grains
-  /// Terminal strain rate |L'/L|, where L is a side of the cell or the distance of two walls (1/time). Without
-  /// contacts, the length L finally shrinks at this rate, because a drag acts on the side or on the walls.
+  /// Terminal strain rate |(dL/dt)/L|, where L is the length of a side of the cell or the distance of two walls
+  /// (1/time). A drag acts on the side or on the walls, so that without contacts L finally shrinks at this rate.
   double strain_rate_cap = std::numeric_limits<double>::infinity();
   /// Terminal speed at which two walls finally approach each other without contacts (length/time). If no value is
   /// given, the speed is strain_rate_cap times the distance of the walls.
@@ -38,16 +38,16 @@ struct ContactDynamicsSettings {
   double sweep_tolerance;
   int max_sweeps;  ///< largest number of sweeps in a step
   double restitution = 0.0;
-  /// Impacts with a smaller rate of approach are inelastic (length/time). Without this limit, grains that gravity moves
-  /// towards other grains within each step would never come to rest.
+  /// Impacts with a rate of approach below this limit are inelastic (length/time). In each step, gravity moves grains
+  /// towards the grains below them. Without the limit, these impacts would be elastic, and the grains would never come
+  /// to rest.
   double slow_impact = 0.0;
   int threads = 1;
   /// Whether the contacts of a step are solved all at once (implicit_step.h) and not by sweeps. If so, overlaps are
   /// removed in one step, and the velocities of all grains are set to zero whenever the grains, as a whole, reverse
   /// their motion. The grains then come to rest faster than if their velocities were set to zero before each step.
   bool at_once = false;
-  /// Whether steps in 3D that are solved at once use separating plates (separating_plates.h). The grains must have
-  /// corners, and neither friction nor adhesion.
+  /// Not used.
   bool plates = false;
 };
 
@@ -59,8 +59,8 @@ struct ContactDynamicsSettings {
 /// smaller grain (0.1 if the contacts are elastic).
 ///
 /// The contacts of the packing are all contact points whose gap could close within one step. The forces of the contacts
-/// are those of the last step (impulses divided by the time step); the initial impulses of the next step are computed
-/// from these forces.
+/// are the impulses of the last step, divided by the time step. The initial impulses of the next step are computed from
+/// these forces.
 template <int Dim>
 class ContactDynamics {
  public:
@@ -79,7 +79,7 @@ class ContactDynamics {
   /// Sets the velocity of the cell (length/time). For sides under stress, `velocity` is the velocity at the start of
   /// the next step; all other sides keep `velocity` in later steps.
   void set_cell_velocity(const Mat<Dim>& velocity) { packing_.cell.velocity = velocity; }
-  /// Limits the length of the next step (time).
+  /// Limits the length of the next step to at most `longest` (time).
   void shorten_next_step(double longest) { time_step_ = std::min(time_step_, longest); }
 
   /// Finds the forces of the next step without moving the grains. Afterwards the contacts of the packing have these
@@ -106,7 +106,7 @@ class ContactDynamics {
   struct Trial {
     BodyMotion<Dim> motion;
     std::vector<StepContact<Dim>> contacts;
-    std::vector<int> source;  ///< index of each contact of the step in the contacts of the packing
+    std::vector<int> source;  ///< for each contact of the step, its index in Packing::contacts
     SweepResult sweeps;
   };
 

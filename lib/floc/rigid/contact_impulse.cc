@@ -53,8 +53,8 @@ struct Slip {
     Vec<2> p = at(0.0);
     if (p.norm() <= radius) return axes * p;
     if (radius == 0.0) return Vec<2>::Zero();
-    // Newton's method finds the shift at which 1/|p| = 1/radius. It converges from one side and does not overshoot the
-    // root.
+    // Newton's method finds the shift of the eigenvalues at which 1/|p| = 1/radius. The iterates converge from one side
+    // and do not overshoot the root.
     double shift = 0.0;
     for (int n = 0; n < kMostSteps; ++n) {
       const double size = p.norm();
@@ -78,8 +78,8 @@ Vec<3> sliding_impulse(const ContactProblem<3>& problem, const Vec<3>& /*stickin
     return out;
   };
   const auto normal_velocity = [&](const Vec<3>& p) { return a.row(0).dot(p) + problem.velocity[0]; };
-  // At P = 0 the bodies approach each other; at a large enough P they move apart. The root between these two values is
-  // found by the Illinois method (modified regula falsi).
+  // At P = 0 the bodies approach each other; at a large enough P they move apart. Between these two values of P, the
+  // Illinois method (modified regula falsi) finds the P at which the normal velocity is zero.
   double low = 0.0, f_low = problem.velocity[0], high = -problem.velocity[0] / a(0, 0);
   Vec<3> p = impulse_at(high);
   double f_high = normal_velocity(p);

@@ -32,8 +32,8 @@ struct PackedInertia<3> {
   }
 };
 
-/// Contacts of bodies of any shape, at any points of their surfaces. In 3D the tangents of a record are the axes in
-/// which the matrix of the response to tangential impulses is diagonal.
+/// Contacts of bodies of any shape, at any points of their surfaces (a model, see packed_contacts.h). In 3D the
+/// tangents of a contact are the axes in which the matrix of the response to tangential impulses is diagonal.
 template <int Dim, bool Cell>
 struct CoupledContacts {
   static constexpr int kDim = Dim;
@@ -135,8 +135,8 @@ struct CoupledContacts {
     u -= cross<double>(i.angular_velocity, c.arm_i);
     c.add_velocity(stretch, u);
     Vec<Dim> q = c.frame.transpose() * u;
-    // The velocities of the bodies contain the effect of the present impulse, but `response` also contains the
-    // compliance. The effect is subtracted without the compliance.
+    // The effect of the present impulse on the velocities of the bodies is subtracted. `response` is the sum of this
+    // effect and of the compliance, so the compliance is added again.
     q += c.bias - c.response.times(c.impulse) + c.tangential_compliance * c.impulse;
     q[0] += (c.normal_compliance - c.tangential_compliance) * c.impulse[0];
     return q;

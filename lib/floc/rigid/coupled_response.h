@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Solution of ContactProblem for one response A and many velocities q. All quantities that depend only on A are
-/// computed once. The impulses agree with those of contact_impulse().
+/// Solves ContactProblem for one response A and many velocities q. All quantities that depend only on A are computed
+/// once. The results agree with those of contact_impulse().
 template <int Dim>
 class CoupledResponse;
 
@@ -40,8 +40,8 @@ class CoupledResponse<2> {
     const double stick_t = stick_(1, 0) * q[0] + stick_(1, 1) * q[1];
     const int up = stick_t > 0.0;
     const double slide_n = q[0] * slide_normal_[up], slide_t = q[0] * slide_tangent_[up];
-    // `outside` is positive if the sticking impulse is outside Coulomb's cone. It matters only for q[0] < 0; stick_n
-    // can then be negative only if stick_t is not zero, so `outside` is positive in this case, too.
+    // `outside` is positive if the sticking impulse is outside Coulomb's cone. This also holds for stick_n < 0: if q[0]
+    // < 0, a negative stick_n occurs only together with stick_t != 0. For q[0] >= 0, `outside` is not used.
     const double outside = std::abs(stick_t) - friction_ * stick_n;
     const double p_n = outside > 0.0 ? slide_n : stick_n, p_t = outside > 0.0 ? slide_t : stick_t;
     return {q[0] < 0.0 ? p_n : 0.0, q[0] < 0.0 ? p_t : 0.0};
@@ -60,8 +60,8 @@ class CoupledResponse<2> {
 /// An impulse with slip u_t = -s p_t, s >= 0, solves (A + diag(0, s, s)) p = -q. By Cramer's rule its components are P
 /// = N_n(s)/D(s) and p_t = N_t(s)/D(s), where D is positive, N_n is quadratic and N_t is linear in s. A contact sticks
 /// if s = 0. It slides if s is the root of h(s) = 1 with h = mu N_n/|N_t|. If A is isotropic in the tangents and does
-/// not couple the tangents to the normal, h is linear in s; in other cases Newton's method usually takes few steps. The
-/// method starts from the s of the previous call.
+/// not couple the tangents to the normal, h is linear in s. In other cases Newton's method usually finds the root in a
+/// few steps, starting from the root of the previous call.
 template <>
 class CoupledResponse<3> {
  public:
@@ -126,7 +126,7 @@ class CoupledResponse<3> {
   }
 
   Vec<3> sliding_impulse(double q_n, const Numerators& of) {
-    // The root lies between `low`, at which the impulse is outside the cone, and `high`.
+    // The root lies between `low`, where the impulse is outside the cone, and `high`, where it is inside.
     double low = 0.0, high = kUnbounded, s = slip_;
     Vec<2> direction = Vec<2>::Zero();
     for (int n = 0; n < kMostSteps; ++n) {
@@ -162,7 +162,7 @@ class CoupledResponse<3> {
   Vec<2> coupling_, tangential_;
   double friction_;
   double inverse_determinant_;  // 1/D(0)
-  double slip_ = 0.0;           // value of s of the last impulse that slid
+  double slip_ = 0.0;           // value of s in the last solution with slip
 };
 
 }  // namespace floc

@@ -9,7 +9,8 @@
 namespace floc {
 namespace {
 
-/// Largest difference of a tangential force from Coulomb's limit, divided by this limit, at which it counts as sliding.
+/// A contact counts as sliding if its tangential force differs from Coulomb's limit by at most this fraction of the
+/// limit.
 constexpr double kAtSpringLimit = 1e-12;
 
 }  // namespace

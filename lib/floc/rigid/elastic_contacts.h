@@ -15,8 +15,8 @@ template <int Dim>
 void add_springs(const Packing<Dim>& packing, const Contact<Dim>& contact, double dt, StepContact<Dim>& step);
 
 /// Gives the contacts of a packing the forces of their contact law: the normal forces that follow from the gaps, and
-/// the present tangential forces, reduced to Coulomb's limit if they exceed it. The springs get these forces, too.
-/// Contacts with a gap get no force.
+/// the present tangential forces, reduced to Coulomb's limit if they exceed it. The springs of the contacts are set to
+/// give these forces. Contacts with a gap get no force.
 /// @pre as for add_springs()
 template <int Dim>
 void set_spring_forces(Packing<Dim>& packing);

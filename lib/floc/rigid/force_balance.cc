@@ -12,8 +12,8 @@
 namespace floc {
 namespace {
 
-/// Coefficients below this value count as rounding errors, in units in which the coefficients of the balance of forces
-/// are one. For example, the moment of a normal force on a round grain is not exactly zero.
+/// Smaller coefficients count as rounding errors, after rows are divided by scale(). For example, the lever arm of a
+/// normal force on a round grain is not exactly zero.
 constexpr double kNoCoefficient = 1e-12;
 
 /// All rows of the balance and their loads. Rows without coefficients are left out later.
@@ -228,7 +228,7 @@ ForceBalance<Dim> force_balance(const std::string& place, const Packing<Dim>& pa
   if (out.unknowns.empty())
     throw InputError(place, "no contact can carry a force, so there are no forces to balance");
 
-  // Unless a stress is given, the load in the rows of the boundary is that of the present forces.
+  // Unless a stress is given, the load in the rows of the boundary is computed from the present forces.
   Eigen::VectorXd& load = rows.load();
   const auto add = [&](const NetworkContact<Dim>& c, const Vec<Dim>& force, double sign, int from) {
     rows.for_each_row(c, [&](int row, const Vec<Dim>& coefficient) {

@@ -26,8 +26,8 @@ struct ForceBalanceOptions {
   /// Axes along which the length of the cell is fixed; used only with `axis_stress`. The stress on these axes is
   /// arbitrary.
   std::array<bool, Dim> open_axis = {};
-  /// Force of the grains on each wall, in the order of Packing::walls (force); absent for a wall on which any force is
-  /// allowed. Without this list, the force on each pair of walls is that of the present forces.
+  /// Required force of the grains on each wall, in the order of Packing::walls (force); absent for a wall on which any
+  /// force is allowed. Without this list, the required force on each pair of walls follows from the present forces.
   std::optional<std::vector<std::optional<double>>> wall_force = {};
 
   /// Returns the faults of the options, each as "key = value: requirement"; empty if the options are valid.
@@ -39,8 +39,8 @@ struct BalanceError {
   double force = 0.0;  ///< largest net force on a grain, divided by the mean normal force
   /// largest net moment on a grain, divided by the product of the mean normal force and the size of the grain
   double moment = 0.0;
-  /// largest error of a component of the stress, divided by the pressure that would act if all contacts had the mean
-  /// normal force
+  /// largest error of a component of the stress, divided by the pressure for contacts that all have the mean normal
+  /// force
   double stress = 0.0;
 };
 
@@ -70,8 +70,8 @@ struct ForceBalance {
   std::vector<bool> row_is_moment;  ///< for each row, whether it is a balance of moments
   /// unit of the forces in the program, close to the mean normal force (force)
   double unit = 1.0;
-  /// Typical load of a row of the boundary, in units of the program: the load if all contacts had the mean normal
-  /// force.
+  /// Typical load of a row of the boundary, in units of the program: the load for contacts that all have the mean
+  /// normal force.
   double unit_of_boundary = 1.0;
 };
 

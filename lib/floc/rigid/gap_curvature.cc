@@ -78,8 +78,9 @@ PairMatrix<Dim> gap_curvature(const Packing<Dim>& packing, const Contact<Dim>& c
   const Vec<Dim> arm_i = surface_arm<Dim>(packing, c.i, c.arm_i - 0.5 * c.gap * n, n);
   const Vec<Dim> arm_j = surface_arm<Dim>(packing, c.j, c.arm_j + 0.5 * c.gap * n, -n);
   const bool wall = packing.is_wall(c.j);
-  // Changes due to the motion of the grains: alpha and beta are the changes of a normal that rotates with grain i and
-  // with grain j, and w is the relative tangential displacement of the points in contact.
+  // Changes due to the motion of the grains: alpha is the change of a normal that rotates with grain i, beta is the
+  // change of a normal that rotates with grain j, and w is the relative tangential displacement of the points in
+  // contact.
   MotionMap<Dim> alpha = MotionMap<Dim>::Zero(), beta = alpha, w = alpha;
   alpha.template middleCols<kRotations<Dim>>(Dim) = turn<Dim>(tangents, n);
   w.template leftCols<Dim>() = -tangents.transpose();
@@ -91,13 +92,14 @@ PairMatrix<Dim> gap_curvature(const Packing<Dim>& packing, const Contact<Dim>& c
   }
   const TangentMatrix<Dim> radii_i = radii_of_curvature<Dim>(packing, c.i, n, tangents);
   const TangentMatrix<Dim> radii_j = radii_of_curvature<Dim>(packing, c.j, Vec<Dim>(-n), tangents);
-  // An overlap counts as at most half as deep as the smallest sum of the radii of curvature in any direction.
+  // The depth of an overlap is limited to half of the smallest eigenvalue of `sum`, so that the matrix below is
+  // positive definite.
   const TangentMatrix<Dim> sum = radii_i + radii_j;
   const double least =
       Eigen::SelfAdjointEigenSolver<TangentMatrix<Dim>>(sum, Eigen::EigenvaluesOnly).eigenvalues()[0];
   const double apart = std::max(c.gap, -0.5 * least) + kSharp * packing.grains.radius[c.i];
   const TangentMatrix<Dim> inverse = (sum + apart * TangentMatrix<Dim>::Identity()).inverse();
-  // The change of the direction n that maximises the gap is nu = inverse (w + radii_i alpha + radii_j beta).
+  // The direction n that maximises the gap changes by inverse (w + radii_i alpha + radii_j beta).
   const MotionMap<Dim> drive = w + radii_i * alpha + radii_j * beta;
   PairMatrix<Dim> out = drive.transpose() * inverse * drive - alpha.transpose() * radii_i * alpha -
                         beta.transpose() * radii_j * beta;

@@ -16,8 +16,8 @@ template <int Dim>
 using PairMotion = Eigen::Matrix<double, 2 * kDofs<Dim>, 1>;
 
 /// Returns the second derivatives of the gap of a contact with respect to the displacements and the rotation vectors of
-/// its grains. The unit is 1/length for two displacements; each rotation adds a factor of length. Entries for the
-/// motion of a wall are zero.
+/// its grains. The unit is 1/length for two displacements, 1 for a displacement and a rotation, and length for two
+/// rotations. Entries for the motion of a wall are zero.
 ///
 /// The gap of two convex bodies is the maximum of n . r - h_i(n) - h_j(-n) over all directions n, with the branch
 /// vector r and the support functions h of the bodies. The second derivatives of h are the radii of curvature of the

@@ -23,9 +23,9 @@ class ContactSweeps;
 /// number of threads. After each sweep, the impulses are extrapolated in the direction of their earlier changes
 /// (Silcowitz-Hansen, Niebe and Erleben 2010); without this extrapolation, many times more sweeps would be needed.
 ///
-/// Every contact changes the rate of stretch of the cell, but this rate is updated only after each colour. So that the
-/// delay does not add energy, the response of the cell to each contact is multiplied by the number of contacts of the
-/// colour. The solution does not depend on this factor.
+/// Every contact changes the rate of stretch of the cell, but this rate is updated only after each colour. The delay
+/// could add energy. To prevent this, the response of the cell to each contact is multiplied by the number of contacts
+/// of the colour. The solution does not depend on this factor.
 template <int Dim>
 class GaussSeidel {
  public:

@@ -16,8 +16,8 @@ constexpr int kMostSolutions = 10;
 /// this value from one solution to the next, in the units of the program.
 constexpr double kSameOpening = 1e-6;
 
-/// If rounding errors ended the iteration, a solution is still accepted up to this error of the impulses and of the
-/// objective, in the units of the program. The next step corrects the error.
+/// If rounding errors ended the iteration, a solution is still accepted if the errors of its impulses and of the
+/// objective are at most this value, in the units of the program. The next step corrects the error.
 constexpr double kAcceptedError = 1e-5;
 
 /// One unknown of a step: the velocity of a body along an axis of space, the angular velocity of a body about a
@@ -33,10 +33,10 @@ struct Unknown {
   double length = 1.0;  ///< factor by which an angular velocity or a rate of stretch is multiplied (length)
 };
 
-/// Cone program for the impulses p of a step. Each row is the balance of momentum of one unknown velocity v_r with the
-/// mass M_r: sum H p - M_r v_r = -M_r v_free. Here H is the relative velocity at a contact for v_r = 1, v_free is the
-/// value of v_r without impulses, and the sum is over the contacts. The dual unknown of the row is -v_r. The units of
-/// impulses and velocities are chosen so that their values are of order one.
+/// Cone program for the impulses p of a step. Row r is the balance of momentum for the unknown velocity v_r with the
+/// mass M_r: sum H p - M_r v_r = -M_r v_free. The sum is over the contacts, H is the relative velocity at a contact for
+/// v_r = 1, and v_free is the value of v_r without impulses. The dual unknown of the row is -v_r. The units of impulses
+/// and velocities are chosen so that their values are of order one.
 template <int Dim>
 class StepProgram {
  public:
@@ -234,7 +234,7 @@ class StepProgram {
 
   const BodyMotion<Dim>& bodies_;
   const std::vector<StepContact<Dim>>& contacts_;
-  /// index of the first unknown of each body, and index after its last unknown
+  /// for each body, the index of its first unknown, and one more than the index of its last unknown
   std::vector<int> first_, ends_;
   int first_stretch_ = 0;
   std::vector<Unknown<Dim>> unknowns_;

@@ -155,9 +155,10 @@ double relative_gap(const ConeSolution<Dim>& solution) {
   return solution.gap / (1.0 + std::abs(solution.objective));
 }
 
-/// Returns a lower bound of |A x - b|_max for all x in the cones with entries of order one. The dual vector y proves
-/// the bound: b' y <= |A x - b|_max |y|_1 + x' A' y, and x' A' y <= 0 because -A' y lies in the cones up to a small
-/// violation. The result is negative if y proves no bound.
+/// Returns a lower bound of the largest component |A x - b|_max for all x in the cones with entries of order one. The
+/// bound follows from b' y <= |A x - b|_max |y|_1 + x' A' y and from x' A' y <= 0. The second inequality is true up to
+/// a small violation, because -A' y lies in the cones up to this violation. A negative result means that y gives no
+/// bound.
 template <int Dim>
 double proved_residual(const ConeProgram<Dim>& program, const Eigen::VectorXd& y) {
   const double outside = violation(program.relative_motion(Eigen::VectorXd(-y)));
@@ -169,7 +170,8 @@ double proved_residual(const ConeProgram<Dim>& program, const Eigen::VectorXd& y
 template <int Dim>
 double error_of_unboundedness(const Blocks<Dim>& linear, const Eigen::VectorXd& balance, const Blocks<Dim>& x) {
   const double fall = -dot(linear, x);
-  // If the objective hardly decreases along x, the decrease counts as a rounding error, since x and c are of order one.
+  // The entries of x and c are of order one, so a very small decrease of the objective along x counts as a rounding
+  // error.
   return fall > kProof ? largest(balance) / fall : std::numeric_limits<double>::infinity();
 }
 
@@ -222,8 +224,8 @@ struct InteriorPoint<Dim>::Iteration {
     }
   }
 
-  /// Returns the direction that reduces the residuals by a given share and changes the products of complementary
-  /// variables by given amounts.
+  /// Returns the direction that reduces the residuals by the share `reduction` and changes the products of
+  /// complementary variables by the given amounts.
   /// @param products  required change of (W^-1 x) o (W z), where o is the Jordan product; given as its quotient by
   /// lambda (cone::quotient)
   /// @param tau_kappa  required change of the product of tau and kappa
@@ -328,14 +330,14 @@ ConeSolution<Dim> InteriorPoint<Dim>::solve(const ConeProgram<Dim>& program, dou
   for (int iteration = 0, idle = 0; iteration < kMostIterations && idle < kPatience; ++iteration) {
     check_interruption();
     const ConeSolution<Dim> now = solution_at(program, at);
-    // The residual here includes the softness, which balances the small part of a load that rounding errors leave
-    // unbalanced. The residual without the softness is checked only at the end.
+    // This residual includes the softness s y of the constraints, because rounding errors in a load may leave a small
+    // part of it that only s y can balance. The residual without the softness is checked only at the end.
     const double residual =
         largest(Eigen::VectorXd(program.balance(now.x) + softened(program, now.motion) - program.load));
     const double error =
         std::max({residual / size_of_load, kGapWeight * relative_gap(now), stationarity_error(program, at)});
-    // A decrease of mu counts as progress, too: mu decreases, but the error does not, while the iteration approaches a
-    // proof that there is no solution.
+    // A decrease of mu counts as progress, too. If the program has no solution, mu decreases while the iterates
+    // approach a proof of this, but the error does not decrease.
     ++idle;
     if (at.mu() < 0.9 * least_mu) {
       least_mu = at.mu();

@@ -10,10 +10,11 @@ namespace floc {
 /// Interior point method for cone programs: Mehrotra's predictor and corrector on the homogeneous embedding, with the
 /// scaling of Nesterov and Todd. Each iteration factorizes the matrix A (Q + W^-2)^-1 A', with the scaling W; the
 /// matrix has the sparsity pattern of a stiffness matrix. The embedding has a solution for every program. The last
-/// iterate proves that the program has a solution, that it has no solution, or that its objective has no lower bound
-/// [AY1999, AG2003].
+/// iterate either gives a solution of the program, or proves that the program has no solution, or proves that the
+/// objective has no lower bound [AY1999, AG2003].
 ///
-/// Programs with equal sparsity patterns (`first`, `row`, `group`) are solved with one elimination order.
+/// The elimination order is computed once and used for all programs with the same sparsity pattern (`first`, `row`,
+/// `group`).
 template <int Dim>
 class InteriorPoint {
  public:

@@ -17,29 +17,32 @@ namespace floc {
 namespace {
 
 constexpr int kMostDescentSteps = 3000;
-/// Weight mu of the first and of the last minimum, in units of the pressure times the volume per grain, and the factor
-/// from one minimum to the next. A gap with the force f is about mu/f wide. If the first weight is 1e-5, the first minimum
-/// takes hundreds of steps and is often not found. If it is 1e-3, the grains rearrange so far that the solid fraction grows
-/// by 0.01 (polyhedra, 20 and 200 grains).
+/// Weight mu of the logarithms for the first and for the last minimum, in units of the pressure times the volume per
+/// grain, and the factor from one weight to the next. At a minimum, a gap with the force f is about mu/f wide. With a
+/// first weight of 1e-5, the first minimum takes hundreds of steps and is often not found. With a first weight of 1e-3,
+/// the grains rearrange so far that the solid fraction grows by 0.01 (polyhedra, 20 and 200 grains).
 constexpr double kFirstWeight = 1e-4, kLastWeight = 1e-11, kNextWeight = 0.2;
-/// Decrement of a Newton step, in units of mu, at which mu is decreased, and at which the last minimum is reached.
-/// Decreasing mu earlier leaves steps of a thousandth of the Newton step at the smaller mu.
+/// If the decrement of a Newton step (PlaneStep::decrement), divided by mu, is below kNearMinimum, mu is decreased. At
+/// the last mu, the minimum is reached if this ratio is below kAtMinimum. If mu were decreased earlier, steps at the
+/// smaller mu could be only a thousandth of a Newton step long.
 constexpr double kNearMinimum = 0.5, kAtMinimum = 1e-2;
 /// Largest number of Newton steps for the last minimum.
 constexpr int kMostLastSteps = 30;
-/// Lengths in units of the largest diameter: largest displacement of a surface in a step, largest gap of pairs that get
-/// a plane, gap beyond which the curvature of gaps is left out (add_gaps()), and distance that a grain without contacts
-/// may move in a step.
+/// Lengths in units of the largest diameter: largest displacement of a surface in a step, largest gap of the pairs that
+/// get a plane, gap beyond which the second derivatives of gaps are left out (add_gaps()), and typical displacement of
+/// a grain without contacts in a step.
 constexpr double kLongestNewtonMove = 0.03, kReach = 0.15, kFarGap = 0.01, kRattlerMove = 0.02;
-/// Smallest gap of the shrunk packing, divided by the radius of the smaller grain, and smallest size of its grains.
+/// Smallest gap in the shrunk packing, divided by the radius of the smaller grain, and smallest size of the shrunk
+/// grains, divided by their full size.
 constexpr double kFirstGap = 2e-3, kLeastSize = 0.5;
-/// Share of each gap that the growth of the grains leaves at least.
+/// Smallest share of each gap that remains after the grains have grown.
 constexpr double kGapAfterGrowth = 0.3;
-/// Share of a gap, or of a multiplier, that a step leaves at least.
+/// Smallest share of a gap or of a multiplier that remains after a step.
 constexpr double kKeptShare = 0.01;
-/// Largest ratio of a multiplier to mu/gap, its value at the minimum, and of mu/gap to a multiplier.
+/// At a minimum, each multiplier equals mu/gap. After a step, each multiplier is limited to values from mu/gap divided
+/// by this factor to mu/gap times this factor.
 constexpr double kFarMultiplier = 1e4;
-/// Share of the predicted decrease of the objective that a step has to reach.
+/// A step is accepted if the objective decreases by at least this share of the decrease to first order.
 constexpr double kArmijo = 1e-4;
 constexpr int kMostShares = 40;
 
@@ -92,7 +95,8 @@ class Descent {
     return out;
   }
 
-  /// Gives the packing the contacts closer than `contact_gap`, with the forces of their planes.
+  /// Sets the contacts of the packing: the contact points with gaps below `contact_gap` times the smaller diameter. The
+  /// force of the plane of each pair is divided equally among the contact points of the pair.
   void set_contacts(double contact_gap) const {
     packing_.contacts = ContactPoints<3>().find_touching(packing_, contact_gap);
     std::vector<Contact<3>>& contacts = packing_.contacts;
@@ -119,7 +123,7 @@ class Descent {
     return load_.stress[wall.axis] * wall_area(packing_, wall.axis);
   }
 
-  /// Gives all grains a share of their size.
+  /// Sets the size of each grain to a share of its full size.
   void set_growth(double share) {
     growth_ = share;
     for (std::size_t i = 0; i < full_scale_.size(); ++i) {
@@ -142,7 +146,7 @@ class Descent {
     return false;
   }
 
-  /// Lets the grains grow towards their size, as far as each gap keeps its share.
+  /// Lets the grains grow towards their full size, as far as the share kGapAfterGrowth of each gap remains.
   void grow() {
     const double before = growth_;
     double next = 1.0;
@@ -170,7 +174,8 @@ class Descent {
   std::optional<PlaneStep> newton_step() {
     equations_.reset();
     add_objective();
-    // A term mu |u|^2/(2 s^2) for the displacement u of each grain limits the steps of grains without contacts.
+    // For each grain, a term mu |u|^2/(2 s^2) is added to the objective, with the displacement u of the grain and s =
+    // kRattlerMove times the largest diameter. The term limits the steps of grains without contacts.
     const double stiffness = mu_ / std::pow(kRattlerMove * size_, 2);
     for (int i = 0; i < packing_.grains.size(); ++i)
       for (int a = 0; a < 6; ++a) {
@@ -198,7 +203,7 @@ class Descent {
         equations_.add_load(PlaneUnknowns::of_grain(i) + a, packing_.grains.mass[i] * packing_.gravity[a]);
   }
 
-  /// Returns the change of the objective, without its logarithms, for a step.
+  /// Returns the change of the objective due to a step, without the change of the logarithms.
   double objective_change(const Eigen::VectorXd& step) const {
     const double volume = packing_.cell.volume();
     double change = 0.0, sum = 0.0, logarithm = 0.0;
@@ -233,7 +238,8 @@ class Descent {
     return longest + 2.0 * size_ * strain;
   }
 
-  /// Makes the longest share of a step that decreases the objective. Returns false if there is none.
+  /// Moves the packing by a share of a step, halved until the objective decreases. Returns false if the objective
+  /// decreases for no share.
   bool take(const PlaneStep& step) {
     const double move = largest_move(step.motion);
     double share = std::min(1.0, kLongestNewtonMove * size_ / move), share_of_multipliers = 1.0;
@@ -271,7 +277,8 @@ class Descent {
     return true;
   }
 
-  /// Moves grains and planes by a share of a step. Returns whether no gap becomes too small and the objective decreases.
+  /// Computes the grains and planes after a share of a step. Returns true if no gap becomes too small and the objective
+  /// decreases.
   bool try_share(const PlaneStep& step, double share) {
     move_grains(share * step.motion);
     trial_.planes.resize(planes_.size());
@@ -332,9 +339,9 @@ class Descent {
   std::vector<SeparatingPlane> planes_;
   PlaneEquations equations_;
   Trial trial_;
-  std::vector<double> full_scale_, full_radius_;  ///< scale and radius of each grain
+  std::vector<double> full_scale_, full_radius_;  ///< scale and radius of each grain at full size
   double size_;                                   ///< largest diameter
-  double growth_ = 1.0;                           ///< present size of the grains, divided by their size
+  double growth_ = 1.0;                           ///< present size of the grains, divided by their full size
   double mu_ = 0.0;                               ///< weight of the logarithms
   double moved_ = 0.0;  ///< largest possible change of a gap since the list of planes was made (length)
 };

@@ -4,10 +4,11 @@
 #include "floc/rigid/step_contact.h"
 
 /// Bodies and contacts of a time step in the form that the sweeps of GaussSeidel read and change: small records without
-/// pointers. All values that are equal in all sweeps are computed once and stored in the records. A model is a class
-/// with the types Body, Contact and Impulse and the functions of RoundContacts and CoupledContacts. The argument
-/// `stretch` of these functions is the rate of stretch of the cell. The argument `gain` is the sum of r_a (F p)_a over
-/// the contacts for each axis a of space, with the branch vector r, the frame F and the impulse p.
+/// pointers. All values that do not change during the sweeps are computed once and stored in the records. There are two
+/// models, the classes RoundContacts and CoupledContacts. Both have the types Body, Contact and Impulse and the same
+/// functions. The argument `stretch` of the functions is the rate of stretch of the cell. The argument `gain` contains,
+/// for each axis a of space, the sum of r_a (F p)_a over the contacts, with the branch vector r, the frame F and the
+/// impulse p.
 namespace floc {
 
 /// Branch vector r of a contact, stored only if the rate of stretch L of the cell is an unknown of the step. If L is
@@ -25,7 +26,8 @@ struct CellArm<Dim, false> {
   void add_gain(const Vec<Dim>&, Vec<Dim>&) const {}
 };
 
-/// Returns the matrix C + W' of a contact in a frame. C is the compliance. W' is an upper bound of the response W.
+/// Returns the matrix C + W' of a contact in the given frame, with the compliance C and an upper bound W' of the
+/// response W.
 /// @param shared  number of contacts that change the stretch of the cell at the same time. W' is W with the response of
 /// the cell multiplied by this number. A sweep then never adds energy, even if the cell is light. For one contact, or
 /// without a cell, W' equals W.

@@ -11,9 +11,11 @@ namespace {
 /// Smallest shift of the diagonal of the scaled matrix, whose diagonal elements are 1.
 constexpr double kLeastShift = 1e-14;
 constexpr int kMostShifts = 40;
-/// Factor from a shift to the next one, and share of the last shift with which the search begins.
+/// If a shift is too small, the next shift is larger by the factor kNextShift. The first shift after the smallest shift
+/// is kFirstShift times the shift that the last matrix needed.
 constexpr double kNextShift = 6.0, kFirstShift = 1.0 / 8.0;
-/// Smallest eigenvalue of the scaled equations of a plane that are not positive definite.
+/// If the scaled equations of a plane are not positive definite, the absolute values of their eigenvalues are increased
+/// to at least this value.
 constexpr double kLeastStiffness = 1e-12;
 
 }  // namespace
@@ -24,7 +26,8 @@ void PlaneEquations::set_pattern(const std::vector<SeparatingPlane>& planes) {
     for (const int a : p.unknown)
       for (const int b : p.unknown)
         if (a >= b && b >= 0) entries.emplace_back(a, b, 0.0);
-  // The objective couples the unknowns of each grain, and those of the cell.
+  // The objective couples the unknowns of each grain to each other, and the unknowns of the walls and of the cell to
+  // each other.
   group_.clear();
   for (int row = 0; row < n_; ++row) {
     const int grain = std::min(row / 6, n_grains_);
@@ -113,7 +116,8 @@ std::optional<PlaneStep> PlaneEquations::solve(const std::vector<SeparatingPlane
   double shift = 0.0;
   if (!factorize(scale, shift)) return std::nullopt;
   out.is_convex = shift == kLeastShift;
-  // The solution belongs to the shifted matrix: no iterative refinement removes the effect of the shift.
+  // This is the solution for the shifted matrix: there are no iterative refinements, which would remove the effect of
+  // the shift.
   out.motion = scale.cwiseProduct(factor_.solve(scale.cwiseProduct(load_), 0).col(0));
   if (!out.motion.allFinite()) return std::nullopt;
   out.decrement = load_.dot(out.motion);

@@ -13,14 +13,15 @@ namespace floc {
 struct PlaneStep {
   Eigen::VectorXd motion;        ///< step of the unknowns of the packing (PlaneUnknowns)
   std::vector<PlaneVector> own;  ///< for each plane, the step of the unknowns of its pair and of the plane
-  double decrement = 0.0;  ///< product of the step and the load: twice the predicted decrease of the objective
+  /// product of the step and the load, which is the decrease of the objective to first order
+  double decrement = 0.0;
   /// Whether the matrix is positive definite without a shift of its diagonal.
   bool is_convex = false;
 };
 
 /// Newton's equations for a minimum of an objective minus mu sum log g, with the sum over the gaps g of all vertices to
 /// the separating planes. Each plane couples only to its pair of bodies, so the unknowns of the planes are eliminated
-/// pair by pair. The rest has the pattern of a stiffness matrix.
+/// pair by pair. The remaining matrix has the sparsity pattern of a stiffness matrix.
 class PlaneEquations {
  public:
   PlaneEquations(const PlaneUnknowns& unknowns, int n_grains) : n_(unknowns.n), n_grains_(n_grains) {}
@@ -36,8 +37,8 @@ class PlaneEquations {
   /// Adds the terms of all planes, see add_gaps().
   void add(const std::vector<SeparatingPlane>& planes, const GrainVertices& vertices, double mu, double weak);
 
-  /// Solves the equations, with the smallest shift of the diagonal of the scaled matrix that makes it positive definite.
-  /// Returns no value if no shift does.
+  /// Solves the equations. The diagonal of the scaled matrix is shifted until the matrix is positive definite. Returns
+  /// no value if no shift is large enough.
   std::optional<PlaneStep> solve(const std::vector<SeparatingPlane>& planes);
 
  private:
@@ -58,7 +59,7 @@ class PlaneEquations {
   std::vector<int> group_;  ///< number of the grain of each row
   std::vector<Eliminated> eliminated_;
   SymmetricFactor factor_;
-  double last_shift_ = 0.0;  ///< last shift that was larger than the smallest one
+  double last_shift_ = 0.0;  ///< last successful shift above the smallest shift
 };
 
 }  // namespace floc

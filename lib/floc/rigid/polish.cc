@@ -11,8 +11,7 @@ namespace {
 
 /// Largest number of Newton steps.
 constexpr int kMostNewtonSteps = 8;
-/// Largest error of the equations and inequalities that an accepted solution has to satisfy, in the units of the
-/// program.
+/// A solution is accepted if it satisfies all equations and inequalities up to this error, in the units of the program.
 constexpr double kViolation = 1e-9;
 
 /// Face of the cone on which the solution of a block lies.
@@ -23,7 +22,8 @@ enum class Face {
 };
 
 /// Returns the face of the cone on which x lies. Let x_- <= x_+ be the eigenvalues of x, and z_- <= z_+ those of z. In
-/// a solution, x_- or z_+ is zero, and x_+ or z_- is zero; the smaller number of each pair is taken to be zero.
+/// a solution, one number of the pair (x_-, z_+) is zero, and one number of the pair (x_+, z_-) is zero. The smaller
+/// number of each pair is taken to be zero.
 template <int Dim>
 Face face_of(const Vec<Dim>& x, const Vec<Dim>& z) {
   const double tx = x.template tail<Dim - 1>().norm(), tz = z.template tail<Dim - 1>().norm();

@@ -34,7 +34,8 @@ struct RoundContacts {
     double squaredNorm() const { return normal * normal + tangential.squaredNorm(); }
   };
   /// A contact with response (A_n, A_t), compliance (C_n, C_t), bias (b_n, b_t) and relative velocity (u_n, u_t). In
-  /// the solution, its impulse (P, p_t) is a fixed point of
+  /// the solution, its impulse (P, p_t) satisfies the equations below. Here [x]_+ = max(x, 0), and proj_{mu P} is the
+  /// projection onto the vectors with |p_t| <= mu P.
   ///     P = [P - (u_n + b_n + C_n P)/A_n]_+,      p_t = proj_{mu P}(p_t - (u_t + b_t + C_t p_t)/A_t).
   struct alignas(kCacheLine / 4) Contact : CellArm<Dim, Cell> {
     int i, j;
@@ -67,9 +68,9 @@ struct RoundContacts {
     // A body that does not rotate, such as a plane, may have any shape; the arm of such a body is set to zero.
     out.arm_i = bodies.inverse_inertia[c.i](0, 0) > 0.0 ? c.arm_i.dot(out.normal) : 0.0;
     out.arm_j = bodies.inverse_inertia[c.j](0, 0) > 0.0 ? -c.arm_j.dot(out.normal) : 0.0;
-    // The sums of the absolute values in the rows give upper bounds of the response (Gershgorin): the first sum for the
-    // normal direction, the largest other sum for the tangential directions. Off-diagonal components are due to walls
-    // and to the cell.
+    // The sum of the absolute values in a row of the response is an upper bound (Gershgorin). The first row gives the
+    // bound for the normal direction, the largest sum of the other rows that for the tangential directions.
+    // Off-diagonal components are due to walls and to the cell.
     const Vec<Dim> bound = packed_response(bodies, c, c.frame, shared).cwiseAbs().rowwise().sum();
     const double normal = bound[0], tangential = bound.template tail<Dim - 1>().maxCoeff();
     out.inverse_normal = 1.0 / normal;

@@ -13,12 +13,13 @@
 namespace floc {
 namespace {
 
-/// First index of each part of the unknowns of a pair and its plane, after the displacement of the first body.
+/// Positions in the list of unknowns of a pair and its plane. The list begins with the displacement of the first body.
+/// The constants are the positions at which the other parts begin.
 constexpr int kTurnOfFirst = 3, kSecond = 6, kTurnOfSecond = 9, kStretch = 12, kPlane = kPairUnknowns;
 
-/// Calls visit(k, gradient, vertex, is_second, frame) for the gap of each vertex of a pair. The gap of a vertex x of the
-/// first body is d - n.x, and of the second n.x - d, with the normal n and the offset d of the plane. The columns of
-/// `frame` are the normal and the axes along which it turns.
+/// Calls visit(k, gradient, vertex, is_second, frame) for the gap of each vertex of a pair. The gap of a vertex x is d
+/// - n.x for the first body and n.x - d for the second body, with the normal n and the offset d of the plane. The
+/// columns of `frame` are the normal and the two directions in which the normal turns.
 template <class Visitor>
 void for_each_gap(const GrainVertices& vertices, const SeparatingPlane& plane, const Visitor& visit) {
   const Mat<3> frame = contact_frame(plane.normal);
@@ -60,7 +61,7 @@ std::array<int, kPairUnknowns> unknowns_of_pair(const Packing<3>& packing, const
   return out;
 }
 
-/// Returns the plane of a pair with the given contact points.
+/// Returns a new separating plane for a pair with the given contact points.
 SeparatingPlane new_plane(const Packing<3>& packing, const GrainVertices& vertices,
                           const PlaneUnknowns& unknowns, std::span<const Contact<3>> points) {
   const Contact<3>& c = points.front();

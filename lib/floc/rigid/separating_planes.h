@@ -9,9 +9,9 @@
 
 namespace floc {
 
-/// Indices of the unknowns of a packing of frictionless polyhedra: displacements and rotation vectors of the grains,
-/// displacements of the walls that follow forces, and stretches of the axes of the cell that are free; -1 for a
-/// displacement or a stretch that is fixed.
+/// Indices of the unknowns of a packing of frictionless polyhedra. The unknowns are the displacements and rotation
+/// vectors of the grains, the displacements of the walls that move under a force, and the stretches of the cell along
+/// axes under stress. The index of a fixed displacement or stretch is -1.
 struct PlaneUnknowns {
   std::vector<int> wall;  ///< displacement of each wall along its axis
   std::array<int, 3> stretch = {-1, -1, -1};
@@ -50,7 +50,8 @@ struct SeparatingPlane {
   double force(std::size_t n_first) const;
 };
 
-/// Vertices of all grains, from their centres and in the axes of space. A sphere has its centre as only vertex.
+/// Vertices of all grains: the vectors from the centre of a grain to its vertices, in the axes of space. The only
+/// vertex of a sphere is its centre.
 class GrainVertices {
  public:
   explicit GrainVertices(const Grains<3>& grains);
@@ -67,9 +68,9 @@ class GrainVertices {
 };
 
 /// Finds the pairs of bodies that are closer than `reach` (length) and returns a plane for each of them, in the order
-/// of the contacts of a packing. Pairs with a plane in `known` keep it up to twice this distance, so that a pair at the
-/// limit does not enter and leave the list. A new plane lies midway between the bodies, with the normal of their
-/// contact, and has no multipliers.
+/// of the contacts of a packing. A pair with a plane in `known` keeps this plane up to the distance 2 `reach`, so that
+/// a pair at the limit does not enter and leave the list again and again. A new plane lies midway between the bodies,
+/// with the normal of their contact, and has no multipliers.
 /// @pre the bodies do not overlap
 std::vector<SeparatingPlane> separating_planes(const Packing<3>& packing, const GrainVertices& vertices,
                                                const PlaneUnknowns& unknowns, double reach,
@@ -81,7 +82,7 @@ const SeparatingPlane* plane_of(const Contact<3>& contact, const std::vector<Sep
 /// Computes the gaps of all vertices of a pair.
 void set_gaps(const GrainVertices& vertices, SeparatingPlane& plane);
 
-/// Returns a plane after its own step and the step of its pair, with the gaps of all vertices.
+/// Returns a plane after the step of its pair and its own step, and computes the gaps of all vertices.
 /// @param motion  step of all unknowns of the packing
 /// @param own     step of the pair and the plane, of which the last kPlaneUnknowns elements are used
 /// @param share   factor of both steps
@@ -92,8 +93,8 @@ SeparatingPlane moved_plane(const SeparatingPlane& plane, const Eigen::VectorXd&
 /// Adds the terms of a pair to Newton's equations for a minimum of an objective minus mu sum log g, with the sum over
 /// all gaps g: the matrix sum of (l/g) G G' - l H, with the multipliers l, gradients G and second derivatives H of the
 /// gaps, and the load sum of (mu/g) G.
-/// @param weak  the second derivatives of gaps whose multiplier l is much smaller than this force are left out: H is
-/// multiplied by l/(l + weak). The curvature of wide gaps would make the matrix indefinite
+/// @param weak  force below which the multiplier l of a gap counts as weak: H is multiplied by l/(l + weak), which
+/// removes the second derivatives of wide gaps. They would make the matrix indefinite
 void add_gaps(const GrainVertices& vertices, const SeparatingPlane& plane, double mu, double weak,
               PlaneMatrix& matrix, PlaneVector& load);
 

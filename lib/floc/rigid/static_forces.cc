@@ -12,9 +12,9 @@
 namespace floc {
 namespace {
 
-/// If rounding ended the iteration, forces are still accepted up to this error of the balance (divided by the mean
-/// normal force) and up to this duality gap. Rounding ends the iteration early if the balance determines all forces:
-/// there may then be no set of forces inside all cones.
+/// If rounding errors ended the iteration, forces are still accepted if the error of the balance (divided by the mean
+/// normal force) and the duality gap are at most this value. Rounding errors end the iteration early if the balance
+/// determines all forces, because possibly no set of forces lies inside all cones.
 constexpr double kNearlySolved = 1e-6;
 
 /// Returns the blocks (P, T/mu) of the present forces, in units of the balance. The tangential part is zero for
@@ -137,8 +137,8 @@ void StaticForces<Dim>::fail(const ConeSolution<Dim>& solution) const {
         fmt::format("rounding errors ended the search for static forces: the residual is {:.1e} of the mean "
                     "force, and the duality gap is {:.1e}, after {} factorizations; there may be no solution",
                     solution.residual, solution.gap, solution.n_factorizations));
-  // If no forces balance the load, the solver returns a motion as proof: the load does work in this motion, and no
-  // contact resists it.
+  // If no forces balance the load, the solver returns a motion that proves this: the load does positive work in the
+  // motion, and no contact resists the motion.
   int worst = -1;
   double most = 0.0;
   for (int row = 0; row < solution.motion.size(); ++row)

@@ -98,7 +98,8 @@ class TeamSweeps final : public ContactSweeps<Model::kDim> {
   struct Chunk {
     int begin, end;
   };
-  /// Largest contact_error() in a chunk, sum of its normal impulses, and number of its nonzero normal impulses.
+  /// For the contacts of a chunk: the largest contact_error(), the sum of the normal impulses, and the number of
+  /// nonzero normal impulses.
   struct ChunkError {
     double worst, sum;
     int n;
@@ -268,7 +269,7 @@ class TeamSweeps final : public ContactSweeps<Model::kDim> {
   int n_threads_ = 1;
   std::vector<Impulse> direction_;  // direction d in extrapolate(), for each record
   std::vector<Impulse> last_step_;  // change r in extrapolate(), for each record
-  double last_change_ = 0.0;        // value of |r|^2 in the sweep before the last one
+  double last_change_ = 0.0;        // value of |r|^2 in the sweep before the last sweep
   std::vector<double> change_;      // contribution of each chunk to |r|^2 in the last sweep
   std::vector<Vec<Dim>> gain_;      // contribution of each chunk to `gain` in the present sweep
   std::vector<ChunkError> error_;   // error of each chunk

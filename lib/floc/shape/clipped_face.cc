@@ -27,8 +27,9 @@ struct Polygon {
   }
 };
 
-/// Returns the face whose normal is closest to -n, among the faces that meet at a vertex and have most vertices at most
-/// `level` above this vertex along n. The lengths are in the unit of the shape.
+/// Returns the face at a vertex whose normal is closest to -n. If `level` is positive, only some faces at the vertex
+/// are considered: those with the largest number of vertices that are at most `level` (in the unit of the shape) higher
+/// than the vertex, measured along n.
 template <int Dim>
 int most_antiparallel_face(const Shape<Dim>& incident, int vertex, const Vec<Dim>& n, double level) {
   int best = -1;
@@ -58,9 +59,9 @@ void clip(const Vec<Dim>& origin, const Vec<Dim>& outward, int side, const Polyg
     const double there = k + 1 < from.n ? height(k + 1) : height(0);
     if (here <= 0.0) to.add(p.x, p.side);
     if ((here <= 0.0) != (there <= 0.0)) {
-      // Each corner stores the number of the side of the polygon that begins at the corner. Where the boundary of the
-      // polygon leaves the half-space, the new side `side` begins; where it enters the half-space again, the rest of
-      // the cut side begins.
+      // Each corner stores the number of the side that begins there. The boundary of the polygon leaves the half-space
+      // at a corner and enters it again at another corner. The new side, with the number `side`, begins at the first of
+      // these corners. The rest of the cut side p.side begins at the second.
       const double share = here / (here - there);
       to.add(p.x + share * (q.x - p.x), here <= 0.0 ? side : p.side);
     }
@@ -103,8 +104,8 @@ void join_equal_points(Polygon<Dim>& polygon, double tolerance) {
   polygon.n = n;
 }
 
-/// Returns the index k < n of the largest value(k). Values that differ by at most the tolerance count as equal; the
-/// first of them is then preferred.
+/// Returns the index k < n of the largest value(k). Values that differ by at most the tolerance count as equal; of
+/// equal values, the first is taken.
 template <class Value>
 int largest(int n, double tolerance, const Value& value) {
   int best = 0;
@@ -116,7 +117,7 @@ int largest(int n, double tolerance, const Value& value) {
 
 /// If there are more than `most_points` points, selects at most four that represent all contact points well: the
 /// deepest point, the point furthest from it, and, on each side of the line through these two points, the point
-/// furthest from the line. The point with the wanted side is added to them.
+/// furthest from the line. The point at which the side ClipOptions::wanted_side begins is selected, too.
 void select(const Polygon<3>& polygon, const Vec<3>& normal, const ClipOptions& options, ClippedFace<3>& kept) {
   const auto& p = polygon.points;
   const double tolerance = options.tolerance;

@@ -29,22 +29,24 @@ struct ClippedFace {
 struct ClipOptions {
   double reach;      ///< largest height of a point above the reference face (length)
   double tolerance;  ///< distance below which points are merged and heights count as equal (length)
-  /// Largest number of corners of which all are returned, at most Manifold::kMostPoints; not used in 2D, where there
-  /// are at most two corners.
+  /// If there are more corners than this number (at most Manifold::kMostPoints), only some of them are returned. Not
+  /// used in 2D, where there are at most two corners.
   int most_points = 4;
-  double level = 0.0;  ///< difference of heights up to which vertices count as equally high (length)
-  /// Number of the side whose corner is always returned if it is within reach; -1 for none.
+  double level = 0.0;  ///< largest difference of heights of vertices that count as equally high (length)
+  /// Number of a side. The corner at which this side begins is always returned if it is within reach. -1 for no side.
   int wanted_side = -1;
 };
 
 /// Clips the incident face, a face of the shape `incident`, by the sides of the reference face, the face `face` of the
 /// shape `reference`. Returns the corners of the clipped polygon that are less than `reach` above the reference face.
-/// In 3D, returns all of them if there are at most `most_points`, otherwise four and the corner with the wanted side.
+/// In 3D, returns all of them if there are at most `most_points`. Otherwise returns at most four of them and the corner
+/// at which the wanted side begins.
 ///
 /// Among the faces that meet at the vertex `lowest`, the incident face is the face whose normal is closest to the
 /// opposite of the normal of the reference face. (A face without this vertex may have a normal that is even closer.)
-/// With a positive `level`, only the faces with most vertices at most `level` above the lowest vertex are considered.
-/// If `incident` is a point or a segment without faces, the point or the segment is clipped.
+/// With a positive `level`, only the faces with the largest number of vertices that are at most `level` above the
+/// lowest vertex are considered. If `incident` is a point or a segment without faces, the point or the segment is
+/// clipped.
 ///
 /// @param place  transformation from the coordinates of `incident` to the coordinates of `reference`
 /// @param lowest  vertex of `incident` with the smallest height above the reference face

@@ -17,8 +17,8 @@ struct Corner {
   int first, second;  ///< indices of the two vertices
 };
 
-/// Simplex of up to Dim + 1 corners. The sum of the corners, each multiplied by its number in `weight`, is the point of
-/// the simplex closest to the origin.
+/// Simplex of up to Dim + 1 corners. The point of the simplex closest to the origin is the sum of the corners, each
+/// multiplied by its weight.
 template <int Dim>
 struct Simplex {
   std::array<Corner<Dim>, 4> corner;
@@ -88,8 +88,8 @@ bool reduce_tetrahedron(Simplex<3>& s) {
     const Vec<3>& origin = s.corner[a].difference;
     const Vec<3> normal = (s.corner[b].difference - origin).cross(s.corner[c].difference - origin);
     const double here = -normal.dot(origin), top = normal.dot(s.corner[d].difference - origin);
-    // If the origin and the fourth corner d are on the same side of this face, another face is closer to the origin. A
-    // flat tetrahedron has no inside, so all its faces are considered.
+    // If the origin and the fourth corner d are on the same side of this face, the face is skipped, because another
+    // face is closer to the origin. A flat tetrahedron has no inside, so all its faces are considered.
     if (here * top > 0.0 && std::abs(top) > 1e-14 * normal.norm() * s.corner[d].difference.norm()) continue;
     Simplex<3> face;
     face.n = 3;
@@ -175,8 +175,8 @@ ClosestPoints<Dim> closest_points(const Shape<Dim>& first, const Shape<Dim>& sec
       return found;
     }
     const Corner<Dim> next = support<Dim>(first, second, place, v);
-    // The search ends if no corner is closer to the origin than the end of v, measured along v, by more than rounding
-    // errors. It also ends if the new corner is already a corner of the simplex.
+    // The search ends if the new corner, measured along v, is not closer to the origin than the end of v (up to
+    // rounding errors), or if the simplex already has this corner.
     if (distance2 - v.dot(next.difference) <= 1e-15 * (distance2 + size * std::sqrt(distance2))) break;
     bool is_known = false;
     for (int k = 0; k < s.n; ++k)

@@ -25,8 +25,8 @@ struct ClosestPoints {
 /// of Gilbert, Johnson and Keerthi (IEEE J. Robot. Autom. 4, 1988). A core without vertices is a point.
 ///
 /// The error of the points is a few times the machine precision (2e-16) times the size of the shapes. The error of the
-/// normal is the error of the points divided by their distance. Two cores count as overlapping if their distance is
-/// below 1e-12 of their size.
+/// normal is the error of the points divided by their distance. Two cores count as overlapping if their distance,
+/// divided by the size of the shapes, is below 1e-12.
 ///
 /// @param guess  estimate of the direction from the closest point of the first core to that of the second core; vector
 /// of any length > 0

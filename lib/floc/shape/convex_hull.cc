@@ -46,9 +46,9 @@ void require_points(const std::vector<Vec<Dim>>& points, const std::string& plac
                                         extent, kLeastLength));
 }
 
-/// Requires that the bounding box of the convex hull is that of the given points, up to 1e-5 of the largest extent. The
-/// hull is smaller if vertices were mistaken for points on an edge, for example at the end of a needle that is a
-/// million times as long as it is thick.
+/// Requires that the bounding box of the convex hull equals the bounding box of the given points, up to 1e-5 of the
+/// largest extent. The hull is smaller if vertices were mistaken for points on an edge, for example at the end of a
+/// needle that is a million times as long as it is thick.
 void require_whole(const Polytope<3>& hull, const std::vector<Vec<3>>& points, const std::string& place) {
   const Box<3> all(points), kept(hull.vertices);
   const double missing = std::max((kept.low - all.low).maxCoeff(), (all.high - kept.high).maxCoeff());

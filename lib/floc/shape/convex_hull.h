@@ -24,8 +24,8 @@ struct ConvexHull {
 ///
 /// @param place  source of the points for messages, such as the name of a file
 /// @throws InputError if there are fewer than Dim + 1 points or more than kMostHullPoints, if a coordinate is not a
-/// finite number or exceeds kLargestLength, if the largest extent is below kLeastLength, or if all points lie in one
-/// plane (in 2D on one line) or so close to one plane or line that their hull cannot be determined
+/// finite number or exceeds kLargestLength, if the largest extent is below kLeastLength, or if the points are so close
+/// to one plane (in 2D one line) that their hull cannot be determined
 template <int Dim>
 ConvexHull<Dim> convex_hull(const std::vector<Vec<Dim>>& points, const std::string& place = "");
 

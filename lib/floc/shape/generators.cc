@@ -18,7 +18,7 @@ namespace {
 
 constexpr WholeRange kCounts{.least = 1, .most = 100000};
 constexpr NumberRange kRounding{.least = 0.0, .most = 0.45};
-/// Largest number of random draws for one shape. If none of them gives a valid shape, an error reports the options.
+/// Largest number of random draws for one shape. If none of them gives a valid shape, an error is reported.
 constexpr int kMostDraws = 200;
 
 void add_fault(std::vector<std::string>& faults, std::string fault) {
@@ -46,8 +46,8 @@ Vec<Dim> direction(RandomStream& random) {
   }
 }
 
-/// Returns n random unit vectors whose mutual distances are at least half the mean spacing of n points on the unit
-/// sphere (in 2D the circle). Discs whose diameter is this least distance cover a fifth of the sphere (2D: arcs cover
+/// Returns n random unit vectors. Their mutual distances are at least half the mean spacing of n points on the unit
+/// sphere (2D: unit circle). Discs with this least distance as diameter cover a fifth of the sphere (2D: arcs cover
 /// half of the circle), so random draws usually find free places.
 template <int Dim>
 std::vector<Vec<Dim>> spread_directions(RandomStream& random, int n) {
@@ -70,8 +70,8 @@ int uniform_integer(RandomStream& random, int least, int most) {
   return least + static_cast<int>(random.below(static_cast<std::uint64_t>(n_values)));
 }
 
-/// Returns `count` shapes. Each shape is the convex hull of a set of points that `draw` makes from a random stream. If
-/// the set gives no valid shape, for example because it is almost flat, a new set is drawn.
+/// Returns `count` shapes. For each shape, `draw` makes a set of points from a random stream, and the shape is the
+/// convex hull of the set. If a set gives no valid shape, for example because it is almost flat, a new set is drawn.
 template <int Dim, class Draw>
 std::vector<Shape<Dim>> drawn_shapes(int count, double rounding, std::uint64_t seed, std::uint64_t purpose,
                                      const Draw& draw) {

@@ -9,8 +9,8 @@ namespace floc {
 
 /// Functions that generate shapes of grains. All shapes have the diameter 1; the diameter is that of the circumscribed
 /// circle or sphere about the centre of mass. The argument `rounding` is the radius of rounding divided by the
-/// diameter, from 0 to 0.45. The argument `seed` determines a sequence of random shapes; with a larger `count`, more
-/// shapes follow in the sequence.
+/// diameter, from 0 to 0.45. The argument `seed` determines a sequence of random shapes. A larger `count` gives more
+/// shapes of this sequence; the first shapes do not change.
 ///
 /// If an argument is out of range, the functions throw InputError. The message has the key of the argument in the table
 /// grains.shape of a scene file, the value, and the allowed values.
@@ -41,8 +41,8 @@ template <int Dim>
 std::vector<Shape<Dim>> hull_shapes(const HullOptions& options, int count, double rounding, std::uint64_t seed);
 
 /// Options for shapes that are intersections of half-spaces n . x <= 1 + u. The number u is uniformly distributed
-/// between -spread/2 and spread/2. The unit vectors n are distributed like the points of HullOptions before these are
-/// stretched.
+/// between -spread/2 and spread/2. The unit vectors n are distributed like the points of HullOptions, but without the
+/// stretching.
 struct CutOptions {
   int least_faces = 10;
   int most_faces = 20;
@@ -53,8 +53,8 @@ struct CutOptions {
 template <int Dim>
 std::vector<Shape<Dim>> cut_shapes(const CutOptions& options, int count, double rounding, std::uint64_t seed);
 
-/// Options for shapes that are the Voronoi cells of `cells` random points in a periodic box. First, each point is moved
-/// `relaxed` times to the centre of mass of its present cell.
+/// Options for shapes that are the Voronoi cells of `cells` random points in a periodic box. Before the cells become
+/// shapes, each point is moved `relaxed` times to the centre of mass of its present cell.
 struct VoronoiOptions {
   int cells = 500;
   int relaxed = 2;

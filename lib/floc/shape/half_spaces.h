@@ -17,8 +17,8 @@ struct HalfSpace {
 
 /// Returns the vertices of the intersection of half-spaces. The vertices are computed from the convex hull of the
 /// points normal/offset, which are dual to the half-spaces.
-/// @return vertices; no value if the intersection is not bounded, or if a vertex is so far away that, because of
-/// rounding errors, it is not certain whether the intersection is bounded
+/// @return vertices; no value if the intersection is not bounded, or if a vertex is so far away that rounding errors
+/// leave open whether the intersection is bounded
 template <int Dim>
 std::optional<std::vector<Vec<Dim>>> intersection_vertices(const std::vector<HalfSpace<Dim>>& half_spaces);
 

@@ -14,19 +14,19 @@ namespace {
 /// If the line between the closest points of two shapes is parallel to the normal of a face up to this tolerance, the
 /// contact is treated as a contact with the face. The tolerance is 1 - cos of an angle of 1e-3 radians.
 constexpr double kAlongFace = 0.5e-3 * 1e-3;
-/// Tolerance for contacts with a face, divided by the smaller inner radius of the two shapes. A contact counts as a
-/// contact with the face if the smallest gap of the corners above the face exceeds the smallest gap of the shapes by at
-/// most this tolerance. The two gaps differ if the point with the smallest gap lies just outside the boundary of the
-/// face.
+/// Tolerance for contacts with a face, divided by the smaller inner radius of the two shapes. Two shapes are in contact
+/// at a face if the smallest gap of the corners above the face exceeds the smallest gap of the shapes by at most this
+/// tolerance. The two gaps differ if the point with the smallest gap lies just outside the boundary of the face.
 constexpr double kBesideFace = 1e-6;
-/// Margins of the choice of the separating axis (AxisMargins), in units of the smaller inner radius. They keep the
-/// features that meet from alternating between steps. With ManifoldOptions::exact, the margin for faces is that for
-/// edges, too: it exceeds the gaps of up to 1e-7 of vertices that carry a small share of a force in equilibrium.
+/// Margins for the choice of the separating axis (AxisMargins), divided by the smaller inner radius. Without margins,
+/// two pairs of features could define the axis in turn from step to step. With ManifoldOptions::exact, kFaceMargin is
+/// the margin for edges, too. In equilibrium, vertices on which small forces act can have gaps of up to 1e-7, which is
+/// less than kFaceMargin.
 constexpr double kFaceMargin = 1e-6, kEdgeMargin = 1e-4;
 /// Two capsules count as parallel if the sine of the angle between their axes is below this number.
 constexpr double kSideBySide = 1e-3;
-/// Value of the field for the corner in ManifoldPoint::key if the contact point lies between the closest points of two
-/// shapes.
+/// Value that replaces the number of the side in ManifoldPoint::key if the contact point lies between the closest
+/// points of two shapes.
 constexpr std::uint32_t kClosest = 1023;
 
 /// Bits of ManifoldPoint::key below the index of the reference feature.
@@ -73,9 +73,10 @@ class PairSearch {
     if (axis.features.kind == AxisKind::kEdgePair) return of_edge_pair(axis);
     Manifold<Dim> found = of_face(axis, axis.features.kind == AxisKind::kFaceOfSecond);
     if (!misses_the_deepest(found, axis)) return found;
-    // The deepest vertex lies outside the boundary of the face. Then a pair of edges has a larger separation than the
-    // face, but the difference is less than the margin for edges. The search is therefore repeated without this
-    // margin. If faces are preferred, the points above the face are kept if they are as deep as the edges.
+    // The deepest vertex lies outside the boundary of the face. In this case a pair of edges has a larger separation
+    // than the face, but the difference is less than the margin for edges. The search is therefore repeated without
+    // this margin. If ManifoldOptions::face_preference is positive and the points above the face are at least as deep
+    // as the edges, the points above the face are returned.
     if (a_.n_edges() > 0 && b_.n_edges() > 0) {
       AxisFeatures none;
       const SeparatingAxis<Dim> exact =
@@ -99,8 +100,8 @@ class PairSearch {
 
   double world(double own) const { return first_.scale * own; }
 
-  /// Returns whether the lowest vertex of the other shape above the plane of a face lies lower than all contact points
-  /// that were found above the face.
+  /// Returns whether all contact points found above a face are higher than the lowest vertex of the other shape. The
+  /// heights are measured from the plane of the face.
   bool misses_the_deepest(const Manifold<Dim>& found, const SeparatingAxis<Dim>& axis) const {
     return found.n == 0 ||
            found.least_gap() - (world(axis.separation) - roundings_) > kBesideFace * world(size_);
@@ -176,8 +177,8 @@ class PairSearch {
     return 1.0 - outward.dot(n) < kAlongFace;
   }
 
-  /// Returns the contact with the face that has the largest separation: the corners of the other shape above this face.
-  /// The face belongs to the first shape or, if `of_second` is true, to the second shape.
+  /// Returns the contact points of the face with the largest separation: the corners of the other shape above this
+  /// face. The face belongs to the first shape or, if `of_second` is true, to the second shape.
   Manifold<Dim> of_face(const SeparatingAxis<Dim>& axis, bool of_second) {
     const FaceAxis& best = of_second ? axis.of_second : axis.of_first;
     Manifold<Dim> found;
@@ -231,9 +232,9 @@ class PairSearch {
       const double determinant = uu * vv - uv * uv;
       const double on_first = (pu * vv - pv * uv) / determinant, on_second = (pu * uv - pv * uu) / determinant;
       const double s = std::clamp(on_first, 0.0, 1.0), t = std::clamp(on_second, 0.0, 1.0);
-      // If the cores overlap, the closest points of the lines through the two edges lie on the edges, because the arcs
-      // of the edges on the Gauss sphere cross; only rounding errors can move these points outside. If the cores are
-      // apart, the points may lie outside the edges, because a vertex may be closer.
+      // The points are the closest points of the lines through the two edges. If the cores overlap, these points lie on
+      // the edges (up to rounding errors), because the arcs of the edges on the Gauss sphere cross. If the cores are
+      // apart, a vertex may be closer, and the points may then lie outside the edges.
       const double outside = std::abs(on_first - s) * std::sqrt(uu) + std::abs(on_second - t) * std::sqrt(vv);
       if (outside > kBesideFace * size_)
         if (const auto closest = closest_if_apart(axis)) return of_closest_points(*closest);
@@ -246,9 +247,9 @@ class PairSearch {
     return found;
   }
 
-  /// Returns the contact of two overlapping shapes for a special case: the separating axis is the normal of a face, but
-  /// because of rounding errors, no corner of the other shape is above this face. The contact point is at the vertex of
-  /// the other shape with the smallest height above the plane of the face.
+  /// Returns the contact of two overlapping shapes if rounding errors prevent of_face() from finding a contact point:
+  /// the separating axis is the normal of a face, but no corner of the other shape is above this face. The contact
+  /// point is at the vertex of the other shape with the smallest height above the plane of the face.
   Manifold<Dim> of_deepest_vertex(const SeparatingAxis<Dim>& axis) {
     const bool of_second = axis.features.kind == AxisKind::kFaceOfSecond;
     const FaceAxis& best = of_second ? axis.of_second : axis.of_first;

@@ -13,7 +13,7 @@ namespace floc {
 /// Types of contact of two shapes. They differ in the number of contact points. In 2D, a contact of two sides has the
 /// type kFaceFace.
 enum class ContactType : std::uint8_t {
-  kVertexFace,  ///< one point, unless two edges cross there
+  kVertexFace,  ///< one point that is not a crossing of two edges
   kEdgeEdge,    ///< one point at which two edges cross
   kDouble,      ///< two points in 3D: an edge on a face
   kFaceFace     ///< three points or more in 3D, two points in 2D
@@ -29,10 +29,10 @@ struct ManifoldPoint {
   Vec<Dim> arm = Vec<Dim>::Zero();
   double gap = 0.0;  ///< distance between the surfaces along the normal (length); negative if they overlap
   /// Number that identifies the contact point from step to step, as long as the same two features (faces or edges) meet
-  /// at the point. The fields of the number, from the highest bit: 1 bit, whether the reference face belongs to the
-  /// second shape; 10 bits, index of the reference feature; 10 bits, index of the incident feature; 10 bits, number of
-  /// the side that begins at the corner (1023 for closest points); 1 bit, whether the features are two edges. The
-  /// points of one contact have different keys.
+  /// at the point. The points of one contact have different keys. The fields of the number, from the highest bit, are:
+  /// whether the reference face belongs to the second shape (1 bit); index of the reference feature (10 bits); index of
+  /// the incident feature (10 bits); number of the side that begins at the corner, or 1023 for closest points (10
+  /// bits); whether the features are two edges (1 bit).
   std::uint32_t key = 0;
 };
 
@@ -59,21 +59,21 @@ struct Manifold {
 
 /// Options of contact_manifold().
 struct ManifoldOptions {
-  /// Largest number of corners of which all are kept. Rigid shapes with friction need no more than
-  /// Manifold::kRigidPoints. Elastic shapes need Manifold::kMostPoints, because each overlapping corner is a spring,
-  /// and so do grains in equilibrium without friction, whose force can lie anywhere between the corners.
+  /// If a contact in 3D has more corners than this number, only some of them are kept. Manifold::kRigidPoints is enough
+  /// for rigid shapes with friction. Elastic shapes need Manifold::kMostPoints, because each overlapping corner is a
+  /// spring. Grains in equilibrium without friction need Manifold::kMostPoints, too, because the force of a pair can
+  /// act anywhere between the corners.
   int most_points = 4;
-  /// Whether the normal has to be accurate to about 1e-6 instead of 1e-4 radians, and an edge on a face needs both
-  /// ends, as for grains in equilibrium without friction: an error of a normal unbalances them. The features that meet
-  /// then depend on differences of gaps of 1e-6 of the smaller inner radius.
+  /// Whether normals have to be accurate to about 1e-6 instead of 1e-4 radians, and both ends of an edge on a face are
+  /// needed. Grains in equilibrium without friction require this, because errors of the normals unbalance their forces.
+  /// The features that define the contact then depend on differences of gaps of 1e-6 of the smaller inner radius.
   bool exact = false;
-  /// Share of the overlap along the normal of a face by which the overlap along an edge pair has to be smaller if the
-  /// edge pair is to define the contact. Two nearly parallel faces that overlap at a corner are then a contact of
-  /// these faces. Without this share, a rigid pair can be pushed apart at another corner in each step and never comes
-  /// to rest.
+  /// Preference for faces over edge pairs if two shapes overlap. An edge pair defines the contact only if the overlap
+  /// along the common normal of the edges is smaller than the overlap along the normal of a face by this share of the
+  /// latter. If two nearly parallel faces overlap at a corner, these faces then define the contact. With a value of 0,
+  /// a rigid pair can be pushed apart at another corner in each step and never come to rest.
   double face_preference = 0.0;
-  /// Key of a point that is found, if its features meet and it is within reach, even where other points represent the
-  /// contact.
+  /// Key of a contact point that is kept in any case if its features meet and its gap is below `reach`.
   std::optional<std::uint32_t> wanted = std::nullopt;
 };
 
@@ -85,7 +85,7 @@ struct ManifoldOptions {
 ///      other shape, clipped by the sides of the reference face. In 3D, if there are more than `most_points` corners,
 ///      four of them are kept: the deepest point, the point furthest from it, and, on each side of the line through
 ///      these two points, the point furthest from the line. The wanted point is kept, too.
-///   2. If this axis is normal to a pair of edges, there is one contact point.
+///   2. If the axis of the largest separation is the common normal of a pair of edges, there is one contact point.
 ///   3. If polytopes without rounding are apart, it can happen that no axis of separating_axis.h is parallel to the
 ///      line between their closest points (for example between two vertices). In this case there is one contact point,
 ///      midway between the closest points.
@@ -101,8 +101,8 @@ struct ManifoldOptions {
 ///
 /// @param reach  largest gap of a contact point (length), >= 0
 /// @param last  features of the separating axis in the previous step, with which the search begins; the function
-/// replaces them by the features found now. With the features of the previous step, most pairs that do not touch need
-/// only one search for a lowest vertex.
+/// replaces them by the features found now. For most pairs that do not touch, the old features still separate the
+/// shapes, and the search ends after a single search for a lowest vertex.
 template <int Dim>
 Manifold<Dim> contact_manifold(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, double reach,
                                AxisFeatures* last = nullptr, const ManifoldOptions& options = {});

@@ -94,12 +94,12 @@ Moments<3> edge_layer(const Vec<3>& from, const Vec<3>& to, const Arc<3>& arc, d
 using NormalCone = Moments<3>;
 
 /// Adds the contribution of one side of a normal cone to the integrals of the cone. The side is the arc between the
-/// normals of the two faces at an edge. The unit vector `outward` is normal to the arc and points out of the cone;
-/// `outward` is the direction of the edge away from the vertex.
+/// normals of the two faces at an edge. The unit vector `outward` is the direction of the edge away from the vertex; it
+/// is normal to the arc and points out of the cone.
 ///
-/// The integral of u is half the sum, over the sides, of the angle of the side times its inward normal. The integral of
-/// u u' (Arvo 1995) is a third of the solid angle times the identity matrix, minus a third of the sum, over the sides,
-/// of the outward normal times the integral of u along the arc.
+/// Let I be the identity matrix and W the solid angle of the cone. For each side, let t be its angle, n its outward
+/// normal, and m the integral of u along the arc. With sums over the sides, the integral of u is -(1/2) sum t n, and
+/// the integral of u u' is (W I - sum n m')/3 (Arvo 1995).
 void add_arc(NormalCone& cone, const Vec<3>& outward, const Arc<3>& arc) {
   cone.first -= 0.5 * arc.angle * outward;
   cone.second -= symmetric_product<3>(outward, arc.first) / 6.0;

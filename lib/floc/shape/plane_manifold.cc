@@ -15,8 +15,8 @@ const ManifoldPoint<Dim>& largest(const std::vector<ManifoldPoint<Dim>>& points,
                            [&](const auto& p, const auto& q) { return size(p) < size(q); });
 }
 
-/// Returns all points or, if there are too many, Manifold::kRigidPoints of them that enclose a large area, and the
-/// point with the wanted key.
+/// Returns all points if there are at most Manifold::kRigidPoints. Otherwise returns that number of points that enclose
+/// a large area, and the point with the wanted key.
 template <int Dim>
 std::vector<ManifoldPoint<Dim>> spread_out(const std::vector<ManifoldPoint<Dim>>& all, const Vec<Dim>& normal,
                                            std::optional<std::uint32_t> wanted) {

@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// For each contact point, the index of the matching contact point of the previous step, whose history is kept; -1 if
-/// there is none.
+/// For each contact point, the index of the matching contact point of the previous step; -1 if no point matches. The
+/// history of the matching point is kept.
 template <int Dim>
 using PointMatches = std::array<int, Manifold<Dim>::kMostPoints>;
 

@@ -140,9 +140,9 @@ Vec<3> pair_normal(const PlacedEdge& a, const PlacedEdge& b) {
   return n.dot(a.left + a.right) < 0.0 ? Vec<3>(n / -length) : Vec<3>(n / length);
 }
 
-/// Pair of edges, one of each shape, with the largest separation; the indices are -1 if the separation of no pair
-/// exceeds the threshold. The member `of_last` is the separation of the pair of edges that defined the axis in the
-/// previous step.
+/// Pair of edges, one of each shape, with the largest separation. The indices are -1 if no pair has a separation above
+/// the threshold. The member `of_last` is the separation of the pair of edges that defined the axis in the previous
+/// step.
 struct EdgeAxis {
   int first = -1, second = -1;
   double separation = kLeast;
@@ -175,8 +175,8 @@ EdgeAxis best_edge_pair(const Shape<3>& first, const FaceSearch<3>& above_first,
   return best;
 }
 
-/// Returns the separation of two shapes along the axis that the features of the previous step define at the present
-/// positions. The separation is a lower bound of the distance of the shapes.
+/// Returns the separation of two shapes along the axis that is computed from the features of the previous step and the
+/// present positions. The separation is a lower bound of the distance of the shapes.
 template <int Dim>
 double last_separation(const Shape<Dim>& first, const Shape<Dim>& second, const RelativePlace<Dim>& place,
                        const AxisFeatures& last, FaceSearch<Dim>& above_first, FaceSearch<Dim>& above_second) {

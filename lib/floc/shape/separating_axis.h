@@ -11,8 +11,8 @@ namespace floc {
 enum class AxisKind : std::uint8_t { kNone, kFaceOfFirst, kFaceOfSecond, kEdgePair };
 
 /// Features (faces or edges) of two shapes that define the separating axis of the shapes. For each pair of grains, the
-/// features of one step are stored for the next step, whose search begins with these features. Without stored features,
-/// the search takes longer but gives the same result up to the margins.
+/// features of one step are stored, and the search in the next step begins with them. Without stored features, the
+/// search takes longer but gives the same result up to the margins.
 struct AxisFeatures {
   AxisKind kind = AxisKind::kNone;
   std::int16_t first = 0;   ///< index of the face or edge of the first shape
@@ -36,8 +36,8 @@ struct SeparatingAxis {
   FaceAxis of_first, of_second;
 };
 
-/// Margins of the choice between two kinds of axis: an axis of one kind is chosen only if its separation exceeds that
-/// of a preferred kind by more than the margin. The unit is that of lengths in the first shape.
+/// Margins for the choice between two kinds of axis, in the unit of length of the first shape. An axis of one kind is
+/// chosen only if its separation exceeds that of a preferred kind by more than the margin.
 struct AxisMargins {
   /// Margin for faces. A face of the second shape defines the axis only if its separation exceeds that of every face of
   /// the first shape by more than this margin. The face of the previous step is kept unless the separation of another
@@ -45,14 +45,14 @@ struct AxisMargins {
   double faces;
   /// margin for edges: the separation of an edge pair has to exceed that of every face by more than this margin
   double edges;
-  /// Margin that is added for edges of shapes that overlap along the normals of all faces, divided by the smallest of
-  /// these overlaps.
+  /// If the shapes overlap along the normals of all faces, the margin for edges is increased by this number times the
+  /// smallest of these overlaps.
   double edges_of_overlap = 0.0;
 };
 
-/// Finds the axis along which two shapes, without their rounding, have the largest separation or, if they overlap, the
-/// smallest overlap. The candidates are the normals of all faces and, in 3D, of the edge pairs whose arcs cross on the
-/// Gauss sphere.
+/// Finds the axis along which two cores (shapes without rounding) have the largest separation or, if they overlap, the
+/// smallest overlap. The candidates are the normals of all faces and, in 3D, the common normals of the edge pairs whose
+/// arcs cross on the Gauss sphere.
 ///
 /// The axis with the largest separation is chosen, with two preferences. An edge pair is chosen only if its separation
 /// exceeds that of every face by more than a margin. A face of the second shape is chosen only if its separation

@@ -22,9 +22,9 @@ struct ShapeEdge {
 /// segment (two vertices: a capsule) or a point (no vertex: a disk or sphere).
 ///
 /// Coordinates are relative to the centre of mass of the rounded shape, in 3D along its principal axes. The faces of
-/// the core have outward unit normals n and offsets, with n . x = offset for points x on the face. In 2D faces are
-/// sides, in counter-clockwise order, and there are no edges; a segment has two sides in 2D and no face in 3D. All
-/// lengths have the unit of the coordinates of the vertices; mass properties are given for density 1.
+/// the core have outward unit normals n and offsets, with n . x = offset for points x on the face. In 2D the faces are
+/// the sides, in counter-clockwise order, and there are no edges. A segment has two sides in 2D and no face in 3D. All
+/// lengths have the unit of the coordinates of the vertices. Mass properties are given for density 1.
 template <int Dim>
 struct Shape {
   std::vector<Vec<Dim>> vertices;

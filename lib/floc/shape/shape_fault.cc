@@ -38,7 +38,7 @@ Polytope<Dim> core_of(const Shape<Dim>& shape) {
   return core;
 }
 
-/// Returns a fault if no valid shape has these numbers of vertices and faces.
+/// Returns a fault if no valid shape can have the numbers of vertices and faces of `shape`.
 template <int Dim>
 std::optional<ShapeFault> fault_of_counts(const Shape<Dim>& shape) {
   const int n = shape.n_vertices();
@@ -80,7 +80,7 @@ std::optional<ShapeFault> fault_of_mass(const Shape<Dim>& shape, double volume,
   return std::nullopt;
 }
 
-/// Returns a fault of the mass properties of a polytope or, in 2D, of a capsule.
+/// Returns a fault if the recorded mass properties of a polytope (in 2D also of a capsule) are wrong.
 template <int Dim>
 std::optional<ShapeFault> fault_of_moments(const Shape<Dim>& shape, const Polytope<Dim>& core) {
   Moments<Dim> moments;

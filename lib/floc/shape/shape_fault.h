@@ -20,10 +20,11 @@ struct ShapeFault {
 template <int Dim>
 std::optional<ShapeFault> fault_of_faces(const Shape<Dim>& shape);
 
-/// Returns a fault of the geometry of a shape, or std::nullopt if there is none. The faces must have no fault
-/// (fault_of_faces()). The shape has to be convex; the normals and offsets of the faces have to be correct; the centre
-/// of mass has to be at the origin, and the principal axes along the coordinate axes. The relative errors of the
-/// volume, the moments of inertia and the radii have to be below 1e-9.
+/// Returns a fault of the geometry of a shape, or std::nullopt if there is none. The shape has to be convex, with
+/// correct normals and offsets of the faces. The centre of mass has to be at the origin, and the principal axes have to
+/// be the coordinate axes. The relative errors of the volume, the moments of inertia and the radii have to be below
+/// 1e-9.
+/// @pre the faces have no fault (fault_of_faces())
 template <int Dim>
 std::optional<ShapeFault> fault_of_geometry(const Shape<Dim>& shape);
 

@@ -27,7 +27,8 @@ class HullBuilder {
     begin_with_a_tetrahedron(place);
   }
 
-  /// Extends the hull until no point lies outside. Of all points above a triangle, the furthest point is added first.
+  /// Extends the hull until no point lies outside. Of the points above a triangle, the point furthest from the triangle
+  /// is added first.
   std::vector<HullTriangle> build() {
     // Because of rounding errors, a point may be assigned to a wrong triangle. After the first round, the points
     // outside the hull are therefore assigned and added again, in two more rounds.
@@ -196,7 +197,7 @@ class HullBuilder {
 
   const std::vector<Vec<3>>& points_;
   double size_ = 0.0;  ///< largest extent of the points
-  /// points count as lying in a plane if their height above or below the plane is less than this
+  /// points count as lying in a plane if their distance from the plane is less than this length
   double tolerance_ = 0.0;
   std::vector<Face> faces_;
   int n_visits_ = 0;

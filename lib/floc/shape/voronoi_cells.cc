@@ -47,8 +47,8 @@ std::vector<Vec<Dim>> cell_of(std::vector<Vec<Dim>> branches) {
     std::vector<HalfSpace<Dim>> half_spaces;
     for (std::size_t k = 0; k < n; ++k) half_spaces.push_back({branches[k], 0.5 * branches[k].squaredNorm()});
     const auto vertices = intersection_vertices<Dim>(half_spaces);
-    // A point cannot cut off a part of the cell if its distance from the point of the cell is more than twice the
-    // distance of the furthest vertex.
+    // A neighbour cannot cut off a part of the cell if its distance from the centre point of the cell is more than
+    // twice the distance of the furthest vertex from the centre point.
     double furthest = 0.0;
     if (vertices)
       for (const Vec<Dim>& v : *vertices) furthest = std::max(furthest, v.norm());

@@ -8,7 +8,8 @@
 namespace floc {
 
 /// Force-carrying structure of a packing (docs/physics.md, "Force-carrying structure"): the grains that are not
-/// rattlers, and all contacts and attractions between them that carry a compressive or tensile normal force.
+/// rattlers, and all their contacts and attractions with a compressive or tensile normal force. Contacts with rattlers
+/// are not part of the structure.
 struct CarryingStructure {
   std::vector<bool> rattler;  ///< for each grain, whether it is a rattler
   std::vector<int> contacts;  ///< indices of the carrying contacts in Packing::contacts, ascending
@@ -29,11 +30,11 @@ inline constexpr WholeRange kLeastContacts{.least = 1, .most = 100};
 
 /// Finds the force-carrying structure of a packing. Only contacts whose normal force exceeds `smallest_force` in
 /// magnitude are counted, including contacts with walls. Grains with fewer than `least` such contacts are rattlers.
-/// Rattlers are removed together with their contacts, and the search is repeated until it finds no further rattler. In
-/// contrast, find_rattlers() also counts contacts with smaller forces.
+/// Rattlers are removed together with their contacts, and the search is repeated until it finds no further rattler. The
+/// rattlers may differ from those of find_rattlers(), which also counts contacts with smaller forces.
 /// @param smallest_force  a contact is force-carrying if the magnitude of its normal force is above this value (force),
 /// >= 0
-/// @param least           smallest number of carrying contacts of a grain that is not a rattler, in kLeastContacts
+/// @param least  smallest number of carrying contacts of a grain that is not a rattler, in the range kLeastContacts
 /// @throws InputError if a parameter is out of range
 template <int Dim>
 CarryingStructure carrying_structure(const Packing<Dim>& packing, double smallest_force, int least);

@@ -22,7 +22,7 @@ Mat<3> contact_frame(const Vec<3>& n) {
 
 namespace {
 
-/// Returns, for each axis with walls, the coordinate of the point in the middle between the two walls (length).
+/// Returns a vector with the coordinate of the middle between the two walls for each axis with walls (length).
 template <int Dim>
 Vec<Dim> middle(const std::vector<Wall<Dim>>& walls) {
   Vec<Dim> middle = Vec<Dim>::Zero();

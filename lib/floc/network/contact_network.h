@@ -11,20 +11,22 @@ namespace floc {
 template <int Dim>
 struct NetworkContact {
   int i;  ///< number of the first grain
-  int j;  ///< number of the second grain; equal to i if the contact is with an image of grain i itself, or with a wall
+  /// number of the second grain; equal to i for a contact with an image of grain i itself or with a wall
+  int j;
   /// periodic image of j that i touches, given by the number of cells along each lattice vector
   Vec<Dim, int> image;
   /// Vector from the centre of i to the centre of the image of j (length). A strain of the cell changes this vector.
-  /// For a contact with a wall, the vector ends on the plane of the wall; along other axes that have walls it ends in
-  /// the middle of the box, because a wall moves only along its normal.
+  /// For a contact with a wall, the vector ends on the plane of the wall. Along other axes with walls, the vector ends
+  /// in the middle of the box, because a wall moves only along its normal.
   Vec<Dim> branch;
-  Vec<Dim> arm_i;    ///< vector from the centre of i to the contact point (length)
-  Vec<Dim> arm_j;    ///< vector from the centre of the image of j to the contact point (length)
-  Mat<Dim> frame;    ///< columns: the unit normal from i to j, then the tangents
-  double kn;         ///< normal stiffness K_N (force/length); negative, -F0/D0, for an attraction across a gap
-  double kt;         ///< tangential stiffness K_T (force/length)
-  double kr;         ///< rolling stiffness K_R (force * length)
-  double ktw = 0.0;  ///< twisting stiffness K_tw about the normal, in 3D (force * length)
+  Vec<Dim> arm_i;  ///< vector from the centre of i to the contact point (length)
+  Vec<Dim> arm_j;  ///< vector from the centre of the image of j to the contact point (length)
+  Mat<Dim> frame;  ///< columns: the unit normal from i to j, then the tangents
+  /// normal stiffness K_N (force/length); for an attraction across a gap -F0/D0 (pull-off force F0, range D0)
+  double kn;
+  double kt;                           ///< tangential stiffness K_T (force/length)
+  double kr;                           ///< rolling stiffness K_R (force * length)
+  double ktw = 0.0;                    ///< twisting stiffness K_tw about the normal, in 3D (force * length)
   double normal_force;                 ///< static normal force, compression positive (force)
   Vec<Dim> shear_force;                ///< tangential force on grain i (force)
   RotationVector<Dim> rolling_moment;  ///< rolling moment on grain i (force * length)
@@ -59,15 +61,16 @@ template <int Dim>
 struct ContactNetwork {
   int n_grains = 0;
   double volume = 0.0;  ///< volume of the cell; area in 2D
-  /// Size of each grain (length), by which the rotation of the grain is multiplied to give a displacement. The size of
-  /// a round grain is its radius.
+  /// Size of each grain (length). The product of size and rotation of a grain is a displacement. The size of a round
+  /// grain is its radius.
   std::vector<double> grain_size;
   std::vector<NetworkContact<Dim>> contacts;
   /// Axes with a wall at both ends, ascending. The two walls of an axis may move together along the axis; this motion
   /// is an additional unknown of the boundary.
   std::vector<int> wall_axes;
-  /// Geometric springs of each contact of the packing, in the order of NetworkContact::source, if the grains have
-  /// corners and the springs are needed; empty otherwise. For round grains they follow from the contact itself.
+  /// Geometric springs of each contact of the packing, in the order of NetworkContact::source. The list is empty unless
+  /// the grains have corners and the springs are needed. For round grains, the geometric springs are computed from the
+  /// contact itself.
   std::vector<GeometricSprings<Dim>> geometric;
 
   int n_unknowns() const { return kDofs<Dim> * n_grains; }
@@ -84,10 +87,10 @@ constexpr int first_unknown(int grain) {
 Mat<2> contact_frame(const Vec<2>& normal);
 Mat<3> contact_frame(const Vec<3>& normal);
 
-/// Returns the network of all contacts of a packing, in the order of Packing::contacts. The contact point divides the
-/// distance r between the centres of two grains in proportion to their radii R_i and R_j: the lever arm of grain i has
-/// the length r R_i/(R_i + R_j) and is parallel to the normal (docs/physics.md, "Kinematics of a contact"). The lever
-/// arm of a grain at a wall is the distance of its centre from the plane of the wall.
+/// Returns the network of all contacts of a packing, in the order of Packing::contacts. The contact point of two round
+/// grains divides the distance r between their centres in proportion to their radii R_i and R_j: the lever arm of grain
+/// i has the length r R_i/(R_i + R_j) and is parallel to the normal (docs/physics.md, "Kinematics of a contact"). The
+/// lever arm of a round grain at a wall is the distance of its centre from the plane of the wall.
 template <int Dim>
 ContactNetwork<Dim> contact_network(const Packing<Dim>& packing);
 

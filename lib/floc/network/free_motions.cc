@@ -13,8 +13,9 @@ namespace floc {
 namespace {
 
 /// Threshold for the linear independence of a rigid motion from the motions that are already fixed. The fixed motions
-/// are subtracted from the rigid motion; the rigid motion is independent if at least this share of its largest
-/// displacement remains. Lever arms of normal forces count as zero below this share of the grain's size.
+/// are subtracted from the rigid motion; the rigid motion is independent if more than this share of its largest
+/// displacement remains. The value also serves as threshold for lever arms of normal forces: an arm, divided by the
+/// size of the grain, counts as zero if it is smaller.
 constexpr double kDistinct = 1e-6;
 
 /// Returns the null space of a matrix up to rounding, as orthonormal columns v with |matrix v| <= bound.
@@ -74,7 +75,7 @@ class FreeMotionFinder {
   struct CoreSpin {
     std::vector<int> grains;
     GrainMotion<Dim> motion;
-    int pinned;  // unknown of the stiffness matrix that is fixed, and not solved for, because of this rotation
+    int pinned;  // unknown that is fixed, and not solved for, because of this rotation
   };
 
   void keep_grain(int grain, bool keep) {
@@ -92,7 +93,8 @@ class FreeMotionFinder {
     alone_.push_back(grain);
   }
 
-  /// Removes dead ends one after another, beginning at the tips. The contacts of the remaining grains remain active.
+  /// Removes dead ends one after another, beginning at the tips (grains with a single contact). The contacts between
+  /// remaining grains stay active.
   void remove_dead_ends() {
     std::vector<int> degree(network_.n_grains);
     std::vector<int> tips;
@@ -183,8 +185,8 @@ class FreeMotionFinder {
     spins_.push_back({grains, motion, pinned});
   }
 
-  /// Returns `start` and the grains that rolling or twisting stiffness connects to it, directly or through other
-  /// grains; empty if a tangential spring or a wall resists the rotation of these grains.
+  /// Returns a group of grains: `start` and all grains that are connected to `start` by rolling or twisting stiffness,
+  /// directly or through other grains. The group is empty if a tangential spring or a wall resists its rotation.
   std::vector<int> free_rolling_group(int start, std::vector<bool>& visited) const {
     bool held = false;
     std::vector<int> group{start};
@@ -203,12 +205,13 @@ class FreeMotionFinder {
     return held ? std::vector<int>{} : group;
   }
 
-  /// Returns the axes about which the normal springs of a group of grains let them rotate together, as columns. They
-  /// are all axes for round grains, whose normal forces have no moments about the centres. Each column has a zero in
-  /// the rows in which the columns before it have their largest entries.
+  /// Returns, as columns, the axes about which a group of grains can rotate together without resistance of normal
+  /// springs. Round grains can rotate about all axes, because their normal forces have no moments about the centres. In
+  /// the row in which a column has its largest entry, all later columns are zero.
   Eigen::MatrixXd axes_without_moment(const std::vector<int>& group) const {
     constexpr int kAxes = kRotations<Dim>;
-    Eigen::Index n = kAxes;  // zero rows, for kernel()
+    // with additional rows of zeros, because kernel() needs at least as many rows as columns
+    Eigen::Index n = kAxes;
     for (const int grain : group) n += static_cast<Eigen::Index>(of_[grain].size());
     Eigen::MatrixXd moments = Eigen::MatrixXd::Zero(n, kAxes);
     n = kAxes;
@@ -325,7 +328,8 @@ class FreeMotionFinder {
             (stiffness.array() != 0.0).select(change, 0.0);
       }
     }
-    // First come the translations that no wall resists, then free motions that are orthogonal to these translations.
+    // The first columns are the translations that no wall resists, the other columns are free motions that are
+    // orthogonal to these translations.
     const double bound = kDistinct * felt.norm();
     const Eigen::MatrixXd slides = kernel(felt.leftCols(Dim), bound);
     Eigen::MatrixXd across = Eigen::MatrixXd::Zero(felt.rows() + slides.cols(), n);
@@ -340,8 +344,9 @@ class FreeMotionFinder {
 
   double unit(int grain, int dof) const { return dof < Dim ? 1.0 : network_.grain_size[grain]; }
 
-  /// Subtracts `spin`, a rotation of grains that is already fixed, from the rigid motions of the connected part that
-  /// contains these grains.
+  /// Subtracts a multiple of `spin`, a rotation of grains that is already fixed, from each rigid motion of the
+  /// connected part that contains these grains. Afterwards the unknown that is fixed for `spin` is zero in all rigid
+  /// motions.
   /// @param motions  rigid motions, one per column; the rows are the unknowns of the part, rotations multiplied by the
   /// grain size
   void take_out(const CoreSpin& spin, const std::vector<int>& row_of, Eigen::MatrixXd& motions) const {

@@ -14,8 +14,8 @@ enum class FreeMotionKind {
   /// rotation of a connected part as a whole; the part does not wind around the cell in the plane of the rotation
   rotation,
   roll,  ///< rolling, sliding or twisting of a dead end at its single contact
-  /// free rotation of grains that are not dead ends: they have no friction, or (in 3D) rotate about the line through
-  /// their two contacts
+  /// free rotation of grains that are not dead ends: grains without friction, or (in 3D) a grain that rotates about the
+  /// line through its two contacts
   spin,
 };
 
@@ -41,8 +41,8 @@ struct FreeMotions {
   /// Number of dead ends whose single contact is an attraction across a gap. Each of them causes a negative eigenvalue
   /// of K, which is removed together with the dead end.
   int n_unstable_ends = 0;
-  /// Matrix with one linearly independent free motion per column; the rows are the unknowns of K (length, radians). K *
-  /// modes is zero up to rounding; for translations, this is also true with prestress. Dead ends move together with the
+  /// Matrix with linearly independent free motions as columns; the rows are the unknowns of K (length, radians). K *
+  /// modes is zero up to rounding. For translations, this is true even with prestress. Dead ends move together with the
   /// grain to which they are connected.
   Eigen::SparseMatrix<double> modes;
   std::vector<FreeMotionKind> kind;  ///< kind of each column of `modes`
@@ -58,10 +58,10 @@ struct FreeMotions {
 ///    and the rotations. A part that winds around the cell has only those rotations in which it remains connected to
 ///    its periodic images. A part that touches walls has only those motions that the walls do not resist.
 ///
-/// The response to a strain does not change. The inertia of K (its numbers of positive and negative eigenvalues)
-/// changes only by `n_unstable_ends`. The reason is that eliminating the unknowns of a dead end from K adds nothing to
-/// the block of the grain to which it is connected. With prestress, this is true if the dead end is in equilibrium,
-/// that is, if the force at its contact is zero.
+/// Leaving out these unknowns does not change the response to a strain. The number of negative eigenvalues of K
+/// decreases only by `n_unstable_ends`. The reason is that eliminating the unknowns of a dead end from K adds nothing
+/// to the block of its neighbour. With prestress, this is true if the dead end is in equilibrium, that is, if the force
+/// at its contact is zero.
 template <int Dim>
 FreeMotions find_free_motions(const ContactNetwork<Dim>& network);
 

@@ -11,15 +11,15 @@
 namespace floc {
 namespace {
 
-/// Displacement of the surface, divided by the smaller outer radius, by which grains are moved for the differences. The
-/// rounding errors of a gap, some 1e-16 of the radius, then change the stiffness by 1e-10 K_N.
+/// Length of the motions for the central differences, divided by the smaller outer radius; also the angle of the
+/// rotations. With this value, rounding errors of a gap (about 1e-16 of the radius) change the stiffness by 1e-10 K_N.
 constexpr double kMove = 1e-6;
 
 /// Displacement of grain j relative to grain i, and rotations of i and of j.
 template <int Dim>
 using Motion = Eigen::Matrix<double, kMotionRows<Dim>, 1>;
 
-/// Changes of the geometry of a contact with a component of the motion of its grains.
+/// Geometry of a contact, or the derivative of the geometry with respect to a component of the motion of its grains.
 template <int Dim>
 struct GeometryChange {
   Vec<Dim> normal = Vec<Dim>::Zero();
@@ -53,8 +53,9 @@ class MovedContact {
 
   double smaller_radius() const { return std::min(first_.outer_radius(), second_.outer_radius()); }
 
-  /// Returns the changes of the geometry per unit of one component of the motion. A contact point that only one of the
-  /// two moved pairs has, because an edge leaves a face there, gives a one-sided difference.
+  /// Returns the derivative of the geometry with respect to one component of the motion. The grains are moved forwards
+  /// and backwards. If the contact point exists after only one of these motions, because an edge leaves a face at the
+  /// point, the difference is one-sided.
   /// @param size  value of the component (length, or angle for a rotation)
   GeometryChange<Dim> change(int component, double size) const {
     const Motion<Dim> motion = size * Motion<Dim>::Unit(component);
@@ -89,11 +90,12 @@ class MovedContact {
   double reach_;
 };
 
-/// Returns the geometric springs of one contact. Let f = -F n + S be the force on i, with the normal force F and the
-/// tangential force S, and a_i and a_j the lever arms. The normal changes by dn, the arms change by da_i and da_j =
-/// da_i - dr, and the gap changes by dg. The stiffness K_N of the contact point describes only the change n.(relative
-/// motion of the points in contact) of the gap; let dF be the change of F due to the rest of dg. With the mean rotation
-/// w of the grains, dS = w x S - n (n.(w x S) + S.dn). Then
+/// Returns the geometric springs of one contact. Let f = -F n + S be the force on i, with the normal n, the normal
+/// force F and the tangential force S. Let a_i and a_j be the lever arms. If j is displaced by dr relative to i, and
+/// the grains rotate, the normal changes by dn, the arms change by da_i and da_j = da_i - dr, and the gap changes by
+/// dg. The stiffness K_N of the contact point describes only a part of dg, n.u, with the relative displacement u of the
+/// points in contact. The rest of dg changes F by dF = -K_N (dg - n.u). With the mean rotation w of the grains, dS = w
+/// x S - n (n.(w x S) + S.dn). Then
 ///
 ///   df = -dF n - F dn + dS,  d(moment on i) = da_i x f + a_i x df,  d(moment on j) = -(da_j x f + a_j x df)
 template <int Dim>

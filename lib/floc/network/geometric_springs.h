@@ -5,20 +5,21 @@
 
 namespace floc {
 
-/// Returns the geometric springs of all contacts of a packing of grains with corners. They are the symmetric part of
-/// the change of the forces and moments of a contact with the motion of its grains, without the change that the
-/// stiffnesses K_N and K_T of the contact point describe (see contact_rows()). All forces of the contact are included.
+/// Returns the geometric springs of all contacts of a packing of grains with corners. If the grains of a contact move,
+/// its forces and moments change. The stiffnesses K_N and K_T of the contact point (contact_rows()) give one part of
+/// this change. The geometric springs give the symmetric part of the rest, for all forces of the contact.
 ///
-/// The changes of the gap, the normal and the contact point are central differences of the contact manifold, because
-/// they depend on the features that meet: a vertex on a face moves with one of the grains, the corner at which an edge
-/// leaves a face moves with both, and the normal of two crossed edges rotates with both. The tangential force rotates
-/// with the mean rotation of the two grains and stays in the tangential plane, as in contact dynamics.
+/// The changes of the gap, the normal and the contact point are central differences of contact_manifold(), because they
+/// depend on the features (vertices, edges or faces) that meet: a vertex on a face moves with one of the grains, the
+/// corner at which an edge leaves a face moves with both, and the normal of two crossed edges rotates with both. The
+/// tangential force rotates with the mean rotation of the two grains and stays in the tangential plane, as in contact
+/// dynamics.
 /// @pre the grains have corners, and the packing has no walls
 template <int Dim>
 std::vector<GeometricSprings<Dim>> geometric_springs(const Packing<Dim>& packing);
 
-/// Returns rows `first` to `first + kDofs - 1` of the matrix that gives the elongations of the geometric springs of a
-/// contact from the unknowns. Rows beyond the last spring are zero.
+/// Let B be the matrix whose product with the unknowns is the elongations of the geometric springs of a contact.
+/// Returns the rows `first` to `first + kDofs - 1` of B. Rows beyond the last spring are zero.
 template <int Dim>
 ContactRows<Dim> geometric_rows(const NetworkContact<Dim>& contact, const GeometricSprings<Dim>& springs,
                                 int first);
@@ -43,7 +44,7 @@ void for_each_geometric_term(const ContactNetwork<Dim>& network, const NetworkCo
     visit(geometric_rows(contact, springs, first), geometric_row_stiffness(springs, first));
 }
 
-/// Returns the number of geometric terms of a contact whose stiffness is not zero.
+/// Returns how many geometric terms of a contact have a stiffness that is not zero.
 /// @pre as for for_each_geometric_term()
 template <int Dim>
 int n_geometric_terms(const ContactNetwork<Dim>& network, const NetworkContact<Dim>& contact) {

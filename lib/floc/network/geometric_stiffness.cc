@@ -40,10 +40,10 @@ MotionMatrix<Dim> geometric_stiffness(const NetworkContact<Dim>& c) {
   const double share_i = c.arm_i.dot(n) / r;
   const double share_j = -c.arm_j.dot(n) / r;
 
-  // The symbols are those of the comment in the header. The displacement of j relative to i does work on the force on
-  // j, which is -f. The rows of the displacement therefore contain +df, and the rows of the rotations contain minus the
-  // changes of the moments. The part n x dn of the rotation of the frame gives w x S = -n (S.dn), which is parallel to
-  // r, so r x (w x S) is zero.
+  // The header defines the symbols. The displacement of j relative to i does work on the force on j, which is -f. The
+  // rows of the displacement therefore contain +df, and the rows of the rotations contain minus the changes of the
+  // moments. The part n x dn of the rotation of the frame gives w x S = -n (S.dn), which is parallel to r, so r x (w x
+  // S) is zero.
   MotionMatrix<Dim> k = MotionMatrix<Dim>::Zero();
   k.template topLeftCorner<Dim, Dim>() = -(c.normal_force * across + n * shear.transpose()) / r;
   const auto moment_by_displacement = crossed_with(shear).eval();

@@ -7,8 +7,8 @@
 namespace floc {
 namespace {
 
-/// Block of a network: a maximal set of contacts in which any two contacts lie on a common loop; or a single contact
-/// that lies on no loop.
+/// Block of a network: either a maximal set of contacts in which any two contacts lie on a common loop, or a single
+/// contact that lies on no loop.
 struct Block {
   std::vector<int> contacts;
   std::vector<int> grains;
@@ -17,8 +17,8 @@ struct Block {
 };
 
 /// Finds the blocks of a network (see Block) by depth-first search (Hopcroft and Tarjan). Several contacts between the
-/// same two grains, and contacts of a grain with its own image, are different contacts. All walls together are treated
-/// as one additional grain, of which the upper walls are periodic images.
+/// same two grains, and contacts of a grain with its own image, are different contacts. All walls together count as one
+/// additional grain. The upper walls count as periodic images of the lower walls.
 template <int Dim>
 class BlockSearch {
  public:
@@ -118,7 +118,7 @@ class BlockSearch {
   const ContactNetwork<Dim>& network_;
   Adjacency of_;
   std::vector<int> depth_;  // for each grain, its depth in the search tree, from 1; 0 if not reached
-  std::vector<int> low_;    // for each grain, the smallest depth of a grain in contact with its subtree
+  std::vector<int> low_;    // for each grain, the smallest depth among the grains in contact with its subtree
   std::vector<CellCount<Dim>> image_;
   std::vector<bool> seen_;
   std::vector<int> open_;  // contacts that do not yet belong to a block

@@ -10,17 +10,17 @@ namespace floc {
 /// follow from the list of grains in contact alone; stiffnesses are not needed.
 struct Percolation {
   /// For each contact, whether it is in the scalar backbone: whether it carries current if every contact is a resistor
-  /// and a voltage is applied across the periodic cell or between opposite walls. Either all contacts of a block are in
-  /// the backbone, or none of them is; a block is a set of contacts in which any two contacts lie on a common loop. If
-  /// a block contains a loop around the cell or from wall to wall, every contact of the block lies on a loop of this
-  /// kind (Zaslavsky's lemma on theta graphs). The current through these contacts is then nonzero for almost all values
-  /// of the resistances.
+  /// and a voltage is applied across the periodic cell or between opposite walls. A block is a set of contacts in which
+  /// any two contacts lie on a common loop. If a block contains a loop around the cell or from wall to wall, every
+  /// contact of the block lies on a loop of this kind (Zaslavsky's lemma on theta graphs). All contacts of the block
+  /// are then in the backbone, because the current through them is nonzero for almost all values of the resistances.
+  /// The contacts of all other blocks are not in the backbone.
   std::vector<bool> scalar_backbone;
   /// For each contact, whether it is in a dead end. A dead end is a part of the network that contains no loop around
   /// the cell, and is connected to the rest by a single grain or by a single contact with a wall. No strain of the cell
-  /// changes the forces in a dead end. Some contacts are neither in a dead end nor in the scalar backbone. Such a
-  /// contact connects two parts that both wind around the cell. No current flows through this contact, but its moment
-  /// may differ from zero.
+  /// changes the forces in a dead end. Some contacts are neither in a dead end nor in the scalar backbone. Each of
+  /// these contacts connects two parts that both wind around the cell. No current flows through the contact, but its
+  /// moment may differ from zero.
   std::vector<bool> dead_end;
   /// largest number of independent lattice vectors along which a connected part of the network winds around the cell
   int n_directions = 0;

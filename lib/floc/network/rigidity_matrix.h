@@ -26,8 +26,8 @@ Mat<Dim> unit_strain(int column);
 /// Matrix G that gives the relative motion at one contact as a linear function of the unknowns. The rows of G are the
 /// components of this motion: the overlap; the tangential displacement of j relative to i along each tangent; the
 /// rotation of j relative to i, in 3D about the normal (twisting), then about each tangent (rolling). Let f be the
-/// vector of the normal force, the tangential force on i and the moments on i. The contact then balances the loads G^T
-/// f on the unknowns.
+/// vector of the normal force, the tangential force on i and the moments on i. The contact balances the loads G^T f on
+/// the unknowns.
 template <int Dim>
 struct ContactRows {
   /// columns for the unknowns of i; if i = j, they also contain the columns for the unknowns of j
@@ -45,8 +45,8 @@ using RowStiffness = Eigen::Matrix<double, kDofs<Dim>, 1>;
 template <int Dim>
 ContactRows<Dim> contact_rows(const NetworkContact<Dim>& contact);
 
-/// Returns the change of the overlap of a contact with the rotation of one of its grains, per angle about each axis
-/// (length). It is zero up to rounding for round grains.
+/// Returns the derivatives of the overlap of a contact with respect to the rotation angles of one of its grains about
+/// the axes (length). For round grains they are zero up to rounding.
 template <int Dim>
 RotationVector<Dim> normal_moment(const NetworkContact<Dim>& contact, int grain);
 
@@ -60,8 +60,8 @@ Eigen::Matrix<double, kDofs<Dim>, Dim> rows_on_walls(const NetworkContact<Dim>& 
 template <int Dim>
 int n_boundary_unknowns(const ContactNetwork<Dim>& network, StrainSet strains);
 
-/// Returns the unit of displacements of walls; in this unit, displacements are comparable to strains. It is the side of
-/// a cube (square in 2D) that has the volume of the network.
+/// Returns the unit of displacements of walls (length): the side of a cube (square in 2D) with the volume of the
+/// network. In this unit, displacements are comparable to strains.
 template <int Dim>
 double wall_shift_unit(const ContactNetwork<Dim>& network);
 
@@ -98,8 +98,8 @@ template <int Dim>
 ContactRows<Dim> translation_rows(ContactRows<Dim> rows);
 
 /// Returns the geometric stiffness (force/length) due to the normal force F_N, in the order of the rows of
-/// translation_rows(). It is -F_N/r along the tangents, where r is the distance between the centres of the two grains.
-/// At a wall it is zero, because the normal of a wall does not rotate.
+/// translation_rows(). Along the tangents, the stiffness is -F_N/r, where r is the distance between the centres of the
+/// two grains. At a wall the stiffness is zero, because the normal of a wall does not rotate.
 template <int Dim>
 RowStiffness<Dim> row_prestress(const NetworkContact<Dim>& contact);
 

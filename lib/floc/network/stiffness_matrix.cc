@@ -11,8 +11,8 @@ namespace floc {
 namespace {
 
 /// Adds the symmetric part of the geometric stiffness that follows from the tangential force and the moments of a
-/// contact. It is zero for a contact with a wall, because a wall does not rotate, and for an attraction across a gap,
-/// because there is no tangential force and no moment.
+/// contact. This part is zero for a contact with a wall, because a wall does not rotate, and for an attraction across a
+/// gap, because such an attraction has no tangential force and no moment.
 template <int Dim>
 void add_shear_prestress(const NetworkContact<Dim>& c, StrainSet strains, SymmetricSum<kDofs<Dim>>& sum) {
   if (c.on_wall() || c.distant) return;

@@ -11,14 +11,14 @@ struct StiffnessOptions {
   StrainSet strains = StrainSet::diagonal;
   /// Whether the geometric stiffness of each contact is added. For round grains it is -(F_N/r)(1 - n n), with the
   /// normal force F_N, the distance r between the centres and the normal n. The geometric terms of tangential forces
-  /// are left out; the matrix is therefore the exact derivative of the forces only if no contact carries a tangential
-  /// force. For grains with corners it is that of all forces (geometric_springs()).
+  /// are left out, so the matrix is the exact derivative of the forces only if all tangential forces are zero. For
+  /// grains with corners, the geometric stiffness includes all forces (geometric_springs()).
   bool prestress = false;
   /// Whether unknowns of the boundary are added after the strains. For each axis between walls, this unknown is the
   /// common displacement of the two walls divided by wall_shift_unit().
   bool wall_shifts = false;
-  /// Whether the symmetric part of the geometric stiffness due to the tangential forces and the moments of contacts of
-  /// round grains is added; for grains with corners, `prestress` adds it. If `prestress` is also set, the quadratic
+  /// Whether the geometric stiffness due to tangential forces and moments is added for contacts of round grains (the
+  /// symmetric part). For grains with corners, `prestress` adds this part. If `prestress` is also set, the quadratic
   /// form of the matrix is the second-order work of all forces and moments.
   bool shear_prestress = false;
 };
@@ -42,8 +42,8 @@ struct StiffnessMatrix {
 template <int Dim>
 StiffnessMatrix stiffness_matrix(const ContactNetwork<Dim>& network, const StiffnessOptions& options);
 
-/// Returns the affine moduli (Voigt) times the volume: the moduli that the network would have if every grain moved with
-/// the strain and did not rotate.
+/// Returns the affine moduli (Voigt's estimate) times the volume: the moduli that the network would have if every grain
+/// moved with the strain and did not rotate.
 template <int Dim>
 Eigen::MatrixXd affine_stiffness(const ContactNetwork<Dim>& network, StrainSet strains);
 

@@ -10,7 +10,7 @@
 namespace floc {
 
 /// Stiffness matrix of bodies that have `Size` unknowns each. Contacts are added one after another by add_contact().
-/// The matrix has a block for the bodies and blocks for the boundary. Of the block for the bodies, only the lower
+/// The matrix has a block for the bodies and blocks for the boundary. In the block for the bodies, only the lower
 /// triangle is stored, in compressed columns. The columns of a body contain its diagonal block, from the diagonal down,
 /// then one block for each neighbour with a higher number. Zeros are also stored, so that the pattern of the matrix
 /// does not depend on the stiffnesses.

@@ -21,8 +21,8 @@ struct BoundaryColumns {
   /// Displacement of j relative to i if a boundary unknown is 1: Dim rows, one column per boundary unknown.
   Eigen::Matrix<double, Dim, Eigen::Dynamic, 0, Dim, kMaxColumns> displacement;
   /// Change of the load on each boundary unknown (rows) if j is displaced by 1 relative to i along an axis (columns)
-  /// and the force of the contact is constant. It is zero for a displacement of a wall. For a strain it is a component
-  /// of the force, because the load on a strain is proportional to the vector from i to j.
+  /// and the force of the contact is constant. For a strain, the change is a component of the force, because the load
+  /// on a strain is proportional to the vector from i to j. For a displacement of a wall, the change is zero.
   Eigen::Matrix<double, Eigen::Dynamic, Dim, 0, kMaxColumns, Dim> follow;
 };
 
@@ -31,10 +31,10 @@ struct BoundaryColumns {
 /// contains G^T D G, where G times the unknowns is the motion at the contact, and D is the stiffness of the contact.
 /// The matrix also contains all geometric terms, including those of tangential forces and rolling moments.
 ///
-/// The unknowns are the translations of each grain and its rotations, which are multiplied by the size of the grain;
-/// the unknowns of the boundary follow. The loads are the forces and moments on each grain, with the moments divided by
-/// the size of the grain; the loads on the boundary follow. The pairs of grains that are passed to the constructor
-/// determine the pattern of the matrix; values are added contact by contact.
+/// The unknowns are the translations and rotations of each grain, then the unknowns of the boundary. The loads are the
+/// forces and moments on each grain, then the loads on the boundary. Rotations are multiplied by the size of the grain,
+/// and moments are divided by it. The pairs of grains that are passed to the constructor determine the pattern of the
+/// matrix; values are added contact by contact.
 template <int Dim>
 class TangentMatrix {
  public:

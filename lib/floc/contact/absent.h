@@ -3,8 +3,8 @@
 namespace floc {
 
 /// Type of the placeholder for a model in an empty slot of a contact law, for example in the friction slot of a law
-/// without friction. Each slot uses a different tag: two empty members of the same type cannot share an address, so the
-/// second would take memory.
+/// without friction. Each slot uses a different tag. With equal tags, two empty members would have the same type and
+/// could not share an address, so the second member would take memory.
 template <int Tag>
 struct Absent {
   bool operator==(const Absent&) const = default;

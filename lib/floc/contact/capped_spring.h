@@ -9,8 +9,8 @@ namespace floc {
 
 /// Returns the elongation of a contact spring, shortened to a length of at most `limit` >= 0 without a change of
 /// direction. An elongation with one component is clamped; the components of a vector are scaled together, as in a
-/// circular Coulomb cone. The history of the contact stores the elongation and not the force, so a spring that was
-/// shortened when the limit dropped does not recover when the limit rises again.
+/// circular Coulomb cone. The history of the contact stores the elongation and not the force. If the limit drops, the
+/// spring is shortened; if the limit rises again, the spring does not recover its length.
 template <class V, class T>
 inline V capped(const V& spring, const T& limit) {
   if constexpr (V::RowsAtCompileTime == 1) {
@@ -26,7 +26,7 @@ inline V capped(const V& spring, const T& limit) {
 
 /// Adds `increment` to the elongation of a contact spring, and then shortens the spring so that its force is at most
 /// `coefficient` times the elastic part FNe of the normal force. Friction, rolling resistance and twisting resistance
-/// share this rule.
+/// follow this rule.
 /// @param elastic  elastic part FNe of the normal force (force)
 /// @param history  elongation of the spring, updated
 /// @return force of the contact spring after the update

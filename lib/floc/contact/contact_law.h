@@ -58,7 +58,7 @@ struct ContactStiffness {
   double twisting = 0.0;  ///< twisting stiffness K_tw (force * length), 0 when the surfaces do not touch
 };
 
-/// Empty struct for contact laws that need only the geometry of a pair of grains, and no further parameters of the
+/// Empty struct that replaces the parameters of a pair of grains in contact laws that need only the geometry of the
 /// pair.
 struct NoPairParameters {};
 
@@ -92,8 +92,8 @@ struct ContactLaw {
   static constexpr int kDimension =
       std::max({kDimensionOf<Normal>, kDimensionOf<Tangential>, kDimensionOf<Twisting>});
 
-  /// Whether the law depends on the reduced radius of a pair of grains. The dynamics loads the reduced radius and mass
-  /// only for laws that depend on them.
+  /// Whether the law depends on the reduced radius of a pair of grains. Only for such a law does the dynamics load the
+  /// reduced radius.
   static constexpr bool kNeedsReducedRadius = requires { requires Normal::kNeedsReducedRadius; }
   || requires { requires Adhesion::kNeedsReducedRadius; };
   /// Whether the law depends on the reduced mass of a pair of grains.
@@ -132,15 +132,15 @@ struct ContactLaw {
     return 0.0;
   }
   /// Returns the largest gap (length) at which surfaces that have touched before may still stick together. The result
-  /// is nonzero only for a normal law under which surfaces can stick together across a gap.
+  /// is zero unless the normal law lets surfaces stick together across a gap.
   double holding_range([[maybe_unused]] double reduced_radius) const {
     if constexpr (requires { repulsion.holding_range(reduced_radius); })
       return repulsion.holding_range(reduced_radius);
     return 0.0;
   }
 
-  /// Returns whether a pair with this history belongs to the list of contacts: its surfaces touch, overlap or attract
-  /// each other across the gap, or the pair has a liquid bridge, possibly a broken one.
+  /// Returns whether a pair with this history belongs to the list of contacts. It does if its surfaces touch, overlap
+  /// or attract each other across the gap, or if it has a liquid bridge, even a broken one.
   template <int Dim>
   bool interacts(const PairGeometry<>& pair, const PackedHistory<kHistorySize<Dim>>& history) const {
     if constexpr (kHoldsLiquid)
@@ -158,9 +158,9 @@ struct ContactLaw {
     else
       return {};
   }
-  /// Returns the parameters of a pair of grains that are in effect now: `parameters`, but with zero strength if the
-  /// liquid bridge has broken according to the history of the pair. The grains must not have moved since the history
-  /// was updated.
+  /// Returns the present parameters of a pair of grains: `parameters`, but with zero strength if the history of the
+  /// pair says that the liquid bridge has broken.
+  /// @pre the grains have not moved since the last update of the history
   template <int Dim>
   PairParameters<> acting(const PairParameters<>& parameters,
                           [[maybe_unused]] const PackedHistory<kHistorySize<Dim>>& history) const {
@@ -332,7 +332,7 @@ struct ContactLaw {
 
   /// Returns which springs of a touching contact have forces at their caps. Every part of the program uses this
   /// criterion of sliding.
-  /// @param tolerance  fraction of the cap by which a force may lie below the cap and still count as being at the cap
+  /// @param tolerance  a force counts as being at its cap if it is below the cap by at most this fraction of the cap
   template <int Dim>
   Mobilised mobilised(double elastic, const PackedHistory<kHistorySize<Dim>>& history, double tolerance) const {
     Mobilised m;
@@ -392,7 +392,8 @@ struct ContactLaw {
   }
 
   /// Returns whether the surfaces of a contact touch. Surfaces touch if they overlap, unless the normal law defines
-  /// another criterion, because surfaces can stick together across a gap or can part while they still overlap.
+  /// another criterion. Another criterion is needed if surfaces can stick together across a gap, or can part while they
+  /// still overlap.
   template <class T>
   typename NormalResponse<T>::Mask in_touch(const PairGeometry<T>& pair,
                                             [[maybe_unused]] const T* history) const {

@@ -4,8 +4,8 @@
 
 /// Declarations of a model of a contact law: its keyword, its parameters (numbers and choices among keywords), and the
 /// history that it stores per contact. Each model is declared once. All code that handles parameters and histories
-/// iterates over these declarations: validation, scene files, changes along a load path, texts that describe laws,
-/// state files, the computation of forces and dimensionless groups.
+/// iterates over these declarations, for example the code that validates laws, reads scene files, changes laws along a
+/// load path, describes laws in texts, writes state files, and computes forces and dimensionless groups.
 namespace floc {
 
 /// Unit of a parameter of a contact law.
@@ -78,8 +78,8 @@ struct Choice {
   void (*set)(Model&, int);
 };
 
-/// Functions for a model that stores its choice of a keyword as an enumeration in the member `kMember`. They get and
-/// set the index of the chosen keyword. Choice::get and Choice::set point to these two functions. They are not lambdas,
+/// Two functions that get and set the index of the chosen keyword, for a model that stores its choice as an enumeration
+/// in the member `kMember`. Choice::get and Choice::set point to these functions. Lambdas cannot replace the functions,
 /// because a model declares its choices before its own definition is complete.
 template <class Model, auto kMember>
 int chosen(const Model& model) {
@@ -122,8 +122,8 @@ constexpr int n_components(HistoryKind kind, int dim) {
 }
 
 /// Returns the factor by which each component of a quantity in the history of a contact is multiplied when the grains i
-/// and j of the contact are exchanged. The factor is 1 for a 2D tangential displacement: both the displacement and the
-/// tangent along which it is expressed change sign.
+/// and j of the contact are exchanged. The factor is 1 for a 2D tangential displacement, because the displacement and
+/// the tangent along which it is measured both change sign.
 constexpr double parity(HistoryKind kind, int dim) {
   if (!is_tangential(kind)) return 1.0;
   return kind == HistoryKind::tangent && dim == 2 ? 1.0 : -1.0;

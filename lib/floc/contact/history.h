@@ -8,9 +8,9 @@
 
 namespace floc {
 
-/// Order of the numbers in the history of a contact, both in the list of contacts and in the arrays of pairs that the
-/// dynamics uses. Each slot of the contact law (normal, friction, ...) has a fixed range of indices that is large
-/// enough for any model of the slot. The numbers therefore keep their indices when the law changes.
+/// Order of the numbers in the history of a contact. This order is used in the list of contacts and in the arrays of
+/// pairs of the dynamics. Each slot of the contact law (normal, friction, ...) has a fixed range of indices that is
+/// large enough for any model of the slot. The numbers therefore keep their indices when the law changes.
 template <int Dim>
 struct HistoryLayout {
   // Number of values reserved for each slot of the contact law: the size of the largest history among the models of the

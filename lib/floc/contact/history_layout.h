@@ -16,8 +16,8 @@ namespace floc {
 
 namespace detail {
 
-/// Size of the largest history that a model of one slot of a contact law (normal, adhesion, ...) stores per contact,
-/// among the models that are valid in a given dimension.
+/// Number of values in the largest history among the models of one slot of a contact law (normal, adhesion, ...) that
+/// are valid in a given dimension.
 template <class Slot>
 struct WidestHistory;
 template <class... Models>
@@ -48,8 +48,7 @@ static_assert(
 
 }  // namespace detail
 
-/// Returns the index in a ContactHistory of the number that has index k in a PackedHistory, under the contact law
-/// `Law`.
+/// Returns the index in a ContactHistory of the value with index k in a PackedHistory, for the contact law `Law`.
 template <class Law, int Dim>
 constexpr int history_place(int k) {
   constexpr int n_normal = history_size<typename Law::NormalModel>(Dim);
@@ -64,8 +63,8 @@ constexpr int history_place(int k) {
   return HistoryLayout<Dim>::kAdhesion + k - n_normal - n_friction - n_rolling - n_twisting;
 }
 
-/// Returns whether the value with index k in a PackedHistory, under the contact law `Law`, is the first component of a
-/// vector in the tangent plane of a 3D contact.
+/// Returns whether the value with index k in a PackedHistory is the first component of a vector in the tangent plane of
+/// a 3D contact, for the contact law `Law`.
 template <class Law, int Dim>
 constexpr bool begins_tangent(int k) {
   int at = 0;

@@ -11,8 +11,8 @@ struct CapillaryAdhesion;
 struct LawParameters;
 
 /// Contact law of a packing or a run: a handle to the models of the law and their numbers (law_parameters.h), which are
-/// immutable and shared between copies. The member functions return properties that every law has. A source has to
-/// include the headers of the models only if it evaluates, reads or writes the models.
+/// immutable and shared between copies. The member functions return properties that every law has. Only code that
+/// evaluates, reads or writes the models has to include the headers of the models.
 class Law {
  public:
   /// Creates a law of linear repulsion with zero stiffness, a placeholder until another law is assigned.
@@ -45,8 +45,8 @@ class Law {
   /// 0 if the adhesion has zero force. The result is also 0 for liquid bridges, because the reach of a bridge depends
   /// on the volume of the bridge (packing/liquid/liquid.h).
   double range() const;
-  /// Returns the largest gap (length) at which the law acts between grains of at most this radius (length). Gaps at
-  /// which surfaces that have touched before still stick together are included.
+  /// Returns the largest gap (length) at which the law acts between grains of at most this radius (length). This
+  /// includes gaps at which surfaces still stick together after they have touched.
   double reach(double largest_radius) const;
   /// Returns the model of liquid bridges; null if the law has no model of liquid bridges, or if the bridges cannot
   /// attract (CapillaryAdhesion::acts()).
@@ -56,7 +56,7 @@ class Law {
   /// K_N/a^(dim-2). For Hertz contacts with Young's modulus E and Poisson's ratio nu, the modulus is E/(1 - nu^2).
   double contact_modulus(int dim, double diameter) const;
 
-  /// Whether the contacts are rigid: their surfaces do not overlap, and their forces are not functions of the geometry.
+  /// Whether the contacts are rigid: surfaces do not overlap, and contact forces are not functions of the geometry.
   bool is_rigid() const;
   /// Whether the normal force depends on earlier overlaps of the contact and therefore dissipates energy.
   bool keeps_overlap() const;

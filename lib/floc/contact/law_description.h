@@ -21,7 +21,7 @@ struct DeclaredNumber {
   std::string meaning;
 };
 
-/// Parameter of a model whose value is a keyword, as the model declares it with a Choice (declaration.h).
+/// Parameter with a keyword as value, as a model declares it with a Choice (declaration.h).
 struct DeclaredChoice {
   std::string key;
   std::vector<std::string> keywords;  ///< allowed keywords; the first keyword is the default
@@ -31,8 +31,7 @@ struct DeclaredChoice {
 struct DeclaredModel {
   std::string keyword;
   bool is_default;  ///< whether this model is chosen if a scene file names no model for the slot
-  /// Whether this model replaces the default model if the default model cannot be combined with the normal law, but
-  /// this model can.
+  /// Whether this model is the second default: it replaces the default model if it can be combined with the normal law.
   bool is_default_of_family;
   /// Whether every state file stores the numbers of this model (kIsInEveryFile). If the contact law has another model
   /// in the slot, these numbers are zero.
@@ -81,7 +80,7 @@ struct LawNumber {
 /// Returns the numeric parameters of the models of a law, in the order of LawParameters.
 std::vector<LawNumber> numbers_of(LawParameters& law);
 
-/// Parameter of a contact law whose value is a keyword.
+/// Parameter with a keyword as value, of a model of a contact law.
 struct LawChoice {
   std::string key;  ///< key in the table [contact] of a scene file, such as "damping.mass"
   int chosen;       ///< index of the chosen keyword in declared->keywords
@@ -90,7 +89,7 @@ struct LawChoice {
 
 std::vector<LawChoice> choices_of(const LawParameters& law);
 
-/// Chooses the keyword that is the value of a parameter of a contact law.
+/// Sets a parameter of a contact law to one of its allowed keywords.
 /// @param slot  key of the slot whose model has the parameter, such as "damping"
 /// @param key  key of the parameter in the table of the slot, such as "mass"
 /// @param chosen  index of the keyword in the declaration of the parameter (DeclaredChoice)

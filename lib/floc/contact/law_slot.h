@@ -8,9 +8,9 @@
 
 namespace floc {
 
-/// Slot of a contact law (normal, adhesion, damping, ...) as a scene file or a saved state describes it. It holds one
-/// of the types `Models`: a model with its numbers or, as the first type of a slot that may be empty, Absent
-/// (absent.h).
+/// Slot of a contact law (normal, adhesion, damping, ...) as a scene file or a saved state describes it. It holds an
+/// object of one of the types `Models`: a model with its numbers or, if the slot is empty, Absent (absent.h). If a slot
+/// may be empty, Absent is the first of its types.
 template <class... Models>
 class LawSlot {
  public:

@@ -5,7 +5,7 @@
 #include "floc/contact/contact_law.h"
 #include "floc/contact/law_parameters.h"
 
-/// Composed contact laws. To add a model (docs/adding-a-law.md has an example):
+/// Composed contact laws. A model is added in three steps (docs/adding-a-law.md has an example):
 ///   1. write the model as a header in the folder of its slot: a struct that declares its numbers and its history
 ///      (declaration.h) and has the functions of its slot as templates on the number type (see
 ///      normal/linear_repulsion.h and tangential/coulomb_friction.h);
@@ -72,8 +72,8 @@ struct ComposedLaw {
 };
 
 /// Composes the contact law of a scene file or a saved state. Models without effect are left out: adhesion of zero
-/// force, and friction, rolling or twisting resistance with a coefficient of zero. The forces of such models are always
-/// zero, and their stiffnesses must not be part of the elastic network of contacts.
+/// force, and friction, rolling or twisting resistance with a coefficient of zero. Their forces are always zero, and
+/// their stiffnesses must not be part of the elastic network of contacts.
 /// @pre parameters.validate() is empty.
 /// @throws InputError if the contacts are rigid
 AnyContactLaw compose_law(const LawParameters& parameters);

@@ -73,14 +73,14 @@ inline constexpr bool kIsAdhesion = requires(const Model& model) {
   model.range();
 };
 
-/// Whether a model can be combined with rigid contacts, although it is not made for rigid contacts alone.
+/// Whether a model can be combined with rigid contacts. Models made only for rigid contacts belong to Family::rigid and
+/// do not need this trait.
 template <class Model>
 inline constexpr bool kGoesWithRigid = kIsAbsent<Model> || requires {
   requires Model::kGoesWithRigid;
 };
 
-/// Whether a model of another slot (adhesion, damping, friction, rolling or twisting) can be combined with a normal
-/// law.
+/// Whether a model of adhesion, damping, friction, rolling or twisting can be combined with a normal law.
 template <class Normal, class Model>
 inline constexpr bool kGoesWith =
     (family_of<Normal>() == family_of<Model>() ||

@@ -9,8 +9,8 @@
 
 namespace floc {
 
-/// Object of type `Model` that has no effect, for composed contact laws that need a model of this type. The cap on the
-/// force of a neutral spring is zero, so its stiffness may be any positive number.
+/// Object of type `Model` without effect, for a composed contact law that must have a model of this type. The cap on
+/// the force of a neutral spring is zero, so the stiffness of the spring may be any positive number.
 template <class Model>
 inline constexpr Model kNeutral{};
 template <>

@@ -4,10 +4,10 @@
 
 namespace floc {
 
-/// Static normal force of a contact at one gap, with its elastic and adhesive parts and its stiffnesses. These are all
-/// values that the other models of a contact law need from the normal law and the adhesion. Friction and rolling
-/// resistance use `elastic`, because their caps do not depend on the adhesion (docs/physics.md, "Friction"). Dashpots
-/// use `touches`, because they act while the surfaces touch.
+/// Static normal force of a contact at one gap, with its elastic and adhesive parts and its stiffnesses. The struct
+/// contains all values that the other models of a contact law need from the normal law and the adhesion. Friction and
+/// rolling resistance use `elastic`, because the caps on their forces do not depend on the adhesion (docs/physics.md,
+/// "Friction"). Dashpots use `touches`, because they act while the surfaces touch.
 template <class T>
 struct NormalResponse {
   /// Type of the result of a comparison: bool or, if T is a SIMD vector, one bool per lane.

@@ -11,7 +11,7 @@ inline double reduced(double p, double q) {
 /// Masses that a damping model may use for two colliding grains (DampingMass, viscous_damping.h).
 struct CollisionMass {
   double effective;  ///< effective mass m_i m_j/(m_i + m_j)
-  double grain;      ///< twice the effective mass: the mass of one of two equal grains
+  double grain;      ///< twice the effective mass; for two equal grains, this is the mass of one grain
 
   static CollisionMass between(double mass_i, double mass_j) {
     const double effective = reduced(mass_i, mass_j);
@@ -23,8 +23,7 @@ struct CollisionMass {
 };
 
 /// Gap, reduced radius and reduced mass of a pair of grains, for the models of a contact law. The reduced radius and
-/// mass are set only for laws that need them (`kNeedsReducedRadius`, `kNeedsReducedMass` of a model) and are zero for
-/// other laws.
+/// the reduced mass are zero unless a model of the law needs them (`kNeedsReducedRadius`, `kNeedsReducedMass`).
 template <class T = double>
 struct PairGeometry {
   T gap;             ///< gap h between the surfaces (length), negative when the grains overlap

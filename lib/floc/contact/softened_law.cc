@@ -16,7 +16,7 @@ namespace {
 constexpr double kShareOfRange = 0.1;
 /// Largest allowed ratio of the pressure to the modulus of the packing (Law::contact_modulus()).
 constexpr double kLargestStrain = 0.01;
-/// Relative rounding error that the two limits above tolerate, so that a softening factor equal to the limit is
+/// Tolerance of the two limits above for rounding errors (relative), so that a softening factor equal to the limit is
 /// allowed.
 constexpr double kRounding = 1e-9;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();

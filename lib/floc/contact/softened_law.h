@@ -7,7 +7,7 @@
 /// Soft contact springs, which let grains rearrange in fewer time steps (docs/numerics.md, "Soft collapse").
 namespace floc {
 
-/// Returns a contact law whose springs are softer by a factor s >= 1: the normal, tangential, rolling and twisting
+/// Returns a contact law with springs that are softer by a factor s >= 1. The normal, tangential, rolling and twisting
 /// stiffnesses, or Young's modulus of a Hertz contact, are divided by s. The adhesion, the friction coefficients and
 /// the restitution do not change.
 Law softened(const Law& law, double s);

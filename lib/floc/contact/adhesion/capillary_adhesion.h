@@ -10,7 +10,7 @@
 
 namespace floc {
 
-/// Formula by which the force of a liquid bridge decreases with the gap between two grains. Each formula gives the
+/// Formula for the force of a liquid bridge, which decreases with the gap between two grains. Each formula gives the
 /// force divided by the force at zero gap.
 enum class BridgeForm {
   /// exp(-h/l) with the gap h and the decay length l = 0.9 sqrt(V_b/(r R')). V_b is the volume of the bridge, R' = 2 Ri
@@ -39,11 +39,12 @@ struct Bridge {
   T reach = T(0);  ///< widest gap hm that the bridge spans (length)
 };
 
-/// Liquid bridges between spheres: an attraction Gamma R in contact, which decreases with the gap and ends at the reach
-/// of the bridge. Here Gamma = 2 pi g cos th with the surface tension g and the contact angle th, and R = sqrt(Ri Rj)
-/// with the radii Ri and Rj of the spheres. The reach of a bridge of volume V_b is (1 + th/2) V_b^(1/3), with th in
-/// radians. The history of a contact contains the volume of the bridge (length^3). Another module distributes the
-/// liquid among the bridges of a packing (packing/liquid/liquid.h). In 2D, the disks represent a layer of spheres.
+/// Liquid bridges between spheres. In contact the attraction is Gamma R; it decreases with the gap and is zero beyond
+/// the reach of the bridge. Here Gamma = 2 pi g cos th with the surface tension g and the contact angle th, and R =
+/// sqrt(Ri Rj) with the radii Ri and Rj of the spheres. The reach of a bridge of volume V_b is (1 + th/2) V_b^(1/3),
+/// with th in radians. The history of a contact contains the volume of the bridge (length^3). Another module
+/// distributes the liquid among the bridges of a packing (packing/liquid/liquid.h). In 2D, the disks represent a layer
+/// of spheres.
 struct CapillaryAdhesion {
   double surface_tension;  ///< surface tension g of the liquid (force/length)
   double contact_angle;    ///< contact angle th of the liquid on the grains (degrees)
@@ -104,8 +105,8 @@ struct CapillaryAdhesion {
     return {strength(radius_i, radius_j), std::sqrt(ratio * mean / volume) / kDecayLength, reach(volume)};
   }
 
-  /// Updates the liquid bridge between two grains after the grains have moved by one step. If `formation` is `contact`,
-  /// the bridge breaks when the gap exceeds the reach of the bridge, and forms again when the surfaces overlap.
+  /// Updates the liquid bridge between two grains after the motion of one step. If `formation` is `contact`, the bridge
+  /// breaks when the gap exceeds its reach, and forms again when the surfaces overlap.
   /// @param pair  geometry of the two grains at the end of the step
   /// @param volume  volume of the bridge (length^3) in the history of the contact, updated; negative if the bridge has
   /// broken
@@ -132,8 +133,8 @@ struct CapillaryAdhesion {
     const T share = share_at(lanes::max(pair.gap, T(0)) * bridge.decay);
     return lanes::select(bridge.reach < pair.gap, T(0), T(-bridge.strength * share));
   }
-  /// Returns the stiffness -dF/dh (force/length) of the attraction F at the gap h. The stiffness is negative across a
-  /// gap, because the attraction weakens as the grains part.
+  /// Returns the stiffness -dF/dh (force/length) of the adhesive normal force F <= 0 at the gap h. The stiffness is
+  /// negative across a gap, because the attraction weakens as the grains part.
   template <class T>
   T stiffness(const PairGeometry<T>& pair, const Bridge<T>& bridge) const {
     const T x = lanes::max(pair.gap, T(0)) * bridge.decay;
@@ -154,7 +155,7 @@ struct CapillaryAdhesion {
     return lanes::select(bridge.reach < pair.gap, T(0),
                          T(across + bridge.strength * lanes::min(pair.gap, T(0))));
   }
-  /// Returns zero, because no single range applies to all pairs: the reach of a liquid bridge depends on its volume.
+  /// Returns zero, because liquid bridges have no common range: the reach of each bridge depends on its volume.
   double range() const { return 0.0; }
   /// Returns whether liquid bridges can attract grains: there is liquid, its surface tension is positive and its
   /// contact angle is below 90 degrees.

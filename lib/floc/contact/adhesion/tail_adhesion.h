@@ -31,8 +31,8 @@ struct TailAdhesion {
     const T tail = lanes::min(T(0), T((pull_off_force / tail_range) * pair.gap - pull_off_force));
     return lanes::select(pair.gap < T(0), T(-pull_off_force), tail);
   }
-  /// Returns the stiffness -dF/dh (force/length) of the attraction F at the gap h. The stiffness is negative across a
-  /// gap, because the attraction weakens as the grains part.
+  /// Returns the stiffness -dF/dh (force/length) of the adhesive normal force F <= 0 at the gap h. The stiffness is
+  /// negative across a gap, because the attraction weakens as the grains part.
   template <class T>
   T stiffness(const PairGeometry<T>& pair) const {
     const T tail = lanes::select(pair.gap < T(tail_range), T(-pull_off_force / tail_range), T(0));

@@ -15,8 +15,8 @@ namespace floc {
 /// same restitution.
 enum class DampingMass {
   effective,  ///< effective mass m_i m_j/(m_i + m_j); collisions have the given restitution [GRC2008]
-  /// 2 m_i m_j/(m_i + m_j), the mass of one of two equal grains; the damping ratio is sqrt(2) times the damping ratio
-  /// with `effective` [SVI2024].
+  /// 2 m_i m_j/(m_i + m_j): for two equal grains, this is the mass of one grain. The damping ratio is sqrt(2) times the
+  /// damping ratio with `effective` [SVI2024].
   grain,
 };
 
@@ -29,8 +29,8 @@ inline double damping_ratio(double restitution) {
 
 /// Viscous normal force -c dh/dt while the surfaces overlap, where h is the gap. The damping coefficient is c = 2 zeta
 /// sqrt(m K_N) with the damping ratio zeta (damping_ratio()), the mass m (DampingMass) and the normal stiffness K_N.
-/// The force may be tensile, because the restitution would be different if tensile forces were cut off. The force is
-/// not part of the static force.
+/// The force may be tensile: without its tensile part, the restitution would be different. The force is not part of the
+/// static force.
 struct ViscousDamping {
   double restitution;  ///< restitution e_N of a binary collision without adhesion, in (0, 1]
   DampingMass mass_rule = DampingMass::effective;

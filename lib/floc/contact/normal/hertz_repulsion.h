@@ -54,8 +54,8 @@ struct HertzRepulsion {
   double overlap_at_force(const PairGeometry<>& pair, double elastic) const {
     return std::pow(0.75 * elastic / (0.5 * plane_modulus() * std::sqrt(pair.reduced_radius)), 2.0 / 3.0);
   }
-  /// Returns the largest overlap (length) of two free grains that collide at this speed, under the assumption that all
-  /// their kinetic energy becomes elastic energy.
+  /// Returns the largest overlap (length) in a collision of two free grains with the relative speed `speed`, under the
+  /// assumption that all kinetic energy of their relative motion becomes elastic energy.
   double overlap_of_impact(const PairGeometry<>& pair, double speed) const {
     return std::pow(
         15.0 * pair.reduced_mass * speed * speed / (8.0 * plane_modulus() * std::sqrt(pair.reduced_radius)),

@@ -48,8 +48,8 @@ struct MindlinFriction {
   bool is_mobilised(double elastic, const double* history, double tolerance) const {
     return Eigen::Map<const V>(history).norm() >= (1.0 - tolerance) * (coefficient * elastic);
   }
-  /// Sets the tangential force in the history, and sets the stiffness of its last update to zero. The next update then
-  /// adds to this force, and does not first reduce it.
+  /// Sets the tangential force in the history, and sets the stiffness of its last update to zero. Because of this zero,
+  /// the next update adds to the force and does not first reduce it.
   template <class V>
   void set_force(const V& force, double /*stiffness*/, double* history) const {
     Eigen::Map<V>{history} = force;

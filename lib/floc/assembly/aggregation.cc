@@ -15,12 +15,12 @@ namespace {
 /// Smallest allowed number of time steps that the fastest grain takes to cross the range of the adhesion. With fewer
 /// steps, the grain could pass another grain without being attracted.
 constexpr double kStepsAcrossTail = 3.0;
-/// The free flight of clusters ends when the distance between the surfaces of two clusters is the range of the contact
-/// law plus this length (in largest diameters). After the flight, time steps move the clusters again.
+/// The free flight of clusters ends when the surfaces of two clusters are as close as the range of the contact law plus
+/// this length (in largest diameters). After the flight, time steps move the clusters again.
 constexpr double kFlightClearance = 1e-3;
 
-/// Returns the time step of the options (time), or a shorter time step if the fastest grain would otherwise cross the
-/// range of the adhesion in too few steps.
+/// Returns the time step of the options (time). If the fastest grain would cross the range of the adhesion in too few
+/// of these steps, a shorter time step is returned.
 template <int Dim>
 double step_across_tail(const RelaxationOptions& options, const Packing<Dim>& packing) {
   const double step = time_step_of(packing, options.time_step);
@@ -64,8 +64,8 @@ bool Aggregation<Dim>::advance() {
   return n_clusters_ == 1;
 }
 
-/// Moves the clusters as rigid bodies until two of them are about to meet. This function replaces many time steps,
-/// often most steps of an aggregation, in which the clusters would only drift.
+/// Moves the clusters as rigid bodies until two of them are about to meet. This replaces the time steps in which the
+/// clusters would only drift; these are often most time steps of an aggregation.
 /// @return skipped time; 0 if the grains of a cluster still move relative to each other
 template <int Dim>
 double Aggregation<Dim>::fly() {

@@ -17,16 +17,16 @@ int count_clusters(const Packing<Dim>& packing);
 /// Aggregation of a gas of grains: in a fixed cell the moving grains collide and stick together until they form one
 /// cluster. An aggregation is the second stage of an assembly of type 2 (docs/physics.md, "Assembly and loading"). Like
 /// Relaxer, this class advances in chunks of time steps. If the options ask for soft springs, the springs are soft
-/// within each chunk. Between two chunks the packing has its own contact law, with the overlaps and elongations of the
-/// soft springs.
+/// within each chunk. Between two chunks the packing has its own contact law. Overlaps and elongations stay as the soft
+/// springs left them.
 template <int Dim>
 class Aggregation {
  public:
-  /// @param skin  first guess of the skin of the Verlet lists of neighbours (length); 0 if there is no guess
+  /// @param skin  first guess for the skin of the neighbour lists (Verlet lists; length); 0 if there is no guess
   Aggregation(const RelaxationOptions& options, Packing<Dim> packing, double skin);
 
-  /// Advances by one chunk of time steps. If the clusters only drift at first, the time until two clusters meet is
-  /// skipped (see ClusterFlight).
+  /// Advances by one chunk of time steps. If the clusters only drift before the chunk, the time until two clusters meet
+  /// is skipped (see ClusterFlight).
   /// @return true when all grains form one cluster
   bool advance();
   /// Sets the observer, a function that is called while the packing moves.
@@ -36,8 +36,7 @@ class Aggregation {
   Packing<Dim> packing() && { return std::move(packing_); }
   int n_clusters() const { return n_clusters_; }
   double skin() const { return skin_; }
-  /// Returns the simulated time of the last call of advance(): the sum of the skipped time and the time of the chunk
-  /// (time).
+  /// Returns the time simulated in the last call of advance() (time): the skipped time plus the duration of the chunk.
   double chunk_time() const;
 
  private:

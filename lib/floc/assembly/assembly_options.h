@@ -37,8 +37,8 @@ enum class GasKind {
 /// Options of the assembly of a packing (docs/physics.md, "Assembly and loading").
 struct AssemblyOptions {
   enum class Protocol {
-    /// Starts from a gas at rest and compresses it, from the beginning, under controlled stress (assembly of type 1;
-    /// also possible for grains without cohesion).
+    /// Starts from a gas at rest and compresses it under controlled stress from the beginning (assembly of type 1; also
+    /// possible for grains without cohesion).
     direct,
     /// Starts from a moving gas in a fixed cell. The grains collide and stick together until they form one cluster. The
     /// cluster is then brought to equilibrium, first at zero pressure and then at the first pressure (assembly of type
@@ -51,7 +51,7 @@ struct AssemblyOptions {
   Protocol protocol = Protocol::direct;
   GasKind gas = GasKind::equilibrated;
   double solid_fraction = 0.0;  ///< solid fraction of the gas or of the saved packing at the start
-  /// Root mean square speed of the grains at the start, in units of V*; zero if the grains are at rest. V* = sqrt(F0
+  /// Root mean square speed of the grains at the start, divided by V*; zero if the grains are at rest. V* = sqrt(F0
   /// D0/m), with the pull-off force F0, the range D0 of the adhesion and the mass m of the largest grain. If no
   /// adhesion acts across a gap, V* = sqrt(P a^Dim/m), with the first pressure P and the largest diameter a.
   double agitation = 0.0;
@@ -60,7 +60,7 @@ struct AssemblyOptions {
   /// Friction coefficient during the assembly; absent if the coefficient of the contact law is used.
   std::optional<double> friction;
   CellResponse cell;  ///< mass of the cell and caps on its strain rate during the assembly
-  /// vibration of the saved packing, or of the packing made from a gas; absent if there is none
+  /// vibration of the packing that was read from a file or made from a gas; absent if the packing is not vibrated
   std::optional<Vibration> vibration;
   SavedStart saved;  ///< saved packing from which the protocol `state` starts
   /// Box with walls around the grains; absent if the cell is periodic. If `solid_fraction` is zero, the sides in the

@@ -26,7 +26,7 @@ struct BoxOptions {
   double mass = 1.0;                ///< mass of a wall divided by the mass of the largest grain
   double friction = 0.0;            ///< friction coefficient between grains and walls
   double adhesion = 0.0;            ///< pull-off force between grains and walls (force)
-  /// mass density of the gas at the start, multiplied by the mean squared speed of its grains (pressure)
+  /// kinetic pressure of the gas at the start: its mass density times the mean squared speed of the grains (pressure)
   double kinetic_pressure = 0.0;
 };
 
@@ -37,7 +37,7 @@ struct BoxOptions {
 /// @pre if the walls have friction, the law between two grains has friction, too, or it is the law of rigid contacts
 Law wall_law(const Law& grains, const BoxOptions& box);
 
-/// Returns whether a wall of the box moves under the imposed pressure along an axis with this kind of boundary.
+/// Returns whether walls of this kind of boundary move under the imposed pressure (for a lid, one wall moves).
 inline bool moves(BoxSide side) {
   return side == BoxSide::walls || side == BoxSide::lid;
 }

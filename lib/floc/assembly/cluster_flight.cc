@@ -12,11 +12,10 @@
 namespace floc {
 namespace {
 
-/// Pairs of grains of different clusters are searched up to a larger distance than the distance at which the flight
-/// ends. The difference of the two distances is this length (in largest diameters). The surfaces of all other pairs are
-/// farther apart.
+/// The search for pairs of grains of different clusters goes beyond the distance at which the flight ends, by this
+/// length (in largest diameters). The surfaces of all pairs that are not found are farther apart.
 constexpr double kSearchDistance = 0.1;
-/// One call of fly() moves the clusters over at most this number of successive time intervals. Each interval ends
+/// Largest number of successive time intervals over which one call of fly() moves the clusters. Each interval ends
 /// before the earliest time at which two clusters could meet.
 constexpr int kMaxFlights = 1000;
 
@@ -150,7 +149,7 @@ void ClusterFlight<Dim>::unwrap(const Packing<Dim>& packing) {
     std::vector<int> reached{first};
     for (std::size_t next = 0; next < reached.size(); ++next) {
       const int i = reached[next];
-      // The position of the grain is that of the periodic image which the search reached first. With these positions,
+      // place_ is the position of the periodic image of the grain that the search reached first. With these positions,
       // the grains of a cluster form one connected body, even if a face of the cell cuts the cluster.
       place_[i] = packing.grains.position[i] + packing.cell.shift(image[i]);
       for (const Neighbor<Dim>& neighbor : neighbors[i]) {
@@ -161,8 +160,8 @@ void ClusterFlight<Dim>::unwrap(const Packing<Dim>& packing) {
           image[j] = there;
           reached.push_back(j);
         } else if (image[j] != there) {
-          // Contacts connect the cluster to its own periodic image. Such a cluster has neither a centre nor a moment of
-          // inertia.
+          // Contacts connect the cluster to its own periodic image. A cluster of this kind has neither a centre nor a
+          // moment of inertia.
           cluster.winds = true;
         }
       }

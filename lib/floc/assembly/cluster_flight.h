@@ -5,8 +5,8 @@
 namespace floc {
 
 /// Free flight of clusters. A cluster is a set of grains that touch or attract each other. Until two clusters meet, no
-/// force acts between them. Once the motion inside each cluster has died out, each cluster moves as a rigid body (in 3D
-/// it tumbles), and the time until the next meeting of two clusters can be skipped.
+/// force acts between them. If the grains of each cluster no longer move relative to each other, each cluster moves as
+/// a rigid body (in 3D it tumbles), and the time until the next meeting of two clusters can be skipped.
 template <int Dim>
 class ClusterFlight {
  public:
@@ -15,8 +15,8 @@ class ClusterFlight {
   /// gets no spin.
   explicit ClusterFlight(const Packing<Dim>& packing);
 
-  /// Returns the mean kinetic energy per grain of the motion inside the clusters: the motion of the grains relative to
-  /// the rigid motion of their cluster (energy).
+  /// Returns the kinetic energy of the motion inside the clusters, divided by the number of grains (energy). The motion
+  /// inside a cluster is the motion of its grains relative to the rigid motion of the cluster.
   double inner_energy() const { return inner_energy_; }
 
   /// Moves all clusters as rigid bodies until the surfaces of two clusters are within the distance `nearest` of each

@@ -19,8 +19,8 @@ double power_law_quantile(const DiameterDistribution& d, double share) {
 }
 
 /// Returns the probability that a standard normal variable lies between x and y, x <= y. If x and y are positive, the
-/// interval from -y to -x, which has the same probability, is used instead. No digits are then lost in a difference of
-/// two numbers close to 1.
+/// interval from -y to -x, which has the same probability, is used instead. This avoids a difference of two numbers
+/// close to 1, in which digits would be lost.
 double normal_share(double x, double y) {
   if (x > 0.0) return normal_share(-y, -x);
   const auto below = [](double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); };
@@ -62,8 +62,8 @@ double power_law_volume_share(const DiameterDistribution& d, int dimension, doub
 }
 
 /// Returns the volume of the grains between min and a diameter, divided by the volume of all grains. If the number of
-/// grains of diameter d has a lognormal distribution, their volume has a lognormal distribution with the same sigma,
-/// whose ln median is larger by Dim sigma^2 [HC1929].
+/// grains of diameter d has a lognormal distribution, the volume of these grains has a lognormal distribution with the
+/// same sigma. The logarithm of the median is larger by Dim sigma^2 for the volume [HC1929].
 double lognormal_volume_share(const DiameterDistribution& d, int dimension, double diameter) {
   const double shift = dimension * d.sigma;
   const auto share_below = [&](double x) {

@@ -8,8 +8,8 @@
 
 namespace floc {
 
-/// Distribution of the diameters of grains (length). All kinds give the number of grains of each diameter, except sieve
-/// curves, which give the mass of these grains.
+/// Distribution of the diameters of grains (length). Sieve curves give the mass of the grains of each diameter; all
+/// other kinds give the number of these grains.
 struct DiameterDistribution {
   enum class Kind {
     uniform,     ///< probability density P(d) of the diameter d is constant from min to max
@@ -19,13 +19,13 @@ struct DiameterDistribution {
     power_law,   ///< probability density P(d) ~ d^-exponent from min to max
     /// ln d is normally distributed with the mean ln median; diameters below min and above max do not occur
     lognormal,
-    sieve,  ///< for some sizes, the mass fraction of the grains finer than the size is given (SieveCurve)
+    sieve,  ///< the mass fraction of the grains finer than d is given for some diameters d (SieveCurve)
   };
   /// Choice of the diameters of N grains with the numbers i = 0 ... N - 1. The diameter of grain i is a quantile of the
   /// distribution; each enumerator gives the fraction of this quantile.
   enum class Quantiles {
     ends,    ///< i/(N - 1): there is one grain of the smallest and one of the largest diameter
-    middle,  ///< (i + 1/2)/N: each grain stands for an equal share of the number of grains
+    middle,  ///< (i + 1/2)/N: the middles of N equal parts of the distribution
   };
   Kind kind = Kind::uniform;
   Quantiles quantiles = Quantiles::ends;
@@ -38,7 +38,8 @@ struct DiameterDistribution {
   double median = 0.0;  ///< median diameter before the distribution is cut off at min and max (lognormal)
   /// standard deviation of ln d before the distribution is cut off at min and max (lognormal)
   double sigma = 0.0;
-  SieveCurve curve;   ///< mass fraction below each size; the sizes range from min to max (sieve)
+  /// mass fraction of the grains below each size; the sizes range from min to max (sieve)
+  SieveCurve curve;
   int dimension = 3;  ///< dimension of the grains, 2 or 3, to convert masses to numbers of grains (sieve)
 };
 
@@ -55,9 +56,9 @@ inline constexpr double kUniformByArea = 2.0;
 /// @param share  fraction of the number of grains, 0 to 1
 double diameter_quantile(const DiameterDistribution& distribution, double share);
 
-/// Returns n diameters that represent a distribution without random scatter (length). They are the quantiles of the
-/// distribution at equally spaced fractions of the grains (DiameterDistribution::Quantiles). With Quantiles::ends, the
-/// largest diameter is exactly max. A list of diameters is returned unchanged.
+/// Returns n diameters that represent a distribution without random scatter (length): the quantiles of the distribution
+/// at equally spaced fractions (DiameterDistribution::Quantiles). With Quantiles::ends, the largest diameter is exactly
+/// max. A list of diameters is returned unchanged.
 std::vector<double> equally_spaced_diameters(const DiameterDistribution& distribution, int n);
 
 /// Returns the smallest and the largest of equally_spaced_diameters() (length); min and max if n < 1.
@@ -67,9 +68,9 @@ std::pair<double, double> smallest_and_largest(const DiameterDistribution& distr
 /// off at min and max.
 double share_within_bounds(const DiameterDistribution& lognormal);
 
-/// Returns the volume (area in 2D) of the grains below a diameter, divided by the volume of all grains, for a
-/// continuous distribution. The result is std::nullopt for distributions of single diameters (constant, bidisperse,
-/// list), and for lognormal distributions that are too wide for the computation.
+/// Returns the volume (area in 2D) of the grains below a diameter, divided by the volume of all grains. The result is
+/// std::nullopt for distributions that are not continuous (constant, bidisperse, list), and for lognormal distributions
+/// that are too wide for the computation.
 /// @param dimension  2 for disks, 3 for spheres
 std::optional<double> volume_share_below(const DiameterDistribution& distribution, int dimension,
                                          double diameter);

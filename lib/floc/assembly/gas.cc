@@ -20,13 +20,13 @@ constexpr double kRandomPlacingLimit = Dim == 2 ? 0.4 : 0.3;
 /// Mean number of Monte Carlo moves of a grain after all grains have reached their final diameters. In these moves a
 /// grain travels several mean free paths, so the positions at which the grains were placed have no effect on the gas.
 constexpr int kShuffleSweeps = 200;
-/// largest number of Monte Carlo sweeps in which the grains have to reach their final diameters
+/// largest number of Monte Carlo sweeps until the grains have their final diameters
 constexpr int kMaxSweeps = 20000;
 constexpr double kGrowth = 1.01;  ///< factor by which all diameters are multiplied whenever no grains overlap
 /// Overlapping grains are pushed apart until the distance between their centres is this multiple of the sum of their
 /// radii.
 constexpr double kParted = 1.001;
-/// largest number of passes over all grains in which they are pushed apart
+/// largest number of passes over all grains in which overlapping grains are pushed apart
 constexpr int kMaxPartings = 1000;
 
 template <int Dim>
@@ -45,8 +45,8 @@ struct Room {
 };
 
 /// Hard grains in a rectangular region. To find close grains fast, the region is divided into a grid of bins, and each
-/// bin lists the grains in it. If the largest diameter is much larger than the smallest, there are several grids. The
-/// diameters of the grains in one grid then differ by less than a factor of two. The bins of a grid are at least as
+/// bin lists the grains in it. If the largest diameter is much larger than the smallest, there are several grids, such
+/// that the diameters of the grains in one grid differ by less than a factor of two. The bins of a grid are at least as
 /// long as the diameter of its largest grain, unless the region is shorter.
 template <int Dim>
 class HardGrains {
@@ -80,9 +80,9 @@ class HardGrains {
     return free;
   }
 
-  /// Returns the smallest value, over all other grains j, of the distance between the centres of grains i and j,
-  /// divided by the sum of their radii. The centre of i is at x, and all diameters are multiplied by `scale` <= 1. A
-  /// result above 1 may be inexact and only means that grain i overlaps no other grain.
+  /// For each other grain j, let q be the distance between the centres of the grains i and j, divided by the sum of
+  /// their radii. Returns the smallest q. The centre of i is at x, and all diameters are multiplied by `scale` <= 1. A
+  /// result above 1 only means that grain i overlaps no other grain; its value may be inexact.
   double clearance(int i, const Vec<Dim>& x, double scale) const {
     double least = 2.0;
     visit_near(i, x, [&](int j, const Vec<Dim>& r) {
@@ -101,11 +101,11 @@ class HardGrains {
       const double reach = 0.5 * (diameter_[i] + grid.largest);
       const Vec<Dim, int> centre = bin_of(x, grid);
       Vec<Dim, int> most;
-      // If `reach` is at least half of a side of the region, all bins along this side are visited.
+      // Half of the bins of a side in each of the two directions are all bins of the side, so no more bins are visited.
       for (int a = 0; a < Dim; ++a)
         most[a] = std::min(grid.bins[a] / 2, static_cast<int>(std::ceil(reach / room_.side[a] * grid.bins[a])));
-      // The order of the offsets along an axis is 0, 1, -1, 2, -2, ...: a grain that ends the search is most often in
-      // one of the nearest bins.
+      // The order of the offsets along an axis is 0, 1, -1, 2, -2, ..., because a grain that ends the search is most
+      // often in one of the nearest bins.
       Vec<Dim, int> offset = Vec<Dim, int>::Zero();
       int a = 0;
       while (a < Dim) {
@@ -141,10 +141,10 @@ class HardGrains {
   const std::vector<Vec<Dim>>& position() const { return position_; }
 
  private:
-  /// kSurelyApart: two grains do not overlap, in spite of rounding errors, if the squared distance of their centres
-  /// divided by the squared sum of their radii is at least this number. kSurelyNearest: if a component of a vector,
-  /// divided by the side of the region, is at most this number, no periodic image of the vector has a shorter
-  /// component.
+  /// kSurelyApart: let q be the squared distance of the centres of two grains, divided by the squared sum of their
+  /// radii. If q is at least this number, the grains do not overlap, in spite of rounding errors.
+  /// kSurelyNearest: let q be a component of a vector, divided by the side of the region. If |q| is at most this
+  /// number, no periodic image of the vector has a shorter component.
   static constexpr double kSurelyApart = 1.0 + 1e-9, kSurelyNearest = 0.499;
 
   struct Grid {
@@ -155,7 +155,7 @@ class HardGrains {
   };
 
   void divide(Grid& grid) const {
-    // If there were many more bins than grains, empty bins would use memory without saving time.
+    // The number of bins is limited: with many more bins than grains, empty bins would use memory without saving time.
     const double most_bins = 2.0 * std::pow(static_cast<double>(grid.n_grains), 1.0 / Dim) + 1.0;
     std::size_t n_bins = 1;
     for (int a = 0; a < Dim; ++a) {
@@ -236,8 +236,8 @@ double wrapped(double x, double side) {
   return x < side ? x : 0.0;
 }
 
-/// Performs one Monte Carlo sweep: as many trial moves as there are grains, each of a random grain by at most `reach`
-/// along each axis. All diameters are multiplied by `scale`.
+/// Performs one Monte Carlo sweep of as many trial moves as there are grains. Each move displaces a random grain by at
+/// most `reach` along each axis. All diameters are multiplied by `scale`.
 template <int Dim>
 void shuffle(HardGrains<Dim>& grains, const std::vector<double>& diameter, double scale, double reach,
              RandomStream& random) {
@@ -307,8 +307,8 @@ void equilibrate(HardGrains<Dim>& hard, const std::vector<double>& diameter, dou
   }
 }
 
-/// Returns x, changed to an allowed position of a grain with the given diameter: along periodic axes, x is shifted into
-/// the region; along axes with walls, x is moved until the grain does not overlap a wall.
+/// Returns x, moved to an allowed position of a grain with the given diameter. Along periodic axes, x is shifted into
+/// the region. Along axes with walls, x is moved until the grain does not overlap a wall.
 template <int Dim>
 Vec<Dim> kept_inside(const Room<Dim>& room, double diameter, Vec<Dim> x) {
   for (int a = 0; a < Dim; ++a) {
@@ -352,8 +352,7 @@ void part(HardGrains<Dim>& hard, const std::vector<double>& diameter) {
 }
 
 /// Returns random positions, without overlap, of hard grains with the given diameters in a region.
-/// @param solid_fraction  volume of the grains divided by the volume of the part of the region that is allowed for
-/// their centres
+/// @param solid_fraction  volume of the grains, divided by the volume in which their centres may lie
 template <int Dim>
 std::vector<Vec<Dim>> place_hard_grains(const Room<Dim>& room, const std::vector<double>& diameter,
                                         GasKind kind, double solid_fraction, RandomStream& random) {

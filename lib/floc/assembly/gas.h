@@ -30,10 +30,10 @@ template <int Dim>
 Packing<Dim> make_gas(const GrainOptions& options, const Law& law, double solid_fraction, RandomStream& random,
                       GasKind kind = GasKind::equilibrated);
 
-/// Makes a gas in a box with walls, by the method of make_gas(). Grains do not overlap walls. The grains move: they get
-/// velocities of equal magnitude and random direction, from which the mean velocity is subtracted; the speeds then
-/// differ slightly. Finally all velocities are multiplied by one factor, such that the mass density times the mean
-/// squared speed equals the kinetic pressure of the box.
+/// Makes a gas in a box with walls, by the method of make_gas(). Grains do not overlap walls. The grains get velocities
+/// of equal magnitude and random direction. The mean velocity is subtracted, so that the speeds differ slightly.
+/// Finally all velocities are multiplied by one factor, such that the mass density times the mean squared speed equals
+/// BoxOptions::kinetic_pressure.
 /// @param solid_fraction  solid fraction of the gas in the box; if it is 0, the numbers in `box.sides` are lengths
 /// @throws InputError if the box is too small for the largest grain, or if the grains cannot be placed without overlap
 template <int Dim>

@@ -14,8 +14,8 @@ namespace floc {
 
 namespace {
 
-/// Returns a mask for the history variables of a contact: 1 for each variable that both laws have, 0 for all other
-/// variables.
+/// Returns a mask for the numbers in the history of a contact: 1 for each number that both laws have, 0 for all other
+/// numbers.
 template <int Dim>
 ContactHistory<Dim> common_history(const Law& before, const Law& after) {
   ContactHistory<Dim> common = ContactHistory<Dim>::Zero();
@@ -35,8 +35,8 @@ Packing<Dim> start_from(Packing<Dim> saved, const Law& law, const Vec<Dim, int>&
   saved.law = law;
   const std::vector<Contact<Dim>> before = std::move(saved.contacts);
   find_contacts(saved);
-  // Two grains that touched under the old law may still stick together although their gap is wider than the gaps that
-  // find_contacts() searches. Contacts of this kind are kept.
+  // Two grains that touched under the old law may still stick together, even if their gap is too wide for
+  // find_contacts(). Contacts of this kind are kept.
   std::vector<Contact<Dim>> held;
   auto found = saved.contacts.begin();
   for (const Contact<Dim>& old : before) {

@@ -12,7 +12,7 @@ namespace floc {
 
 /// Stresses of a saved packing that a run imposes at its start.
 struct KeptStress {
-  /// stress on each axis, whether it was imposed or resulted from an imposed strain (force/length^(Dim-1))
+  /// stress on each axis (force/length^(Dim-1)), which was imposed or resulted from an imposed strain
   std::vector<double> stress;
   int axis = 0;  ///< axis along which the packing was driven, counted from 0
 };
@@ -22,12 +22,12 @@ struct SavedStart {
   /// Function that reads the packing from its file. It is called only when the run begins, so that a large packing is
   /// in memory only once.
   std::function<std::variant<Packing<2>, Packing<3>>()> read;
-  /// SHA-256 checksum of the file of the packing. The first state of the run records this checksum as that of its
-  /// parent state.
+  /// SHA-256 checksum of the file of the packing. The first state of the run records it as the checksum of the parent
+  /// state.
   std::string sha256;
   /// number of copies of the packing that are joined side by side along each axis
   Vec<3, int> copies = Vec<3, int>::Ones();
-  /// Stresses of the saved packing that are imposed at first; absent if one pressure acts on all axes.
+  /// Stresses of the saved packing that are imposed at the start; absent if one pressure is imposed on all axes.
   std::optional<KeptStress> kept = {};
 
   /// Reads the packing from its file.

@@ -28,7 +28,7 @@ struct FileShapeOptions {
   std::string sha256;  ///< SHA-256 checksum that the file must have; empty if the content is not checked
 };
 
-/// Shapes of the grains of a scene (table grains.shape). All shapes have the diameter 1; each grain has a shape that is
+/// Shapes of the grains of a scene (table grains.shape). All shapes have the diameter 1. The shape of each grain is
 /// scaled to the diameter of the grain.
 struct ShapeOptions {
   std::variant<PolygonOptions, BoxShapeOptions, HullOptions, CutOptions, VoronoiOptions, CapsuleOptions,

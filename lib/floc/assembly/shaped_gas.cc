@@ -83,8 +83,8 @@ double densest_gas(const Grains<Dim>& grains) {
 
 namespace {
 
-/// Makes a gas of grains with shapes. The function place_balls() places the circumscribed circles or spheres (balls) of
-/// the grains. The arguments of place_balls() are options with the diameters of the balls, and the solid fraction of
+/// Makes a gas of grains with shapes. The argument place_balls() is a function that places the circumscribed circles or
+/// spheres (balls) of the grains. Its arguments are options with the diameters of the balls, and the solid fraction of
 /// the balls.
 /// @param key  key of the solid fraction in a scene, for messages
 template <int Dim>
@@ -97,9 +97,10 @@ Packing<Dim> shaped_gas(const GrainOptions& options, double solid_fraction, cons
   Grains<Dim> grains = shaped_grains<Dim>(options, balls.diameter.values, seed);
   if (solid_fraction > densest_gas(grains))
     throw InputError(
-        key, fmt::format("{:g}: the circumscribed {} of the grains can be placed without overlap only up "
-                         "to a solid fraction of the grains of {:.4g}; expected at most this number",
-                         solid_fraction, Dim == 2 ? "circles" : "spheres", densest_gas(grains)));
+        key,
+        fmt::format("{0:g}: expected at most {2:.4g}; at a higher solid fraction, the circumscribed {1} of "
+                    "the grains cannot be placed without overlap",
+                    solid_fraction, Dim == 2 ? "circles" : "spheres", densest_gas(grains)));
   Packing<Dim> gas = place_balls(balls, solid_fraction / share_of_bounding_balls(grains));
   grains.position = std::move(gas.grains.position);
   gas.grains = std::move(grains);

@@ -8,10 +8,10 @@
 namespace floc {
 
 /// Returns grains with the shapes of a scene, at the origin and at rest, with random orientations. The shapes are
-/// assigned to the grains in random order, each shape to equally many grains (the numbers may differ by one). The
-/// radius of a grain is that of its circumscribed circle or sphere: half the diameter of the grain. The mass is the
-/// volume of the grain times the density of the scene. If the scene has no density, the density is chosen such that a
-/// disk or sphere of diameter 1 has mass 1.
+/// assigned to the grains in random order, such that all shapes have equal numbers of grains (up to a difference of
+/// one). The radius of a grain is the radius of its circumscribed circle or sphere: half the diameter of the grain. The
+/// mass is the volume of the grain times the density of the scene. If the scene has no density, the density is chosen
+/// such that a disk or sphere of diameter 1 has mass 1.
 /// @param options  options of the grains of a scene, including their shapes
 /// @param diameter  diameter of each grain (length)
 /// @param seed  seed of the run, which determines the shapes and the orientations

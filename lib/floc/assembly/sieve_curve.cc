@@ -7,11 +7,11 @@
 namespace floc {
 namespace {
 
-/// Returns the number of grains between the sizes k and k + 1 of the curve, up to a factor common to all intervals. Let
-/// d1 and d2 be the two sizes, and w the fraction of the mass between them. The mass per unit of ln d is then
-/// w/ln(d2/d1). The number of grains is the integral of w/ln(d2/d1) (d/d1)^-Dim with respect to ln d, multiplied by
-/// d1^-Dim. The unit of length is the largest size of the curve, so no power overflows if the sizes differ by less than
-/// a factor of 1e100.
+/// Returns the number of grains between the sizes with the indices k and k + 1 of the curve, up to a factor that is
+/// equal for all intervals. Let d1 and d2 be the two sizes, and w the fraction of the mass between them. The mass per
+/// unit of ln d is then w/ln(d2/d1). The number of grains is the integral of w/ln(d2/d1) (d/d1)^-Dim with respect to ln
+/// d, multiplied by d1^-Dim. The unit of length is the largest size of the curve, so no power overflows if the sizes
+/// differ by less than a factor of 1e100.
 double number_between(const SieveCurve& curve, int dimension, std::size_t k) {
   const double weight = curve.passing[k + 1] - curve.passing[k];
   const double range = std::log(curve.sizes[k + 1] / curve.sizes[k]);
@@ -19,8 +19,8 @@ double number_between(const SieveCurve& curve, int dimension, std::size_t k) {
          (dimension * range);
 }
 
-/// Returns the diameter d below which the fraction `share` of the number of grains in interval k of the curve lies: the
-/// solution of (1 - (d/d1)^-Dim)/(1 - (d2/d1)^-Dim) = share. The ends of the interval are d1 and d2.
+/// Returns the diameter d below which the fraction `share` of the number of grains in interval k of the curve lies.
+/// With the ends d1 and d2 of the interval, d is the solution of (1 - (d/d1)^-Dim)/(1 - (d2/d1)^-Dim) = share.
 double quantile_between(const SieveCurve& curve, int dimension, std::size_t k, double share) {
   const double range = std::log(curve.sizes[k + 1] / curve.sizes[k]);
   const double d = curve.sizes[k] * std::exp(-std::log1p(share * std::expm1(-dimension * range)) / dimension);

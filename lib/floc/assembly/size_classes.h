@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Interval of diameters, with the shares of the grains of a scene in this interval, and the shares that the
-/// distribution of diameters assigns to it. A share is a volume (area in 2D) divided by the volume of all grains. For
+/// Interval of diameters, with the share of the grains of a scene in this interval, and the share that the distribution
+/// of diameters gives for the interval. A share is a volume (area in 2D) divided by the volume of all grains. For
 /// grains with corners, the volumes are those of the circumscribed spheres (circles).
 struct SizeClass {
   /// Ends of the interval (length). The end `to` belongs to the interval; the end `from` belongs only to the first
@@ -17,8 +17,7 @@ struct SizeClass {
   int n_grains = 0;
   double share = 0.0;    ///< share of the grains in the interval
   double passing = 0.0;  ///< share of the grains with diameters up to `to`
-  /// values that `share` and `passing` would have exactly for the distribution; absent for distributions of single
-  /// diameters
+  /// exact values of `share` and `passing` for the distribution; absent for distributions of single diameters
   std::optional<double> share_asked, passing_asked;
 };
 

@@ -17,13 +17,13 @@
 namespace floc {
 namespace {
 
-/// Two grains count as neighbours up to this distance between their surfaces (in largest diameters). Collisions are
-/// predicted only between neighbours.
+/// Two grains are neighbours if the distance between their surfaces is at most this length (in largest diameters).
+/// Collisions are predicted only between neighbours.
 constexpr double kPairDistance = 0.4;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// Hard grains that fly freely between collisions. The stored position of a grain is its position at its last event
-/// (collision or update).
+/// Hard grains that fly freely between collisions. For each grain, the position at its last event (collision or update)
+/// is stored.
 template <int Dim>
 class HardFlight {
  public:
@@ -69,7 +69,7 @@ class HardFlight {
     int i, j;
     int n_i, n_j;  ///< numbers of collisions of grains i and j when this event was predicted
     Vec<Dim> shift;
-    // the priority queue then gives the earliest event first
+    // with this order, the priority queue gives the earliest event first
     bool operator<(const Event& other) const { return time > other.time; }
   };
 

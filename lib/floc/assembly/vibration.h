@@ -5,11 +5,10 @@
 
 namespace floc {
 
-/// Vibration of a packing: the grains are moved apart and collide for some time, and the packing is then compressed
-/// again.
+/// Vibration of a packing: the grains are moved apart, collide for some time, and are then compressed again.
 struct Vibration {
-  /// Factor by which the cell and the distances between the centres of grains are multiplied first, to separate all
-  /// grains.
+  /// Factor by which the cell and the distances between the centres of grains are multiplied at the start, to separate
+  /// all grains.
   double dilation = 1.0;
   /// mean number of collisions of a grain; each collision counts for both of its grains
   double collisions = 0.0;

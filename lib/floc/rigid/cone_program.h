@@ -11,8 +11,8 @@ namespace floc {
 ///
 ///     minimise  1/2 x' Q x + c' x + 1/2 y' S y    subject to    A x + S y = b,    x_k in K for each block k,
 ///
-/// where block x_k of x has Dim entries (v_0, v_1, ..), and K = {v : |(v_1, ..)| <= v_0} is the second-order cone. Q
-/// and S are symmetric and positive semidefinite.
+/// where block x_k of x has Dim entries, and K is the second-order cone: the vectors v = (v_0, v_1, ..) with |(v_1,
+/// ..)| <= v_0. Q and S are symmetric and positive semidefinite.
 ///
 /// Two problems have this form. The first problem is to find the forces of rigid grains at rest. In this case S = 0,
 /// and x_k = (P, t/mu) for contact k, with the repulsive normal force P, the tangential force t and the friction

@@ -40,8 +40,8 @@ class CoupledResponse<2> {
     const double stick_t = stick_(1, 0) * q[0] + stick_(1, 1) * q[1];
     const int up = stick_t > 0.0;
     const double slide_n = q[0] * slide_normal_[up], slide_t = q[0] * slide_tangent_[up];
-    // `outside` is positive if the sticking impulse is outside Coulomb's cone. This also holds for stick_n < 0: if q[0]
-    // < 0, a negative stick_n occurs only together with stick_t != 0. For q[0] >= 0, `outside` is not used.
+    // `outside` is positive if the sticking impulse is outside Coulomb's cone. For q[0] >= 0, `outside` is not used.
+    // For q[0] < 0, a negative stick_n occurs only together with stick_t != 0, and `outside` is then positive, too.
     const double outside = std::abs(stick_t) - friction_ * stick_n;
     const double p_n = outside > 0.0 ? slide_n : stick_n, p_t = outside > 0.0 ? slide_t : stick_t;
     return {q[0] < 0.0 ? p_n : 0.0, q[0] < 0.0 ? p_t : 0.0};

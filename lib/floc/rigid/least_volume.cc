@@ -42,7 +42,7 @@ constexpr double kKeptShare = 0.01;
 /// At a minimum, each multiplier equals mu/gap. After a step, each multiplier is limited to values from mu/gap divided
 /// by this factor to mu/gap times this factor.
 constexpr double kFarMultiplier = 1e4;
-/// A step is accepted if the objective decreases by at least this share of the decrease to first order.
+/// A step is accepted if the objective decreases by at least this share of the decrease predicted to first order.
 constexpr double kArmijo = 1e-4;
 constexpr int kMostShares = 40;
 
@@ -238,8 +238,8 @@ class Descent {
     return longest + 2.0 * size_ * strain;
   }
 
-  /// Moves the packing by a share of a step, halved until the objective decreases. Returns false if the objective
-  /// decreases for no share.
+  /// Moves the packing by a share of a step. The share is halved until the objective decreases. Returns false if the
+  /// objective decreases for no share.
   bool take(const PlaneStep& step) {
     const double move = largest_move(step.motion);
     double share = std::min(1.0, kLongestNewtonMove * size_ / move), share_of_multipliers = 1.0;

@@ -69,7 +69,7 @@ struct RoundContacts {
     out.arm_i = bodies.inverse_inertia[c.i](0, 0) > 0.0 ? c.arm_i.dot(out.normal) : 0.0;
     out.arm_j = bodies.inverse_inertia[c.j](0, 0) > 0.0 ? -c.arm_j.dot(out.normal) : 0.0;
     // The sum of the absolute values in a row of the response is an upper bound (Gershgorin). The first row gives the
-    // bound for the normal direction, the largest sum of the other rows that for the tangential directions.
+    // bound for the normal direction. The largest sum of the other rows is the bound for the tangential directions.
     // Off-diagonal components are due to walls and to the cell.
     const Vec<Dim> bound = packed_response(bodies, c, c.frame, shared).cwiseAbs().rowwise().sum();
     const double normal = bound[0], tangential = bound.template tail<Dim - 1>().maxCoeff();

@@ -17,9 +17,9 @@ namespace {
 /// The constants are the positions at which the other parts begin.
 constexpr int kTurnOfFirst = 3, kSecond = 6, kTurnOfSecond = 9, kStretch = 12, kPlane = kPairUnknowns;
 
-/// Calls visit(k, gradient, vertex, is_second, frame) for the gap of each vertex of a pair. The gap of a vertex x is d
-/// - n.x for the first body and n.x - d for the second body, with the normal n and the offset d of the plane. The
-/// columns of `frame` are the normal and the two directions in which the normal turns.
+/// Calls visit(k, gradient, vertex, is_second, frame) for the gap of each vertex of a pair. With the normal n and the
+/// offset d of the plane, a vertex x of the first body has the gap d - n.x, and a vertex x of the second body has the
+/// gap n.x - d. The columns of `frame` are the normal and the two directions in which the normal turns.
 template <class Visitor>
 void for_each_gap(const GrainVertices& vertices, const SeparatingPlane& plane, const Visitor& visit) {
   const Mat<3> frame = contact_frame(plane.normal);

@@ -210,7 +210,7 @@ class FreeMotionFinder {
   /// the row in which a column has its largest entry, all later columns are zero.
   Eigen::MatrixXd axes_without_moment(const std::vector<int>& group) const {
     constexpr int kAxes = kRotations<Dim>;
-    // with additional rows of zeros, because kernel() needs at least as many rows as columns
+    // number of rows; it includes kAxes rows of zeros, because kernel() needs at least as many rows as columns
     Eigen::Index n = kAxes;
     for (const int grain : group) n += static_cast<Eigen::Index>(of_[grain].size());
     Eigen::MatrixXd moments = Eigen::MatrixXd::Zero(n, kAxes);

@@ -58,10 +58,10 @@ struct FreeMotions {
 ///    and the rotations. A part that winds around the cell has only those rotations in which it remains connected to
 ///    its periodic images. A part that touches walls has only those motions that the walls do not resist.
 ///
-/// Leaving out these unknowns does not change the response to a strain. The number of negative eigenvalues of K
-/// decreases only by `n_unstable_ends`. The reason is that eliminating the unknowns of a dead end from K adds nothing
-/// to the block of its neighbour. With prestress, this is true if the dead end is in equilibrium, that is, if the force
-/// at its contact is zero.
+/// Leaving out the unknowns of the dead ends and the fixed unknowns does not change the response to a strain. The
+/// number of negative eigenvalues of K decreases only by `n_unstable_ends`. The reason is that eliminating the unknowns
+/// of a dead end from K adds nothing to the block of its neighbour. With prestress, this is true if the dead end is in
+/// equilibrium, that is, if the force at its contact is zero.
 template <int Dim>
 FreeMotions find_free_motions(const ContactNetwork<Dim>& network);
 

@@ -64,8 +64,8 @@ bool Aggregation<Dim>::advance() {
   return n_clusters_ == 1;
 }
 
-/// Moves the clusters as rigid bodies until two of them are about to meet. This replaces the time steps in which the
-/// clusters would only drift; these are often most time steps of an aggregation.
+/// Moves the clusters as rigid bodies until two of them are about to meet. This replaces time steps in which the
+/// clusters would only drift (often most time steps of an aggregation).
 /// @return skipped time; 0 if the grains of a cluster still move relative to each other
 template <int Dim>
 double Aggregation<Dim>::fly() {

@@ -37,7 +37,7 @@ struct BoxOptions {
 /// @pre if the walls have friction, the law between two grains has friction, too, or it is the law of rigid contacts
 Law wall_law(const Law& grains, const BoxOptions& box);
 
-/// Returns whether walls of this kind of boundary move under the imposed pressure (for a lid, one wall moves).
+/// Returns whether a wall moves under the imposed pressure at this kind of boundary.
 inline bool moves(BoxSide side) {
   return side == BoxSide::walls || side == BoxSide::lid;
 }

@@ -101,7 +101,7 @@ class HardGrains {
       const double reach = 0.5 * (diameter_[i] + grid.largest);
       const Vec<Dim, int> centre = bin_of(x, grid);
       Vec<Dim, int> most;
-      // Half of the bins of a side in each of the two directions are all bins of the side, so no more bins are visited.
+      // Half of the bins of a side in each direction are together all bins of the side. More bins are never visited.
       for (int a = 0; a < Dim; ++a)
         most[a] = std::min(grid.bins[a] / 2, static_cast<int>(std::ceil(reach / room_.side[a] * grid.bins[a])));
       // The order of the offsets along an axis is 0, 1, -1, 2, -2, ..., because a grain that ends the search is most

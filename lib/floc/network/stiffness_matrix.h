@@ -31,7 +31,7 @@ struct StiffnessMatrix {
   Eigen::SparseMatrix<double> grains;  ///< block of the grains, lower triangle, of order kDofs * n_grains
   /// block that couples grains and boundary: rows as in `grains`, one column per boundary unknown
   Eigen::MatrixXd border;
-  Eigen::MatrixXd boundary;  ///< block of the boundary unknowns, both triangles
+  Eigen::MatrixXd boundary;  ///< block of the boundary unknowns, with both triangles
 
   /// Returns the whole matrix K, both triangles, for inspection.
   Eigen::SparseMatrix<double> whole() const;

@@ -318,7 +318,7 @@ auto ContactDynamics<Dim>::solve(double dt, const Method& method) const -> Trial
   return trial;
 }
 
-/// Returns the largest ratio of the displacement of a grain or a wall in a step to its allowed displacement.
+/// Returns the largest ratio of the displacement in a step to the allowed displacement, among all grains and walls.
 template <int Dim>
 double ContactDynamics<Dim>::largest_share_moved(const Trial& trial, double dt, const Method& method) const {
   const Grains<Dim>& g = packing_.grains;

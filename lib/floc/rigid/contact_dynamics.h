@@ -85,15 +85,14 @@ class ContactDynamics {
   /// Finds the forces of the next step without moving the grains. Afterwards the contacts of the packing have these
   /// forces, and time_step() is the length of the step.
   SweepResult find_forces();
-  /// Returns the error that the present forces of the contacts would have as the forces of the next step
-  /// (SweepResult::residual). The error is computed from the velocities that these forces would cause at the end of the
-  /// next step.
+  /// Returns the error of the present contact forces (SweepResult::residual), as if they were the forces of the next
+  /// step. The error is computed from the velocities that these forces would cause at the end of the next step.
   double error_of_forces() const;
 
   const Packing<Dim>& packing() const { return packing_; }
   Packing<Dim> release_packing() { return std::move(packing_); }
   const StepCounts& counts() const { return counts_; }
-  double time_step() const { return time_step_; }  ///< next time step (time)
+  double time_step() const { return time_step_; }  ///< length of the next time step (time)
   double last_step() const { return last_step_; }  ///< length of the last time step (time)
 
  private:

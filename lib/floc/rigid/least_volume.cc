@@ -46,8 +46,8 @@ constexpr double kFarMultiplier = 1e4;
 constexpr double kArmijo = 1e-4;
 constexpr int kMostShares = 40;
 
-/// Descent to the minimum of the objective: the work P V against the stresses on the cell and the walls, plus the
-/// potential of gravity, minus mu sum log g.
+/// Descent to the minimum of the objective. The objective is the work P V against the stresses on the cell and the
+/// walls, plus the potential energy of gravity, minus mu sum log g, with a sum over all gaps g.
 class Descent {
  public:
   Descent(Packing<3>& packing, const BoundaryLoad<3>& load)

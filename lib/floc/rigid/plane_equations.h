@@ -19,9 +19,9 @@ struct PlaneStep {
   bool is_convex = false;
 };
 
-/// Newton's equations for a minimum of an objective minus mu sum log g, with the sum over the gaps g of all vertices to
-/// the separating planes. Each plane couples only to its pair of bodies, so the unknowns of the planes are eliminated
-/// pair by pair. The remaining matrix has the sparsity pattern of a stiffness matrix.
+/// Newton's equations for a minimum of f - mu sum log g, with an objective f and a sum over the gaps g of all vertices
+/// to the separating planes. Each plane couples only to its pair of bodies, so the unknowns of the planes are
+/// eliminated pair by pair. The remaining matrix has the sparsity pattern of a stiffness matrix.
 class PlaneEquations {
  public:
   PlaneEquations(const PlaneUnknowns& unknowns, int n_grains) : n_(unknowns.n), n_grains_(n_grains) {}

@@ -90,9 +90,9 @@ void set_gaps(const GrainVertices& vertices, SeparatingPlane& plane);
 SeparatingPlane moved_plane(const SeparatingPlane& plane, const Eigen::VectorXd& motion, const PlaneVector& own,
                             double share, const GrainVertices& vertices);
 
-/// Adds the terms of a pair to Newton's equations for a minimum of an objective minus mu sum log g, with the sum over
-/// all gaps g: the matrix sum of (l/g) G G' - l H, with the multipliers l, gradients G and second derivatives H of the
-/// gaps, and the load sum of (mu/g) G.
+/// Adds the terms of a pair to Newton's equations for a minimum of f - mu sum log g, with an objective f and a sum over
+/// all gaps g (PlaneEquations). Let l be the multiplier, G the gradient and H the matrix of second derivatives of a
+/// gap. Adds to `matrix` the sum of (l/g) G G' - l H over the gaps of the pair, and to `load` the sum of (mu/g) G.
 /// @param weak  force below which the multiplier l of a gap counts as weak: H is multiplied by l/(l + weak), which
 /// removes the second derivatives of wide gaps. They would make the matrix indefinite
 void add_gaps(const GrainVertices& vertices, const SeparatingPlane& plane, double mu, double weak,

@@ -17,7 +17,7 @@ namespace {
 /// determines all forces, because possibly no set of forces lies inside all cones.
 constexpr double kNearlySolved = 1e-6;
 
-/// Returns the blocks (P, T/mu) of the present forces, in units of the balance. The tangential part is zero for
+/// Returns the blocks (P, T/mu) of the present forces, divided by ForceBalance::unit. The tangential part is zero for
 /// contacts without friction.
 template <int Dim>
 std::vector<Vec<Dim>> present_blocks(const ForceBalance<Dim>& balance) {

@@ -11,8 +11,8 @@
 namespace floc {
 namespace {
 
-/// If the line between the closest points of two shapes is parallel to the normal of a face up to this tolerance, the
-/// contact is treated as a contact with the face. The tolerance is 1 - cos of an angle of 1e-3 radians.
+/// If the angle between the normal of a face and the line between the closest points of two shapes is below 1e-3
+/// radians, the contact is treated as a contact with the face. The constant is 1 - cos of this angle.
 constexpr double kAlongFace = 0.5e-3 * 1e-3;
 /// Tolerance for contacts with a face, divided by the smaller inner radius of the two shapes. Two shapes are in contact
 /// at a face if the smallest gap of the corners above the face exceeds the smallest gap of the shapes by at most this

@@ -56,8 +56,8 @@ class FaceSearch {
     return found;
   }
 
-  /// Returns false if no pair of a given edge of the shape `one` and an edge of the other shape can have a separation
-  /// above a threshold.
+  /// Returns false if a given edge of the shape `one`, paired with any edge of the other shape, cannot have a
+  /// separation above a threshold.
   ///
   /// Let a and b be the normals of the two faces at the edge. The normal of an edge pair is n = alpha a + beta b with
   /// alpha, beta >= 0 and 1 <= alpha + beta <= sqrt(2/(1 + a . b)). For any point p of the other shape, the height of p

@@ -30,8 +30,7 @@ Vec<Dim> middle(const std::vector<Wall<Dim>>& walls) {
   return middle;
 }
 
-/// Returns the branch vector of a contact with a wall (NetworkContact::branch), which is changed by a strain of the
-/// cell.
+/// Returns the branch vector of a contact with a wall, as defined for NetworkContact::branch.
 /// @param to_foot  vector from the centre of the grain to the nearest point of the wall
 template <int Dim>
 Vec<Dim> strained_branch(const Packing<Dim>& packing, const Contact<Dim>& c, Vec<Dim> to_foot) {

@@ -25,7 +25,7 @@ ConsolidationCurve noisy_curve() {
   return curve;
 }
 
-/// @param state  benchmark; its argument range(0) is the number of resampled fits of the bootstrap
+/// @param state  benchmark; range(0), the argument of the benchmark, is the number of resampled fits
 void consolidation(benchmark::State& state) {
   const ConsolidationCurve curve = noisy_curve();
   ConsolidationOptions options;

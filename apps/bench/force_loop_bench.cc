@@ -32,7 +32,7 @@
 namespace floc {
 namespace {
 
-constexpr int kUnit = 1400;  ///< number of grains of the packing whose periodic copies make larger packings
+constexpr int kUnit = 1400;  ///< number of grains of the packing that larger packings repeat
 
 enum Physics { kFrictionless, kFriction, kFrictionAndRolling };
 
@@ -87,8 +87,8 @@ void force_loop(benchmark::State& state) {
        relaxation().time_step, static_cast<int>(state.range(3)), static_cast<InstructionSet>(state.range(4)));
 }
 
-/// Measures the processor time of each of the three passes of a time step, divided by the time of all three, and the
-/// time to make a new list of pairs, also divided by the time of all three. The grains do not move.
+/// Measures the processor times of the three passes of a time step, and the time to make a new list of pairs. Each of
+/// these four times is divided by the time of all three passes. The grains do not move.
 void passes(benchmark::State& state) {
   const Packing<2>& packing = dense(static_cast<int>(state.range(0)), kFriction, false);
   const ComposedLaw law{compose_law(packing.law)};

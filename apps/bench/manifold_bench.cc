@@ -1,11 +1,11 @@
 // Benchmark of the contacts of convex polyhedra.
 //
-// The benchmark measures the time per call of contact_manifold() with the features of the previous step. The grains of
-// a pair are close to each other, with gaps from -1e-3 to 1e-3 of the diameter, as in a dense packing. Either the
-// grains have random rotations, or a face of one grain lies against a face of the other (face_to_face). One grain of
-// the pair moves a little from step to step. The shapes are "cut" (generator 0) with 10 to 20 faces, 14.8 on average,
-// and "hull" (generator 1) with 20 to 44 triangles. Their edges are sharp, or rounded with a radius of 3 % of the
-// diameter.
+// The benchmark measures the time per call of contact_manifold(), which receives the features (faces, edges or
+// vertices) that touched in the previous step. The grains of a pair are close to each other, with gaps from -1e-3 to
+// 1e-3 of the diameter, as in a dense packing. Either the grains have random rotations, or a face of one grain lies
+// against a face of the other (face_to_face). One grain of the pair moves a little from step to step. The shapes are
+// "cut" (generator 0) with 10 to 20 faces, 14.8 on average, and "hull" (generator 1) with 20 to 44 triangles. Their
+// edges are sharp, or rounded with a radius of 3 % of the diameter.
 
 #include <benchmark/benchmark.h>
 
@@ -46,8 +46,8 @@ Vec<3> centre_of_face(const PlacedShape<3>& one, int face) {
   return one.position + one.rotation * sum / static_cast<double>(loop.size());
 }
 
-/// Rotates and moves the second shape of a pair so that one of its faces lies on a face of the first shape, and so that
-/// both centres are at one point. Returns the normal of this face.
+/// Rotates and moves the second shape of a pair so that a face of each shape lies in one plane, and the centres of the
+/// two faces coincide. Returns the normal of the face of the first shape.
 Vec<3> lay_face_on_face(ClosePair& pair, RandomStream& random) {
   const Shape<3>&one = *pair.first.shape, &other = *pair.second.shape;
   const int f = static_cast<int>(random.below(static_cast<std::uint64_t>(one.n_faces()))),
@@ -59,8 +59,8 @@ Vec<3> lay_face_on_face(ClosePair& pair, RandomStream& random) {
   return n;
 }
 
-/// Returns a pair of shapes whose smallest gap is at most kGap in magnitude. The second shape is moved along a line
-/// until the gap is that small.
+/// Returns a pair of shapes with a random smallest gap between -kGap and kGap. The second shape is moved along a line
+/// until the pair has this gap.
 ClosePair close_pair(const Shape<3>& one, const Shape<3>& other, bool face_to_face, RandomStream& random) {
   ClosePair pair;
   pair.first = {&one, 1.0, Vec<3>::Zero(), random_rotation(random)};

@@ -1,9 +1,9 @@
 // Benchmark of the linear response of a contact network, for packings made of periodic copies of a relaxed state:
 //   FLOC_BENCH_STATE=state.h5 floc_bench --benchmark_filter='response/grains:90000'
 // Without a state, a triangular lattice of disks is used. Grains are renumbered along a space-filling curve, as in
-// runs. Stiffnesses are changed at random by up to half a percent, so that the network is not symmetric under
-// translations from copy to copy. The network of spheres is an fcc lattice from which bonds are removed at random until
-// the coordination number z is 6, or copies of the state FLOC_BENCH_SPHERES, such as
+// runs. Each stiffness is changed at random by up to half a percent, so that the periodic copies differ from each
+// other. The network of spheres is an fcc lattice from which bonds are removed at random until the coordination number
+// z is 6, or copies of the state FLOC_BENCH_SPHERES, such as
 //   floc convert data/packings/yade/spheres.txt spheres.h5 --contacts data/packings/yade/spheres.interactions
 // The counter peak_MB is the peak memory of the whole process, so only one case should be selected per call.
 

@@ -117,8 +117,8 @@ class Trial {
  private:
   static constexpr double kTimeStep = Dim == 2 ? 4e-4 : 1e-2;
 
-  /// Copies the data that the loop in single precision reads. The arrays of pairs are padded to a multiple of 16 floats
-  /// with copies of the last pair, which does not interact.
+  /// Copies the data that the loop in single precision reads. Each array of pairs is padded to a multiple of 16 floats
+  /// with copies of its last pair; the copies do not interact.
   void take_floats() {
     const std::size_t n = (static_cast<std::size_t>(pairs_.size()) + 15) / 16 * 16;
     const auto floats = [&](const auto* from, std::size_t size, std::size_t given) -> const float* {

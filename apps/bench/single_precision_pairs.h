@@ -193,8 +193,8 @@ struct SinglePrecisionKernel {
     return F::load(numbers + (p & pairs.own_numbers));
   }
 
-  /// Sets `r` to the separations of the pairs, and `beyond` to the squared distances minus the squared sums of the
-  /// radii. Both are computed in double precision and then rounded.
+  /// Sets `r` to the separations of the pairs. Sets `beyond` to the squared length of each separation minus the squared
+  /// sum of the two radii. Both are computed in double precision and then rounded.
   static void separate(const SinglePairs<Dim>& pairs, int p, const PairCell<Dim>& cell, V& r, F& beyond) {
     D half[2][Dim], excess[2];
     for (int h = 0; h < 2; ++h) {

@@ -21,7 +21,7 @@
 namespace floc {
 namespace {
 
-constexpr int kUnit = 500;  ///< number of grains of the packing whose periodic copies make larger packings
+constexpr int kUnit = 500;  ///< number of grains of the packing that larger packings repeat
 
 enum Law { kHertz, kLinear, kLinearRolling, kWet };
 
@@ -67,8 +67,8 @@ Packing<3> relaxed_from_gas(int which) {
   return relaxed(std::move(packing));
 }
 
-/// Returns a relaxed packing of at least n grains with a contact law. The packing consists of periodic copies of a
-/// smaller one. Each packing is made only once.
+/// Returns a relaxed packing of at least n grains with a contact law. A packing with more than kUnit grains consists of
+/// periodic copies of the packing with kUnit grains. Each packing is made only once.
 const Packing<3>& dense(int n, int which) {
   static std::map<std::tuple<int, int>, Packing<3>> made;
   const auto [entry, is_new] = made.try_emplace({n, which});

@@ -74,8 +74,7 @@ auto without_gil(const Work& work) {
   return result;
 }
 
-/// Runs a computation on one state. Error messages contain the name of the state, as the messages of the floc commands
-/// do.
+/// Runs a computation on one state. The name of the state is added to error messages, as in the floc commands.
 template <class Work>
 auto of_state(const std::string& name, const Work& work) {
   check_interruption();

@@ -35,8 +35,8 @@ std::vector<PathTable> tables_of(const Inputs& inputs, const std::vector<std::st
 }
 
 /// Divides the samples in a Python list into files and arrays.
-/// @param samples  list of names of files and of tuples (name, pressures, densities, flag, branches); the flag is true
-/// if the densities are void ratios
+/// @param samples  list of two kinds of items: names of files, and tuples (name, pressures, densities, flag, branches).
+/// The flag is true if the densities are void ratios
 Inputs inputs_of(const py::list& samples, const ColumnNames& columns) {
   Inputs inputs;
   inputs.columns = columns;

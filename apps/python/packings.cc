@@ -247,7 +247,7 @@ class ContactArrays {
     }
   }
 
-  /// Reads the array `type`, the kinds of contact points that the contacts of a state have.
+  /// Reads the array `type`: the kind of each contact point, with the values that the contacts of a state have.
   void set_kinds(std::vector<ListedContact>& contacts) const {
     if (!arrays_.contains("type")) return;
     const auto type = arrays_["type"].cast<Integers>();
@@ -277,8 +277,7 @@ class ContactArrays {
     }
   }
 
-  /// Returns one of the arrays that describe contacts, after a check of its shape; absent if the user has not given an
-  /// array of this name.
+  /// Returns the array called `name` after a check of its shape; absent if the user has not given this array.
   std::optional<Numbers> array(const std::string& name, std::size_t n, int columns) const {
     if (!arrays_.contains(name.c_str())) return std::nullopt;
     auto found = arrays_[name.c_str()].cast<Numbers>();

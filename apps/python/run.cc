@@ -16,8 +16,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kBetweenSignals{50};
 
-/// Reports the progress of a run to a Python callback and tells the run when to stop. If the callback raises an
-/// exception, the run stops at a checkpoint.
+/// Reports the progress of a run to a Python callback, and tells the run when to stop. If the callback raises an
+/// exception, the run writes a checkpoint and stops.
 class Watch {
  public:
   /// @param told  Python callback that receives reports of progress; None: no reports

@@ -182,8 +182,8 @@ py::dict provenance_of(const State<Dim>& state) {
   return words;
 }
 
-/// Binds the arrays of a state. The arrays are views of the memory of the state. Only the identifiers of the grains are
-/// computed, if the packing was imported without identifiers.
+/// Binds the arrays of a state. The arrays are views of the memory of the state, except for the identifiers of grains
+/// that were imported without identifiers: they are computed.
 void bind_arrays(py::class_<NamedState>& bound) {
   bound
       .def_property_readonly("position", property([](const py::object& self, const auto& s) -> py::object {

@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Returns the names of those quantities in a table of means that can be drawn as curves. Such a quantity has values at
-/// two or more pressures in at least one case.
+/// Returns the names of the quantities in a table of means that can be drawn as curves: those with values at two or
+/// more pressures in at least one case.
 std::vector<std::string> curve_quantities(const CsvTable& means);
 
 /// Draws one quantity against the reduced pressure P* as an svg element of an html page. Each case is a group of class

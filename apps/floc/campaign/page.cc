@@ -161,8 +161,8 @@ std::string failures_section(const CampaignPage& page) {
          sorting_table("failed", page.outcomes, failed);
 }
 
-/// Returns whether a campaign contains states with different stresses on their axes. The pressure of such a state is
-/// the mean of these stresses.
+/// Returns whether the load path of a campaign drives one axis in some states, so that the stresses on the axes differ.
+/// The pressure of such a state is the mean of these stresses.
 bool has_driven_states(const PlannedCampaign& planned) {
   return std::ranges::any_of(planned.plans, [](const CasePlan& plan) {
     return std::ranges::any_of(plan.states, [](const PlannedState& state) { return !state.P_star; });
@@ -268,7 +268,7 @@ std::string pictures_section(const CampaignPage& page) {
 std::string cost_section(const CampaignPage& page) {
   return fmt::format(
              "<h2>Cost</h2>\n<p>The runs took {:.4g} s (wall time) to make the states, and {:.4g} s (processor "
-             "time) to make tables of the states; {:.4g} s were expected.</p>\n",
+             "time) to make tables of the states. The expected processor time was {:.4g} s.</p>\n",
              sum_of(page.outcomes, "run_seconds"), sum_of(page.outcomes, "analysis_seconds"),
              sum_of(page.outcomes, "expected_seconds")) +
          sorting_table("outcomes", page.outcomes);

@@ -55,8 +55,7 @@ void check_columns(const Campaign& campaign) {
   }
 }
 
-/// Returns a text about the size of a campaign: the number of its runs and the expected processor time of all runs
-/// together.
+/// Returns a text with the number of runs of a campaign and the expected processor time of all runs together.
 std::string extent_of(const PlannedCampaign& planned) {
   const std::size_t n_seeds = planned.campaign.seeds.size();
   double cost = 0.0;

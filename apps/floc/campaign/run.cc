@@ -92,8 +92,8 @@ int make_table(const TableCommand& command, const CampaignRunArguments& argument
 }
 
 /// Runs one sample of a campaign and makes its tables.
-/// @return exit code; 0 even if the run failed, because outcome.csv records the failure and snakemake has to go on with
-/// the other runs
+/// @return exit code: 0 also if the run failed, because snakemake has to go on with the other runs; outcome.csv records
+/// the failure
 int run_sample(const CampaignRunArguments& arguments) {
   // With the option --with-parent, this process is killed when the snakemake that started it ends. Otherwise the next
   // snakemake would start a second process in the same run directory.

@@ -48,8 +48,8 @@ int run_compare(CompareCommand command) {
   CompareTables side;
   std::optional<std::pair<std::string, AnyState>> reference;
   const int code = for_each_file(states_of_inputs(command.files), [&](const std::string& file) {
-    // Each state is compared with `before`: the state just before it or, with --against-first, the first state. If
-    // `before` is empty (for the first state, and after a state that could not be read), nothing is compared.
+    // The first argument of each comparison is `before`: the previous state or, with --against-first, the first state.
+    // If `before` is empty (for the first state, and after a state that could not be read), nothing is compared.
     std::optional<std::pair<std::string, AnyState>> before = reference;
     if (!command.against_first) reference.reset();
     std::pair<std::string, AnyState> now(file, read_state(file));

@@ -54,8 +54,8 @@ struct StepComparison {
   std::optional<double> largest;
 };
 
-/// A column in the path.csv of the second run that corresponds to a column in the path.csv of the first run: both have
-/// the same name. The factor converts the values of the second run to the unit of the first run.
+/// A column that the tables path.csv of both runs contain: its index in the second table. The factor converts the
+/// values of the second run to the unit of the first run.
 struct Counterpart {
   int column;
   double factor;

@@ -228,8 +228,8 @@ std::string keywords(const std::vector<Format>& formats) {
 }
 
 void add_reading_options(CommandLine app, ConvertArguments& arguments) {
-  // Each help text ends with the default of its option, in brackets. It cannot be printed from the variable of the
-  // option, which is empty in most cases: the reader of the format of the file IN sets the default later.
+  // Each help text ends with the default of the option, in brackets. The default cannot be printed from the variable of
+  // the option: the variable is empty in most cases, because the reader of the format of IN sets the default later.
   app.add_option(
       "--from", arguments.from,
       "format of the file IN: " + keywords(import_formats()) + " [recognised from the name and content of IN]");

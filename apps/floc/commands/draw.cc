@@ -126,7 +126,7 @@ void read_sight(DrawArguments& arguments) {
   arguments.cut = Slab{static_cast<int>(axis / 2), (*ends)[0], (*ends)[1]};
 }
 
-/// A picture of a state, and values of this state for one row of the printed table.
+/// A picture of a state, and the values of this state in a row of the printed table.
 template <int Dim>
 struct Drawn {
   std::string file;
@@ -145,8 +145,8 @@ void cut_slab(const std::string& file, const DrawArguments& arguments, PackingPi
 }
 
 /// Makes the picture of a state.
-/// @param other  state given by the option --compare; absent without this option. If present, the picture shows the
-/// changes of contacts and grains from one state to the other
+/// @param other  second state, given by the option --compare; absent without this option. If present, the picture shows
+/// the changes of contacts and grains from `state` to `other`
 template <int Dim>
 Drawn<Dim> drawn_from(const std::string& file, const State<Dim>& state, const DrawArguments& arguments,
                       const std::optional<AnyState>& other) {

@@ -96,7 +96,7 @@ std::vector<std::pair<std::string, std::size_t>> given_strengths(const std::vect
   return given;
 }
 
-/// Appends to the row of a contact of grains with corners its point, normal, gap and kind.
+/// Appends the point, normal, gap and kind of a contact between grains with corners to the row of this contact.
 template <int Dim>
 void add_point(const Packing<Dim>& packing, const Contact<Dim>& c, std::vector<TableValue>& row) {
   const Vec<Dim> point = packing.grains.position[c.i] + c.arm_i;

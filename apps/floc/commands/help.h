@@ -4,8 +4,8 @@
 
 namespace floc {
 
-/// Adds the command `floc help columns [TABLE]`. The help of other commands is printed elsewhere, because
-/// arguments_of_help() turns `floc help COMMAND` into `floc COMMAND --help`.
+/// Adds the command `floc help columns [TABLE]`. `floc help COMMAND` is not part of this command: arguments_of_help()
+/// turns it into `floc COMMAND --help`.
 Command add_help(CommandLine program);
 
 /// Returns the command line "floc help fit elastic" as "floc fit elastic --help", and "floc help" as "floc --help". Any

@@ -28,8 +28,8 @@ struct InfoArguments {
   std::string sizes;  ///< name of the csv file for the sizes of the grains; if empty, no file is written
 };
 
-/// Prints the table of the states. In the format "table" each value is printed on its own line, after the name of its
-/// column, because the row of a state is wider than a terminal.
+/// Prints the table of the states. In the format "table", each value is printed on its own line after the name of its
+/// column: a row with all columns would be wider than a terminal.
 void print(const Table& table, const Printing& printing) {
   if (chosen_format(printing.format) != TableFormat::table) return print_table(table, printing);
   const Table shown = with_chosen_columns(table, printing, false);

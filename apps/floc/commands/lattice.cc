@@ -40,9 +40,9 @@ constexpr double kCoarse = 8.0;
 /// Largest number of lattice nodes of a sample that --strength breaks without the option --yes.
 constexpr int kBrokenUnasked = 20000;
 
-/// Returns the memory that the solution of a lattice is expected to take (bytes). Measured values for 1e5 nodes, 2.5 kB
-/// per node in 2D and 2.3 kB in 3D, are increased by a margin. In 2D the memory of the Cholesky factor per node grows
-/// with the logarithm of the number of nodes.
+/// Returns the memory (bytes) that the solution of a lattice is expected to take. The formulas are measured values with
+/// a margin. For 1e5 nodes, 2.5 kB per node were measured in 2D, and 2.3 kB in 3D. In 2D the memory of the Cholesky
+/// factor per node grows with the logarithm of the number of nodes.
 double expected_memory(int dimension, double n_nodes) {
   if (dimension == 3) return 2600.0 * n_nodes;
   return n_nodes * (1600.0 + 90.0 * std::log2(std::max(n_nodes, 2.0)));
@@ -136,7 +136,7 @@ RelaxationSettings settings_of(const LatticeArguments& arguments, const bool& te
     say(
         fmt::format("round {} of the solver: {} contacts between grains without matrix are open, {} opened or "
                     "closed in this round, {} steps of "
-                    "conjugate gradients{}, imbalance of the forces {:.1e} of the load",
+                    "conjugate gradients{}; imbalance of the forces divided by the load: {:.1e}",
                     r.round, r.n_open, r.n_changed, r.n_steps, r.factorized ? " with a new factorization" : "",
                     r.imbalance));
   };
@@ -168,8 +168,8 @@ std::vector<double> normal_forces(const std::vector<Contact<Dim>>& contacts) {
   return normal;
 }
 
-/// Computes the normal forces between the grains. Also computes the correlation of these forces with the forces of
-/// equal beams, see bonded_forces(), and, if --compare names a state, with the contact forces of that state.
+/// Computes the normal forces between the grains, and their correlation with the forces of equal beams (see
+/// bonded_forces()). If --compare names a state, also computes their correlation with the contact forces of that state.
 /// @param sign  1 if the load is compressive, -1 if it is tensile
 /// @return the packing of the grains, with the computed forces as contact forces
 template <int Dim>
@@ -255,9 +255,9 @@ CompositeBounds bounds_of(const CementedSample<Dim>& sample, const ElementStiffn
 /// @throws InputError that gives the expected wall time, if --yes is missing
 void refuse_long_breaking(const LatticeArguments& arguments, const LatticeRow& row) {
   if (arguments.strength.empty() || arguments.yes || row.n_nodes <= kBrokenUnasked) return;
-  /// Two estimates, from which the expected time follows. The first is the number of elements that break before the
-  /// stress has fallen, divided by the number of nodes along a side of the sample. The second is the time of one
-  /// solution, divided by the number of nodes (s).
+  /// Two estimates from which the expected time follows: the number of elements that break before the stress has
+  /// fallen, divided by the number of nodes along a side of the sample; and the time of one solution, divided by the
+  /// number of nodes (s).
   constexpr double kBrokenAcross = 10.0, kSecondsPerNode = 1e-5;
   const auto n = static_cast<double>(row.n_nodes);
   const double minutes = kBrokenAcross * std::pow(n, 1.0 - 1.0 / row.dimension) * kSecondsPerNode * n / 60.0;
@@ -344,7 +344,7 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
     return kNotConverged;
   }
   LoadedSample<Dim> loaded{sample, network, solution, node_stress(sample.lattice, network, solution), {}};
-  // In the distributions, stresses with the sign of the load are positive, both for compression and for tension.
+  // Stresses with the sign of the load are positive in the distributions, both for compression and for tension.
   const double sign = solution.stress[row.axis] < 0.0 ? -1.0 : 1.0;
   row.all = stress_distribution(stresses_of(loaded, row.axis, std::nullopt), sign);
   row.grain = stress_distribution(stresses_of(loaded, row.axis, Phase::grain), sign);

@@ -41,8 +41,8 @@ std::vector<std::pair<int, int>> stress_components() {
   return {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
 }
 
-/// Returns the table of --stress. It has one row for each node that belongs to an element, with the position, phase and
-/// stress of the node. The state file of --output contains these nodes as grains, in the order of the rows.
+/// Returns the table of --stress. It has one row for each node that belongs to an element: position, phase and stress.
+/// The state file of --output contains these nodes as grains, in the order of the rows.
 template <int Dim>
 Table node_table(const LoadedSample<Dim>& of) {
   Table table;
@@ -67,7 +67,7 @@ Table node_table(const LoadedSample<Dim>& of) {
   return table;
 }
 
-/// Stresses or forces with a name and with a summary of their distribution, for a table or a plot.
+/// Values of a stress or of forces, their name, and a summary of their distribution, for a table or a plot.
 struct Named {
   std::string name;
   std::vector<double> values;
@@ -101,8 +101,8 @@ Table distribution_table(const std::vector<Named>& all, double width) {
 }
 
 /// Returns the two end points of the line that shows a fitted exponential tail, from the threshold of the tail to the
-/// largest value. The exponential distribution is normalised for the values above the threshold. Its density is
-/// therefore multiplied by the fraction of the values that are above the threshold.
+/// largest value. The fitted distribution is normalised to 1 for the values above the threshold. Its density is
+/// therefore multiplied by the fraction of all values that are above the threshold.
 /// @param n        number of all values
 /// @param largest  largest value, expressed in the unit of the abscissa
 /// @param sign     factor of the abscissas: 1 for a tail of values with the sign of the load, -1 for a tail of the
@@ -213,7 +213,7 @@ void draw_map(const LatticeArguments& arguments, const LatticeRow& row, const Lo
   picture.bar_largest = arguments.largest > 0.0 ? arguments.largest : 4.0;
   picture.color = stress_colors(value, of.network.present, picture.bar_largest);
   picture.meanings = {{palette::kBackground, "void"}};
-  picture.bar_name = fmt::format("stress {0}{0} over its mean,", row.axis + 1);
+  picture.bar_name = fmt::format("stress {0}{0} / mean stress,", row.axis + 1);
   picture.caption = caption_of(row);
   write_bytes_atomically(arguments.map,
                          draw_lattice(of.sample.lattice, picture, sheet_of(arguments, arguments.map)));

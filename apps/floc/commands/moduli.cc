@@ -52,8 +52,8 @@ ModuliTableOptions options_of(const ModuliCommand& command) {
   return options;
 }
 
-/// Returns whether the moduli in all rows reach the required accuracy. Prints an error for the first row whose moduli
-/// do not.
+/// Returns whether the moduli in all rows reach the required accuracy. If not, prints an error for the first row with
+/// too inaccurate moduli.
 bool accuracy_met(const std::vector<ModuliRow>& rows, const std::optional<ModuliAccuracy>& accuracy) {
   return std::ranges::all_of(rows, [&](const ModuliRow& row) {
     const std::string fault = accuracy_fault(row, accuracy);
@@ -70,8 +70,7 @@ bool accepts_state(const std::string& file, const AnyState& any, bool force, con
     return true;
   }
   const std::string faults = std::visit([](const auto& state) { return equilibrium_faults(state); }, any);
-  // If an imported file gives positions with only six digits, the residuals of the state are larger, and the state
-  // needs a larger tolerance.
+  // Positions with only six digits in an imported file cause large residuals. Such a state needs a larger tolerance.
   const bool imported = std::visit([](const auto& state) { return state.path.branch == "imported"; }, any);
   const char* advice =
       imported ? ", or convert the file with a larger --tolerance if its numbers have few digits" : "";

@@ -83,8 +83,8 @@ ModuliPoint moduli_of_state(const std::string& file, const AnyState& any) {
 }
 
 /// Returns the unit of the moduli in a table of `floc moduli`. The unit depends on whether the packing has cohesion.
-/// The table has no column for cohesion, but its pressures show whether there is cohesion: in this case, in reduced
-/// units, the reduced pressure P* and the pressure P are almost equal.
+/// The table has no column for cohesion. In reduced units with cohesion, however, the reduced pressure P* and the
+/// pressure P are almost equal.
 std::string unit_of_table(const CsvTable& table) {
   for (const char* name : {"units", "dimension", "P", "P_star"})
     if (!table.has(name)) return "units of the state";
@@ -125,8 +125,8 @@ Made moduli(const PlotArguments& arguments) {
       const auto x = [&](int k) {
         return table.is_empty(i, columns[k]) ? std::nan("") : table.number(i, columns[k]);
       };
-      // A row without Reuss bound belongs to an unloaded packing. Its reduced pressure is set to zero: the plot, whose
-      // axis of pressures is logarithmic, then leaves the row out.
+      // A row without Reuss bound belongs to an unloaded packing. The reduced pressure of this row is set to zero, so
+      // that the plot, which has a logarithmic axis of pressures, leaves the row out.
       const ModuliPoint point{x(4) > 0.0 ? x(0) : 0.0, x(1), x(2), x(3), x(4), x(5), x(6)};
       points.push_back(point.with_bounds(bounds_hold(table, i), is_stable(table, i)));
     }
@@ -172,8 +172,8 @@ std::vector<std::string> states_of(const PlotArguments& arguments) {
 }
 
 /// Returns the files of the three states of a run whose force distributions are compared: the first state under
-/// pressure, the state at the highest pressure, and the state half way between them along the path. States
-/// without pressure are left out, because their forces are only numerical residues.
+/// pressure, the state at the highest pressure, and the state half way between them along the path. States without
+/// pressure are left out, because their forces are only rounding errors or errors of the solver.
 std::vector<std::string> loading_states(const std::string& directory) {
   const std::vector<PathRow> rows = read_path(table_of_run(directory), {}).rows;
   const auto highest = static_cast<int>(std::ranges::max_element(rows, {}, &PathRow::P_star) - rows.begin());

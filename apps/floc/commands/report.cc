@@ -66,8 +66,8 @@ struct ReportedRun {
   std::map<std::string, std::vector<int>> state_warnings;
 };
 
-/// Returns the indices of three states of the first loading: the first and loosest one, the last and densest one, and
-/// the one half way between them along the load path. If the path contains no loading, returns the index of its last
+/// Returns the indices of three states of the first loading: the first (loosest) state, the last (densest) state, and
+/// the state half way between them along the load path. If the path contains no loading, returns the index of the last
 /// state only. For rigid grains, which may have no reduced pressure, returns the first, the middle and the last state
 /// of the whole path.
 /// @param is_rigid  whether the grains are rigid
@@ -215,9 +215,9 @@ std::string provenance_section(const ReportedRun<Dim>& run) {
   return "<h2>Provenance</h2>\n" + html_table(table);
 }
 
-/// Returns the scene of a run. The text of the scene is stored in the states of the run. If the run started from a
-/// saved state, the scene names the file of that state, which may no longer exist. In the returned scene, this name is
-/// replaced by the name of the first state of the run, which has the same grains.
+/// Returns the scene of a run, whose text is stored in the states of the run. If the run started from a saved state,
+/// the scene names the file of that state, which may no longer exist. In the returned scene, this name is replaced by
+/// the name of the first state of the run, which has the same grains.
 template <int Dim>
 Scene scene_of(const ReportedRun<Dim>& run) {
   std::vector<std::string> changes;

@@ -55,7 +55,7 @@ int report_outcome(const DriveReport& report, const Run<Dim>& run, const std::st
   return kDone;
 }
 
-/// Freed blocks of memory of at least this size (bytes) are returned to the system at once. By default glibc keeps
+/// Smallest size (bytes) of a freed block of memory that is returned to the system at once. By default glibc keeps
 /// freed blocks of up to 32 MB. In a run of a large packing, the memory of freed neighbour lists, saved states and
 /// files would then add up.
 constexpr int kReturnedBlock = 1 << 22;
@@ -109,7 +109,7 @@ int run_seeds(const RunArguments& arguments) {
   std::vector<std::string> args = {arguments.scene};
   for (const std::string& change : arguments.overrides) args.insert(args.end(), {"--set", change});
   if (!arguments.prices.empty()) args.insert(args.end(), {"--prices", arguments.prices});
-  // Each sample gets only as many threads as it can use. Otherwise each sample would print the message of
+  // Each sample is told the number of threads that it can use. Otherwise each sample would print the message of
   // tell_unused_threads() again.
   args.insert(args.end(), {"--threads", std::to_string(options.relaxation.threads)});
   if (arguments.run.until) args.insert(args.end(), {"--until", std::to_string(*arguments.run.until)});

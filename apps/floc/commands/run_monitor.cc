@@ -18,7 +18,8 @@ constexpr double kSecondsBetweenLines = 10.0;
 template <int Dim>
 std::string phase_of(const Run<Dim>& run) {
   if (run.point().aggregating)
-    return fmt::format("the grains aggregate into one cluster; {} clusters are left so far", run.n_clusters());
+    return fmt::format("the grains aggregate until they form one cluster; there are now {} clusters",
+                       run.n_clusters());
   const RelaxationReport report = run.report();
   const bool finishing = report.phase == "finishing";
   std::string text = fmt::format("{}, {}", report.phase, report.blocking);
@@ -34,8 +35,8 @@ std::string ending_of(const RelaxationReport& report) {
   return fmt::format("{}, not in equilibrium because of {} mechanisms", report.ending, report.n_mechanisms);
 }
 
-/// Returns a simulated time as text with a suitable number of digits. Such times are about 1e-4 s in SI units, and up
-/// to thousands of units of time in reduced units.
+/// Returns a simulated time as text with a suitable number of digits. The times are about 1e-4 s in SI units, and up to
+/// thousands of units of time in reduced units.
 std::string time_text(double time) {
   return time < 100.0 ? fmt::format("{:.3g}", time) : fmt::format("{:.0f}", time);
 }
@@ -79,9 +80,9 @@ std::string unfinished_warning(const StepCounts& counts) {
                            : static_cast<double>(counts.n_unfinished) / static_cast<double>(counts.n_steps);
   if (share <= kMany) return {};
   return fmt::format(
-      "{:.0f} % of the time steps ended at dynamics.max_sweeps before their impulses were "
-      "within dynamics.sweep_tolerance: the final forces are balanced, but the motion that "
-      "leads to them is less accurate than required; give a larger dynamics.max_sweeps or "
+      "in {:.0f} % of the time steps, the impulses were not yet within dynamics.sweep_tolerance after "
+      "dynamics.max_sweeps sweeps: the final forces are balanced, but the motion up to "
+      "them is less accurate than required; give a larger dynamics.max_sweeps or "
       "a larger tolerance",
       100.0 * share);
 }

@@ -96,7 +96,7 @@ int start_scene(const std::string& name) {
   if (std::fclose(file) != 0 || !written)
     throw IoError(path.string(), "the file cannot be written completely; the disk may be full");
   spdlog::info(
-      "wrote {0}, a copy of the scene of floc demo: a cohesive powder, whatever the name of the file "
+      "wrote {0}, a copy of the scene of floc demo, a cohesive powder "
       "(data/scenes contains scenes of other materials); you may run next: floc scene "
       "check {0}, floc "
       "run {0} -o {1}",

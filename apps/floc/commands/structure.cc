@@ -80,12 +80,12 @@ Command add_structure(CommandLine program) {
                "add a last row with averages over all states, which are taken as samples of one ensemble");
   app.add_option(
          "--fit-range", command->options.fit_range,
-         "LOW,HIGH: range of wave numbers in which I(k) is fitted, in units of 2 pi over the largest diameter")
+         "LOW,HIGH: range of wave numbers in which I(k) is fitted, in units of 2 pi/a (a: largest diameter)")
       .delimiter(',')
       .expected(2)
       .show_default();
   app.add_option("--largest-k", command->options.scattering.largest,
-                 "largest wave number k of I(k), in units of 2 pi over the largest diameter")
+                 "largest wave number k of I(k), in units of 2 pi/a (a: largest diameter)")
       .positive()
       .show_default();
   app.add_option("--cells-per-wave", command->options.scattering.cells_per_wave,

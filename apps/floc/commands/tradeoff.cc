@@ -65,8 +65,8 @@ struct TradeoffRow {
   const DeclaredObservable& declared() const { return declared_observables()[observable]; }
 };
 
-/// Returns the factor by which the springs are softer in one part of the run; undefined for grains without springs and
-/// for lattices.
+/// Returns the factor by which the springs are softened in one part of the run; undefined for lattices and for grains
+/// without springs.
 TableValue softening_cell(const TradeoffRow& row, double Softening::*part) {
   if (row.run.scene.law.is_rigid() || row.setting.setting.lattice) return {};
   return row.setting.setting.numerical.softening.*part;

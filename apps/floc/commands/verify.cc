@@ -18,8 +18,8 @@ struct VerifyArguments {
   Printing printing;
 };
 
-/// Adds the row of a state to the table. Prints on stderr each criterion that the state violates, and the grains or
-/// contacts that violate this criterion.
+/// Adds the row of a state to the table. Prints each violated criterion on stderr, with the grains or contacts that
+/// violate it.
 /// @param criteria  result of verify_state()
 /// @return exit code for this state
 int report(const std::string& file, const std::vector<Criterion>& criteria, Table& table) {

@@ -26,9 +26,9 @@ struct ConsolidationPlot {
 /// @param stress  stress that is taken as the pressure of an oedometer test: "driven" or "mean"; empty for other tests
 std::string pressure_label(const std::string& unit, const std::string& stress);
 
-/// Plots 1/Phi (Phi: solid fraction) against the pressure P*, with the fitted law and the range of pressures to which
-/// it was fitted, the recompression line at smaller pressures, and the yield pressure at which this line and the law
-/// meet. A second panel below shows the residuals.
+/// Plots 1/Phi (Phi: solid fraction) against the pressure P*. The plot shows the fitted law and the range of pressures
+/// to which it was fitted, the recompression line at smaller pressures, and the yield pressure at which this line meets
+/// the law. A second panel below shows the residuals.
 Plot plot_of_fit(const ConsolidationPlot& of);
 
 /// Returns the standard error of the mean of 1/Phi over all samples at the i-th pressure; 0 for a single sample.

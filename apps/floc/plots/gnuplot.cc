@@ -35,8 +35,8 @@ std::string data_of(const Plot& plot) {
 
 /// Returns the gnuplot terminal for the extension of a file name; empty if the extension is not supported.
 std::string terminal_for(const std::string& extension, const Plot& plot) {
-  // In a figure that is printed 85 mm wide, letters are 2 mm high, and markers are 1.5 mm wide, so that they can be
-  // distinguished.
+  // In a figure that is printed 85 mm wide, letters are 2 mm high and markers 1.5 mm wide. This is large enough to
+  // distinguish them.
   constexpr const char* kFont = "font 'DejaVu Sans,{}'";
   constexpr double kPixelsPerInch = 96.0;
   if (extension == ".svg")
@@ -59,9 +59,8 @@ std::string script_of(const Plot& plot, const fs::path& picture, const fs::path&
       terminal_for(picture.extension().string(), plot), plot.script);
 }
 
-/// Runs gnuplot on a script, in the directory of the script. The messages of gnuplot go to the file `words`. These
-/// messages are shown only if gnuplot fails, because in all other cases they only warn about the appearance of plots
-/// with few points.
+/// Runs gnuplot on a script, in the directory of the script. The messages of gnuplot go to the file `words`. They are
+/// shown only if gnuplot fails: otherwise they only warn about the appearance of plots with few points.
 /// @throws IoError if gnuplot is missing or fails
 void run_gnuplot(const fs::path& script, const fs::path& picture, const fs::path& words) {
   const std::string directory = script.has_parent_path() ? script.parent_path().string() : ".";

@@ -37,8 +37,8 @@ struct CellText {
   std::string operator()(const std::string& value) const { return "<td>" + html_text(value) + "</td>"; }
 };
 
-/// Returns bytes in the encoding of a data URL (RFC 3986): all but a few plain characters become % and two hexadecimal
-/// digits.
+/// Returns bytes in the encoding of a data URL (RFC 3986): % and two hexadecimal digits for each byte that is not one
+/// of a few plain characters.
 std::string percent_encoded(const std::string& text) {
   constexpr std::string_view kPlain = "-_.~ /:;=,()+*!'";
   std::string out;

@@ -37,8 +37,8 @@ std::vector<Branch> branches_of(const std::vector<double>& P) {
   return branches;
 }
 
-/// Returns the points row(i) of the rows i of all branches along which the pressure rises or, if `up` is false, falls.
-/// Points of NaN separate the branches, so that no line joins two branches.
+/// Returns a point row(i) for each row i of the branches along which the pressure rises (if `up`) or falls. Points of
+/// NaN separate the branches, so that no line joins two branches.
 template <class Row>
 std::vector<std::vector<double>> rows_going(bool up, const std::vector<Branch>& branches, Row&& row) {
   std::vector<std::vector<double>> rows;
@@ -65,9 +65,9 @@ double stress_of_unit(const PathTable& path, int row) {
 }
 
 /// Returns the modulus of the state at the start of an unloading branch, in the unit of the pressures of the path;
-/// absent if this state is not available. The modulus is B_S, the bulk modulus for imposed stresses. In an oedometer
-/// test the result is a modulus for uniaxial strain instead: M if the pressures of the path are stresses on the driven
-/// axis, B_uniaxial if they are mean stresses.
+/// absent if this state is not available. The modulus is B_S, the bulk modulus for imposed stresses. For an oedometer
+/// test it is a modulus for uniaxial strain instead: M if the pressures of the path are stresses on the driven axis,
+/// B_uniaxial if they are mean stresses.
 std::optional<double> modulus_of_state(const PathTable& path, const Loading& branch) {
   const auto found = moduli_of_row(path, branch.rows.front(), driven_axis(path, branch.rows.back()));
   if (!found) return std::nullopt;
@@ -146,8 +146,8 @@ std::string regimes_script(const ConsolidationFit& fit, double low, double high)
   return script;
 }
 
-/// Returns the gnuplot command that marks round values of the solid fraction Phi on the right axis. The mark of a value
-/// Phi is at the height of the value 1/Phi on the left axis.
+/// Returns the gnuplot command that marks round values of the solid fraction Phi on the right axis. Each mark is at the
+/// height of 1/Phi on the left axis.
 std::string density_tics(const Plot& plot) {
   double low = 1.0, high = 0.0;
   for (const Plot::Block& block : plot.blocks)

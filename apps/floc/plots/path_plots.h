@@ -17,14 +17,14 @@ struct FittedConsolidation {
   ConsolidationFit fit;
 };
 
-/// Fits that form of the consolidation law which the data support. The law is fitted to the first loading of a sample
-/// or, for several samples, to the mean of their first loadings.
+/// Fits the form of the consolidation law that the data support. The law is fitted to the first loading of a sample or,
+/// for several samples, to the mean of their first loadings.
 FittedConsolidation fitted_consolidation(const std::vector<PathTable>& samples, double phi_limit = 1.0);
 
 /// Plots 1/Phi against P*, with Phi (solid fraction) on the right axis. The plot shows the samples, their mean with its
 /// error, the fitted law with its regimes, and the unloading branches with their elastic lines dPhi/Phi = dP/B. The
-/// modulus B is computed from the state at the start of the unloading branch if the file of this state is in the
-/// directory of path.csv; otherwise B is fitted to the branch.
+/// modulus B is that of the state at the start of the unloading branch, if the directory of path.csv contains the file
+/// of this state. Otherwise B is fitted to the branch.
 /// @param samples  load paths of the samples; at least one
 Plot consolidation_plot(const std::vector<PathTable>& samples, const FittedConsolidation& fitted);
 

@@ -14,7 +14,7 @@ enum class Shown {
   /// increments of the contact forces in a small step of the difference between the stresses on axes 1 and 2
   deviatoric_step,
   particle_pressure,  ///< grains coloured by their pressure
-  phases,  ///< grains coloured by the sign of their pressure, and contacts between grains of equal sign
+  phases,  ///< grains coloured by the sign of their pressure; contacts between grains of the same sign
   kinds,   ///< contact forces of grains with corners, coloured by the kind of contact
   grains,  ///< grains without forces
 };

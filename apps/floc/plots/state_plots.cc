@@ -43,9 +43,10 @@ double bin_width(std::vector<double> forces) {
   return range > 0.0 ? round_number_below(range / 20.0) : 0.1;
 }
 
-/// Fits an exponential tail to those forces f of one sign that exceed their mean (the threshold), and adds points of
-/// the fitted tail from the threshold to the largest force. The density of the tail is a product of two factors: the
-/// fraction of all forces that belong to the tail, and exp[-(f - threshold)/f_0]/f_0 with the fitted force f_0.
+/// Fits an exponential tail to the forces f of one sign that exceed a threshold: the mean of the forces of this sign.
+/// Adds points of the fitted tail from the threshold to the largest force. The density of the tail is a product of two
+/// factors: the fraction of all forces that belong to the tail, and exp[-(f - threshold)/f_0]/f_0 with the fitted force
+/// f_0.
 void add_tail(const std::vector<double>& forces, double sign, std::vector<std::vector<double>>& rows) {
   std::vector<double> sizes;
   double sum = 0.0;
@@ -64,7 +65,7 @@ void add_tail(const std::vector<double>& forces, double sign, std::vector<std::v
     rows.push_back({sign * f, at_threshold * std::exp(-(f - fit.mean) / f0)});
 }
 
-/// Returns one row per bin of a histogram: value, density, lower and upper end of the 68 % interval of the density,
+/// Returns one row per bin of a histogram: value, density, lower and upper end of the 68 % interval of the density, and
 /// count.
 std::vector<std::vector<double>> density_rows(const ForceDistribution& d) {
   std::vector<std::vector<double>> rows;
@@ -80,8 +81,8 @@ std::vector<std::vector<double>> density_rows(const ForceDistribution& d) {
 }
 
 /// Fits an exponential distribution to the values p of one sign, and adds points of the fitted density from zero to the
-/// largest value. The density is the fraction of values with this sign times b exp(-b |p|), with the fitted parameter
-/// b.
+/// largest value. The density is b exp(-b |p|) times the fraction of values with this sign, where b is the fitted
+/// parameter.
 void add_exponential(const std::vector<double>& values, double sign, std::vector<std::vector<double>>& rows) {
   const std::vector<double> sizes = sizes_of(values, sign);
   const ExponentEstimate fit = fit_exponent({cut_sample(sizes, 0.0, std::numeric_limits<double>::infinity())});
@@ -117,8 +118,8 @@ ForceSample force_sample(const std::string& place, const std::string& name, cons
 namespace {
 
 /// Returns the ends of the axis that the curves of all samples share. The axis shows 99 % of the values of each sample,
-/// but at most three times the range of the sample with the narrowest range. Otherwise the curve of this sample would
-/// become a spike.
+/// but is at most three times as wide as the curve of the sample with the narrowest range needs. On a wider axis, this
+/// curve would become a spike.
 /// @param samples  values of each sample
 std::pair<double, double> shown_values(std::vector<std::vector<double>> samples) {
   constexpr double kLeftOut = 0.005, kWidest = 3.0;

@@ -17,8 +17,8 @@ struct ForceSample {
   std::vector<double> forces;
 };
 
-/// Returns the contact forces of one kind (normal, tangential, rolling) in a packing and their distribution. The bins
-/// of the distribution are so wide that about twenty of them contain nine tenths of the forces.
+/// Returns the contact forces of one kind (normal, tangential, rolling) in a packing, and their distribution. The bins
+/// of the distribution are chosen so that about twenty bins contain nine tenths of the forces.
 /// @param place  name of the state file, for messages
 /// @param name  name of the state in the legend
 /// @throws InputError if the packing has no contact forces of this kind or the unit of force is zero

@@ -56,7 +56,8 @@ AxialTest test_at(const CsvTable& path, const TestColumns& columns, int row, int
 }
 
 /// Returns the gnuplot commands for the panel with the stress ratio and the volumetric strain against the strain.
-/// @param any_axial, any_sheared  whether a test with a driven axis and a simple shear test are drawn
+/// @param any_axial    whether a test with a driven axis is drawn
+/// @param any_sheared  whether a simple shear test is drawn
 std::string test_panel(bool any_axial, bool any_sheared) {
   const char* strain = !any_sheared ? "axial strain" : !any_axial ? "shear strain" : "axial or shear strain";
   const char* ratio = !any_sheared ? "q/p" : !any_axial ? "τ/σ" : "q/p or τ/σ";
@@ -154,8 +155,9 @@ Plot fabric_plot(const std::vector<std::pair<std::string, ContactDirections>>& s
   for (std::size_t k = 0; k < states.size(); ++k) {
     const ContactDirections& d = states[k].second;
     Rows rows;
-    // Contacts with directions n and -n are equivalent, so the bins from 0 to 180 degrees are drawn twice. Each bin is
-    // drawn as an arc between its two edges. The first point is repeated at the end, which closes the curve.
+    // Contacts with directions n and -n are equivalent, so the bins from 0 to 180 degrees are drawn a second time for
+    // 180 to 360 degrees. Each bin is drawn as an arc between its two edges. The first point is repeated at the end,
+    // which closes the curve.
     for (int turn = 0; turn < 2; ++turn)
       for (int b = 0; b < d.n_bins; ++b)
         for (const int edge : {b, b + 1})

@@ -16,7 +16,7 @@ namespace {
 constexpr double kSmallest = 1e-10;
 
 /// One curve of the plot: the errors and costs measured for several values of one parameter, in the order of increasing
-/// cost. The value in the scene is one of these values.
+/// cost. One of these values is the value in the scene.
 struct ParameterCurve {
   std::string parameter;
   std::vector<const MeasuredSetting*> settings;

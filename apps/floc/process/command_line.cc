@@ -33,9 +33,9 @@ std::vector<std::string> command_names(const CLI::App& app) {
   return names;
 }
 
-/// Returns a message about the first argument that is neither an option nor a subcommand of `app`. If there is no such
-/// argument, the arguments of the given subcommand are searched in the same way. The message names the most similar
-/// option or command. If all arguments are known, returns an empty text.
+/// Returns a message about the first argument that is neither an option nor a subcommand of `app`; the message names
+/// the most similar option or command. If there is no such argument, the arguments of the given subcommand are searched
+/// in the same way. If all arguments are known, returns an empty text.
 /// @param called  name by which the user called `app`, such as "floc fit"
 std::string unknown_name(const CLI::App& app, const std::string& called) {
   const std::vector<CLI::App*> given = app.get_subcommands();

@@ -23,7 +23,7 @@ class Option {
   /// Makes the option take `count` values, or `least` to `most` values (-1: no limit).
   Option expected(int count);
   Option expected(int least, int most);
-  /// Makes the option also accept several values in one argument, separated by the character `between`.
+  /// Makes the option also accept one argument that contains several values, separated by the character `between`.
   Option delimiter(char between);
   /// Joins the values of an option that is given several times into one text, separated by the character `between`.
   Option joined(char between);
@@ -76,7 +76,7 @@ class CommandLine {
   /// Sets the text that the help prints below the list of options.
   void footer(const std::string& text);
 
-  /// Adds an option ("-o,--output") or a positional argument ("STATE"), which is read into `value` when the command
+  /// Adds an option ("-o,--output") or a positional argument ("STATE"). Its value is read into `value` when the command
   /// line is parsed. Numbers have to be decimal and finite, and whole numbers have to fit the type of the variable. The
   /// template is instantiated in command_line.cc for each type of variable; a new type needs a new line in that file.
   template <class T>

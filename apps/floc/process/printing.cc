@@ -22,9 +22,9 @@ std::string pattern_of(const std::string& chosen) {
   return chosen == "all" ? "*" : chosen;
 }
 
-/// Returns the names of the columns that a command can print, or patterns of these names. Columns of a table that an
-/// option writes to a file, such as "moduli --increments", are included only if all tables of the command belong to
-/// options, such as "campaign collect --table runs".
+/// Returns the names of the columns that a command can print, or patterns of these names. Some tables are written only
+/// with an option, such as the table of "moduli --increments". The columns of such tables are included only if the
+/// command has no other table, as for "campaign collect --table runs".
 std::vector<std::string> names_printed_by(const std::string& command) {
   std::vector<std::string> printed, with_option;
   for (const DescribedTable& table : described_tables()) {
@@ -35,8 +35,8 @@ std::vector<std::string> names_printed_by(const std::string& command) {
   return printed.empty() ? with_option : printed;
 }
 
-/// Checks the name or pattern of a column that the user chose. @throws InputError if the command prints tables, but
-/// none of them has a column that fits this name or pattern
+/// Checks the name or pattern of a column that the user chose. @throws InputError if none of the tables that the
+/// command prints has a column that fits; commands without tables are not checked
 void expect_column_of(const std::string& command, const std::string& chosen) {
   const std::vector<std::string> names = names_printed_by(command);
   const std::string pattern = pattern_of(chosen);
@@ -76,7 +76,7 @@ std::size_t printed_width(const Table& table) {
   return widest;
 }
 
-/// Returns a table with the first columns of `wanted`: as many as fit the width of the terminal, but at least one.
+/// Returns a table with the first of the columns `wanted`: as many as fit the width of the terminal, but at least one.
 Table fitting(const Table& table, const std::vector<std::string>& wanted) {
   const auto room = static_cast<std::size_t>(terminal_width());
   std::vector<std::size_t> shown;

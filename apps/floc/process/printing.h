@@ -19,9 +19,9 @@ struct Printing {
   void choose(const std::string& pattern);
 };
 
-/// Adds the option `--format table|csv|json` to a command, and the option `--columns NAME,...` unless the command
-/// already has an option called `--columns`. If no table of the command has a chosen column, the program ends with an
-/// error before the command starts its work.
+/// Adds the option `--format table|csv|json` to a command. Also adds the option `--columns NAME,...`, unless the
+/// command already has an option called `--columns`. If no table of the command has a chosen column, the program ends
+/// with an error before the command starts its work.
 void add_printing_options(CommandLine app, Printing& printing);
 
 /// Converts a value of `--format` to a table format. An empty value means "table" on a terminal and "csv" otherwise.

@@ -20,9 +20,9 @@ std::vector<std::string> states_of_run(const std::string& directory);
 std::vector<std::string> states_of_inputs(const std::vector<std::string>& inputs,
                                           const std::vector<int>& steps = {});
 
-/// Returns the state files that a picture or plot shows. If `steps` is given, they are the files that
-/// states_of_inputs() returns. If `steps` is empty, they are the given files and `count` states of each directory,
-/// spread evenly from the first state to the last.
+/// Returns the state files that a picture or plot shows. If `steps` is given, these are the files that
+/// states_of_inputs() returns. If `steps` is empty, these are the files among the inputs, and `count` states of each
+/// directory, spread evenly from the first state to the last.
 std::vector<std::string> drawn_states(const std::vector<std::string>& inputs, const std::vector<int>& steps,
                                       int count);
 

@@ -66,8 +66,8 @@ int for_each_state_together(const std::vector<std::string>& files, ParallelSolve
     const Fault fault = fault_of(file, [&] { return work(file, state, remarks), int{kDone}; });
     if (fault.code == kDone) return kDone;
     // If the network has no moduli, all processes find this, and the first process reports it. Any other error may
-    // occur on only some of the processes. All processes are then ended, because the others would wait forever for the
-    // failed ones.
+    // occur on only some of the processes. All processes are then ended, because the processes without an error would
+    // wait forever for the others.
     if (speaks || fault.code != kNotConverged) std::cerr << "floc: " << fault.message << '\n';
     if (fault.code != kNotConverged && solver.size() > 1) solver.abort(fault.code);
     return fault.code;

@@ -22,7 +22,7 @@ struct CompressionArguments {
   Printing printing;
 };
 
-/// Prints on stderr the ranking of the laws, the reason why a law could not be fitted, and the warnings about the fits.
+/// Prints on stderr the ranking of the laws, why some laws could not be fitted, and the warnings about the fits.
 /// @return kNotConverged if no law could be fitted
 int log_fits(const PathTable& path, const CompressedPath& compressed) {
   std::vector<std::string> ranks;

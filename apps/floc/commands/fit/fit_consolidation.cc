@@ -24,7 +24,7 @@ struct ConsolidationArguments {
   Printing printing;
 };
 
-/// Reads the load path of a sample from a table, and prints on stderr which rows are not fitted and for what reason.
+/// Reads the load path of a sample from a table. Prints on stderr which rows are not fitted, and why.
 /// @param columns  headers of the columns to read, for columns that do not have the usual names
 /// @param first    table of the first sample, which the first call sets; the pressures of all later samples are
 /// converted to the unit of this table
@@ -72,8 +72,8 @@ std::string quoted(const ConsolidationFit& fit, const char* name, const char* sy
   return p->low95 && p->high95 ? text + fmt::format(" ({:.4g} to {:.4g})", *p->low95, *p->high95) : text;
 }
 
-/// Returns the main results of a fit as text: the slopes, the yield pressure, the window, and the range of values that
-/// lambda takes if the window is shifted by one row.
+/// Returns the main results of a fit as text: the slopes, the yield pressure, the window, and the smallest and largest
+/// lambda of fits whose window is shifted by one row.
 std::string headline(const ConsolidationFit& fit) {
   std::vector<std::string> parts;
   const bool yields = fit.n_plateau > 0;
@@ -135,9 +135,9 @@ void log_fit(const ConsolidationSample& sample, const ConsolidationFit& fit, int
   }
   if (fit.regimes && fit.law == ConsolidationLaw::log && fit.regimes->jump_distance > 0.0)
     spdlog::info(
-        "{}: the samples collapse in jumps, at distances of {:.2g} in ln P* on average; {} pressures at the "
-        "beginning of regime II are not fitted, because samples that have not collapsed yet lie above its line "
-        "there",
+        "{}: the samples collapse in jumps, with a mean distance of {:.2g} in ln P*; {} pressures at the "
+        "beginning of regime II are not fitted, because some samples have not collapsed yet and lie above the "
+        "line of this regime",
         sample.name, fit.regimes->jump_distance, fit.regimes->n_lagging);
   std::vector<std::string> budget;
   for (const ErrorParts& parts : fit.error_parts)
@@ -155,7 +155,7 @@ void log_fit(const ConsolidationSample& sample, const ConsolidationFit& fit, int
     for (const WindowShift& s : fit.window_shifts)
       pieces.push_back(
           fmt::format("{} ({})", s.lambda ? fmt::format("{:.4g}", *s.lambda) : "no fit", s.change));
-    spdlog::info("{}: lambda if the fitted window begins or ends one row earlier or later: {}", sample.name,
+    spdlog::info("{}: values of lambda if one end of the fitted window is moved by one row: {}", sample.name,
                  fmt::join(pieces, ", "));
   }
   if (n_asked > 0)

@@ -39,8 +39,8 @@ void log_notes(const PathTable& path);
 /// Prints the format of a table on stderr, unless it is a plain csv table.
 void log_description(const CsvTable& table);
 
-/// Calls `work` for every table that the inputs name; `work` returns an exit code. If an input cannot be read, an error
-/// with the name of this input is printed on stderr, and the other inputs are still processed.
+/// Calls `work` for every table that the inputs name. `work` returns an exit code. If an input cannot be read, the
+/// error is printed on stderr with the name of this input, and the other inputs are still processed.
 /// @param inputs  csv files, or directories of `floc run` or of an ensemble
 /// @param tables  function that returns the tables of an input
 /// @return the worst of the exit codes, by the order of worse()

@@ -22,7 +22,7 @@ struct ModuliArguments {
   Printing printing;
 };
 
-/// Prints on stderr the reasons why laws could not be fitted, and the warnings about the fits. @return exit code
+/// Prints on stderr why some laws could not be fitted, and the warnings about the fits. @return exit code
 int log_laws(const std::vector<ModulusFit>& fits) {
   int code = kDone;
   for (const ModulusFit& fit : fits) {

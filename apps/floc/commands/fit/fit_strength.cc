@@ -41,7 +41,7 @@ std::optional<std::pair<double, double>> modulus_range(const std::vector<double>
   return std::pair(stresses[0], stresses[1]);
 }
 
-/// Prints on stderr the reasons why parameters of tests could not be computed, and the warnings about the tests.
+/// Prints on stderr why parameters of some tests could not be computed, and the warnings about the tests.
 /// @return exit code
 int log_fits(const std::vector<StrengthFit>& fits) {
   int code = kDone;

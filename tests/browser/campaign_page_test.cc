@@ -19,8 +19,8 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::SizeIs;
 
-/// Fixture: a campaign of two cases with two seeds each. The test itself calls the commands of the Snakefile, so that
-/// snakemake is not needed.
+/// Fixture: a campaign of two cases with two seeds each. The test calls the commands of the Snakefile itself, and so
+/// does not need snakemake.
 class CampaignPage : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -70,8 +70,8 @@ TEST_F(CampaignPage, HoldsEverythingInOneFile) {
   EXPECT_THAT(html, Not(AnyOf(HasSubstr("url(http"), HasSubstr("@import"), HasSubstr("fetch("))));
 }
 
-/// Script that is added to the page. After the page has been loaded, the script clicks like a reader. It then writes
-/// the visible content of the page into the document, as JSON.
+/// Script that is added to the page. After the page has been loaded, the script clicks as a reader would. It then
+/// writes the visible content of the page into the document, as JSON.
 constexpr const char* kClicks = R"(<pre id="seen"></pre><script>addEventListener('load', () => {
   const seen = {};
   const table = document.getElementById('means');
@@ -159,7 +159,7 @@ TEST_F(CampaignInBrowser, ShowsTheNumbersOfTheCsv) {
     for (std::size_t k = 0; k < columns.size(); ++k)
       EXPECT_EQ(seen_.at("cells").at(static_cast<std::size_t>(row)).at(k),
                 means.text(row, means.column(columns[k])));
-  // The cells of the table show numbers with five digits, but rows are sorted by the numbers with all digits.
+  // The cells of the table show five digits, but the attribute data-v, by which rows are sorted, has all digits.
   EXPECT_THAT(page(), HasSubstr("data-v=\"" + means.text(0, means.column("mean")) + "\">" +
                                 fmt::format("{:.5g}", means.number(0, means.column("mean"))) + "</td>"));
 }

@@ -21,7 +21,7 @@ std::string shipped(const std::string& scene) {
   return source_directory() + "/data/scenes/" + scene + ".toml --set grains.count=40 ";
 }
 
-/// Kind of states, with the arguments with which `floc run` makes states of this kind.
+/// Kind of states, and the arguments for `floc run` that produce such states.
 struct StateKind {
   const char* name;
   std::string scene;
@@ -48,12 +48,12 @@ double number(const json& row, const char* name) {
   return row.at(name).is_null() ? std::nan("") : row.at(name).get<double>();
 }
 
-/// Numbers of states in which the bounds hold, in which they also hold for B_S, and in which the bounds are refused.
+/// Numbers of states in which the bounds of the moduli are valid (hold), are also valid for B_S, or are refused.
 struct Coverage {
   int hold = 0, hold_B_S = 0, refused = 0;
 };
 
-/// Relative tolerance of the bounds: forces are balanced only to 1e-5, so B_reuss may exceed a modulus by this
+/// Relative tolerance of the bounds. Forces are balanced only to 1e-5, so B_reuss may exceed a modulus by this
 /// fraction.
 constexpr double kSlack = 1e-5;
 
@@ -146,8 +146,8 @@ TEST(BoundsOfModuli, HoldWhereTheColumnSaysSoAndAreRefusedElsewhere) {
     EXPECT_GT(covered[kind.name].hold + covered[kind.name].refused, 0);
 }
 
-/// A square lattice that is a thousand times stiffer along one axis than along the other. The ratio of the stresses is
-/// also a thousand. B_reuss equals B = 250.25, far above B_S = 1/(1/1 + 1/1000).
+/// A square lattice with contacts of stiffness 1 along one axis and 1000 along the other. The stresses on the two axes
+/// have the same ratio. B_reuss equals B = 250.25, far above B_S = 1/(1/1 + 1/1000).
 TEST(BoundsOfModuli, DoNotTellB_SUnderADeviator) {
   const ScratchDirectory scratch;
   write_text(scratch.file("g.csv"), "id,x,y,r\n0,0,0,0.5\n1,0.999,0,0.5\n2,0,0.999,0.5\n3,0.999,0.999,0.5\n");

@@ -56,8 +56,8 @@ std::string scene_of(const BoxKind& kind) {
          "solid_fraction = 0.3\n[[load]]\nto = 0.3\nsteps = 1\n[equilibrium]\n";
 }
 
-/// A state must not have the ending "stopped" if the scene gives no stop_time. The run and floc verify must find the
-/// same number of negative eigenvalues.
+/// If the scene gives no stop_time, no state may have the ending "stopped". The run and floc verify must find equal
+/// numbers of negative eigenvalues.
 TEST(BoxEndings, NoStateIsStoppedUnlessTheSceneSaysWhen) {
   const ScratchDirectory scratch;
   int n_runs = 0, n_states = 0, n_given_up = 0;
@@ -86,8 +86,8 @@ TEST(BoxEndings, NoStateIsStoppedUnlessTheSceneSaysWhen) {
   std::cout << n_runs << " kinds of boxes, " << n_states << " states, " << n_given_up << " given up\n";
 }
 
-/// If the scene gives a stop_time that is too short, the run gives up and names the condition of an equilibrium that is
-/// not met.
+/// A run with a stop_time ends with a state of the ending "stopped". If the max_time of the scene is too short, the run
+/// gives up instead, and names the condition of an equilibrium that is not met.
 TEST(BoxEndings, WhatDoesNotSettleIsGivenUpAndSaysWhatBlocks) {
   const ScratchDirectory scratch;
   const std::string scene = scene_of(box_kinds().front());

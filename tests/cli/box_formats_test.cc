@@ -10,8 +10,8 @@
 #include "support/box_scene.h"
 #include "support/run_arguments.h"
 
-/// A box that floc has made is exported in every format that can store it. The state that is read back has the same
-/// contacts, forces and moduli.
+/// A box that floc has made is exported in every format that can store it. After the file has been read again, the
+/// state has equal contacts, forces and moduli.
 namespace floc::test {
 namespace {
 
@@ -37,8 +37,8 @@ class BoxFormats : public testing::TestWithParam<int> {
     EXPECT_EQ(o.code, 0) << o.err;
     return o.code == 0 ? json::parse(o.out).at(0) : json();
   }
-  /// Expects that `floc moduli` and `floc network` print the same numbers for the state that was converted back as for
-  /// the original state.
+  /// Expects that `floc moduli` and `floc network` print equal numbers for the original state and for the state that
+  /// was exported and converted back.
   void expect_the_same(const std::string& back) {
     for (const std::string command : {"moduli", "network"}) {
       const json before = row(command, made_), after = row(command, back);

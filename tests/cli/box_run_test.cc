@@ -72,8 +72,8 @@ TEST_P(BoxRun, HoldsGrainsOfAllLaws) {
   }
 }
 
-/// For a box, the values that floc network and floc structure print agree with the row of path.csv. Columns that need
-/// periodic images are empty.
+/// For a box, the values that floc network and floc structure print agree with the row of path.csv. Columns of
+/// quantities that are defined only with periodic images are empty.
 TEST_P(BoxRun, IsMeasuredBetweenItsGrains) {
   ASSERT_EQ(run(box_scene(GetParam()), "-o out").code, 0);
   const Outcome network = floc(
@@ -161,8 +161,7 @@ TEST_P(BoxRun, PutsAStressOfItsOwnOnAnAxis) {
   EXPECT_EQ(floc("verify out/state-0001.h5").code, 0);
 }
 
-/// Moduli of a box of grains lie between their bounds, and the table of increments lists walls after the
-/// grains.
+/// The moduli of a box lie between their bounds. The table of force increments numbers the walls after the grains.
 TEST_P(BoxRun, HasModuliBetweenItsBounds) {
   ASSERT_EQ(run(box_scene(GetParam()), "--until 0 -o out").code, 0);
   const Outcome made = floc("moduli out/state-0000.h5 --increments inc.csv --format csv");
@@ -210,7 +209,7 @@ TEST_P(BoxRun, IsExportedWithItsWalls) {
 
 INSTANTIATE_TEST_SUITE_P(Dimensions, BoxRun, testing::Values(2, 3));
 
-/// If the aggregate in a box still has mechanisms at the stop_time, the state is saved with the ending "stopped".
+/// If a packing in a box still has mechanisms at the stop_time, the state is saved with the ending "stopped".
 TEST(BoxRun, RecordsWhatHasNotSettledAsStopped) {
   const ScratchDirectory scratch;
   write_text(scratch.file("box.toml"), with(box_scene(3), "stop_time = 200", "stop_time = 2"));

@@ -63,8 +63,9 @@ class CampaignOnSnakemake : public testing::Test {
   inline static Outcome whole_;
 };
 
-/// Returns the number in the column `column` of a table. The number is taken from the row whose columns contain the
-/// texts in `row` (key: name of a column).
+/// Returns the number in the column `column` of a row of a table. The row is the first one that contains the given
+/// texts.
+/// @param row  texts to look for; the key is the name of a column
 double number_at(const CsvTable& table, const std::map<std::string, std::string>& row,
                  const std::string& column) {
   for (int k = 0; k < table.n_rows(); ++k) {
@@ -164,7 +165,7 @@ TEST_F(CampaignOnSnakemake, JudgesMeansByTheirReference) {
 TEST_F(CampaignOnSnakemake, KilledAndTakenUpAgainGivesTheSameTables) {
   ASSERT_EQ(floc("campaign plan whole.toml -o broken").code, 0);
   const std::string place = file("broken");
-  // Kills snakemake at a time when some runs are complete, some are in progress and some have not begun.
+  // Kills snakemake at a time when some runs are complete, some are in progress and some have not been started.
   pid_t engine = start_snakemake(place, "--cores 2");
   const auto n_done = [&] {
     int n = 0;

@@ -24,8 +24,8 @@ TEST(ChainCommand, PrintsBothDefinitionsWithTheSolvedNetworkBesideThem) {
   ASSERT_EQ(rows.size(), 4u);
   EXPECT_EQ(rows[1].at("compliance"), "transverse");
   EXPECT_EQ(rows[3].at("compliance"), "end_disk_deflection");
-  // Compliance of a chain of n disks: (n-1)/K_T + n (n-1)(n-2) R^2/(3 K_R). For the end disk, n (n-1)(n-2) is
-  // replaced by (n-1)(4 n^2 - 11 n + 6) (see `floc chain`).
+  // Compliances of a chain of n disks with radius R. Between the ends, the compliance is (n-1)/K_T + n (n-1)(n-2)
+  // R^2/(3 K_R). For the end disk, n (n-1)(n-2) is replaced by (n-1)(4 n^2 - 11 n + 6) (see `floc chain`).
   EXPECT_NEAR(rows[1].at("formula").get<double>(), 19.0 + 20.0 * 19.0 * 18.0 * 0.25 / 3e-4, 1e-8);
   EXPECT_NEAR(rows[3].at("formula").get<double>(), 19.0 + 19.0 * (1600.0 - 220.0 + 6.0) * 0.25 / 3e-4, 1e-7);
   for (const json& row : rows) {

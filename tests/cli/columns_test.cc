@@ -209,7 +209,7 @@ TEST_F(Columns, AreAllDescribedAndNothingElseIs) {
       {"export --grains", content_of(file("eg.csv"))},
       {"export --contacts", content_of(file("ec.csv"))},
   };
-  // Columns that appear only with other dimensions, options or boundaries than in this test.
+  // Columns that this test does not produce: they need another dimension, other options or other boundaries.
   const std::set<std::string> elsewhere = {"isotropic_rolling?",
                                            "deviatoric_rolling?",
                                            "isotropic_twisting",

@@ -16,8 +16,8 @@ using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Fixture: two states with two blocks of four disks. In the second state, one block has rotated, one of its grains has
-/// moved to the other block, and all grains are shifted across the cell boundary.
+/// Fixture: two states of eight disks. In the first state, the disks form two blocks of four. In the second state, one
+/// disk of a block has moved to the other block, and all disks are shifted across the cell boundary.
 class Compare : public testing::Test {
  protected:
   void SetUp() override {
@@ -61,8 +61,8 @@ TEST_F(Compare, CountsWhatWasKeptLostAndGained) {
   EXPECT_EQ(row.at("n_rigid"), 2);
   EXPECT_EQ(row.at("rigid_largest"), 4);
   EXPECT_EQ(row.at("rigid_share"), 7.0 / 8.0);
-  // One of eight grains moved by (5, 3). Relative to the mean displacement, this grain moved by 7/8 of the vector (5,
-  // 3), and the other grains by -1/8 of it.
+  // Only one of eight grains moved, by the vector (5, 3). Relative to the mean displacement, this grain moved by 7/8 of
+  // the vector, and the other grains by -1/8 of the vector.
   const double size = std::sqrt(34.0);
   EXPECT_NEAR(row.at("displacement_largest").get<double>(), 7.0 / 8.0 * size, 1e-12);
   EXPECT_NEAR(row.at("displacement_rms").get<double>(), size * std::sqrt(7.0 / 64.0), 1e-12);

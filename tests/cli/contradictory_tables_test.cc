@@ -34,8 +34,8 @@ class ContradictoryTables : public testing::Test {
   int n_refused_ = 0, n_accepted_ = 0;
 };
 
-/// Returns the table of a path with phi and void ratios. The void ratios are computed from phi, multiplied by `times`
-/// and rounded to `decimals` decimals.
+/// Returns the table of a path with phi and void ratios. The void ratios are computed from phi, then multiplied by
+/// `times` and rounded to `decimals` decimals.
 std::string both(double times, int decimals = 17) {
   std::string table = "branch,P_star,phi,void_ratio\n";
   for (int k = 0; k < 12; ++k) {

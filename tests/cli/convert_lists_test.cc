@@ -10,7 +10,7 @@
 #include "support/places.h"
 #include "support/run_arguments.h"
 
-/// Tests of contact lists that contradict the positions of the grains, or that contain more or fewer contacts than the
+/// Tests of contact lists that contradict the positions of the grains, or that do not contain the contacts that the
 /// positions give.
 namespace floc::test {
 namespace {
@@ -23,8 +23,8 @@ using testing::Not;
 const std::string kPackings = source_directory() + "/data/packings/";
 const std::string kLammpsLaw = "normal.stiffness=1000,friction.coefficient=0.5,friction.stiffness=800";
 
-/// Returns the value of the option --columns for a file that the LAMMPS command `dump local` wrote with the output of
-/// two computes.
+/// Returns the value of the option --columns for a file of the LAMMPS command `dump local`.
+/// @param pair, force  names of the two computes of LAMMPS whose output is in the file
 std::string lammps_columns(const std::string& pair, const std::string& force) {
   return "id1=c_" + pair + "[1],id2=c_" + pair + "[2],force1=c_" + force + "[1],force2=c_" + force +
          "[2],shear_force1=c_" + force + "[4],shear_force2=c_" + force + "[5]";

@@ -54,8 +54,8 @@ TEST_F(Draw, MakesAFilmStripOfAPath) {
   EXPECT_THAT(spread[3]["file"].get<std::string>(), HasSubstr("state-0008.h5"));
 }
 
-/// Returns whether a pixel near the right edge of a png is not white.
-/// @param margin  width of the tested columns (points); pixels are 1/200 inch wide
+/// Returns whether the right margin of a png contains a pixel that is not white.
+/// @param margin  width of the tested margin (points); pixels are 1/200 inch wide
 bool writes_into_margin(const std::string& png, double margin) {
   cairo_surface_t* image = cairo_image_surface_create_from_png(png.c_str());
   const int width = cairo_image_surface_get_width(image), height = cairo_image_surface_get_height(image);

@@ -105,8 +105,8 @@ TEST_F(Export, RollingStiffnessesOfAContactAreThoseListed) {
   EXPECT_THAT(none.err, HasSubstr("one.csv:2"));
 }
 
-/// Reads contacts in the format of LAMMPS with grains in another format, and contacts in another format with grains in
-/// the format of LAMMPS.
+/// Contacts in the format of LAMMPS can be read with grains in another format, and contacts in another format with
+/// grains in the format of LAMMPS.
 TEST_F(Export, AnyContactFileGoesWithAnyGrainFile) {
   const std::string lammps = source_directory() + "/data/packings/lammps/";
   const std::string law = " --law normal.stiffness=1000,friction.coefficient=0.5,friction.stiffness=800";
@@ -126,7 +126,7 @@ TEST_F(Export, AnyContactFileGoesWithAnyGrainFile) {
   ASSERT_EQ(floc("convert " + lammps + "disks.dump a.h5" + law + " --contacts lc.csv").code, 0);
   EXPECT_EQ(floc("moduli a.h5" + wanted).out, floc("moduli l.h5" + wanted).out);
   // The image indices in lc.csv refer to positions inside the cell, but positions in the dump may be outside. The list
-  // written here has no image indices, so that the nearest images are used.
+  // made here has no image indices, so that the reader takes the nearest images.
   std::string shifted = "id1,id2,normal_force,shear_force1,shear_force2\n";
   const CsvTable contacts = CsvTable::read(file("lc.csv"));
   for (int r = 0; r < contacts.n_rows(); ++r) {

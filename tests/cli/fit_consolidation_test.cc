@@ -16,13 +16,13 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Parameters lambda, alpha and Phi_max of a published fit [GRC2008], and P1*, which follows from them. Regime I ends
-/// at P0* = 10^(-13/8).
+/// Published parameters lambda, alpha and Phi_max [GRC2008], and P1*, which is computed from these parameters. Regime I
+/// ends at P0* = 10^(-13/8).
 const ConsolidationLawParameters kLaw{0.349, 0.91, 0.7808, 0.27};
 const double kP0 = std::pow(10.0, -13.0 / 8);
 
-/// Path table that follows kLaw: a row at P* = 0, a row of the assembly, the loading, in which each pressure is
-/// 10^(1/8) times the previous one, and the unloading.
+/// Table of a path that follows kLaw: a row at P* = 0, a row of the assembly, the loading and the unloading. In the
+/// loading, each pressure is 10^(1/8) times the previous one.
 /// @param shift  added to every 1/Phi
 std::string path_table(double shift = 0.0) {
   std::string text = "step,branch,P_star,phi\n0,assembly,0,0.45\n";
@@ -68,8 +68,8 @@ TEST(FitConsolidation, AnEnsembleIsFittedSampleBySampleAndPooled) {
   EXPECT_THAT(fits[0]["sample"], HasSubstr("seed-2/"));
   EXPECT_THAT(fits[1]["sample"], HasSubstr("seed-10/"));
   EXPECT_EQ(fits[2]["sample"], "pooled");
-  // The shifts of 1/Phi have a mean of zero. Phi_max is therefore exact for the pooled samples, although it is shifted
-  // for each single sample.
+  // The shifts of 1/Phi in the samples have a mean of zero. Phi_max is therefore exact for the mean of the samples,
+  // although it is shifted in the fit of each single sample.
   EXPECT_NEAR(fits[2]["parameters"]["Phi_max"]["value"], kLaw.phi_max, 1e-8);
   EXPECT_NEAR(fits[0]["parameters"]["Phi_max"]["value"], 1 / (1 / kLaw.phi_max + 0.01), 1e-8);
   for (const json& fit : fits) EXPECT_NEAR(fit["parameters"]["lambda"]["value"], kLaw.lambda, 1e-8);
@@ -87,8 +87,8 @@ TEST(FitConsolidation, PublishedProtocolHoldsP0OnTheGridAndKeepsTheIdentity) {
               (1 / value("Phi0") - 1 / value("Phi_max")) / value("lambda"), 1e-10);
 }
 
-/// Table of a natural clay. Per unit of ln p, the void ratio decreases by 0.035 below 170 kPa, and by 0.22 above 170
-/// kPa.
+/// Table of a natural clay. The void ratio decreases by 0.035 per unit of ln p below 170 kPa, and by 0.22 per unit
+/// above 170 kPa.
 std::string natural_clay() {
   std::string text = "p,e\n";
   for (double p = 6; p < 4000; p *= 2) {

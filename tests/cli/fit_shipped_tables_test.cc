@@ -17,7 +17,7 @@ using testing::HasSubstr;
 const std::string kOedometer = source_directory() + "/data/tables/oedometer/oedometer.csv";
 const std::string kReload = source_directory() + "/data/tables/reload";
 
-/// Parameters of the clay with which data/tables/oedometer/make.py computed the table.
+/// Parameters of the clay for which data/tables/oedometer/make.py computed the table.
 constexpr double kLambda = 0.110, kKappa = 0.020, kLargestStress = 1600.0;
 
 void expect_inside(const json& parameter, double truth) {
@@ -30,8 +30,8 @@ TEST(Oedometer, VirginSlopeIsThatItWasMadeWith) {
                              " --loading virgin --law log --window 200,6400 --format json");
   ASSERT_EQ(o.code, 0) << o.err;
   const json fit = json::parse(o.out).at(0);
-  // The table has two rows per load, and the second row of each load is fitted. At 1600 kPa, where the path was
-  // unloaded and loaded again, the fit uses the row of the first loading.
+  // The table has two rows per load: the first right after loading, the second after creep. The second row is fitted.
+  // At 1600 kPa, where the path was unloaded and loaded again, the fit uses the row of the first loading.
   EXPECT_EQ(fit["rows_used"], json({12, 14, 16, 18, 35, 37}));
   EXPECT_EQ(fit["pressure_unit"], "kPa");
   expect_inside(fit["parameters"]["lambda"], kLambda);
@@ -57,7 +57,7 @@ TEST(Oedometer, ReloadingTellsThePressureItHadSeen) {
   EXPECT_EQ(fit["largest_before"], kLargestStress);
   const json P_c = fit["parameters"]["P_c"];
   expect_inside(P_c, kLargestStress);
-  // The interval may be as wide as the distance of neighbouring pressures of the table, a factor of two.
+  // The interval may be as wide as the ratio of neighbouring pressures of the table, which is two.
   EXPECT_LT(P_c["high95"].get<double>() / P_c["low95"].get<double>(), 2.1);
   expect_inside(fit["parameters"]["kappa"], kKappa);
 }
@@ -70,8 +70,8 @@ TEST(ShippedPaths, GiveLambdaOfTheModelWithinItsErrors) {
   const json pooled = fits.back();
   EXPECT_EQ(pooled["sample"], "pooled");
   EXPECT_EQ(pooled["errors_from"], "samples");
-  // Samples that collapse in jumps need weights from the scatter between the samples. The scatter of the points of a
-  // sample does not give the weights.
+  // For samples that collapse in jumps, weights follow from the scatter between the samples, not from the scatter of
+  // the points of a single sample.
   EXPECT_EQ(pooled["law"], "log");
   EXPECT_EQ(pooled["weights"], "between");
   EXPECT_GT(pooled["regimes"]["jump_distance"], 0.05);
@@ -131,8 +131,8 @@ TEST(ShippedPaths, UnloadingsThatAreCurvedHaveTheModulusOfTheirStraightPart) {
         run_floc("fit elastic " + demo_tables() + "/seed-" + std::to_string(seed) + " --format json");
     ASSERT_EQ(o.code, 0) << o.err;
     const json B = json::parse(o.out).at(0)["parameters"]["B"];
-    // `floc moduli` gives B = 24 000 to 28 000. A line through the whole unloading branch would give B up to 52 000,
-    // with an interval that begins at 38 000.
+    // `floc moduli` gives B = 24 000 to 28 000. A line through the whole unloading branch would give too large a B, up
+    // to 52 000, and an interval from 38 000 on.
     EXPECT_NEAR(B["value"], 24000, 4000) << seed;
     EXPECT_LT(B["low95"], 24000) << seed;
     EXPECT_GT(B["high95"], 23000) << seed;
@@ -140,8 +140,8 @@ TEST(ShippedPaths, UnloadingsThatAreCurvedHaveTheModulusOfTheirStraightPart) {
 }
 
 TEST(ShippedTables, ThePrintedPlateauDoesNotIdentifyTheDenseSideOfACompaction) {
-  // Only adhesive samples have p_crit >= p_D. In a fit to these samples alone, the misfit decreases without end as
-  // e_min changes, so e_min has no best value.
+  // Only adhesive samples have p_crit >= p_D. If only these samples are fitted, e_min has no best value: the further
+  // e_min changes, the smaller is the misfit.
   const std::string sweep = source_directory() + "/data/tables/compaction/sweep_4000.csv";
   const Outcome o = run_floc("fit dynamic-compaction " + sweep + " --plateau p_crit --format json");
   ASSERT_EQ(o.code, 0) << o.err;

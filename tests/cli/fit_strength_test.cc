@@ -35,8 +35,8 @@ double value_of(const std::string& printed, const std::string& sample, const std
   return std::nan("");
 }
 
-/// Table of a drained test under a lateral stress (kPa). The axial stress increases linearly to the peak, then
-/// decreases to a plateau. On the plateau, the volume grows.
+/// Table of a drained test under a lateral stress (kPa). The axial stress increases linearly to the peak and then stays
+/// constant. The volume grows during the first half of the test.
 std::string drained_table(double lateral, double peak, const std::string& unit, double scale, double percent) {
   std::string text = fmt::format("eps [{}],s1 [{}],s3 [{}],eps_v\n", percent == 1 ? "-" : "%", unit, unit);
   for (int k = 0; k <= 40; ++k)

@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// The small scene without rolling resistance, which would add a separate limit for rolling moments.
+/// The small scene without rolling resistance, because rolling moments would have a limit of their own.
 std::string scene_without_rolling() {
   std::string text = small_scene();
   const std::size_t begin = text.find("rolling =");

@@ -24,7 +24,7 @@ const std::string kLammpsColumns =
     "id1=c_pair[1],id2=c_pair[2],force1=c_force[1],force2=c_force[2],shear_force1=c_force[4],shear_force2=c_"
     "force[5]";
 
-/// Fixture: a file of valid grains in a 4 x 4 cell. Each test adds an invalid file.
+/// Fixture: a valid file of grains in a 4 x 4 cell. Each test adds a file with an error.
 class ForeignPacking : public testing::Test {
  protected:
   std::string file(const std::string& name, const std::string& text) {
@@ -135,8 +135,8 @@ TEST_F(ForeignPacking, OfLammpsAndYadeIsReadAnalysedAndWrittenInOtherFormats) {
     for (const std::string extension : {".vtu", ".xyz", ".data"})
       EXPECT_EQ(floc_arguments({"convert", scratch_.file(name + ".h5"), scratch_.file(name + extension)}).code,
                 0);
-  // The forces are computed again from the positions in the file. The rounding of the positions, times the stiffness of
-  // a contact, gives the error of the pressure.
+  // The forces are computed again from the positions in the file. The error of the pressure is the rounding error of
+  // the positions times the stiffness of a contact.
   ASSERT_EQ(floc_arguments({"convert", scratch_.file("disks.xyz"), scratch_.file("again.h5"), "--law",
                             kLammpsLaw, "--tolerance", "1"})
                 .code,
@@ -152,8 +152,8 @@ TEST_F(ForeignPacking, ThatIsNoEquilibriumIsSaidToBeAndRefusedUnlessForced) {
   const Outcome converted = floc_arguments(
       {"convert", file("g.csv", kGrains), state, "--law", "normal.stiffness=2", "--cell", "4,0;0,4"});
   EXPECT_EQ(converted.code, 0);
-  // The two grains share one contact with the force 0.2, which nothing balances. With P = 0.2 * 0.9/16/2 and the force
-  // scale F1 = P a, the net force is 0.2/F1 = 35.6.
+  // The two grains have a single contact, whose force of 0.2 is not balanced. The pressure is P = 0.2 * 0.9/16/2. In
+  // units of the force scale F1 = P a, the net force is 0.2/F1 = 35.6.
   EXPECT_THAT(converted.err, HasSubstr("warning: this state is not in equilibrium: net force of grain 1 in "
                                        "units of the force scale F1 is 35.6, but the limit is 0.001"));
   const Outcome refused = floc_arguments({"moduli", state, "--format", "csv"});

@@ -14,14 +14,14 @@ namespace {
 
 using testing::HasSubstr;
 
-/// File with several histograms, and the columns whose values tell the histograms apart.
+/// Command that writes a file with several histograms, and the columns that identify the histogram of a row.
 struct Histograms {
   std::string command;
   std::vector<std::string> key;
 };
 
-/// Checks every distribution of a file: bins are ordered and have finite ends, and every value is counted either in a
-/// bin or as outside of the bins.
+/// Checks every distribution of a file. The bins must be ordered and have finite ends. Every value must be counted,
+/// either in a bin or as outside of the bins.
 /// @return number of distributions
 int check_bins(const CsvTable& table, const std::vector<std::string>& key, const std::string& what) {
   std::map<std::string, std::int64_t> counted, n, outside;
@@ -75,8 +75,8 @@ TEST_F(HistogramsOfCommands, HoldEveryValueOrSayThatItIsOutside) {
   EXPECT_GT(n_distributions, 100);
 }
 
-/// Two states with forces of order F0. One state is at P* = 1e-6. The other state is at P = 0, but its printed P is a
-/// small number within the tolerance of equilibrium.
+/// Two states with forces of order F0: one at P* = 1e-6 and one at P = 0. The printed P of the second state is not
+/// zero, but a small number within the tolerance of equilibrium.
 TEST(Histograms, OfSmallPressuresHaveNoUnitOfNoise) {
   const ScratchDirectory scratch;
   write_text(scratch.file("s.toml"), R"([scene]

@@ -131,8 +131,8 @@ TEST_F(Imports, HoldBondsAcrossGaps) {
   EXPECT_EQ(row("network").at("n_solid_bonds"), 1);
 }
 
-/// Two disks that touch walls and each other. The contacts with walls are read from the columns that LAMMPS' fix
-/// wall/gran writes, or are found from the positions.
+/// Two disks that touch walls and each other. The contacts with walls are found from the positions, or are read from
+/// the columns that the fix wall/gran of LAMMPS writes.
 TEST_F(Imports, HaveTheContactsWithWallsOfColumnsOrOfTheGeometry) {
   write("s.dump",
         "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff ff\n0 1.994\n0 1.994\n-0.5 "
@@ -181,7 +181,7 @@ TEST_F(Imports, TakeWallsAndGravityFromAScript) {
       std::string::npos);
 }
 
-/// Whether a contact slides depends on its forces, and not on its stiffness in the file.
+/// Whether a contact slides depends only on its forces, not on the stiffness in the file.
 TEST_F(Imports, SlideAtTheLimitOfTheirForces) {
   write("g.csv", "x,y,radius\n0.5,0.5,0.5\n1.49,0.5,0.5\n2.48,0.5,0.5\n");
   write("c.csv",

@@ -88,8 +88,8 @@ TEST_F(Increments, OfASquareLatticeAreThoseOfItsTwoContacts) {
   const json full = json::parse(moduli("square.h5 --strains full --format json").out).at(0);
   EXPECT_EQ(full.at("indeterminacy"), row.at("indeterminacy"));
   EXPECT_EQ(full.at("energy_share_95"), row.at("energy_share_95"));
-  // The indeterminacy is 2 contacts times 3 force components, minus 3 unknowns per grain, minus 2 strains, plus
-  // 2 translations.
+  // The degree of indeterminacy is 2 contacts times 3 force components, minus 3 unknowns of the grain, minus 2 strains,
+  // plus 2 translations.
   EXPECT_EQ(row.at("indeterminacy"), 3);
   // The modulus is G = K_N/2 r^2/A, with the squared branch length r^2 and the area A of the cell; G_star =
   // G/(K_N Phi).

@@ -73,7 +73,7 @@ TEST_F(LatticeCommand, SavesALatticeWhoseModuliAreThoseOfTheDirectSolution) {
       EXPECT_NEAR(row.at(name).get<double>(), moduli.at(name).get<double>(),
                   1e-10 * row.at("C11").get<double>())
           << name << beams;
-    // The strain must equal C^-1 times the stress of the load, where C are the printed moduli.
+    // The strain must equal C^-1 times the stress of the load; C is the matrix of the printed moduli.
     Eigen::Matrix3d C;
     const auto entry = [&](const char* name) { return row.at(name).get<double>(); };
     C << entry("C11"), entry("C12"), entry("C13"), entry("C12"), entry("C22"), entry("C23"), entry("C13"),

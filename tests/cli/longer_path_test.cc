@@ -35,8 +35,8 @@ TEST_F(LongerPath, ResumedIsTheRunThatHadItFromTheBeginning) {
   // Other commands treat the directory like the directory of a single run.
   EXPECT_EQ(run_floc("verify a", scratch_.path()).code, 0);
   EXPECT_EQ(run_floc("fit strength a", scratch_.path()).code, 0);
-  // The first command lengthens the stage once more; the second command is the same again, so the run is already
-  // complete.
+  // The first command extends the stage once more. The second command is identical to the first, so it finds a complete
+  // run.
   EXPECT_EQ(run("a", "--set load.0.strain=0.02", "--resume").code, 0);
   EXPECT_EQ(run("a", "--set load.0.strain=0.02", "--resume").code, 0);
 }

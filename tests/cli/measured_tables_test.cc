@@ -28,7 +28,7 @@ std::vector<std::pair<double, double>> path() {
        {10.0, 20.0, 40.0, 80.0, 160.0, 320.0, 160.0, 80.0, 40.0, 80.0, 160.0, 320.0, 640.0, 1280.0}) {
     largest = std::max(largest, P);
     // Without scatter of the points, the residuals of the fits would be mere rounding errors. The first row gets no
-    // scatter, because some columns are computed from its exact void ratio.
+    // scatter, because its exact void ratio is needed to compute some columns.
     const double scatter = 4e-4 * std::sin(7.0 * static_cast<double>(rows.size()));
     rows.emplace_back(P, 0.9 - 0.1 * std::log(largest / 10.0) + 0.02 * std::log(largest / P) + scatter);
   }

@@ -75,12 +75,13 @@ TEST_F(ModuliCommand, OfAConvertedPackingGiveItsShearModulus) {
   const json diagonal = json::parse(moduli("packing.h5 --format json").out).at(0);
   EXPECT_FALSE(diagonal.contains("C33"));
   EXPECT_TRUE(diagonal.at("G_shear").is_null());
-  // One call solves for two strains at a time, and the other call for three. The BLAS library may round the two calls
-  // differently.
+  // The two calls solve for different numbers of strains at a time (two and three). The BLAS library may therefore
+  // round differently.
   EXPECT_NEAR(diagonal.at("B").get<double>() / row.at("B_without_prestress").get<double>(), 1.0, 1e-13);
 }
 
-/// Axial stretch at constant stress on the other axis: E_1 and E_2 follow from the compliance S = C^-1.
+/// Young's moduli E_1 and E_2, for a strain along one axis at constant stress on the other axis, follow from the
+/// compliance S = C^-1.
 TEST_F(ModuliCommand, AreToldAxisByAxis) {
   const json row = json::parse(moduli("packing.h5 --format json").out).at(0);
   const auto number = [&](const char* key) { return row.at(key).get<double>(); };
@@ -95,8 +96,8 @@ TEST_F(ModuliCommand, AreToldAxisByAxis) {
 }
 
 TEST_F(ModuliCommand, HaveMeanFieldEstimatesBesideTheBounds) {
-  // B_reuss_mean_field allows for unequal springs and B_reuss_printed does not. Here all springs are equal, so the two
-  // values agree.
+  // B_reuss_mean_field takes account of unequal springs, B_reuss_printed does not. Here all springs are equal, so the
+  // two values agree.
   const json row = json::parse(moduli("packing.h5 --format json").out).at(0);
   const auto number = [&](const char* key) { return row.at(key).get<double>(); };
   EXPECT_NEAR(number("B_reuss_mean_field") / number("B_reuss_printed"), 1.0, 1e-12);
@@ -138,7 +139,7 @@ TEST_F(ModuliCommand, GiveARowForEachRollingStiffness) {
   EXPECT_EQ(rows[2].at("rolling_stiffness"), 2.0);
 }
 
-/// Two grains in contact and no others: the cell can be strained without elastic energy.
+/// Two grains touch each other and nothing else, so the cell can be strained without elastic energy.
 TEST_F(ModuliCommand, AreZeroAlongAMechanismThatIsCountedAndWarnedAbout) {
   State<2> pair;
   pair.packing = unit_grains<2>({{1.0, 1.0}, {2.0 - 0x1p-10, 1.0}}, 4.0,
@@ -152,8 +153,8 @@ TEST_F(ModuliCommand, AreZeroAlongAMechanismThatIsCountedAndWarnedAbout) {
   const json row = json::parse(o.out).at(0);
   EXPECT_EQ(row.at("n_coupled_mechanisms"), 2);
   for (const char* key : {"C11", "C22", "C12", "B", "B_S", "G"}) EXPECT_EQ(row.at(key), 0.0) << key;
-  // In the only contact, adhesion and repulsion cancel exactly. The pressure is therefore zero, and forces have no
-  // scale.
+  // The elastic force of the only contact cancels the adhesion exactly. The pressure is therefore zero, and there is no
+  // scale of forces.
   EXPECT_EQ(row.at("B_reuss"), 0.0);
   EXPECT_TRUE(row.at("Z2").is_null());
 }

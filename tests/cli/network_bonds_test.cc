@@ -19,8 +19,8 @@ using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Sets the normal forces of the contacts along the first axis. The force is f in the lower half of the cell (along the
-/// last axis) and -f in the upper half. All other contacts have no force.
+/// Gives normal forces to the contacts along the first axis: f in the lower half of the cell (along the last axis), -f
+/// in the upper half. All other contacts get no force.
 template <int Dim>
 void load_in_two_layers(double f, Packing<Dim>& packing) {
   const double middle = 0.5 * packing.cell.matrix(Dim - 1, Dim - 1) - 1e-6;
@@ -75,7 +75,7 @@ TEST_F(Bonds, ColumnsComeWhenAskedFor) {
   EXPECT_NEAR(flat.at("virial_strength").get<double>(), 4.0 * phi / std::acos(-1.0) / 1.02, 1e-12);
   EXPECT_NEAR(flat.at("rumpf_strength").get<double>(), phi / (1.0 - phi) / 1.02, 1e-12);
   EXPECT_NEAR(flat.at("p0").get<double>(), 1.0 / 1.02, 1e-12);
-  // Bonds along the layers join grains of the same sign. Of the 24 bonds across the layers, 12 join grains of
+  // All 24 bonds along the layers join grains of the same sign. Of the 24 bonds across the layers, 12 join grains of
   // opposite signs.
   EXPECT_EQ(flat.at("n_signed_bonds"), 48);
   EXPECT_EQ(flat.at("like_share"), 0.75);
@@ -107,8 +107,9 @@ TEST_F(Bonds, ExponentsOfEitherSideAndOfBoth) {
         return r;
     return -1;
   };
-  // All forces are 0.5. The fitted exponent is 1/(mean force - lower limit), where the lower limit is 0 or 0.1. In the
-  // window from 0 to 1, which is used for tensions, the exponent is 0.
+  // All forces have the magnitude 0.5. For compressive forces, the fitted exponent is 1/(mean force - lower limit),
+  // with the lower limit 0 or 0.1. Tensile forces are fitted in the window from 0 to 1. Their mean is the middle of
+  // this window, so the exponent is 0.
   const int tail = find("layers.h5", "+", 0.0, true), from = find("layers.h5", "+", 0.1, true);
   ASSERT_GE(tail, 0);
   ASSERT_GE(from, 0);

@@ -166,8 +166,8 @@ TEST_F(Network, TellsTheForceCarryingStructureOfSpheres) {
   EXPECT_NEAR(row.at("p_max").get<double>(), 2.0 / std::acos(-1.0) * 0.1, 1e-12);
   EXPECT_NEAR(row.at("stress_spread").get<double>(), 0.0, 1e-14);
   EXPECT_NEAR(row.at("fabric33").get<double>(), 0.0, 1e-14);
-  // The contact between (0, 0, 0) and (0, 1/2, 1/2) is opened. The diagonal of the sum of n n over all contacts, with
-  // the normal n, is 192 (1, 1, 1)/3 before, and is reduced by (0, 1/2, 1/2).
+  // The contact between (0, 0, 0) and (0, 1/2, 1/2) is opened. The sum of the dyadic products n n over all contacts (n:
+  // normal) has the diagonal 192 (1, 1, 1)/3 before. The opened contact reduces it by (0, 1/2, 1/2).
   Contact<3>& open = fcc.packing.contacts[0];
   open.normal_force = open.elastic_force = 0.0;
   write_state(scratch_.file("open.h5"), fcc);

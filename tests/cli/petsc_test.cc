@@ -169,8 +169,8 @@ TEST_F(Petsc, OnAFullDiskIsAFailureWithItsReason) {
   EXPECT_FALSE(fs::exists(file("out.csv")));
 }
 
-/// The first process waits for data from a pipe, which never arrive. The second process waits for the first one. Then
-/// the second process is killed.
+/// The first process waits for data from a pipe, which never arrive, and the second process waits for the first
+/// process. The test then kills the second process.
 TEST_F(Petsc, EndsWithinAMinuteWhereAProcessDiesAndLeavesNoTable) {
   const auto start = std::chrono::steady_clock::now();
   const Outcome o = shell(

@@ -127,7 +127,7 @@ TEST_F(PlanCommand, WritesACampaignWhoseRunsItChecks) {
 }
 
 TEST_F(PlanCommand, LeavesOutSettingsThatTheSceneRefuses) {
-  // The tolerance must be below the first pressure of the scene, which is smaller than 1e-2.
+  // The tolerance must be below the first pressure of the scene, 1e-2.
   for (const auto& row : rows(kDemoScene + "--want phi=0.2")) EXPECT_LT(row["tolerance"], 1e-2);
 }
 

@@ -84,8 +84,8 @@ TEST_F(PlotCommand, ModuliOfStatesAndOfTheirTableAreTheSame) {
   ASSERT_EQ(states.size(), 7u);
   ASSERT_EQ(rows.size(), 7u);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    // The table contains pressures computed from the contact forces; the states contain the imposed pressures. Both
-    // agree within the tolerance of the stress.
+    // The pressures in the table are computed from the contact forces; the pressures in the states are the imposed
+    // ones. They agree within the tolerance of the stress.
     EXPECT_NEAR(rows[i][0], states[i][0], 1e-5);
     for (std::size_t k = 1; k < 7; ++k) {
       if (std::isnan(rows[i][k]) && std::isnan(states[i][k])) continue;
@@ -201,8 +201,9 @@ TEST_F(PlotCommand, ForcesAreThoseOfLoadingAndAllCurvesAreSeen) {
   EXPECT_THAT(data, ::testing::Not(HasSubstr("P* = 0:")));  // the state without load is left out
   EXPECT_THAT(data, HasSubstr("# P* = 0.01:"));
   EXPECT_THAT(data, HasSubstr("# P* = 1:"));
-  // The state without load has few contact forces, whose values are widely spread. The axis is at most three times as
-  // wide as the narrowest curve requires, and the legend gives the number of forces beyond the end of the axis.
+  // The state without load has few contact forces, whose values are widely spread. The axis may be at most three times
+  // as wide as the curve with the narrowest range needs. The legend gives the number of forces beyond the end of the
+  // axis.
   ASSERT_EQ(floc("plot run -o wide.svg --show forces --steps 0,7").code, 0);
   const std::string wide = content_of(file("wide.gp"));
   double low = 0.0, high = 0.0;
@@ -214,7 +215,7 @@ TEST_F(PlotCommand, ForcesAreThoseOfLoadingAndAllCurvesAreSeen) {
     narrowest = std::min(narrowest, rows.back()[0] - std::min(0.0, rows.front()[0]));
   }
   EXPECT_LE(high - low, 3.5 * 1.1 * narrowest);
-  // The label of a state names its branch if the states belong to different branches.
+  // If the states belong to different branches, the label of a state names its branch.
   ASSERT_EQ(floc("plot run -o two.svg --show forces --steps 7,8").code, 0);
   EXPECT_THAT(content_of(file("two.dat")), HasSubstr("# P* = 0.1, unload:"));
 }

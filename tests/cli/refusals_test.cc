@@ -385,7 +385,7 @@ const Refusal kOfCommands[] = {
 INSTANTIATE_TEST_SUITE_P(Commands, Refused, ::testing::ValuesIn(kOfCommands),
                          [](const auto& test) { return std::string(test.param.name); });
 
-/// A run that is resumed refuses a directory with files that the run did not write.
+/// A run cannot be resumed with another seed, or if its tables do not have the columns that this version writes.
 TEST(RefusedRun, FindsWhatIsNotItsOwn) {
   const ScratchDirectory scratch;
   const std::string run = "run " + source_directory() +
@@ -424,8 +424,8 @@ TEST(RefusedRun, GoesOnFromNoCheckpointOfAnotherVersion) {
               HasSubstr("d/checkpoint/checkpoint.h5: this is not a checkpoint of this version of floc: "));
 }
 
-/// All samples of a scene that starts from a saved state at rest are equal, but a study needs different samples. The
-/// commands floc run --seeds and floc tradeoff therefore refuse such a scene.
+/// If a scene starts from a saved state at rest, all samples of the scene are equal. An ensemble needs different
+/// samples, so the command refuses the scene.
 TEST(RefusedRun, OfSamplesFromAStateAtRest) {
   const ScratchDirectory scratch;
   ASSERT_EQ(run_floc("run " + source_directory() +

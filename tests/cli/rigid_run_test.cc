@@ -24,8 +24,8 @@ TEST(RigidRun, KillsOfARunBetweenWallsLeaveNoTrace) {
   kill_and_resume(3, 23, rigid_box_scene(kPentagons), 2);
 }
 
-/// Boxes of disks, polygons, spheres and polyhedra give states that pass verification. With two threads, the states are
-/// identical.
+/// Boxes of disks, polygons, spheres and polyhedra give states that pass the verification. Runs with one and two
+/// threads give identical states.
 TEST(RigidRun, BetweenWallsVerifies) {
   for (const auto& [dimension, shape] : {std::pair(2, ""), {2, kPentagons}, {3, ""}, {3, kCutStones}}) {
     SCOPED_TRACE(testing::Message() << dimension << " " << shape);
@@ -49,8 +49,8 @@ TEST(RigidRun, KillsOfARunOfElasticPentagonsLeaveNoTrace) {
   kill_and_resume(3, 24, elastic_scene(2), 4);
 }
 
-/// Elastic grains with corners give states that verify, the same ones with two threads, and moduli of their own
-/// springs.
+/// Elastic grains with corners give states that pass the verification. Their moduli are computed with the stiffnesses
+/// of their own contact law.
 TEST(RigidRun, ElasticGrainsWithCornersVerifyAndHaveModuli) {
   for (const int dimension : {2, 3}) {
     SCOPED_TRACE(dimension);
@@ -68,7 +68,7 @@ TEST(RigidRun, ElasticGrainsWithCornersVerifyAndHaveModuli) {
     const double B = table.number(0, table.column("B"));
     EXPECT_LE(table.number(0, table.column("B_reuss")), B);
     EXPECT_LE(B, table.number(0, table.column("B_voigt")));
-    // The geometric terms are a few tens of P/K_N, here of 4e-4.
+    // The geometric terms change the moduli by a few tens of P/K_N, relative to the moduli. P/K_N is 4e-4 here.
     write_text(scratch.file("p.csv"),
                run_floc("moduli out/state-0001.h5 --prestress --format csv", scratch.path()).out);
     const CsvTable with = CsvTable::read(scratch.file("p.csv"));

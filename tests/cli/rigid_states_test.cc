@@ -11,7 +11,7 @@
 #include "floc/io/state_file.h"
 #include "support/run_program.h"
 
-/// Tests of every command that reads states, with states of rigid grains with and without corners.
+/// Tests every command that reads states on states of rigid grains, with and without corners.
 namespace floc::test {
 namespace {
 
@@ -32,11 +32,10 @@ class RigidStates : public ::testing::Test {
   ScratchDirectory scratch_;
 };
 
-/// Arguments of a command, in which `S` stands for the state file.
+/// Arguments of a command (with `S` in place of the name of the state file), and the states that the command accepts.
 struct Case {
   const char* arguments;
-  /// Letters of the states that the command accepts: b for bricks, c for cubes, s for spheres, and x for squares in a
-  /// box.
+  /// Letters of the accepted states: b for bricks, c for cubes, s for spheres, and x for squares in a box.
   const char* reads;
 };
 
@@ -119,7 +118,8 @@ TEST_F(RigidStates, AreExportedWithShapesAndPoints) {
   EXPECT_EQ(CsvTable::read(scratch_.file("s.csv")).n_rows(), 8);
 }
 
-/// All contact points of a pair count together as one contact, even if they lie on different vertices, edges or faces.
+/// All contact points of a pair of grains count together as one contact, even if they lie on different vertices, edges
+/// or faces.
 TEST_F(RigidStates, AreComparedByPairs) {
   const std::string row = run("compare cubes.h5 cubes.h5 --format json").out;
   EXPECT_THAT(row, HasSubstr("\"n_kept\": 24"));
@@ -163,7 +163,7 @@ TEST_F(RigidStates, NameTheirLawAndShapes) {
   EXPECT_THAT(bricks, HasSubstr("\"most_faces\": 4"));
 }
 
-/// The forces of this state are not those of springs, because its contacts do not overlap.
+/// The forces in this state are not those of elastic springs, because the contacts do not overlap.
 TEST_F(RigidStates, OfElasticGrainsWithCornersHaveTheForcesOfSprings) {
   State<2> state = brick_bond(0.7, 0.3);
   LawParameters law;

@@ -90,8 +90,8 @@ TEST_F(RunDirectories, WarningsThatRepeatAreSaidOnceWithTheWorst) {
   for (std::size_t at = 0; (at = o.err.find("above the tolerance of", at)) != std::string::npos; ++at) ++lines;
   EXPECT_EQ(lines, 1) << o.err;
   EXPECT_THAT(o.err, HasSubstr("states have this warning; this one is for the worst state)"));
-  // The summary names the state with the largest error bound. This error bound must be the largest one that floc prints
-  // for single states.
+  // The summary names the state with the largest error bound. This bound must be the largest of the bounds that floc
+  // prints for the single states.
   double largest = 0.0;
   const std::string words = "error bound of B or G is ";
   for (int k = 0; k <= 8; ++k) {

@@ -45,7 +45,7 @@ TEST(TwoRuns, TheSecondIsToldWhoHoldsTheDirectory) {
   }
   ::kill(first, SIGKILL);
   (void)wait_for(first);
-  // the killed process has left its lock file, which does not lock the directory any more
+  // the killed process has left its lock file behind, but the file no longer locks the directory
   EXPECT_TRUE(fs::exists(scratch.file("run/run.lock")));
   EXPECT_EQ(run_floc("run small.toml -o run --overwrite --until 0", scratch.path()).code, 0);
   EXPECT_FALSE(fs::exists(scratch.file("run/run.lock")));
@@ -100,8 +100,8 @@ TEST_F(RunDirectoryOf, AnEnsembleHasOneScene) {
 
 TEST_F(RunDirectoryOf, ACutRowIsRefusedUntilResumeHasMendedIt) {
   const std::string whole = content_of(file("run/path.csv"));
-  // Cuts off the end of the table at three places: in the middle of the last row, within the last cell of this row,
-  // and before the final newline.
+  // Truncates the table at three places: in the middle of the last row, within the last cell of this row, and before
+  // the final newline.
   for (const std::size_t cut : {std::size_t{90}, std::size_t{4}, std::size_t{1}}) {
     copy_run(file("run"), file("cut"));
     write_text(file("cut/path.csv"), whole.substr(0, whole.size() - cut));

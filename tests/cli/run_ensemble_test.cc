@@ -40,7 +40,7 @@ TEST_F(RunSeeds, MakesTheSampleThatEachSeedMakesAlone) {
 }
 
 TEST_F(RunSeeds, ExitsWithTheWorstOfItsSamplesAndNamesIt) {
-  // A file has the name of the directory of seed 2, so that this sample fails.
+  // A file occupies the name of the directory of seed 2, so that this sample fails.
   fs::create_directories(file("some"));
   write_text(file("some/seed-2"), "in the way");
   const Outcome some = run("-o some --seeds 1..2 --until 0 --resume");

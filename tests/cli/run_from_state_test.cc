@@ -50,8 +50,8 @@ TEST_F(RunFromAState, CopiesOfAnEquilibriumAreThatEquilibrium) {
   EXPECT_EQ(four.at("n_grains").get<int>(), 4 * one.at("n_grains").get<int>());
   EXPECT_EQ(four.at("n_contacts").get<int>(), 4 * one.at("n_contacts").get<int>());
   EXPECT_EQ(four.at("n_negative"), 0);
-  // The four copies have the moduli of the single packing, because the response of a periodic network is periodic. The
-  // error of the solver and of rounding is at most 1e-10 (see moduli --tolerance).
+  // The response of a periodic network is periodic, so the four copies have the moduli of the single packing. The
+  // errors of the solver and of rounding are at most 1e-10 (see moduli --tolerance).
   for (const char* modulus : {"phi", "B", "B_S", "G", "B_reuss", "B_voigt"})
     EXPECT_NEAR(four.at(modulus).get<double>() / one.at(modulus).get<double>(), 1.0, 1e-9) << modulus;
   const auto about = row("info copies/state-0000.h5"), parent = row("info run/state-0003.h5");

@@ -60,8 +60,8 @@ TEST_F(RunCommand, MakesStatesThatVerify) {
 }
 
 TEST_F(RunCommand, GivesTheSameFilesForTwoThreads) {
-  // The scene has three blocks of grains, so that both threads have work (tests/unit/relaxation tests this). The
-  // pressure is applied in a single step to save time: threads are slow if they share a core with other tests.
+  // The scene has enough grains for three blocks, so that both threads have work (tests/unit/relaxation tests this). To
+  // save time, the pressure is applied in a single step: threads are slow if they share a core with other tests.
   std::string scene = small_scene();
   const auto replace = [&scene](const std::string& old, const std::string& with) {
     scene.replace(scene.find(old), old.size(), with);
@@ -74,7 +74,7 @@ TEST_F(RunCommand, GivesTheSameFilesForTwoThreads) {
   EXPECT_TRUE(content_of(file("one/state-0000.h5")) == content_of(file("two/state-0000.h5")));
 }
 
-/// With several seeds, the program prints this warning once, and does not write it into the log of each sample.
+/// With several seeds, the program prints the message once and does not repeat it in the log of each sample.
 TEST_F(RunCommand, SaysThatThreadsAreOfNoUseToFewGrains) {
   const std::string words = "40 disks: 1 of 2 threads is used, since ";
   const auto n_told = [&](const std::string& text) {
@@ -129,8 +129,8 @@ TEST_F(RunCommand, StoppedBySignalsWritesACheckpointAndContinues) {
     EXPECT_TRUE(fs::exists(file("stopped/checkpoint/checkpoint.h5")));
     ASSERT_EQ(run("small.toml -o stopped --resume --set run.checkpoint_every=1e6").code, 0);
   }
-  // State files contain the scene, which was changed on the command line, so the files differ from those of the whole
-  // run. The moduli of both runs must agree.
+  // State files contain the scene. The command line changed the scene, so the files differ from those of the whole run.
+  // The moduli of both runs must agree.
   const Outcome whole = run_floc("moduli whole/state-0008.h5 --format json", scratch_->path());
   const Outcome stopped = run_floc("moduli stopped/state-0008.h5 --format json", scratch_->path());
   const auto C11 = [](const Outcome& o) { return nlohmann::json::parse(o.out).at(0).at("C11").get<double>(); };

@@ -147,8 +147,8 @@ TEST(SceneCheck, TellsWhatIsDrawnFromASieveCurveBesideIt) {
   EXPECT_EQ(group(o.out, "passing(1)"), 1.0);
   EXPECT_THAT(content_of(dir.file("sizes.csv")),
               testing::StartsWith("d_from,d_to,n_grains,share,share_asked,passing,passing_asked\n0.05,0.3,"));
-  // With only 40 grains, too few large grains represent the size distribution. The sizes in the state must be the sizes
-  // that the command has written to the file.
+  // Among only 40 grains there are too few large ones to represent the size distribution. The sizes in the state must
+  // be those that the command has written to the file.
   const Outcome few = run_floc("scene check s.toml --sizes few.csv --set grains.count=40", dir.path());
   EXPECT_THAT(few.err, HasSubstr("because there are too few large grains"));
   ASSERT_EQ(run_floc("run s.toml -o run --until 0 --set grains.count=40", dir.path()).code, 0);

@@ -9,7 +9,7 @@
 #include "support/places.h"
 #include "support/run_arguments.h"
 
-/// Tests of grains that are much too soft for the pressure, as if the stiffness were given in other units. The tests
+/// Tests of grains that are much too soft for the pressure, as if the stiffness were given in a wrong unit. The tests
 /// use every law in 2D and 3D, and every command that may read such grains.
 namespace floc::test {
 namespace {
@@ -142,8 +142,8 @@ TEST_F(SoftPackings, OfEqualGrainsAreHeldAgainstTheDensestThereAre) {
                     Not(HasSubstr("a tenth of a radius"))));
 }
 
-/// A cluster under no stress that does not span the cell has no stiffness. In an earlier version, Newton steps moved
-/// this cluster into its own images, and 172 pairs were then missing in the list of contacts.
+/// A cluster that does not span the cell and is not under stress has no stiffness. In an earlier version, Newton steps
+/// moved such a cluster into its own images, and 172 pairs were then missing in the list of contacts.
 TEST_F(SoftPackings, OfAClusterUnderNoStressListAllOfTheirContacts) {
   const std::string out = scratch_.file("cluster");
   const Outcome made =

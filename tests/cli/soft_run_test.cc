@@ -42,7 +42,7 @@ TEST(SoftRun, KeepsNoAccountOfEnergy) {
   EXPECT_NE(refused.err.find("softer springs"), std::string::npos) << refused.err;
 }
 
-/// Contacts are tracked in a collapse on softened springs as in any other motion.
+/// During a collapse on softened springs, contacts are tracked as in any other motion.
 TEST(SoftRun, TracksContacts) {
   const ScratchDirectory scratch;
   write_text(scratch.file("small.toml"), scene_on_soft_springs());

@@ -50,8 +50,8 @@ std::vector<Kind> kinds() {
 }
 
 /// Changes datasets and attributes of states of every kind, one at a time. Each time, floc verify must report that the
-/// file is not a valid state or not an equilibrium. The script lists the datasets and attributes that may have any
-/// value; they are left out.
+/// file is not a valid state or not an equilibrium. Datasets and attributes that may have any value are listed in the
+/// script and not changed.
 TEST(SpoiledState, IsNoticedWhateverIsChanged) {
   const ScratchDirectory scratch;
   std::string states;

@@ -81,7 +81,8 @@ TEST(BadState, WithoutAnyOfItsPartsIsRefusedByThePartsName) {
   EXPECT_EQ(result.code, 0) << result.err;
 }
 
-/// Writes a file that contains only the header of a state, changed by `change`, and runs `floc info` on it.
+/// Writes a file that contains only the header of a state, after `change` has changed it, and runs `floc info` on this
+/// file.
 template <class Change>
 Outcome info_of_header(const std::string& format, std::int64_t version, std::int64_t dimension,
                        const Change& change) {

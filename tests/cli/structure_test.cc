@@ -132,8 +132,8 @@ TEST_F(Structure, OfBothDimensionsHasNeitherOneFileNorAnAverage) {
 }
 
 TEST_F(Structure, ComparesStatesInRescaledDistance) {
-  // One crystal at two densities. In the loose crystal, neighbours are farther away relative to the diameter. Rescaled
-  // distances make the positions of the two crystals comparable.
+  // The same crystal at two densities. In the loose crystal, neighbours are farther away relative to the diameter. In
+  // rescaled distances, the neighbours of the two crystals are at equal distances.
   for (const double r : {1.0, 0.8}) {
     State<3> bcc;
     bcc.packing = crystal_of(body_centred_cubic(), r, 1.0001, elastic_law(3.0, 0.0, 0.0));

@@ -45,8 +45,7 @@ TEST_F(TrackEnergy, ClosesAndLosesNoEnergyTwice) {
   const int last = rows.n_rows() - 1;
   EXPECT_GT(at(last, "viscous"), 0.0);
   EXPECT_LT(at(last, "kinetic"), 1e-9);
-  // The time step is the largest stable time step. A quarter of this time step would give an error that is five times
-  // smaller.
+  // The run uses the largest stable time step. With a quarter of this time step, the error would be five times smaller.
   EXPECT_LT(std::abs(at(last, "error")), 0.1 * (at(last, "viscous") + at(last, "sliding")));
 }
 
@@ -62,8 +61,8 @@ TEST_F(TrackEnergy, GoesOnWhereItStoppedWithTheSameTable) {
   EXPECT_EQ(content_of(file("halves/state-0001.h5")), content_of(file("whole/state-0001.h5")));
 }
 
-/// In a stage that changes the law, the change of the stored energy is added to the column `law`. The balance must also
-/// be correct after the run is resumed.
+/// In a stage that changes the law, the change of the stored energy is added to the column `law`. The table must be
+/// equal if the run is stopped and resumed.
 TEST_F(TrackEnergy, HasAColumnForChangesOfTheLaw) {
   const std::string scene = small_scene();
   write_text(file("small.toml"),
@@ -83,7 +82,7 @@ TEST_F(TrackEnergy, HasAColumnForChangesOfTheLaw) {
   EXPECT_GT(std::abs(at(first, "law")), 0.0);
   const int last = rows.n_rows() - 1;
   EXPECT_EQ(at(last, "law"), at(first, "law"));
-  // The change of the law adds nothing to the error. Only the motion does.
+  // The error must not contain the change of the law, only the error of the motion.
   EXPECT_LT(std::abs(at(last, "error") - at(first - 1, "error")), 0.1 * std::abs(at(last, "law")));
 }
 
@@ -139,8 +138,8 @@ TEST_F(TrackEnergy, IsRefusedForShippedScenesOfWhichNoAccountIsKept) {
   EXPECT_GE(n_refused["assembly.vibration displaces the grains"], 2);
 }
 
-/// A shipped scene, and the number of an equilibrium of its run. All kinds of loads of the scene occur before this
-/// equilibrium.
+/// A shipped scene and the number of an equilibrium of its run, chosen so that all kinds of loads of the scene occur
+/// before this equilibrium.
 struct ShippedPath {
   const char* scene;
   int until;
@@ -170,8 +169,8 @@ class EnergyOfShippedPath : public ::testing::TestWithParam<ShippedPath> {
   ScratchDirectory scratch_;
 };
 
-/// With a quarter of the time step, the error decreases to about a quarter. The ratio is not exactly a quarter, because
-/// the two paths differ.
+/// With a quarter of the time step, the error decreases to about a quarter; not exactly, because the two runs follow
+/// different paths.
 TEST_P(EnergyOfShippedPath, ClosesWithTheTimeStepOfTheRun) {
   const double coarse = error_at(0.36), fine = error_at(0.09);
   std::cout << GetParam().scene << ": error over work " << coarse << " and at a quarter of the step " << fine

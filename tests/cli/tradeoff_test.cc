@@ -61,8 +61,8 @@ TEST(TradeoffCommand, FirstColumnIsTheParameterAndObservablesCanBeChosen) {
   EXPECT_THAT(o.out, testing::Not(HasSubstr(",z_plus,")));
 }
 
-/// Shipped scenes of other kinds, reduced so that a sample takes a fraction of a second, with one observable
-/// each.
+/// Shipped scenes of other kinds, with changes after which a sample takes a fraction of a second, and with one
+/// observable each.
 const std::vector<std::tuple<std::string, std::string, std::string>> kOtherKinds = {
     {"beads-hertz", "spheres_demo.toml --set grains.count=50 --set load.0.to=1e5", "B"},
     {"spheres-cohesive-walls", "compaction_demo.toml --set grains.count=50", "n_wall_contacts"},
@@ -134,7 +134,8 @@ TEST(TradeoffCommand, ComparesTheParametersThatAreNamed) {
     knobs.insert(row["knob"]);
     const bool soft = row["knob"] == "softening";
     EXPECT_EQ(row["softening"] > 1.0, soft) << row["knob"];
-    // If the springs of the assembly differ, the packings differ, so only mean values are compared.
+    // If the springs are softened during the assembly, the samples are different packings, so only mean values are
+    // compared.
     if (soft) {
       EXPECT_TRUE(row["error_before_high"].is_null() && row["mean_difference"].is_number());
     }

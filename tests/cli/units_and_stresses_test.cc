@@ -190,8 +190,8 @@ TEST_F(UnitsOfRuns, AreConvertedOrRefusedWhereRunsAreCompared) {
   EXPECT_EQ(compared("P [kPa]", "P").code, 4);
   EXPECT_EQ(compared("P", "P [m]").code, 4);
   with_header("run", "P");
-  // Some commands recognise columns only by the exact names that floc writes. These commands refuse such a name with
-  // another unit.
+  // Some commands recognise columns only by the exact names that floc writes. These commands refuse a column with the
+  // name of floc but with another unit.
   with_header("other", "P_star [kPa]");
   write_text(file("m.csv"), "P_star [kPa],B,B_S,G,B_reuss,B_voigt,G_voigt\n1,1,1,1,1,1,1\n");
   EXPECT_EQ(floc("plot m.csv --show moduli -o m.svg").code, 4);
@@ -231,8 +231,8 @@ energy = 1e-7
   inline static ScratchDirectory* scratch_ = nullptr;
 };
 
-/// B and M are the slopes of stresses against ln Phi between neighbouring states of the unloading: B of the mean
-/// stress, and M of the stress on the driven axis.
+/// B and M are slopes between neighbouring states of the unloading, against ln Phi: B is the slope of the mean stress,
+/// and M that of the stress on the driven axis.
 TEST_F(OedometerOfBeads, HasBOfItsMeanAndMOfItsDrivenStress) {
   const Outcome o = floc("fit elastic run --format json");
   ASSERT_EQ(o.code, 0) << o.err;
@@ -304,7 +304,7 @@ TEST_F(OedometerOfBeads, NamesTheStressOnItsDrivenAxisBesideTheMean) {
   EXPECT_THAT(content_of(scratch_->file("f.gp")) + content_of(scratch_->file("f.svg")), HasSubstr("(driven)"));
 }
 
-/// A stage triples the adhesion, and therefore the stress that corresponds to P* = 1.
+/// A stage triples the adhesion, and therefore also triples the stress that corresponds to P* = 1.
 TEST(UnitOfReducedPressure, IsThatOfTheFirstRows) {
   const ScratchDirectory scratch;
   write_text(scratch.file("path.csv"), R"(step,branch,P_star,P,phi,state

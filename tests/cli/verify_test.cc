@@ -138,8 +138,9 @@ TEST(Verify, HoldsMassesAgainstTheDensityOfTheScene) {
   expect_failed(with_masses(1.5), "mass", "of grain 3, whose radius is");
 }
 
-/// If a contact is removed, or if it refers to the wrong periodic image of a grain, the contacts give another stress
-/// than the forces across the faces of the cell. All other checks of the file may pass.
+/// The stress of the contacts is compared with the stress of the forces across the faces of the cell. They differ if a
+/// contact is removed, or if it refers to the wrong periodic image of a grain, even if all other checks of the file
+/// pass.
 TEST(Verify, HoldsTheForcesAcrossTheFacesOfTheCellAgainstTheStress) {
   const auto expect_both = [](const Outcome& result) {
     EXPECT_EQ(result.code, 5);
@@ -168,7 +169,7 @@ TEST(Verify, HoldsTheForcesAcrossTheFacesOfTheCellAgainstTheStress) {
   }
 }
 
-/// A chain of four equal disks of diameter 1 across the cell, which closes to a ring through the periodic boundary.
+/// Four equal disks of diameter 1 form a chain across the cell, which closes to a ring through the periodic boundary.
 /// Only attractions at a distance connect the disks, so the chain buckles if it is pushed sideways.
 TEST(Verify, NamesAnUnstableState) {
   const ScratchDirectory scratch;

@@ -17,7 +17,7 @@ std::string version_1(const std::string& name) {
   return source_directory() + "/tests/regression/version_1/" + name;
 }
 
-/// floc verify and floc moduli need the springs that the file stores.
+/// floc verify and floc moduli need the spring elongations that the file stores.
 TEST(FilesOfVersion1, AreVerifiedAndGiveTheirModuli) {
   EXPECT_EQ(floc_arguments({"verify", version_1("state-0003.h5")}).code, 0);
   const Outcome moduli = floc_arguments({"moduli", version_1("state-0003.h5"), "--format", "json"});

@@ -21,14 +21,14 @@ void expect_rest(const std::string& options) {
   EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
 }
 
-/// One grain has few contacts and is held in place by its liquid bridges. With the geometric terms of the capillary
-/// forces, the energy has a minimum at this state. Without these terms, it would have a saddle point.
+/// One grain has few contacts, and only its liquid bridges keep it in place. With the geometric terms of the capillary
+/// forces, this state is a minimum of the energy. Without these terms, it would be a saddle point.
 TEST(WetRun, ComesToRestWhereTheirPullAloneHoldsAGrain) {
   expect_rest("--seed 1");
 }
 
-/// One grain has two nearly opposite contacts. The rotation of this grain about the line through both contacts is
-/// stable only if the geometric terms of the tangential forces are included.
+/// One grain has two nearly opposite contacts. Only the geometric terms of the tangential forces make its rotation
+/// about the line through both contacts stable.
 TEST(WetRun, ComesToRestWhereFrictionHoldsASpin) {
   expect_rest("--seed 45 --set equilibrium.finish=dynamic");
 }

@@ -41,8 +41,8 @@ class ClosedCurve {
 template <int Dim>
 class Loop {
  public:
-  /// @param reach  scale of slip and rotation. With 1, the springs reach their friction limits. With 1e-3, they stay
-  /// far below the limits.
+  /// @param reach  scale of slip and rotation. With reach = 1, the springs reach their friction limits; with 1e-3, they
+  /// stay far below the limits.
   Loop(RandomStream& random, double mean_gap, double gap_amplitude, double reach)
       : gap_(random, mean_gap, gap_amplitude) {
     // In 3D, the slip is in the plane normal to the third axis; in 2D, the slip has one component.
@@ -67,7 +67,7 @@ class Loop {
 };
 
 /// Work done on a contact along a loop. The work is integrated by the trapezoidal rule, which is exact for springs
-/// below their friction limit.
+/// below their friction limits.
 struct LoopWork {
   double viscous = 0.0;
   double tangential = 0.0;
@@ -116,7 +116,7 @@ LoopWork work_around(const Law& law, const Loop<Dim>& loop, int n_steps) {
 constexpr int kSteps = 2000;
 constexpr int kLoops = 8;
 
-/// Error of the trapezoidal rule, divided by the largest work along the path.
+/// Largest error of the trapezoidal rule, divided by the largest work along the path.
 constexpr double kWorkError = 1e-4;
 
 /// Returns the work done by the normal force when the gap goes through a closed loop.
@@ -145,7 +145,8 @@ TEST(NormalForce, TakesNoWorkFromAClosedLoop) {
   });
 }
 
-/// Presses a new contact and releases it, under a law whose force follows another line on unloading than on loading.
+/// Presses a new contact and releases it. The stiffness of the law is different on unloading.
+/// @param unloading  stiffness K2 on unloading; the stiffness K1 on loading is 1e5
 /// @return work that is lost in the cycle, and largest work along the path
 std::array<double, 2> work_of_pressing(double unloading) {
   ContactLaw<test::HystereticRepulsion, NoAdhesion, NoDamping, NoFriction, NoRolling, NoTwisting> law{};
@@ -163,8 +164,8 @@ TEST(NormalForce, OfALawThatCreatesEnergyIsFoundByTheSameMeasure) {
   EXPECT_LT(created, -100 * kWorkError * more);
 }
 
-/// Viscous forces act only while the surfaces touch according to the law. Under some laws, surfaces cease to touch
-/// while the grains still overlap.
+/// Viscous forces act only while the law says that the surfaces touch. Under some laws, surfaces cease to touch while
+/// the grains still overlap.
 TEST(Dissipation, EndsWhereSurfacesNoLongerPressThoughTheyOverlap) {
   ContactLaw<test::HystereticRepulsion, NoAdhesion, ViscousDamping, NoFriction, NoRolling, NoTwisting> law{};
   law.repulsion = {1e5, 2e5};
@@ -193,8 +194,9 @@ TEST(Dissipation, IsNeverNegativeAroundAClosedLoop) {
       SCOPED_TRACE(k);
       const Loop<Dim> loop(random, -1e-4, 1e-4, 1.0);
       const LoopWork work = work_around(law, loop, kSteps);
-      // A spring at its friction limit may reverse its force within one step. The error of the work is then of the
-      // order of the energy that such a step changes: the largest energy times about (step/loop)^2.
+      // The force of a spring at its friction limit may reverse within one step. The work then has an error of the
+      // order of the energy that changes in this step: the largest energy times about (length of the step/length of the
+      // loop)^2.
       const double rounding = 1e-6 * work.largest + 1e-18;
       EXPECT_GE(work.viscous, 0.0);
       EXPECT_GE(work.tangential, -rounding);
@@ -216,8 +218,8 @@ TEST(Dissipation, IsNeverNegativeAroundAClosedLoop) {
 TEST(Dissipation, IsZeroWhereNothingSlidesOrParts) {
   for_each_kind_of_law_and_dimension([](const auto& law, auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
-    // Under such laws, a decrease of the normal force reduces the tangential stiffness and the shear force together,
-    // which dissipates energy.
+    // Under these laws, the tangential stiffness follows the normal stiffness. A decrease of the normal force reduces
+    // the tangential stiffness and the shear force together, which dissipates energy.
     if (kFollowsNormalStiffness<typename std::decay_t<decltype(law)>::TangentialModel>) return;
     RandomStream random(8, Dim);
     for (int k = 0; k < kLoops; ++k) {

@@ -21,8 +21,8 @@ double holding_range(const auto& law) {
   return law.holding_range(pair_at(0.0).reduced_radius);
 }
 
-/// Returns gaps at which surfaces overlap, attract each other, or do not interact. None of the gaps is at a kink of the
-/// force, which are at 0 and at the end of the attractive range.
+/// Returns gaps at which surfaces overlap, attract each other, or do not interact. The kinks of the force, at 0 and at
+/// the end of the attractive range, are not among the gaps.
 std::vector<double> gaps(const auto& law) {
   const double range = std::max(law.range(), holding_range(law));
   return {
@@ -57,7 +57,7 @@ TEST(NormalForce, IsMinusTheDifferenceQuotientOfTheEnergy) {
       const double step = 1e-10;
       const double quotient =
           (test::pressed_energy(law, h + step) - test::pressed_energy(law, h - step)) / (2 * step);
-      // The truncation error is at most 1e-7. Energies are of the order of 1e-2; their rounding errors of about 1e-18
+      // The truncation error is at most 1e-7. Energies are of the order of 1e-2. Their rounding errors of about 1e-18
       // are divided by the step.
       EXPECT_NEAR(static_force(law, h), -quotient, 1e-18 / step * 10 + 1e-7);
     }
@@ -137,8 +137,8 @@ TEST(NormalForce, EnergyHasNoJumpWhereSurfacesPartOrTheTailEnds) {
     const double step = 1e-12;
     for (const double kink : {0.0, law.range(), holding_range(law)}) {
       SCOPED_TRACE(kink);
-      // The force has a magnitude of at most F0 + K_N times the step on either side of the kink, so the energy changes
-      // by less than this bound.
+      // Within the step on either side of the kink, the magnitude of the force is at most F0 + K_N times the step. The
+      // change of the energy is below the bound that follows.
       EXPECT_NEAR(test::pressed_energy(law, kink + step), test::pressed_energy(law, kink - step),
                   2 * step * (pull_off_force(law) + 1e-6));
     }

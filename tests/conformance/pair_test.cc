@@ -31,8 +31,8 @@ Vec<Dim> direction() {
     return {2.0 / 7, 3.0 / 7, 6.0 / 7};
 }
 
-/// Two unequal grains away from the origin, with an overlap of 1e-2 and stretched springs. The overlap is so large that
-/// the test would notice a wrong lever arm (the radius R instead of the distance l from the centre to the contact).
+/// Two unequal grains away from the origin, with an overlap of 1e-2 and stretched springs. With such a large overlap,
+/// the test notices a wrong lever arm: the radius R instead of the distance l from the centre to the contact.
 template <int Dim>
 Packing<Dim> stretched_pair(const LawParameters& law) {
   Packing<Dim> packing;
@@ -77,8 +77,8 @@ TEST(Pair, TorquesOfAllForcesAboutAnyPointVanish) {
     const Balance<Dim> net = net_forces(packing);
     RotationVector<Dim> total = net.moment[0] + net.moment[1];
     for (int i = 0; i < 2; ++i) total += moment<double>(packing.grains.position[i], net.force[i]);
-    // Forces of 1e3 act at a distance of 3 from the origin, so the rounding error of the torque is about 1e-12. Wrong
-    // lever arms (R instead of l) would give a torque of 1e-2 F_T = 8e-3.
+    // Forces of 1e3 act at a distance of 3 from the origin, so the rounding error of the torque is about 1e-12. With
+    // wrong lever arms (R instead of l), the torque would be 1e-2 F_T = 8e-3.
     EXPECT_NEAR(total.norm(), 0.0, 5e-12);
     if (Law::kHasFriction) {
       EXPECT_GT(packing.contacts[0].shear_force.norm(), 0.5);
@@ -97,9 +97,9 @@ Mat<Dim> rotation(const RotationVector<Dim>& turn) {
     return Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
 }
 
-/// Stretches the springs of a pair, then rotates both grains and their line of centres as a rigid body by
-/// `turn`, in n steps, about a point outside the pair.
-/// @return largest relative change of the forces in the co-rotating frame
+/// Stretches the springs of a pair. Then rotates the pair as a rigid body by `turn`, in n steps, about a point outside
+/// the pair.
+/// @return largest relative change of the forces, in axes that rotate with the pair
 template <class Law, int Dim>
 double force_change_on_turning(const Law& law, const RotationVector<Dim>& turn, int n) {
   const Vec<Dim> xi = Vec<Dim>::Constant(0.2);
@@ -139,8 +139,8 @@ TEST(Objectivity, APairTurnedRigidlyIn2DKeepsItsForces) {
   for_each_law([](const auto& law) {
     using Law = std::decay_t<decltype(law)>;
     // Each step replaces an arc by its chord, which is shorter by the fraction turn^2/(24 n^2). For n = 5000, the
-    // differences sum to a slip of 2.1e-8, which is at most 6e-3 of the spring elongation (3.5e-6 or more). The slip is
-    // proportional to 1/n^2. Wrong lever arms would give a slip of 1e-2 turn for any n.
+    // differences sum to a slip of 2.1e-8, at most 6e-3 of the spring elongation (3.5e-6 or more). This slip is
+    // proportional to 1/n^2. With wrong lever arms, the slip would be 1e-2 turn for any n.
     const double coarse = force_change_on_turning<Law, 2>(law, RotationVector<2>(2.5), 5000);
     const double fine = force_change_on_turning<Law, 2>(law, RotationVector<2>(2.5), 20000);
     EXPECT_LT(coarse, kChordError);
@@ -161,10 +161,10 @@ TEST(Objectivity, APairTurnedRigidlyIn3DKeepsItsForces) {
   });
 }
 
-/// Simulates a head-on collision with the classical Runge-Kutta method. The collision starts beyond the range of the
-/// law.
+/// Simulates a head-on collision with the classical Runge-Kutta method. At the start, the gap is larger than the range
+/// of the law.
 /// @param step  time step in units of sqrt(m_eff/K_N)
-/// @return speed of separation divided by speed of approach, 0 if the pair sticks
+/// @return speed of separation divided by speed of approach; 0 if the pair sticks
 template <class Law>
 double collide(const Law& law, double speed, double step) {
   const double mass = 1.0 * 0.5 / (1.0 + 0.5);
@@ -196,8 +196,8 @@ TEST(Collision, RestitutionWithoutAdhesionIsTheOneAskedFor) {
       for (const double e : {0.015, 0.3, 0.9, 1.0}) {
         SCOPED_TRACE(e);
         if constexpr (Law::kHasDamping) law.damping.restitution = e;
-        // The integration ends up to 1e-4 sqrt(m/K_N) after the end of the contact. During this time, damping reduces
-        // the speed by at most the fraction 2 zeta sqrt(K_N/m) per unit of time, with a damping ratio zeta < 1.
+        // The integration ends up to 1e-4 sqrt(m/K_N) after the end of the contact. In this time, damping reduces the
+        // speed by at most the fraction 2 zeta sqrt(K_N/m) per unit of time; the damping ratio zeta is below 1.
         EXPECT_NEAR(collide(law, 1.0, 1e-4) / (Law::kHasDamping ? e : 1.0), 1.0, 3e-4);
       }
     }
@@ -208,8 +208,8 @@ TEST(Collision, AdhesionAloneTakesNoEnergy) {
   for_each_law([](const auto& law) {
     using Law = std::decay_t<decltype(law)>;
     if constexpr (!Law::kHasDamping && test::kForgetsOverlap<Law>) {
-      // The initial speed is 1, and the escape speed is 0.09. At a kink of the force, or at the jump of F0 under
-      // constant adhesion, the error is of first order in the step of 1.8e-7.
+      // The initial speed is 1, and the escape speed is 0.09. The error is of first order in the step of 1.8e-7,
+      // because the force has a kink or, under constant adhesion, a jump of F0.
       EXPECT_NEAR(collide(law, 1.0, 1e-4), 1.0, 1e-5);
     }
   });

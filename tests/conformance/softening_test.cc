@@ -18,14 +18,14 @@ using test::slip_by;
 constexpr double kSofter = 8.0;
 constexpr double kStiffOverlap = 1e-4;
 
-/// Overlap at which the elastic force of the softened contact equals the force of the stiff contact at the overlap
+/// Overlap at which the elastic force of the softened contact equals that of the stiff contact at the overlap
 /// kStiffOverlap.
 template <class Law>
 double softer_overlap() {
   return kStiffOverlap * std::pow(kSofter, 1.0 / force_exponent<typename Law::NormalModel>());
 }
 
-/// Calls check(law, softened law, dimension) for every law with springs.
+/// Calls check(law, softened law, dimension) for every law of the table and each of its dimensions.
 template <class Check>
 void for_each_softened_law(const Check& check) {
   for_each_law_and_dimension([&](const auto& law, auto dimension) {
@@ -79,8 +79,8 @@ TEST(Softening, KeepsTheCapsOfSprings) {
   });
 }
 
-/// Softening does not change the ratio of the damping coefficient to sqrt(m K_N), and therefore does not change the
-/// restitution of collisions.
+/// Softening does not change the ratio of the damping coefficient to sqrt(m K_N). The restitution of collisions
+/// therefore stays the same.
 TEST(Softening, KeepsTheDampingRatio) {
   for_each_softened_law([](const auto& law, const auto& soft, auto) {
     using Law = std::decay_t<decltype(law)>;

@@ -141,7 +141,7 @@ TEST(EmptySlots, CostNoByteOfTheLaw) {
   });
 }
 
-/// Change of units by powers of two, which causes no rounding.
+/// Units that are powers of two, so that a conversion causes no rounding.
 struct Units {
   double length = 0x1p-9;
   double force = 0x1p7;

@@ -8,8 +8,8 @@
 
 #include "support/run_program.h"
 
-/// Tests of packings with extreme values, in every command that reads states: each command must print finite numbers or
-/// an error message, and no command may hang.
+/// Tests every command that reads states on packings with extreme values. Each command must print finite numbers or an
+/// error message, and no command may hang.
 namespace floc::test {
 namespace {
 
@@ -19,7 +19,7 @@ using ::testing::Not;
 
 const double kHeight = std::sqrt(0.75);
 
-/// Packing as csv, with the options with which `floc convert` reads it.
+/// Packing as csv, and the options with which `floc convert` reads this csv file.
 struct Given {
   const char* name;
   std::string grains;  ///< csv
@@ -31,7 +31,8 @@ void PrintTo(const Given& given, std::ostream* out) {
 }
 
 /// Four disks of a triangular lattice.
-/// @param unit  length of the lattice spacing
+/// @param unit     lattice spacing (length)
+/// @param overlap  overlap of neighbours, divided by the lattice spacing
 Given crystal(const char* name, double unit, double overlap, double stiffness) {
   const double r = 0.5 * (1.0 + overlap) * unit;
   std::string grains = "x,y,r\n";

@@ -13,7 +13,7 @@
 #include "floc/packing/tile.h"
 #include "support/lattices.h"
 
-/// Tests of contact networks whose moduli have closed forms, with extreme stiffnesses and shapes. Each printed modulus
+/// Tests of contact networks with extreme stiffnesses and shapes, whose moduli have closed forms. Each printed modulus
 /// must be correct within its error bound, and the bound must leave significant digits. Otherwise the program must
 /// refuse the modulus with a message.
 namespace floc {
@@ -33,8 +33,8 @@ Eigen::Matrix3d isotropic(double B, double G) {
   return c;
 }
 
-/// Expects that each modulus agrees with its closed form within the error bound of the modulus.
-/// @param relative  largest allowed error bound, divided by the largest modulus
+/// Expects that each modulus agrees with its closed form within its error bound.
+/// @param relative  largest accepted error bound, divided by the largest modulus
 /// @param given     additional error, because the numbers of the input are rounded
 void expect_right(const Moduli& m, const Eigen::MatrixXd& closed, double relative, const std::string& what,
                   double given = 0.0) {
@@ -66,8 +66,8 @@ TEST(Stiffness, AcrossContactsFromAMillionthToAThousandTimesThatAlong) {
   }
 }
 
-/// Frames of chains deform only by rolling at the contacts. C33 must be proportional to K_R over twelve decades, with
-/// errors below the error bound of C33.
+/// Square frames whose sides are chains of n disks. Under shear, the frames deform only by rolling at the contacts. C33
+/// must be proportional to K_R over twelve decades, with errors below its error bound.
 TEST(Stiffness, AgainstRollingFromATrillionthToOne) {
   for (const double kr : {1e-12, 1e-8, 1e-4, 1.0})
     for (const int n : {3, 10, 40}) {
@@ -78,7 +78,8 @@ TEST(Stiffness, AgainstRollingFromATrillionthToOne) {
       ASSERT_TRUE(m.C.allFinite()) << what;
       EXPECT_LE(std::abs(m.C(2, 2) - 0.5 / transverse), m.C_error(2, 2)) << what;
       EXPECT_LE(std::abs(m.C(0, 0) - 1.0 / (n - 1)), m.C_error(0, 0)) << what;
-      // The C33 of the softest frames cannot be distinguished from zero. C33 is then zero, and a mechanism is reported.
+      // For the softest frames, C33 cannot be distinguished from zero. It is then printed as zero, and a mechanism is
+      // reported.
       if (m.n_coupled_mechanisms > 0) {
         EXPECT_EQ(m.C(2, 2), 0.0) << what;
         EXPECT_LT(kr / (n * n), 1e-14) << what;
@@ -98,8 +99,9 @@ TEST(Chain, OfTenThousandDisksHoldsItsOwnLine) {
   EXPECT_EQ(m.n_negative, 0);
 }
 
-/// A tree of ten thousand disks, each attached at a random angle to an earlier one. The tree is isostatic and does not
-/// percolate. It can therefore be strained without elastic energy, for any stiffness of its contacts.
+/// Ten thousand disks that form a tree: each disk is attached at a random angle to an earlier disk. The tree is
+/// isostatic and does not percolate. It can therefore be strained without elastic energy, for any stiffness of its
+/// contacts.
 TEST(Tree, OfTenThousandDisksHoldsNothing) {
   Packing<2> packing;
   packing.law = test::elastic_law(1.0, 0.7, 0.03);
@@ -134,15 +136,15 @@ TEST(Tree, OfTenThousandDisksHoldsNothing) {
   }
 }
 
-/// One disk that touches its own images up to a distance of `reach` spacings. If `reach` is large, the disk has
+/// One disk that touches its own images up to a distance of `reach` lattice spacings. For a large `reach`, the disk has
 /// hundreds of contacts with its images.
 TEST(Lattice, OfOneGrainThatTouchesManyOfItsOwnImagesHasTheSumOverThem) {
   for (const double reach : {1.05, 2.5, 10.2}) {
     Packing<2> packing = test::triangular(kSpacing, test::elastic_law(1.0, 0.7, 0.03));
     packing.grains.radius[0] = 0.5 * reach * kSpacing;
     find_contacts(packing);
-    // Sum over all branches, each counted once. The response is affine: C_abcd = sum [K_N n_a n_b n_c n_d + K_T
-    // (tangential part)] r^2/area.
+    // Sum over all branches, each counted once. The response is affine. C_abcd is the sum of [K_N n_a n_b n_c n_d + K_T
+    // (tangential part)] r^2, divided by the area (n: normal, r: branch length).
     double bulk = 0.0, shear = 0.0;
     int n_contacts = 0;
     const int far = static_cast<int>(2.0 * reach) + 2;
@@ -166,8 +168,8 @@ TEST(Lattice, OfOneGrainThatTouchesManyOfItsOwnImagesHasTheSumOverThem) {
   }
 }
 
-/// The moduli of the triangular crystal are equal in a long cell, in a high cell, and in cells so skewed that their
-/// sides are nearly parallel.
+/// The triangular crystal has equal moduli in a long cell, in a high cell, and in cells so skewed that their sides are
+/// nearly parallel.
 TEST(Cell, OfAnyShapeHoldsTheSameCrystal) {
   const Packing<2> unit = test::triangular(kSpacing, test::elastic_law(1.0, 0.7, 0.03));
   const Eigen::Matrix3d closed = isotropic(std::sqrt(0.75), std::sqrt(3.0) / 4.0 * 1.7);
@@ -178,8 +180,8 @@ TEST(Cell, OfAnyShapeHoldsTheSameCrystal) {
     slanted.cell.matrix.row(1) += slant * slanted.cell.matrix.row(0);
     find_contacts(slanted);
     ASSERT_EQ(slanted.contacts.size(), 48u) << slant;
-    // The longer lattice vector is `slant` cells long. Rounded to doubles, the vector is wrong by up to half a unit in
-    // the last place of its length, which shears the crystal.
+    // The longer lattice vector is `slant` cells long. Rounding to doubles changes the vector by up to half a unit in
+    // the last place of its length. This change shears the crystal.
     const double sheared = std::numeric_limits<double>::epsilon() * slant;
     expect_right(full_moduli(slanted), closed, 1e-9, "slant " + std::to_string(slant), 4.0 * sheared);
   }
@@ -243,8 +245,8 @@ TEST(Packing, OfAGrainVeryMuchLargerThanItsCellIsRefused) {
 }
 
 /// A row of small disks lies across the cell, between a disk that is a thousand times larger and the periodic image of
-/// this disk. The small disks form a chain of springs, and the large disk forms another chain, which does not interact
-/// with the first.
+/// this disk. The small disks form a chain of springs. The large disk, the row and the image form another chain. The
+/// two chains do not interact.
 TEST(Sizes, OfOneToAThousandMeetInOnePacking) {
   constexpr double kLarge = 0.4995, kSmall = 0.000500001, kHeight = 2.0 * (kLarge + kSmall - 1e-9);
   Packing<2> packing;

@@ -15,15 +15,15 @@
 #include "support/lattices.h"
 #include "support/run_program.h"
 
-/// Tests that positions keep all digits that matter for forces, even with stiffnesses of 1e9 F0/a, or at a distance of
-/// a billion diameters from the origin.
+/// Tests that positions keep all digits that matter for forces. Stiffnesses are up to 1e9 F0/a, and distances from the
+/// origin up to a billion diameters.
 namespace floc {
 namespace {
 
 constexpr double kStiff = 1e9;
 
-/// Fixture: a crystal of 1 400 disks with K_N = 1e9, in equilibrium under P = 1. The diameters of the disks differ by a
-/// few times the overlap of a contact.
+/// A crystal of 1 400 disks with K_N = 1e9, in equilibrium under P = 1. The diameters of the disks differ by a few
+/// times the overlap of a contact.
 struct StiffCrystal {
   Packing<2> packing;
   StaticSolution<2> solution;

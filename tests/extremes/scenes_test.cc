@@ -127,8 +127,8 @@ const Extreme kExtremes[] = {
     {"mu_0", {"contact.friction.coefficient=0"}},
     {"mu_10", {"contact.friction.coefficient=10"}},
     {"mu_R_0", {"contact.rolling.coefficient=0"}},
-    // Collisions without loss have no damping, and neither have springs below their limit. Grains then vibrate for
-    // ever, but the equilibrium can still be found.
+    // Without a loss in collisions there is no damping, and springs below their limits do not dissipate energy either.
+    // The grains of the case collisions_without_loss therefore vibrate for ever, but an equilibrium can still be found.
     {"mu_R_10", {"contact.rolling.coefficient=10"}},
     {"collisions_without_loss", {"contact.damping.restitution=1", "grains.count=15"}},
     {"two_grains", {"grains.count=2"}},

@@ -11,8 +11,8 @@
 #include "support/network_packings.h"
 #include "support/springs.h"
 
-/// Tests that results do not depend on the units of length, force and mass, even if numbers are near the ends of the
-/// range of doubles.
+/// Tests that results do not depend on the units of length, force and mass, even if the numbers in these units are near
+/// the ends of the range of doubles.
 namespace floc {
 namespace {
 
@@ -106,8 +106,8 @@ std::vector<Packing<2>> path(const RunOptions& options) {
   return states;
 }
 
-/// If the units are powers of two, even very large ones, results are not rounded differently. The whole path is
-/// therefore identical bit for bit.
+/// If the units are powers of two, even very large ones, rounding does not depend on the units. The whole path must
+/// therefore be identical bit for bit.
 void expect_same_path(AssemblyOptions::Protocol protocol) {
   const std::vector<Packing<2>> reference = path(run_options(protocol, {}));
   // The unit of time is a power of two as well. 2^100 is 1.3e30.

@@ -30,7 +30,7 @@ constexpr std::size_t kLongestInput = 1 << 16;
 std::string current;  ///< input that is being read, which the signal handler saves
 const char* reader_name = "";
 
-/// Saves the input that has ended the process by a signal. Calls only functions that are allowed in a signal handler.
+/// Saves the input whose reading has raised a fatal signal. Calls only functions that are allowed in a signal handler.
 void keep_input(int signal) {
   char name[200];
   std::snprintf(name, sizeof name, "crash-%s-%d", reader_name, signal);

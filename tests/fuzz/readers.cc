@@ -37,7 +37,7 @@ namespace {
 
 const std::filesystem::path kData = std::filesystem::path(FLOC_SOURCE_DIR) / "data";
 
-/// Returns the positions of all bytes of an HDF5 file that belong to datasets.
+/// Returns the position of each byte of each dataset in an HDF5 file.
 std::vector<std::size_t> dataset_bytes(const std::string& image) {
   const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
   H5Pset_fapl_core(access, 1 << 16, false);
@@ -99,8 +99,7 @@ void read_contacts_bytes(const std::string& bytes) {
   });
 }
 
-/// Reads a table of measurements as `floc fit` does. Of the options of a user, only the height of the solid grains is
-/// tested.
+/// Reads a table of measurements as `floc fit` does, with the height of the solid grains as the only option.
 void read_path_bytes(const std::string& bytes) {
   const MemoryFile file(bytes);
   try {
@@ -185,8 +184,8 @@ const std::vector<Image>& vtkhdf_images() {
   return images;
 }
 
-/// Returns a file with edited numbers. The first byte of `edits` chooses the file. For each edit, two bytes then choose
-/// the position, and eight bytes give the new content.
+/// Returns a file of `images` with edited numbers. The first byte of `edits` chooses the file. For each edit, two bytes
+/// choose the position, and eight bytes give the new content.
 std::string edited(const std::vector<Image>& images, const std::string& edits) {
   const Image& image = images[static_cast<unsigned char>(edits[0]) % images.size()];
   std::string content = image.content;
@@ -221,7 +220,7 @@ std::vector<std::string> scene_seeds() {
   return seeds;
 }
 
-/// Returns edits that write invalid lengths, counts and indices. Their positions are spread over the whole file.
+/// Returns edits that write invalid lengths, counts and indices at positions spread over the whole file.
 std::vector<std::string> edit_seeds() {
   std::vector<std::string> seeds;
   const double values[] = {0.0, -1.0, 1e300, 1e-300, std::nan(""), std::numeric_limits<double>::infinity()};

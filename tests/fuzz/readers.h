@@ -19,8 +19,8 @@ struct Reader {
 /// Readers of the shapes of grains: .off, .obj, .stl (text and binary), .csv (in 2D and 3D) and .shp.
 std::vector<Reader> shape_readers();
 
-/// Readers of packings of MercuryDPM, LMGC90 and Rockable, of VTK formats that floc does not write, and of contacts
-/// with walls.
+/// Readers of packings of MercuryDPM, LMGC90 and Rockable, of packings in VTK formats that floc does not write, and of
+/// contacts with walls.
 std::vector<Reader> foreign_readers();
 
 /// All readers of files that users provide.

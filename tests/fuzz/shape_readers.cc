@@ -28,8 +28,8 @@ void use(const Shape<Dim>& shape) {
   }
 }
 
-/// Reads a file twice: without options, and with options for few vertices and a radius of rounding. The extension of
-/// `path` determines the format of the file.
+/// Reads a file twice: first without options, then with a limit of the number of vertices and a radius of rounding. The
+/// extension of `path` determines the format of the file.
 template <int Dim>
 void read_shape_bytes(const char* path, const std::string& bytes) {
   for (const ShapeFileOptions& options :

@@ -36,7 +36,7 @@ steps = 2
 seed = 3
 )";
 
-/// Runs the tiny scene up to a step. If the directory contains a run, this run is resumed.
+/// Runs the tiny scene up to the given step. If the directory already contains the run, resumes it.
 bool run_until(const std::string& scene, const std::string& directory, int step) {
   floc::SceneRunOptions options;
   options.directory = directory;

@@ -10,8 +10,8 @@
 #include "floc/tradeoff/comparison.h"
 #include "support/places.h"
 
-// Tests of the errors that the table [accuracy] of a scene guarantees, with scenes and seeds that are not in the data
-// of the shipped table. To run only these tests:
+// Tests of the errors that the table [accuracy] of a scene guarantees. The scenes and seeds are not among the data of
+// the shipped table. To run only these tests:
 //   build/release/tests/long_tests --gtest_filter='AccuracyGuarantee.*'
 
 namespace floc {
@@ -28,13 +28,13 @@ constexpr HeldOut kHeldOut[] = {{"demo", 501},
                                 {"type1_no_rolling", 505}};
 constexpr int kSamplesOfStudy = 4;
 
-/// Accuracy that a scene requests, and guaranteed error of each observable (given by its index).
+/// Accuracy that a scene requests, and the error that is guaranteed for each observable (given by its index).
 struct Guarantee {
   WantedAccuracy wanted;
   std::vector<std::pair<int, double>> of_observables;
 
-  // Sums over all scenes: numbers of values of single states and of sample means, and the numbers of these values whose
-  // errors do not exceed the guaranteed error.
+  // Sums over all scenes. n and n_means count the values of single states and of sample means; kept and means_kept
+  // count those of these values whose error does not exceed the guaranteed error.
   int n = 0, kept = 0, n_means = 0, means_kept = 0;
   double core_seconds = 0.0, strict_seconds = 0.0;
 
@@ -48,8 +48,8 @@ std::vector<const SamplePath*> pointers(const std::vector<SamplePath>& paths) {
   return all;
 }
 
-/// Counts the values of observable `k` in the states of a sample. Also counts those values that differ from the values
-/// of the reference sample by at most the guaranteed error.
+/// Counts the values of observable `k` in the states of a sample, and how many of these values have an error of at most
+/// the guaranteed error.
 void count_states(int k, double guaranteed_error, const SamplePath& reference, const SamplePath& path,
                   Guarantee& guarantee) {
   const std::vector<bool> same = before_collapse(reference, path);

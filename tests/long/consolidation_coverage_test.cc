@@ -10,7 +10,7 @@
 namespace floc::test {
 namespace {
 
-/// Sums over repeated fits for one parameter: errors, and number of intervals that contain the true value.
+/// Sums over repeated fits for one parameter: sums of errors, and number of intervals that contain the true value.
 struct Tally {
   double truth;
   int n = 0, covered = 0;

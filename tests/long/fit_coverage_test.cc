@@ -76,7 +76,7 @@ TEST(FitCoverage, OfHeckelAndKawakita) {
   }
 }
 
-/// Counts the fits of ensembles with a slope lambda, and how many of their 95 % intervals contain the true slope.
+/// Number of fits that give a slope lambda, and number of those fits whose 95 % interval contains the true slope.
 struct SlopeCoverage {
   int held = 0, n = 0;
 
@@ -114,7 +114,7 @@ TEST(FitCoverage, OfEnsemblesOfOneGap) {
       const std::string what = std::to_string(n_samples) + " samples, gap " + std::to_string(gap);
       EXPECT_GE(coverage.n, 0.95 * kDraws) << what;
       EXPECT_GE(coverage.held, 0.935 * coverage.n) << what;
-      // Slopes of samples that jump rarely differ in their scatter, for which Student's interval is a little too wide.
+      // The slopes of samples that jump rarely have different scatters. Student's interval is then a little too wide.
       EXPECT_LE(coverage.held, (gap < 0.4 ? 0.965 : 0.98) * coverage.n) << what;
     }
 }

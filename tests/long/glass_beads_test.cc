@@ -15,7 +15,7 @@ using nlohmann::json;
 constexpr int kSeeds = 2;
 
 /// Fixture: one of the series of [AR2007], from the gas to 100 MPa and back, with 500 beads instead of 4000. The tests
-/// compare means over the samples with the published values, within tolerances for 500 beads.
+/// compare means over the samples with the published values. The tolerances are those for 500 beads.
 class GlassBeads : public ::testing::Test {
  protected:
   void make(const std::string& state) {

@@ -18,8 +18,8 @@
 namespace floc {
 namespace {
 
-/// Shipped scene of a kind, with parameters other than those used for the table of prices. In lists of scenes, the
-/// fastest scene comes first.
+/// Shipped scene with other parameters than those for which the table of prices of its kind was made. In lists of
+/// scenes, the fastest scene comes first.
 struct HeldOutScene {
   std::string file;
   std::vector<std::string> changes;
@@ -54,8 +54,8 @@ Scene scene_of(const HeldOutScene& held) {
   return read_scene(test::source_directory() + "/data/scenes/" + held.file + ".toml", held.changes);
 }
 
-/// Returns the names of two settings: the settings of the scene, and the cheapest settings whose error in phi is below
-/// 1 %. Without such settings, returns only the first name.
+/// Returns the name of the settings of the scene and the name of the cheapest settings whose error in phi is below 1 %.
+/// If there are no such settings, returns only the first name.
 std::vector<std::string> promised_settings(const PriceTable& table) {
   for (const PricedSettings& settings : settable_prices(table))
     if (settings.parameter != "scene" && !settings.is_reference() && settings_error(settings, "phi") < 0.01)
@@ -63,8 +63,8 @@ std::vector<std::string> promised_settings(const PriceTable& table) {
   return {"scene as it is"};
 }
 
-/// Expects that enough errors were counted, and that they exceed the promised errors as seldom as the confidence of the
-/// promise (95 %) says (binomial test at a level of 1 %).
+/// Expects that enough errors were counted, and that not too many of them exceed the promised errors. By the confidence
+/// of the promise, 5 % may do so (binomial test at a level of 1 %).
 void expect_kept(const std::string& kind, const test::PromisesOfTable& promises) {
   std::printf("%s: %d of %d values of states and %d of %d means are within the promised error\n", kind.c_str(),
               promises.states.kept, promises.states.n, promises.means.kept, promises.means.n);
@@ -87,7 +87,7 @@ TEST_P(OfTables, AreKeptAsOftenAsTheirConfidenceSays) {
 INSTANTIATE_TEST_SUITE_P(Promises, OfTables, testing::ValuesIn(held_out_scenes()),
                          [](const auto& held) { return held.param.name; });
 
-/// Lattice of cemented grains with parameters other than those used for the table of prices.
+/// Lattice of cemented grains with other parameters than those for which the table of prices was made.
 struct HeldOutLattice {
   HeldOutScene packing;
   std::string kind;  ///< name of the table
@@ -123,7 +123,7 @@ struct BudgetOfScene {
   double budget;
 };
 
-/// Returns three kinds of scenes with three budgets each. The smallest budgets come first.
+/// Returns three scenes with three budgets each, from the smallest budget to the largest.
 std::vector<BudgetOfScene> planned_scenes() {
   std::vector<BudgetOfScene> planned;
   for (const double budget : {5.0, 15.0, 45.0})
@@ -133,7 +133,8 @@ std::vector<BudgetOfScene> planned_scenes() {
 
 class OfPlans : public testing::TestWithParam<BudgetOfScene> {
  protected:
-  /// Expects that at least eight of nine promised errors are not exceeded. Single plans may exceed an error.
+  /// Expects that at least eight of nine errors do not exceed the promised error. In a single plan, an error may exceed
+  /// it.
   static void TearDownTestSuite() {
     EXPECT_GE(errors_.kept * 9, errors_.n * 8) << errors_.kept << " of " << errors_.n << " errors are kept";
   }

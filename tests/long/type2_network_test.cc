@@ -11,7 +11,7 @@ namespace {
 using nlohmann::json;
 
 /// Fixture: the loading of three samples of the demo scene (type 2, small rolling resistance, N = 400 grains). The
-/// tests compare means over the samples with the bounds published for N = 1400.
+/// published bounds are for N = 1400; the tests compare them with means over the samples.
 class Type2Network : public ::testing::Test {
  protected:
   static constexpr int kFirst = 2, kLast = 4;  ///< seeds

@@ -20,8 +20,8 @@ std::string origin(void (*function)()) {
 }
 
 // Ceres also links ATLAS, which makes CHOLMOD 2.6 times slower. If several libraries define a function, the whole
-// program uses the definition that was linked first. This test therefore checks the functions that CHOLMOD and UMFPACK
-// call.
+// program uses the definition in the library that was linked first. This test therefore checks the functions that
+// CHOLMOD and UMFPACK call.
 TEST(Blas, MatrixProductsAndFactorsAreThoseOfOpenBlas) {
   EXPECT_NE(origin(&dgemm_).find("openblas"), std::string::npos) << origin(&dgemm_);
   EXPECT_NE(origin(&dpotrf_).find("openblas"), std::string::npos) << origin(&dpotrf_);

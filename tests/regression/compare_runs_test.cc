@@ -93,7 +93,7 @@ TEST_F(TwoRuns, DifferInPathsButNotInTheirSeconds) {
 }
 
 TEST_F(TwoRuns, AreTheSameWhereverTheFileKeepsItsMemory) {
-  // In files of version 1, only datasets of contacts/ store the history.
+  // In files of version 1, the history of contacts is stored only in datasets of contacts/.
   const std::string move_memory =
       "import h5py, sys\n"
       "with h5py.File(sys.argv[1], 'r+') as f:\n"
@@ -104,8 +104,9 @@ TEST_F(TwoRuns, AreTheSameWhereverTheFileKeepsItsMemory) {
   EXPECT_EQ(result.code, 0) << result.out << result.err;
 }
 
-// The samples differ by 0.01, 0.02 and 0.03 (mean 0.02, standard error 0.01/sqrt(3), t = 2 sqrt(3)). B differs by the
-// factor e (2.718) in all samples, so the differences of ln B have no scatter.
+// In the two groups, phi of samples of the same name differs by 0.01, 0.02 and 0.03. The mean is 0.02, the standard
+// error 0.01/sqrt(3), and t = 2 sqrt(3). B differs by the factor e (2.718) in all pairs, so the differences of ln B
+// have no scatter.
 TEST(MeansOfRuns, ComeWithTheirPairedErrorAndStudentsT) {
   const ScratchDirectory scratch;
   std::vector<std::string> samples[2];

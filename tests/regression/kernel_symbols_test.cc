@@ -23,7 +23,7 @@ std::vector<std::string> symbols(const std::string& options) {
   return lines;
 }
 
-// The linker keeps only one copy of an inline function that several source files define. If this copy is compiled for
+// If several source files define an inline function, the linker keeps only one copy. If this copy is compiled for
 // AVX-512, it crashes on processors without AVX-512.
 TEST(StepKernels, ShareNoInlineFunctionWithCodeForOtherProcessors) {
   int n_own = 0;

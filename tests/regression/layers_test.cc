@@ -53,8 +53,8 @@ TEST(Library, NeverPrints) {
   }
 }
 
-/// An exception that leaves a thread or a parallel region of OpenMP ends the program, but run_in_team() passes
-/// exceptions to its caller. Therefore only run_in_team() may start threads.
+/// Only run_in_team() may start threads. It passes exceptions to its caller; otherwise an exception that leaves a
+/// thread or a parallel region of OpenMP would end the program.
 TEST(Library, StartsThreadsInATeamAlone) {
   const std::regex starting(
       R"re(#\s*pragma\s+omp\b|_Pragma|std::(jthread|async)\b|std::thread\b(?!::)|pthread_create)re");

@@ -93,8 +93,8 @@ std::vector<Contact<Dim>> in_order_of_place(std::vector<Contact<Dim>> contacts) 
   return contacts;
 }
 
-/// Expects that two packings have the same shapes in space, masses and inertia, and the same contact points,
-/// normals, gaps and forces.
+/// Expects that two packings are equal: the shapes in space, masses and moments of inertia of the grains, and the
+/// points, normals, gaps and forces of the contacts.
 /// @param tolerance  largest accepted difference between two coordinates, or between two forces divided by the largest
 /// force
 template <int Dim>

@@ -24,8 +24,8 @@ struct RenderedPage {
   int n_shown = 0;  ///< pictures that are loaded and have a size
 };
 
-/// Loads a copy of a page in a headless browser. A script is added to the copy, which counts the pictures after the
-/// page has been loaded.
+/// Loads a copy of a page in a headless browser. The copy contains an additional script, which counts the pictures
+/// after the page has been loaded.
 /// @param extra  text appended to the copy
 inline RenderedPage render_in_browser(const std::string& page, const std::string& directory,
                                       const std::string& extra = "") {

@@ -8,7 +8,7 @@
 
 namespace floc::test {
 
-/// Returns the packing with the contact forces that result if no grain moves.
+/// Returns the packing with the contact forces that its positions and histories give while no grain moves.
 template <int Dim>
 Packing<Dim> at_rest(const Packing<Dim>& packing) {
   Packing<Dim> at = packing;
@@ -33,8 +33,8 @@ BoundaryColumns<Dim> strain_columns(const NetworkContact<Dim>& c, int n) {
 
 /// Returns minus the derivative of the generalised forces with respect to the generalised displacements, with all
 /// geometric terms. The displacements are the translations of the grains, the rotations of the grains times their
-/// radii, and the first n strains; the generalised forces are conjugate to these displacements. The matrix is not
-/// symmetric.
+/// radii, and the first n_strains strains. The generalised forces are conjugate to these displacements. The matrix is
+/// not symmetric.
 template <int Dim>
 Eigen::MatrixXd consistent_tangent(const Packing<Dim>& packing, int n_strains) {
   std::vector<Mat<Dim>> frames;

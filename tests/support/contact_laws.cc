@@ -30,7 +30,8 @@ void choose_keyword(LawParameters& law, const std::string& key, const std::strin
 }
 
 /// Returns a value for a parameter that is not listed in `numbers`. The value depends on the unit of the parameter. A
-/// stiffness gets 1.5 times the normal stiffness, because the stiffness of unloading must exceed the normal stiffness.
+/// stiffness gets 1.5 times the normal stiffness; this is also valid as a stiffness of unloading, which must exceed the
+/// normal stiffness.
 double number_like(Unit unit, const std::map<std::string, double>& numbers) {
   switch (unit) {
     case Unit::stiffness:

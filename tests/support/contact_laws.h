@@ -22,7 +22,8 @@ Part linear(double stiffness);
 Part hertz(double modulus, double poisson);
 Part tail_adhesion(double force, double range);
 Part constant_adhesion(double force);
-/// @param form, formation  keywords as in a scene; the defaults are the first keywords
+/// @param form, formation  keywords as in a scene; without these arguments, the first of the keywords that a scene may
+/// contain
 Part liquid(double surface_tension, double contact_angle, double water_content, double density_ratio,
             const std::string& form = "exponential", const std::string& formation = "gap");
 Part viscous_damping(double restitution);

@@ -24,9 +24,9 @@ class Coverage {
     count.held += p.low95 && p.high95 && *p.low95 <= truth->second && truth->second <= *p.high95;
   }
 
-  /// Expects that intervals contain the true value in 95 % of the draws. With 2000 draws, fractions from 93.5 to 96.5 %
-  /// are accepted. With fewer or more draws, this range is wider or narrower, by the change of three standard
-  /// deviations of the fraction.
+  /// Expects that intervals contain the true value in 95 % of the draws. The accepted range is 93.5 to 96.5 % for 2000
+  /// draws. For another number of draws, its ends are shifted by the change of three standard deviations of the
+  /// fraction.
   void expect_honest(int n_draws, const std::string& what) const {
     const auto three_deviations = [](int n) { return 3.0 * std::sqrt(0.95 * 0.05 / n); };
     const double open = 0.015 + three_deviations(n_draws) - three_deviations(2000);

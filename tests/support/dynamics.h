@@ -35,8 +35,8 @@ Packing<Dim> agitated_gas(int n, const Law& law) {
   return gas;
 }
 
-/// Returns an agitated gas with so many blocks of grains that the forces of the first blocks are summed before those of
-/// the last blocks are computed. The cell is so long that two threads share only few blocks.
+/// Returns an agitated gas with many blocks of grains, so that the forces of the first blocks are summed before those
+/// of the last blocks are computed. The cell is so long that two threads share only a few blocks.
 template <int Dim>
 Packing<Dim> large_agitated_gas(const Law& law) {
   Vec<Dim, int> copies = Vec<Dim, int>::Ones();
@@ -82,8 +82,8 @@ void expect_same_bits(const Packing<Dim>& p, const Packing<Dim>& q) {
   for (std::size_t c = 0; c < p.contacts.size(); ++c) EXPECT_EQ(p.contacts[c].history, q.contacts[c].history);
 }
 
-/// Expects that results are identical bit for bit if the neighbour lists have another skin, or if the motion is
-/// computed in several parts.
+/// Expects that results do not depend on the skin of the neighbour lists, or on the number of parts in which the motion
+/// is computed: they must be identical bit for bit.
 template <int Dim>
 void expect_no_trace_of_lists() {
   const Packing<Dim> gas = agitated_gas<Dim>(200, cohesive_law());
@@ -106,7 +106,7 @@ void expect_no_trace_of_threads() {
   expect_same_bits(one, two);
 }
 
-/// Expects that results do not depend on the rows of forces that are kept in memory. One thread overwrites earlier rows
+/// Expects that results do not depend on which rows of forces are kept in memory. One thread overwrites earlier rows
 /// with later rows; several threads keep the rows that they share.
 template <int Dim>
 void expect_no_trace_of_kept_rows(const Packing<Dim>& gas) {

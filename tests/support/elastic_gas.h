@@ -33,7 +33,8 @@ RelaxationOptions strict_options() {
   return options;
 }
 
-/// Returns the logarithmic strains, compression positive, by which a packing comes to rest under another stress.
+/// Returns the logarithmic strains (shortening positive) of a packing at rest after its stress has changed and it has
+/// come to rest again.
 template <int Dim>
 Vec<Dim> strain_under(const Packing<Dim>& rested, const Vec<Dim>& stress) {
   const RigidEnd<Dim> end =
@@ -44,9 +45,10 @@ Vec<Dim> strain_under(const Packing<Dim>& rested, const Vec<Dim>& stress) {
   return strain;
 }
 
-/// Expects that the moduli with prestress of an elastic packing are those of the strains that small stresses cause, up
-/// to a share of 1e-6 of the largest modulus. Tangential forces make the measured matrix unsymmetric by some P/K_N;
-/// its symmetric part is compared. Moduli without prestress differ by some P/K_N, and their bounds hold.
+/// Expects that the moduli of an elastic packing, with prestress, agree with the strains that small changes of the
+/// stress cause. The tolerance is 1e-6 of the largest modulus. Tangential forces make the matrix of the measured moduli
+/// unsymmetric, by some P/K_N; its symmetric part is compared. Also expects that moduli without prestress differ only
+/// by some P/K_N, and lie between their bounds.
 /// @param step  change of the stress, divided by the pressure
 template <int Dim>
 void expect_moduli_of_strains(int count, const ShapeOptions& shape, double friction, double step) {

@@ -77,8 +77,8 @@ Packing<Dim> read_packing(const std::string& path, ImportOptions options = {}) {
   return std::get<State<Dim>>(imported.state).packing;
 }
 
-/// Expects that two packings have the same grains, ends of axes, contacts and forces, and the same net forces
-/// on the grains.
+/// Expects that two packings are equal: grains, ends of the axes, contacts with their forces, and net forces on the
+/// grains.
 /// @param tolerance  largest accepted difference between two coordinates, or between two forces divided by the largest
 /// force
 template <int Dim>

@@ -12,8 +12,8 @@
 
 #include "floc/network/contact_network.h"
 
-/// Contact networks that are built directly from the numbers in text files, without the readers, the contact
-/// search and the contact laws of the library.
+/// Contact networks that are built directly from the numbers in text files. They use neither the readers nor the
+/// contact search nor the contact laws of the library.
 namespace floc::test {
 
 /// Returns the rows of numbers that follow a line beginning with `header` in a text file. Lines that begin with
@@ -61,8 +61,8 @@ class HandNetwork {
     }
   }
 
-  /// Returns the periodic image of the second grain that is nearest to the first grain, as a number of lattice vectors
-  /// along each axis.
+  /// Returns the index of the periodic image of the second grain that is nearest to the first grain: one number of
+  /// lattice vectors for each axis.
   Vec<Dim, int> nearest_image(std::int64_t id1, std::int64_t id2) const {
     constexpr int kFarthest = 2, kWidth = 2 * kFarthest + 1;
     int n_images = 1;

@@ -11,10 +11,10 @@
 
 namespace floc::test {
 
-/// Normal law with two stiffnesses: K1 while the overlap increases beyond its largest value so far, and K2 below this
-/// value [Walton and Braun, J. Rheol. 30, 949 (1986)]. Tests use it as a law with a history. A contact dissipates
-/// energy if K2 > K1, and would gain energy if K2 < K1. Surfaces separate when the force becomes zero. For K2 > K1,
-/// this happens while the grains still overlap.
+/// Normal law with two stiffnesses: K1 while the overlap is larger than ever before, and K2 at smaller overlaps [Walton
+/// and Braun, J. Rheol. 30, 949 (1986)]. Tests use it as a law with a history. A contact dissipates energy if K2 > K1,
+/// and would gain energy if K2 < K1. Surfaces separate when the force becomes zero. For K2 > K1, this happens while the
+/// grains still overlap.
 struct HystereticRepulsion {
   double normal_stiffness;  ///< K1, while the overlap grows (force/length)
   double unloading;         ///< K2, below the largest overlap (force/length)

@@ -16,13 +16,13 @@
 /// Counts the constraints in packings of rigid grains.
 namespace floc::test {
 
-/// Number of constraints of the contacts with a force, and number of motions (degrees of freedom) of the grains that
-/// have such contacts.
+/// Number of constraints that the contacts with a force give, and number of motions (degrees of freedom) of the grains
+/// with such contacts.
 struct ConstraintCount {
   int constraints = 0, motions = 0;
 };
 
-/// Returns the contacts with forces above 1e-6 of the mean force, in their order.
+/// Returns the contacts with elastic forces above 1e-6 times the mean force, in their order.
 template <int Dim>
 std::vector<const Contact<Dim>*> carrying_contacts(const Packing<Dim>& packing) {
   const double least = 1e-6 * mean_repulsive_force(packing);
@@ -32,8 +32,8 @@ std::vector<const Contact<Dim>*> carrying_contacts(const Packing<Dim>& packing) 
   return out;
 }
 
-/// Counts the constraints of carrying_contacts(). Each contact point of a pair gives one
-/// constraint, but a pair has at most two constraints for an edge on a side or face, and at most three for two faces.
+/// Counts the constraints of carrying_contacts(). Each contact point gives one constraint, but a pair of grains has at
+/// most two constraints in 2D and at most three in 3D.
 template <int Dim>
 ConstraintCount count_constraints(const Packing<Dim>& packing, int motions_per_grain) {
   ConstraintCount out;
@@ -47,8 +47,8 @@ ConstraintCount count_constraints(const Packing<Dim>& packing, int motions_per_g
     last = c;
   }
   for (const bool one : carries) out.motions += one ? motions_per_grain : 0;
-  // Contacts do not constrain uniform translations of all grains, but they do constrain the free side lengths of the
-  // cell. The number of translations equals the number of side lengths, so the two cancel.
+  // Two numbers are left out, because they are equal: the number of uniform translations of all grains, which contacts
+  // do not constrain, and the number of side lengths of the cell, which contacts do constrain.
   return out;
 }
 
@@ -64,16 +64,17 @@ void expect_isostatic() {
   EXPECT_NEAR(count.constraints, count.motions, 0.01 * count.motions + 1.0);
 }
 
-/// Second derivatives of P V at rest, along the motions that close or open no contact with a force. The grains are
-/// rigid, without friction, in a periodic cell under the pressure P.
+/// Motions that close or open no contact with a force, and the second derivatives of P V along these motions. The
+/// packing is at rest. Its grains are rigid, without friction, in a periodic cell under the pressure P.
 struct HeldMotions {
-  /// number of independent motions that close or open no contact, without uniform translations
+  /// number of these motions that are independent, without uniform translations
   int n_motions = 0;
   double least = 0.0;  ///< smallest eigenvalue of the second derivatives along these motions, divided by P
 };
 
-/// Returns the motions that contacts alone do not hold. A motion z with grad g . z = 0 for all gaps g with forces f is
-/// held if the second derivative of P V - sum f g along z is positive.
+/// Returns the motions z with grad g . z = 0 for the gaps g of all contacts with a force f: to first order, the
+/// contacts do not resist them. A motion is nevertheless held if the second derivative of P V - sum f g along z is
+/// positive.
 template <int Dim>
 HeldMotions motions_held_by_curvature(const Packing<Dim>& packing, double pressure) {
   constexpr int kDof = kDofs<Dim>;
@@ -114,9 +115,9 @@ HeldMotions motions_held_by_curvature(const Packing<Dim>& packing, double pressu
   return out;
 }
 
-/// Counts the independent loops of grains in which neighbours touch with two sides, each with a force at both ends.
-/// The sides of equal regular polygons include the same angles, so that a loop closes whatever its grains do. One of
-/// its constraints on rotations then follows from the others.
+/// Counts the independent closed loops of polygons in which all neighbours touch along a side, with a force at both
+/// ends of the side. If the polygons are equal and regular, their rotations along the loop always sum to a multiple of
+/// the angle between two sides. One of the constraints on the rotations then follows from the others.
 inline int count_side_loops(const Packing<2>& packing) {
   std::vector<int> parent(packing.grains.size());
   std::iota(parent.begin(), parent.end(), 0);
@@ -137,16 +138,17 @@ inline int count_side_loops(const Packing<2>& packing) {
   return loops;
 }
 
-/// Random polyhedra have no loops of faces that close whatever their grains do.
+/// Random polyhedra have no such loops.
 inline int count_side_loops(const Packing<3>&) {
   return 0;
 }
 
-/// Expects that frictionless grains with corners come to rest with at most as many independent constraints as motions
-/// (force balance allows one more for each set of forces without load), and with at least a share of them. All
-/// constraints are independent, so that the forces are unique, but for the loops of count_side_loops(). The curvature
-/// of the gaps (of crossed edges, or of a corner that turns on a side) holds the remaining motions, as that of the
-/// surfaces does in packings of ellipses [DCST2007].
+/// Expects that frictionless grains with corners come to rest with at most as many independent constraints as motions,
+/// and with at least the fraction `least_share` of this number. (The forces are then unique: force balance would allow
+/// one more constraint for each set of forces that balance without a load.) The constraints are independent except for
+/// those of count_side_loops(). The remaining motions are held by the curvature of the gaps, for example of two crossed
+/// edges, or of a corner that turns on a side. In packings of ellipses, the curvature of the surfaces has this effect
+/// [DCST2007].
 template <int Dim>
 void expect_nearly_isostatic(const ShapeOptions& shape, int n, std::uint64_t seed, double least_share) {
   const RigidEnd<Dim> end = relaxed<Dim>(make_rigid_gas<Dim>({.count = n, .shape = shape, .seed = seed}));

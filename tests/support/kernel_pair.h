@@ -9,8 +9,8 @@
 
 namespace floc::test {
 
-/// Two spheres of unit diameter and mass with prescribed motion. Their forces are computed by the compiled kernels of
-/// one instruction set. At the start, the second sphere is displaced from the first sphere along the x axis.
+/// Two spheres of unit diameter and mass whose motion is prescribed. The compiled kernels of one instruction set
+/// compute their forces. At the start, the second sphere lies next to the first along the x axis.
 class KernelPair {
  public:
   KernelPair(const LawParameters& law, double overlap, InstructionSet instructions)
@@ -51,7 +51,7 @@ class KernelPair {
     move({position(0), position(1)}, {spin, spin}, 1.0);
   }
 
-  /// Changes the overlap and makes the surfaces slip in the same step.
+  /// Changes the overlap and makes the surfaces slip, both in one step.
   void approach_and_slip(double overlap, const Vec<3>& by) {
     const Vec<3> n = normal();
     const double mean_distance = 0.5 * ((position(1) - position(0)).norm() + 1.0 - overlap);

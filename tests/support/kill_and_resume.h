@@ -70,8 +70,8 @@ inline std::string rows_without_seconds(const std::string& file) {
   return kept;
 }
 
-/// Expects that the results of two runs are identical: the state files byte for byte, and the rows of path.csv except
-/// for the wall times.
+/// Expects that two runs have identical results: the state files byte for byte, and the rows of path.csv except for the
+/// wall times.
 /// @param n_states  expected number of states; the default is the number of the small scene
 inline void expect_same_results(const std::string& a, const std::string& b, int n_states = 9) {
   int n = 0;

@@ -14,8 +14,8 @@
 /// Samples on a lattice whose nodes have prescribed or random phases. They do not come from a packing.
 namespace floc::test {
 
-/// Returns a sample in which a function of the position gives the phase and the grain of each node.
-/// @param grain_at index of a grain, -1 for matrix, -2 for void
+/// Returns a sample whose nodes get their phase and grain from a function of the position.
+/// @param grain_at  index of a grain, -1 for matrix, -2 for void
 template <int Dim>
 CementedSample<Dim> sample_of(Lattice<Dim> lattice, const std::function<int(const Vec<Dim>&)>& grain_at) {
   CementedSample<Dim> out;

@@ -16,9 +16,9 @@
 /// Calls tests for all rows of the law table, in every dimension, with sample parameters.
 namespace floc::test {
 
-/// Sample parameters of a model in reduced units, similar to the parameters of [GRC2008]. All parameters have different
-/// values, so that a test notices if two of them are exchanged. Each kind of model needs a specialization, without
-/// which the tests do not compile.
+/// Sample parameters of a model in reduced units, similar to the parameters of [GRC2008]. All values are different, so
+/// that a test notices if two parameters are exchanged. Each kind of model needs a specialization; without it the tests
+/// do not compile.
 template <class Slot>
 struct Sample;
 
@@ -135,7 +135,8 @@ using LawsOfOtherKinds = std::variant<
     ContactLaw<StickySpring, NoAdhesion, NoDamping, NoFriction, NoRolling, NoTwisting>,
     ContactLaw<StickySpring, NoAdhesion, ViscousDamping, CoulombFriction, RollingSpring, TwistingSpring>>;
 
-/// Calls check(law) for every row of the table and for every law of LawsOfOtherKinds, like for_each_law().
+/// Calls check(law) for every row of the law table and for every law of LawsOfOtherKinds, as for_each_law() does for
+/// the rows.
 template <class Check>
 void for_each_kind_of_law(Check&& check) {
   for_each_law(check);
@@ -213,8 +214,9 @@ double stiffness_bound(const Law& law) {
   return law.stiffness_bound(pair_at(0.0), {1e-2}).normal;
 }
 
-/// Returns the overlap of a free pair, at which adhesion and repulsion balance; zero without adhesion. The overlap is
-/// computed by Newton's method. The first step uses the largest stiffness, which is exact for linear repulsion.
+/// Returns the overlap of a pair on which no external force acts: adhesion and repulsion balance. Zero without
+/// adhesion. The overlap is computed by Newton's method. The first step uses the largest stiffness, which is exact for
+/// linear repulsion.
 template <class Law>
 double free_overlap(const Law& law) {
   if (pull_off_force(law) == 0.0) return 0.0;
@@ -231,8 +233,8 @@ double free_overlap(const Law& law) {
 template <class Law>
 inline constexpr bool kForgetsOverlap = history_size<typename std::decay_t<Law>::NormalModel>(2) == 0;
 
-/// Returns the history of a contact that was pressed deeper than in any other test. Laws that do not depend on
-/// earlier overlaps have the history of a new contact.
+/// Returns the history of a contact that was pressed to an overlap larger than in any test. For laws that do not depend
+/// on earlier overlaps, returns the history of a new contact.
 template <int Dim, class T = double, class Law>
 ContactHistoryOf<Law, Dim, T> pressed_memory(const Law& law) {
   ContactHistoryOf<Law, Dim, T> history;

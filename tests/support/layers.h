@@ -53,8 +53,8 @@ inline const LayerOrder& layer_order() {
   return order;
 }
 
-/// Beginnings of the names of headers of other libraries. Each beginning is listed with the folders that may include
-/// these headers, mostly a single one. If no folder is listed, no folder of the library may include them.
+/// Beginnings of the names of headers of other libraries, each with the folders of lib/floc that may include these
+/// headers; mostly a single folder. If the list of folders is empty, no folder may include them.
 inline const std::vector<std::pair<std::string, std::set<std::string>>>& foreign_owners() {
   static const std::vector<std::pair<std::string, std::set<std::string>>> owners = {
       {"cholmod", {"linalg"}},
@@ -108,8 +108,7 @@ inline std::vector<Include> includes_of(const std::string& text) {
   return found;
 }
 
-/// Describes how an include in a source of `folder` violates the order of layers. Absent if the include does not
-/// violate it.
+/// Describes how an include in a source of `folder` violates the order of layers. Absent if there is no violation.
 inline std::optional<std::string> fault_of(const std::string& folder, const Include& include) {
   const LayerOrder& order = layer_order();
   if (!order.contains(folder)) return "folder " + folder + " has no place in the layer order";

@@ -8,8 +8,8 @@
 
 namespace floc::test {
 
-/// Returns a linear law with normal, tangential and rolling stiffness. Its friction limits exceed all forces in the
-/// tests.
+/// Returns a linear law with normal, tangential and rolling stiffness. Its friction limits are larger than all forces
+/// in the tests.
 inline Law elastic_law(double kn, double kt, double kr) {
   Law law;
   law += test::linear(kn);
@@ -18,9 +18,9 @@ inline Law elastic_law(double kn, double kt, double kr) {
   return law;
 }
 
-/// Returns randomly placed grains of radius 0.35 to 0.65 in a skewed cell. The grains are so dense that they cannot
-/// move freely, but they are not in equilibrium. With few grains, the cell is so small that grains touch their own
-/// images.
+/// Returns randomly placed grains of radius 0.35 to 0.65 in a skewed cell. The packing is so dense that the grains
+/// cannot move freely, but it is not in equilibrium. If there are few grains, the cell is so small that grains touch
+/// their own images.
 template <int Dim>
 Packing<Dim> random_packing(int n_grains, unsigned seed, const Law& law, double grains_per_volume = 1.6) {
   std::mt19937 engine(seed);

@@ -8,9 +8,9 @@
 namespace floc::test {
 
 /// Computes the work on a contact along its normal while a test prescribes its gap: minus the integral of the static
-/// normal force over the gap. The work is computed by the trapezoidal rule, which is exact for a linear force. The
-/// force may jump when surfaces begin or cease to touch. A step with a jump is divided there, and the gap of the jump
-/// is found to the last bit.
+/// normal force over the gap. The trapezoidal rule is used, which is exact for a linear force. The force may jump when
+/// surfaces begin or cease to touch. A step with such a jump is divided at the gap of the jump, which is found to the
+/// last bit.
 template <class Law, int Dim>
 class NormalWork {
  public:

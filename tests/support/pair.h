@@ -15,8 +15,8 @@ struct GrainStep {
 };
 
 /// Two grains in contact with prescribed motion. Their relative motion follows docs/physics.md, "Kinematics of a
-/// contact", with lever arms l = R r/(Ri + Rj). The motion is evaluated in the middle of the step, so that the error is
-/// of second order in the step.
+/// contact". The lever arm of a grain of radius R is l = R r/(Ri + Rj), with the branch length r. The motion is
+/// evaluated in the middle of the step, so that the error is of second order in the step.
 template <class Law, int Dim>
 class MovingPair {
  public:

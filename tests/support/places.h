@@ -2,8 +2,8 @@
 
 #include <string>
 
-/// Paths of the files that tests read and run. The paths are compiled in a single source file. If the paths were
-/// compiler options or part of this header, several checkouts could not share a compiler cache.
+/// Paths of the files that tests read and run. A single source file contains the paths. If they were compiler options
+/// or part of this header, several checkouts could not share a compiler cache.
 namespace floc::test {
 
 /// Root of the source tree, without a slash at the end.

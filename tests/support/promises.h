@@ -17,8 +17,8 @@
 #include "floc/tradeoff/sample_path.h"
 #include "floc/tradeoff/studied_setting.h"
 
-/// Counts how often an error exceeds its promise. Tables of prices and plans promise the errors; the samples are not in
-/// the tables.
+/// Counts how often an error exceeds the promised error. The errors are promised by tables of prices and by plans. The
+/// samples of the tests are not in the tables.
 namespace floc::test {
 
 /// Number of promised errors, and number of those that the samples did not exceed.
@@ -56,7 +56,7 @@ inline StudiedSetting studied(const Scene& scene, const std::string& name) {
   return studied_settings(scene)[1];
 }
 
-/// Counts the single states of a sample, and the states whose error does not exceed the error in the table.
+/// Counts the states of a sample, and those states whose error does not exceed the error in the table.
 inline void count_states(const PricedSettings& priced, const SamplePath& reference, const SamplePath& path,
                          KeptPromises& promises) {
   const std::vector<bool> same = before_collapse(reference, path);
@@ -76,9 +76,9 @@ inline void count_states(const PricedSettings& priced, const SamplePath& referen
   }
 }
 
-/// Runs samples of a scene with seeds that the table does not use, and counts how many of their errors do not exceed
-/// the errors of the table. Counts errors of single states and errors of means. Errors of means may exceed the error of
-/// the table by their confidence interval.
+/// Runs samples of a scene with seeds that the table does not use. Counts the errors of single states and of means, and
+/// how many of them do not exceed the errors of the table. An error of a mean may exceed the error of the table by the
+/// confidence interval of the mean.
 inline PromisesOfTable count_promises(const Scene& scene, const PriceTable& table,
                                       const std::vector<std::string>& names, std::uint64_t seed,
                                       int n_samples) {
@@ -118,8 +118,8 @@ inline PromisesOfTable count_promises(const Scene& scene, const PriceTable& tabl
   return promises;
 }
 
-/// Makes lattices of cemented grains with seeds that the table does not use, and counts how many of their errors do not
-/// exceed the errors of the table, for all numbers of nodes in the table.
+/// Makes lattices of cemented grains with seeds that the table does not use, for all numbers of nodes in the table.
+/// Counts the errors, and how many of them do not exceed the errors of the table.
 /// @param scene  scene of the packings
 inline PromisesOfTable count_lattice_promises(Scene scene, const PriceTable& table, double matrix_content,
                                               std::uint64_t seed, int n_samples) {
@@ -154,8 +154,8 @@ inline PromisesOfTable count_lattice_promises(Scene scene, const PriceTable& tab
   return promises;
 }
 
-/// Error that a plan promises for an observable, and actual difference between the samples of the plan and a reference
-/// ensemble.
+/// Error that a plan promises for an observable, and the actual error: the difference between the samples of the plan
+/// and a reference ensemble.
 struct PlanOutcome {
   std::string observable;
   double promised, achieved;

@@ -42,8 +42,8 @@ std::optional<ShapeOptions> random_shape(RandomStream& random) {
   }
 }
 
-/// Strains a packing by a shear or by a new length of one axis. Expects that the motion ends at the imposed strain in a
-/// state that passes verification, or that a reason for the failure is given.
+/// Imposes a shear or a new length of one axis on a packing. Expects that the motion ends at the imposed strain in a
+/// state that passes the verification, or that the relaxation gives a reason for its failure.
 template <int Dim>
 void strain_at_random(std::uint64_t seed, const Packing<Dim>& packing, RelaxationOptions options) {
   RandomStream random(seed, 2);

@@ -52,8 +52,8 @@ Packing<Dim> make_rigid_gas(const RigidGas& gas) {
   // fraction of the cell that the circumscribed circles or spheres fill
   constexpr double kSolidFraction = Dim == 2 ? 0.4 : 0.3;
   if (!gas.shape) return make_gas<Dim>(grains, law, kSolidFraction, random);
-  // make_gas() draws the diameters from this stream. A copy of the stream gives the same diameters in advance, from
-  // which the volume fraction of the grains is computed.
+  // make_gas() will draw the diameters from this stream. A copy of the stream gives the same diameters in advance. The
+  // volume fraction of the grains is computed from them.
   RandomStream copy = random;
   const std::vector<double> diameters = draw_diameters(grains, copy);
   const double share = share_of_bounding_balls(shaped_grains<Dim>(grains, diameters, gas.seed));
@@ -61,8 +61,8 @@ Packing<Dim> make_rigid_gas(const RigidGas& gas) {
                               GasKind::equilibrated);
 }
 
-/// Returns a gas of grains with corners that is compressed, with the positions of the grains, until the closest pair has a
-/// gap of 0.01 to 0.02.
+/// Returns a gas of grains with corners. The cell and the positions of the grains have been compressed until the
+/// closest pair has a gap of 0.01 to 0.02.
 inline Packing<3> make_dense_gas(const RigidGas& gas) {
   for (Packing<3> packing = make_rigid_gas<3>(gas);;) {
     Packing<3> denser = packing;
@@ -92,8 +92,8 @@ struct RigidEnd {
 };
 
 /// Relaxes a packing under a load.
-/// @param remade  whether a new relaxer is created after each chunk of steps, from the packing and the progress of the
-/// old one
+/// @param remade  whether each chunk of steps is made by a new relaxer, which gets the packing and the progress of the
+/// previous one
 template <int Dim>
 RigidEnd<Dim> relaxed_under(const LoadTarget<Dim>& load, Packing<Dim> packing,
                             const RelaxationOptions& options = rigid_options(), bool remade = false,
@@ -162,8 +162,8 @@ void expect_at_rest(const RigidEnd<Dim>& end) {
   expect_verified(end.packing);
 }
 
-/// Expects that a relaxation ended in a state at rest, or in a packing with finite numbers and with a reason for the
-/// failure.
+/// Expects that a relaxation ended in a state at rest. Otherwise expects finite numbers in the packing, and a reason
+/// for the failure.
 template <int Dim>
 void expect_at_rest_or_reason(const RigidEnd<Dim>& end) {
   if (end.status == RelaxationStatus::converged) return expect_verified(end.packing);

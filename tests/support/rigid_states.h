@@ -94,7 +94,7 @@ inline State<2> brick_bond(double pressure, double friction) {
   return state;
 }
 
-/// Removes the contacts between blocks that meet only in an edge or corner, and computes the quantities of the state
+/// Removes the contacts between blocks that share only an edge or a corner. Then computes the quantities of the state
 /// again.
 template <int Dim>
 void keep_neighbours_across_faces(State<Dim>& state) {

@@ -28,7 +28,7 @@ inline Outcome run_on_terminal(const std::string& arguments, const std::string& 
   }
   std::string out;
   char buffer[4096];
-  // At the end of the program, reading from its terminal gives an error instead of the end of file.
+  // When the program ends, reading from its terminal gives an error instead of the end of file.
   for (ssize_t n = 0; (n = ::read(terminal, buffer, sizeof buffer)) > 0;)
     for (ssize_t k = 0; k < n; ++k)
       if (buffer[k] != '\r') out += buffer[k];

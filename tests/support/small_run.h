@@ -6,7 +6,7 @@
 
 namespace floc::test {
 
-/// Fixture: a directory with a run of the small scene in `run/`, which is made once for all tests of a suite. The run
+/// Fixture: a directory with a run of the small scene in `run/`. The run is made once for all tests of a suite. It
 /// consists of the assembly, seven states of loading and one state of unloading.
 class SmallRun : public ::testing::Test {
  protected:

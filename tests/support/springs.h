@@ -7,8 +7,8 @@
 
 namespace floc::test {
 
-/// Returns the elongation (length) of the tangential spring in the history of a contact with Coulomb friction, for
-/// reading and writing.
+/// Returns the part of the history of a contact with Coulomb friction that contains the elongation (length) of the
+/// tangential spring. It can be read and written.
 template <int Dim>
 auto shear_spring(Contact<Dim>& c) {
   return c.history.template segment<kShearComponents<Dim>>(HistoryLayout<Dim>::kFriction);
@@ -18,8 +18,8 @@ Shear<Dim> shear_spring(const Contact<Dim>& c) {
   return c.history.template segment<kShearComponents<Dim>>(HistoryLayout<Dim>::kFriction);
 }
 
-/// Returns the relative rotation (radians) in the history of a contact with rolling resistance, for reading and
-/// writing.
+/// Returns the part of the history of a contact with rolling resistance that contains the relative rotation (radians).
+/// It can be read and written.
 template <int Dim>
 auto rolling_spring(Contact<Dim>& c) {
   return c.history.template segment<kRotations<Dim>>(HistoryLayout<Dim>::kRolling);
@@ -29,8 +29,7 @@ RotationVector<Dim> rolling_spring(const Contact<Dim>& c) {
   return c.history.template segment<kRotations<Dim>>(HistoryLayout<Dim>::kRolling);
 }
 
-/// Returns the rotation about the normal (radians) in the history of a contact with twisting resistance, for reading
-/// and writing.
+/// Returns a reference to the rotation about the normal (radians) in the history of a contact with twisting resistance.
 inline double& twisting_spring(Contact<3>& c) {
   return c.history[HistoryLayout<3>::kTwisting];
 }

@@ -13,9 +13,10 @@
 
 namespace floc::test {
 
-/// Returns a state that uses every slot of the law, every flag and every text. The grains lie on a line in a skewed
-/// cell. One pair overlaps and has stretched springs, one pair attracts at a distance, and one grain touches its own
-/// image. The state is not in equilibrium. Its numbers have no short decimal form, so that a test notices lost digits.
+/// Returns a state with a model in every slot of the law, and with every flag and every text. The grains lie on a line
+/// in a skewed cell. One pair overlaps and has stretched springs, one pair attracts at a distance, and one grain
+/// touches its own image. The state is not in equilibrium. Its numbers have no short decimal form, so that a test
+/// notices lost digits.
 template <int Dim>
 State<Dim> busy_state() {
   State<Dim> s;

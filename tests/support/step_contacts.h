@@ -5,7 +5,7 @@
 #include "floc/network/contact_network.h"
 #include "floc/rigid/step_contact.h"
 
-/// Bodies and contacts, with prescribed values, for tests of the equations of a single time step.
+/// Bodies and contacts with prescribed values, for tests of the equations of a single time step.
 namespace floc::test {
 
 /// Returns n bodies and the ground at rest. The ground is the last body and is fixed.

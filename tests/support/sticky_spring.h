@@ -9,9 +9,9 @@
 namespace floc::test {
 
 /// Normal law under which surfaces that have touched stay connected across a gap, as in the law of Johnson, Kendall and
-/// Roberts [Proc. R. Soc. A 324, 301 (1971)]. For connected surfaces with an overlap d > -l, the elastic force is FNe =
-/// K_N (d + l) and the adhesion FNa = -K_N l. The surfaces separate at a gap l under a tension of K_N l. When they
-/// meet, the force is zero, and the energy K_N l^2/2 is lost.
+/// Roberts [Proc. R. Soc. A 324, 301 (1971)]. For connected surfaces with an overlap d (negative for a gap) above -l,
+/// the elastic force is FNe = K_N (d + l) and the adhesion is FNa = -K_N l. The surfaces separate at a gap l under a
+/// tension of K_N l. When they meet, the force is zero, and the energy K_N l^2/2 is lost.
 struct StickySpring {
   double normal_stiffness;  ///< K_N (force/length)
   double holding_gap;       ///< l (length)

@@ -55,9 +55,8 @@ inline ConsolidationCurve noisy_curve(const std::function<double(double)>& phi_o
   return curve;
 }
 
-/// Returns a curve as it is read from the table of a creeping sample. At every second pressure, the table has one or
-/// two rows before the last row at this pressure, in which the sample is still looser. Only the last row at each
-/// pressure counts.
+/// Returns a curve as it is read from the table of a sample that creeps. At every second pressure, the table has one or
+/// two additional rows in which the sample is still looser. Only the last row at each pressure counts.
 inline ConsolidationCurve through_creep(const ConsolidationCurve& curve, RandomStream& random) {
   std::vector<PathRow> rows;
   for (std::size_t i = 0; i < curve.phi.size(); ++i) {

@@ -9,7 +9,7 @@
 namespace floc::test {
 
 /// Runs a scene in a new directory like `floc run --no-timing`, but always with the given number of threads. The
-/// program would use fewer threads if the sample has too few grains for this number (useful_threads()).
+/// program itself would use fewer threads for a sample with too few grains (useful_threads()).
 /// @return whether every equilibrium up to `until` is saved
 template <int Dim>
 bool run_with_threads(Scene scene, const std::string& directory, int threads, int until) {

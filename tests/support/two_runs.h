@@ -14,8 +14,8 @@
 namespace floc::test {
 
 /// Starts two runs with different seeds in one directory, with and without --resume and --overwrite. The second run
-/// starts after a random delay. In every case, the directory must contain all results of one run and no results of the
-/// other run.
+/// starts after a random delay. In every case, the directory must contain all results of one run and none of the other
+/// run.
 inline void start_two_runs_on_one_directory(int n_times, std::uint64_t seed) {
   const ScratchDirectory scratch;
   write_text(scratch.file("small.toml"), small_scene());

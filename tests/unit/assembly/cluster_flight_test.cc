@@ -56,8 +56,8 @@ TEST(ClusterFlight, MovesAClusterAsItsDynamicsDo) {
   const Packing<2> moved = dynamics->packing();
   for (int i = 0; i < 3; ++i) {
     // ClusterFlight moves the clusters in one step; make_dynamics() moves the grains in many time steps. The final
-    // positions differ by less than the motion in one time step. In the many steps, the rotation stretches the contact
-    // by 5e-10.
+    // positions differ by less than the motion in one time step. In the computation with many steps, the rotation
+    // stretches the contact by 5e-10, which changes the velocities.
     EXPECT_LT((flown.cell.wrapped(flown.grains.position[i]) - moved.grains.position[i]).norm(), 0.05 * dt);
     EXPECT_LT((flown.grains.velocity[i] - moved.grains.velocity[i]).norm(), 1e-6);
     EXPECT_NEAR(flown.grains.orientation[i], moved.grains.orientation[i], 0.02 * dt);
@@ -82,8 +82,8 @@ TEST(ClusterFlight, EndsAfterTheLongestTimeWhereNothingMeets) {
   EXPECT_NEAR(packing.grains.position[0][0], 41.0, 1e-9);
 }
 
-/// A chain whose two ends touch across the cell boundary cannot rotate as a rigid body. The first half of its grains
-/// moves up and the second half moves down, so the chain deforms.
+/// A chain whose two ends touch across the cell boundary cannot rotate as a rigid body. The velocities of the first
+/// half of its grains point up and those of the second half down, so they contain a deformation of the chain.
 TEST(ClusterFlight, DoesNotTurnWhatWindsAroundTheCell) {
   std::vector<Vec<2>> places;
   for (int k = 0; k < 10; ++k) places.emplace_back(k + 0.5, 2.0);
@@ -116,7 +116,7 @@ TEST(ClusterFlight, MovesSpheresThatWindAroundTheCellWithoutTurningThem) {
     EXPECT_LT((packing.grains.position[k] - (places[k] + Vec<3>(0.2, 0.0, 0.4))).norm(), 1e-12);
 }
 
-/// The springs of a rotating cluster rotate with the cluster. So do the forces and moments on its spheres, which do not
+/// The springs of a rotating cluster, and the forces and moments on its spheres, rotate with the cluster and do not
 /// change otherwise.
 TEST(ClusterFlight, TurnsWhatContactsOfSpheresRemember) {
   Packing<3> packing;

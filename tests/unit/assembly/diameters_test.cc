@@ -55,8 +55,8 @@ TEST(Diameters, QuantilesInvertTheClosedFormOfTheDistribution) {
 TEST(Diameters, ByVolumeEverySizeFillsTheSameVolume) {
   constexpr int kN = 200001;
   const std::vector<double> d = equally_spaced_diameters(power_law(0.05, 1, kUniformByVolume), kN);
-  // The interval from 1/20 to 1 is divided into 20 slices of equal width. Each slice contains 1/20 of the
-  // volume (or of the area, if the distribution is uniform by area).
+  // The interval from 1/20 to 1 is divided into 20 slices of equal width. Each slice contains 1/20 of the volume or, if
+  // the distribution is uniform by area, 1/20 of the area. Five slices are tested.
   double all = 0.0, middle = 0.0;
   for (const double x : d) all += x * x * x, middle += x > 0.525 && x < 0.7625 ? x * x * x : 0.0;
   EXPECT_NEAR(middle / all, 0.25, 2e-4);

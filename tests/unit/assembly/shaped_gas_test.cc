@@ -91,9 +91,9 @@ TEST(ShapedGas, OrientationsAreUniform) {
   GrainOptions grains = grains_with(cut(1), 4000);
   const std::vector<double> diameter(4000, 1.0);
   const Grains<3> g = shaped_grains<3>(grains, diameter, 5);
-  // A rotated axis is a random unit vector with a uniform distribution on the sphere. The mean of this vector
-  // is zero, and the mean of its dyadic product is 1/3 of the unit matrix. The standard errors of the means are
-  // sqrt(1/3)/sqrt(4000) = 0.009 and 0.005.
+  // An axis of a randomly rotated grain is a random unit vector with a uniform distribution on the sphere. The mean of
+  // this vector is zero, and the mean of its dyadic product is 1/3 of the unit matrix. The standard errors of the means
+  // are sqrt(1/3)/sqrt(4000) = 0.009 and 0.005.
   for (int axis = 0; axis < 3; ++axis) {
     Vec<3> mean = Vec<3>::Zero();
     Mat<3> second = Mat<3>::Zero();

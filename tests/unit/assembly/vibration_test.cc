@@ -23,7 +23,7 @@ double kinetic_energy(const Packing<3>& packing) {
   return sum;
 }
 
-/// The grains have masses 1 and 1/8 and collide across the cell boundary.
+/// The grains have the masses 1 and 1/8, and collide across the cell boundary.
 TEST(Vibration, TwoGrainsBounceAsElasticOnesDo) {
   Packing<3> pair;
   pair.law = hard();

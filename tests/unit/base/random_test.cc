@@ -10,7 +10,7 @@ namespace floc {
 namespace {
 
 TEST(RandomStream, IsSplitMix64) {
-  // First outputs of the reference implementation (S. Vigna, splitmix64.c) from the state 1234567.
+  // First outputs of the reference implementation (S. Vigna, splitmix64.c), started from the state 1234567.
   RandomStream random(1234567);
   for (const std::uint64_t expected : {6457827717110365317u, 3203168211198807973u, 9817491932198370423u,
                                        4593380528125082431u, 16408922859458223821u})

@@ -22,8 +22,8 @@ TEST(Sha256, GivesThePublishedExamples) {
             "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
-/// The lengths of the tested messages are near multiples of the block size of 64 bytes, and near 56 bytes: from 56
-/// bytes on, the length field no longer fits into the same block.
+/// The lengths of the tested messages are near multiples of 64 bytes, the size of a block, and near 56 bytes. From 56
+/// bytes on, the field with the length of the message no longer fits into the same block.
 TEST(Sha256, DoesNotDependOnThePiecesThatBytesComeIn) {
   std::string bytes;
   for (int k = 0; k < 300; ++k) bytes += static_cast<char>(37 * k);

@@ -10,10 +10,10 @@ namespace {
 
 constexpr int kPhases = 4;
 
-/// Runs a team of threads. Some of the threads throw their own number in the given phase, before the barrier that ends
-/// the phase.
-/// @param throwing  set of the throwing threads, one bit for each
-/// @return the number that run_in_team() throws, -1 if it throws nothing
+/// Runs a team of threads. Some of the threads throw their own number in the given phase, before the barrier at the end
+/// of the phase.
+/// @param throwing  set of the threads that throw, one bit for each thread
+/// @return the number that run_in_team() throws; -1 if it throws nothing
 int thrown_by(int n_threads, unsigned throwing, int phase) {
   std::vector<int> reached(static_cast<std::size_t>(n_threads), 0);
   try {

@@ -30,8 +30,8 @@ void expect_relative(double value, double expected, double tolerance = kDigits) 
   EXPECT_NEAR(value, expected, tolerance * std::abs(expected));
 }
 
-/// Reference values of a bridge with the decay length l and the rupture distance hm: strength, l, hm, force at
-/// a gap of l/2, exp(-hm/l), and minus the energy at a gap of zero.
+/// Reference values of a bridge: the strength, the decay length l, the rupture distance hm, the force at a gap of l/2,
+/// exp(-hm/l), and minus the energy at a gap of zero.
 struct Expected {
   double strength, decay_length, reach, half_way, at_reach, energy;
 };
@@ -135,8 +135,8 @@ struct Doublet {
     const ContactMotion<3> motion{gap, 0.0, 0.0, Shear<3>::Zero(), RotationVector<3>::Zero()};
     return law.respond<3, double>(motion, history, law.pair_parameters<3>(1e-3, 1e-3, history)).normal.force();
   }
-  /// Returns the work that the normal force does on the grains while their gap changes from one value to another,
-  /// integrated by the trapezoidal rule.
+  /// Returns the work that the normal force does on the grains while their gap changes from `from` to `to`, integrated
+  /// by the trapezoidal rule.
   double work(double from, double to) {
     constexpr int n = 200000;
     double sum = 0.0, before = force(from);

@@ -59,8 +59,8 @@ void expect_moduli_of_chains(int n) {
   const double expected = kn * std::pow(n, Dim - 1) / ((n + 1) * std::pow(side, Dim - 2));
   for (int a = 0; a < Dim; ++a)
     for (int b = 0; b < Dim; ++b) EXPECT_NEAR(m.C(a, b), a == b ? expected : 0.0, 1e-9 * expected);
-  // The springs of a chain in series carry equal forces, so B_reuss is exact. For n > 1 the displacements are not
-  // affine, because the branches at walls are shorter than the branches between grains. Then B_voigt is larger than B.
+  // The springs of a chain are in series and carry equal forces, so B_reuss is exact. For n > 1 the displacements are
+  // not affine: the branches at walls are shorter than those between grains. B_voigt is then larger than B.
   EXPECT_GE(m.bounds.B_voigt, n == 1 ? m.B * (1.0 - 1e-9) : 1.01 * m.B);
   EXPECT_NEAR(m.bounds.B_reuss, m.B, 1e-9 * m.B);
   EXPECT_NEAR(m.pressure, wall_pressure(packing)[0], 1e-9 * m.pressure);
@@ -117,7 +117,7 @@ void expect_moduli_of_a_chain(int n, double kt) {
   EXPECT_EQ(m.n_coupled_mechanisms, Dim - 1);
   EXPECT_EQ(m.n_negative, 0);
   if (n > 1) return;
-  // On smooth walls a sphere can slide without energy. This motion does not count as a mechanism. On rough walls the
+  // On smooth walls a sphere can slide without energy; this motion does not count as a mechanism. On rough walls the
   // sphere cannot slide.
   EXPECT_EQ(m.response.free.count(FreeMotionKind::translation), kt == 0.0 ? Dim - 1 : 0);
   EXPECT_EQ(m.n_mechanisms, m.n_coupled_mechanisms);
@@ -133,9 +133,9 @@ TEST(BoxModuli, OfAChainBetweenTwoWallsAreThoseOfSpringsInSeries) {
     }
 }
 
-/// A crystal of smooth disks may buckle under its own load, even between fixed walls. For displacements along an axis,
-/// the chains along this axis act like springs K_N with fixed ends. The chains across the axis act like springs with
-/// free ends and the negative stiffness -F/r (normal force F, branch length r).
+/// A crystal of smooth disks may buckle under its own load, even between fixed walls. If the disks are displaced along
+/// one axis, the chains along this axis act like springs of stiffness K_N with fixed ends. The chains along the other
+/// axis act like springs with free ends and the negative stiffness -F/r (normal force F, branch length r).
 TEST(BoxModuli, CompressedCrystalBucklesInAsManyWaysAsItsChainsSay) {
   const double kn = 1e4, pi = std::acos(-1.0);
   for (const auto& [n, overlap] : {std::pair(4, 1e-3), {8, 0.03}, {8, 0.1}}) {
@@ -180,7 +180,8 @@ Eigen::MatrixXd stiffness_of_bodies(const Packing<2>& packing) {
   return K;
 }
 
-/// Returns the strains that unit pressures on the walls cause. Each column belongs to the pressure on one axis.
+/// Returns the strains that unit pressures on the walls cause. Column b contains the strains due to a pressure on axis
+/// b.
 Eigen::MatrixXd compliance_by_bodies(const Packing<2>& packing) {
   const Eigen::MatrixXd K = stiffness_of_bodies(packing);
   const Eigen::Index n = K.rows() - kWalls;
@@ -206,9 +207,9 @@ TEST(BoxModuli, AreTheInverseOfWhatPressuresOnFreeWallsDo) {
   EXPECT_EQ(m.response.n_free_shifts, 0);
 }
 
-/// Attractions at a distance have negative stiffness. The number of unstable modes is compared with the number of
-/// negative eigenvalues of a dense stiffness matrix. The unknowns of this matrix are the displacements of each grain
-/// and of each wall, instead of strains and common displacements of two walls.
+/// Attractions at a distance have negative stiffness. The number of unstable modes must equal the number of negative
+/// eigenvalues of a dense stiffness matrix. The unknowns of the dense matrix are the displacements of each grain and of
+/// each wall. The library uses strains and common displacements of two walls instead.
 TEST(BoxModuli, AttractionsAcrossGapsDestabiliseInAsManyWaysAsTheMatrixOfAllBodiesSays) {
   int n_stable = 0, n_unstable = 0;
   for (const double force : {1.0, 30.0, 100.0, 300.0}) {
@@ -248,8 +249,8 @@ TEST(BoxModuli, DoNotDependOnTheUnitOfLength) {
   EXPECT_EQ(after.response.n_free_shifts, 2);
 }
 
-/// The force increments on every grain add up to zero. The force increments on a wall add up to the increment of
-/// pressure times the area of the wall.
+/// On every grain, the force increments sum to zero. On a wall, they sum to the increment of pressure times the area of
+/// the wall.
 TEST(BoxModuli, IncrementsAreInBalanceWithTheStepOfPressure) {
   const Packing<2> packing = disordered();
   const ModuliOptions options;

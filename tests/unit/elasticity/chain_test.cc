@@ -19,13 +19,14 @@ ChainStiffness stiffness(double rolling) {
   return {2.0, 1.4, rolling * 2.0 * kR * kR};
 }
 
-/// Returns the largest relative error that rounding can cause: 8 rounding units for each of about 5 entries per
-/// contact, plus the condition number times the square of 35 rounding units.
+/// Returns the largest relative error that rounding can cause. The first term is 8 rounding units for each of about 5
+/// matrix entries per contact. The second term is the condition number times the square of 35 rounding units.
 double largest_bound(int n, double condition) {
   const double unit = std::numeric_limits<double>::epsilon();
   return 50.0 * n * unit + 1200.0 * unit * unit * condition;
 }
 
+/// Expects that the error of a compliance is within its error bound, and that the bound is small.
 /// @param size  largest accepted error bound, divided by the exact value
 void expect_within_bound(const BoundedValue& solved, double exact, double size, const char* what, int n,
                          double rolling) {
@@ -63,8 +64,8 @@ TEST(Chain, BeyondDoublePrecisionTheBoundSaysThatNoDigitIsLeft) {
   EXPECT_FALSE(solve_chain(bent_chain(2000, 0.0), kR, stiffness(1e-28)).transverse.resolved());
 }
 
-/// Returns the compliance of the end of a chain whose first disk is fixed. The chain is statically determinate, so the
-/// motion of the end under a load is the sum of the contributions of all contacts.
+/// Returns the compliance of the end of a chain whose first disk is fixed. The chain is statically determinate. The
+/// motion of its end under a load is therefore the sum of the contributions of the contacts.
 Eigen::Matrix3d compliance_by_statics(const std::vector<Vec<2>>& branches, double R, const ChainStiffness& k) {
   Vec<2> end = Vec<2>::Zero();
   for (const Vec<2>& b : branches) end += 2.0 * R * b;
@@ -76,7 +77,7 @@ Eigen::Matrix3d compliance_by_statics(const std::vector<Vec<2>>& branches, doubl
     const Vec<2> contact = centre + R * b - 0.5 * end;  // from the middle of the chord to the contact
     centre += 2.0 * R * b;
     const Vec<2> t(-b[1], b[0]);
-    // Three unit loads: a force along the chord and a force across the chord, both at its middle, and a moment.
+    // Three unit loads: a force along the chord and a force across it, both at the middle of the chord, and a moment.
     Eigen::RowVector3d normal(along.dot(b), across.dot(b), 0.0), shear(along.dot(t), across.dot(t), 0.0);
     const auto moment_of = [&](const Vec<2>& force) {
       return -(contact[0] * force[1] - contact[1] * force[0]);

@@ -17,8 +17,8 @@ struct DenseAnswer {
   int n_negative;
 };
 
-/// Computes the response of a network directly, with the pseudo-inverse of the block of the stiffness matrix for the
-/// unknowns of the grains.
+/// Computes the response of a network directly, with the pseudo-inverse of a block of the stiffness matrix: the rows
+/// and columns of the unknowns of the grains.
 template <int Dim>
 DenseAnswer dense_response(const ContactNetwork<Dim>& network, bool prestress) {
   const StiffnessMatrix k = stiffness_matrix(network, {StrainSet::full, prestress});
@@ -58,7 +58,7 @@ void expect_dense_answer(const ContactNetwork<Dim>& network, double tolerance) {
   EXPECT_LT(response.residual, 1e-12);
 }
 
-/// Tolerance for rounding errors of the compared results, which are multiplied by condition numbers of up to 1e4.
+/// Tolerance of the compared results: rounding errors are multiplied by condition numbers of up to 1e4.
 constexpr double kTolerance = 1e-10;
 
 TEST(ElasticResponse, EqualsThePseudoInverseWithEveryKindOfContact) {
@@ -144,9 +144,9 @@ TEST(ElasticResponse, CountsEveryZeroModeOnceByStructureOrAsAMechanism) {
   EXPECT_GT(n_mechanisms, 0);
 }
 
-/// In a long chain, the matrix columns of two distant disks depend on each other only through the columns of many other
-/// disks. The solver must count every mechanism of the chain, and must not take a mechanism for a motion with a small
-/// stiffness.
+/// In a long chain without rolling stiffness, the linear dependence of matrix columns involves the columns of many
+/// disks. The solver must nevertheless count every mechanism of the chain, and must not take a mechanism for a motion
+/// with a small stiffness.
 TEST(ElasticResponse, CountsTheMechanismsOfLongChainsWithoutRollingStiffness) {
   for (const int n : {5, 20, 40}) {
     const auto network = contact_network(test::square_frames(n, 1.0, test::elastic_law(1.0, 0.6, 0.0)));

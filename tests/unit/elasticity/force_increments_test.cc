@@ -22,7 +22,7 @@ void expect_work_and_balance(const ContactNetwork<Dim>& network, StressStep step
   Eigen::VectorXd stress = Eigen::VectorXd::Ones(Dim);
   if (step == StressStep::deviatoric) stress.tail(Dim - 1).setConstant(-1.0 / (Dim - 1));
   EXPECT_LT((response.relaxed * found->strain / network.volume - stress).norm(), 1e-11);
-  // By Clapeyron's theorem the energy is half the work. Divided by the smallest moduli of about 1e-3, errors of 1e-12
+  // By Clapeyron's theorem the energy is half the work. Errors of 1e-12, divided by the smallest moduli of about 1e-3,
   // become errors of 1e-9.
   const double energy = std::accumulate(found->energy.begin(), found->energy.end(), 0.0);
   EXPECT_NEAR(energy / (0.5 * network.volume * found->strain.dot(stress)), 1.0, 1e-9);

@@ -9,8 +9,8 @@
 namespace floc {
 namespace {
 
-/// Returns the dimension of the null space of the equilibrium matrix. This matrix maps contact forces to loads
-/// on the grains and the cell.
+/// Returns the dimension of the null space of the equilibrium matrix, which maps contact forces to loads on the grains
+/// and the cell.
 template <int Dim>
 int self_stresses(const ContactNetwork<Dim>& network, StrainSet strains) {
   const Eigen::MatrixXd g = scaled_rigidity_matrix(network, strains);
@@ -48,8 +48,8 @@ TEST(Indeterminacy, IsTheNumberOfSelfStressesOfRandomNetworks) {
 }
 
 TEST(Indeterminacy, OfAFrictionlessTriangularLatticeCountsItsSpareContacts) {
-  // One disk has three contacts with its images, and therefore 3 force components. Of the 3 motions of the disk and the
-  // 2 strains, 2 translations and 1 rotation are free.
+  // One disk has three contacts with its images, and therefore 3 force components. The disk has 3 motions and the cell
+  // has 2 strains; of these 5, the 2 translations and the rotation of the disk need no force.
   const auto network = contact_network(test::triangular(1.0, test::elastic_law(1.0, 0.0, 0.0)));
   const Indeterminacy found = force_indeterminacy(network, elastic_response(network, {}));
   EXPECT_EQ(found.n_components, 3);

@@ -25,7 +25,8 @@ TEST(MeanField, OfGlassBeadsHasItsPublishedNumbers) {
   EXPECT_NEAR(m.G_smooth, 138.42008, 5e-6);
 }
 
-/// Returns the solid fraction if the distance of neighbours equals the diameter, as mean field theory assumes.
+/// Returns the solid fraction of a crystal whose neighbours are at a distance of one diameter, as mean field theory
+/// assumes.
 double solid_fraction_at_contact(const test::CubicCrystal& crystal) {
   return std::acos(-1.0) / (6.0 * crystal.volume);
 }
@@ -68,8 +69,8 @@ TEST(MeanField, BoundsOfShearAreTheClosedSumsOverContacts) {
 }
 
 TEST(MeanField, OfHertzContactsDependsOnTheDistributionOfForces) {
-  // A face-centred cubic crystal with different overlaps and with tangential forces. For this test, the forces need not
-  // balance.
+  // A face-centred cubic crystal with different overlaps and with tangential forces. The forces do not balance, which
+  // does not matter for this test.
   Packing<3> packing = tiled<3>(
       test::crystal_of(test::face_centred_cubic(), 0.99, 1.0, test::elastic_law(1.0, 0.5, 0.0)), {2, 2, 2});
   const double ratio = 14.0 / 17.0, E = 2.0;

@@ -57,8 +57,8 @@ TEST(StrainMechanisms, MoveTheGrainsAtNoCost) {
     Eigen::MatrixXd motion(network.n_unknowns() + 3, found.strains.cols());
     motion << found.motions, found.strains;
     const FreeMotions free = find_free_motions(network);
-    // A dead end moves together with the grain to which it is attached. The response omits dead ends, so they are
-    // removed from the network here.
+    // A dead end moves together with the grain to which it is attached. The motions in the response do not contain dead
+    // ends, so this test removes them from the network.
     const auto core = without_grains(network, free.dead_end);
     EXPECT_LT((scaled_rigidity_matrix(core, StrainSet::full) * motion).cwiseAbs().maxCoeff(), 1e-6);
   }
@@ -84,9 +84,9 @@ TEST(StructuralMechanisms, AreTheNullSpaceOfRandomNetworks) {
 }
 
 TEST(StructuralMechanisms, AreNotThoseOfACoincidence) {
-  // The network has one node and two chains of n - 2 hinged disks: 3 (2n - 3) unknowns, 4 (n - 1) conditions and 2
-  // translations. This count of mechanisms is valid if the disks of a chain are not exactly on a line. On a straight
-  // line, two of the conditions are redundant (one for n = 3), which adds mechanisms.
+  // A network of one node and two chains of n - 2 hinged disks. Its 3 (2n - 3) unknowns minus its 4 (n - 1) conditions
+  // minus its 2 translations give the number of mechanisms, if no three disks of a chain lie exactly on a line. On a
+  // straight line, two of the conditions are redundant (one for n = 3), so there are more mechanisms.
   for (const auto& [n, by_count, straight] : {std::array{3, 0, 1}, {4, 1, 3}, {5, 3, 5}}) {
     const auto network = contact_network(test::square_frames(n, 1.0, test::elastic_law(1.0, 0.6, 0.0)));
     EXPECT_EQ(structural_mechanisms(network, StrainSet::diagonal).n_mechanisms, by_count) << n;

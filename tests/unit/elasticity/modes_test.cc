@@ -43,7 +43,7 @@ void expect_dense_eigenvalues(const ContactNetwork<Dim>& network, int count) {
   const auto n_negative = (dense.array() < -1e-12).count();
   for (int m = 0; m < count; ++m) {
     const double expected = dense[m < n_negative ? m : m + soft.free.modes.cols()];
-    // The two eigenvalues differ by their rounding errors and by the squared error of the eigenvector.
+    // The two eigenvalues differ by rounding errors and by the square of the error of the eigenvector.
     EXPECT_NEAR(soft.modes[m].eigenvalue, expected, 1e-12) << "mode " << m;
   }
 }
@@ -85,7 +85,7 @@ TEST(SoftModes, AllTogetherTakeOffWhatRelaxationDoes) {
     double G = pure_shear_modulus(affine_stiffness(network, StrainSet::diagonal)) / network.volume;
     for (const Mode<2>& m : soft.modes) B -= m.softens_B, G -= m.softens_G;
     const Eigen::MatrixXd C = elastic_response(network, {}).relaxed / network.volume;
-    // Errors of 1e-12 are divided by the eigenvalues, the smallest of which are about 1e-4.
+    // Errors of 1e-12 are divided by eigenvalues, of which the smallest are about 1e-4.
     EXPECT_NEAR(B, bulk_modulus(C), 1e-9);
     EXPECT_NEAR(G, pure_shear_modulus(C), 1e-9);
     EXPECT_EQ(soft.modes.size() + soft.free.modes.cols(), static_cast<std::size_t>(network.n_unknowns()));
@@ -93,8 +93,8 @@ TEST(SoftModes, AllTogetherTakeOffWhatRelaxationDoes) {
 }
 
 TEST(SoftModes, NameANearMechanismAndWhatPrestressDoesToIt) {
-  // A chain of disks across the cell. Two of the disks lie off the straight line, by 1e-5 and 2e-5, so that the chain
-  // buckles with very little energy.
+  // A chain of disks across the cell. Two of the disks are displaced from the straight line by 1e-5 and 2e-5. Very
+  // little energy is then needed to bend the chain.
   Packing<2> packing = test::chain_across(4, 1.0, 4.0, test::elastic_law(1.0, 0.5, 0.0));
   packing.grains.position[1][1] += 1e-5;
   packing.grains.position[3][1] -= 2e-5;
@@ -117,16 +117,15 @@ TEST(SoftModes, NameANearMechanismAndWhatPrestressDoesToIt) {
   EXPECT_GT(stretched.modes.front().with_prestress, stretched.modes.front().eigenvalue);
 }
 
-/// Numbers of tested states, of near mechanisms that were counted in these states, and of states with certain
-/// properties.
+/// Numbers of tested states, of near mechanisms counted in these states, and of states with certain properties.
 struct Met {
   int states = 0, without_any = 0, near = 0, largest = 0;
   int with_mechanisms = 0, unstable = 0, with_free_motions = 0, with_rattlers = 0, without_contacts = 0;
 };
 
-/// Scales the normal forces, so that the largest ratio of a force to its branch length lies between two successive
-/// eigenvalues. Does this at several positions in the spectrum. Expects that count_near_mechanisms() counts the
-/// eigenvalues below the ratio.
+/// Compares count_near_mechanisms() with the eigenvalues of the dense matrix. The normal forces are scaled so that the
+/// largest ratio of a force to its branch length lies between two successive eigenvalues; this is done at several
+/// positions in the spectrum. The function must count the eigenvalues below the ratio.
 template <int Dim>
 void expect_dense_count(ContactNetwork<Dim> network, Met& met) {
   // rounding error of the compared eigenvalues, which are divided by the largest stiffness
@@ -224,8 +223,8 @@ TEST(NearMechanisms, AreNotCountedWhereTheFactorWouldNotFit) {
 }
 
 TEST(SoftModes, NearMechanismsKeepTheirDigitsDownToTheRoundingOfTheGeometry) {
-  // A chain in which two disks lie off the straight line, by `off` and 2 `off`. One eigenvalue is proportional to
-  // off^2, and two mechanisms remain.
+  // A chain in which two disks are displaced from the straight line, by `off` and 2 `off`. One eigenvalue is
+  // proportional to off^2, and two mechanisms remain.
   double ratio_before = 0.0;
   for (const double off : {1e-4, 1e-5, 1e-6, 1e-7}) {
     Packing<2> packing = test::chain_across(4, 1.0, 4.0, test::elastic_law(1.0, 0.5, 0.0));
@@ -239,7 +238,7 @@ TEST(SoftModes, NearMechanismsKeepTheirDigitsDownToTheRoundingOfTheGeometry) {
     EXPECT_EQ(soft.modes[2].kind, ModeKind::near_mechanism);
     const double ratio = soft.modes[2].eigenvalue / (off * off);
     // Positions of order one have rounding errors of 1e-16. The relative error of `off` is therefore 1e-16/off, and the
-    // relative error of its square is twice as large.
+    // relative error of off^2 is twice as large.
     if (ratio_before > 0.0) {
       EXPECT_NEAR(ratio / ratio_before, 1.0, 1e-4) << off;
     }
@@ -264,8 +263,8 @@ TEST(SoftModes, MechanismsAreAsManyAsTheRankOfTheRigidityMatrixLeaves) {
 }
 
 TEST(SoftModes, ParticipationOfOneGrainAgainstTheOthers) {
-  // One disk of a stiff lattice has soft contacts. In the softest mode of the n disks, this disk moves by 1 - 1/n, and
-  // each of the others moves by -1/n.
+  // One disk of a stiff lattice has soft contacts. In the softest mode, this disk moves by 1 - 1/n and each of the
+  // other n - 1 disks by -1/n.
   auto network = contact_network(test::square_frames(4, 1.0, test::elastic_law(1.0, 1.0, 1.0)));
   for (NetworkContact<2>& c : network.contacts)
     if (c.i == 2 || c.j == 2) c.kn = c.kt = c.kr = 1e-8;
@@ -273,7 +272,8 @@ TEST(SoftModes, ParticipationOfOneGrainAgainstTheOthers) {
   const double n = network.n_grains;
   const double sum = (n - 1.0) / n;
   const double fourth = std::pow(sum, 4) + (n - 1.0) * std::pow(n, -4);
-  // The other disks move relative to each other by only about 1e-8, the ratio of the soft stiffness to the stiff one.
+  // The other disks move almost together. Their relative displacements are about 1e-8, the ratio of the soft to the
+  // stiff stiffness.
   EXPECT_NEAR(soft.modes.front().participation, sum * sum / (n * fourth), 1e-7);
   EXPECT_EQ(soft.modes.front().grains, std::vector<int>{2});
 }

@@ -17,13 +17,13 @@ Moduli by_method(const Packing<2>& packing, ModuliMethod method, double toleranc
   return elastic_moduli(packing, options);
 }
 
-/// Returns the packing without n of its contacts. A later state of the same path may have lost as many contacts.
+/// Returns the packing without n of its contacts, as if it were a later state of the same path that has lost contacts.
 Packing<2> with_contacts_lost(Packing<2> packing, int n) {
   packing.contacts.erase(packing.contacts.begin() + 5, packing.contacts.begin() + 5 + n);
   return packing;
 }
 
-/// Expects that moduli agree with the exact moduli within the sum of the error bounds of both.
+/// Expects that the differences of moduli from the exact moduli are at most the sum of the two error bounds.
 void expect_within_errors(const Moduli& m, const Moduli& exact) {
   EXPECT_LE(std::abs(m.B - exact.B), m.B_error + exact.B_error);
   EXPECT_LE(std::abs(m.G - exact.G), m.G_error + exact.G_error);
@@ -76,8 +76,8 @@ TEST(ModuliMethod, IterationFactorizesAPackingThatIsAnother) {
 TEST(ModuliMethod, TheMiddleBetweenTheBoundsIsOffByHalfTheirDistanceAtMost) {
   const Packing<2> packing = test::random_packing<2>(100, 7, test::elastic_law(1.0, 0.8, 0.01));
   const Moduli exact = by_method(packing, ModuliMethod::factor, 1e-10);
-  // Without loads, the lower bound of B is zero. Zero is a lower bound even if the forces of the packing are not in
-  // balance, as here.
+  // For a packing without loads, the lower bound of B is zero. This is correct even if the forces of the packing are
+  // not in balance, as here.
   ModuliOptions options;
   options.method = ModuliMethod::bounds;
   options.unloaded = true;

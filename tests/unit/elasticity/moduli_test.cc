@@ -110,8 +110,8 @@ TEST(Bounds, ReussVanishesWhereForcesCancelInThePressure) {
 }
 
 TEST(Stability, OfALineOfDistantBondsIsLost) {
-  // A chain along x. Each disk also attracts its own images along y, across a gap. The contacts along x do not resist a
-  // strain along y.
+  // A chain along x. Each disk also attracts its own images along y, across a gap. The contacts of the chain do not
+  // resist a strain along y.
   Law law = test::elastic_law(1.0, 0.7, 0.1);
   law += test::tail_adhesion(0.02, 0.1);
   Packing<2> packing = test::chain_across(3, 1.0, 1.05, law);

@@ -34,9 +34,9 @@ TEST(ModuliWithin, TakeTheBoundsWhereTheyMeet) {
   expect_accuracy_met(m, elastic_moduli(crystal, {}), accuracy);
 }
 
-/// Square frames: two small disks lie between neighbouring large disks. All overlaps are equal, so all forces are
-/// equal, as they are under isotropic stress, and B_reuss = B. B_voigt is larger than B by the factor 3 (1 + 0.4^2 +
-/// 1)/2.4^2 = 9/8, because an affine strain stretches long branches more.
+/// Square frames with two small disks between neighbouring large disks. All overlaps, and therefore all forces, are
+/// equal. This is also the case in the response to an isotropic stress, so B_reuss = B. B_voigt is larger than B by the
+/// factor 3 (1 + 0.4^2 + 1)/2.4^2 = 9/8, because an affine strain stretches long branches more.
 Packing<2> uneven_frames() {
   Packing<2> packing = test::square_frames(4, 1.0, test::elastic_law(1.0, 0.7, 0.05));
   const double overlap = 1e-4, along[] = {0.0, 1.0, 1.4};
@@ -64,8 +64,8 @@ TEST(ModuliWithin, FallBackFromBoundsThatAreTooFarApart) {
   }
 }
 
-/// G has only the bounds 0 and G_voigt. The value halfway between these bounds may be wrong by 100 %, so G has to be
-/// computed from the factorization.
+/// The only bounds of G are 0 and G_voigt. A value halfway between them may be wrong by 100 %, so G has to be computed
+/// from the factorization.
 TEST(ModuliWithin, SolveForAShearModulus) {
   const Packing<2> packing = test::random_packing<2>(100, 7, test::elastic_law(1.0, 0.8, 0.01));
   for (const ModuliAccuracy& accuracy : {ModuliAccuracy{kAny, 0.9}, ModuliAccuracy{0.9, 0.9}}) {
@@ -95,8 +95,8 @@ TEST(ModuliWithin, TrustBoundsOnlyWhereTheyAreSome) {
   EXPECT_NE(moduli_within(pulled, {}, accuracy).method, ModuliMethod::bounds);
 }
 
-/// If a mechanism makes a modulus zero, a relative accuracy of this modulus has no meaning. Only the factorization
-/// detects mechanisms.
+/// If a mechanism makes a modulus zero, the modulus has no relative accuracy. Only the factorization detects
+/// mechanisms.
 TEST(ModuliWithin, LeaveMechanismsToTheFactor) {
   const Packing<2> chain = test::chain_across(10, 0.999, 2.0, test::elastic_law(1.0, 0.7, 0.03));
   const Moduli m = moduli_within(chain, {}, {1e-6, 1e-6});
@@ -114,7 +114,7 @@ TEST(ModuliWithin, GiveTheFactorWhereNothingIsEnoughAndTellSo) {
   EXPECT_THAT(m.warnings, ::testing::Contains(HasSubstr("above the tolerance of 1.0e-14")));
 }
 
-/// The accuracy is relative to the exact modulus, not to the computed one.
+/// The accuracy is relative to the exact modulus, which may be smaller than the computed one.
 TEST(ModuliWithin, MeanErrorsRelativeToTheModulusItself) {
   Moduli m;
   m.B = 3.0;

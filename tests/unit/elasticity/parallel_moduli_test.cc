@@ -44,8 +44,8 @@ Packing<Dim> skewed(Packing<Dim> packing) {
   return packing;
 }
 
-/// Returns the packing with its normal forces multiplied by `share`. Random packings have larger overlaps than
-/// real states.
+/// Returns the packing with its normal forces multiplied by `share`. A small factor makes the forces of random packings
+/// realistic, because their overlaps are larger than those of real states.
 template <int Dim>
 Packing<Dim> pressed(Packing<Dim> packing, double share) {
   for (auto& c : packing.contacts) c.normal_force *= share;
@@ -102,7 +102,7 @@ TEST(ParallelModuli, EqualThoseOfAFactorInEveryEntry) {
 }
 
 /// Without friction, this loose random packing has floppy modes. If a strain excites a floppy mode, a modulus vanishes.
-/// Floppy modes that no strain excites do not change the moduli. The moduli must be right in both cases.
+/// All other floppy modes do not change the moduli. The moduli must be right in both cases.
 TEST(ParallelModuli, OfAStateWithFloppyModesAreThoseOfTheFactor) {
   if (!has_parallel_solver()) GTEST_SKIP() << "built without PETSc";
   const auto packing = test::random_packing<2>(120, 5, test::elastic_law(1.0, 0.0, 0.0), 1.3);

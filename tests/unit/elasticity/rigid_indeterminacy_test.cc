@@ -8,9 +8,8 @@
 namespace floc::test {
 namespace {
 
-/// Computes the degree of indeterminacy from its definition: the number of force components minus the rank of a
-/// matrix. The matrix maps the components to the net forces and moments of the grains and to the stresses along
-/// the axes.
+/// Computes the degree of indeterminacy from its definition: the number of force components minus the rank of a matrix.
+/// The matrix maps force components to the net forces and moments of the grains and to the stresses along the axes.
 /// @param tangential  whether tangential forces are included
 template <int Dim>
 int counted(const Packing<Dim>& packing, bool tangential) {
@@ -50,8 +49,8 @@ TEST(RigidIndeterminacy, IsTheNumberOfComponentsMinusTheRankOfTheBalance) {
   }
 }
 
-/// The crystal has 27 lines of three spheres. The contacts of a line have equal forces, so there are 27 different
-/// forces. The three given stresses along the axes determine three of them.
+/// The crystal has 27 lines of three spheres. The forces of a line are equal, so there are 27 independent forces. The
+/// three given stresses along the axes are three equations for these forces.
 TEST(RigidIndeterminacy, OfACubicCrystalWithoutFrictionIsThatOfItsLines) {
   EXPECT_EQ(rigid_indeterminacy(cubic_crystal(0.7, 0.0).packing, 0.0).degree, 27 - 3);
 }

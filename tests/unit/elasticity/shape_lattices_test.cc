@@ -17,9 +17,9 @@ namespace {
 
 constexpr double kNormal = 1.0, kTangential = 0.7;
 
-/// Returns a packing of grains with the same shape, with a spring at each contact point between faces. Contacts
-/// between corners (diagonal neighbours) are omitted.
-/// @param is_face  whether two grains share a face, as a function of the vector from one grain to the other
+/// Returns a packing of grains with equal shapes. Each contact point between two faces is a spring. Contacts between
+/// corners (diagonal neighbours) are removed.
+/// @param is_face  function of the vector from one grain to the other; true if the two grains share a face
 template <int Dim>
 Packing<Dim> face_lattice(const Mat<Dim>& cell, const std::vector<Vec<Dim>>& positions, const Shape<Dim>& shape,
                           double scale, const std::function<bool(const Vec<Dim>&)>& is_face) {

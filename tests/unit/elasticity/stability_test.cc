@@ -11,7 +11,7 @@
 namespace floc {
 namespace {
 
-/// Law with a strong attraction of long range, under which some packings are unstable in one or many modes.
+/// Law with a strong attraction of long range. Some packings under this law are unstable in one or many modes.
 Law tail_law(double force) {
   Law law = test::elastic_law(1.0, 0.7, 0.05);
   law += test::tail_adhesion(force, 0.08);
@@ -48,8 +48,8 @@ TEST(Stability, CountsWhatTheModuliCountIn3D) {
   expect_inertia_of_the_moduli<3>(12, 0.9);
 }
 
-/// Tests the method that needs no factorization: it must find a negative eigenvalue if the factorization counts one,
-/// and only then. The method cannot find negative eigenvalues that are closer to zero than its bound.
+/// Tests the method without factorization: it must find a negative eigenvalue if and only if the factorization counts
+/// at least one. The method cannot find negative eigenvalues that are closer to zero than its bound.
 template <int Dim>
 void expect_sign_of_the_inertia(int n_grains, double grains_per_volume) {
   StabilityOptions iterative;

@@ -13,7 +13,7 @@
 namespace floc {
 namespace {
 
-/// Law with liquid bridges of strength Gamma R = 1 between spheres of diameter one.
+/// Law with liquid bridges. Between spheres of diameter one, the strength of a bridge is Gamma R = 1.
 Law wet_law(double water) {
   Law law = test::elastic_law(1e4, 0.7e4, 0.0);
   law += test::liquid(1.0 / std::numbers::pi, 0.0, water, 2.5);

@@ -16,7 +16,7 @@ TEST(CollapseJumps, HaveTheDistanceWithWhichTheyWereMade) {
     RandomStream random(3, 0);
     const ConsolidationCurve mean = staircases.mean_of(200, random);
     const LawPoints points = law_points(mean, Weighting::uniform);
-    constexpr int kFirst = 14;  // index of the first point beyond the first jumps of the samples
+    constexpr int kFirst = 14;  // index of the first point after the first jumps of all samples
     const Eigen::Index n = points.size() - kFirst;
     EXPECT_NEAR(distance_of_jumps(mean.samples.bottomRows(n), points.log_P.tail(n), staircases.lambda) / gap,
                 1.0, 0.15)

@@ -131,8 +131,8 @@ TEST(Profile, IntervalsAreAsymmetricWhereTheLawIs) {
   EXPECT_GT(*p.high95 - *p.value, *p.value - *p.low95);
 }
 
-/// Returns the mean curve of samples that follow a published set of parameters. Each sample has its own lambda
-/// and independent noise.
+/// Returns the mean curve of samples around a published set of parameters. Each sample has its own lambda and its own
+/// noise.
 ConsolidationCurve mean_of_samples(int n, RandomStream& random) {
   std::vector<ConsolidationCurve> samples;
   for (int s = 0; s < n; ++s) {
@@ -161,8 +161,8 @@ TEST(Samples, ErrorsOfTheirMeanAreTheScatterOfRepeatedMeans) {
     stated += std::pow(error(fit, "lambda"), 2);
   }
   const double variance = squares / kRepeats - std::pow(sum / kRepeats, 2);
-  // The variance of 200 repeats has an error of 10 % (one sigma). The fit estimates its weights from the data, which
-  // adds a further error.
+  // The variance of 200 repeats has a standard error of 10 %. The fit estimates its weights from the data, which adds a
+  // further error.
   EXPECT_NEAR(stated / kRepeats / variance, 1.0, 0.35);
 }
 

@@ -44,8 +44,8 @@ TEST(ConsolidationLaw, MatchesThePrintedFormWhereThatKeepsItsDigits) {
     const double printed =
         1 / kNoRolling.phi0 -
         law.lambda * std::log(P / kNoRolling.P0_star * std::pow(1 - std::exp(-u), 1 / law.alpha));
-    // For u << 1, 1 - exp(-u) in the printed form is a small difference of large terms, which multiplies rounding
-    // errors by about 1/u.
+    // For u << 1, the term 1 - exp(-u) of the printed form is a small difference of large terms. The subtraction
+    // multiplies rounding errors by about 1/u.
     EXPECT_NEAR(law.inverse_phi(P), printed, 1e-14);
   }
 }
@@ -92,8 +92,8 @@ TEST(ConsolidationLaw, IsSmoothWhereItsFormsMeet) {
       const double step = 1e-9;
       const double below = consolidation_bracket(x - step, alpha);
       const double above = consolidation_bracket(x + step, alpha);
-      // The law is computed by different formulas below and above each u. The slope of the law is at most 1, so its
-      // change over two steps exceeds 2 steps plus rounding only if the two formulas disagree.
+      // Below and above each u, the law is computed by different formulas. The slope of the law is at most 1. The
+      // change over two steps therefore exceeds 2 steps plus rounding only if the two formulas disagree.
       EXPECT_GE(above, below);
       EXPECT_LE(above - below, 2 * step + 1e-14);
     }
@@ -163,14 +163,14 @@ TEST(FitConsolidation, FindsTheEndOfThePlateau) {
     EXPECT_GE(fit.n_plateau, before);
     EXPECT_LE(fit.n_plateau, before + 1);
     EXPECT_NEAR(value(fit, "lambda"), set.lambda, 1e-8);
-    // In the published table, P0* is rounded to three digits. The plateau of the curve uses the rounded value.
+    // The plateau of the curve ends at the published P0*, which is rounded to three digits.
     EXPECT_NEAR(value(fit, "P0_star"), set.P0_star, 1e-3 * set.P0_star);
   }
 }
 
 TEST(FitConsolidation, ThePlateauEndsWhereTheLawReachesItsLevel) {
-  // In this curve the plateau extends too far, up to P* = 0.1, where Phi jumps to the exact law. Extended to lower
-  // pressures, the line of the law reaches the level of the plateau far below 0.1.
+  // In this curve the plateau is too long: it extends up to P* = 0.1, where Phi jumps to the exact law. The line of the
+  // law, extended to lower pressures, reaches the level of the plateau far below 0.1.
   ConsolidationCurve jump = curve_of(kNoRolling.law(), published_pressures(0.01));
   for (std::size_t i = 0; i < 9; ++i) jump.phi[i] = kNoRolling.phi0;
   const auto fit = fit_consolidation(jump, {});
@@ -211,8 +211,8 @@ TEST(FitConsolidation, StatedErrorsAreTheScatterOfRepeatedFits) {
   }
   const double mean = sum / kRepeats;
   const double scatter = std::sqrt(squares / kRepeats - mean * mean);
-  // The standard deviation from 400 repeats has an error of 3.5 % (one sigma). The fraction of intervals that contain
-  // the true value has an error of 1.1 %.
+  // The standard deviation of 400 repeats has a standard error of 3.5 %. The fraction of intervals that contain the
+  // true value has a standard error of 1.1 %.
   EXPECT_NEAR(stated / kRepeats / scatter, 1.0, 0.14);
   EXPECT_NEAR(covered / double{kRepeats}, 0.95, 0.044);
 }
@@ -239,8 +239,8 @@ TEST(FitConsolidation, DataThatEndBeforeRegimeThreeBoundItOnly) {
 }
 
 TEST(FitConsolidation, ASharpKneeLeavesAlphaOpenAndTheRestKnown) {
-  // These data follow a line in ln P down to a constant value of 1/Phi. The corner lies between two pressures of the
-  // data. The law describes the data with every large alpha, so alpha is not determined.
+  // These data follow a line in ln P down to a constant value of 1/Phi; the corner lies between two pressures of the
+  // data. The law describes the data equally well with every large alpha, so alpha is not determined.
   RandomStream random(4, 0);
   ConsolidationCurve knee;
   for (const double P : published_pressures(0.01)) {
@@ -293,8 +293,8 @@ TEST(FitConsolidation, LawsOfOneRegimeStayInIt) {
 }
 
 TEST(FitConsolidation, AFullLawWithoutRegimeTwoIsThePowerLaw) {
-  // Mean curve of four paths, steep at the start: values of 1/Phi and weights, at equal steps of 0.288 in ln
-  // P*. The best full law has P1* far below the first pressure, so in these data it equals a power law.
+  // Mean curve of four paths, steep at the start: values of 1/Phi and weights at equal steps of 0.288 in ln P*. In the
+  // best full law, P1* is far below the first pressure. At the pressures of the data, this law equals a power law.
   const std::vector<double> y = {2.016, 1.933, 1.918, 1.729, 1.625, 1.483, 1.483, 1.476,
                                  1.459, 1.398, 1.380, 1.378, 1.351, 1.332, 1.327, 1.315,
                                  1.298, 1.294, 1.293, 1.285, 1.282, 1.276, 1.273};
@@ -331,7 +331,8 @@ TEST(FitConsolidation, CorrelationHasUnitDiagonalAndIsSymmetric) {
     EXPECT_NEAR(fit.correlation(i, i), 1.0, 1e-12);
     for (int j = 0; j < i; ++j) EXPECT_NEAR(fit.correlation(i, j), fit.correlation(j, i), 1e-12);
   }
-  // If the start of regime II is fixed, a law with a larger lambda reaches its limit at a lower pressure P1*.
+  // If the start of regime II is fixed, a law with a larger lambda reaches its limiting density at a lower pressure
+  // P1*.
   EXPECT_LT(fit.correlation(0, 3), 0.0);
 }
 

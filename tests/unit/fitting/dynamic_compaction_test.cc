@@ -86,7 +86,7 @@ TEST(DynamicCompaction, TheReferencePressureIsFreeToChoose) {
 }
 
 /// Fits 40 noisy copies of the samples. Expects for each parameter that at least 34 of the 40 confidence intervals (95
-/// %) contain the true value. By chance alone, fewer than 34 do so with the probability 1/300.
+/// %) contain the true value. By chance, fewer than 34 intervals contain it with the probability 1/300.
 void expect_coverage(std::vector<CompactedSample> (*draw)(double, RandomStream&),
                      const CompactionReference& reference) {
   constexpr int kRepeats = 40;
@@ -157,8 +157,8 @@ TEST(DynamicCompaction, RepeatedRunsTellTheScatterFromWhatTheLawMisses) {
   const auto fit = fit_dynamic_compaction(samples, {});
   ASSERT_TRUE(fit.errors_from_runs);
   ASSERT_EQ(fit.error_parts.size(), 7u);
-  // The samples follow the law, so the error due to deviations from the law is small compared with the error
-  // due to scatter. About 80 pairs of runs determine the scatter to 8 %.
+  // The samples follow the law, so the part of the error that stands for deviations from the law must be small compared
+  // with the part due to scatter. The scatter is determined to 8 % by about 80 pairs of runs.
   for (const CompactionErrorParts& parts : fit.error_parts) EXPECT_LT(parts.law, 0.45 * parts.scatter);
   for (CompactedSample& s : samples) s.e += 0.01 * std::sin(40 * std::log(s.se));
   const auto missed = fit_dynamic_compaction(samples, {});

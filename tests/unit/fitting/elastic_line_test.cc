@@ -22,7 +22,7 @@ TEST(Elastic, RecoversTheModulusOfAStraightBranch) {
   }
   const auto fit = fit_elastic(P, phi);
   ASSERT_TRUE(fit.found()) << fit.failure_reason;
-  // Phi changes by only 5e-4, so the rounding errors of Phi, 1e-16, are relative errors of 2e-13 of its change.
+  // Phi changes by only 5e-4 along the branch. Relative to this change, the rounding errors of Phi (1e-16) are 2e-13.
   EXPECT_NEAR(*fit.parameters[0].value, 2.6e4, 1e-10 * 2.6e4);
   EXPECT_NEAR(*fit.parameters[1].value, 0.77, 1e-14);
   EXPECT_TRUE(fit.warnings.empty());
@@ -59,8 +59,8 @@ TEST(Elastic, IntervalsCoverTheTruthAndCurvatureIsSaid) {
 }
 
 TEST(Elastic, OfACurvedBranchIsThatOfItsStraightPartOrNotIdentified) {
-  // The first part of the unloading includes plastic strain. Below P = 3 the unloading is elastic. A line through all
-  // points would have a different, wrong slope.
+  // The first part of the unloading includes plastic strain; below P = 3 the unloading is elastic. The slope of a line
+  // through all points would be wrong.
   std::vector<double> P = {13.0, 10.0, 7.0, 3.0, 2.0, 1.0, 0.5, 0.1}, phi;
   for (const double p : P)
     phi.push_back(0.77 * std::exp(p / 2.5e4 - 3e-6 * std::pow(std::max(p - 3.0, 0.0), 2)));
@@ -103,7 +103,7 @@ TEST(Elastic, OfABranchWhoseBeginningCollapsesIsThatOfTheRest) {
   EXPECT_THAT(fit.warnings.at(0),
               HasSubstr("its solid fraction grows as the pressure falls; B is the modulus of the "
                         "straight part of the branch, at pressures from 0.1 to 7"));
-  // If the solid fraction also increases in a later step, the fit finds no elastic part.
+  // If the solid fraction also increases in a later step, no part of the branch counts as elastic.
   phi[5] = 0.9;
   EXPECT_THAT(fit_elastic(P, phi).failure_reason, HasSubstr("does not fall"));
 }

@@ -18,7 +18,8 @@ std::vector<double> parameters_of(const ForceLaw& law) {
   return &law == kLaws[0] ? std::vector<double>{-0.8, 0.0, 0.3, 0.7} : std::vector<double>{0.7, 1.0, 1.4, 2.0};
 }
 
-/// Integrates f^power P(f) by the midpoint rule in t. The substitution f = t^4 removes the singularity at 0.
+/// Integrates f^power P(f). The integrand is singular at 0, so the midpoint rule is applied after the substitution f =
+/// t^4.
 double moment(const ForceLaw& law, double parameter, int power) {
   constexpr int kSteps = 400000;
   const double end = std::pow(80.0, 0.25);
@@ -75,8 +76,8 @@ TEST(CompressiveForces, LikelihoodRecoversTheParameterThatDrewThem) {
       EXPECT_NEAR(*p.value, x, 4 * *p.standard_error) << law->name;
       EXPECT_LT(*p.standard_error, 0.05);
       EXPECT_NEAR(fit.mean, 3.7, 0.1);
-      // In the Kolmogorov test, the distance of the distributions exceeds 1.63/sqrt(n) with probability 0.01.
-      // If a parameter is fitted, this probability is smaller.
+      // In the Kolmogorov test, the distance of the two distributions exceeds 1.63/sqrt(n) with probability 0.01. The
+      // probability is smaller if a parameter is fitted, as here.
       EXPECT_LT(fit.distance, 1.63 / std::sqrt(20000.0)) << law->name << ' ' << x;
     }
 }
@@ -105,8 +106,8 @@ TEST(ExponentialTail, IsTheMeanExcessWithItsError) {
     covered += *fit.parameters[0].low95 <= 2.5 && 2.5 <= *fit.parameters[0].high95;
     rejected += fit.p_value < 0.05;
   }
-  // If each interval contains the truth with probability 0.95, the number of these intervals among 200 is between 180
-  // and 198 with probability 0.995. A correct law is rejected in 10 +- 3 of 200 fits.
+  // If each interval contains the true value with probability 0.95, then between 180 and 198 of 200 intervals contain
+  // it, with probability 0.995. A correct law is rejected in 10 +- 3 of 200 fits.
   EXPECT_GE(covered, 180);
   EXPECT_LE(covered, 198);
   EXPECT_LE(rejected, 20);

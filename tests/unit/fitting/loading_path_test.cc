@@ -32,8 +32,8 @@ TEST(PathSteps, ALoopIsUnloadingReloadingAndThenVirginAgain) {
                           reloading, hold, later_virgin, unloading, zero_pressure));
 }
 
-/// At each pressure, an oedometer table may have one row right after loading and one row after creep. The last
-/// row at a pressure is fitted.
+/// A table of an oedometer test may have two rows at each pressure: one right after loading and one after creep. Only
+/// the last row at a pressure is fitted.
 TEST(PathSteps, OfSuccessiveRowsOfOnePressureTheLastCounts) {
   using enum PathStep;
   std::vector<PathRow> rows;
@@ -52,8 +52,8 @@ TEST(PathSteps, OfSuccessiveRowsOfOnePressureTheLastCounts) {
   EXPECT_EQ(reloadings(rows)[0].largest_before, 2.0);
 }
 
-/// A branch at the constant pressure of the previous branch adds no points to the curve; its last row is not used
-/// either.
+/// A branch that only keeps the last pressure of the previous branch adds no points to the curve, not even its last
+/// row.
 TEST(PathSteps, ABranchThatHoldsThePressureIsLeftOut) {
   using enum PathStep;
   const std::vector<PathRow> rows = {
@@ -96,7 +96,7 @@ TEST(MeanCurve, IsTheMeanOfInversePhiAtCommonPressures) {
   EXPECT_THAT(mean_curve({}).P_star, IsEmpty());
 }
 
-/// In tests with a driven axis, the stress on an axis with prescribed length may decrease along a branch. Of these
+/// In tests with a driven axis, the stress on an axis of prescribed length may decrease along a branch. Among these
 /// tests, only oedometer tests are consolidations.
 TEST(LoadingPath, TestsWithADrivenAxisAreLeftOut) {
   const std::vector<PathRow> rows = {{"assembly", 1.0, 0.5},

@@ -46,8 +46,8 @@ struct Beyond {
   std::vector<std::string> warnings;
 };
 
-/// Data of Heckel's law, ln[1/(1 - D)] = 0.55 + p/85 [Heckel 1961]. In the best fit of the full law, the limit
-/// is above one.
+/// Data of Heckel's law, ln[1/(1 - D)] = 0.55 + p/85 [Heckel 1961]. If the full law is fitted, the best value of its
+/// limit Phi_max is above one.
 Beyond heckel() {
   ConsolidationCurve curve;
   for (double p = 10.0; p < 425.0; p += 10.0) {
@@ -86,8 +86,8 @@ Beyond dilating() {
   return {"kappa", 0.0, kAny, fit.parameters, fit.warnings};
 }
 
-/// Samples like those of the published series [SVI2024], but with other values of e_min and C. Samples with a negative
-/// void ratio are left out.
+/// Samples that follow the law of the published series [SVI2024], but with other values of e_min and C. Samples with a
+/// negative void ratio are left out.
 Beyond compacted(const char* parameter, double e_min, double C) {
   std::vector<CompactedSample> samples;
   for (const double p : {0.01, 0.1, 0.5, 1.0})
@@ -105,7 +105,7 @@ Beyond compacted(const char* parameter, double e_min, double C) {
   return {parameter, 0.0, kAny, fit.parameters, fit.warnings};
 }
 
-/// Data of an intensity that decays with k faster than the scattering by any surface.
+/// Data of an intensity that decreases with k faster than the scattering by any surface.
 Beyond scattered(double dF) {
   std::vector<ScatteredPoint> points;
   for (double k = 0.1; k < 4.0; k *= 1.1) points.push_back({k, scattered_intensity(1.0, 9.0, dF, k), 1000000});
@@ -113,8 +113,8 @@ Beyond scattered(double dF) {
   return {"dF", 0.0, 4.0, fit.parameters, fit.warnings};
 }
 
-/// In each of these fits, one parameter would leave its physical range. The fit must give no value for this parameter,
-/// and all values that it gives must be within their ranges.
+/// In each of these fits, the best value of one parameter is outside of its physical range. The fit must give no value
+/// for this parameter. All values that it gives must be within their ranges.
 TEST(PhysicalRange, HoldsForEveryFit) {
   const std::vector<Beyond> fits = {
       heckel(),      power_law(), dilating(), compacted("e_min", -0.15, 0.24), compacted("C", 0.76, -0.05),

@@ -31,7 +31,7 @@ TEST(PressureCycle, OfStraightLinesEnclosesItsTriangle) {
     EXPECT_NEAR(c.phi_up[k], 1.0 / (2.0 - 0.01 * c.P[k]), 1e-15);
     EXPECT_NEAR(c.phi_down[k], 1.0 / (1.96 - 0.005 * c.P[k]), 1e-15);
   }
-  // The work is the integral of the difference 0.04 - 0.005 P of the two branches from P = 1 to 8, minus the term 1 *
+  // The work is the integral from P = 1 to 8 of the difference of the two branches, 0.04 - 0.005 P, minus the term 1 *
   // (1.955 - 1.99) at P = 1.
   EXPECT_NEAR(c.work.value(), 0.04 * 7.0 - 0.0025 * 63.0 + 0.035, 1e-14);
 }

@@ -12,8 +12,7 @@
 #include "floc/fitting/force_distribution.h"
 #include "floc/fitting/scattering_fit.h"
 
-/// Tests that the functions of the library refuse invalid options of fits themselves, without the checks of the
-/// program.
+/// Tests that the library itself refuses invalid options of fits. The checks of the program are not involved.
 namespace floc::test {
 namespace {
 

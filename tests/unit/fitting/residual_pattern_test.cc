@@ -46,8 +46,8 @@ TEST(ResidualPattern, IndependentResidualsAreSystematicInOneOfAHundred) {
       low += pattern.smoothness_p < 0.1;
     }
     EXPECT_LE(systematic, 0.013 * kDraws) << n;
-    // If the residuals are random, the p-value smoothness_p is uniformly distributed, so it is below 0.1 in 10 % of the
-    // draws. Four standard deviations of this fraction are 0.019.
+    // For random residuals, the p-value smoothness_p is uniformly distributed, so 10 % of the draws give a value below
+    // 0.1. Four standard deviations of this fraction are 0.019.
     EXPECT_NEAR(low / static_cast<double>(kDraws), 0.1, 0.019) << n;
   }
 }

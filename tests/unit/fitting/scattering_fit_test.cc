@@ -13,8 +13,9 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-/// Returns the intensity of the law in bins of k from 0.1 to 4. If `speckles` is given, the value of each bin
-/// is the mean of n exponentially distributed intensities.
+/// Returns the intensity of the law in bins of k from 0.1 to 4. If `speckles` is given, the value of each bin is a mean
+/// of n exponentially distributed intensities.
+/// @param speckles  engine of random numbers; null for the exact intensity
 std::vector<ScatteredPoint> points_of(double I0, double xi, double dF, std::int64_t n, std::mt19937* speckles) {
   std::vector<ScatteredPoint> points;
   for (double k = 0.1; k < 4.0; k *= 1.1) {
@@ -39,9 +40,9 @@ TEST(ScatteringFit, OfTheLawItselfIsItsParameters) {
 }
 
 TEST(ScatteringFit, ErrorsAreThoseOfSpeckles) {
-  // 400 fits with few wave vectors per bin. The bias must be below its error, and 95 % intervals must contain
-  // the truth in about 95 % of the fits. This fraction has a standard deviation of 0.011; it may also deviate
-  // by one or two per cent, because the stated errors are linearised.
+  // 400 fits with few wave vectors per bin. The bias must be below its error, and about 95 % of the 95 % intervals must
+  // contain the true value. The fraction of these intervals has a standard deviation of 0.011. It may also deviate by
+  // one or two per cent because the stated errors are linearised.
   constexpr int kFits = 400;
   std::mt19937 engine(5);
   int n_xi = 0, n_dF = 0;

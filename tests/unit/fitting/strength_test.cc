@@ -78,7 +78,8 @@ TEST(MohrCoulomb, TestsThatHaveNoLineSayWhy) {
               HasSubstr("differ by less than 5 %"));
   EXPECT_THAT(fit_mohr_coulomb({{300, 100}, {310, 200}, {305, 300}}, "").failure_reason,
               HasSubstr("no friction angle"));
-  // An envelope that bends upwards gives a line with a negative cohesion. An envelope that bends downwards never does.
+  // An envelope that bends upwards gives a line with a negative cohesion. This cannot happen if the envelope bends
+  // downwards.
   EXPECT_THAT(fit_mohr_coulomb({{120, 50}, {300, 100}, {660, 200}, {1380, 400}}, "").warnings,
               testing::ElementsAre(HasSubstr("the cohesion of the line is negative")));
 }
@@ -120,7 +121,8 @@ TEST(ShearTest, GivesBackItsAnglesInCompressionAndExtension) {
                 std::asin(0.6) * 180 / std::numbers::pi, 1e-9);
     EXPECT_NEAR(*parameter_named(test.parameters, "strain_peak").value, 0.02, 1e-12);
     EXPECT_NEAR(*parameter_named(test.parameters, "dilatancy_angle").value, 12, 1e-9);
-    // Beyond a strain of 0.15, less than exp(-6.5) of the decrease from peak to critical state is still to come.
+    // Beyond a strain of 0.15, less than the fraction exp(-6.5) of the decrease from the peak to the critical state
+    // remains.
     EXPECT_NEAR(*parameter_named(test.parameters, "secant_angle_critical").value,
                 std::asin(0.4) * 180 / std::numbers::pi, 0.02);
     ASSERT_TRUE(test.critical_stress.has_value());

@@ -107,7 +107,7 @@ TEST(PhiLimit, IsReportedAsABoundWhereTheFitWouldGoBeyond) {
   EXPECT_EQ(fit_consolidation(kSmallRolling.with_plateau(), lower).find("Phi_max")->high95, 0.772);
 }
 
-/// Fits noisy copies of a curve. Returns the number of fits that report that the law does not describe the curve.
+/// Fits noisy copies of a curve. Returns how many of the fits report that the law does not describe the curve.
 int n_denied(const std::function<double(double)>& phi_of, double low, double high,
              const ConsolidationOptions& options, int n_draws) {
   RandomStream random(9, 0);

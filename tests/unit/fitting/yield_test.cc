@@ -81,13 +81,13 @@ TEST(Yield, ByAllConstructionsIsThatOfTwoLines) {
   const PreconsolidationFit fit = fit_preconsolidation(curve.P, curve.phi);
   ASSERT_TRUE(fit.found()) << fit.failure_reason;
   EXPECT_NEAR(std::log(*find(fit, "P_c")->value / kPc), 0.0, 0.03);
-  // Butterfield's plot of ln y against ln P is straight, up to terms of second order in the slope, where y is linear in
-  // ln P. In the same range, Becker's work is linear in P. Becker's construction uses only the pressures of the data,
-  // which differ by 22 %.
+  // Butterfield plots ln y against ln P. This plot is straight, up to terms of second order in the slope, where y is
+  // linear in ln P. Becker plots the work against P. His plot is linear in the same range. His construction uses only
+  // the pressures of the data, which differ by 22 %.
   for (const char* name : {"P_c_butterfield", "P_c_becker"})
     EXPECT_NEAR(std::log(*find(fit, name)->value / kPc), 0.0, 0.2) << name;
-  // If kappa > 0, Casagrande's bisector and Pacheco Silva's horizontal line meet the virgin line beyond the
-  // bend.
+  // If kappa > 0, the bisector of Casagrande and the horizontal line of Pacheco Silva meet the virgin line at a
+  // pressure above the bend.
   for (const char* name : {"P_c_casagrande", "P_c_pacheco_silva"}) {
     EXPECT_NEAR(std::log(*find(fit, name)->value / kPc), 0.1, 0.3) << name;
     EXPECT_LT(*find(fit, name)->low95, *find(fit, name)->value);

@@ -13,9 +13,9 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-/// Integrates over z the area of the cross section that the ball and the box have in common, over the range of z in
-/// which both extend. At the ends of this range, the area may vary like the square root of the distance from the end.
-/// The substitution z = middle - half length * cos(angle) makes the integrand smooth there.
+/// Integrates over z the area that the cross sections of the ball and the box have in common, over the z that both
+/// contain. At the ends of this range, the area may vary like the square root of the distance from the end. The
+/// substitution z = middle - half length * cos(angle) makes the integrand smooth there.
 double by_quadrature(const Vec<3>& centre, double radius, const Vec<3>& low, const Vec<3>& high) {
   const double from = std::max(low[2], centre[2] - radius), to = std::min(high[2], centre[2] + radius);
   constexpr int kSteps = 200000;
@@ -77,8 +77,8 @@ TEST(BallInBox, AgreesWithQuadratureAndPartsAddUp) {
 
 TEST(BallInBox, OutsideIsNothing) {
   EXPECT_EQ(ball_in_box<3>(Vec<3>(3.0, 0.0, 0.0), 1.0, Vec<3>::Constant(-1.0), Vec<3>::Constant(1.0)), 0.0);
-  // The centre of the ball is closer than a radius to the planes of two faces, but farther than a radius from the edge
-  // between these faces.
+  // The centre of the ball is less than a radius away from the planes of two faces, but more than a radius away from
+  // the edge between these faces.
   EXPECT_NEAR(ball_in_box<3>(Vec<3>(1.8, 1.8, 0.0), 1.0, Vec<3>::Constant(-1.0), Vec<3>::Constant(1.0)), 0.0,
               1e-15);
 }

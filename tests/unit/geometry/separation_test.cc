@@ -24,8 +24,8 @@ TEST(Separation, OfFarPlacesAndImagesIsExact) {
                 0.0, 1e9 * 0x1p-104);
 }
 
-/// The branch (3, -4) has exactly the length 5. The computed gap must therefore be right to its last digit, even if it
-/// is very small.
+/// The branch (3, -4) has exactly the length 5. The computed gap must therefore be right to its last digit, even if the
+/// gap is very small.
 TEST(Separation, GivesGapsToTheirOwnLastDigit) {
   const DoubleDoubleVec<2> r = double_double<2>(Vec<2>(3.0, -4.0), Vec<2>::Zero());
   EXPECT_EQ(surface_gap<2>(r, 2.0, 3.0), 0.0);

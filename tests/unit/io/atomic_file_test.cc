@@ -77,8 +77,8 @@ TEST(AtomicFile, LeavesNoPartWhereASignalEndsTheProgram) {
   }
 }
 
-/// Runs `work` in a process whose files can have at most `limit` bytes, as if the disk were full. Returns its
-/// exit code.
+/// Runs `work` in a process whose files can have at most `limit` bytes, which has the effect of a full disk. Returns
+/// the exit code of the process.
 template <class Work>
 int exit_code_with_file_limit(rlim_t limit, const Work& work) {
   const pid_t child = ::fork();

@@ -8,8 +8,7 @@
 #include "floc/io/settle_space.h"
 #include "support/foreign_packing.h"
 
-/// Tests of packings whose axes have periodic ends, walls or open ends. The ends are given in the file of the packing
-/// or by options.
+/// Tests of packings with periodic axes, walls or open ends, which are given in the file of the packing or by options.
 namespace floc {
 namespace {
 
@@ -18,8 +17,8 @@ using testing::ThrowsMessage;
 
 const std::vector<std::string> kEnds = {"p", "ww", "wo", "ow", "oo"};
 
-/// Writes a packing in a format and reads it back. The packing has no friction forces, because the formats do not store
-/// them.
+/// Writes a packing in a format and reads it back. The friction forces of the packing are not compared, because the
+/// formats do not store them.
 template <int Dim>
 void expect_round_trip(const std::string& keyword, const test::Ends<Dim>& ends) {
   SCOPED_TRACE(keyword + " " + testing::PrintToString(ends));
@@ -32,7 +31,8 @@ void expect_round_trip(const std::string& keyword, const test::Ends<Dim>& ends) 
   find_contacts(read);
   Packing<Dim> written = state.packing;
   for (Contact<Dim>& c : written.contacts) c.shear_force.setZero();
-  // In files the cell begins at zero, so a packing with an open lower end is shifted.
+  // In files the cell begins at zero, so writing shifts a packing with an open lower end. The positions of walls are
+  // therefore not compared.
   for (Wall<Dim>& wall : written.walls) wall.position = 0.0;
   for (Wall<Dim>& wall : read.walls) wall.position = 0.0;
   test::expect_same_packing<Dim>(read, written, 1e-12);

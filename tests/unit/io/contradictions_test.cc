@@ -10,8 +10,8 @@
 #include "floc/io/law_text.h"
 #include "support/run_program.h"
 
-/// Tests of contradictory files in every format of grains and contacts. The message must name the
-/// contradiction. Integers that are written as real numbers are accepted.
+/// Tests of contradictory files in every format of grains and contacts. The message must name the contradiction.
+/// Integers that are written as real numbers must be accepted.
 namespace floc {
 namespace {
 
@@ -101,7 +101,7 @@ const ContactFormat kContactFormats[] = {
 
 const Columns kGrains = {{"id", {"7", "3"}}, {"x", {"1", "1.999"}},      {"y", {"1", "1"}},
                          {"z", {"1", "1"}},  {"radius", {"0.5", "0.5"}}, {"mass", {"1", "2"}}};
-/// The listed forces agree with the law: K_N = 1000 at an overlap of 0.001.
+/// Contacts with the stiffnesses of the law; K_N = 1000 and an overlap of 0.001 give a force of 1.
 const Columns kContacts = {{"id1", {"7"}},  {"id2", {"3"}}, {"kn", {"1000"}},
                            {"kt", {"800"}}, {"kr", {"20"}}, {"ktw", {"10"}}};
 
@@ -164,7 +164,7 @@ TEST_F(Contradictions, OfGrainsAreRefusedInEveryFormat) {
     const std::string keyword = format.keyword;
     const auto fault = [&](const Columns& columns) { return fault_of(keyword, format.text(columns)); };
     accepted(fault(kGrains));
-    // Gives each column twice, except in VTK, where positions have no names.
+    // Adds a copy of each column, except in VTK, where positions have no names.
     for (const auto& column : kGrains) {
       if (keyword == "vtu" && column.second == kGrains[1].second) continue;
       if (keyword == "vtu" && column.first.size() == 1) continue;
@@ -173,7 +173,7 @@ TEST_F(Contradictions, OfGrainsAreRefusedInEveryFormat) {
       refused(fault(twice),
               AllOf(HasSubstr(column.first), testing::AnyOf(HasSubstr("both named"), HasSubstr("twice"))));
     }
-    // Gives the size twice: by `radius`, and by `diameter` or `r`.
+    // Adds a second column for the size, `diameter` or `r`, besides `radius`.
     for (const char* size : {"diameter", "r"}) {
       const bool diameter = size == std::string("diameter");
       const auto both = [&](double radius) {

@@ -17,8 +17,8 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-/// Fixture: three disks in a skewed cell of 4 x 3 with an offset of 1. Disks 0 and 1 overlap by 0.1 across a side of
-/// the cell, and disks 1 and 2 by 0.2 inside the cell.
+/// Fixture: three disks in a skewed cell. Its lattice vectors are (4, 0) and (1, 3). Disks 0 and 1 overlap by 0.1
+/// across a side of the cell, and disks 1 and 2 by 0.2 inside the cell.
 class CsvPacking : public testing::Test {
  protected:
   CsvPacking() {
@@ -121,14 +121,14 @@ TEST_F(CsvPacking, TakesImagesThatReferToThePositionsOfTheFile) {
 }
 
 TEST_F(CsvPacking, KeepsForcesOfTheListAndStretchesTheSpringsToThem) {
-  // The list names grain 5 first, so the listed force of +0.3 acts on grain 5, and -0.3 acts on grain 3.
+  // The list names grain 5 first: the listed force of +0.3 acts on grain 5, and the opposite force on grain 3.
   contacts("id1,id2,normal_force,shear_force1,shear_force2,rolling_moment\n5,3,2.5,0,0.3,0.04\n");
   const Contact<2> c = read().contacts[0];
   EXPECT_EQ(std::tie(c.i, c.j), std::make_tuple(1, 2));
   EXPECT_NEAR(c.normal[0], -1.0, 1e-15);
   EXPECT_EQ(c.normal_force, 2.5);
   EXPECT_NEAR(c.shear_force[1], -0.3, 1e-15);
-  // The normal is along -x, so the tangent is along -y. The elongation of the spring along this tangent is F/K_T =
+  // The normal is along -x, so the tangent is along -y. Along this tangent, the elongation of the spring is F/K_T =
   // 0.3/4.
   EXPECT_NEAR(test::shear_spring(c)[0], 0.075, 1e-15);
   EXPECT_NEAR(c.rolling_moment[0], -0.04, 1e-15);

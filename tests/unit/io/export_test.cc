@@ -57,8 +57,8 @@ TEST(ExtendedXyz, ReadsWhatItWroteToTheLastDigit) {
   expect_written_grains(written_and_read("extended-xyz", test::busy_state<3>()), test::busy_state<3>().packing);
 }
 
-/// LAMMPS requires the first lattice vector along x, and small tilts. An export may therefore rotate the packing and
-/// replace the lattice vectors by other vectors of the same lattice. All distances stay the same.
+/// LAMMPS requires the first lattice vector along x, and small tilts. For LAMMPS, a packing may therefore be rotated
+/// and get other vectors of the same lattice. All distances must stay the same.
 template <int Dim>
 void expect_same_lattice_and_distances() {
   State<Dim> state = test::busy_state<Dim>();

@@ -14,8 +14,8 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-/// A dataset with a nominal size of 8e9 bytes that was never written takes no space in the file. Reading it would still
-/// need 8e9 bytes of memory.
+/// The file has a dataset with a nominal size of 8e9 bytes. Nothing was written to this dataset, so it takes no space
+/// in the file, but reading it would need 8e9 bytes of memory.
 TEST(Hdf5Reader, TakesNoMemoryForWhatIsLongerThanItsFile) {
   constexpr std::uint64_t kRows = 1'000'000'000;
   const test::ScratchDirectory scratch;

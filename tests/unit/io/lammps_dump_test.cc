@@ -105,8 +105,8 @@ TEST_F(LammpsDump, OfSeveralFramesIsReadLastUnlessOneIsNamed) {
 }
 
 TEST_F(LammpsDump, TakesForcesOnTheFirstGrainFromADumpLocal) {
-  // Grains 3 and 7 touch across the side of the box. Grain 7 exerts a force of 1 to the left and 0.3 upwards on grain
-  // 3.
+  // Grains 3 and 7 touch across the side of the box. The force on grain 3 has the components -1 along x and 0.3 along
+  // y.
   contacts("3 7 -1 0 0 0 0.3\n5 3 -2 0 0 0 -0.5\n");
   const Packing<2> p = packing<2>();
   ASSERT_EQ(p.contacts.size(), 2u);
@@ -170,8 +170,8 @@ TEST_F(LammpsDump, NamesWhatIsWrongInItsContacts) {
   EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("the law has no friction")));
 }
 
-/// The grains are 2.9 apart in a cell of height 4. At more than half of the height, two images of a grain can be
-/// equally near.
+/// The grains are 2.9 apart in a cell of height 4. If the distance is more than half of the height, two images of a
+/// grain can be equally near.
 TEST_F(LammpsDump, DoesNotGuessTheImageOfAContactOfHalfTheCell) {
   contacts("7 3 1 0 0 0 0\n");
   options_.cell = {{6, 0}, {0, 4}};

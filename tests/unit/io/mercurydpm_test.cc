@@ -67,8 +67,8 @@ std::string restart(const Packing<Dim>& p) {
   return text;
 }
 
-/// Returns the contacts as the text of an .fstat file, with every pair of grains twice. The force on the first
-/// particle of a pair is fn n + ft t. At a wall the force has the opposite sign.
+/// Returns the contacts as the text of an .fstat file, which lists every pair of grains twice. The force on the first
+/// particle of a pair is fn n + ft t. For a contact with a wall, the sign of the force is opposite.
 template <int Dim>
 std::string fstat(const Packing<Dim>& p) {
   std::string text = "# 0 0\n# 0 0 0 4 4 4\n# 0.5 0.5 0 0 0 0\n";

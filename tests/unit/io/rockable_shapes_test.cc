@@ -60,8 +60,8 @@ TEST(RockableShapes, SaysWhatItCannotHold) {
   refusal(bonded, "contacts that act across gaps");
 }
 
-/// Writes two cubes of side 1 with edges rounded by 0.1, one cube on top of the other. `interactions` has one
-/// interaction per line.
+/// Writes two cubes of side 1, one on top of the other, with edges rounded by 0.1. Each line of `interactions` is one
+/// interaction.
 void write_cubes(const test::ScratchDirectory& scratch, const std::string& interactions,
                  const std::string& more = "preCompDone y\n") {
   const auto n = std::count(interactions.begin(), interactions.end(), '\n');
@@ -109,8 +109,8 @@ TEST(RockableShapes, ReadsHomothetyNormalsAndTypes) {
   EXPECT_EQ(read(point(3, 0.4, 0.4, 1)).contacts[0].type, ContactType::kEdgeEdge);
   EXPECT_EQ(read(point(2, 0.4, 0.4, 1)).contacts[0].type, ContactType::kVertexFace);
   EXPECT_EQ(read(point(2, 0.4, 0.4, 1) + point(3, 0.0, 0.4, 1)).contacts[0].type, ContactType::kDouble);
-  // The file may have more contact points for a pair than floc finds from the shapes. Even then, each point gets its
-  // own key.
+  // The file may list more contact points for a pair than floc finds from the shapes. Each listed point must
+  // nevertheless get a key of its own.
   std::string many;
   for (int k = 0; k < 12; ++k) many += point(2, 0.4 - 0.05 * k, 0.4, 1);
   const Packing<3> twelve = read(many);

@@ -233,8 +233,8 @@ TEST(StateFile, ComesThroughAPipeAsFromADisk) {
   second.join();
 }
 
-/// A limit of the operating system for the size of files makes the writing of a state fail. For every limit, the old
-/// state file must stay unchanged and no other file may remain.
+/// The operating system limits the size of files, so that a state cannot be written completely. For every limit, the
+/// old state file must stay unchanged and no other file may remain.
 TEST(StateFile, ThatDoesNotFitTheDiskLeavesTheOldOne) {
   const ScratchDirectory scratch;
   write_state(scratch.file("s.h5"), busy_state<2>());
@@ -278,7 +278,8 @@ TEST(StateFileRefuses, SealedBytesThatAreNoHdf5Inside) {
   EXPECT_THAT(refusal(scratch.file("s.h5")), HasSubstr("HDF5 library cannot open"));
 }
 
-/// The HDF5 heap that contains the texts begins with a signature, which was overwritten before the file was sealed.
+/// The texts of the file are in an HDF5 heap. The signature at the beginning of the heap was overwritten before the
+/// file was sealed.
 TEST(StateFileRefuses, SealedBytesThatAreDamagedInside) {
   const ScratchDirectory scratch;
   write_state(scratch.file("s.h5"), busy_state<2>(), "progress");
@@ -294,8 +295,8 @@ TEST(StateFileRefuses, SealedBytesThatAreDamagedInside) {
               ThrowsMessage<InputError>(HasSubstr("s.h5: the file is damaged although its checksum is right")));
 }
 
-/// Writes a state that no run can produce, and returns the message with which the reader refuses it. The
-/// message must name the dataset.
+/// Writes a state that no run can produce. Returns the message with which the reader refuses the state; the message
+/// must name the dataset.
 template <class Spoil>
 std::string refusal_of_spoiled(const Spoil& spoil) {
   const ScratchDirectory scratch;

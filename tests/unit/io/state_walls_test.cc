@@ -48,8 +48,8 @@ TEST(StateWithWalls, ComesBackAsItWas) {
   expect_walls_kept<3>();
 }
 
-/// The file has attributes for the boundary of each axis, for the forces, and for a required feature. Older programs do
-/// not know this feature, and therefore refuse the file.
+/// Attributes of the file describe the boundary of each axis and the forces. A further attribute names a required
+/// feature: older programs do not know it and therefore refuse the file.
 TEST(StateWithWalls, SaysWhatItHasInItsAttributes) {
   const State<3> state = test::boxed_state<3>();
   const test::ScratchDirectory scratch;

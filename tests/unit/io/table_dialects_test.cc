@@ -11,8 +11,8 @@
 #include "support/contact_laws.h"
 #include "support/scratch_directory.h"
 
-/// Writes one table in hundreds of dialects, which different programs and countries use. Each dialect must give the
-/// same numbers when the table is read as a load path, as grains or as contacts.
+/// Writes one table in hundreds of dialects, as different programs and countries do. When the table is read as a load
+/// path, as grains or as contacts, each dialect must give the same numbers.
 namespace floc {
 namespace {
 
@@ -119,8 +119,8 @@ std::string encoded(const std::string& utf8, Encoding encoding) {
   return bytes;
 }
 
-/// Returns dialects with each separator, each decimal mark that is allowed with this separator, each encoding and each
-/// line end. The other features of a dialect are drawn at random.
+/// Returns dialects with each separator, each decimal mark that can be used with this separator, each encoding and each
+/// line end. All other features of a dialect are drawn at random.
 std::vector<Dialect> dialects() {
   std::vector<Dialect> all;
   std::mt19937 random(47);

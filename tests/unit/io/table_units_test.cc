@@ -32,7 +32,7 @@ TEST(TableUnits, AreAlsoKnownUnitsBehindTheName) {
   EXPECT_THAT(name_and_unit("sigma_kPa"), Pair("sigma", "kPa"));
   EXPECT_THAT(name_and_unit("e_percent"), Pair("e", "percent"));
   EXPECT_THAT(name_and_unit("Void ratio (%)"), Pair("Void ratio", "%"));
-  // These column names contain parts, or texts in brackets, that look like units but are not.
+  // These column names contain something that looks like a unit but is none.
   for (const char* name :
        {"sigma_bar", "F_N", "P/P_ref", "P_m", "x in", "sigma (effective)", "Void ratio (e)", "Spannung"})
     EXPECT_THAT(name_and_unit(name), Pair(name, ""));
@@ -67,9 +67,9 @@ TEST(TableUnits, AreConvertedByTheirSizes) {
   EXPECT_THROW(factor("potatoes", "Pa"), InputError);
 }
 
-/// Converts between all pairs of units, with their prefixes. The product of the factors for both directions is one. A
-/// conversion through a third unit gives the same factor as a direct conversion. Units of other quantities, and missing
-/// units, are refused.
+/// Converts between all pairs of units, including prefixes. The factors of the two directions must have the product
+/// one. A conversion through a third unit must give the same factor as a direct conversion. Units of different
+/// quantities, and missing units, must be refused.
 TEST(TableUnits, OfAllPairsConvertOrAreRefused) {
   std::vector<std::string> units = known_units();
   for (const char* name :

@@ -85,8 +85,7 @@ TEST(VtkHdf, HasVtksLayoutAndTensionPositive) {
   }
 }
 
-/// Writes a file as another program may write it: without identifiers, in single precision, and with a line for
-/// each contact.
+/// Writes a file as another program might: without identifiers, in single precision, and with a line for each contact.
 void write_foreign(const std::string& path, const std::vector<double>& connectivity,
                    const std::string& type = "PolyData") {
   Hdf5Writer file(path);

@@ -76,7 +76,7 @@ TEST_F(WallFile, OfLiggghtsHasPlanesAndMeshes) {
   EXPECT_EQ(walls("fix m all mesh/surface file s.stl type 1\n" + fix), "z=-1: ");
   EXPECT_EQ(walls("fix m all mesh/surface/stress file s.stl type 1 scale 2 move 0 0 6\n" + fix), "z=:4 ");
   EXPECT_EQ(in_words(ends_of_planes(read_wall_file(scratch_.file("s.stl")).planes, two_grains(), 3)), "z=-1: ");
-  // Of two parallel faces, only the inner one counts as a wall, and only if it faces a grain.
+  // If two faces are parallel, only the inner face counts as a wall, and only if it faces a grain.
   EXPECT_EQ(walls("fix a all wall/gran model hertz primitive type 1 zplane -0.5\nfix m all mesh/surface file "
                   "s.stl type 1\n" +
                   fix),

@@ -36,7 +36,7 @@ ElementStiffness random_stiffness(RandomStream& random) {
   return stiffness;
 }
 
-/// Minimises the energy under an imposed strain by moving one unknown at a time to its best value, until no move lowers
+/// Minimises the energy under an imposed strain: moves one unknown at a time to its best value, until no move lowers
 /// the energy. This method is slow and independent of the solver.
 /// @return force of each row of `springs`
 std::vector<double> brute_force(const SpringRows<2, 2>& springs, const Eigen::Vector3d& strain) {
@@ -122,8 +122,8 @@ TEST(ActiveSet, NeverCycles) {
   EXPECT_GT(n_held, 300);
 }
 
-/// If contacts are bilateral, the response to tension is minus the response to compression. With unilateral contacts,
-/// this is not true.
+/// If contacts are bilateral, the response to tension is minus the response to compression. If contacts are unilateral,
+/// it is not.
 TEST(ActiveSet, TensionIsMinusCompressionOnlyWhereAllIsBilateral) {
   RandomStream random(5, 0);
   CementedSample<2> sample = random_sample(random, 12, 12);

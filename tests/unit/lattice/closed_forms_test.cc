@@ -41,8 +41,8 @@ LatticeNetwork<3> fcc(double second) {
       for (int n = 0; n < 27; ++n) {
         const Vec<3, int> image(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
         const Vec<3> branch = points[j] + cell.shift(image) - points[i];
-        // The loop visits each bond from both of its ends. It adds the bond only from the end at which the first
-        // non-zero component of the branch is positive.
+        // The loop meets each bond twice, from both of its ends. The bond is added from one end only: the end from
+        // which the first non-zero component of the branch is positive.
         int axis = 0;
         while (axis < 3 && std::abs(branch[axis]) < 1e-9) ++axis;
         if (axis == 3 || branch[axis] < 0.0) continue;
@@ -100,9 +100,9 @@ TEST(IrregularLattice, FillsTheCellAndClosesEveryVoronoiCell) {
   EXPECT_NEAR(static_cast<double>(lattice.bonds.size()) / lattice.n_nodes(), 7.77, 0.3);
 }
 
-/// The springs with K_N = K_T = E s/l act at the centres of the faces between the cells of the nodes (s: area of the
-/// face, l: distance of the two nodes). With these springs, every lattice deforms like a homogeneous continuum with nu
-/// = 0.
+/// The springs act at the centres of the faces between the cells of the nodes and have the stiffnesses K_N = K_T = E
+/// s/l (s: area of the face, l: distance of the two nodes). With such springs, every lattice deforms like a homogeneous
+/// continuum with nu = 0.
 TEST(IrregularLattice, OfBeamsByFacetIsAHomogeneousContinuum) {
   const Lattice<3> lattice = irregular(4.0, 1.0);
   ElementStiffness stiffness;
@@ -262,8 +262,8 @@ TEST(Boundary, OfUniformStrainIsStifferThanAPeriodicCell) {
   RandomStream random(8, 0);
   const CementedSample<2> sample = sample_of<2>(triangular_lattice(14, 14, 1.0),
                                                 [&](const Vec<2>&) { return random.uniform() < 0.4 ? 0 : -1; });
-  // The boundary also removes elements of the lattice. Moduli are therefore divided by those of a homogeneous lattice
-  // with the same boundary.
+  // A boundary that is not periodic also removes elements of the lattice. Moduli are therefore divided by those of a
+  // homogeneous lattice with the same boundary.
   const auto relative = [&](LatticeBoundary boundary) {
     Eigen::VectorXd diagonal[2];
     for (const int uniform : {0, 1}) {

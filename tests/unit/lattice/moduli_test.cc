@@ -89,12 +89,12 @@ TEST(Laminate, OfRowsHasTheClosedFormForAnyContrastWithTheInterfaceInSeries) {
     EXPECT_NEAR(C_of(0, 1) / C22, 1.0 / 3, 1e-9) << soft;
     EXPECT_NEAR(C_of(0, 0) / (2 * kRoot3 / 3 * mean + C22 / 9), 1.0, 1e-9) << soft;
   }
-  // 0.55 is the arithmetic mean of both stiffnesses. As the interface stiffness, it makes the laminate too stiff.
+  // The interface stiffness 0.55 is the arithmetic mean of the two stiffnesses. It makes the laminate too stiff.
   EXPECT_NEAR(laminate(0.1, 0.55)(1, 1) / C(1, 1), 1.11, 0.005);
 }
 
-/// Compares all entries of C with the moduli that the code for contact networks gives for the same elements: with
-/// central forces alone, and with shear and bending.
+/// Compares all entries of C with the moduli that the code for contact networks gives for the same elements. The
+/// elements have central forces alone, or also shear and bending.
 TEST(LatticeModuli, AreThoseOfItsContactNetwork) {
   RandomStream random(3, 0);
   for (const double shear : {0.0, 0.5}) {

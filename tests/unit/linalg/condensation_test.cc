@@ -56,8 +56,8 @@ TEST(Condensation, IsTheSchurComplementWithinItsBound) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     std::srand(seed);
     const SpringSystem s = random_springs(30, 20, 3, 0.1);
-    // Each entry of the matrix has an error of 8 rounding units. The elimination multiplies the relative error by the
-    // sum of a row divided by the entry that remains after the elimination.
+    // Each entry of the matrix has an error of 8 rounding units. The elimination multiplies the relative error: by the
+    // sum of a row divided by the entry that is left after the elimination.
     expect_within_bound(condense(s, noisy_inverse(s, 0.0), {}), exact(s), 1e-12);
   }
 }

@@ -44,8 +44,8 @@ void expect_eigenpairs(const SymmetricFactor& factor, const Eigenpairs& pairs) {
   EXPECT_LT((pairs.vectors.transpose() * pairs.vectors - Eigen::MatrixXd::Identity(k, k)).norm(), 1e-12);
 }
 
-/// A Lanczos iteration finds only one vector of a multiple eigenvalue. Here hundreds of eigenvalues are zero; a
-/// block iteration finds all their vectors together.
+/// Hundreds of eigenvalues are zero here. A Lanczos iteration would find only one vector of a multiple eigenvalue; a
+/// block iteration finds all vectors together.
 TEST(LowestEigenpairs, OfHundredsOfMechanismsAreFoundAtOnce) {
   constexpr int kCopies = 300;
   const Eigen::SparseMatrix<double> nothing(10 * kCopies, 0);

@@ -8,8 +8,8 @@
 namespace floc {
 namespace {
 
-/// Tests the matrix of a chain, with 2 + shift on the diagonal and -1 beside it. For 1000 unknowns, its lowest
-/// eigenvalue, 2 - 2 cos(pi/(n+1)) + shift, is about 1e-5 + shift.
+/// Tests whether the matrix of a chain is positive. The matrix has 2 + shift on the diagonal and -1 beside it. Its
+/// lowest eigenvalue, 2 - 2 cos(pi/(n+1)) + shift, is about 1e-5 + shift for 1000 unknowns.
 Positivity test_chain(int n, double shift, const PositivityOptions& options) {
   const auto apply = [&](const Eigen::VectorXd& x) {
     Eigen::VectorXd y = (2.0 + shift) * x;

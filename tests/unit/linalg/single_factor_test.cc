@@ -36,8 +36,8 @@ TEST(SingleFactor, DoesNotLoseForcesBelowTheRangeOfSinglePrecision) {
 }
 
 TEST(SingleFactor, ShiftsWhatRoundingMakesIndefiniteAndSaysSo) {
-  // Both ends of the chain are free, so a translation needs no energy. Rounding decides the sign of the pivot
-  // of the translation.
+  // Both ends of the chain are free, so a translation needs no energy. The pivot of the translation is zero except for
+  // rounding errors, which decide its sign.
   Eigen::SparseMatrix<double> free = chain(50, 0.0);
   free.coeffRef(0, 0) = free.coeffRef(49, 49) = 1.0;
   const SingleFactor factor(free);

@@ -12,8 +12,8 @@ namespace {
 
 constexpr TangentLayout kLayout{3, 2};
 
-/// Returns the matrix of a ring of grains with three unknowns each, coupled to their neighbours and to two
-/// unknowns of a boundary.
+/// Returns the matrix of a ring of grains with three unknowns each. The unknowns are coupled to those of the neighbours
+/// and to two unknowns of a boundary.
 /// @param skew      size of the antisymmetric part
 /// @param diagonal  stiffness that holds each unknown in place
 Eigen::SparseMatrix<double> ring_of_grains(int n_grains, double skew, double diagonal) {
@@ -51,8 +51,8 @@ TEST(TangentSolver, SolvesByEachMethod) {
   }
 }
 
-/// The solver uses the factorization of the first matrix for the second one as well. The third matrix has scaled rows
-/// and columns and needs a new factorization.
+/// The solver can use the factorization of the first matrix for the second matrix too. The third matrix has scaled rows
+/// and columns and needs a factorization of its own.
 TEST(TangentSolver, KeepsAFactorWhileItServes) {
   TangentSolver solver({TangentMethod::cholesky, 0.0, false}, kLayout);
   const Eigen::SparseMatrix<double> first = ring_of_grains(400, 0.3, 1.0);
@@ -74,8 +74,8 @@ TEST(TangentSolver, SaysThatItHasNoSolution) {
     EXPECT_FALSE(TangentSolver({method}, kLayout).set_matrix(matrix));
 }
 
-/// The antisymmetric part of the matrix is so large that an iteration with a factorization of the symmetric part does
-/// not converge.
+/// The antisymmetric part of the matrix is so large that the iteration, which uses a factorization of the symmetric
+/// part, does not converge.
 TEST(TangentSolver, TakesAFactorWhereTheIterationDoesNotConverge) {
   const Eigen::SparseMatrix<double> matrix = ring_of_grains(400, 1e3, 1.0);
   const Eigen::VectorXd expected = Eigen::VectorXd::Random(matrix.rows());

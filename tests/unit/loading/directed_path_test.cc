@@ -103,7 +103,7 @@ steps = 2
   EXPECT_TRUE(states[7].target_side.isZero(0.0));
 }
 
-/// The strain of the single load step is too large for Newton's method, so time steps impose it.
+/// The strain of this single load step is too large for Newton's method, so time steps have to impose it.
 TEST(DirectedPath, LargeStrainsOfOneStepAreImposed) {
   const auto states = states_of("[[load]]\ncontrol = \"triaxial\"\nstrain = 0.08\nsteps = 1\n");
   ASSERT_EQ(states.size(), 2u);
@@ -156,8 +156,8 @@ TEST(DirectedPath, DissipatesAndNeverGains) {
               (from.stress(a, a) * from.packing.cell.volume() + to.stress(a, a) * to.packing.cell.volume()) *
               std::log(sides(from)[a] / sides(to)[a]);
     const double dissipated = work - (energy(to) - energy(from));
-    // The work is computed with the mean stress of the two states. If the stress collapses between the two states, the
-    // error of the work is at most half of the change of stress, times the strain increment, times the volume.
+    // The work is computed with the mean stress of the two states. If the stress collapses between them, the error of
+    // the work is at most half of the change of stress times the strain increment times the volume.
     const double open = 0.5 * (to.stress - from.stress).cwiseAbs().maxCoeff() * 1e-3 * to.packing.cell.volume();
     EXPECT_GT(dissipated, -open) << k;
     total += dissipated;

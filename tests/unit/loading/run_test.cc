@@ -14,7 +14,7 @@
 namespace floc {
 namespace {
 
-/// Returns options of a run that keeps its first pressure and removes the adhesion.
+/// Returns options of a run with one stage, which removes the adhesion at constant pressure.
 RunOptions losing_adhesion() {
   RunOptions options;
   options.law = test::cohesive_law();
@@ -54,8 +54,8 @@ void expect_measured(const State<2>& state) {
   EXPECT_EQ(state.residuals.energy, r.energy);
 }
 
-/// The relaxer measures some quantities of a packing, and the state takes over their values. They must equal the values
-/// that are computed again from the packing of the state.
+/// A state takes over quantities that the relaxer has measured. They must equal the quantities that are computed again
+/// from the packing of the state.
 TEST(Run, StatesCarryWhatWasMeasuredOfThem) {
   for (const Finish finish : {Finish::automatic, Finish::dynamic}) {
     RunOptions options = losing_adhesion();

@@ -26,7 +26,7 @@ Grains<Dim> random_grains(int n, const Cell<Dim>& cell, double largest_radius, s
   return grains;
 }
 
-/// Finds all pairs by testing all images within `reach` cells. This method is slow and independent of the
+/// Finds all pairs by testing all periodic images up to `reach` cells away. This method is slow and independent of the
 /// tested code.
 template <int Dim>
 std::vector<NeighborPair<Dim>> by_brute_force(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap,
@@ -48,8 +48,8 @@ std::vector<NeighborPair<Dim>> by_brute_force(const Cell<Dim>& cell, const Grain
   return found;
 }
 
-/// Returns grains whose radii are distributed evenly in ln r, from largest_radius/ratio to largest_radius.
-/// Every level of the search then has grains.
+/// Returns grains with radii from largest_radius/ratio to largest_radius, evenly distributed in ln r, so that every
+/// level of the search has grains.
 template <int Dim>
 Grains<Dim> grains_of_sizes(int n, const Cell<Dim>& cell, double largest_radius, double ratio) {
   Grains<Dim> grains = random_grains(n, cell, largest_radius, 7);

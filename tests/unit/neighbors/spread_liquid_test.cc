@@ -23,8 +23,8 @@ Law wet_law(double water, const std::string& formation = "gap") {
   return law;
 }
 
-/// Applies the rule for liquid bridges to all pairs of grains with gaps of up to `reach`. Returns the number of
-/// bridges.
+/// Applies the rule for the formation of liquid bridges to all pairs of grains with gaps of up to `reach`. Returns the
+/// number of bridges.
 template <int Dim>
 int bonds_over_all_pairs(const Packing<Dim>& packing, double reach) {
   std::vector<BridgeablePair> pairs;

@@ -50,7 +50,7 @@ TEST(ChainOfSpheres, TwistsBendsAndShearsAsSpringsInSeries) {
     EXPECT_NEAR(c(0, 0), (n - 1) / kN, 1e-11 * n);
     EXPECT_NEAR(c(3, 3), (n - 1) / kTwisting, 1e-11 * n);
     for (const int axis : {4, 5}) EXPECT_NEAR(c(axis, axis), (n - 1) / kRolling, 1e-10 * n);
-    // A transverse force that acts at the middle of the chain exerts no moment about the middle, so the ends do not
+    // If a transverse force acts at the middle of the chain, it exerts no moment about the middle. The ends then do not
     // rotate relative to each other.
     for (const auto& [along, about, sign] : {std::tuple(1, 5, 1.0), std::tuple(2, 4, -1.0)}) {
       Eigen::Matrix<double, 6, 1> middle = Eigen::Matrix<double, 6, 1>::Zero();

@@ -8,8 +8,8 @@
 #include "floc/network/stiffness_matrix.h"
 #include "support/angular_packing.h"
 
-/// Networks of grains with corners: the normal forces of their contacts have moments, and their contact points depend
-/// on the features that meet.
+/// Networks of grains with corners. The normal forces of such grains have moments, and the number and type of the
+/// contact points depend on the features that meet.
 namespace floc::test {
 namespace {
 
@@ -41,8 +41,8 @@ Eigen::Index n_zero_eigenvalues(const Eigen::MatrixXd& k) {
   return (Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k).eigenvalues().array() < 1e-12).count();
 }
 
-/// Expects that the free motions of a network cost no energy, are independent, and that each of them takes one zero
-/// eigenvalue out of the stiffness matrix of the unknowns that are solved for.
+/// Expects that the free motions of a network cost no energy and are independent. Also expects that for each free
+/// motion, the stiffness matrix of the unknowns that are solved for has one zero eigenvalue less than the whole matrix.
 template <int Dim>
 void expect_free_motions_cost_nothing(const ContactNetwork<Dim>& network) {
   const FreeMotions free = find_free_motions(network);
@@ -90,8 +90,8 @@ MotionMatrix<Dim> matrix_of(const GeometricSprings<Dim>& springs) {
   return springs.directions * springs.stiffness.asDiagonal() * springs.directions.transpose();
 }
 
-/// If a pair rotates as a whole by w, its force f turns with it, and does the work (w x r).(w x f)/2 of second order,
-/// whatever the shapes.
+/// If a pair rotates as a whole by w, its contact force f rotates with it. To second order, f does the work (w x r).(w
+/// x f)/2 with the branch r, for any shapes.
 template <int Dim>
 void expect_forces_turn_with_a_pair() {
   const Packing<Dim> packing = angular_packing_with_forces<Dim>(periodic<Dim>()).packing;
@@ -116,7 +116,7 @@ TEST(GeometricSprings, ForcesTurnWithAPair) {
   expect_forces_turn_with_a_pair<3>();
 }
 
-/// Disks and spheres of one size that are shapes have the geometric stiffness of round grains.
+/// Disks or spheres of one size that are described as shapes must have the geometric stiffness of round grains.
 template <int Dim>
 void expect_springs_of_round_grains() {
   Packing<Dim> packing = angular_packing_with_forces<Dim>(periodic<Dim>(), {round_shape<Dim>(0.5)}).packing;

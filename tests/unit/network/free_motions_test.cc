@@ -86,8 +86,8 @@ int expect_modes_of_no_energy(const ContactNetwork<Dim>& network) {
   const StiffnessMatrix k = stiffness_matrix(network, {});
   const int n = network.n_unknowns();
   const Eigen::MatrixXd grains = Eigen::MatrixXd(k.whole()).topLeftCorner(n, n);
-  // Sums of a few terms of order one have rounding errors. In long dead ends, displacements are about 10 times larger,
-  // and errors are too.
+  // Sums of a few terms of order one have rounding errors. Displacements in long dead ends are about 10 times larger,
+  // and so are their errors.
   if (free.modes.cols() > 0) {
     EXPECT_LT((grains * free.modes).cwiseAbs().maxCoeff(), 1e-12);
   }

@@ -40,7 +40,8 @@ ContactNetwork<2> ring_around_cells(int n, int cells) {
   return network;
 }
 
-/// Each of the eight contacts crosses 2^29 cells, and their sum is 2^32 cells. In an int this sum would overflow to 0.
+/// Each of the eight contacts crosses 2^29 cells, so together they cross 2^32 cells. This number would overflow to 0 in
+/// an int.
 TEST(Percolation, AddsUpImagesThatAnIntDoesNotHold) {
   const ContactNetwork<2> network = ring_around_cells(8, 1 << 29);
   const Percolation p = find_percolation(network);

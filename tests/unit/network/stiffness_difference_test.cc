@@ -13,9 +13,9 @@
 namespace floc {
 namespace {
 
-/// Returns the packing after a displacement u of its unknowns: first the fluctuations and rotations of the
-/// grains, then the strains (shortening positive). The springs, initially unstretched, follow the linear
-/// kinematics of docs/physics.md, "Stiffness matrix". This implementation is independent of the library.
+/// Returns the packing after a displacement u of its unknowns: first the displacements and rotations of the grains in
+/// addition to the affine displacement, then the strains (shortening positive). The springs are initially unstretched
+/// and follow the linear kinematics of docs/physics.md, "Stiffness matrix". This code is independent of the library.
 template <int Dim>
 Packing<Dim> displaced(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
   const int n = packing.grains.size();
@@ -46,9 +46,9 @@ Packing<Dim> displaced(const Packing<Dim>& packing, const Eigen::VectorXd& u) {
   return out;
 }
 
-/// Returns the generalised forces that keep the packing in balance: the force and moment on every grain, then for each
-/// strain the sum over contacts of the force times the branch in the reference packing. If the packing is its own
-/// reference, these sums are the volume times the stress.
+/// Returns the generalised forces that keep the packing in balance: first the force and moment on every grain; then,
+/// for each strain, a sum over the contacts of the force times the branch in the packing `reference`. If `reference` is
+/// the packing itself, these sums are the volume times the stress.
 template <int Dim>
 Eigen::VectorXd load(const Packing<Dim>& packing, const Packing<Dim>& reference, StrainSet strains) {
   const int n = packing.grains.size();
@@ -81,8 +81,8 @@ double difference_error(const Packing<Dim>& packing, StrainSet strains) {
   return (differences - k).cwiseAbs().maxCoeff() / k.cwiseAbs().maxCoeff();
 }
 
-/// Tolerance of finite differences. The truncation error is (step/r)^2 = 1e-10, the rounding error 1e-16/step = 1e-11,
-/// both divided by the largest entry.
+/// Tolerance of finite differences, divided by the largest entry. The truncation error is (step/r)^2 = 1e-10, and the
+/// rounding error is 1e-16/step = 1e-11.
 constexpr double kDifferenceTolerance = 1e-8;
 
 Law cohesive_law() {
@@ -108,7 +108,7 @@ TEST(Stiffness, IsTheDerivativeOfTheForcesIn3D) {
   }
 }
 
-/// Checks the stiffness of liquid bridges if each bridge keeps its volume.
+/// Checks the stiffness of liquid bridges for displacements in which each bridge keeps its volume.
 template <int Dim>
 void expect_derivative_of_bridges(const std::string& form) {
   Law law = test::elastic_law(1.0, 0.7, 0.0);
@@ -118,8 +118,8 @@ void expect_derivative_of_bridges(const std::string& form) {
     EXPECT_GT(std::count_if(packing.contacts.begin(), packing.contacts.end(),
                             [](const auto& c) { return c.distant && c.kn < 0.0; }),
               2);
-    // The force of a bridge decays with the gap within a tenth of a branch length, so the truncation error is a hundred
-    // times larger than for contacts.
+    // The force of a bridge decays within a gap of a tenth of a branch length. The truncation error is therefore a
+    // hundred times larger than for contacts.
     EXPECT_LT(difference_error(packing, StrainSet::full), 100.0 * kDifferenceTolerance) << "seed " << seed;
   }
 }
@@ -144,8 +144,8 @@ TEST(Stiffness, HoldsForGrainsThatTouchTheirOwnImages) {
   EXPECT_LT(difference_error(three, StrainSet::full), kDifferenceTolerance);
 }
 
-/// Returns several laws. Under each law, one term of the stiffness is much larger than the others, so the largest
-/// entries of K come from this term.
+/// Returns several laws. Each law makes another term of the stiffness much larger than all other terms, so that the
+/// largest entries of K come from this term.
 std::vector<Law> laws_by_term() {
   Law tails = test::elastic_law(1.0, 0.7, 0.05);
   tails += test::tail_adhesion(8.0, 0.08);  // F0/D0 = 100

@@ -16,8 +16,8 @@
 namespace floc {
 namespace {
 
-/// Law with low limits of the tangential force and the rolling moment. Springs exceed these limits by up to a half, so
-/// that a third of the contacts slide.
+/// Law with low limits of the tangential force and the rolling moment. The tests stretch springs up to 1.5 times these
+/// limits, so that a third of the contacts slide.
 Law sliding_law(int dimension) {
   Law law = test::elastic_law(1.0, 0.7, 0.05);
   law += test::tail_adhesion(0.02, 0.08);
@@ -137,9 +137,9 @@ double difference_error(const Packing<Dim>& packing) {
   return (differences - k).cwiseAbs().maxCoeff() / k.cwiseAbs().maxCoeff();
 }
 
-/// Tolerance of finite differences, relative to the largest entry. The rounding error is 1e-16/step = 1e-10. If the
-/// direction of sliding rotates, the truncation error is the square of the step divided by the elongation of the
-/// spring. At the limit, the smallest elongations are about 1e-3.
+/// Tolerance of finite differences, divided by the largest entry. The rounding error is 1e-16/step = 1e-10. If the
+/// direction of sliding rotates, the truncation error is the squared ratio of the step to the elongation of the spring.
+/// The smallest elongations of springs at their limit are about 1e-3.
 constexpr double kTangentTolerance = 1e-7;
 
 template <int Dim>
@@ -202,8 +202,8 @@ TEST(Tangent, WithoutTangentialForcesIsTheSymmetricStiffness) {
   EXPECT_LT((k - k.transpose()).topLeftCorner(n, n).cwiseAbs().maxCoeff(), 1e-14);
 }
 
-/// If no contact slides, the stiffness matrix with which stability is tested must equal the symmetric part of the
-/// tangent matrix.
+/// If no contact slides, the symmetric part of the tangent matrix must equal the stiffness matrix that is used to test
+/// stability.
 template <int Dim>
 void expect_symmetric_part(const Packing<Dim>& packing) {
   const ContactNetwork<Dim> network = contact_network(test::at_rest(packing));

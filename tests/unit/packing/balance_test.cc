@@ -49,8 +49,8 @@ TEST(StaticStress, OfOneContactIsForceTimesBranchOverArea) {
 TEST(StaticStress, TakesTheBranchThroughTheBoundary) {
   Packing<2> packing = two_disks();
   packing.cell.matrix << 10.0, 0.0, 3.0, 10.0;
-  // The contact of two_disks(), but the stored position of the second disk is one cell lower: it is shifted by minus
-  // the skewed lattice vector.
+  // The contact is that of two_disks(). The stored position of the second disk is one cell lower: it is shifted by
+  // minus the second lattice vector, (3, 10).
   packing.grains.position[1] -= Vec<2>(3.0, 10.0);
   packing.contacts[0].image = {0, 1};
   EXPECT_NEAR(static_stress(packing)(0, 0), 3.0 * 1.4 / 100, 1e-16);

@@ -66,7 +66,7 @@ Touching<Dim> touching(double tangential, double rolling, unsigned seed) {
   test::rolling_spring(t.contact) = 0.6 * rolling * furthest * axis;
   t.motion.relative_rotation = 0.4 * rolling * furthest * axis;
   if constexpr (Dim == 3) {
-    // The twisting spring exceeds its limit if the rolling spring stays below its own limit, and only then.
+    // In this test, the twisting spring exceeds its limit if and only if the rolling spring stays below its own limit.
     const double twist = (rolling > 1.0 ? 0.5 : -1.3) * 0.2 * elastic / 5.0;
     test::twisting_spring(t.contact) = 0.2 * twist;
     t.motion.twist = 0.8 * twist;

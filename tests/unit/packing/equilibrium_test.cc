@@ -47,8 +47,8 @@ TEST(ForceScale, In3DIsPressureOnTheSquareOfTheDiameter) {
   EXPECT_DOUBLE_EQ(force_scale(packing, Vec<3>(2.0, 2.0, 2.0)).force, 2.0 * 9.0);
 }
 
-/// Returns the residuals of squeezed() with two additional disks, which touch each other. Their contact exerts a normal
-/// force of 0.5 and a tangential force of 0.1, which causes moments.
+/// Returns the residuals of squeezed() with two additional disks, which touch each other. The contact of these two
+/// disks has a normal force of 0.5 and a tangential force of 0.1, which causes moments.
 /// @param smallest  radius of the last disk
 /// @param change    change of the packing before the residuals are computed
 template <class Change>

@@ -10,8 +10,8 @@
 namespace floc {
 namespace {
 
-/// Checks that the net forces contain the weight. Also checks the difference between the stress from the boundary and
-/// the stress from the contacts: it must equal the contribution of the net forces on the grains, for any net forces.
+/// Checks that the net forces contain the weight. Also checks an identity for any net forces: the stress from the
+/// boundary minus the stress from the contacts is the contribution of the net forces on the grains.
 template <int Dim>
 void expect_identity(const test::Ends<Dim>& ends) {
   Packing<Dim> p = test::packing_with_forces<Dim>(ends).packing;

@@ -35,8 +35,8 @@ TEST(ShareLiquid, ThreeTouchingSpheresShareByTheirMeanRadii) {
   EXPECT_NEAR(shares.volume[2], 0.31390135, 5e-9);
 }
 
-/// Whether a set of pairs can share the liquid: each pair must touch, or its gap must be within the rupture
-/// distance of the bridge that it gets.
+/// Returns whether the pairs of a set can share the liquid. Each pair must touch, or its gap must be at most the
+/// rupture distance of the bridge that the pair gets.
 /// @param margin  relative change of the volumes of bridges
 bool all_in_reach(const CapillaryAdhesion& law, double liquid, const std::vector<BridgeablePair>& pairs,
                   unsigned set, double margin) {
@@ -50,8 +50,8 @@ bool all_in_reach(const CapillaryAdhesion& law, double liquid, const std::vector
   return true;
 }
 
-/// Whether no pair outside a set is easier to reach than a pair inside the set. Touching pairs are reached first, and
-/// then the pairs in the order of decreasing R'/gap^3.
+/// Returns whether no pair outside the set is easier to reach than a pair inside the set. Touching pairs are the
+/// easiest to reach; then follow the other pairs in the order of decreasing R'/gap^3 (R': reduced radius).
 bool leaves_out_no_closer_pair(const std::vector<BridgeablePair>& pairs, unsigned set) {
   const auto ease = [](const BridgeablePair& p) {
     return p.gap > 0.0 ? p.radius / (p.gap * p.gap * p.gap) : std::numeric_limits<double>::infinity();
@@ -81,7 +81,7 @@ struct SmallCase {
   unsigned sets() const { return 1u << pairs.size(); }
 };
 
-/// Compares the result of share_liquid() with every subset of the pairs.
+/// Compares the set of pairs to which share_liquid() gives liquid with every other set of the pairs.
 void expect_brute_force(const SmallCase& c, bool any_set, int& n_partial) {
   const LiquidShares shares = share_liquid(c.law, c.liquid, c.pairs);
   unsigned own = 0;

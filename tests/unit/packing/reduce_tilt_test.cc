@@ -14,7 +14,8 @@ namespace {
 
 /// Returns a random packing in a skewed cell. Its springs carry forces. The packing is so small that grains touch their
 /// own images.
-/// @param offset  component of the last lattice vector along the first one, divided by the length of the first one
+/// @param offset  component of the last lattice vector along the first one, divided by the length of the first lattice
+/// vector
 template <int Dim>
 Packing<Dim> slanted_packing(double offset) {
   Packing<Dim> packing = test::random_packing<Dim>(Dim == 2 ? 7 : 5, 3, test::elastic_law(1.0, 0.7, 0.01));

@@ -54,8 +54,8 @@ struct Cells {
   }
 };
 
-/// Returns the depth at which a line of sight leaves a polyhedron on the side of the eye, or no value if the line
-/// misses the polyhedron.
+/// Returns the depth at which a line of sight leaves a polyhedron on the side of the eye; absent if the line misses the
+/// polyhedron.
 std::optional<double> front_depth(const PlacedShape<3>& placed, const Vec<3>& eye, const Vec<3>& on_line) {
   const Vec<3> from = placed.rotation.transpose() * (on_line - placed.position) / placed.scale;
   const Vec<3> along = placed.rotation.transpose() * eye / placed.scale;
@@ -116,7 +116,7 @@ TEST(DrawingOrder, APlankOverASphereIsDrawnLaterThoughItsCentreIsFarther) {
 }
 
 TEST(DrawingOrder, HoldsEachBodyOfACycleOnce) {
-  // Three sticks along the sides of a triangle. At one of its ends, each stick lies above the next stick.
+  // Three sticks along the sides of a triangle. Each stick lies above the next stick, so no order of drawing is right.
   const Shape<3> stick = box<3>({10.0, 1.0, 1.0}, 0.0);
   std::vector<PlacedShape<3>> sticks;
   for (int k = 0; k < 3; ++k) {
@@ -131,8 +131,9 @@ TEST(DrawingOrder, HoldsEachBodyOfACycleOnce) {
 }
 
 TEST(HiddenBodies, AreBehindASphereInsideAnother) {
-  // A wall of bodies, whose inscribed spheres hide what is behind them, and three more bodies: one behind the wall, one
-  // beside the wall and further back, and one within the wall. The body within the wall may stick out in front.
+  // A wall of bodies whose inscribed spheres hide the space behind them, and three more bodies: one behind the wall,
+  // one farther back beside the wall, and one within the wall. The last one may stick out in front, so it is not
+  // hidden.
   std::vector<BodyExtent> bodies;
   for (int x = -6; x <= 6; ++x)
     for (int y = -6; y <= 6; ++y) bodies.push_back({{0.5 * x, 0.5 * y, 1.0}, 0.5, 0.8});

@@ -13,8 +13,8 @@ Lattice<3> small_lattice() {
   return irregular_lattice(cell, {1.0, 0.35, 3});
 }
 
-/// Returns the same lattice in a cell with other lattice vectors: integer multiples of earlier lattice vectors are
-/// added to the last two vectors.
+/// Returns the same lattice with other lattice vectors: integer multiples of earlier lattice vectors are added to the
+/// last two vectors.
 Lattice<3> slanted(Lattice<3> lattice) {
   Mat<3>& matrix = lattice.cell.matrix;
   matrix.row(2) += matrix.row(1) - matrix.row(0);

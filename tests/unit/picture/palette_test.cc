@@ -29,9 +29,9 @@ Vector3d lab(const Vector3d& rgb) {
   return {116.0 * f(xyz[1]) - 16.0, 500.0 * (f(xyz[0]) - f(xyz[1])), 200.0 * (f(xyz[1]) - f(xyz[2]))};
 }
 
-/// Returns matrices that map linear light to its perception with normal vision (first matrix) and with full
-/// protanopia, deuteranopia and tritanopia. The values are those of Machado, Oliveira and Fernandes, IEEE
-/// Trans. Vis. Comput. Graph. 15, 1291 (2009), for severity 1.
+/// Returns matrices that map linear light to the light that is perceived with normal vision (first matrix) and with
+/// full protanopia, deuteranopia and tritanopia. The values are those of Machado, Oliveira and Fernandes, IEEE Trans.
+/// Vis. Comput. Graph. 15, 1291 (2009), for severity 1.
 std::vector<Matrix3d> sights() {
   std::vector<Matrix3d> m(4);
   m[0] = Matrix3d::Identity();
@@ -41,7 +41,7 @@ std::vector<Matrix3d> sights() {
   return m;
 }
 
-/// Returns the difference of two colours in CIE L*a*b* for the kind of vision with the smallest difference. A
+/// Returns the difference of two colours in CIE L*a*b*, for the kind of vision with which the difference is smallest. A
 /// difference of about 2.3 is just noticeable.
 double least_difference(const Color& a, const Color& b) {
   double least = 1e9;

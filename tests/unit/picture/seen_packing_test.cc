@@ -15,8 +15,8 @@ using Part = SeenPacking::Part;
 
 constexpr double kSeenRounding = 1e-12;
 
-/// View from far up the z axis, with x to the right and y upwards. The coordinates in this view therefore equal the
-/// coordinates in the cell.
+/// View along the z axis from far above, with x to the right and y upwards on the page. The coordinates in this view
+/// equal the coordinates in the cell.
 View from_above() {
   View view;
   view.azimuth = -90.0;
@@ -136,8 +136,8 @@ TEST(SeenPacking, ContactsWithAWallEndFlatOnIt) {
 
 TEST(SeenPacking, ASphereHidesWhatIsInItAndBehindIt) {
   const SeenSphere sphere{{0, 0, 0}, 1.0, 0};
-  // The sphere hides a line over the full width of its outline if the line passes the sphere at the depth of the
-  // equator or behind it. The sphere does not hide a line in front of it.
+  // A line at the depth of the equator, or behind it, is hidden over the full width of the sphere. A line in front of
+  // the sphere is not hidden.
   EXPECT_EQ(hidden_part({-2, 0, -3}, {2, 0, -3}, sphere), (std::pair{0.25, 0.75}));
   EXPECT_FALSE(hidden_part({-2, 0, 1.5}, {2, 0, 1.5}, sphere));
   EXPECT_FALSE(hidden_part({-2, 1.5, -3}, {2, 1.5, -3}, sphere));
@@ -190,8 +190,9 @@ TEST(SeenPacking, ThreeEdgesOfACellLieBehindAndSixAreItsOutline) {
 }
 
 TEST(SeenPacking, EdgesBehindASphereAreBroken) {
-  // The sphere lies on the upper edge along x that is nearest to the eye. Towards x = 0, this edge recedes from the
-  // eye. On this side, the outline of the sphere hides more of the edge than the part inside the sphere.
+  // The sphere lies on the upper edge along x that is nearest to the eye. The end x = 0 of this edge is farther from
+  // the eye than the sphere. On this side, the outline of the sphere hides more of the edge than the part inside the
+  // sphere.
   const double sine = std::cos(20.0 * std::numbers::pi / 180.0) * std::cos(65.0 * std::numbers::pi / 180.0);
   const auto seen = seen_packing(spheres_at({{2, 0, 4.0 - 1e-9}}), View(), {});
   for (const SeenEdge& edge : seen.cell_edges) {

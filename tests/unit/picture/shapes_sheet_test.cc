@@ -82,8 +82,8 @@ Packing<3> cubes() {
   return packing;
 }
 
-/// Returns the area (length^2) in the blue at the end of the colour scale. Pixels at edges have mixed colours and count
-/// as parts of a pixel.
+/// Returns the area (length^2) that has the blue of the end of the colour scale. Pixels at edges have mixed colours and
+/// count in part.
 double blue_area(const std::string& png, double pixels_per_length) {
   const Pixels pixels(png);
   const int red = rgb_of(palette::diverging(1.0)) >> 16;
@@ -146,8 +146,8 @@ TEST(SheetOfShapes, DrawnAreasAreThoseOfTheShapes) {
       picture.shade.value = {1.0};
       SheetOptions options = test::plain_png();
       options.resolution = 144.0;
-      // Half of the 0.6 points of the outline lies outside the shape, and the border of the cell is 0.5 points
-      // wide.
+      // Two lines change the blue area: the outline of the shape, of which half the width of 0.6 points lies outside
+      // the shape, and the border of the cell, which is 0.5 points wide.
       const double area = blue_area(draw_sheet<2>({picture}, options), 200.0);
       EXPECT_NEAR(area, 9.0 * shape.volume, 0.1) << angle;
     }
@@ -250,8 +250,8 @@ TEST(SheetOfShapes, EveryOptionWorksForCubes) {
 TEST(SheetOfShapes, ACubeHasTheAreaOfItsProjection) {
   const Packing<3> packing = packing_of<3>({box<3>({1.0, 1.0, 1.0}, 0.0)}, {{2.0, 2.0, 2.0}}, std::sqrt(3.0));
   const auto count_grey = [](const Pixels& pixels) {
-    // The edges of the cell all lie in its outline, so a margin of 20 pixels excludes them. All other pixels
-    // that are not white belong to the cube.
+    // All edges of the cell are in its outline, which lies in a margin of 20 pixels. All other pixels that are not
+    // white belong to the cube.
     int n = 0;
     for (int y = 20; y < pixels.height() - 20; ++y)
       for (int x = 20; x < pixels.width() - 20; ++x) n += pixels.rgb(x, y) != 0xFFFFFF;

@@ -22,8 +22,8 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-/// Four disks of diameter 1 at the corners of a square in a cell of side 4, and two lines along x. The line at
-/// y = 1 has the force 2, the line at y = 3 the force 1.
+/// Four disks of diameter 1 at the corners of a square in a cell of side 4, and two lines along x with the forces 2 (at
+/// y = 1) and 1 (at y = 3).
 PackingPicture<2> two_lines() {
   PackingPicture<2> picture;
   picture.cell.matrix *= 4.0;
@@ -44,7 +44,7 @@ TEST(Sheet, WidthsOfLinesAreProportionalToForces) {
   const Pixels pixels(draw_sheet<2>({two_lines()}, test::plain_png()));
   ASSERT_EQ(pixels.width(), 410);
   ASSERT_EQ(pixels.height(), 410);
-  // The width of a line is proportional to its force; for the root mean square force it is 0.15 diameters. A diameter
+  // The width of a line is proportional to its force, and is 0.15 diameters for the root mean square force. A diameter
   // is 100 pixels. Pixels at edges have mixed colours.
   const double rms = std::sqrt(2.5);
   EXPECT_NEAR(count_in_column(pixels, 205, palette::kCompression), 15.0 * 2.0 / rms, 2.0);
@@ -120,7 +120,7 @@ TEST(Sheet, AStripHasOneLengthScale) {
   EXPECT_EQ(pixels.rgb(5 + 412 + 100, 5 + 300), 0xFFFFFF);
 }
 
-/// Returns the contacts of a random packing of disks that is repeated periodically, up to about n grains.
+/// Returns a picture with the contacts of about n disks: periodic copies of a random packing.
 PackingPicture<2> many(int n) {
   const Packing<2> packing = test::random_packing<2>(100, 3, test::elastic_law(1.0, 0.5, 0.0), 1.2);
   const int side = static_cast<int>(std::lround(std::sqrt(n / 100.0)));
@@ -141,7 +141,8 @@ TEST(Sheet, AHundredThousandGrainsAreNoBlackSquare) {
   options.format = PictureFormat::png;
   const Pixels dense(draw_sheet<2>({many(100'000)}, options));
   const Pixels sparse(draw_sheet<2>({many(100)}, options));
-  // Except for the outlines, the mean brightness of the picture is that of a picture of a hundred similar grains.
+  // The two pictures have the same mean brightness, except for the outlines of the grains in the picture with fewer
+  // grains.
   EXPECT_NEAR(dense.ink(), sparse.ink(), 0.05);
   EXPECT_LT(dense.ink(), 0.4);
   EXPECT_LE(std::max(dense.width(), dense.height()), 3000);

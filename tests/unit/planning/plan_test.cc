@@ -22,9 +22,9 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Price table with simple numbers. With the settings of the scene, a sample of 100 grains and 10 states takes
-/// 2 s. The settings "fast" are four times cheaper and have an error of 1e-3 in phi. Between samples, phi
-/// scatters by 0.02 and B by 0.1. At 25 grains, finite size changes phi by 0.02 and B by 0.4.
+/// Price table with simple numbers. A sample of 100 grains and 10 states takes 2 s with the settings of the scene. The
+/// settings "fast" are four times cheaper and have an error of 1e-3 in phi. The scatter between samples is 0.02 for phi
+/// and 0.1 for B. With 25 grains, the finite size changes phi by 0.02 and B by 0.4.
 PriceTable prices() {
   std::string csv =
       "knob,value,observable,cost_ratio,core_seconds,error_before_high,error_after_high,mean_difference,mean_"
@@ -51,8 +51,8 @@ Scene scene(const std::vector<std::string>& changes = {}) {
   return read_scene(test::source_directory() + "/data/scenes/demo.toml", changes);
 }
 
-/// Returns a scene with ten equilibria, as many as the samples of prices() have: 2 in the assembly and 8 in the
-/// loading.
+/// Returns a scene with ten equilibria (2 in the assembly, 8 in the loading), which is the number of states in the
+/// samples of prices().
 Scene scene_of_ten_states() {
   return scene({"assembly.pressure=0.01", "load.0.to=1", "load.0.steps_per_decade=3", "load.1.to=0.01",
                 "load.1.steps_per_decade=1"});
@@ -90,7 +90,7 @@ TEST_F(Plans, PricesFollowTheLawsOfTheModel) {
   // this error is 0.02/3.
   EXPECT_NEAR(one.size, 0.02 / 3.0, 1e-6);
   EXPECT_NEAR(many.size, one.size / 4.0, 1e-12);
-  // The means with both settings agree within their statistical error, so only the error of single states counts.
+  // The difference of the two means is within its statistical error, so only the error of single states counts.
   EXPECT_DOUBLE_EQ(one.settings, 1e-5);
 }
 
@@ -99,8 +99,8 @@ TEST_F(Plans, MoreStatesAndOtherRangesOfStepsCostAccordingly) {
   const PriceModel longer(
       scene({"load.0.to=1", "load.0.steps_per_decade=8", "load.1.to=0.01", "load.1.steps_per_decade=2"}),
       prices());
-  // The path has 22 states instead of 10. An additional state takes only 0.3 times as long as each of the first 10
-  // states.
+  // The path has 22 states instead of 10. Each of the additional states takes only 0.3 times as long as each of the
+  // first 10 states.
   EXPECT_NEAR(longer.core_seconds(plain, 100) / model_.core_seconds(plain, 100),
               1.0 + 0.3 * (22.0 / 10.0 - 1.0), 1e-9);
 }
@@ -263,8 +263,8 @@ TEST(ChangesOfAScene, GiveItTheSofteningOfThePlan) {
   EXPECT_THAT(softened(scene(), {10.0, 1.0}),
               testing::IsSupersetOf({"equilibrium.softening=1", "assembly.softening=10"}));
   EXPECT_THAT(softened(scene(), {}), testing::Each(Not(HasSubstr("softening"))));
-  // changes_of() also replaces the softening that a single stage sets. Scenes with stages that impose a strain accept
-  // the changes.
+  // If a stage sets a softening of its own, changes_of() replaces it too. The changes are also valid for scenes with
+  // stages that impose a strain.
   EXPECT_THAT(softened(scene({"load.1.softening=3"}), {}), testing::Contains("load.1.softening=1"));
   const Scene oedometer = read_scene(test::source_directory() + "/data/scenes/oedometer.toml", {});
   const std::vector<std::string> changes = softened(oedometer, {2.0, 2.0});

@@ -16,8 +16,8 @@ const std::string kHeader =
     "time_step,"
     "finish,patience,kappa\n";
 
-/// Price table with three settings of increasing cost and with one setting of a parameter that no scene can set. The
-/// most expensive setting is the reference.
+/// Price table with the reference (strict), three cheaper settings of increasing cost (together, tolerance, scene), and
+/// one setting of a parameter that no scene can set (samples).
 const std::string kTable = kHeader +
                            "strict,all,phi,0,0,0,0,1,1e-8,0.1,auto,2,1e5\n"
                            "strict,all,lambda,,,0,0,1,1e-8,0.1,auto,2,1e5\n"
@@ -30,8 +30,8 @@ const std::string kTable = kHeader +
                            "scene,as it is,B,3e-3,4e-3,,,0.3,1e-5,0.28,auto,1,1e5\n"
                            "scene,as it is,G,1e-3,5e-3,,,0.3,1e-5,0.28,auto,1,1e5\n";
 
-/// The table with additional rows about the cell. The settings of these rows are cheap, but must not be chosen, because
-/// the choice of settings does not include the cell.
+/// The table with additional rows in which parameters of the cell are varied. These settings are cheap, but must not be
+/// chosen, because settings of the cell are never chosen.
 const std::string kTableWithCells = kTable +
                                     "cell_mass,10 times,phi,1e-3,1e-4,-0.01,0.001,0.05,1e-5,0.28,auto,1,1e5\n"
                                     "cell_mass,2 times,phi,1e-4,2e-4,0,0.001,0.05,1e-5,0.28,auto,1,1e5\n"
@@ -60,8 +60,8 @@ TEST(Accuracy, TheCheapestSettingWhoseErrorIsBelowIsTaken) {
 }
 
 TEST(Accuracy, ADifferenceOfMeansBeyondItsSamplingErrorCountsToo) {
-  // The means differ by 0.05 with a sampling error of 0.03. The remaining difference of 0.02 counts as an error,
-  // although single states are accurate to 1e-5.
+  // The means differ by 0.05, with a sampling error of 0.03. The difference exceeds the sampling error by 0.02. This
+  // counts as an error, although single states are accurate to 1e-5.
   EXPECT_EQ(choice({{"phi", 2.1e-2}}).name, "tolerance 1e-4");
   EXPECT_EQ(choice({{"phi", 1.9e-2}}).name, "scene as it is");
 }
@@ -100,7 +100,7 @@ TEST(Accuracy, WhatIsFittedToAPathHasTheErrorOfItsMeanAndItsSampling) {
 }
 
 TEST(Accuracy, BelowAllMeasuredErrorsNothingIsGuaranteed) {
-  // By definition, the error of the reference relative to itself is zero. This does not guarantee any accuracy.
+  // The reference has no error relative to itself, by definition. This does not guarantee any accuracy.
   EXPECT_EQ(choice({{"phi", 2e-6}}).name, "scene as it is");
   EXPECT_THAT(choice({{"phi", 1.9e-6}}).failure_reason, HasSubstr("expected at least 2e-06"));
 }
@@ -111,13 +111,13 @@ TEST(Accuracy, TheCellAddsTheErrorOfTheNearestFactorMeasuredBeyondItsOwn) {
   EXPECT_EQ(choice_with({{}}, 5e-2).name, "together coarse");
   EXPECT_EQ(choice_with({{1.5, 1.0}}, 5.02e-2).name, "together coarse");
   EXPECT_NE(choice_with({{1.5, 1.0}}, 5.01e-2).name, "together coarse");
-  // A cell of 10 times the mass changes means by 0.01. Beyond the sampling error of 0.001, a difference of 0.009
-  // remains, which is added to the error. A cell of 0.1 times the mass adds an error of 1e-6.
+  // A cell of 10 times the mass changes means by 0.01, which exceeds the sampling error of 0.001 by 0.009. This
+  // difference is added to the error. A cell of 0.1 times the mass adds an error of 1e-6.
   EXPECT_EQ(choice_with({{3.0, 1.0}}, 5.91e-2).name, "together coarse");
   EXPECT_NE(choice_with({{3.0, 1.0}}, 5.89e-2).name, "together coarse");
   EXPECT_EQ(choice_with({{0.1, 1.0}}, 5.0001e-2 + 1e-9).name, "together coarse");
-  // The errors of both parameters add up, even if they differ from their defaults in different parts of the run. A
-  // change that occurs in two parts counts once.
+  // The errors due to the two parameters of the cell are added, even if these parameters differ from their defaults in
+  // different parts of the run. The same change in two parts counts once.
   EXPECT_EQ(choice_with({{2.0, 1.0}, {1.0, 5.0}, {2.0, 1.0}}, 6.03e-2).name, "together coarse");
   EXPECT_NE(choice_with({{2.0, 1.0}, {1.0, 5.0}, {2.0, 1.0}}, 6.01e-2).name, "together coarse");
 }

@@ -23,8 +23,8 @@ TEST(BlockingCriterion, EachDemandHasWordsOfItsOwn) {
   std::cout << "words of " << words.size() << " demands\n";
 }
 
-/// If a criterion compares a quantity with a limit, the message gives both. If a criterion counts something,
-/// the message gives the count.
+/// The message gives the numbers of a criterion: for a comparison, the quantity and its limit; otherwise the number of
+/// things that are counted.
 TEST(BlockingCriterion, DemandsGiveTheirNumbers) {
   for (const Demand compared : {Demand::response, Demand::density, Demand::stress, Demand::rest,
                                 Demand::pressure, Demand::energy_ratio})

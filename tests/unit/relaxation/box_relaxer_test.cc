@@ -78,9 +78,8 @@ Packing<3> cubic_crystal(int n, const Law& law, const BoxOptions& box) {
   return packing;
 }
 
-/// Returns the side L of the crystal at rest. It follows from K_N D - f_c = p L^2/n^2 and L = n d - (n - 1) D -
-/// 2 D_w, where D is the overlap of two spheres and D_w = D + (f_w - f_c)/K_N the overlap of a sphere with a
-/// wall.
+/// Returns the side L of the crystal at rest, from K_N D - f_c = p L^2/n^2 and L = n d - (n - 1) D - 2 D_w. Here D is
+/// the overlap of two spheres, and D_w = D + (f_w - f_c)/K_N is the overlap of a sphere with a wall.
 double side_at_rest(int n, double sc, double se, double f_w, double p) {
   double side = n;
   for (int k = 0; k < 50; ++k) {
@@ -109,8 +108,8 @@ TEST_P(CubicCrystal, BetweenWallsHasTheSideOfItsEquilibrium) {
   EXPECT_EQ(end.report.ending, "dynamic");
   EXPECT_EQ(end.report.n_mechanisms, 0);
   const double side = side_at_rest(n, sc, se, f_w, p);
-  // The pressure on a wall is accurate to 1e-3. The total force on a wall is p L^2 = n^2, so each overlap has an error
-  // of 1e-3/K_N.
+  // The pressure on a wall is accurate to 1e-3. The total force on a wall, p L^2 = n^2, is shared by n^2 contacts, so
+  // each overlap has an error of 1e-3/K_N.
   for (int a = 0; a < 3; ++a) EXPECT_NEAR(relaxer.packing().cell.matrix(a, a), side, 2e-3 * n / se);
   for (int a = 0; a < 3; ++a) EXPECT_NEAR(wall_pressure(relaxer.packing())[a], p, 1e-3 * p);
 }
@@ -118,7 +117,7 @@ TEST_P(CubicCrystal, BetweenWallsHasTheSideOfItsEquilibrium) {
 INSTANTIATE_TEST_SUITE_P(Boxes, CubicCrystal,
                          testing::Values(Crystal{1, 1.0}, Crystal{4, 1.0}, Crystal{3, 0.0}));
 
-/// Compares the void ratios of the closed form with the published values.
+/// Compares void ratios of the closed form with the published values.
 TEST(CubicCrystal, OfOneAndOf64SpheresHasTheVoidRatiosOfTheSpecification) {
   const auto e = [](int n) {
     const double side = side_at_rest(n, 1.0, 1e4, 1.0, 1.0);
@@ -145,8 +144,8 @@ TEST(EmptyCube, ClosesAsItsEnergySays) {
   for (int a = 0; a < 3; ++a) EXPECT_NEAR(dynamics->packing().cell.matrix(a, a), 0.5 * side, 1e-3);
 }
 
-/// At rest, the contact stress along an axis is the pressure on the walls across this axis, minus the stress due to
-/// friction on the parallel walls.
+/// At rest, a sum rule holds for each axis: the contact stress plus the stress due to friction on the parallel walls
+/// equals the pressure on the walls across this axis.
 template <int Dim>
 void expect_sum_rule(const Packing<Dim>& packing, double bound) {
   const Vec<Dim> difference =
@@ -183,8 +182,8 @@ TYPED_TEST(SettledGasOf, BearsThePressureAndObeysTheSumRule) {
   EXPECT_EQ(end.report.n_mechanisms, 0);
   EXPECT_LT(wall_imbalance<Dim>(relaxer.packing(), Vec<Dim>::Constant(p)), 1e-3 * p);
   EXPECT_GT(stress_borne_by_friction(relaxer.packing()).norm(), 1e-3 * p);
-  // The net forces of 1e-6 F1 = 2e-7 cause this error of the stress: they act on 80 grains within a distance of 10 from
-  // the origin, in a volume of at least 60.
+  // The tolerance is the error of the stress due to net forces of 1e-6 F1 = 2e-7, which act on 80 grains within a
+  // distance of 10 from the origin, in a volume of at least 60.
   expect_sum_rule(relaxer.packing(), 3e-6);
 }
 
@@ -204,8 +203,8 @@ TEST(BoxRelaxer, ContinuedFromItsProgressGivesTheSameBits) {
   EXPECT_EQ(unbroken.progress(), second.progress());
 }
 
-/// Moving walls are in balance with the pressure of the load, fixed walls stay where they are, and a periodic
-/// axis keeps its length.
+/// The walls of the first axis move until they balance the pressure of the load. The second axis has fixed walls and
+/// the third axis is periodic; these two keep their lengths.
 TEST(BoxRelaxer, MovesTheWallsUnderPressureAlone) {
   BoxOptions box = box_of(0.4, 0.0, 0.02);
   box.boundary = {BoxSide::walls, BoxSide::fixed, BoxSide::periodic};
@@ -224,7 +223,7 @@ TEST(BoxRelaxer, MovesTheWallsUnderPressureAlone) {
   EXPECT_NEAR(wall_pressure(rest)[0], 0.1, 0.05);
 }
 
-/// If a wall speed is given, the walls first move at this speed. The pressure acts on them only afterwards.
+/// If a wall speed is given, the walls move at this speed first, and the pressure acts on them only afterwards.
 TEST(BoxRelaxer, ClosesTheBoxAtTheSpeedGiven) {
   const BoxOptions box = box_of(0.4, 0.0, 0.0);
   const Packing<2> gas = boxed_gas<2>(60, sticky(0.0, 1e3), box, 0.35);
@@ -233,8 +232,7 @@ TEST(BoxRelaxer, ClosesTheBoxAtTheSpeedGiven) {
   BoxRelaxer<2> relaxer(options, gas, Vec<2>(0.1, 0.1));
   (void)relaxer.advance();
   const double expected = gas.cell.matrix(0, 0) - 0.5 * relaxer.report().time;
-  // Within a chunk of steps, the strain rate is constant. It is computed from the side at the start of the
-  // chunk.
+  // Within a chunk of steps, the strain rate is constant: the wall speed divided by the side at the start of the chunk.
   EXPECT_NEAR(relaxer.packing().cell.matrix(0, 0), expected, 0.1 * (gas.cell.matrix(0, 0) - expected));
 }
 

@@ -49,8 +49,8 @@ TEST(CellMotion, LatticeStaysAtRestWhereTheVirialBalancesTheStress) {
 TEST(CellMotion, LatticeIsAcceleratedByWhatTheStressDoesNotBalance) {
   CellMotion<2> motion(square_cell(10.0), {}, BoundaryControl<2>::normal_stress(Vec<2>::Constant(2.0), 5.0));
   motion.kick(0.1, block_with_virial(210.0));
-  // The rate changes by (W - V Sigma)/(L M) dt/2, with the virial W, the volume V, the imposed stress Sigma,
-  // the side L and the mass M of the cell.
+  // In the time dt/2, the rate changes by (W - V Sigma)/(L M) dt/2, with the virial W, the volume V, the imposed stress
+  // Sigma, the side L and the mass M of the cell.
   EXPECT_DOUBLE_EQ(motion.cell().velocity(0, 0), 10.0 / 10.0 / 5.0 * 0.1);
   EXPECT_EQ(motion.cell().velocity(0, 1), 0.0);
 }

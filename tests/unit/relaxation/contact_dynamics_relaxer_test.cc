@@ -39,8 +39,8 @@ TEST(ContactDynamicsRelaxer, FrictionlessSpheresAreIsostatic) {
   expect_isostatic<3>();
 }
 
-/// Expects identical results, bit for bit, for several numbers of threads, and also if a new relaxer is created after
-/// each chunk of steps.
+/// Expects results that are identical, bit for bit, for several numbers of threads. The results must also be identical
+/// if a new relaxer is created after each chunk of steps.
 template <int Dim>
 void expect_repeatable(const RigidGas& gas) {
   const Packing<Dim> start = make_rigid_gas<Dim>(gas);

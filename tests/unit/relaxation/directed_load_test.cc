@@ -28,8 +28,8 @@ Law linear_law(double friction) {
   return law;
 }
 
-/// Returns a load that changes the length of one axis by a logarithmic strain. The other axes keep their length
-/// if `others_strained`, otherwise their stress.
+/// Returns a load that changes the length of one axis by a logarithmic strain. The other axes keep their lengths if
+/// `others_strained` is true, and their stresses otherwise.
 template <int Dim>
 LoadTarget<Dim> driven(const Packing<Dim>& packing, int axis, double strain, bool others_strained) {
   LoadTarget<Dim> load;
@@ -65,8 +65,8 @@ Packing<Dim> solved(const Packing<Dim>& from, const LoadTarget<Dim>& load) {
   return solution.packing;
 }
 
-/// Compresses a gas without friction, then switches friction on. Returns the equilibrium that is found with friction,
-/// without initial tangential forces.
+/// Compresses a gas without friction, then switches friction on, without tangential forces at first. Returns the
+/// equilibrium that is then found.
 template <int Dim>
 Packing<Dim> dense_packing(int n, double pressure, std::uint64_t seed) {
   Law smooth = linear_law(0.5);
@@ -91,8 +91,8 @@ Mat<Dim> stiffness(const Packing<Dim>& packing) {
 
 constexpr double kStrain = 3e-7;
 
-/// Changes of stress and of logarithmic strain in a small load step. Each is half the difference between the changes in
-/// two steps of opposite sign.
+/// Changes of stress and of logarithmic strain in a small load step: half the difference between two steps of opposite
+/// sign.
 template <int Dim>
 struct Answer {
   Vec<Dim> stress, strain;
@@ -109,8 +109,8 @@ Answer<Dim> answer(const Packing<Dim>& packing, int axis, bool others_strained) 
           0.5 * (less.cell.matrix.diagonal().array() / more.cell.matrix.diagonal().array()).log()};
 }
 
-/// Expects d sigma_l/d sigma_d = C_ld/C_dd for every driven axis d and lateral axis l. Also expects the moduli
-/// E and nu that follow from the compliance.
+/// Expects for every driven axis d and lateral axis l that d sigma_l/d sigma_d = C_ld/C_dd. Also expects Young's moduli
+/// and Poisson's ratios that follow from the compliance.
 template <int Dim>
 void expect_elastic_answers(const Packing<Dim>& packing, const Mat<Dim>& C) {
   const Mat<Dim> S = C.inverse();
@@ -145,8 +145,8 @@ TEST(DirectedLoad, OfDensePackingsIsThatOfTheirModuli) {
   expect_answers_of_moduli(dense_packing<3>(60, 1e-3, 4));
 }
 
-/// Returns C_ab = R_ab/V + sigma_a. R is the derivative of the virial (sum of f r over contacts) with respect to the
-/// strains, after relaxation of the grains. R is computed with the consistent tangent of all forces, including
+/// Returns C_ab = R_ab/V + sigma_a. R is the derivative of the virial (sum of f r over the contacts) with respect to
+/// the strains, where the grains follow the strains. R is computed with the consistent tangent of all forces, including
 /// tangential ones.
 template <int Dim>
 Mat<Dim> consistent_stiffness(const Packing<Dim>& packing) {
@@ -168,9 +168,9 @@ double largest_mobilisation(const Packing<Dim>& packing) {
   return largest;
 }
 
-/// A packing was compressed along one axis by many times its elastic strain, so that its contacts carry tangential
-/// forces. The response of the packing follows the consistent tangent. The elastic moduli differ from this response,
-/// because they omit the geometric terms of the tangential forces.
+/// A packing is compressed along one axis by many times its elastic strain, which causes tangential forces. The
+/// response of this packing follows the consistent tangent, and not the elastic moduli, which omit the geometric terms
+/// of the tangential forces.
 template <int Dim>
 void expect_answers_of_the_consistent_tangent(std::uint64_t seed) {
   Packing<Dim> packing = dense_packing<Dim>(60, 1e-2, seed);
@@ -196,8 +196,8 @@ LoadTarget<Dim> sheared(const Packing<Dim>& packing, int axis, double strain) {
   return load;
 }
 
-/// Expects d tau/d gamma to equal the shear modulus. A simple shear also contains a rotation. If the stresses
-/// on both axes are equal, the rotation has no effect.
+/// Expects that d tau/d gamma equals the shear modulus. A simple shear also contains a rotation, which has no effect if
+/// the stresses on the two axes are equal, as here.
 template <int Dim>
 void expect_shear_answers(const Packing<Dim>& packing) {
   ModuliOptions options;
@@ -220,8 +220,8 @@ TEST(DirectedLoad, OfSimpleShearIsThatOfTheShearModuli) {
   expect_shear_answers(test::crystal_of(test::face_centred_cubic(), 0.99, 1.0, linear_law(0.5)));
 }
 
-/// Imposes a closed cycle of strains. Expects that the relaxer solves each step statically, and that the cycle restores
-/// the positions of the grains.
+/// Imposes a closed cycle of strains. Expects that the relaxer solves each step statically, and that all grains are at
+/// their old positions after the cycle.
 template <int Dim>
 void expect_closed_cycle(const Packing<Dim>& start) {
   Packing<Dim> packing = start;

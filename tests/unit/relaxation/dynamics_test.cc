@@ -65,8 +65,8 @@ double energy_drift(double dt, int n_steps) {
   return largest;
 }
 
-/// Returns the gas with other vectors of the same lattice: `by` times the first lattice vector is added to the
-/// second.
+/// Returns the gas in a cell with other vectors of the same lattice: `by` times the first lattice vector is added to
+/// the second one.
 Packing<2> leaning(Packing<2> gas, int by) {
   gas.cell.matrix(1, 0) += by * gas.cell.matrix(0, 0);
   gas.contacts.clear();
@@ -79,7 +79,8 @@ BoundaryControl<2> all_under_stress(const Packing<2>& packing, double pressure) 
   return control;
 }
 
-/// Does the same as energy_drift() for a cell that can also shear, under zero shear stress.
+/// Returns the largest relative change of the energy, as energy_drift() does, for a cell that can also shear, under
+/// zero shear stress.
 double energy_drift_of_sheared(double dt, int n_steps) {
   Law law;
   law += test::linear(1.0);
@@ -118,7 +119,7 @@ TEST(TriangularLattice, OfOtherVectorsGivesTheSameMotion) {
   const Packing<2> p = straight->packing(), q = leant->packing();
   ASSERT_EQ(p.contacts.size(), q.contacts.size());
   EXPECT_GT(p.contacts.size(), 5u);
-  // Collisions amplify rounding errors within a hundred steps.
+  // Within a hundred steps, collisions amplify rounding errors.
   EXPECT_NEAR(q.cell.matrix(0, 0), p.cell.matrix(0, 0), 1e-9);
   EXPECT_NEAR(q.cell.matrix(1, 1), p.cell.matrix(1, 1), 1e-9);
   for (int i = 0; i < p.grains.size(); ++i)
@@ -146,14 +147,14 @@ TEST(Dynamics, FrictionlessUndampedCellConservesEnergyToSecondOrder) {
   const double coarse = energy_drift(0.1, 4000);
   const double fine = energy_drift(0.025, 16000);
   EXPECT_LT(coarse, 2e-3);
-  // With a quarter of the step, the error of a method of second order ideally falls to 1/16. Contacts that open and
-  // close are not smooth, so a decrease to 1/8 is enough.
+  // For a method of second order, the error with a quarter of the step is ideally 1/16 of the error. The forces of
+  // contacts that open and close are not smooth, so 1/8 is accepted.
   EXPECT_LT(fine, coarse / 8.0);
 }
 
 /// Returns the coefficient of restitution of two disks that collide head on without adhesion. The time step is the
-/// usual step for disks with diameters in [1/2, 1].
-/// @param phase  fraction of a step at which the first overlap occurs
+/// usual step of a packing with diameters in [1/2, 1].
+/// @param phase  fraction of a step at which the disks begin to overlap
 double measured_restitution(double diameter_i, double diameter_j, double phase) {
   Law law;
   law += test::linear(1e5);
@@ -194,8 +195,8 @@ TEST(Dynamics, RestitutionIsRightAtTheDefaultStep) {
   EXPECT_NEAR(mean_restitution(0.5, 0.5), 0.025, 0.001);
 }
 
-/// Returns two spinning disks that meet head on: a large disk comes from the left, and a disk of half its size
-/// from the right. If `mirrored`, returns the mirror image, with exchanged numbers of the grains.
+/// Returns two spinning disks that move towards each other: a large disk on the left, and a disk of half its size on
+/// the right. If `mirrored`, returns the mirror image, in which the numbers of the two disks are exchanged.
 Packing<2> unequal_pair(const Law& law, bool mirrored) {
   const int large = mirrored ? 1 : 0, small = 1 - large;
   const double sign = mirrored ? -1.0 : 1.0;

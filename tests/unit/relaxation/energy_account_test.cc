@@ -31,8 +31,7 @@ Law full_law() {
   return law;
 }
 
-/// Returns the energy account of a dense gas while its cell deforms, with random rates of all strain
-/// components.
+/// Returns the energy account of a dense gas whose cell deforms, with random rates of all strain components.
 /// @param step_share  time step divided by the usual one
 template <int Dim>
 EnergyTerms deformed(const Law& law, std::uint64_t seed, double step_share) {
@@ -90,8 +89,8 @@ Law wet_law(const std::string& formation, const std::string& form) {
   return law;
 }
 
-/// The account has a separate term for the energy of bridges that form and of liquid that is redistributed. The error
-/// of the balance is of first order in the time step.
+/// The account has a separate term for two changes of energy: bridges form, and liquid is redistributed. The error of
+/// the balance is of first order in the time step.
 TEST(EnergyAccount, ClosesForWetGrainsToFirstOrder) {
   std::cout << "formation form: error at a step, at half of it, order; work, liquid\n";
   for (const char* const formation : {"gap", "contact"})
@@ -124,7 +123,7 @@ Packing<2> strained_packing(const Law& law) {
   return dynamics->packing();
 }
 
-/// A stage of a run may change the law while contacts keep their histories, as in this test.
+/// A stage of a run may change the law. The contacts then keep their histories, as in this test.
 TEST(EnergyAccount, KeepsSpringsWhereTheLawChanges) {
   const Packing<2> packing = strained_packing(full_law<2>());
   Law rougher = packing.law, stiffer = packing.law;

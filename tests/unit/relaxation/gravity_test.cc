@@ -22,7 +22,7 @@ Law stiff_law(double friction) {
   return law;
 }
 
-/// Returns a column of touching disks on the lower wall of the second axis, with free space above.
+/// Returns a column of touching disks on the lower wall of the second axis. The upper end of this axis is open.
 Packing<2> column(int n, double gravity) {
   Packing<2> p;
   p.law = stiff_law(0.0);

@@ -81,7 +81,7 @@ TEST(Hertz, UnloadingAtFixedSlipScalesTheShearForceThenSlides) {
   }
 }
 
-/// Overlap and slip increase in a constant ratio, and then decrease along the same path.
+/// Overlap and slip increase in a constant ratio, and then decrease again along this path.
 TEST(Hertz, ObliqueLoadingFollowsTheGrowingStiffness) {
   constexpr int kSteps = 4000;
   for (const InstructionSet set : instruction_sets()) {
@@ -95,7 +95,7 @@ TEST(Hertz, ObliqueLoadingFollowsTheGrowingStiffness) {
   }
 }
 
-/// Computes the work of slip along closed paths of overlap and slip.
+/// Computes the work of slip along closed paths of overlap and slip. A closed path must not gain energy.
 TEST(Hertz, ClosedPathsGiveNoEnergyBack) {
   for (const InstructionSet set : instruction_sets()) {
     const auto slip = [](KernelPair& pair, double by) {

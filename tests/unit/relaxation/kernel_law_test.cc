@@ -99,7 +99,7 @@ TEST(KernelLaw, OfWallsHasNoLiquid) {
   });
 }
 
-/// Normal law of constant stiffness that does not declare a kernel.
+/// Normal law with a constant stiffness. It does not declare a kernel.
 struct PlainRepulsion : LinearRepulsion {};
 
 template <class Adhesion, class Damping, class Friction, class Rolling, class Twisting>

@@ -17,7 +17,7 @@ class NeighborListsOfTwoDisks : public testing::Test {
   std::size_t pairs_within(double skin) const {
     return lists_with_skin(skin).find(grains_, cell_, interactions_)[0].size();
   }
-  /// Moves the second disk, and lets the lists measure its displacement.
+  /// Moves the second disk. The lists then measure its displacement.
   void move(double distance, NeighborLists<2>& lists) {
     grains_.x[1][1] += distance;
     lists.motion().measure(0, interactions_.between_grains().kernels(), lists.motion().view_of(grains_));

@@ -23,8 +23,8 @@ Law glass(double friction) {
   return law;
 }
 
-/// Assembles beads without friction, then switches friction on. Returns this packing, which has no tangential forces
-/// (state A).
+/// Returns the packing called state A: beads are assembled without friction, and then friction is switched on, so that
+/// there are no tangential forces.
 Packing<3> beads_put_together_without_friction(int n, double pressure, std::uint64_t seed) {
   RelaxationOptions options;
   options.inertial_number_cap = 1e-2;
@@ -47,7 +47,7 @@ Packing<3> solved(const Packing<3>& from, const Vec<3>& stress) {
   return solution.packing;
 }
 
-/// Returns the compliance of a packing under isotropic pressure by finite differences. An entry is the logarithmic
+/// Returns the compliance of a packing under isotropic pressure, from finite differences. Each entry is the logarithmic
 /// shortening of a side, divided by the change of the stress on an axis.
 Mat<3> compliance_by_differences(const Packing<3>& packing, double pressure) {
   const double step = 1e-4 * pressure;
@@ -84,8 +84,8 @@ TEST(PrestressedModuli, OfAnFccCrystalAreRelaxedDifferences) {
   EXPECT_LT(error_of_moduli(crystal, pressure), 1e-6);
 }
 
-/// A hexagonal close-packed crystal. Its cell has two spheres that move relative to each other under load. The
-/// crystal is stiffer along its axis of symmetry, so under pressure the tetrahedra of spheres become irregular.
+/// A hexagonal close-packed crystal. Its cell contains two spheres, which move relative to each other under load. The
+/// crystal is stiffer along its axis of symmetry. The tetrahedra of spheres therefore become irregular under pressure.
 TEST(PrestressedModuli, OfAnHcpCrystalAreRelaxedDifferences) {
   const double distance = 0.99, height = std::sqrt(8.0 / 3.0) * distance, row = std::sqrt(0.75) * distance;
   Packing<3> crystal;

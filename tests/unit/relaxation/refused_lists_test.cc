@@ -8,7 +8,8 @@
 namespace floc {
 namespace {
 
-/// Shrinks a cell of very soft grains until each grain has more neighbours than a neighbour list can contain.
+/// Shrinks the cell of a packing of very soft grains, until each grain has more neighbours than a neighbour list can
+/// contain.
 template <int Dim>
 void close_upon(int n_threads) {
   Law law;

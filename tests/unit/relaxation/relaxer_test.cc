@@ -50,8 +50,8 @@ TEST(Relaxer, ReachesAllFourCriteria) {
 
 TEST(Relaxer, TheForcesAcrossTheFacesOfTheCellAreTheStress) {
   const Mat<2> stress = static_stress(equilibrium());
-  // Net forces of 1e-8 act on 60 grains within a distance of 5 from the centre of a cell of area 70. The difference of
-  // the two stresses is therefore at most 5e-8.
+  // The two stresses differ by at most 5e-8, because net forces of 1e-8 act on 60 grains within a distance of 5 from
+  // the centre of a cell of area 70.
   EXPECT_LT((boundary_stress(equilibrium()) - stress).cwiseAbs().maxCoeff(), 5e-8);
   // error of the stress after the Newton refinement, in F0/a
   for (int a = 0; a < 2; ++a) EXPECT_NEAR(stress(a, a), 0.1, 1e-8);
@@ -103,8 +103,8 @@ TEST(Relaxer, AStaticStepEndsWhereMotionEnds) {
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Contact<2>&p = contacts[k], &q = moved.packing().contacts[k];
     ASSERT_EQ(std::tie(p.i, p.j), std::tie(q.i, q.j));
-    // Contact forces are of order 1. Along the softest directions, errors of 1e-8 in the net forces on grains cause
-    // errors of about 1e-6 in contact forces.
+    // Contact forces are of order 1. Errors of 1e-8 in the net forces on grains cause errors of about 1e-6 in contact
+    // forces, because some directions are soft.
     EXPECT_NEAR(p.normal_force, q.normal_force, 1e-5);
     EXPECT_NEAR((p.shear_force - q.shear_force).norm(), 0.0, 1e-5);
     largest_change =
@@ -169,7 +169,7 @@ TEST(Relaxer, IsNotHeldUpByRattlersThatSpin) {
   Packing<2> start = equilibrium();
   Grains<2>& g = start.grains;
   g.position_low.clear();  // the added grain has no second double of its position
-  // Even in the largest hole, a grain of normal size would touch others. A tiny spinning grain fits anywhere
+  // A grain of normal size would touch other grains even in the largest hole. A tiny grain, which spins, fits in
   // without contacts.
   const Packing<2> rest = start;
   for (double x = 0.0; g.size() == rest.grains.size(); x += 0.01) {
@@ -204,8 +204,8 @@ TEST(StrainRateCap, FollowsTheUnitTheSceneNames) {
               1e-18);
 }
 
-/// Returns a triangular crystal of frictionless adhesive disks with a hole. Three larger disks form a chain
-/// across the hole. The chain is longer than the width of the hole, and it swings.
+/// Returns a triangular crystal of frictionless adhesive disks with a hole. Three larger disks form a chain across the
+/// hole. The chain is longer than the hole is wide, so it can swing.
 Packing<2> swinging_chain(double speed) {
   Packing<2> packing;
   packing.law = test::cohesive_law();
@@ -233,8 +233,8 @@ Packing<2> swinging_chain(double speed) {
   const double x = std::sqrt(outer * outer - kRise * kRise), half = 2.0 * kDistance - x;
   const double rise = std::sqrt(inner * inner - half * half);
   const Vec<2> end(kDistance, kMiddle * kRow);
-  // Distances of neighbours stay constant: the outer disks rotate about the ends of the chain, and the middle
-  // disk moves up and down.
+  // The velocities keep the distances of neighbours constant: the outer disks rotate about the ends of the chain, and
+  // the middle disk moves up or down.
   const double turn = speed / outer;
   const double up = turn * (x - kRise * half / rise);
   add(end + Vec<2>(x, kRise), turn * Vec<2>(-kRise, x), kLarger);

@@ -40,7 +40,7 @@ void make_blocks(Packing<Dim>& packing) {
   set_shape<Dim>(packing.grains, box<Dim>(Vec<Dim>::Ones(), 0.0), std::sqrt(double{Dim}));
 }
 
-/// Relaxes a packing under its weight, and under a pressure of 1 on walls that move.
+/// Relaxes a packing under its weight. The walls that can move are under a pressure of 1.
 template <int Dim>
 RigidEnd<Dim> settled(const Packing<Dim>& packing, RelaxationOptions options = rigid_options()) {
   options.tolerance.stress = 1e-3;
@@ -77,9 +77,9 @@ TEST(RigidWalls, PileOfDisksBearsTheWeightAbove) {
   EXPECT_EQ(found, kDisks);
 }
 
-// A disk with the weight (g_1, g_2) in the corner of two walls. Balance gives the normal forces N_1 = g_1 - t
-// and N_2 = g_2 - t, where t is the friction force on either wall. The energy N_1^2 + N_2^2 + 2 t^2 is least at
-// t = (g_1 + g_2)/4.
+// A disk with the weight (g_1, g_2) lies in the corner of two walls. The friction force t is equal on both walls. By
+// force balance, the normal forces are N_1 = g_1 - t and N_2 = g_2 - t. The energy N_1^2 + N_2^2 + 2 t^2 is smallest
+// for t = (g_1 + g_2)/4.
 TEST(RigidWalls, DiskInACornerSharesItsWeight) {
   for (const double friction : {0.0, 2.0}) {
     Packing<2> corner = balls_in_box<2>({{0.5, 0.5}}, friction);
@@ -138,8 +138,8 @@ TEST(RigidWalls, FloorBearsTheLoadOnTheLidAndTheWeight) {
   EXPECT_NEAR(force[2], 46.0, 1e-7);
 }
 
-/// No grain touches the two walls. The walls approach each other at the speed of the load, and the grains between them
-/// stay in place.
+/// The grain touches no wall. The two moving walls approach each other at the speed of the load, and the grain between
+/// them stays in place.
 TEST(RigidWalls, FreeWallsReachTheirSpeed) {
   Packing<2> p = balls_in_box<2>({{20.0, 20.0}}, 0.0);
   p.walls[0].mass = p.walls[1].mass = 2.0;
@@ -176,8 +176,8 @@ Packing<Dim> boxed_gas(int count, const std::optional<ShapeOptions>& shape, cons
                                     GasKind::sequential_addition);
 }
 
-/// Compresses a gas of grains between moving walls, once for each kind of boundary of the lateral axes. Expects a
-/// pressure of 1 on all walls that move.
+/// Compresses a gas of grains between moving walls. The test is made for each kind of boundary of the lateral axes.
+/// Expects a pressure of 1 on all walls that move.
 template <int Dim>
 void expect_walls_bear_pressure(int count, const std::optional<ShapeOptions>& shape,
                                 const std::vector<BoxSide>& laterals) {

@@ -13,7 +13,7 @@ namespace floc {
 namespace {
 
 TEST(RowPlace, HoldsBeyondTheRowsThatTwoGigabytesHold) {
-  // Number of pairs. With rows of 32 bytes, byte offsets do not fit into an int.
+  // Number of pairs for which the byte offsets of rows of 32 bytes do not fit into an int.
   constexpr int kPairs = 1 << 26;
   EXPECT_EQ(row_place(kPairs, row_size<2>(RowKind::moments)), 4LL * kPairs);
   EXPECT_EQ(row_place(2 * kPairs, row_size<2>(RowKind::forces)), 4LL * kPairs);
@@ -25,7 +25,7 @@ TEST(RowPlace, RefusesMorePairsThanItCanName) {
               testing::ThrowsMessage<InputError>(testing::HasSubstr("536870911 pairs of neighbouring grains")));
 }
 
-/// Calls visit(grain, row) for each row that contributes to one side of the sums of a block; `grain` is the
+/// Calls visit(grain, row) for each row of forces that contributes to one side of the sums of a block. `grain` is the
 /// number of the grain within the block.
 template <class Visit>
 void for_each_row(const SideSumsPlan& side, const double* rows, const Visit& visit) {
@@ -106,8 +106,8 @@ TEST_P(Sweeps, DriftEveryBlockOnceAndNoLaterThanPairsReadIt) {
   EXPECT_EQ(drifted.size(), static_cast<std::size_t>(gas_.n_blocks()));
 }
 
-/// A block of grains is shared if the pairs of several threads read it. The positions and sums of every other block are
-/// updated by the only thread whose pairs read it.
+/// A block of grains that pairs of several threads read is shared. Each other block is read by the pairs of one thread
+/// only, which updates its positions and sums.
 TEST_P(Sweeps, ShareWhatSeveralThreadsRead) {
   EXPECT_EQ(plan_.shared_of(0).empty(), plan_.n_threads() == 1);
   EXPECT_FALSE(plan_.drifting_for(0).empty());

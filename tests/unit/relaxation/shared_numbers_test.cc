@@ -2,7 +2,7 @@
 
 #include "support/listed_gas.h"
 
-/// Parameters that are equal for all grains, or for all pairs, are stored only once, which makes steps faster.
+/// A parameter that is equal for all grains, or for all pairs, is stored only once. This makes steps faster.
 namespace floc {
 namespace {
 

@@ -52,8 +52,8 @@ const Packing<3>& beads() {
   return packing;
 }
 
-/// Relative changes of the forces of contacts that exist in both packings, and number of contacts that exist in only
-/// one packing.
+/// Relative changes of the forces of the contacts that two packings share, and number of contacts that exist in only
+/// one of the packings.
 struct Change {
   double normal = 0.0, shear = 0.0, rolling = 0.0;
   int n_unshared = 0;
@@ -127,8 +127,8 @@ TEST(ChangeOfSoftening, InPlaceChangesForcesByTheRatio) {
     EXPECT_EQ(softer.contacts[k].shear_force, disks().contacts[k].shear_force);
 }
 
-/// A change of softening keeps the tangential force of Mindlin friction, not the elongation of its spring. Beads have
-/// so many contacts that no displacements can restore all normal forces, so normal forces change more than tangential
+/// If the softening changes, the tangential force of Mindlin friction is kept, not the elongation of its spring. Normal
+/// forces change more than tangential forces: beads have so many contacts that no displacements can restore all normal
 /// forces.
 TEST(ChangeOfSoftening, KeepsTangentialForcesOfBeads) {
   const Packing<3>& p = beads();
@@ -160,7 +160,7 @@ void expect_strict(const Packing<Dim>& packing, const Law& law, double pressure,
                    const EquilibriumTolerance& tolerance) {
   EXPECT_EQ(packing.law, law);
   EXPECT_TRUE(residuals(packing, Vec<Dim>(Vec<Dim>::Constant(pressure))).within(tolerance));
-  // The law must give the same forces at the given positions and histories, and no contact may be missing.
+  // The law must give these forces at the positions and histories of the packing, and no contact may be missing.
   Packing<Dim> anew = packing;
   refresh_contacts(anew);
   ASSERT_EQ(anew.contacts.size(), packing.contacts.size());
@@ -192,15 +192,15 @@ TEST(SoftRelaxer, TakesBeadsToAStrictEquilibrium) {
   EXPECT_TRUE(residuals(end, Vec<3>(10.0, 10.0, 10.0)).within(with.tolerance));
 }
 
-/// Elastic steps are solved statically, as without softening.
+/// An elastic step is solved statically, in the same way with and without softening.
 TEST(SoftRelaxer, AnElasticStepIsTheOneOfTheLaw) {
   const Packing<2> p = equilibrium_of(soft_options(1.0), disks(), 0.1005);
   const Packing<2> q = equilibrium_of(soft_options(10.0), disks(), 0.1005);
   EXPECT_EQ(p.grains.position, q.grains.position);
 }
 
-/// Before every chunk of steps, a new relaxer is created from the packing and the progress of the old relaxer. The
-/// results must be identical, bit for bit, to the results without interruption. This must hold in all stages, for a gas
+/// A new relaxer is created from the packing and the progress of the old one before every chunk of steps. The results
+/// must be identical, bit for bit, to those without interruption. The test covers all stages of a relaxation, for a gas
 /// and for a packing that collapses under a load.
 TEST(SoftRelaxer, ContinuedFromItsProgressGivesTheSameBits) {
   for (const Packing<2>& start : {test::gas_of(60, test::cohesive_law(), 0.5), disks()}) {
@@ -243,7 +243,7 @@ TEST(SoftRelaxer, RefusesWhatCannotBeSoftened) {
   EXPECT_NE(words(2.0, disks(), strained).find("a stress is imposed on every axis"), std::string::npos);
 }
 
-/// Tests soft contacts (kappa = a K_N/F0 = 100, with a large range of adhesion) and very stiff ones.
+/// Tests soft contacts with a large range of adhesion (kappa = a K_N/F0 = 100), and very stiff contacts.
 TEST(SoftRelaxer, TakesStiffnessesOfManyDecades) {
   struct Case {
     double kappa, range, softening;

@@ -106,7 +106,7 @@ Law frictional_law() {
   return law;
 }
 
-/// Tangential force of a pair after a rigid rotation, compared with the exactly rotated force.
+/// Tangential force of a pair after a rigid rotation of the pair, compared with the start.
 struct Turned {
   double length;  ///< magnitude of the force, divided by the magnitude at the start
   double angle;   ///< angle between the two forces (radians)
@@ -195,8 +195,8 @@ TEST(Spheres, TwistingResistsRotationsAboutTheNormalOnly) {
   EXPECT_LT((pair.moment_on_j() - Vec<3>(1e-4, 0.0, 0.0)).norm(), 1e-18);
 }
 
-/// The springs for rolling and twisting rotate with the pair, so a rigid rotation does not change the magnitude
-/// of the moment.
+/// The springs for rolling and twisting rotate with the pair, so a rigid rotation does not change the magnitude of
+/// their moment.
 TEST(Spheres, ARigidTurnKeepsTheMoment) {
   Law law = frictional_law();
   law += test::rolling_spring(100.0, 0.3);

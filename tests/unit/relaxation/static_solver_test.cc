@@ -20,8 +20,8 @@ namespace {
 
 const Vec<2> kTarget(0.5, 0.5);
 
-/// Returns an equilibrium of grains so soft that overlaps are a tenth of a diameter. For such overlaps, the terms of
-/// the tangent that are proportional to a force divided by a branch length are as large as the stiffness terms.
+/// Returns an equilibrium of very soft grains, whose overlaps are a tenth of a diameter. In the tangent of such a
+/// packing, the terms F/r (F: force, r: branch length) are as large as the stiffness terms.
 Packing<2> soft_equilibrium() {
   Law law = test::cohesive_law();
   law += test::linear(10.0);
@@ -37,9 +37,9 @@ Packing<2> soft_equilibrium() {
   return relaxer.packing();
 }
 
-/// Returns the soft equilibrium with one sliding contact and one contact at its rolling limit. The contact that is
-/// nearest to sliding is chosen, and its spring is stretched beyond the limit, so that the contact slides under any
-/// displacement of the grains.
+/// Returns the soft equilibrium with one sliding contact and one contact at its rolling limit: the contacts that are
+/// nearest to these limits. The springs of both contacts are stretched beyond their limits, so that the contacts slide
+/// and roll under any displacement of the grains.
 Packing<2> with_yielding_contacts(Packing<2> packing) {
   const auto mobilised = [](const Contact<2>& c) {
     return c.distant ? 0.0 : c.shear_force.norm() / c.elastic_force;
@@ -82,8 +82,8 @@ double residual_after_one_step(const Packing<Dim>& equilibrium, const BoundaryCo
   return solve_statics(disturbed(equilibrium, size), control, one_step).residual;
 }
 
-/// With the exact tangent, the residual after one step is quadratic in the disturbance: a tenth of the disturbance
-/// gives a hundredth of the residual. With an inexact tangent, it would only give a tenth of the residual.
+/// With the exact tangent, the residual after one Newton step is proportional to the square of the disturbance: a tenth
+/// of the disturbance gives a hundredth of the residual. With an inexact tangent, it would give only a tenth.
 template <int Dim>
 void expect_quadratic(const Packing<Dim>& equilibrium, const BoundaryControl<Dim>& control) {
   const double after_large = residual_after_one_step(equilibrium, control, 1e-4);
@@ -231,7 +231,7 @@ TEST(StaticSolver, ComesToTheSameEquilibriumByEachWayOfSolving) {
     const StaticSolution<3> found = solve_statics(start, load, options);
     EXPECT_TRUE(found.converged) << found.reason;
     EXPECT_LE(found.iterations, 4);
-    // Residuals are 1e-8 of the force at an overlap of a tenth of a diameter.
+    // In the two packings, the net forces are below 1e-8 times the force at an overlap of a tenth of a diameter.
     EXPECT_LT((found.packing.cell.matrix - expected.cell.matrix).norm(), 1e-7);
     for (int i = 0; i < start.grains.size(); ++i)
       EXPECT_LT((found.packing.grains.position[i] - expected.grains.position[i]).norm(), 1e-7) << i;

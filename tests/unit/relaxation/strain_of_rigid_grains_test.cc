@@ -36,8 +36,8 @@ void expect_holds(const std::vector<Criterion>& criteria) {
     EXPECT_TRUE(c.holds) << c.name << " " << c.value.value_or(0.0) << " " << c.where;
 }
 
-/// Shears a packing at rest. Expects the imposed lengths and the forces of the last time step. Also expects results
-/// that are identical, bit for bit, with several threads and after interruptions.
+/// Shears a packing at rest. Expects that the lengths are the imposed ones, and that the recorded forces are those of
+/// the last time step. Also expects identical results, bit for bit, with several threads and after interruptions.
 template <int Dim>
 void expect_sheared(const RigidGas& gas, double strain) {
   const RigidEnd<Dim> rest = relaxed<Dim>(make_rigid_gas<Dim>(gas));
@@ -73,7 +73,7 @@ TEST(StrainOfRigidGrains, ShearsPolyhedra) {
                     0.01);
 }
 
-/// Without contacts, grains move only with the imposed strain. Their reduced coordinates are constant, and the duration
+/// Without contacts, grains move only with the imposed strain, so their reduced coordinates are constant. The duration
 /// of the motion follows from the strain rate.
 TEST(StrainOfRigidGrains, CarriesAGasAlong) {
   Packing<2> gas = make_rigid_gas<2>({.count = 10});
@@ -156,8 +156,8 @@ TEST(StrainOfRigidGrains, VerificationFindsWrongForcesAndVelocities) {
   EXPECT_THAT(fails(spoiled), HasSubstr("length"));
 }
 
-/// Under an oedometric load, one axis keeps its length. The balanced forces determine the stress along this
-/// axis.
+/// Under an oedometric load, one axis keeps its length. The stress along this axis is not imposed: it follows from the
+/// balanced forces.
 template <int Dim>
 void expect_held(const RigidGas& gas, RigidForces forces) {
   const RigidEnd<Dim> rest = relaxed<Dim>(make_rigid_gas<Dim>(gas));

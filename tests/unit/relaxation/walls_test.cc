@@ -94,9 +94,9 @@ TEST(Walls, ApproachEachOtherAtTheRateGiven) {
   EXPECT_NEAR(std::log(dynamics->packing().cell.matrix(0, 0) / 11.0), -0.1, 1e-5);
 }
 
-/// Returns the ratio of the speeds after and before an impact of a disk on a wall at rest, in units K_N = m = F0 = 1.
-/// The ratio is zero if the disk sticks. The contact has the adhesion F0 and a damping ratio of 0.248139. The closed
-/// form is that of a damped oscillation (Bouzid et al. 2024, corrected).
+/// Returns the speed of a disk after its impact on a wall at rest, divided by the speed before the impact. Returns zero
+/// if the disk sticks. The units are K_N = m = F0 = 1; the contact has the adhesion F0 and a damping ratio of 0.248139.
+/// Expected values are those of a damped oscillation (Bouzid et al. 2024, corrected).
 double rebound(double speed) {
   Packing<2> packing = boxed(one_disk(), 1, {});
   packing.law += test::linear(1.0);
@@ -191,8 +191,8 @@ TEST(Walls, ConserveEnergyToSecondOrder) {
   }
 }
 
-/// Closed form of the equilibrium of a disk of diameter d: K_N D - f = p L and L = d - 2 D on each axis, with
-/// the overlap D, the adhesion f, the pressure p and the side L.
+/// A disk of diameter d between walls in equilibrium. On each axis, K_N D - f = p L and L = d - 2 D, with the overlap
+/// D, the adhesion f, the pressure p and the side L.
 TEST(Walls, HoldADiskInTheEquilibriumOfTheirPressure) {
   Law law = cohesive_law();
   law += test::constant_adhesion(1.0);
@@ -216,7 +216,7 @@ TEST(Walls, HoldADiskInTheEquilibriumOfTheirPressure) {
   EXPECT_NEAR(net_forces(rest).force[0].norm(), 0.0, 1e-6);
 }
 
-/// A disk spins between two walls. The friction of the walls stops the disk; the two tangential forces form a couple.
+/// A disk spins between two walls. The friction forces of the two walls form a couple, which stops the disk.
 TEST(Walls, FrictionActsWithTheDistanceOfThePlaneAsItsArm) {
   Law law = cohesive_law();
   law += test::without("rolling");
@@ -229,8 +229,8 @@ TEST(Walls, FrictionActsWithTheDistanceOfThePlaneAsItsArm) {
   box.walls[0].position = 4.5 + 1e-4;
   box.walls[1].position = 5.5 - 1e-4;
   const double arm = 0.5 - 1e-4, inertia = box.grains.inertia(0);
-  // Two springs K_T act at the lever arm: I w' = -2 K_T arm^2 angle, with the moment of inertia I and the
-  // angular velocity w.
+  // The friction at the two walls acts like two springs K_T at the lever arm `arm`: I w' = -2 K_T arm^2 angle, with the
+  // moment of inertia I and the angular velocity w.
   const double frequency = std::sqrt(2.0 * 1e5 * arm * arm / inertia);
   const double dt = 0.01 / frequency;
   const auto dynamics = make_dynamics(box, control, {dt, 0.1});
@@ -311,8 +311,7 @@ TEST(Walls, MotionGoesOnFromThePackingThatItLeft) {
   expect_same_bits(middle, again);
 }
 
-/// The walls are rough, but the grains have no friction with each other. Only the friction at the walls can make the
-/// grains spin.
+/// The walls are rough, but there is no friction between grains. Grains can therefore start to spin only at the walls.
 TEST(Walls, MayHaveFrictionWhereGrainsHaveNone) {
   Law smooth;
   smooth += test::linear(1e5);

@@ -25,7 +25,7 @@ using test::expect_same_bits;
 using test::liquid_of;
 
 /// Law with liquid bridges. The units are the diameter a of a grain and the force F0 of a bridge between two grains of
-/// this diameter.
+/// diameter a.
 Law wet_law(double water, const std::string& formation = "gap") {
   Law law;
   law += test::linear(1e5);
@@ -138,8 +138,8 @@ TEST(WetGrains, ADoubletBouncesForEverWithAllOfItsEnergy) {
   }
   EXPECT_TRUE(apart);
   EXPECT_TRUE(touching);
-  // When surfaces meet, the stiffness jumps by K_N. In the step with this jump, the energy has an error of
-  // about K_N (v dt)^2/8.
+  // When the surfaces meet, the stiffness jumps by K_N. The step in which this happens changes the energy by an error
+  // of about K_N (v dt)^2/8.
   EXPECT_LT(largest, 5e-4 * std::abs(energy));
 }
 

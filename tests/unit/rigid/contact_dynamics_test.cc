@@ -96,8 +96,8 @@ Vec<Dim> slope(double tangent) {
   return g;
 }
 
-// A stack of disks, computed with several time steps. After the first step, each contact must carry the weight above
-// it, whatever the length of the step is.
+// A stack of disks over several time steps. Already after the first step, each contact must carry the weight of the
+// disks above it. This must not depend on the length of the step.
 TEST(ContactDynamics, StackOfDisksCarriesItsWeightInOneStep) {
   Packing<2> packing = empty_packing<2>(0.0);
   add_floor(packing);
@@ -168,8 +168,8 @@ struct OnSlope {
   double lower, upper;  // normal forces of the lower and the upper contact point in the first step
 };
 
-// On a slope of angle a, a block of width w and height h slides if tan a > mu. It tips over if min(tan a, mu) >
-// w/h, and it rests otherwise.
+// A block of width w and height h on a slope of angle a, with the friction coefficient mu: it slides if tan a > mu, it
+// tips over if min(tan a, mu) > w/h, and otherwise it rests.
 TEST(ContactDynamics, BlockOnASlopeRestsSlidesOrTips) {
   const double step = 0.005;
   for (const OnSlope& c : {OnSlope{1, 1, 0.45, 0.5, 0.0, 0.66114309, 0.25077841},
@@ -220,7 +220,8 @@ TEST(ContactDynamics, RoundGrainsRollOrSlideDownASlope) {
   EXPECT_NEAR(acceleration_on_slope<3>(0.5, 0.1), 0.8, 1e-10);
 }
 
-// Friction at the four contact points exerts a moment of mu m g sqrt(2)/2; the moment of inertia is m/6.
+// Friction at the four contact points exerts a moment of mu m g sqrt(2)/2 about the vertical axis; the moment of
+// inertia is m/6.
 TEST(ContactDynamics, SpinningCubeStops) {
   Packing<3> packing = block_on_floor<3>(Vec<3>::Ones(), 0.3);
   packing.grains.angular_velocity[0][2] = 0.9;
@@ -233,8 +234,8 @@ TEST(ContactDynamics, SpinningCubeStops) {
   EXPECT_NEAR(time, 0.9 * std::numbers::sqrt2 / (6.0 * 0.3), 2e-3);
 }
 
-// Column of ten cubes, each of which is shifted by 0.04 relative to the cube below it. The force under a cube is the
-// weight of the cubes above, and acts below their common centre of mass.
+// Column of ten cubes. Each cube is shifted by 0.04 relative to the cube below it. The force on the base of a cube is
+// the weight of this cube and the cubes above, and acts below their common centre of mass.
 TEST(ContactDynamics, LeaningColumnOfCubesStands) {
   constexpr int kCubes = 10;
   constexpr double kShift = 0.04;

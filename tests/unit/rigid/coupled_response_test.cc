@@ -22,8 +22,8 @@ double friction_of(int n) {
   return kFrictions[n % 5];
 }
 
-/// Random problems. In every second problem, slip and normal motion are coupled almost as strongly as positive
-/// definiteness allows. With a large friction coefficient, the contact then acts like a steep wedge.
+/// Random problems of a single contact. In every second problem, slip and normal motion are coupled almost as strongly
+/// as a positive definite response allows. With a large friction coefficient, the contact then acts like a steep wedge.
 template <int Dim>
 class Problems {
  public:
@@ -170,8 +170,8 @@ void expect_one_sweep_to_solve_a_pair(bool round) {
     const ContactProblem<Dim> problem = problem_of(bodies, contacts[0]);
     const SweepResult result = GaussSeidel<Dim>(bodies, contacts).solve(0.0, 1);
     const Vec<Dim> expected = contact_impulse(problem);
-    // Velocities are of order 1, and responses are at least 0.4. The impulses are therefore of order 1 as well, and
-    // their rounding errors are far below the tolerance.
+    // Velocities are of order 1, and responses (velocity per impulse) are at least 0.4. The impulses are therefore also
+    // of order 1, with rounding errors far below the tolerance.
     EXPECT_LT((contacts[0].impulse - expected).norm(), 1e-12 * expected.norm() + 1e-300) << "pair " << n;
     EXPECT_LT(result.residual, 1e-12) << "pair " << n;
     const BodyMotion<Dim> moved = after(before, contacts[0], expected);

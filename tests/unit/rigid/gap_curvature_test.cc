@@ -25,7 +25,7 @@ Packing<Dim> moved(Packing<Dim> packing, const Contact<Dim>& c, const PairMotion
   return packing;
 }
 
-/// Returns the gap between the features of the contact `of`, if these features still form a contact.
+/// Returns the gap between the features that are in contact in `of`; absent if these features no longer form a contact.
 template <int Dim>
 std::optional<double> gap_of(const Packing<Dim>& packing, const Contact<Dim>& of) {
   for (const Contact<Dim>& c : ContactPoints<Dim>().find(packing, 0.2))
@@ -33,8 +33,7 @@ std::optional<double> gap_of(const Packing<Dim>& packing, const Contact<Dim>& of
   return std::nullopt;
 }
 
-/// Compares the second derivatives of the gap with its second differences, for all pairs with a single contact
-/// point.
+/// Compares the second derivatives of the gap with second differences, for all pairs with a single contact point.
 /// @return number of comparisons
 template <int Dim>
 int compare_with_differences(const Packing<Dim>& packing, RandomStream& random) {
@@ -45,7 +44,7 @@ int compare_with_differences(const Packing<Dim>& packing, RandomStream& random) 
     const Contact<Dim>& c = contacts[k];
     const auto same = [&](const Contact<Dim>& d) { return d.i == c.i && d.j == c.j && d.image == c.image; };
     if (c.i == c.j || std::ranges::count_if(contacts, same) > 1) continue;
-    // At deep overlaps, the features in contact differ from those on touching surfaces.
+    // If shapes overlap deeply, other features are in contact than on touching surfaces.
     if (!packing.grains.are_round() && c.gap < 0.0) continue;
     const PairMatrix<Dim> curvature = gap_curvature(packing, c);
     for (int trial = 0; trial < 3; ++trial) {

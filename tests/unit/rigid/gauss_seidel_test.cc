@@ -27,12 +27,12 @@ TEST(GaussSeidel, CarriesAStackOfDisksInTheFirstStep) {
       EXPECT_NEAR(contacts[k].impulse[0] / kStep, (k + 1) * kMass * kGravity, 1e-8);
     return result.n_sweeps;
   };
-  // In a stack of n disks, the error of the slowest mode decreases by the factor exp(-pi^2/(4 n^2)) per plain sweep.
-  // With conjugate directions, this factor is about exp(-pi/n).
+  // In a stack of n disks, each plain sweep multiplies the error of the slowest mode by exp(-pi^2/(4 n^2)). With
+  // conjugate directions, this factor is about exp(-pi/n).
   const double plain =
       4.0 / (std::numbers::pi * std::numbers::pi) * kDisks * kDisks * std::log(1.0 / kTolerance);
   EXPECT_LT(solve(), 0.15 * plain);
-  // Sweeps that start from the solution only have to remove the remaining error of the solution.
+  // These sweeps start from the solution and only have to remove its remaining error.
   EXPECT_LT(solve(), 100);
 }
 
@@ -45,8 +45,8 @@ TEST(GaussSeidel, BallsInARowTakeTheImpulsesOfTheClosedForm) {
     std::vector<StepContact<3>> contacts;
     for (int k = 0; k + 1 < kBalls; ++k) {
       contacts.push_back(touching<3>(k, k + 1, {0.5, 0.0, 0.0}, {-0.5, 0.0, 0.0}, {1.0, 0.0, 0.0}, 0.0));
-      // The bias is `restitution` times the relative velocity before the step, so the step reverses this part of the
-      // velocity.
+      // The bias is `restitution` times the relative velocity before the step. The step therefore reverses this
+      // fraction of the relative velocity.
       contacts.back().bias[0] = restitution * (k == 0 ? -kVelocity : 0.0);
     }
     GaussSeidel<3> solver(bodies, contacts);
@@ -84,8 +84,8 @@ struct BlockOnSlope {
   }
 };
 
-/// State after the first step: acceleration along the slope, normal forces of the lower and the upper contact
-/// point, and spin.
+/// Results of the first step: acceleration along the slope, normal forces at the lower and the upper contact point, and
+/// angular velocity.
 struct FirstStep {
   double acceleration, lower, upper, spin;
 };
@@ -140,15 +140,14 @@ double acceleration_on_slope(double slope, double friction) {
 TEST(GaussSeidel, RoundGrainsRollDownASlopeUntilItIsTooSteep) {
   EXPECT_NEAR(acceleration_on_slope<2>(0.29, 0.1), 2.0 / 3.0, 1e-12);
   EXPECT_NEAR(acceleration_on_slope<3>(0.34, 0.1), 5.0 / 7.0, 1e-12);
-  // Beyond tan a = 3 mu a disk slides, and beyond 7/2 mu a sphere. The acceleration is then g (sin a - mu cos
-  // a).
+  // A disk slides if tan a > 3 mu, and a sphere if tan a > 7/2 mu. The acceleration is then g (sin a - mu cos a).
   EXPECT_NEAR(acceleration_on_slope<2>(0.5, 0.1), 0.8, 1e-12);
   EXPECT_NEAR(acceleration_on_slope<3>(0.5, 0.1), 0.8, 1e-12);
 }
 
-// The two contacts have equal normal forces N and friction forces T, which are not unique: with the angle b of the
-// sides and the weight 1, the only condition of balance is 2 (N cos b + T sin b) = 1. Any T with |T| <= mu N is
-// possible.
+// The two contacts have equal normal forces N and friction forces T. With the angle b of the sides and the weight 1,
+// the only condition of balance is 2 (N cos b + T sin b) = 1. The forces are therefore not unique: any T with |T| <= mu
+// N is possible.
 TEST(GaussSeidel, ADiskInAGrooveRestsOnForcesWithinTheLimitOfFriction) {
   constexpr double kAngle = std::numbers::pi / 3.0, kFriction = 0.3, kStep = 0.01;
   BodyMotion<2> bodies = balls_and_ground<2>(1, 1.0, 1.0);
@@ -228,8 +227,8 @@ TEST(GaussSeidel, AnAdhesivePairPartsAboveItsAdhesion) {
 TEST(GaussSeidel, ContactsOfOneColourShareNoBodyThatMoves) {
   BodyMotion<2> bodies = balls_and_ground<2>(4, 1.0, 0.5);
   std::vector<StepContact<2>> contacts;
-  // Four disks form a ring on the ground, and each disk also touches the ground. Contacts of one colour have no disk in
-  // common. The contacts of the ring need two colours, and the contacts with the ground need a third colour.
+  // Four disks form a ring on the ground, and each disk also touches the ground. Contacts of one colour must not share
+  // a disk. The contacts of the ring therefore need two colours, and the contacts with the ground a third colour.
   for (int k = 0; k < 4; ++k)
     contacts.push_back(touching<2>(k, (k + 1) % 4, {0.0, 0.0}, {0.0, 0.0}, {1.0, 0.0}, 0.0));
   for (int k = 0; k < 4; ++k) contacts.push_back(touching<2>(k, 4, {0.0, 0.0}, {0.0, 0.0}, {0.0, -1.0}, 0.0));

@@ -63,8 +63,8 @@ TEST(ImplicitStep, AgreesWithSweepsOnABallInACell) {
     EXPECT_NEAR(contacts[k].impulse[0], swept[k].impulse[0], 1e-8);
 }
 
-/// Elastic contacts of a ball in a groove, of which one slides and one sticks: the part of the relative motion that the
-/// springs take up is no slip, so the solution equals that of Gauss-Seidel sweeps.
+/// Elastic contacts of a ball in a groove: one contact slides, the other sticks. The relative motion that the springs
+/// take up does not count as slip. The solution must equal that of Gauss-Seidel sweeps.
 template <int Dim>
 void expect_springs_agree_with_sweeps() {
   BodyMotion<Dim> bodies = balls_and_ground<Dim>(1, 1.0, 0.5);

@@ -11,9 +11,9 @@
 namespace floc::test {
 namespace {
 
-/// Disk of radius 1 in a groove whose sides have the angle b, under a load (0, -W). Each of the two contacts is
-/// a block (P, T/mu) with the normal force P and the tangential force T. The rows of the program are the forces
-/// along x and y and the moment.
+/// Disk of radius 1 in a groove whose sides have the angle b, under a load (0, -W). Each of the two contacts is a block
+/// (P, T/mu) of the cone program, with the normal force P and the tangential force T. The rows of the program are the
+/// balance of forces along x and y and of moments.
 struct Groove {
   double angle = std::numbers::pi / 3.0;
   double friction = 0.3;
@@ -38,8 +38,8 @@ struct Groove {
     out.load = Eigen::Vector3d(0.0, load, 0.0);
     return out;
   }
-  /// Normal force of each contact if friction acts upwards (direction = 1) or downwards (-1) with its largest possible
-  /// value.
+  /// Normal force of each contact if the friction has its largest possible value and acts upwards (direction = 1) or
+  /// downwards (-1).
   double mobilised_force(double direction) const {
     return load / (2.0 * (std::cos(angle) + direction * friction * std::sin(angle)));
   }
@@ -68,7 +68,7 @@ TEST(InteriorPoint, ProvesThatADiskCanBeWedgedWithoutBound) {
 }
 
 TEST(InteriorPoint, LeastEnergyInAGrooveIsThatOfSprings) {
-  // A vertical displacement of the disk gives the forces P and T of the springs the ratio T/P = (K_T/K_N) tan b.
+  // The disk moves down. Its motion gives the spring forces P and T the ratio T/P = (K_T/K_N) tan b.
   const Groove groove{.friction = 1.0, .kn = 2.0, .kt = 1.0};
   const ConeProgram<2> program = groove.program();
   const ConeSolution<2> found = InteriorPoint<2>(program).solve(program);
@@ -81,8 +81,8 @@ TEST(InteriorPoint, ProvesThatNoForceHoldsADiskThatIsPulledOut) {
   const ConeProgram<2> program = Groove{.load = -1.0}.program();
   const ConeSolution<2> found = InteriorPoint<2>(program).solve(program);
   ASSERT_EQ(found.status, ConeStatus::kInfeasible);
-  // The program gives a motion on which the load does work while the contacts open. Such a motion proves that no
-  // contact forces can balance the load.
+  // The program returns a motion that opens the contacts and on which the load does positive work. Such a motion proves
+  // that no contact forces can balance the load.
   EXPECT_GT(program.load.dot(found.motion), 0.0);
   for (int k = 0; k < program.n_blocks(); ++k) {
     Vec<2> opening = Vec<2>::Zero();
@@ -92,8 +92,8 @@ TEST(InteriorPoint, ProvesThatNoForceHoldsADiskThatIsPulledOut) {
   }
 }
 
-/// Returns a program with random coefficients. The program is feasible, because its load is A x for a given x
-/// in the cones.
+/// Returns a program with random coefficients. The program is feasible: its load is A x, where x is a random vector in
+/// the cones.
 template <int Dim>
 ConeProgram<Dim> random_program(unsigned seed) {
   constexpr int kBlocks = 12, kRows = 8;
@@ -103,8 +103,7 @@ ConeProgram<Dim> random_program(unsigned seed) {
   out.load = Eigen::VectorXd::Zero(kRows);
   for (int r = 0; r < kRows; ++r) out.group.push_back(r);
   for (int k = 0; k < kBlocks; ++k) {
-    // Of every three blocks of x, one is zero, one lies on the surface of its cone, and one lies inside its
-    // cone.
+    // One of three blocks of x is zero, one is on the surface of its cone, and one is inside its cone.
     Vec<Dim> x = Vec<Dim>::NullaryExpr([&] { return uniform(engine); });
     x[0] = x.template tail<Dim - 1>().norm() + (k % 3 == 0 ? 1.0 : 0.0);
     if (k % 3 == 1) x.setZero();
@@ -155,8 +154,8 @@ TEST(InteriorPoint, NoFeasibleDirectionLowersALinearMinimum) {
     const ConeProgram<2> program = random_program<2>(seed);
     const ConeSolution<2> minimum = InteriorPoint<2>(program).minimise_linear(program, -1e9);
     ASSERT_EQ(minimum.status, ConeStatus::kSolved);
-    // At the last proximal point, the gradient of the proximal term is zero, so the multipliers solve the linear
-    // program as well.
+    // At the last proximal point, the gradient of the proximal term is zero. The multipliers therefore also solve the
+    // linear program.
     ConeProgram<2> linear = program;
     linear.compliance.assign(program.n_blocks(), Vec<2>::Zero());
     expect_optimal<2>(linear, minimum, 1e-6);
@@ -174,8 +173,8 @@ TEST(SecondOrderCone, ScalingMapsThePairToOnePoint) {
     };
     const Vec<3> x = inside(), z = inside();
     const cone::Scaling<3> scaling(x, z);
-    // The vectors x and z lie inside the cone, at a distance of about `margin` from its surface. Rounding errors of x
-    // and z are therefore multiplied by 1/margin in the scaling.
+    // The vectors x and z are inside the cone, but only about `margin` away from its surface. The scaling multiplies
+    // their rounding errors by 1/margin.
     EXPECT_LT((scaling.scaled(z) - scaling.unscaled(x)).norm(), 1e-14 / margin);
     EXPECT_LT((scaling.unscaled(scaling.scaled(z)) - z).norm(), 1e-14 / margin);
   }

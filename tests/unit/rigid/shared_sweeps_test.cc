@@ -51,14 +51,16 @@ void expect_a_cell_to_come_to_rest(int side, double cell_mass) {
   const SweepResult result = GaussSeidel<Dim>(bodies, contacts).solve(1e-12, 200'000, 10);
   EXPECT_TRUE(result.converged) << result.residual;
   EXPECT_LT(bodies.stretch.norm(), 1e-9);
-  // The pressure determines only the mean of the forces along the rows of grains; single rows may carry more or less.
+  // The pressure determines only the mean of the forces along the rows of grains; the forces of single rows may differ
+  // from the mean.
   Vec<Dim> mean = Vec<Dim>::Zero();
   for (const StepContact<Dim>& c : contacts) mean += c.impulse[0] / kStep / lattice.size() * c.branch;
   for (int a = 0; a < Dim; ++a) EXPECT_NEAR(mean[a], kPressure, 1e-9);
 }
 
 TEST(GaussSeidel, ACellUnderPressureComesToRestOnItsGrains) {
-  // Contacts of one colour are solved simultaneously. If the cell is light, they move the cell more than any grain.
+  // Contacts of one colour are solved simultaneously. If the mass of the cell is small, their impulses move the cell
+  // more than any grain.
   for (const double cell_mass : {1.0, 0.01, 1e-4}) {
     expect_a_cell_to_come_to_rest<2>(5, cell_mass);
     expect_a_cell_to_come_to_rest<2>(20, cell_mass);

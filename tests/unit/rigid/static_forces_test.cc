@@ -110,8 +110,7 @@ TYPED_TEST(StaticForcesOf, CanonicalForcesComeBackFromTheirGeometry) {
 TYPED_TEST(StaticForcesOf, ClosestForcesToBalancedOnesAreThose) {
   constexpr int Dim = TypeParam::value;
   Packing<Dim> packing = packing_without_forces<Dim>(3);
-  // The forces balance, but they are the result for other stiffnesses, so they do not have the least energy for the
-  // default stiffnesses.
+  // The forces balance, but they have the least energy for other stiffnesses, not for the default stiffnesses.
   ForceBalanceOptions<Dim> options = under_pressure<Dim>(1.0);
   options.kn = 1.0;
   options.kt = 50.0;

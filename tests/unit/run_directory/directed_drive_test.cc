@@ -14,8 +14,8 @@
 namespace floc {
 namespace {
 
-/// Returns a scene of disks without adhesion with the given loads. If `finish` is "dynamic", equilibria are found by
-/// motion alone, so that the run takes many steps and can be stopped between them.
+/// Returns a scene of disks without adhesion with the given loads. If `finish` is "dynamic", only the motion of the
+/// grains leads to equilibria. The run then takes many steps and can be stopped between them.
 Scene scene_of(const std::string& loads, const std::string& finish) {
   const std::string disks = test::exchanged(test::scene_text("disks"), "count = 40", "count = 30");
   return parse_scene(disks + loads + "[equilibrium]\nfinish = \"" + finish + "\"\n", "directed.toml", ".");

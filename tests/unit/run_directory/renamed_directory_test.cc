@@ -43,8 +43,8 @@ void take_away(const std::string& path, Then then) {
 
 class RenamedDirectory : public ::testing::TestWithParam<bool> {};
 
-/// A run whose directory was renamed stops when it would write its next file. Files at the old name stay
-/// unchanged.
+/// The directory of a run is renamed. The run must stop when it would write its next file, and must not change files at
+/// the old name.
 TEST_P(RenamedDirectory, IsNoticedBeforeAnythingIsWritten) {
   const bool with_table = GetParam();
   int n = 0;

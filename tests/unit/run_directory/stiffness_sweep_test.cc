@@ -14,9 +14,9 @@
 #include "support/contact_laws.h"
 #include "support/law_list.h"
 
-/// Tests that floc reports and refuses stiffnesses that differ from those of the contact law, as another program may
-/// give them. The tests cover every law in both dimensions, every stiffness of a contact and several factors, in
-/// contact lists, in states read for moduli, and in verification.
+/// Another program may give stiffnesses that differ from those of the contact law. These tests check that floc reports
+/// and refuses the differences: in contact lists, in states read for moduli, and in verification. The tests cover every
+/// law in both dimensions, every stiffness of a contact and several factors.
 namespace floc {
 namespace {
 
@@ -68,7 +68,7 @@ double* stiffness(Contact<Dim>& c, std::size_t kind) {
   return members[kind];
 }
 
-/// Returns the reported differences of the stiffnesses in a contact list that contains only the touching contact.
+/// Returns the differences of stiffnesses that are reported for a contact list with a single contact, the touching one.
 /// @param factor  factor by which the list multiplies the stiffness `kind`
 template <int Dim>
 std::vector<std::string> said_of_list(const Packing<Dim>& packing, std::size_t kind, double factor) {

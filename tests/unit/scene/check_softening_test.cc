@@ -15,8 +15,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-/// Scene of cohesive disks with kappa = 1e5 and D0 = 1e-3 a. The softening may be at most 10, and from P = 200
-/// on at most 5.
+/// Scene of cohesive disks with kappa = 1e5 and D0 = 1e-3 a. The softening may be at most 10 at low pressures, and at
+/// most 5 if the pressure reaches P = 200.
 std::string soft_scene(const std::string& more) {
   return R"([scene]
 dimension = 2
@@ -62,7 +62,7 @@ TEST(CheckSoftening, EveryTableIsCheckedAgainstItsOwnSteps) {
               HasSubstr("load.0.softening = 5.1"));
   EXPECT_THAT(softening_faults(std::string(kDirect) + "softening = 11.0\n"),
               AllOf(HasSubstr("assembly.softening = 11"), HasSubstr("expected at most 10")));
-  // The unloading stage starts at the high pressure. Its softening is therefore limited by this pressure.
+  // The unloading stage starts at the high pressure, which therefore limits its softening.
   EXPECT_THAT(
       softening_faults(std::string(kDirect) + "[[load]]\nto = 200.0\nsteps_per_decade = 2\n"
                                               "[[load]]\nto = 1.0\nsteps_per_decade = 1\nsoftening = 6\n"),

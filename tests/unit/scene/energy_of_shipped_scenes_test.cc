@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Inputs of an energy account. Scenes with the same inputs share one entry.
+/// Inputs of an energy account: laws, grains and pressure. All scenes with these inputs are listed in one entry.
 struct LawPath {
   std::vector<std::string> scenes;
   GrainOptions grains;  ///< grains of the scenes, but fewer
@@ -88,7 +88,7 @@ Packing<Dim> pressed_packing(const LawPath& path, std::uint64_t seed) {
   return packing;
 }
 
-/// Returns random strain rates, which are so large that within `time` the packing deforms by about its mean overlap.
+/// Returns random strain rates of such a size that the packing deforms by about its mean overlap within `time`.
 template <int Dim>
 BoundaryControl<Dim> straining(double overlap, double size, double time, RandomStream& random) {
   BoundaryControl<Dim> control = BoundaryControl<Dim>::fixed();
@@ -105,8 +105,8 @@ BoundaryControl<Dim> pressing(const Packing<Dim>& packing, double pressure) {
                                              0.1 * test::total_mass(packing));
 }
 
-/// Returns the energy account of a packing under all laws of a path. Under each law, strain rates are imposed
-/// first, then stresses.
+/// Returns the energy account of a packing that is loaded under all laws of a path, one after the other. Under each
+/// law, strain rates are imposed first, then stresses.
 /// @param share  time step divided by that of runs
 template <int Dim>
 EnergyTerms account_of(const LawPath& path, Packing<Dim> packing, std::uint64_t seed, double share) {
@@ -145,8 +145,9 @@ double throughput(const EnergyTerms& t) {
   return std::abs(t.work) + t.viscous + t.sliding + t.scaling;
 }
 
-/// Returns the errors of the energy balance divided by the throughput, each averaged over the samples. The three values
-/// belong to time steps of 0.2, 0.1 and 0.05 times the time step of runs.
+/// Returns the error of the energy balance divided by the throughput, averaged over the samples, for time steps of 0.2,
+/// 0.1 and 0.05 times the time step of runs.
+/// @param last  receives the energy terms of the last sample
 template <int Dim>
 std::array<double, 3> errors_of(const LawPath& path, EnergyTerms& last) {
   constexpr int kSamples = 2;

@@ -146,7 +146,7 @@ TEST(ReadLoad, StrainsTogetherDoNotCloseTheCell) {
   EXPECT_EQ(faults(2, thinner), "");
 }
 
-/// The sample is unloaded to zero stress. A later stage that keeps zero stress on an axis cannot also remove the
+/// The sample is unloaded to zero stress. If a later stage keeps this stress on an axis, it cannot also remove the
 /// adhesion.
 TEST(ReadLoad, AStressOfZeroIsNotKeptWithoutAdhesion) {
   std::string cohesive =
@@ -165,8 +165,8 @@ TEST(ReadLoad, AStressOfZeroIsNotKeptWithoutAdhesion) {
   }
 }
 
-/// A number of steps per decade needs a known stress at the start of the stage. The stress on a strained axis becomes
-/// known only during the run.
+/// If a stage gives a number of steps per decade, the stress at its start must be known. The stress on a strained axis
+/// becomes known only during the run.
 TEST(ReadLoad, StepsADecadeNeedAStressThatIsKnown) {
   const std::string first = "[[load]]\ncontrol = \"triaxial\"\nstrain = 0.1\nsteps = 2\n";
   EXPECT_THAT(faults(2, first + "[[load]]\nto = 2\nsteps_per_decade = 4\n"), HasSubstr("expected steps"));

@@ -321,7 +321,7 @@ TEST(ReadScene, AggregationNeedsAnAdhesionWithATail) {
               HasSubstr("the model \"constant\" of contact.adhesion has no range"));
 }
 
-/// Returns the scene with liquid bridges instead of the tail adhesion. The sample is compressed in one step.
+/// Returns the scene with liquid bridges instead of the tail adhesion, and with the compression in a single step.
 std::string wet_scene(const std::string& adhesion) {
   std::string text =
       with("adhesion = {law = \"tail\", force = 1.0, range = 1e-3}", "adhesion = {" + adhesion + "}");
@@ -365,8 +365,8 @@ TEST(ReadScene, LiquidThatCannotBeIsRefusedInWords) {
               HasSubstr("form = 'linear'"));
 }
 
-/// A cap of the strain rate that is proportional to the pressure vanishes at zero pressure, so that nothing could move.
-/// This is refused for every kind of adhesion.
+/// If the cap of the strain rate is proportional to the pressure, it vanishes at zero pressure, and nothing could move.
+/// Such a scene is refused for every kind of adhesion.
 TEST(ReadScene, ZeroPressureIsRefusedWhereTheCapOnRatesVanishes) {
   std::string text = wet_scene(
       "law = \"capillary\", surface_tension = 0.072, contact_angle = 10, water_content = 0, density_ratio = "

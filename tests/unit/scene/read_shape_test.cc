@@ -195,8 +195,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(ReadShape, AGasDenserThanItsCircumscribedBallsAllowIsRefused) {
   const std::string pentagon = "{kind = \"polygon\", sides = 5}";
-  // A pentagon fills 0.757 of its circumscribed circle, and the circumscribed circles may fill at most 0.6 of the cell.
-  // The limit is therefore 0.757 * 0.6 = 0.454.
+  // The circumscribed circles may fill at most 0.6 of the cell. A pentagon fills 0.757 of its circumscribed circle, so
+  // the largest solid fraction is 0.757 * 0.6 = 0.454.
   EXPECT_NO_THROW(parse_scene(text_with_shape(pentagon, 2, 0.45), "s.toml", "."));
   EXPECT_THAT([&] { parse_scene(text_with_shape(pentagon, 2, 0.46), "s.toml", "."); },
               testing::ThrowsMessage<InputError>(AllOf(HasSubstr("s.toml:12: cell.solid_fraction = 0.46: "),
@@ -210,7 +210,8 @@ TEST(ReadShape, AFileIsFoundBesideTheSceneAndItsRemarksAreWarnings) {
   const Scene scene = shaped(shape, 2, scratch.path());
   EXPECT_THAT(scene_warnings(scene), testing::ElementsAre(AllOf(HasSubstr("square.csv: "),
                                                                 HasSubstr("1 of 5 points are not vertices"))));
-  // The stored text of the scene contains a hash of the file. If the file has changed, the scene is therefore refused.
+  // The stored text of the scene contains a hash of the shape file. The scene is therefore refused after the file has
+  // changed.
   const std::string sha256 = sha256_of_file(scratch.file("square.csv"));
   EXPECT_THAT(scene.text, HasSubstr(sha256));
   EXPECT_NO_THROW(parse_scene(scene.text, "s.toml", scratch.path()));

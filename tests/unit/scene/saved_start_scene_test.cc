@@ -68,8 +68,8 @@ class SceneOfAState : public testing::Test {
   test::ScratchDirectory scratch_;
 };
 
-/// At the first pressure of a run from a state, the default mass of the cell is the default of loading stages. With
-/// vibration, the sample is assembled again, so the default of the assembly applies.
+/// At the first pressure, a run from a state has the mass of the cell that is the default for loading stages. With
+/// vibration, the sample is assembled again, and the default for the assembly applies.
 TEST_F(SceneOfAState, TakesTheResponseOfLoadsWhereNoneIsSaid) {
   const std::string cell = "[cell]\nmass = 1\nstrain_rate_cap = 0.05\n";
   std::string text = kSavedStartScene;

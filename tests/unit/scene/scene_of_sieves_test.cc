@@ -148,7 +148,7 @@ TEST(LognormalKeys, ByMassTheMedianIsByMass) {
   EXPECT_EQ(parsed_sizes(scene_of_sizes(keys + ", by = \"number\"}")).grains.diameter.median, 1.0);
   const DiameterDistribution d =
       parsed_sizes(scene_of_sizes(keys + ", by = \"mass\", quantiles = \"middle\"}")).grains.diameter;
-  // The median diameter divides the mass of a large sample: half of the mass is in smaller disks.
+  // Half of the mass of a large sample is in disks smaller than the median diameter.
   double below = 0.0, all = 0.0;
   for (const double x : equally_spaced_diameters(d, 200'000)) all += x * x, below += x < 1.0 ? x * x : 0.0;
   EXPECT_NEAR(below / all, 0.5, 1e-4);

@@ -28,8 +28,8 @@ TEST(SceneSoftening, IsThatOfItsParts) {
 }
 
 TEST(SceneSoftening, TheLargestCanBeGivenAndAnyLargerIsRefused) {
-  // Disks with kappa = 1e5 and D0 = 1e-3 a. If springs are softer by a factor of 10, the overlap is a tenth of D0,
-  // which is the limit.
+  // Disks with kappa = 1e5 and D0 = 1e-3 a. With springs that are softer by a factor of 10, the overlap is a tenth of
+  // D0; a larger overlap is not allowed.
   EXPECT_NEAR(largest_softening(softened_scene("demo")).load, 10.0, 1e-9);
   for (const char* name : {"demo", "cohesionless_cycle", "spheres_demo", "powder3d", "oedometer"}) {
     const Softening largest = largest_softening(softened_scene(name));

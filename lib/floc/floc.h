@@ -12,8 +12,9 @@
 /// pre- and postconditions, units and errors.
 ///
 /// 1. Get a state. floc::read_state() reads a state file. For a file of another program, floc::find_import_format()
-///    returns its format, which reads the file, and floc::complete_import() completes the packing. floc::run_scene()
-///    runs a scene in a directory and writes its states there; floc::state_file() returns their names.
+///    returns the format of the file. The function read() of this format reads the file, and floc::complete_import()
+///    completes the packing. floc::run_scene() runs a scene in a directory and writes the states of the run there;
+///    floc::state_file() returns the names of the state files.
 /// 2. Verify it. floc::verify_state() recomputes from the state alone whether it is an equilibrium.
 /// 3. Compute the properties of its contact network as tables, with the columns of docs/columns.md:
 ///    floc::moduli_table(), floc::network_table(), floc::structure_table(). For a sequence of states, floc::ModuliRows
@@ -23,10 +24,10 @@
 ///    floc::fit_consolidation() for points in memory.
 /// 5. Write results: floc::write_table() writes tables, floc::write_state() writes states.
 ///
-/// Errors are exceptions: floc::InputError for errors that a user can correct, whose message names the file, the place
-/// in it, the value and the expected value; floc::IoError if the operating system fails; floc::NoResult if a quantity
-/// does not exist for the state. The library prints nothing: warnings and notes of computations go to a floc::Remarks
-/// object, if the caller passes one.
+/// Errors are exceptions. floc::InputError is for errors that a user can correct; its message names the file, the place
+/// in the file, the value and the expected value. floc::IoError is for failures of the operating system. floc::NoResult
+/// is for quantities that do not exist for the state. The library prints nothing: warnings and notes of computations go
+/// to a floc::Remarks object, if the caller passes one.
 
 #include "floc/base/error.h"
 #include "floc/base/version.h"

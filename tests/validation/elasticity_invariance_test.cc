@@ -19,8 +19,8 @@ Moduli full_moduli(const Packing<Dim>& packing) {
   return elastic_moduli(packing, options);
 }
 
-/// Relative tolerance. In the changed packing, sums are taken in another order, and branch vectors are rounded
-/// differently. A condition number of about 1e3 amplifies both errors. Long branch vectors need a larger tolerance.
+/// Relative tolerance. Changes of the packing change the order of sums and the rounding of branch vectors. A condition
+/// number of about 1e3 amplifies both errors. Long branch vectors need a larger tolerance.
 constexpr double kSame = 1e-10;
 
 template <int Dim>

@@ -71,8 +71,7 @@ TEST_F(FormatOfJamBashbulk, ModuliWithPrestressAreDerivativesOfTheCauchyStress) 
   const Moduli m = moduli(true);
   const Mat<2> stress = static_stress(packing_);
   // The moduli contain only the symmetric part of the convective terms (docs/physics.md, "Prestress"). The derivative
-  // of the Cauchy stress also contains the antisymmetric part of these terms, which is of the order of the shear
-  // stress.
+  // of the Cauchy stress also contains their antisymmetric part, which is of the order of the shear stress.
   const auto convected = [&](int a, int b) {
     const Mat<2> e = unit_strain<2>(b), turned = stress * e;
     return ((stress * e.trace() - 0.5 * (turned + turned.transpose())) * unit_strain<2>(a)).trace();
@@ -83,8 +82,8 @@ TEST_F(FormatOfJamBashbulk, ModuliWithPrestressAreDerivativesOfTheCauchyStress) 
         (static_stress(strained(packing_, kStep * e)) - static_stress(strained(packing_, -kStep * e))) /
         (2.0 * kStep);
     for (int a = 0; a < 3; ++a) {
-      // Positions of order 10 are rounded, which gives an error of 1e-9 after the division by the step. The truncation
-      // error is of the order of step^2, divided by the overlap of 1e-3.
+      // The rounding of positions of order 10, divided by the step, gives an error of 1e-9. The truncation error is of
+      // the order of step^2 divided by the overlap of 1e-3.
       const double expected = m.C(a, b) + 0.5 * (convected(a, b) - convected(b, a));
       EXPECT_NEAR((change * unit_strain<2>(a)).trace(), expected, 1e-7) << a << " " << b;
     }

@@ -12,7 +12,7 @@ constexpr double kN = 1.0;
 constexpr double kT = 0.7;
 constexpr double kR = 0.03;
 constexpr double kSpacing = 1.3;
-/// Tolerance for rounding errors of sums of a few terms, which condition numbers of about 10 amplify.
+/// Tolerance for sums of a few terms, whose rounding errors are amplified by condition numbers of about 10.
 constexpr double kRounding = 1e-12;
 
 Moduli full_moduli(const Packing<2>& packing) {
@@ -84,8 +84,9 @@ TEST(Lattice, FramesOfChainsBendAsTheTwoDiskEquivalentSays) {
   }
 }
 
-/// The frames are so soft in shear that no digit of the shear modulus could be computed from the stiffness matrix
-/// alone. The modulus must lie within its error bound, and the bound must be small compared with the modulus.
+/// The frames are so soft in shear that the stiffness matrix alone, in double precision, determines no digit of the
+/// shear modulus. The modulus must nevertheless lie within its error bound, and the bound must be small compared with
+/// the modulus.
 TEST(Lattice, SoftFramesAreWithinTheirErrorBound) {
   for (const double rolling : {1.0, 1e-4, 1e-8})
     for (const int n : {3, 20, 100}) {

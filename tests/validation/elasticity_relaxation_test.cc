@@ -31,7 +31,7 @@ Packing<2> solved(const Packing<2>& start, const Vec<2>& target) {
   options.target = 1e-11;
   options.max_iterations = 30;
   const StaticSolution<2> solution = solve_statics(start, target, options);
-  // The rounding error of absolute positions limits the residual. This limit is close to the target of the solver.
+  // The rounding error of absolute positions limits the residual to a value near the target of the solver.
   EXPECT_LT(solution.residual, 1e-9) << solution.reason;
   return solution.packing;
 }
@@ -48,8 +48,8 @@ Vec<2> strain_found(const Packing<2>& start, double pressure, const Vec<2>& step
   return -0.5 * (more.cell.matrix.diagonal().array().log() - less.cell.matrix.diagonal().array().log());
 }
 
-/// Imposes small stress steps, and computes from the resulting strains and the moduli the stress steps that belong to
-/// them. Returns the largest relative difference between these and the imposed stress steps.
+/// Imposes small stress steps and finds the resulting strains. The moduli times these strains should be the stress
+/// steps. Returns the largest relative difference between the two.
 double worst_difference(const Packing<2>& start, double pressure, double relative_step, bool prestress) {
   ModuliOptions options;
   options.prestress = prestress;

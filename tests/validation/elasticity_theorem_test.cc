@@ -34,7 +34,7 @@ bool carries_any_stress(const Eigen::MatrixXd& C) {
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(C).eigenvalues()[0] > 1e-6;
 }
 
-/// Sets the forces of a network to those of another network with the same contacts under a unit isotropic stress.
+/// Sets the forces of a network to the response of another network, with the same contacts, to a unit isotropic stress.
 template <int Dim>
 void take_forces(ContactNetwork<Dim>& network, const ContactNetwork<Dim>& from) {
   const ElasticResponse response = elastic_response(from, {});
@@ -48,8 +48,8 @@ void take_forces(ContactNetwork<Dim>& network, const ContactNetwork<Dim>& from) 
   }
 }
 
-/// Tests the order of the bounds of a network. Returns whether this was possible: a network that does not span the cell
-/// cannot be under an isotropic stress.
+/// Tests the order of the bounds of a network. Returns whether the network could be tested: it cannot be under an
+/// isotropic stress if it does not span the cell.
 template <int Dim>
 bool expect_bounds_in_order(int n_grains, unsigned seed) {
   std::mt19937 engine(seed);
@@ -57,8 +57,8 @@ bool expect_bounds_in_order(int n_grains, unsigned seed) {
   randomise_stiffness(network, engine);
   const Eigen::MatrixXd C = elastic_response(network, {}).relaxed / network.volume;
   if (!carries_any_stress(C)) return false;
-  // The forces are the response of a network with other stiffnesses, so they balance, but they are not the response of
-  // this network.
+  // The forces are the response of a network with other stiffnesses. They balance, but differ from the response of this
+  // network.
   ContactNetwork<Dim> foreign = network;
   randomise_stiffness(foreign, engine);
   take_forces(network, foreign);

@@ -12,9 +12,9 @@
 #include "floc/packing/wall_forces.h"
 #include "support/foreign_packing.h"
 
-/// Tests with files of other programs, which are not part of the repository. The environment variable FLOC_FOREIGN_DATA
-/// names the folder of the files (CONTRIBUTING.md); the tests are skipped if it is not set. The expected numbers were
-/// read from the files by other parsers.
+/// Tests with files of other programs that are not part of the repository. The environment variable FLOC_FOREIGN_DATA
+/// names the folder of the files (CONTRIBUTING.md); without it the tests are skipped. The expected numbers were read
+/// from the files by other parsers.
 namespace floc {
 namespace {
 
@@ -84,8 +84,8 @@ TEST_F(ForeignData, FstatOfAChuteListsItsPairsTwice) {
   options.drop_tensile = true;
   const State<3> state = read<3>("mercurydpm/chute_periodic.restart", options);
   EXPECT_EQ(state.packing.grains.size(), 107);
-  // The 171 rows contain 92 pairs; the force of one pair is attractive. For the other pairs, the sum of force times
-  // branch does not depend on the position of the free end.
+  // The 171 rows contain 92 pairs. One of the pairs has an attractive force and is left out. For the other pairs, the
+  // sum of force times branch does not depend on the position of the free end.
   EXPECT_EQ(state.packing.contacts.size(), 91u);
   EXPECT_NEAR(state.stress.trace() / 3.0 * state.packing.cell.volume(), 3.1817834280059e-06, 1e-18);
   EXPECT_FALSE(between_walls(state.packing.walls, 0));

@@ -11,8 +11,8 @@
 #include "support/hand_network.h"
 #include "support/places.h"
 
-/// Packings that LAMMPS and YADE have simulated under laws that floc also has (data/packings). They are converted as
-/// described in docs/commands/convert.md. The laws must give the same normal forces at the positions in the files. The
+/// Packings that LAMMPS and YADE have simulated under laws that floc has too (data/packings), converted as described in
+/// docs/commands/convert.md. At the positions in the files, the laws must give the normal forces in the files. The
 /// moduli must equal those of a network that is built directly from the rows of the files.
 namespace floc::test {
 namespace {
@@ -48,8 +48,8 @@ std::map<std::int64_t, HandGrain> grains_of(const std::vector<std::vector<double
   return grains;
 }
 
-/// Returns the cell of a dump. The cell is computed from the three lines of the dump that contain the bounds, and tilt
-/// factors if the cell is tilted.
+/// Returns the cell of a dump. The dump gives the bounds of the cell in three lines, with tilt factors if the cell is
+/// tilted.
 Mat<3> lammps_cell(const std::string& dump) {
   const auto rows = numbers_behind(dump, "ITEM: BOX BOUNDS");
   const auto tilt = [&](int a) { return rows[a].size() > 2 ? rows[a][2] : 0.0; };
@@ -100,8 +100,8 @@ double largest_difference(const Imported& converted) {
   return difference / largest;
 }
 
-/// Hertz-Mindlin law of spheres with E and nu. Contacts with forces below `smallest` belong to rattlers and are
-/// omitted. `smallest` is 1e-5 P a^2.
+/// Hertz-Mindlin law of spheres with Young's modulus E and Poisson's ratio nu. Contacts with forces below `smallest` =
+/// 1e-5 P a^2 belong to rattlers and are omitted.
 HandLaw hertz_mindlin(double E, double nu, double smallest) {
   return [=](double gap, double radius) -> std::optional<HandContact> {
     const double E_r = E / (2.0 * (1.0 - nu * nu));
@@ -161,9 +161,9 @@ HandNetwork<3> yade_hand(const std::string& file) {
   return {cell, grains_of(numbers_behind(file, ""), 1, 4)};
 }
 
-/// Compares the normal forces listed by YADE with the normal forces of the law. Converted forces cannot be compared:
-/// the tangential forces of YADE have a small component along the branch, which the conversion adds to the normal
-/// force.
+/// Compares the normal forces that YADE listed with the normal forces of the law. The forces after the conversion
+/// cannot be compared: YADE's tangential forces have a small component along the branch, which the conversion adds to
+/// the normal force.
 double largest_difference_of_yade(const Imported& converted, const std::vector<std::vector<double>>& rows) {
   const Packing<3>& packing = std::get<State<3>>(converted.state).packing;
   std::map<std::pair<int, int>, double> listed;

@@ -38,7 +38,7 @@ class HertzAverages : public testing::Test {
   double mean_force() const {
     return mean([](const Contact<3>& c) { return c.normal_force; });
   }
-  /// Stiffness number (E/P)^(2/3), with the pressure P = z Phi <N>/(pi a^2), in which all branches are assumed to have
+  /// Stiffness number (E/P)^(2/3). The pressure P = z Phi <N>/(pi a^2) is that of a packing in which all branches have
   /// the length a.
   double kappa() const { return std::cbrt(std::pow(kE * kPi / (forces_.z * phi() * mean_force()), 2)); }
   double phi() const { return solid_fraction(packing_); }

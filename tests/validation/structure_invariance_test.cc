@@ -22,8 +22,8 @@
 namespace floc::test {
 namespace {
 
-/// All measured quantities of one packing, as two lists of numbers: quantities that do not depend on the mesh, and
-/// quantities that do.
+/// All measured quantities of a packing. `exact` contains the quantities that do not depend on the mesh, and `on_mesh`
+/// those that do.
 struct Measured {
   std::vector<double> exact, on_mesh;
 };
@@ -59,8 +59,8 @@ Measured measure(const Packing<2>& packing) {
   append(m.exact, contact_forces(packing, ForceKind::normal), true);
   const std::vector<double> p = particle_pressure(packing);
   append(m.exact, p, true);
-  // Half of the grains are treated as grains under tension. They are chosen by size, so that the choice does not depend
-  // on the numbering of the grains.
+  // Half of the grains are treated as grains under tension. They are chosen by size, because the choice must not depend
+  // on the numbers of the grains.
   std::vector<double> signed_pressure;
   for (const double R : packing.grains.radius) signed_pressure.push_back(R - 0.5);
   const PressurePhases phases = pressure_phases(contact_network(packing), signed_pressure);

@@ -15,8 +15,8 @@
 #include "support/contact_laws.h"
 #include "support/places.h"
 
-/// Packings made by LAMMPS and YADE (data/packings). The stress of the contacts and the net force on every grain must
-/// agree with the 17 digits that these programs printed, up to rounding errors.
+/// Packings made by LAMMPS and YADE (data/packings). These programs printed the stress and the net force on every grain
+/// with 17 digits. The stress and the net forces of floc must agree with them up to rounding errors.
 namespace floc {
 namespace {
 
@@ -25,8 +25,8 @@ const std::string kData = test::source_directory() + "/data/packings/";
 /// Relative rounding error of a sum of a hundred products.
 constexpr double kRounding = 1e-13;
 
-/// Returns the error of the net force on a grain with up to six contacts. Both programs compute branches across the
-/// cell boundary from shifted positions, so the positions have rounding errors in proportion to the size of the cell.
+/// Returns the rounding error of the net force on a grain with up to six contacts. For contacts across the cell
+/// boundary, both programs shift positions by the size of the cell, so rounding errors are proportional to this size.
 template <int Dim>
 double force_rounding(const Packing<Dim>& packing) {
   double stiffest = 0.0;
@@ -74,8 +74,8 @@ TEST(Lammps, StressOfItsPackingIsItsOwn) {
   EXPECT_NEAR(0.5 * stress.trace(), own[0], kRounding * own[0]);
   EXPECT_NEAR(stress(0, 0), own[1], kRounding * own[0]);
   EXPECT_NEAR(stress(1, 1), own[2], kRounding * own[0]);
-  // floc computes the stress from force times branch. This stress is symmetric if moments balance. Here, moments
-  // balance up to the difference between the lever arms of LAMMPS and floc.
+  // floc computes the stress from force times branch. This stress is symmetric if the moments balance. Here they do not
+  // balance exactly, because the lever arms of LAMMPS differ a little from those of floc.
   EXPECT_NEAR(stress(1, 0), own[3], kRounding * own[0]);
 }
 
@@ -149,8 +149,8 @@ TEST(Yade, StiffnessesAreThoseOfEachContactAndTheLawHasTheirMeans) {
   EXPECT_NEAR(test::law_number(state.packing.law, "friction.coefficient"), std::tan(0.4), 1e-15);
 }
 
-/// Small net moments remain, because LAMMPS and YADE use other lever arms than floc. The lever arms of LAMMPS are the
-/// whole radii, which are longer than the lever arms of floc by the factor 1 + overlap/branch.
+/// The net moments are not exactly zero, because LAMMPS and YADE use other lever arms than floc. The lever arms of
+/// LAMMPS are the whole radii, which are longer than the lever arms of floc by the factor 1 + overlap/branch.
 TEST(ThirdParties, PackingsAreInEquilibriumToTheirConventionOfContactPoints) {
   const Packing<2> disks = std::get<State<2>>(read_lammps().state).packing;
   const Residuals of_disks = residuals<2>(disks, static_stress(disks).diagonal());

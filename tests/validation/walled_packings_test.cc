@@ -104,9 +104,9 @@ struct FilePacking {
   }
 };
 
-/// Computes the moduli of a packing. The unknowns are 6 displacements and rotations of each grain, a common shift of
-/// the two walls of each axis, and the three strains. Under a strain, walls move along their normals relative to the
-/// middle between them; along periodic axes, walls are stretched with the cell.
+/// Computes the moduli of a packing. The unknowns are the 6 displacements and rotations of each grain, a common shift
+/// of the two walls of each axis, and the three strains. Under a strain, the two walls of an axis move along their
+/// normals, symmetrically to the middle between them. Walls are stretched with the cell along periodic axes.
 class HandModuli {
  public:
   explicit HandModuli(const FilePacking& packing) : packing_(packing) {
@@ -122,8 +122,8 @@ class HandModuli {
   Eigen::Matrix3d stiffness() const {
     Eigen::SparseMatrix<double> all(n_ + 3, n_ + 3);
     all.setFromTriplets(entries_.begin(), entries_.end());
-    // Free motions of rattlers, and shifts of walls without contacts, get a very small stiffness, which does not change
-    // any printed digit of the result.
+    // Some motions have no stiffness: those of rattlers, and shifts of walls without contacts. They get a very small
+    // stiffness, which does not change any printed digit of the result.
     Eigen::SparseMatrix<double> inner = all.topLeftCorner(n_, n_);
     for (int k = 0; k < n_; ++k) inner.coeffRef(k, k) += 1e-12 * largest_;
     const Eigen::MatrixXd loads = Eigen::MatrixXd(all.topRightCorner(n_, 3));

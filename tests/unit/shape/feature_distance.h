@@ -7,17 +7,16 @@
 
 #include "unit/shape/pairs.h"
 
-/// Computes the distance and the overlap depth of two shapes from all pairs of their features. The code uses only the
-/// lists of vertices, faces and edges from the library, and neither the contact search nor its filters.
+/// Computes the distance or the depth of overlap of two shapes from all pairs of their features. The code uses the
+/// lists of vertices, faces and edges of the library, but not its contact search.
 namespace floc::test {
 
 /// Distance between the cores (shapes without rounding) of two separate shapes, and the kind of their closest
 /// features.
 struct FeatureDistance {
   double distance = std::numeric_limits<double>::max();
-  /// Whether the closest points are a vertex and a point inside a face, or lie inside two edges (in 2D: a vertex and a
-  /// point inside a side). In these cases separating_axis() also examines the direction of the line between the two
-  /// points.
+  /// Whether the closest points are a vertex and a point inside a face, or two points inside edges (in 2D: a vertex and
+  /// a point inside a side). separating_axis() then also examines the direction of the line between the two points.
   bool is_axis = false;
 };
 
@@ -45,15 +44,15 @@ std::vector<std::array<int, 2>> edges_of(const Shape<Dim>& shape) {
 
 template <int Dim>
 void take(FeatureDistance& least, const Vec<Dim>& between, bool is_axis) {
-  // If two distances are equal up to rounding, the one with `is_axis` is taken.
+  // Of two distances that are equal up to rounding, the distance with `is_axis` is taken.
   const double distance = between.norm();
   if (distance < least.distance - 1e-13 || (distance < least.distance + 1e-13 && is_axis))
     least.is_axis = is_axis;
   least.distance = std::min(least.distance, distance);
 }
 
-/// Adds the distance of two segments if the closest points of their two lines lie inside the segments. Otherwise
-/// vertex_to_edge() examines the ends of the segments.
+/// Updates `least` with the distance of two segments if the closest points of the two lines lie inside the segments.
+/// Otherwise an end of a segment is closest; vertex_to_edge() examines the ends.
 inline void edge_to_edge(FeatureDistance& least, const Vec<3>& p, const Vec<3>& u, const Vec<3>& q,
                          const Vec<3>& v) {
   const Vec<3> n = u.cross(v);
@@ -107,15 +106,15 @@ FeatureDistance distance_of_cores(const PlacedShape<Dim>& first, const PlacedSha
   return least;
 }
 
-/// Returns the largest separation of the cores of two shapes. The separation is measured along the normals of all faces
-/// and, in 3D, along the common normals of all pairs of edges. If the cores overlap, the result is minus the depth. If
-/// the cores are separate, it is at most their distance.
+/// Returns the largest separation of the cores of two shapes along the normals of all faces and, in 3D, along the
+/// common normals of all pairs of edges. If the cores overlap, the result is minus the depth. If the cores are
+/// separate, the result is at most their distance.
 template <int Dim>
 double separation_over_axes(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second) {
   const std::vector<Vec<Dim>> a = vertices_in_space<Dim>(first), b = vertices_in_space<Dim>(second);
   double most = -std::numeric_limits<double>::max();
   const auto examine = [&](const Vec<Dim>& n) {
-    // The centres lie inside the shapes, so the separation along n is at most the distance of the centres along
+    // The centres lie inside the shapes. The separation along n is therefore at most the distance of the centres along
     // n.
     if (n.dot(second.position - first.position) <= most) return;
     double high = -std::numeric_limits<double>::max(), low = -high;
@@ -150,7 +149,8 @@ FeatureGap gap_of_features(const PlacedShape<Dim>& first, const PlacedShape<Dim>
   return {distance_of_cores(first, second).distance - roundings, true};
 }
 
-/// Moves the second shape on a line through the centre of the first until their gap is close to `gap`.
+/// Moves the second shape along the direction `towards` from the centre of the first shape, until the gap of the two
+/// shapes is close to `gap`.
 /// @return the gap that is reached
 template <int Dim>
 FeatureGap set_gap(const PlacedShape<Dim>& first, PlacedShape<Dim>& second, const Vec<Dim>& towards,

@@ -13,7 +13,7 @@ struct Counts {
   int compared = 0, exact = 0;
 };
 
-/// Compares the contact of two shapes with the distance or depth computed from all pairs of features.
+/// Compares the gap of a contact with `expected`, the distance or depth computed from all pairs of features.
 template <int Dim>
 void compare(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, const FeatureGap& expected,
              Counts& counts) {
@@ -22,14 +22,14 @@ void compare(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, cons
   EXPECT_NEAR(contact.normal.norm(), 1.0, 1e-14);
   const double inner = std::min(first.inner_radius(), second.inner_radius()), outer = second.outer_radius();
   const double error = std::abs(contact.least_gap() - expected.gap), rounding_error = 1e-14 * outer;
-  // A contact may use the normal of a face although the common normal of an edge pair gives a larger separation, by up
-  // to a margin. The gap of separate shapes may have the same error, because the chosen normal decides whether shapes
-  // count as separate.
+  // A contact may use the normal of a face although the common normal of an edge pair gives a separation that is larger
+  // by up to a margin. For separate shapes, the chosen normal decides whether the shapes count as separate, so their
+  // gap may have this error too.
   EXPECT_LT(error, 1.01e-4 * inner) << expected.gap;
   ++counts.compared;
   counts.exact += error < 4.0 * rounding_error ? 1 : 0;
-  // Along the contact normal, no parts of the shapes are nearer than the smallest gap. If a rounded shape
-  // touches with a face, the face normal may differ by 1e-3 radians from the line between the closest points.
+  // The separation of the shapes along the contact normal must equal the smallest gap. If a rounded shape touches with
+  // a face, the face normal may differ by 1e-3 radians from the line between the closest points.
   const double along = separation_along<Dim>(first, second, contact.normal);
   if (first.rounding() + second.rounding() == 0.0 || !expected.is_core_apart)
     EXPECT_NEAR(along, contact.least_gap(), 1e-6 * inner + 10.0 * rounding_error) << expected.gap;

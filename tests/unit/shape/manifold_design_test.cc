@@ -10,8 +10,8 @@ namespace {
 
 using namespace test;
 
-/// Requires that a contact has the given points, all with the gap `gap`. This must hold for any common rotation
-/// of both shapes, and after an exchange of the shapes.
+/// Requires that a contact has the given points, all with the gap `gap`. Also requires this after a common rotation of
+/// both shapes, and after an exchange of the shapes.
 template <int Dim>
 void expect_everywhere(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, double gap,
                        const std::vector<Vec<Dim>>& points) {

@@ -40,8 +40,8 @@ struct ExtremePair {
   double inner_radius() const { return std::min(first.inner_radius(), second.inner_radius()); }
 };
 
-/// Calls check(rounding, scale, shapes) for sharp, slightly rounded and strongly rounded shapes. Either both shapes
-/// have the same size, or one is 49 times larger.
+/// Calls check(rounding, scale, shapes) for sharp, slightly rounded and strongly rounded shapes. With `scale` = 1, both
+/// shapes have the same size; with 49, one shape is 49 times larger.
 template <int Dim>
 void for_extremes(const auto& check) {
   for (const double rounding : {0.0, 1e-6, 0.05}) {
@@ -103,7 +103,7 @@ void expect_exchange_to_keep_gaps() {
       EXPECT_NEAR(one.least_gap(), other.least_gap(), 1.01e-4 * pair.inner_radius() + 1e-13 * scale);
       n_opposite += (one.normal + other.normal).norm() < 1e-9 && one.n == other.n ? 1 : 0;
     }
-    // If two normals give equal gaps within the margin, the choice between them depends on the order of the shapes.
+    // Two normals may give equal gaps within the margin. The order of the shapes then decides which normal is used.
     EXPECT_GE(n_opposite, 140);
   });
 }
@@ -113,9 +113,9 @@ TEST(ManifoldExtremes, KeepTheirGapsOnExchange) {
   expect_exchange_to_keep_gaps<3>();
 }
 
-/// The smallest gap changes by at most the motion plus the margins. The margin is 1e-4 of the inner radius for
-/// edges, and 1e-6 for faces and for rounded shapes that touch with a face. If a rounded shape touches with a
-/// face, half of 1e-6 of the distance of the cores is added.
+/// The smallest gap may change by at most the motion plus the margins. The margin is 1e-4 of the inner radius for
+/// edges, and 1e-6 of it for faces and for rounded shapes that touch with a face. For a rounded shape that touches with
+/// a face, half of 1e-6 of the distance of the cores is added.
 template <int Dim>
 void expect_small_motions_to_change_gaps_little() {
   RandomStream random(63, 1);
@@ -194,7 +194,7 @@ TEST(ManifoldExtremes, RoundOnesWithOneCentreOverlapByTheirRadii) {
   }
 }
 
-/// If the reach is 0, only overlapping shapes are in contact. This must hold for shapes of any size and at any
+/// If the reach is 0, only overlapping shapes may be in contact. This is tested for shapes of any size and at any
 /// distance.
 template <int Dim>
 void expect_no_contact_of_shapes_apart() {
@@ -216,8 +216,8 @@ TEST(ManifoldExtremes, ApartHaveNoContactWithinReach0) {
   expect_no_contact_of_shapes_apart<3>();
 }
 
-/// Compares contacts with closed forms at the size ratio 49: a small cube on a large cube, and a needle along
-/// and across a plate.
+/// Compares contacts of shapes with the size ratio 49 with closed forms: a small cube on a large plate, and a needle
+/// along and across the plate.
 TEST(ManifoldExtremes, OnAPlateHaveTheirClosedForms) {
   const Shape<3> plate = shape_of<3>(box_points(20, 20, 1)), needle = shape_of<3>(box_points(20, 1, 1)),
                  cube = shape_of<3>(box_points(1, 1, 1));

@@ -15,7 +15,8 @@ namespace {
 
 using namespace test;
 
-/// Elastic shapes need a spring at each corner that overlaps, also if other corners within the reach do not overlap.
+/// Elastic shapes need a spring at each corner that overlaps. Other corners within the reach, which do not overlap,
+/// must not change this.
 TEST(Manifold, OfElasticShapesHasAllCornersOfTheOctagon) {
   const Shape<3> cube = shape_of<3>(box_points(1, 1, 1));
   const auto below = placed<3>(cube, Vec<3>::Zero(), kNoTurn);
@@ -34,8 +35,8 @@ TEST(Manifold, OfElasticShapesHasAllCornersOfTheOctagon) {
   EXPECT_GE(overlapping(0.0).size(), 4u);
 }
 
-/// The lowest edge of a chisel lies on a face. A facet at one end of the edge is closer to the face than the two sides
-/// of the chisel, but has only one vertex on the face.
+/// The lowest edge of a chisel lies on a face. A facet at one end of the edge makes a smaller angle with the face than
+/// the two sides of the chisel, but has only one vertex on the face.
 TEST(Manifold, OfExactShapesHasBothEndsOfAnEdgeOnAFace) {
   const double rise = 3.0 * std::tan(10.0 / 180.0 * std::numbers::pi);
   const Shape<3> chisel = shape_of<3>({{-1, 0, 0},
@@ -54,7 +55,7 @@ TEST(Manifold, OfExactShapesHasBothEndsOfAnEdgeOnAFace) {
   EXPECT_EQ(exact.type, ContactType::kDouble);
 }
 
-/// Two edges cross where a face is almost as near.
+/// Two edges cross, and a face is almost as near as the crossing.
 TEST(Manifold, OfExactShapesHasTheNormalOfCrossedEdges) {
   const Shape<3> cube = shape_of<3>(box_points(1, 1, 1));
   const auto below = placed<3>(cube, Vec<3>::Zero(), kNoTurn);
@@ -67,14 +68,15 @@ TEST(Manifold, OfExactShapesHasTheNormalOfCrossedEdges) {
   EXPECT_NEAR(std::abs(exact.normal[1]), 2e-6, 1e-8);
 }
 
-/// A recorded contact point is found again, whichever points represent the contact at another reach.
+/// A recorded contact point is found again at any reach, even if other points represent the contact at this reach.
 TEST(Manifold, OfAWantedKeyHasItsPointAtAnyReach) {
   const Shape<3> cube = shape_of<3>(box_points(1, 1, 1));
   const auto below = placed<3>(cube, Vec<3>::Zero(), kNoTurn);
   RandomStream random(31, 1);
   int n_missed = 0;
   for (int trial = 0; trial < 50; ++trial) {
-    // The two faces intersect in a polygon with up to eight corners, of which some are within the first reach.
+    // The two faces have a polygon with up to eight corners in common. Some of these corners are within the first
+    // reach.
     const Mat<3> tilt =
         turn_about(random_direction<3>(random), 0.02) * turn_about(Vec<3>::UnitZ(), 30.0 + 0.6 * trial);
     const auto above = placed<3>(cube, {random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), 0.99985}, tilt);
@@ -101,8 +103,8 @@ TEST(Manifold, OfAWantedKeyHasItsPointAtAnyReach) {
   EXPECT_GT(n_missed, 20);
 }
 
-/// With a preference for faces, an edge pair defines a contact only if its overlap is much smaller, or if no point
-/// above the face is as deep. No overlap is lost.
+/// If faces are preferred, an edge pair defines a contact only in two cases: its overlap is much smaller than that of
+/// the faces, or no point above the face is as deep as the edge pair. No overlap must be lost.
 TEST(Manifold, OfOverlappingPolyhedraPrefersFaces) {
   RandomStream random(29, 1);
   const double share = 0.5;

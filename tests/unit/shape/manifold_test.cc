@@ -137,8 +137,8 @@ void expect_exchange_and_rigid_motions_to_change_nothing(double rounding) {
     n_touching += contact.n > 0 ? 1 : 0;
     ASSERT_EQ(contact.n, exchanged.n) << trial;
     if (contact.n == 0) continue;
-    // If two normals gave equal gaps within the margin, the first shape would decide between them, and an exchange of
-    // the shapes could change the normal. These pairs have no such normals.
+    // If two normals gave equal gaps within the margin, the order of the shapes would decide between them. These pairs
+    // have no such normals, so an exchange of the shapes reverses the normal.
     EXPECT_NEAR((contact.normal + exchanged.normal).norm(), 0.0, 1e-11) << trial;
     EXPECT_NEAR(contact.least_gap(), exchanged.least_gap(), 1e-12) << trial;
     const Mat<Dim> turn = random_turn<Dim>(random);
@@ -173,8 +173,8 @@ TEST(Manifold, IsUnchangedByExchangeAndRigidMotions) {
   }
 }
 
-/// Compares gaps with the largest separation along any direction. The search for this separation does not use faces and
-/// edges.
+/// Compares gaps with the largest separation along any direction, which is found by a search that does not use faces
+/// and edges.
 template <int Dim>
 void expect_gaps_of_a_search_over_directions(double rounding) {
   RandomStream random(22, 1);
@@ -184,11 +184,11 @@ void expect_gaps_of_a_search_over_directions(double rounding) {
     const Manifold<Dim> contact = contact_manifold<Dim>(pair.first(), pair.second(), 1e-3);
     const double expected = separation_by_search(pair.first(), pair.second());
     ASSERT_GT(contact.n, 0) << trial;
-    // The search may end below the largest separation. Within a margin of 1e-4 of the inner radius, the contact may use
-    // a face instead of an edge pair.
+    // The gap may exceed the result of the search, which may end below the largest separation. The gap may also be
+    // smaller by a margin of 1e-4 of the inner radius, if the contact uses a face instead of an edge pair.
     EXPECT_GT(contact.least_gap(), expected - 1e-4 * 0.5) << trial;
-    // Along the contact normal, the separation equals the gap. For rounded shapes, the separation may be smaller, since
-    // a face normal may deviate by 1e-3 radians from the line between the closest points.
+    // Along the contact normal, the separation equals the gap. For rounded shapes this is not tested: a face normal may
+    // deviate by 1e-3 radians from the line between the closest points, which makes the separation smaller.
     if (rounding == 0.0) {
       EXPECT_NEAR(separation_along(pair.first(), pair.second(), contact.normal), contact.least_gap(), 0.5e-6)
           << trial;
@@ -209,8 +209,8 @@ TEST(Manifold, HasTheDepthOfASearchOverDirections) {
   }
 }
 
-/// Compares the depth of overlapping polyhedra with the largest separation along the axes of separation_by_all_axes().
-/// For most pairs, the two agree up to rounding.
+/// Compares the depth of overlapping polyhedra with the largest separation along the normals of all faces and edge
+/// pairs. For most pairs of polyhedra, the two agree up to rounding.
 TEST(Manifold, OfPolyhedraHasTheDepthOfAllAxes) {
   RandomStream random(28, 1);
   int n_overlapping = 0, n_exact = 0, n_edges = 0;
@@ -240,14 +240,14 @@ TEST(Manifold, OfRoundedShapesApartHasTheirDistance) {
     const PlacedShape<3> a = pair.first(), b = pair.second();
     const ClosestPoints<3> closest =
         closest_points<3>(*a.shape, *b.shape, RelativePlace<3>(a, b), Vec<3>::UnitX());
-    // The separation along any direction is at most the distance of the shapes. The distance of the shapes is at most
-    // the distance of any two of their points. Here both bounds are equal, so they give the distance.
+    // The distance of the shapes is at least their separation along any direction, and at most the distance of any two
+    // of their points. Here both bounds are equal, so they give the distance.
     const double expected = a.scale * closest.distance - a.rounding() - b.rounding();
     EXPECT_NEAR(separation_along<3>(a, b, a.rotation * closest.normal), expected, 1e-14) << trial;
     EXPECT_NEAR((closest.on_second - closest.on_first - closest.distance * closest.normal).norm(), 0.0, 1e-13);
-    // If the contact uses a face, its normal may deviate by 1e-3 radians from the line between the closest points. The
-    // deviation changes the gap by half of its square times the distance of the cores. Contact points may lie farther
-    // away by 1e-6 of the inner radius.
+    // If the contact uses a face, the face normal may deviate by 1e-3 radians from the line between the closest points.
+    // This changes the gap by half of the squared deviation times the distance of the cores. Contact points may also
+    // lie farther away by 1e-6 of the inner radius.
     const Manifold<3> contact = contact_manifold<3>(a, b, 0.1);
     ASSERT_GT(contact.n, 0);
     EXPECT_NEAR(contact.least_gap(), expected, 6e-7) << trial;
@@ -315,8 +315,8 @@ TEST(Manifold, OfCapsulesHasOnePointOrTwoSideBySide) {
   EXPECT_NEAR(in_line.points[0].gap, -0.01, kExact);
 }
 
-/// An edge of the upper cube rotates about the vertical axis and is parallel to an edge of the lower cube at the angle
-/// 0. The gap must change continuously, and must equal the separation of the cubes along the contact normal.
+/// An edge of the upper cube rotates about the vertical axis. At the angle 0, it is parallel to an edge of the lower
+/// cube. The gap must change continuously, and must equal the separation of the cubes along the contact normal.
 TEST(Manifold, OfEdgesThatTurnThroughParallelIsContinuous) {
   const Shape<3> cube = shape_of<3>(box_points(1, 1, 1));
   const auto below = placed<3>(cube, Vec<3>::Zero(), turn_about(Vec<3>::UnitX(), 45.0));
@@ -345,8 +345,8 @@ TEST(Manifold, OfEdgesThatTurnThroughParallelIsContinuous) {
 }
 
 TEST(Manifold, KeepsTheFeaturesOfTheStepBeforeWithinTheMargin) {
-  // A corner of one square overlaps a corner of the other along the diagonal. Two faces then have the same depth, and
-  // without memory rounding errors would decide between them.
+  // A corner of one square overlaps a corner of the other along the diagonal, so that two faces have the same depth.
+  // Without memory, rounding errors would decide between these faces.
   const Shape<2> square = shape_of<2>({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
   const PlacedShape<2> one{&square, 1.0, {0, 0}, Mat<2>::Identity()};
   RandomStream random(2, 1);

@@ -11,7 +11,7 @@
 namespace floc::test {
 
 /// Returns the separation of two shapes along n: the lowest point of the second shape minus the highest point of the
-/// first shape, both measured along n. The separation is negative if these projections of the shapes overlap.
+/// first shape, both measured along n. The result is negative if the shapes overlap in this direction.
 /// @param n  direction from the first shape to the second
 template <int Dim>
 double separation_along(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, const Vec<Dim>& n) {
@@ -23,7 +23,7 @@ double separation_along(const PlacedShape<Dim>& first, const PlacedShape<Dim>& s
   return extent(second, n) + extent(first, -n);
 }
 
-/// Returns the largest separation along any direction: the distance of separate shapes, or minus the depth of
+/// Returns the largest separation over all directions: the distance of separate shapes, or minus the depth of
 /// overlapping shapes. The search starts from many directions and improves each of them in decreasing steps.
 template <int Dim>
 double separation_by_search(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second,
@@ -53,8 +53,8 @@ double separation_by_search(const PlacedShape<Dim>& first, const PlacedShape<Dim
   return best;
 }
 
-/// Returns the largest separation of two sharp polyhedra along the normals of all faces and along the common normals of
-/// all pairs of edges, including pairs that cannot touch each other.
+/// Returns the largest separation of two sharp polyhedra along certain directions: the normals of all faces and the
+/// common normals of all pairs of edges, including pairs that cannot touch each other.
 inline double separation_by_all_axes(const PlacedShape<3>& first, const PlacedShape<3>& second) {
   double most = -1e9;
   const auto try_axis = [&](const Vec<3>& n) { most = std::max(most, separation_along<3>(first, second, n)); };
@@ -82,8 +82,8 @@ class RandomPair {
         turn_a_(random_turn<Dim>(random)),
         turn_b_(random_turn<Dim>(random)) {}
 
-  /// Moves the second shape along a random direction until the largest separation along face normals is -depth.
-  /// The separation along edge pairs may be larger.
+  /// Moves the second shape in a random direction from the first, until the largest separation along face normals is
+  /// -depth. The separation along a common normal of two edges may be larger.
   void set_depth(RandomStream& random, double depth) {
     towards_ = random_direction<Dim>(random);
     double near = 0.0, far = 3.0;

@@ -30,11 +30,11 @@ TEST(PointMemory, GoesByKeyHoweverFar) {
 
 TEST(PointMemory, GoesToTheNearestUnclaimedPointInTheRadius) {
   const Points before = {point(0, 0, 1), point(1, 0, 2), point(2, 0, 3)};
-  // Point 0 keeps its key. The old point that is nearest to point 1 belongs to point 0, so point 1 is matched with the
-  // next nearest old point. Point 2 is too far from all old points.
+  // New point 0 keeps its key. The old point nearest to new point 1 is thus already matched, so new point 1 is matched
+  // with the next nearest old point. New point 2 is too far from all old points.
   EXPECT_EQ(matched({point(0.5, 0, 1), point(0.4, 0, 9), point(5, 0, 10)}, before, 0.7),
             (std::vector<int>{0, 1, -1}));
-  // Two new points are near one old point. The nearer one of the new points is matched.
+  // Two new points are near one old point. The nearer of the two is matched.
   EXPECT_EQ(matched({point(1.2, 0, 11), point(1.1, 0, 12)}, {before[1]}, 0.7), (std::vector<int>{-1, 0}));
 }
 

@@ -22,8 +22,8 @@ Vec<3> sorted(Vec<3> v) {
   return v;
 }
 
-/// Returns the distance of a point outside a core from the core, by alternating projections on its half-spaces
-/// (Dykstra 1983).
+/// Returns the distance from a core to a point outside of it, computed by alternating projections on the half-spaces of
+/// the core (Dykstra 1983).
 template <int Dim>
 double distance_to_core(const Shape<Dim>& shape, const Vec<Dim>& point) {
   std::vector<Vec<Dim>> correction(shape.n_faces(), Vec<Dim>::Zero());
@@ -79,8 +79,8 @@ TEST(MassProperties, RoundOnesAndCapsulesHaveTheirClosedForms) {
   EXPECT_NEAR(sphere.volume, 32.0 / 3.0 * kPi, 1e-13);
   EXPECT_NEAR(sphere.inertia[1], 0.4 * sphere.volume * 4.0, 1e-12);
   EXPECT_NEAR(round_shape<2>(2.0).inertia[0], 8.0 * kPi, 1e-13);
-  // A capsule in 2D consists of a rectangle and two half disks, whose centres of mass are at 4 rho/(3 pi) from
-  // the ends of the core.
+  // A capsule in 2D consists of a rectangle and two half disks. The centre of mass of a half disk is 4 rho/(3 pi)
+  // beyond the end of the core.
   const double length = 1.3, rho = 0.4;
   const Shape<2> flat = capsule_shape<2>(length, rho);
   EXPECT_NEAR(flat.volume, 2.0 * rho * length + kPi * rho * rho, 1e-15);
@@ -109,8 +109,8 @@ TEST(MassProperties, RoundedBoxHasItsClosedForm) {
   const double volume =
       a * b * c + 2.0 * r * (a * b + b * c + c * a) + kPi * r * r * (a + b + c) + 4.0 / 3.0 * kPi * r * r * r;
   EXPECT_NEAR(box.volume, volume, 1e-14);
-  // The moment of x^2 is integrated over slices at constant x. For |x| < a/2, a slice is the rectangle b x c rounded by
-  // r. At a distance s beyond the end of the core, it is the rectangle rounded by sqrt(r^2 - s^2).
+  // The moment of x^2 is an integral over slices at constant x. For |x| < a/2, a slice is the rectangle b x c rounded
+  // by r. At a distance s beyond the end of the core, the slice is this rectangle rounded by sqrt(r^2 - s^2).
   const auto area = [&](double rho) { return b * c + 2.0 * (b + c) * rho + kPi * rho * rho; };
   double xx = a * a * a / 12.0 * area(r);
   constexpr int kSlices = 2000;
@@ -159,7 +159,7 @@ TEST(MassProperties, AgreeWithRandomPointsSharpAndRounded) {
   }
 }
 
-/// With more and more points on the rounded corners, the convex hull of the points approaches the rounded shape.
+/// The convex hull of points on the rounded corners approaches the rounded shape if the number of points increases.
 TEST(MassProperties, RoundedOnesAreTheLimitOfFineHulls) {
   const std::vector<Vec<2>> core = {{0, 0}, {1, 0.1}, {0.3, 0.8}};
   const double rho = 0.2;
@@ -194,8 +194,8 @@ void expect_invariance_under_rotation() {
     EXPECT_NEAR((a - b).norm(), 0.0, 1e-13);
     EXPECT_NEAR((turn * one.centre + shift - other.centre).norm(), 0.0, 1e-13);
     EXPECT_NEAR(other.axes.determinant(), 1.0, 1e-13);
-    // The original points must follow from the centre and the axes of the shape and from its vertices in its own
-    // coordinates.
+    // The original points must be obtained again from the vertices in the coordinates of the shape and from its centre
+    // and axes.
     for (int v = 0; v < other.n_vertices(); ++v) {
       const Vec<Dim> given = other.centre + other.axes * other.vertices[v];
       double nearest = 1.0;

@@ -33,8 +33,8 @@ TEST(AffinePrediction, OfCrystalsIsTheirLawAtEveryDensity) {
 }
 
 TEST(AffinePrediction, CountsTheNeighboursAtSmallGaps) {
-  // For equal spheres of diameter a, the prediction at a linear compression s is z_I(a/s - a), the number of
-  // neighbours with gaps of up to a/s - a.
+  // For equal spheres of diameter a, a linear compression by the factor s brings neighbours with gaps of up to a/s - a
+  // into contact. The predicted coordination is therefore z_I(a/s - a).
   Packing<3> packing = random_packing<3>(60, 11, elastic_law(1.0, 0.0, 0.0), 0.9);
   packing.grains.radius.assign(packing.grains.radius.size(), 0.45);
   const AffineReference<3> reference(packing, std::vector<bool>(packing.grains.size(), false));
@@ -54,8 +54,7 @@ TEST(AffinePrediction, OfTheSameDensityIsTheStateItself) {
 }
 
 TEST(AffinePrediction, WithPushedRattlersCountsTheirContacts) {
-  // A frame of unit squares with a rattler inside. If the rattler is pushed against the frame, it touches two
-  // grains.
+  // A frame of unit squares with a rattler inside. When the rattler is pushed against the frame, it touches two grains.
   Packing<2> packing = square_frames(5, 1.0, elastic_law(1.0, 0.0, 0.0));
   packing.grains.position.emplace_back(2.0, 2.1);
   packing.grains.radius.push_back(0.4);

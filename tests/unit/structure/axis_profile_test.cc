@@ -22,8 +22,8 @@ TEST(AxisProfile, StressesOfSlicesHaveTheMeanOfThePacking) {
         }
 }
 
-/// In a column of disks on a floor, the stress between the centres of two disks is the weight of the disks above,
-/// divided by the width of the cell.
+/// Disks in a column on a floor. Between the centres of two disks, the stress is the weight of the disks above, divided
+/// by the width of the cell.
 TEST(AxisProfile, StressOfAColumnIsTheWeightAboveOverItsWidth) {
   constexpr int kDisks = 8;
   constexpr double kWeight = 2.0;

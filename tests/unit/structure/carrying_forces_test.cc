@@ -48,8 +48,8 @@ TEST(CarryingForces, CountRattlersAndGrainsOfTwoContacts) {
 }
 
 TEST(CarryingForces, HaveTheMomentsOfAHandfulOfContacts) {
-  // Three contacts with normal forces N = 1, 8 and 27 (mean <N> = 12). Their normals are along x, x and y, and |T|/N =
-  // 0.5, 0.5 and 0.25. The last contact slides.
+  // Three contacts with the normal forces N = 1, 8 and 27, whose mean is <N> = 12. Their normals are along x, x and y,
+  // and |T|/N = 0.5, 0.5 and 0.25. The last contact slides.
   Packing<3> packing;
   packing.grains = Grains<3>::with_size(3);
   for (int k = 0; k < 3; ++k) {

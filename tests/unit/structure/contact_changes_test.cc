@@ -85,8 +85,8 @@ TEST(ContactChanges, NameWhatWasLostAndGained) {
   EXPECT_EQ(before.contacts[found.lost[0]].i, 1);
   EXPECT_EQ(after.contacts[found.gained[0]].i, 0);
   EXPECT_EQ(after.contacts[found.gained[0]].j, 2);
-  // Only the last of the three grains moved, by (-2, 1). Relative to the mean displacement, this grain moved by 2/3 of
-  // the vector (-2, 1), and each of the others by -1/3 of it.
+  // Only the last of the three grains moved, by the vector (-2, 1). Relative to the mean displacement, this grain moved
+  // by 2/3 of the vector, and the two others by -1/3 of the vector.
   EXPECT_LT((found.displacement[2] - 2.0 / 3.0 * Vec<2>(-2, 1)).norm(), 1e-13);
   EXPECT_LT((found.displacement[0] + 1.0 / 3.0 * Vec<2>(-2, 1)).norm(), 1e-13);
   EXPECT_NEAR(found.rms_displacement(), std::sqrt(5.0 * (4.0 + 1.0 + 1.0) / 9.0 / 3.0), 1e-13);
@@ -153,7 +153,8 @@ TEST(ContactChanges, AreRefusedBetweenDifferentGrains) {
 }
 
 TEST(RigidClusters, AreWhatTurnsAsOne) {
-  // Two separate blocks of four grains. One rotates as a whole; in the other, a grain rolls on its neighbours.
+  // Two separate blocks of four grains. One block rotates as a whole. In the other block, one grain rolls on its
+  // neighbours.
   Packing<2> before =
       disks(12.0 * Mat<2>::Identity(), {{1, 1}, {2, 1}, {1, 2}, {2, 2}, {6, 6}, {7, 6}, {6, 7}, {7, 7}}, 1.0,
             elastic_law(1.0, 0.5, 0.1));

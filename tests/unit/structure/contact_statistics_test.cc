@@ -50,8 +50,8 @@ Packing<2> anisotropic(double a, double b, double c) {
   return packing;
 }
 
-/// Contact directions t have the density 1 + a cos 2t. Normal forces are 1 + b cos 2t, and tangential forces
-/// are c sin 2t. Sums over contacts then become integrals, with <f_n> = 1 + ab/2.
+/// The directions t of the contacts have the density 1 + a cos 2t. The normal forces are 1 + b cos 2t, and the
+/// tangential forces are c sin 2t. Sums over contacts are then integrals over t, and the mean normal force is 1 + ab/2.
 TEST(ContactStatistics, AnisotropiesOfKnownDensities) {
   const double a = 0.4, b = 0.3, c = 0.2, mean = 1.0 + 0.5 * a * b;
   const Packing<2> packing = anisotropic(a, b, c);
@@ -62,8 +62,8 @@ TEST(ContactStatistics, AnisotropiesOfKnownDensities) {
   EXPECT_NEAR(found->tangential_force, c / mean, 1e-6);
   EXPECT_NEAR(found->branch_normal, 0.0, 1e-12);
   EXPECT_NEAR(found->branch_tangential, 0.0, 1e-12);
-  // For branches of equal length, the only error of the prediction is the product of the anisotropies of tangential
-  // forces and of directions.
+  // If all branches have the same length, the prediction has only one error: the product of the anisotropies of the
+  // tangential forces and of the directions.
   EXPECT_NEAR(found->stress_ratio, 0.5 * (a + b + c) / mean, 1e-6);
   EXPECT_NEAR(found->predicted_ratio, found->stress_ratio, 1e-6);
 }
@@ -97,8 +97,7 @@ TEST(ContactStatistics, AxialAnisotropyInSpace) {
   const auto found = contact_anisotropy(packing, all_of(packing));
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->normals, a, 1e-4);
-  // The difference of the principal stresses, divided by their mean, is 6/5 a. The stress ratio is a third of this
-  // quotient.
+  // The difference of the principal stresses is 6/5 a times their mean. The stress ratio is a third of this factor.
   EXPECT_NEAR(found->stress_ratio, 0.4 * a, 1e-4);
   EXPECT_NEAR(found->predicted_ratio, found->stress_ratio, 1e-12);
 }
@@ -129,9 +128,9 @@ TEST(ContactStatistics, FewForcesHaveNoShape) {
   EXPECT_FALSE(force_shape(std::vector<double>(50, 1.0)).alpha);
 }
 
-/// In a brick pattern each square touches its six neighbours along sides, at two contact points per neighbour. At the
-/// pressure P, each point on a side between neighbours in a row has the force P/2, and each point between neighbours in
-/// different rows, which share half of a side, has the force P/4.
+/// Bricks that touch their six neighbours along sides, at two contact points per neighbour. The pressure is P. Each
+/// point between neighbours in a row has the force P/2. Each point between neighbours in different rows, which share
+/// half of a side, has the force P/4.
 TEST(ContactStatistics, BricksMeetAlongSides) {
   const State<2> state = brick_bond(0.7, 0.3);
   const CarryingStructure held = carrying_structure(state.packing, 1e-6, 2);
@@ -142,8 +141,7 @@ TEST(ContactStatistics, BricksMeetAlongSides) {
   EXPECT_NEAR(*mean_mobilisation(state.packing, held), 0.0, 1e-15);
 }
 
-/// If one of the two contact points between two sides carries no force, the pair counts as a contact with a
-/// vertex.
+/// If only one of the two contact points between two sides has a force, the pair counts as a contact with a vertex.
 TEST(ContactStatistics, KindsGoByCarryingPoints) {
   State<2> state = brick_bond(0.7, 0.3);
   state.packing.contacts[0].normal_force = state.packing.contacts[0].elastic_force = 0.0;

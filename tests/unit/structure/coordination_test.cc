@@ -30,7 +30,7 @@ TEST(Coordination, CountsContactsBySignAndDistantOnesApart) {
 }
 
 TEST(Coordination, LeavesRattlersOutAndCountsPairsOfTwo) {
-  // A ring of grains 0 to 3, grain 4 attached to grain 0, and grain 5 alone. The contacts are 01, 12, 23, 30
+  // Grains 0 to 3 form a ring, grain 4 is attached to grain 0, and grain 5 is alone. The contacts are 01, 12, 23, 30
   // and 04.
   Packing<2> packing;
   packing.law += test::linear(1.0);

@@ -76,8 +76,8 @@ TEST(ForceDistribution, OfAnyValuesIsInTheirUnit) {
 }
 
 TEST(ForceDistribution, CountsWhatLiesBeyondItsBinsAndPutsItInNone) {
-  // There are at most 1e5 bins on each side of zero, here from -1e4 to 1e4. The upper end of the last bin belongs to no
-  // bin.
+  // There are at most 1e5 bins on each side of zero; here the bins extend from -1e4 to 1e4. A value at the upper end of
+  // the last bin is not counted in this bin.
   const ForceDistribution d =
       distribution_of({-2e4, -1e4, -0.05, 0.0, 9999.95, 1e4, 3e7, std::nan("")}, 1.0, 0.1);
   EXPECT_EQ(d.n, 8);

@@ -50,8 +50,8 @@ TEST(PairCorrelation, BetweenWallsIsThatOfGrainsAwayFromThem) {
   for (Vec<2>& x : packing.grains.position) x[1] += 0.5;
   packing.walls = {{1, -1, 0.0}, {1, 1, 8.0}};
   const PairCorrelation found = pair_correlation(packing, 2.5, 25);
-  // Four rows, at 2.5, 3.5, 4.5 and 5.5, count as centres: 24 grains with 4, 4, 4 and 8 neighbours. The density
-  // is 24 grains in an area of 6 x 3.
+  // The disks in four rows, at 2.5, 3.5, 4.5 and 5.5, count as centres: 24 grains. The shells around each centre
+  // contain 4, 4, 4 and 8 neighbours. The density is 24 grains in an area of 6 x 3.
   const std::vector<std::pair<int, int>> shells = {{10, 4}, {14, 4}, {20, 4}, {22, 8}};
   for (const auto& [b, n] : shells) {
     EXPECT_EQ(found.n_pairs[b], 24 * n) << b;

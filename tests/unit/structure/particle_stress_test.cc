@@ -53,8 +53,8 @@ TEST(ParticleStress, IsTheLoadOnALattice) {
 }
 
 TEST(PressurePhases, AreJoinedByContactsAndPercolateWhereTheyWind) {
-  // Square lattice of four columns and three rows. Two grains of the second column and one other grain are
-  // under tension, one grain is neutral, the others are under pressure.
+  // Square lattice of four columns and three rows. Three grains are under tension: two in the second column, and one
+  // more. One grain is neutral, and all others are under pressure.
   std::vector<Vec<2>> places;
   for (int y = 0; y < 3; ++y)
     for (int x = 0; x < 4; ++x) places.emplace_back(x, y);

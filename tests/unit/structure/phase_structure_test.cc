@@ -23,8 +23,8 @@ Packing<2> square(int nx, int ny) {
 }
 
 TEST(PhaseStructure, OfColumnsIsCountedByHand) {
-  // Four columns and three rows. Two grains of the second column and one other grain are under tension, one
-  // grain is neutral, the others are under pressure.
+  // Four columns and three rows. Three grains are under tension: two in the second column, and one more. One grain is
+  // neutral, and all others are under pressure.
   const Packing<2> packing = square(4, 3);
   const std::vector<double> pressure = {1, -1, 1, 1,  //
                                         1, -1, 1, 1,  //
@@ -40,8 +40,8 @@ TEST(PhaseStructure, OfColumnsIsCountedByHand) {
   EXPECT_EQ(phases.n_bonds, 20);
   EXPECT_DOUBLE_EQ(phases.like_share, 11.0 / 20.0);
   EXPECT_DOUBLE_EQ(phases.like_expected, (8.0 * 7.0 + 3.0 * 2.0) / (11.0 * 10.0));
-  // The single grain under tension has no neighbour under tension. Each of the other two has one such neighbour
-  // among four.
+  // One of the three grains under tension has no neighbour under tension. For each of the other two, one of the four
+  // neighbours is under tension.
   EXPECT_EQ(phases.negative.by_share[0].n_grains, 1);
   EXPECT_DOUBLE_EQ(phases.negative.by_share[0].mean_size, 3.0);
   EXPECT_EQ(phases.negative.by_share[2].n_grains, 2);
@@ -58,12 +58,12 @@ TEST(PhaseStructure, ShuffledSignsHaveTheShareOfTheClosedForm) {
   const PhaseStructure phases = phase_structure(contact_network(packing), packing.cell, pressure, options);
   EXPECT_DOUBLE_EQ(phases.like_share, 760.0 / 800.0);
   EXPECT_DOUBLE_EQ(phases.like_expected, (300.0 * 299.0 + 100.0 * 99.0) / (400.0 * 399.0));
-  // If the signs of the grains are shuffled, the signs at different bonds are nearly independent, so the standard
-  // deviation is that of 800 independent bonds.
+  // After the signs of the grains have been shuffled, the signs at different bonds are nearly independent. The standard
+  // deviation is therefore that of 800 independent bonds.
   const double q = phases.like_expected;
   EXPECT_NEAR(phases.like_deviation, std::sqrt(q * (1 - q) / 800.0), 0.5 * std::sqrt(q * (1 - q) / 800.0));
-  // Site percolation on the square lattice starts at a fraction of 0.593: if the fraction is three quarters, the sites
-  // percolate; if it is one quarter, they do not.
+  // Sites of the square lattice percolate if the fraction of occupied sites is above 0.593. The positive grains (three
+  // quarters) therefore percolate, and the negative grains (one quarter) do not.
   EXPECT_GT(phases.positive.shuffled_percolates, 0.95);
   EXPECT_LT(phases.negative.shuffled_percolates, 0.01);
   EXPECT_GT(phases.positive.largest_shuffled, 250.0);

@@ -35,8 +35,8 @@ void add_disks(Packing<2>& packing, const std::vector<Vec<2>>& places, const std
   find_contacts(packing);
 }
 
-/// Returns the squared radius of gyration of a square of side s without a quarter disk of radius R at each
-/// corner.
+/// Returns the squared radius of gyration of a square of side s from which a quarter disk of radius R is removed at
+/// each corner.
 double square_pore(double s, double R) {
   const double quarter = std::numbers::pi * R * R / 4.0;
   const double second =
@@ -58,9 +58,10 @@ TEST(Pores, OfASquareLatticeAreExact) {
 TEST(Pores, OfATriangularLatticeAreTwoOfAKind) {
   const Pores found = find_pores(of_radius(triangular(2.0, elastic_law(1.0, 0.0, 0.0)), 1.0));
   ASSERT_THAT(found.pores, SizeIs(2));
-  // The second moment of a triangle of side 2 about its centre is side^2 area/12. Three sectors of the disks, of 60
-  // degrees each, are subtracted from it. The corner of a sector is at the distance 2/sqrt 3 from the centre. About
-  // this corner, a sector has its own second moment, and the first moment 2 sin(30 deg) R^3/3 towards the centre.
+  // Three sectors of the disks, of 60 degrees each, are removed from a triangle of side 2. The second moment of the
+  // triangle about its centre is side^2 area/12. The corner of each sector is at the distance 2/sqrt 3 from the centre.
+  // The moments of a sector about its corner are shifted to the centre; its first moment towards the centre is 2 sin(30
+  // deg) R^3/3.
   const double area = std::sqrt(3.0) - std::numbers::pi / 2.0;
   const double sector = std::numbers::pi / 6.0;
   const double second = sector / 2.0 + sector * 4.0 / 3.0 - 2.0 * (1.0 / 3.0) * 2.0 / std::sqrt(3.0);
@@ -73,8 +74,8 @@ TEST(Pores, OfATriangularLatticeAreTwoOfAKind) {
 }
 
 TEST(Pores, OfDifferentSizesCountByTheirArea) {
-  // A frame of 5 disks per side has one large pore. The packing consists of two frames in one cell. One of the
-  // frames has a disk in its middle.
+  // A frame of 5 disks per side has one large pore. The cell contains two such frames. One of them has a disk in its
+  // middle.
   const Packing<2> packing = square_frames(5, 1.0, elastic_law(1.0, 0.0, 0.0));
   const double large = find_pores(of_radius(packing, 0.5)).pores.at(0).gyration_radius;
   Packing<2> two = packing;
@@ -107,8 +108,8 @@ TEST(Pores, HoldIslandsAndDeadEnds) {
   const Pores found = find_pores(packing);
   ASSERT_THAT(found.pores, SizeIs(1));
   EXPECT_NEAR(found.pores[0].area, packing.cell.volume() * (1.0 - solid_fraction(packing)), 1e-11);
-  // The expected radius of gyration follows from the pore of the empty frame by subtracting the disks, whose
-  // moments are shifted by the parallel axis theorem.
+  // The expected radius of gyration is computed from the pore of the empty frame. The moments of the disks, shifted by
+  // the parallel axis theorem, are subtracted from those of this pore.
   const Pores bare = find_pores(of_radius(square_frames(9, 1.0, elastic_law(1.0, 0.0, 0.0)), 0.5));
   const double disk = std::numbers::pi / 4.0;
   double area = bare.pores[0].area, second = area * std::pow(bare.pores[0].gyration_radius, 2);
@@ -122,8 +123,8 @@ TEST(Pores, HoldIslandsAndDeadEnds) {
   EXPECT_NEAR(found.pores[0].gyration_radius, std::sqrt(second / area - (first / area).squaredNorm()), 1e-11);
 }
 
-/// Returns a packing of disks that do not overlap. The contacts of the packing are the edges of a distorted triangular
-/// net, from which some edges were removed.
+/// Returns a packing of disks that do not overlap. Its contacts are the edges of a distorted triangular net from which
+/// some edges were removed.
 Packing<2> net(int side, unsigned seed) {
   std::mt19937 engine(seed);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);

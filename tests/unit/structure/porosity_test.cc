@@ -89,8 +89,8 @@ TEST(AxisProfile, OfALayerIsCapsAndMeans) {
   Packing<3> packing = one_sphere(Vec<3>(1.0, 1.0, 0.1), 2.0);
   const auto slices = axis_profile(packing, 2, 4, {{7.0}});
   ASSERT_EQ(slices.size(), 4u);
-  // The sphere extends from -0.4 to 0.6. The last slice contains a cap of height 0.4, and the second one a cap
-  // of height 0.1.
+  // The sphere extends from -0.4 to 0.6 along the last axis, across the cell boundary. The last slice contains a cap of
+  // height 0.4, and the second slice a cap of height 0.1.
   const auto cap = [](double h) { return kPi * h * h * (1.5 - h) / 3.0; };
   EXPECT_NEAR(slices[3].solid_fraction, cap(0.4) / 2.0, 1e-14);
   EXPECT_NEAR(slices[1].solid_fraction, cap(0.1) / 2.0, 1e-14);

@@ -23,7 +23,8 @@
 #include "floc/structure/scattering.h"
 #include "support/network_packings.h"
 
-/// Tests that the functions of the library refuse invalid arguments themselves, without the checks of the program.
+/// Tests that the library itself refuses invalid arguments of its functions. The checks of the program are not
+/// involved.
 namespace floc::test {
 namespace {
 

@@ -21,7 +21,7 @@ double form_factor(double k, double R) {
   return kTwoPi * R * std::cyl_bessel_j(1.0, k * R) / k;
 }
 
-/// Closed form of I(k) for disks, averaged in each bin over the same wave vectors as in scattering().
+/// Closed form of I(k) for disks. In each bin, I(k) is averaged over the wave vectors over which scattering() averages.
 struct Exact {
   std::vector<double> I, envelope;
 };
@@ -98,7 +98,7 @@ TEST(Scattering, OfASquareLatticeIsInItsBraggPeaks) {
     packing.grains.position[i] = Vec<2>(0.1 + i % kSide, 0.2 + i / kSide);
     packing.grains.radius[i] = 0.5;
   }
-  // Bins around |k|/(2 pi) = 1, sqrt 2 and 2, and between them.
+  // Bins around the peaks at |k|/(2 pi) = 1, sqrt 2 and 2, and bins between the peaks.
   const std::vector<double> edges = {0.5 * kTwoPi, 0.95 * kTwoPi, 1.05 * kTwoPi, 1.39 * kTwoPi, 1.43 * kTwoPi};
   ScatteringAverage average(edges);
   ScatteringMesh mesh = scattering_mesh(packing, {});
@@ -115,8 +115,8 @@ TEST(Scattering, OfASquareLatticeIsInItsBraggPeaks) {
   EXPECT_NEAR(expected.envelope[3], peak(std::sqrt(2.0) * kTwoPi), 1e-9 * peak(kTwoPi));
 }
 
-/// Different vectors of the same lattice must give equal results. Here, a lattice vector spans a million cells; a mesh
-/// along this vector would be too large.
+/// Results must not depend on which vectors of a lattice describe the cell. Here, a lattice vector spans a million
+/// cells; a mesh along this vector would be too large.
 TEST(Scattering, OfALatticeDoesNotDependOnItsCell) {
   Packing<2> packing = one_disk(0.4, Mat<2>::Identity() * 3.0);
   const Scattering straight = scattering(packing);
@@ -127,9 +127,9 @@ TEST(Scattering, OfALatticeDoesNotDependOnItsCell) {
 }
 
 TEST(Scattering, OfUncorrelatedDisksIsThatOfEachOfThem) {
-  // The first state is compared with the closed form for its positions. The mean of all states is compared with
-  // rho <f^2>, with the number density rho and the form factor f of a disk. Beyond the sixth bin, 30 states
-  // have about 1e4 independent speckles; their mean has an error of 1 %.
+  // The first state is compared with the closed form for its positions. The mean of all 30 states is compared with rho
+  // <f^2> (rho: number density, f: form factor of a disk). In the bins after the sixth, the states have about 1e4
+  // independent speckles together, so the mean has an error of 1 %.
   constexpr int kStates = 30, kGrains = 60;
   const Packing<2> first = uncorrelated(kGrains, 14.0, 0);
   const ScatteringMesh mesh = scattering_mesh(first, {});
@@ -162,14 +162,14 @@ TEST(Scattering, MeshesAreNoLargerThanAllowed) {
   options.most_cells = 10000;
   const Packing<2> packing = uncorrelated(10, 100.0, 1);
   const ScatteringMesh mesh = scattering_mesh(packing, options);
-  // The lattice vectors are longer than the width of the cell. Mesh sizes are rounded up to products of small
-  // primes.
+  // The mesh may have a few more cells than allowed, for two reasons: the lattice vectors are longer than the width of
+  // the cell, and mesh sizes are rounded up to products of small primes.
   EXPECT_LT(mesh.size(packing.cell).prod(), 1.3 * 10000);
   EXPECT_NEAR(mesh.edges.back(), kTwoPi / (8.0 * mesh.spacing), 1e-12);
 }
 
-/// Returns a random Gaussian field on a mesh. The mean intensity I(k) of such fields follows the law of
-/// aggregates.
+/// Returns a random Gaussian field on a mesh. On average over many fields, the intensity I(k) follows the law of
+/// fractal aggregates.
 CoverageMap aggregate_field(int n, double side, double xi, double dF, unsigned seed) {
   std::mt19937 engine(seed);
   std::normal_distribution<double> normal;
@@ -187,8 +187,8 @@ CoverageMap aggregate_field(int n, double side, double xi, double dF, unsigned s
     for (int column = 0; column <= n / 2; ++column) {
       const int m = row <= n / 2 ? row : row - n;
       const double k = kTwoPi * std::hypot(m, column) / side;
-      // The Fourier transform of white noise has the mean square n^2. A mesh stores averages over its cells, which
-      // reduces the amplitude of a wave by the factors kept().
+      // The Fourier transform of white noise has the mean square n^2. A mesh stores averages over its cells. The
+      // averages reduce the amplitude of a wave by kept() for each direction.
       const double amplitude = std::sqrt(scattered_intensity(1.0, xi, dF, k)) * kept(m) * kept(column);
       hat[static_cast<std::size_t>(row) * (n / 2 + 1) + column] *= amplitude / (static_cast<double>(n) * n);
     }

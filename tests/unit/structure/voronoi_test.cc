@@ -99,8 +99,8 @@ TEST(Voronoi, HasVoidBallsUpToTheNearestOfUnequalSpheres) {
 }
 
 TEST(Voronoi, OfUnequalSpheresIsRadical) {
-  // Two spheres of radii R and S at a distance d along z, in a cell of height 2 d. The dividing plane is at the
-  // distance d/2 + (R^2 - S^2)/(2 d) from the first centre.
+  // Two spheres of radii R and S at a distance d along z, in a cell of height 2 d. The plane between their cells is at
+  // the distance d/2 + (R^2 - S^2)/(2 d) from the first centre.
   Packing<3> packing;
   packing.cell.matrix = Vec<3>(1.0, 1.0, 2.0).asDiagonal();
   packing.grains = Grains<3>::with_size(2);

@@ -41,7 +41,7 @@ TEST(Comparison, QuantileOfErrorsAndItsConfidenceLimitAreOrderStatistics) {
   const Spread spread = spread_of(errors);
   EXPECT_EQ(spread.n, 100);
   EXPECT_EQ(spread.error, 95.0);
-  // Of 100 errors, the number below the 95 % quantile has a binomial distribution. It is at most 97 with
+  // The number of errors (out of 100) below the 95 % quantile has a binomial distribution. It is at most 97 with
   // probability 0.882, and at most 98 with probability 0.963.
   EXPECT_EQ(spread.high, 99.0);
 }
@@ -50,7 +50,8 @@ TEST(Comparison, LimitOfFewErrorsIsAMultipleOfTheLargest) {
   const Spread spread = spread_of({0.3, kNoNumber, 0.1, 0.2});
   EXPECT_EQ(spread.n, 3);
   EXPECT_EQ(spread.error, 0.3);
-  // All three of |x| are below 0.479 standard deviations with the probability 0.3684^3 = 0.05; 1.960/0.479 = 4.09.
+  // Three normal errors are all below 0.479 standard deviations in magnitude with the probability 0.3684^3 = 0.05;
+  // 1.960/0.479 = 4.09.
   EXPECT_NEAR(spread.high, 0.3 * 4.09, 0.3 * 0.01);
   EXPECT_EQ(spread_of({}).n, 0);
 }
@@ -66,8 +67,8 @@ TEST(Comparison, LimitsOfNormalErrorsHaveTheirConfidence) {
       for (double& e : errors) e = std::abs(normal(generator));
       above += spread_of(errors).high >= 1.959964;
     }
-    // Order statistics are limits with a probability that is larger than 95 % for most n. Three standard errors of the
-    // fraction are 0.0103.
+    // For most n, an order statistic is a limit with a probability that is larger than 95 %. Three standard errors of
+    // the measured fraction are 0.0103.
     EXPECT_GE(above, (0.95 - 0.0103) * kDraws) << n;
     const double most = n < 59 ? 0.95 + 0.0103 : 1.0;
     EXPECT_LE(above, most * kDraws) << n;
@@ -113,7 +114,7 @@ TEST(Comparison, ErrorsAreAgainstTheReferenceBeforeACollapseAndTheSettledStateAf
   EXPECT_NEAR(e.mean.difference, (0.1 / 0.65 + 1e-3) / 3.0, 1e-6);
 }
 
-/// Paths with different steps are compared only at the loads that both paths have.
+/// Paths with different steps are compared only at the loads that occur in both paths.
 TEST(Comparison, MeansOfOtherStepsAreOverEqualLoads) {
   const SamplePath reference = path(0.0);
   SamplePath coarse;
@@ -128,7 +129,7 @@ TEST(Comparison, MeansOfOtherStepsAreOverEqualLoads) {
   EXPECT_EQ(compare_means({&reference}, {&fine}, std::nullopt)[kPhi].mean.difference, 0.0);
 }
 
-/// A shear test whose peak ratio and mean over the last quarter of the test are known.
+/// A shear test with known values of the peak ratio and of the mean ratio over the last quarter of the test.
 TEST(Comparison, ShearTestsHaveTheirPeakAndTheirCriticalState) {
   SamplePath test;
   const std::vector<double> ratios = {0.1, 0.3, 0.5, 0.45, 0.4, 0.4, 0.38, 0.36, 0.34, 0.33, 0.32, 0.31};
@@ -148,7 +149,7 @@ TEST(Comparison, ShearTestsHaveTheirPeakAndTheirCriticalState) {
 TEST(Comparison, SamplingErrorFallsWithTheRootOfTheirNumber) {
   const SamplePath a = path(0.0), b = path(0.02);
   const double one = sampling_errors({&a, &b}, 1, std::nullopt)[kPhi].mean.standard_error;
-  // For two samples a and b, the relative standard deviation is sqrt(2) times the mean of 0.02/(Phi_a + Phi_b) over all
+  // The relative standard deviation of two samples a and b is sqrt(2) times the mean of 0.02/(Phi_a + Phi_b) over all
   // states.
   EXPECT_NEAR(one, std::sqrt(2.0) * 0.25 * (0.02 / 1.02002 + 0.02 / 1.22 + 0.02 / 1.22002), 1e-9);
   EXPECT_DOUBLE_EQ(sampling_errors({&a, &b}, 4, std::nullopt)[kPhi].mean.standard_error, 0.5 * one);

@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Shipped scene of a kind, made smaller so that a sample takes a fraction of a second.
+/// Shipped scene of a kind, with changes after which a sample takes a fraction of a second.
 struct SmallScene {
   const char* kind;
   const char* scene;

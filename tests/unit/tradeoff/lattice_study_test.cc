@@ -20,7 +20,7 @@ Scene few_disks() {
                     {"grains.count=20", "grains.diameter={distribution=\"uniform\", min=0.5, max=1.0}"});
 }
 
-/// The result depends on the number of nodes per diameter, but hardly on the tolerance or the method of the solver.
+/// The result must depend on the number of nodes per diameter, and hardly on the tolerance or the method of the solver.
 TEST(LatticeStudy, NodesADiameterDecideAndTheToleranceDoesNot) {
   TradeoffOptions options;
   options.budget = 300.0;

@@ -12,8 +12,8 @@
 #include "support/angular_packing.h"
 #include "support/elastic_gas.h"
 
-/// Elastic grains with corners: they come to rest by contact dynamics, their states meet the criteria of an
-/// equilibrium, and their moduli are those of the springs in their contact points.
+/// Tests of elastic grains with corners. They come to rest by contact dynamics. Their states meet the criteria of an
+/// equilibrium. Their moduli are those of the springs in the contact points.
 namespace floc::test {
 namespace {
 
@@ -47,12 +47,12 @@ void expect_verified_balance(int count, const ShapeOptions& shape) {
   State<Dim> state = state_at<Dim>(end.packing, Vec<Dim>::Ones());
   EXPECT_EQ(criteria_violated(state), "");
   EXPECT_LT(state.residuals.force, 1e-8);
-  // Each force is that of a spring, within Coulomb's limit.
+  // Each normal force is that of a spring, and each tangential force is within Coulomb's limit.
   for (const Contact<Dim>& c : end.packing.contacts) {
     EXPECT_NEAR(c.normal_force, -1e4 * c.gap, 1e-9);
     EXPECT_LE(c.shear_force.norm(), 0.5 * c.normal_force * (1.0 + 1e-9));
   }
-  // A state is no equilibrium any more if a force, a place or a contact differs.
+  // If one force, one position or one contact is changed, the state is no longer an equilibrium.
   State<Dim> wrong = state;
   wrong.packing.contacts[3].normal_force *= 1.01;
   EXPECT_NE(criteria_violated(wrong).find("law"), std::string::npos);
@@ -73,7 +73,7 @@ TEST(ElasticShapes, PolyhedraComeToAVerifiedRest) {
   expect_verified_balance<3>(16, kRoundedStones);
 }
 
-/// Polygons and capsules come to rest with and without friction, whether their corners are sharp or rounded.
+/// Polygons and capsules with sharp or rounded corners come to rest, with and without friction.
 TEST(ElasticShapes, SmallPackingsRest) {
   const std::vector<ShapeOptions> plane = {
       {.kind = PolygonOptions{3}, .rounding = 0.1}, {.kind = PolygonOptions{7}}, {.kind = CapsuleOptions{2.0}}};
@@ -89,7 +89,8 @@ TEST(ElasticShapes, SmallPackingsRest) {
   EXPECT_EQ(criteria_violated(state_at<3>(end.packing, Vec<3>::Ones())), "");
 }
 
-/// Most packings of rounded polyhedra without friction come to rest, the next one does not.
+/// Most packings of rounded polyhedra without friction come to rest. (The packing of PolyhedraWithoutRestSayWhy does
+/// not.)
 TEST(ElasticShapes, FrictionlessPolyhedraRest) {
   for (const int n : {6, 12, 16}) {
     const RigidEnd<3> end = relaxed(elastic_gas<3>(n, kRoundedStones, 1e4, 0.0));
@@ -126,8 +127,8 @@ TEST(ElasticShapes, ModuliOfPolyhedraAreThoseOfRelaxedStrains) {
   expect_moduli_of_strains<3>(8, {.kind = CapsuleOptions{1.5}}, 0.3, 2e-4);
 }
 
-/// Without friction, only the normal forces resist rotations. These pentagons are isostatic: the shear modulus is about
-/// as large as the pressure.
+/// Without friction, only the normal forces resist rotations. The packing of pentagons is isostatic, and its shear
+/// modulus is only about as large as the pressure.
 TEST(ElasticShapes, ModuliOfFrictionlessPolygonsAreThoseOfRelaxedStrains) {
   expect_moduli_of_strains<2>(30, kRoundedPentagons, 0.0, 1e-5);
 }
@@ -142,8 +143,8 @@ TEST(ElasticShapes, PrestressNeedsPeriodicBoundaries) {
               testing::ThrowsMessage<InputError>(testing::HasSubstr("only with periodic boundaries")));
 }
 
-/// A small imposed strain of one axis, under a constant stress on the other, changes the stress by C11 - C12^2/C22, and
-/// leaves a verified equilibrium.
+/// A small strain of one axis is imposed, under a constant stress on the other axis. Divided by the strain, the change
+/// of the stress on the first axis is C11 - C12^2/C22. The state must be a verified equilibrium.
 TEST(ElasticShapes, StressesOfImposedStrainsAreThoseOfTheModuli) {
   constexpr double kStiffness = 1e5, kStrain = 1e-8;
   RigidEnd<2> rested = relaxed(elastic_gas<2>(30, kRoundedPentagons, kStiffness, 0.5), strict_options<2>());
@@ -169,8 +170,8 @@ TEST(ElasticShapes, StressesOfImposedStrainsAreThoseOfTheModuli) {
   EXPECT_NEAR((stress[0] - stress[1]) / (2.0 * kStrain) / modulus, 1.0, 1e-5);
 }
 
-/// Packings without friction have motions without stiffness. Residual forces couple them to the volume, and must
-/// not make B smaller than its lower bound.
+/// Without friction, some motions of a packing have no stiffness. Residual forces couple these motions to the volume.
+/// Even then, B must not be smaller than its lower bound.
 TEST(ElasticShapes, FrictionlessPackingsKeepTheirBounds) {
   for (const int n : {20, 30, 40}) {
     const RigidEnd<2> end = relaxed(elastic_gas<2>(n, kRoundedPentagons, 1e4, 0.0));

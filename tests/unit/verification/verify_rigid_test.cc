@@ -71,8 +71,8 @@ TEST(VerifyRigid, NamesTheGrainOutOfBalance) {
   EXPECT_THAT(failed(state), testing::IsSupersetOf({"force", "stress"}));
   EXPECT_THAT(where(state, "force"), HasSubstr("grain " + std::to_string(c.i)));
   State<2> turning = brick_bond(0.7, 0.3);
-  // At one of the two contact points of a side, the force is increased; at the other one, it is reduced by the same
-  // amount. The net force stays right, but the moment is wrong.
+  // At one of the two contact points of a side, the force is increased; at the other point, it is reduced by the same
+  // amount. The net force stays zero, but the net moment does not.
   Contact<2>&one = turning.packing.contacts[0], &other = turning.packing.contacts[1];
   ASSERT_TRUE(one.i == other.i && one.j == other.j && one.image == other.image);
   one.normal_force = one.elastic_force += 0.1;
@@ -92,7 +92,7 @@ TEST(VerifyRigid, NamesTheGrainThatMoves) {
 
 TEST(VerifyRigid, RefusesForcesThatDriveTheMotion) {
   State<3> state = cubic_crystal(0.7, 0.3);
-  // The cell expands against the pressure, so the contact forces do work on its motion.
+  // The cell expands against the pressure: the contact forces then do work on its motion.
   state.packing.cell.velocity = 1e-3 * state.packing.cell.matrix;
   EXPECT_THAT(failed(state), ElementsAre("power", "boundary_motion"));
   state.packing.cell.velocity *= -1.0;
@@ -189,8 +189,8 @@ TEST(VerifyRigid, RefusesAnotherRecord) {
 }
 
 TEST(VerifyRigid, AcceptsWhatWasRecordedWithinTheMarginsOfTheSearch) {
-  // Where two squares touch along a side, the side of either square can be the reference face. Recorded contacts must
-  // be accepted with either choice.
+  // If two squares touch along a side, either square can provide the reference face. Recorded contacts must be accepted
+  // in both cases.
   const State<2> state = brick_bond(0.7, 0.3);
   ContactPoints<2> points;
   State<2> turned = state;

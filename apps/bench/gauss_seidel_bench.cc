@@ -1,6 +1,6 @@
 // Benchmark of the sweeps of GaussSeidel over frictional contacts, in updates of contacts per second ("items"):
 //   floc_bench --benchmark_filter=sweeps
-// Grains on a lattice are pushed together; each of them touches some of its neighbours. The arguments are the number of
+// Grains on a lattice are pushed together; each grain touches some of its neighbours. The arguments are the number of
 // threads and whether the cell is under stress.
 
 #include <benchmark/benchmark.h>

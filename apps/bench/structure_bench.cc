@@ -43,8 +43,7 @@ Packing<2> unit_packing() {
   return packing;
 }
 
-/// Returns a packing of at least n grains, made of periodic copies of the given state or, without a state, of the
-/// lattice.
+/// Returns a packing of at least n grains: periodic copies of the given state or, without a state, of the lattice.
 Packing<2> packing_of(int n) {
   const Packing<2> unit = unit_packing();
   const auto side = static_cast<int>(std::ceil(std::sqrt(n / static_cast<double>(unit.grains.size()))));

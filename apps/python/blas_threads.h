@@ -6,9 +6,9 @@ namespace floc::python {
 /// library, because numpy may use the same library.
 void prepare_shared_blas();
 
-/// Restricts the BLAS library to one thread as long as an object of this class exists. The floc program uses one
-/// thread, too; the last bits of results depend on the number of threads. The destructor of the last object restores
-/// the number of threads that was set before the first object.
+/// Restricts the BLAS library to one thread as long as an object of this class exists. The reason is that the last bits
+/// of results depend on the number of threads, and the floc program uses one thread. The destructor of the last object
+/// restores the number of threads that was set before the first object.
 class SingleBlasThread {
  public:
   SingleBlasThread();

@@ -313,8 +313,8 @@ NamedState read(const std::string& path) {
   });
 }
 
-/// Reads the state in a Python pickle and gives it the name that it had when it was pickled. Warnings are not repeated,
-/// because they were issued when the state was first read.
+/// Reads the state in a Python pickle and gives it its old name. Warnings are not repeated, because they were issued
+/// when the state was first read.
 NamedState restore(const std::string& path, const std::string& name) {
   const py::gil_scoped_release released;
   return NamedState{std::make_shared<const AnyState>(read_state(path)), name};

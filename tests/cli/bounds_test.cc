@@ -57,8 +57,8 @@ struct Coverage {
 /// fraction.
 constexpr double kSlack = 1e-5;
 
-/// Checks that the moduli of a state lie within their bounds, and agree with the estimates of the method `bounds`
-/// within the errors of these estimates.
+/// Checks that the moduli of a state lie within their bounds. Also checks that they agree with the estimates of the
+/// method `bounds`, within the errors of these estimates.
 void check_state(const std::string& what, const json& exact, const json* by_bounds, Coverage& covered) {
   const double B = number(exact, "B"), B_S = number(exact, "B_S"), G = number(exact, "G");
   const bool hold = exact.at("bounds_hold"), hold_B_S = exact.at("bounds_hold_B_S");

@@ -123,8 +123,8 @@ TEST_F(Imports, HoldBondsAcrossGaps) {
     EXPECT_NEAR(moduli.at("C33").get<double>(), 250.0, 1e-9);
     EXPECT_EQ(row("verify").at("equilibrium"), true);
   }
-  // In this narrower cell, grains touch their images across the sides of the cell. The file has only one bond, between
-  // another pair of grains.
+  // In this narrower cell, grains touch their images across two sides of the cell. The file contains a bond of another
+  // pair of grains only.
   write("one.csv", "id1,id2,kn\n0,1,7\n");
   ASSERT_EQ(convert("grains.csv", {"--bonds", scratch_.file("one.csv"), "--cell", "2.97,0;0,3.03"}).code, 0);
   EXPECT_EQ(row("network").at("n_contacts"), 4);

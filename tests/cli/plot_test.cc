@@ -163,7 +163,7 @@ TEST_F(PlotCommand, WordsOfGnuplotStayWithItUnlessItFails) {
 }
 
 TEST_F(PlotCommand, RegimesAreNamedAboveTheCurveAndApart) {
-  // The mean curve of these samples has all three regimes, so that the plot names each of them.
+  // The mean curve of these samples has all three regimes, and the plot must name each regime.
   ASSERT_EQ(floc("plot " + demo_tables() + " -o regimes.svg").code, 0);
   const std::string script = content_of(file("regimes.gp"));
   std::vector<double> places;

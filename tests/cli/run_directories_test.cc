@@ -66,8 +66,8 @@ TEST_F(RunDirectories, OfOtherRunsSayWhereTheyPart) {
   EXPECT_THAT(o.err, HasSubstr("different from step 0 on"));
   const json rows = json::parse(o.out);
   ASSERT_EQ(rows.size(), 9u);
-  // All state files of the two runs differ, even the first ones, because they contain different scenes. In the first
-  // row of the path, no value differs yet.
+  // The two runs have different scenes. State files contain the scene, so all state files differ, even the first ones.
+  // In the first row of the path, no value differs yet.
   EXPECT_EQ(rows[0].at("identical"), false);
   EXPECT_EQ(rows[1].at("n_values"), 0);
   EXPECT_TRUE(rows[8].at("after").is_null());

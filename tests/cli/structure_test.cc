@@ -19,8 +19,7 @@ using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Fixture: states of randomly placed disks, of a square lattice of frames with a rattler in each frame, and of
-/// spheres.
+/// Fixture: three states: randomly placed disks, a square lattice of frames with a rattler in each frame, and spheres.
 class Structure : public testing::Test {
  protected:
   void SetUp() override {
@@ -69,8 +68,8 @@ TEST_F(Structure, WritesSeriesOfEachState) {
   EXPECT_NEAR(mean, 8.0 * std::numbers::pi * 0.51 * 0.51 / 16.0, 1e-12);
   const CsvTable z = table("z.csv");
   EXPECT_THAT(z.columns(), ElementsAre("file", "gap", "z", "z_pushed", "gap_rescaled"));
-  // A grain that lies inside a frame without force and adhesion is a rattler. A rattler that is pushed against the
-  // other grains touches two of them.
+  // A grain inside a frame, without force and adhesion, is a rattler. If this rattler is pushed against the other
+  // grains, it touches two of them.
   EXPECT_EQ(z.number(0, 1), 0.0);
   EXPECT_NEAR(z.number(0, 2), 2.0, 1e-15);
   EXPECT_NEAR(z.number(1, 3) - z.number(1, 2), 2.0 * 2 / 8, 1e-12);

@@ -133,7 +133,8 @@ TEST(AccuracyGuarantee, HoldsForScenesAndSeedsThatDidNotMakeTheTable) {
     print(guarantee);
     EXPECT_GE(guarantee.kept_share(), 0.95);
   }
-  // An accuracy of 1 % in phi and 5 % in moduli must save at least four fifths of the processor time.
+  // If a scene requests an accuracy of 1 % in phi and 5 % in the moduli, at least four fifths of the processor time
+  // must be saved.
   EXPECT_GE(guarantees.back().gain(), 5.0);
 }
 

@@ -10,8 +10,8 @@
 #include "floc/scene/scene_prices.h"
 #include "support/places.h"
 
-// Tests of the errors promised by tables of prices and by plans, for kinds of scenes with a table. To run only these
-// tests, for all scenes or for one scene:
+// Tests of the errors that tables of prices and plans promise, for kinds of scenes for which there is a table. To
+// run only these tests, for all scenes or for one scene:
 //   build/release/tests/long_tests --gtest_filter='Promises/*'
 //   build/release/tests/long_tests --gtest_filter='Promises/OfPlans.*/constant_volume_5s'
 

@@ -22,7 +22,7 @@ inline std::string without_seal(const std::string& bytes) {
   return bytes.substr(0, bytes.size() - kSealSize);
 }
 
-/// Writes a copy of a state file with one text replaced by another of the same length, and seals it again.
+/// Writes a copy of a state file in which one text is replaced by another text of the same length, with a new seal.
 /// @return path of the copy
 inline std::string with_replaced(const std::string& path, const std::string& from, const std::string& to) {
   std::string content = without_seal(read_file(path));

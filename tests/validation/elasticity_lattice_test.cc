@@ -100,7 +100,7 @@ TEST(Lattice, SoftFramesAreWithinTheirErrorBound) {
     }
 }
 
-/// Returns a packing with one sphere per cell, which touches its images at a distance of one spacing.
+/// Returns a packing of one sphere per cell. The sphere touches its images, at a distance of one spacing.
 Packing<3> bravais(const Mat<3>& cell) {
   Packing<3> packing;
   packing.law = test::elastic_law(kN, kT, kR);

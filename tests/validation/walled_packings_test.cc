@@ -16,8 +16,8 @@
 #include "support/places.h"
 
 /// Packings of LAMMPS and YADE between walls and on floors (data/packings), converted as in docs/commands/convert.md.
-/// The forces on walls, the net forces and the moduli must equal the values that this test computes from the rows of
-/// the files, without the readers, the contact search, the network and the solver of the library.
+/// The forces on walls, the net forces and the moduli must equal values that this test computes from the rows of the
+/// files. This test uses neither the readers nor the contact search, the network or the solver of the library.
 namespace floc::test {
 namespace {
 
@@ -69,8 +69,8 @@ struct FilePacking {
   std::array<bool, 3> walls{};
 
   double volume() const { return (high - low).prod(); }
-  /// Returns the vector from the centre of the first grain to the centre of the nearest image of the second grain, or
-  /// to the nearest point of the wall.
+  /// Returns a vector from the centre of the first grain: to the centre of the nearest image of the second grain or,
+  /// for a contact with a wall, to the nearest point of the wall.
   Vector branch(const FileContact& c) const {
     const Vector& x = grains.at(c.id1).x;
     if (c.on_wall()) return ((c.side() < 0 ? low : high)[c.axis()] - x[c.axis()]) * Vector::Unit(c.axis());

@@ -69,8 +69,8 @@ int collect(const CollectArguments& arguments) {
   return kDone;
 }
 
-/// Converts the exit code of a failed run to an exit code of `floc campaign outcome`. Three codes of floc are kept:
-/// those for a missing result, bad input and a failed check. All other codes, such as those of signals, become
+/// Converts the exit code of a failed run to an exit code of `floc campaign outcome`. The exit codes of floc for a
+/// missing result, for bad input and for a failed check are kept. All other codes, for example those of signals, become
 /// kFailure.
 int as_own(int code) {
   return code == kNotConverged || code == kBadInput || code == kVerificationFailed ? code : int{kFailure};

@@ -31,8 +31,7 @@ struct CampaignRunArguments {
   bool with_parent = false;
 };
 
-/// A table that is made after a run: the name of its file, and the floc command that prints it, split into
-/// words.
+/// A table that is made after a run: the name of its file, and the words of the floc command that prints the table.
 struct TableCommand {
   std::string file;
   std::vector<std::string> words;

@@ -27,8 +27,8 @@ struct CompareCommand {
   Printing printing;
 };
 
-/// Returns whether the inputs are the directories of two runs. Two runs are compared step by step. If a single
-/// directory is given, each of its states is compared with the state before it.
+/// Returns whether the inputs are the directories of two runs, which are compared step by step. If there is a single
+/// directory, each state in it is compared with the state before.
 bool are_two_runs(const std::vector<std::string>& inputs) {
   return inputs.size() == 2 && std::ranges::all_of(inputs, [](const std::string& input) {
            return input != "-" && std::filesystem::is_directory(input);

@@ -87,7 +87,7 @@ Table shape_table(const Packing<Dim>& packing) {
   return table;
 }
 
-/// Returns the names of those strengths that at least one contact has, each with its index in kStrengthNames.
+/// Returns the names of the strengths that at least one contact has, each with its index in kStrengthNames.
 std::vector<std::pair<std::string, std::size_t>> given_strengths(const std::vector<Strengths>& strengths) {
   std::vector<std::pair<std::string, std::size_t>> given;
   for (std::size_t k = 0; k < kStrengthNames.size(); ++k)

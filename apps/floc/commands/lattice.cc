@@ -216,10 +216,10 @@ void write_packing(const std::string& path, const LatticeArguments& arguments, c
   write_state(path, state);
 }
 
-/// Returns bounds of the bulk and shear moduli of a sample that consists of grains, matrix and voids. The bounds follow
-/// from the volume fractions and the moduli of these phases. The moduli of a phase are those of a lattice whose
-/// elements all have the stiffness of this phase. In 2D, closed formulas for the triangular lattice give these moduli.
-/// In 3D, the lattice of the sample is solved with a single stiffness.
+/// Returns bounds of the bulk and shear moduli of a sample of grains, matrix and voids. The bounds follow from the
+/// volume fractions and the moduli of these phases. The moduli of a phase are those of a lattice in which all elements
+/// have the stiffness of this phase. In 2D, closed formulas for the triangular lattice give the moduli. In 3D, the
+/// lattice of the sample is solved with a single stiffness.
 template <int Dim>
 CompositeBounds bounds_of(const CementedSample<Dim>& sample, const ElementStiffness& stiffness,
                           const RelaxationSettings& settings) {

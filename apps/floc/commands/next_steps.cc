@@ -10,8 +10,8 @@
 namespace floc {
 namespace {
 
-/// Returns whether `floc fit consolidation` can fit the consolidation law to each of these tables path.csv and, if
-/// there are several tables, to their mean.
+/// Returns whether `floc fit consolidation` can fit the consolidation law to each of the given tables path.csv. If
+/// there are several tables, it must also be possible to fit the law to their mean.
 bool can_be_fitted(const std::vector<std::string>& tables) {
   try {
     const ConsolidationFitOptions asked;

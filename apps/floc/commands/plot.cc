@@ -197,8 +197,8 @@ std::vector<std::string> force_states(const PlotArguments& arguments) {
   return files;
 }
 
-/// Returns the name of a state in the legend of a plot: its reduced pressure and, unless the state belongs to the first
-/// loading, the name of its branch of the load path.
+/// Returns the name of a state in the legend of a plot: its reduced pressure and the name of its branch of the load
+/// path. The name of the branch is omitted for the first loading.
 std::string name_of_state(const AnyState& any) {
   return std::visit(
       [](const auto& state) {

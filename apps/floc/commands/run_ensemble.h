@@ -12,9 +12,9 @@ namespace floc {
 /// @throws InputError if A or B is not a whole number, if A > B, or if the range contains more than a million seeds
 SeedRange parse_seeds(const std::string& text);
 
-/// Runs an ensemble: one sample per seed, each in its own process, with the directory DIR/seed-N and the log file
-/// DIR/seed-N.log, where DIR is the directory of the ensemble and N the seed. The signals SIGINT and SIGTERM are passed
-/// on to these processes, so that every sample writes its checkpoint.
+/// Runs an ensemble with one sample per seed, each in its own process. The sample with the seed N has the directory
+/// DIR/seed-N and the log file DIR/seed-N.log, where DIR is the directory of the ensemble. The signals SIGINT and
+/// SIGTERM are passed on to the processes of the samples, so that every sample writes its checkpoint.
 ///
 /// @param claim      lock of the directory DIR; after DIR has been renamed or replaced, no more samples are started
 /// @param directory  path of DIR

@@ -23,8 +23,8 @@ struct StructureCommand {
   Printing printing;
 };
 
-/// Converts the command line to the options of the library. Each further table, besides the printed one, is computed
-/// only if the command line names a file for it.
+/// Converts the command line to the options of the library. In addition to the printed table, only the tables for which
+/// the command line names a file are computed.
 /// @throws InputError that names the invalid option
 StructureTableOptions options_of(const StructureCommand& command) {
   StructureTableOptions options = command.options;

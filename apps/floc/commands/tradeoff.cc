@@ -122,8 +122,8 @@ Table table_of(const StudiedScene& run, const Tradeoff& tradeoff, const std::vec
   for (std::size_t k = 0; k < names.size(); ++k) {
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), names[k]) == wanted.end()) continue;
     if (!applies(declared_observables()[k], run.scene, run.subject)) continue;
-    // The Pareto front contains the numerical settings for which no other setting is both cheaper and more accurate.
-    // The front is determined for each observable separately, because it differs between observables.
+    // The Pareto front contains a numerical setting if no other setting is both cheaper and more accurate. Each
+    // observable has its own Pareto front.
     const std::vector<bool> front = pareto_front(tradeoff, k);
     for (std::size_t i = 0; i < tradeoff.settings.size(); ++i) {
       const MeasuredSetting& m = tradeoff.settings[i];

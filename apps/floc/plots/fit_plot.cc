@@ -21,9 +21,9 @@ std::vector<std::vector<double>> recompression_points(const ConsolidationFit& fi
   return points;
 }
 
-/// Adds the blocks of data to which the gnuplot script refers by number: 0 for the fitted points, 1 for the points left
-/// out of the fit, 2 for the fitted law, 3 for unloading and reloading, 4 for the recompression line, 5 for the yield
-/// point at its end.
+/// Adds the blocks of data of the gnuplot script, which refers to the blocks by number: fitted points (0), points left
+/// out of the fit (1), fitted law (2), unloading and reloading (3), recompression line (4), and the yield point at the
+/// end of this line (5).
 void add_blocks(const ConsolidationPlot& of, Plot& plot) {
   const ConsolidationCurve& curve = of.curve;
   const ConsolidationFit& fit = of.fit;

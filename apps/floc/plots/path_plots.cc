@@ -96,9 +96,9 @@ void add_elastic_line(const PathTable& path, const Loading& branch, std::vector<
   }
 }
 
-/// Returns the positions and the texts of the labels above the plot, which name the regimes of the consolidation law.
-/// If a regime is too narrow for a label of its own, the label of its neighbour contains both names. Labels therefore
-/// do not overlap.
+/// Returns the labels above the plot, which name the regimes of the consolidation law: the position and the text of
+/// each label. If a regime is too narrow for a label of its own, the label of a neighbouring regime contains both
+/// names. Labels therefore do not overlap.
 std::vector<std::pair<double, std::string>> regime_labels(
     double low, const std::vector<std::pair<double, const char*>>& regimes) {
   constexpr double kNarrowest = 0.1;  // width of the label "III", as a fraction of the axis

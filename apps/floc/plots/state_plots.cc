@@ -167,8 +167,7 @@ std::string density_axes(const Plot& plot, const std::vector<int>& points,
   return script;
 }
 
-/// A distribution to draw: the values of a sample, the rows of the histogram of these values, and points of the fitted
-/// exponentials.
+/// A distribution to draw: the values of a sample, the rows of their histogram, and points of the fitted exponentials.
 struct DensityCurve {
   std::string name;
   const std::vector<double>& values;

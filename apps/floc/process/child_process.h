@@ -32,8 +32,9 @@ int exit_code_of(int status);
 /// as exit_code_of() returns it
 int wait_for(pid_t child);
 
-/// Installs signal handlers, after which SIGINT and SIGTERM no longer end this process. If such a signal arrives while
-/// run_floc() waits for a child process, the child receives SIGTERM; a run then writes its checkpoint and ends.
+/// Installs signal handlers: SIGINT and SIGTERM then no longer end this process. If one of these signals arrives while
+/// run_floc() waits for a child process, the child receives SIGTERM. If the child is a run, it writes its checkpoint
+/// and ends.
 void pass_signals_on();
 
 /// Returns whether SIGINT or SIGTERM has arrived since pass_signals_on().

@@ -30,9 +30,9 @@ TableFormat chosen_format(const std::string& format);
 /// Returns the columns of a table that are to be printed.
 /// 1. If the user has chosen columns, these columns are printed in the chosen order. Chosen columns that this table
 /// does not have, such as columns of 3D states in a table of 2D states, are left out with a note on stderr.
-/// 2. Otherwise, on a terminal, the columns that docs/columns.md lists for terminals are printed, as many of them as
-/// fit the width of the terminal, with a note on stderr.
-/// 3. Otherwise all columns are printed.
+/// 2. If the user has not chosen columns, a terminal shows the columns that docs/columns.md lists for terminals: as
+/// many as fit its width, with a note on stderr.
+/// 3. In all other cases, all columns are printed.
 /// @param on_terminal  whether the table is printed with aligned columns on a terminal
 /// @throws InputError if the table has none of the chosen columns
 Table with_chosen_columns(const Table& table, const Printing& printing, bool on_terminal);

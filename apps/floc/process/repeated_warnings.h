@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Collects the remarks on many states. The destructor prints each remark once, with its text for the worst state and
-/// the number of states to which it applies. Texts that differ only in their numbers count as one remark.
+/// Collects the remarks on many states. Texts that differ only in their numbers count as one remark. The destructor
+/// prints each remark once: the text for the worst state, and the number of states with this remark.
 class RepeatedWarnings {
  public:
   RepeatedWarnings() = default;

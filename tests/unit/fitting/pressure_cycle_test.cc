@@ -67,7 +67,7 @@ TEST(PressureCycle, OfPowerLawsConvergesToTheirIntegral) {
 TEST(PressureCycle, IsFoundInEachPartOfAPath) {
   std::vector<PathRow> rows = straight_cycle();
   rows.insert(rows.begin(), {"assembly", 0.0, 0.4});
-  // the branch `hold` adds a second row at P = 4; its Phi is used for this pressure
+  // the branch `hold` adds a second row at P = 4; the Phi of this row is used for P = 4
   rows.insert(rows.begin() + 4, {"hold", 4.0, rows[3].phi + 0.01});
   rows.push_back({"reload", 2.0, 0.52});
   rows.push_back({"reload", 16.0, 0.6});

@@ -174,8 +174,8 @@ TEST(Rattlers, OfACohesivePackingAreAlone) {
 
 TEST(Rattlers, OfACohesionlessPackingCarryNothingOrHangOnOneContact) {
   Packing<2> packing = test::chain_across(4, 1.0, 4.0, test::elastic_law(1.0, 0.5, 0.0));
-  // One disk touches two disks of the chain with almost no force. A second disk touches only the first one. A third
-  // disk touches the chain at one contact with a force.
+  // Three disks are added to the chain. The first touches two disks of the chain, with almost no force. The second
+  // touches only the first added disk. The third touches the chain at one contact with a force.
   const double lean = std::sqrt(1.02 * 1.02 - 0.25) - 1e-9;
   for (const Vec<2>& x : {Vec<2>(0.5, lean), Vec<2>(0.5, lean + 1.0), Vec<2>(3.0, -1.0)}) {
     packing.grains.position.push_back(x);

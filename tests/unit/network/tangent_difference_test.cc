@@ -101,8 +101,8 @@ Packing<Dim> carried_along(const Packing<Dim>& packing, const Eigen::VectorXd& u
   return out;
 }
 
-/// Returns minus the forces on the grains, then minus their moments divided by the radius, then for each strain
-/// the conjugate stress times the volume.
+/// Returns a vector with three parts: minus the forces on the grains; minus the moments on the grains divided by the
+/// radius; and the stress conjugate to each strain times the volume.
 template <int Dim>
 Eigen::VectorXd load(const Packing<Dim>& packing) {
   const int n = packing.grains.size();

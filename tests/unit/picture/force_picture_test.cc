@@ -90,8 +90,8 @@ TEST(PressurePhases, BondsWithinThemAreDrawnAndTheLargestPartsAreDark) {
     EXPECT_TRUE(line.kind == LineKind::compression || line.kind == LineKind::tension);
     ++n[line.kind == LineKind::tension];
   }
-  // Compression: two rows, and the bonds between these rows. Tension: one row, the bond between the two grains
-  // above this row, and the two bonds that connect these grains to the row.
+  // Compression: two rows, and the bonds between these rows. Tension: one row, the bond between the two grains in the
+  // row above, and the two bonds between these grains and the row.
   EXPECT_EQ(n[0], 12 + 6);
   EXPECT_EQ(n[1], 6 + 1 + 2);
   for (int i = 0; i < packing.grains.size(); ++i) {

@@ -213,8 +213,8 @@ TEST(SheetOfSpheres, ManyAreAnImageUnlessOthersHideThem) {
     picture.radius.assign(picture.position.size(), radius);
     return picture;
   };
-  // Of 8000 touching spheres, only the spheres at three faces of the cell are visible, and parts of other spheres in
-  // the gaps between them.
+  // Only some of the 8000 touching spheres are visible: those at three faces of the cell, and parts of others in the
+  // gaps between them.
   const std::string dense = draw_sheet<3>({crystal(20, 0.5)}, {});
   EXPECT_THAT(dense, Not(HasSubstr("data:image/png")));
   EXPECT_LT(count_in(dense, "<radialGradient"), 4000);

@@ -52,7 +52,7 @@ TEST(AccuracyOfAScene, SetsWhatItChoosesAndSaysSoInItsText) {
   EXPECT_EQ(NumericalSettings::of(scene.relaxation), expected.settings);
   EXPECT_EQ(scene.relaxation.tolerance.energy, expected.settings.energy());
   EXPECT_EQ(scene.accuracy, expected.name + ": " + expected.reason);
-  // States store the text of the scene. When this text is read again, it gives the same scene, and no new settings are
+  // States store the text of the scene. If this text is read again, the result is the same scene; no new settings are
   // chosen.
   const Scene again = parse_scene(scene.text, "state", ".");
   EXPECT_EQ(NumericalSettings::of(again.relaxation), expected.settings);

@@ -68,7 +68,7 @@ void vertex_to_edge(FeatureDistance& least, const Vec<Dim>& x, const Vec<Dim>& p
   take<Dim>(least, x - p - std::clamp(s, 0.0, 1.0) * u, Dim == 2 && s >= 0.0 && s <= 1.0);
 }
 
-/// Updates `least` with the distances of the vertices of one shape from the faces of the other, in 3D.
+/// Updates `least` with the distances between the vertices of one shape and the faces of the other shape, in 3D.
 inline void vertices_to_faces(FeatureDistance& least, const PlacedShape<3>& one, const PlacedShape<3>& other) {
   const std::vector<Vec<3>> corners = vertices_in_space<3>(one), points = vertices_in_space<3>(other);
   for (int f = 0; f < one.shape->n_faces(); ++f) {

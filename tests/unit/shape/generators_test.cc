@@ -59,8 +59,8 @@ TEST(Generators, PolygonsBoxesAndCapsulesHaveTheirClosedForms) {
   EXPECT_NEAR(capsule<2>(3.0).diameter(), 1.0, 1e-15);
 }
 
-// The expected counts are from other samples of these generators. The mean number of faces of 300 shapes has an error
-// of 0.2.
+// The expected counts were measured on other samples of these generators. The mean number of faces has a standard error
+// of 0.2 for 300 shapes.
 TEST(Generators, HullsAndCutsHaveTheFacesOfTheDesign) {
   double faces = 0.0, vertices = 0.0;
   const auto hulls = hull_shapes<3>({}, 300, 0.0, 1);

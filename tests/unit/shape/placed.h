@@ -24,7 +24,7 @@ inline Mat<2> turn_by(double degrees) {
   return Eigen::Rotation2Dd(degrees * std::numbers::pi / 180.0).toRotationMatrix();
 }
 
-/// Places a shape in space: rotates the points from which the shape was made by `turn`, and then shifts them by
+/// Places a shape in space. The points from which the shape was made are rotated by `turn` and then shifted by
 /// `position`.
 template <int Dim>
 PlacedShape<Dim> placed(const Shape<Dim>& shape, const Vec<Dim>& position, const Mat<Dim>& turn) {

@@ -39,7 +39,7 @@ Packing<2> some_disks() {
   return random_packing<2>(20, 1, elastic_law(100.0, 100.0, 0.0));
 }
 
-/// Name of an argument of a function, and a call of the function with a given value of this argument.
+/// An argument of a function: its name, and a call of the function with a given value of this argument.
 struct Argument {
   const char* name;
   std::function<void(double)> call;

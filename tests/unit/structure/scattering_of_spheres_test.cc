@@ -17,7 +17,7 @@ using testing::ElementsAre;
 constexpr double kTau = 2.0 * std::numbers::pi;
 
 TEST(BallTransform, IsTheIntegralOfItsShells) {
-  // Compares the transform with 4 pi times the integral of r sin(kr)/k over r from 0 to R.
+  // Compares the transform with the integral of 4 pi r sin(kr)/k over r from 0 to R.
   for (const double R : {0.5, 2.0})
     for (const double k : {1e-4, 0.03, 0.05, 1.0, 7.0}) {
       constexpr int kSteps = 2000;
@@ -33,8 +33,9 @@ TEST(BallTransform, IsTheIntegralOfItsShells) {
 }
 
 TEST(Scattering, OfOneSphereIsItsFormFactor) {
-  // The first bin contains 3 wave vectors of the kind (1,0,0) and 6 of the kind (1,1,0). The second bin contains 4 of
-  // the kind (1,1,1), 3 of (2,0,0), 12 of (2,1,0) and 12 of (2,1,1). Two opposite vectors count as one.
+  // Two opposite wave vectors count as one. The first bin contains 3 wave vectors of the kind (1,0,0) and 6 of the kind
+  // (1,1,0). The second bin contains 4 of the kind (1,1,1), 3 of the kind (2,0,0), 12 of the kind (2,1,0) and 12 of the
+  // kind (2,1,1).
   const double R = 0.3;
   const Packing<3> packing = crystal_of(simple_cubic(), 1.0, 2.0 * R, elastic_law(1.0, 0.0, 0.0));
   const Scattering s = scattering(packing);

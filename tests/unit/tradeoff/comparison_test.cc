@@ -93,7 +93,7 @@ TEST(Comparison, StatesAreComparedUntilTheFirstCollapseOfEither) {
 TEST(Comparison, ANewTurnStartsFromTheReferenceAgain) {
   SamplePath reference = path(0.0), other = path(0.01);
   reference.states.push_back(state(1, 0.04, 0.6, 2000.0));
-  // at this state, Phi is 0.01 lower than at the previous state of this path
+  // on this path, the new state has a Phi that is 0.01 lower than at the previous state
   other.states.push_back(state(1, 0.04, 0.6, 2000.0));
   EXPECT_TRUE(before_collapse(reference, other).back());
 }

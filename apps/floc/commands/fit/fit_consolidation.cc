@@ -164,7 +164,7 @@ void log_fit(const ConsolidationSample& sample, const ConsolidationFit& fit, int
   for (const std::string& warning : fit.warnings) spdlog::warn("{}: warning: {}", sample.name, warning);
 }
 
-/// Warns if some pressures do not occur in all samples and are therefore left out of the mean of the samples.
+/// Warns if the mean of the samples leaves out some pressures, because they do not occur in all samples.
 /// @param read    samples that were read
 /// @param fitted  result of with_pooled() for these samples; its last element is their mean
 void warn_of_missing_pressures(const std::vector<ConsolidationSample>& read,

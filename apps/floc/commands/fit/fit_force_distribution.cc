@@ -55,8 +55,8 @@ int fit_inputs(const ForceDistributionArguments& arguments) {
         worst = worse(worst, kNotConverged);
         continue;
       }
-      // If the goodness-of-fit test rejects a distribution at the significance level of 5 %, the table contains
-      // this distribution like any other. Only this warning tells the user.
+      // A distribution that the goodness-of-fit test rejects at the significance level of 5 % is a row of the table
+      // like any other. Only this warning tells the user.
       if (fit.p_value < 0.05)
         spdlog::warn(
             "{}: distribution {}: warning: the forces do not follow this distribution (p-value {:.3g})", name,

@@ -70,7 +70,7 @@ Packing<2> relaxed_from_gas(int n, const LawParameters& law, double cell_mass) {
 }
 
 /// Returns a packing of at least n grains in equilibrium under a contact law. A packing with more than kUnit grains
-/// consists of periodic copies of a smaller one. Each packing is made only once.
+/// consists of periodic copies of the packing with kUnit grains. Each packing is made only once.
 const Packing<2>& dense(int n, int physics, bool adhesive) {
   static std::map<std::tuple<int, int, bool>, Packing<2>> made;
   const auto [entry, is_new] = made.try_emplace({n, physics, adhesive});

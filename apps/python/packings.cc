@@ -328,7 +328,7 @@ void place_points(const std::vector<ListedGrain>& grains, std::vector<ListedCont
       *contact.point += found->second;
 }
 
-/// Makes a packing of the arrays and completes it in the same way as `floc convert` completes a packing from files.
+/// Makes a packing from the arrays and completes it, as `floc convert` completes a packing from files.
 NamedState assembled(const ListedPacking& listed, const ImportCompletion& completion) {
   return without_gil([&](const Remarks& remarks) {
     Imported imported = assemble(listed);

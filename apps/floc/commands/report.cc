@@ -41,7 +41,7 @@ struct ReportArguments {
   Printing printing;
 };
 
-/// The data of a run that its report shows. The data are read once and used in all sections of the report.
+/// The data that the report of a run shows. They are read once and used in all sections of the report.
 template <int Dim>
 struct ReportedRun {
   std::string directory;

@@ -71,8 +71,8 @@ void RunMonitor::chunk(const Run<Dim>& run) {
 
 namespace {
 
-/// Returns a warning if the impulses did not converge to the tolerance in many time steps of contact dynamics;
-/// otherwise returns an empty text.
+/// Returns a warning if there are many time steps of contact dynamics in which the impulses did not converge to the
+/// tolerance; otherwise returns an empty text.
 std::string unfinished_warning(const StepCounts& counts) {
   constexpr double kMany = 0.05;
   const double share = counts.n_steps == 0

@@ -38,7 +38,7 @@ std::string range_script(const Plot& plot, const std::string& axis, const std::v
 /// decimals as the error.
 std::string value_and_error(double value, double error);
 
-/// Returns a text as a string of gnuplot in single quotes.
+/// Returns a text as a gnuplot string in single quotes.
 std::string gnuplot_quoted(const std::string& text);
 
 /// Writes the picture F.svg, F.pdf or F.png, with its data in F.dat and its gnuplot script in F.gp, and runs gnuplot to

@@ -10,8 +10,8 @@ namespace floc {
 /// Quantity of a state that is drawn.
 enum class Shown {
   equilibrium,     ///< contact forces
-  isotropic_step,  ///< increments of the contact forces in a small step of pressure
-  /// increments of the contact forces in a small step of the difference between the stresses on axes 1 and 2
+  isotropic_step,  ///< increments of the contact forces if the pressure changes a little
+  /// increments of the contact forces if the difference between the stresses on axes 1 and 2 changes a little
   deviatoric_step,
   particle_pressure,  ///< grains coloured by their pressure
   phases,  ///< grains coloured by the sign of their pressure; contacts between grains of the same sign
@@ -26,8 +26,9 @@ enum class Shown {
 template <int Dim>
 PackingPicture<Dim> picture_of(const std::string& file, const State<Dim>& state, Shown shown);
 
-/// Draws the changes from one state to another at the grain positions of the first state: lost and gained contacts, and
-/// the displacements of the grains relative to a uniform deformation of all grains with the cell.
+/// Draws the changes from one state to another, with the grains at their positions in the first state. The changes are
+/// lost and gained contacts, and the displacements of the grains relative to a uniform deformation of all grains with
+/// the cell.
 /// @throws InputError if the two states do not have the same grains
 template <int Dim>
 PackingPicture<Dim> picture_of_changes(const std::string& before_file, const State<Dim>& before,

@@ -25,7 +25,7 @@ class Option {
   Option expected(int least, int most);
   /// Makes the option also accept one argument that contains several values, separated by the character `between`.
   Option delimiter(char between);
-  /// Joins the values of an option that is given several times into one text, separated by the character `between`.
+  /// If the option is given several times, joins its values to one text, separated by the character `between`.
   Option joined(char between);
   /// Makes the option take only one argument each time it is given; the arguments after it are positional.
   Option one_argument_each();

@@ -130,7 +130,7 @@ void log_fit(const ConsolidationSample& sample, const ConsolidationFit& fit, int
         change_text(fit.regimes->plateau_end, sample.loading.curve,
                     is_recompressed(fit) ? "the recompression line ends" : "the plateau of regime I ends") +
         change_text(fit.regimes->onset_three, sample.loading.curve, "regime III begins");
-    // Each text that change_text() returns begins with "; ". This is removed from the first text.
+    // Each text that change_text() returns begins with "; ", which is removed from the first text.
     if (!pieces.empty()) spdlog::info("{}: {}", sample.name, pieces.substr(2));
   }
   if (fit.regimes && fit.law == ConsolidationLaw::log && fit.regimes->jump_distance > 0.0)

@@ -59,7 +59,8 @@ std::string soft_scene(const Law& law, int dimension) {
       dimension, contact_tables(law), pressure);
 }
 
-/// Rows of a square or cubic lattice of grains of radius 1/2 that overlap by 0.14 radii along the first axis.
+/// Rows of a table of grains of radius 1/2 on a square or cubic lattice. Neighbours along the first axis overlap by
+/// 0.14 radii.
 std::string lattice_rows(int dimension) {
   std::string rows = "x,y,z,radius\n";
   for (int i = 0; i < 3; ++i)

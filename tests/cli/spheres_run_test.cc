@@ -79,7 +79,7 @@ TEST_F(SpheresRun, ShakesWhatItHasPutTogetherAndSurvivesKills) {
   kill_and_resume(5, 8, shaken, 5);
 }
 
-/// A run that starts from the first equilibrium and shakes it gives another packing of the same beads, which depends on
+/// A run that starts from the first equilibrium and shakes the beads ends in another packing of them, which depends on
 /// the seed.
 TEST_F(SpheresRun, StartsFromAShakenState) {
   ASSERT_EQ(run(beads(), "--until 0 -o first").code, 0);

@@ -39,8 +39,8 @@ inline std::vector<CubicCrystal> cubic_crystals() {
 }
 
 /// Returns a crystal of spheres with a given distance between neighbours.
-/// @param distance  distance between neighbours (length)\n@param diameter  diameter of the spheres (length); if it
-/// exceeds `distance`, neighbours are in contact
+/// @param distance  distance between neighbours (length)
+/// @param diameter  diameter of the spheres (length); if it exceeds `distance`, neighbours are in contact
 inline Packing<3> crystal_of(const CubicCrystal& crystal, double distance, double diameter, const Law& law) {
   Packing<3> packing;
   packing.law = law;

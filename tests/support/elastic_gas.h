@@ -25,7 +25,8 @@ Packing<Dim> elastic_gas(int count, const ShapeOptions& shape, double stiffness,
   return gas;
 }
 
-/// Returns settings with tolerances near the rounding errors of the forces, some 1e-15 K_N times the size of the cell.
+/// Returns settings with tolerances near the rounding errors of the forces, which are about 1e-15 K_N times the size of
+/// the cell.
 template <int Dim>
 RelaxationOptions strict_options() {
   RelaxationOptions options = rigid_options();

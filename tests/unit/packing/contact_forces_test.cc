@@ -8,9 +8,9 @@
 namespace floc {
 namespace {
 
-/// Disks of radii 1 and 0.5 with K_N = 100, F0 = 2 with a tail of 0.05, K_T = 80, mu = 0.5, K_R = 3 and mu_R =
-/// 0.1. The second disk is at `distance` from the first one, in the direction (0.6, 0.8). The line between them
-/// crosses the cell boundary in x.
+/// Disks of radii 1 and 0.5 with K_N = 100, F0 = 2 with a tail of 0.05, K_T = 80, mu = 0.5, K_R = 3 and mu_R = 0.1. The
+/// second disk is at `distance` from the first, in the direction (0.6, 0.8). The line between them crosses the cell
+/// boundary in x.
 Packing<2> pair_at(double distance) {
   Packing<2> packing;
   packing.cell.matrix *= 10.0;

@@ -124,8 +124,7 @@ TEST(HiddenParts, OfBodiesAgreeWithRays) {
       std::vector<std::pair<double, double>> parts;
       add_hidden_parts(from, to, body, parts);
       for (const double t : {0.03, 0.21, 0.48, 0.74, 0.96}) {
-        // Smallest height above the surface on the ray from the point towards the eye, sampled in steps of
-        // 0.003.
+        // The smallest height above the surface on the ray from the point towards the eye, sampled in steps of 0.003.
         double least = 1e300;
         for (int k = 0; k < 1000; ++k)
           least = std::min(least, height_above(placed, from + t * (to - from) + Vec<3>(0.0, 0.0, 0.003 * k)));

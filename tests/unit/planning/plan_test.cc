@@ -242,7 +242,7 @@ TEST(PriceModelOfAScene, CostsAsMuchAsItsSofteningSays) {
   const double tenth = 0.3 + 0.7 / std::sqrt(10.0);
   EXPECT_NEAR(seconds(prices(), {"equilibrium.softening=10"}), 2.0 * tenth, 1e-9);
   EXPECT_NEAR(seconds(prices(), {"assembly.softening=10"}), 2.0 * (0.57 * tenth + 0.43), 1e-9);
-  // If the table has a row for a softening, the time in this row counts. For smaller softenings, the time is
+  // If the table has a row for a softening, the time in this row is used. For smaller softenings, the time is
   // interpolated by a power law.
   EXPECT_NEAR(seconds(soft_prices(), {"equilibrium.softening=10"}), 1.0, 1e-9);
   EXPECT_NEAR(seconds(soft_prices(), {"load.0.softening=10", "load.1.softening=10"}), 2.0 * (0.57 + 0.43 * 0.5),

@@ -20,7 +20,7 @@ namespace {
 using test::agitated_gas;
 using test::cohesive_law;
 
-/// Puts walls across the first `n_axes` axes of a gas, half of the largest diameter outside its cell.
+/// Puts walls across the first `n_axes` axes of a gas, outside its cell by half of the largest diameter.
 Packing<2> boxed(Packing<2> gas, int n_axes, const Law& wall_law) {
   for (int a = 0; a < n_axes; ++a) {
     gas.walls.push_back({a, -1, -0.5, 0.0, 20.0});

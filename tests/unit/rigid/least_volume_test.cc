@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kPressure = 2.0;
 
-/// Returns one box in a periodic cell, with gaps to its six neighbours and turned by a small angle.
+/// Returns one box in a periodic cell. The box is turned by a small angle, and there are gaps between it and its six
+/// neighbours.
 Packing<3> one_box(const Vec<3>& sides, double angle) {
   Packing<3> packing;
   packing.law = rigid_law(0.0);

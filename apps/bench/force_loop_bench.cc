@@ -24,6 +24,7 @@
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/grain_arrays.h"
 #include "floc/relaxation/interaction.h"
+#include "floc/relaxation/kernels/kernel_law.h"
 #include "floc/relaxation/pair_arrays.h"
 #include "floc/relaxation/relaxer.h"
 #include "floc/relaxation/row_sums.h"

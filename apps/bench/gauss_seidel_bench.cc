@@ -1,7 +1,7 @@
 // Benchmark of the sweeps of GaussSeidel over frictional contacts, in updates of contacts per second ("items"):
 //   floc_bench --benchmark_filter=sweeps
 // Grains on a lattice are pushed together; each grain touches some of its neighbours. The arguments are the number of
-// threads and whether the cell is under stress.
+// threads, whether the cell is under stress, and the approximate number of grains.
 
 #include <benchmark/benchmark.h>
 
@@ -31,8 +31,9 @@ class LatticeStep {
   /// @param general  whether the vectors from the centres to the contact points have a random component along
   /// the surface
   /// @param cell     whether the cell deforms under stress
-  LatticeStep(bool general, bool cell) : general_(general) {
-    const int side = Dim == 2 ? 55 : 15;
+  /// @param size     approximate number of grains
+  LatticeStep(bool general, bool cell, double size) : general_(general) {
+    const int side = static_cast<int>(std::lround(std::pow(size, 1.0 / Dim)));
     for (int n = 0, n_places = static_cast<int>(std::pow(side, Dim)); n < n_places; ++n) {
       Vec<Dim> place;
       for (int a = 0, rest = n; a < Dim; ++a, rest /= side) place[a] = rest % side;
@@ -96,7 +97,7 @@ class LatticeStep {
 
 template <int Dim, bool General>
 void sweeps(benchmark::State& state) {
-  Step<Dim> step = LatticeStep<Dim>(General, state.range(1) != 0).step();
+  Step<Dim> step = LatticeStep<Dim>(General, state.range(1) != 0, static_cast<double>(state.range(2))).step();
   GaussSeidel<Dim> solver(step.bodies, step.contacts, static_cast<int>(state.range(0)));
   solver.solve(0.0, 100);
   constexpr int kSweeps = 100;
@@ -114,7 +115,9 @@ void sweeps(benchmark::State& state) {
 }
 
 void arguments(benchmark::internal::Benchmark* benchmark) {
-  benchmark->ArgsProduct({{1, 2}, {0, 1}})->ArgNames({"threads", "cell"})->UseRealTime();
+  benchmark->ArgsProduct({{1, 2}, {0, 1}, {3000, 10000}})
+      ->ArgNames({"threads", "cell", "grains"})
+      ->UseRealTime();
 }
 BENCHMARK(sweeps<2, false>)->Name("sweeps_disks")->Apply(arguments);
 BENCHMARK(sweeps<2, true>)->Name("sweeps_2d_general")->Apply(arguments);

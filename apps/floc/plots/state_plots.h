@@ -13,7 +13,7 @@ namespace floc {
 struct ForceSample {
   std::string name;  ///< name in the legend
   ForceDistribution distribution;
-  /// Forces or moments from which `distribution` is computed, divided by the unit of force_sample().
+  /// Forces or moments, in multiples of the unit that force_sample() uses; `distribution` is computed from them.
   std::vector<double> forces;
 };
 

@@ -25,7 +25,7 @@ namespace floc {
 /// or two numbers of a model contradict each other.
 struct LawFault {
   std::string slot;      ///< key of the slot at fault, such as "friction"
-  std::string words;     ///< message with the key at fault, contact.SLOT..., and the requirement on its value
+  std::string words;     ///< message with the wrong key (contact.SLOT...) and the requirement on its value
   std::string key = {};  ///< key of the number at fault; empty if the fault is not a single number
 };
 

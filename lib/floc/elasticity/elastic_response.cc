@@ -197,7 +197,7 @@ std::optional<ElasticResponse> solve_by_approximate_inverse(
   const Condensation condensed = condense(springs, inverse, options);
   if (!condensed.converged) return std::nullopt;
   problem.answer.counted = false;
-  // an estimate of the condition number would need an exact factor
+  // an estimate of the condition number would need a complete factorization
   problem.answer.condition = std::numeric_limits<double>::quiet_NaN();
   const double norm = springs.on_free.cols() == 0 ? 0.0 : diagonal_of(springs).maxCoeff();
   return problem.take(condensed, norm);

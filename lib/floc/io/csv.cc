@@ -21,7 +21,8 @@ namespace {
 /// as 3.0, is accepted only up to this magnitude.
 constexpr double kExactIntegers = 9007199254740992.0;  // 2^53
 
-/// Returns the end of the error message about a wrong number of cells: a likely reason; empty if no reason is apparent.
+/// Returns a likely reason for a wrong number of cells, with which the error message ends. The text is empty if no
+/// reason is apparent.
 const char* count_hint(const std::vector<std::string>& cells, std::size_t n_columns, char separator) {
   const auto number = [](const std::string& cell) { return is_number(cell, false); };
   const bool may_be_decimal_commas =

@@ -65,8 +65,8 @@ class Springs final : public RelaxedSprings<Dim> {
       const double norm = std::sqrt(std::max(0.0, down.dot(inverse_->apply(down))));
       report.imbalance = whole > 0.0 ? norm / whole : 0.0;
       const int steps_before = report.n_steps;
-      // If there are motions that no spring resists, rounding leaves net forces on nodes, and further rounds do not
-      // reduce these forces.
+      // If there are motions that no spring resists, rounding errors leave net forces on nodes, and further
+      // iterations do not reduce these forces.
       const bool is_rounding =
           n_changed == 0 && report.imbalance < kRounding && report.imbalance > 0.5 * before;
       report.converged = report.imbalance <= settings_.tolerance || is_rounding;

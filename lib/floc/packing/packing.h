@@ -89,7 +89,7 @@ struct Grains {
   /// Returns the moment of inertia of a disk or sphere about its centre (mass * length^2).
   /// @pre are_round()
   double inertia(int i) const { return Ball<Dim>{radius[i]}.inertia(mass[i]); }
-  /// Returns the inertia tensor of grain i about its centre of mass, in the axes of space (mass * length^2).
+  /// Returns the inertia tensor of grain i about its centre of mass, in space-fixed axes (mass * length^2).
   Mat<kRotations<Dim>> inertia_tensor(int i) const;
 };
 

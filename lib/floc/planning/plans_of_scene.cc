@@ -72,7 +72,7 @@ PilotResult measured_pilot(const Scene& scene, const std::optional<double>& budg
   return pilot;
 }
 
-/// Describes the best plan in words, and names the errors that the promised errors do not include.
+/// Describes the best plan in words, and names the sources of error that the promised errors leave out.
 void tell_best(const Plan& best, const PriceModel& model, const PlanRequest& request,
                const PlansOfScene::Remark& tell) {
   tell(fmt::format(

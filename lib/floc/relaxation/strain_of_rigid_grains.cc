@@ -97,8 +97,8 @@ std::string ContactDynamicsRelaxer<Dim>::closed_cell() const {
   return "";
 }
 
-/// Makes the next kStrainingSteps time steps of the strain. When the strain is complete, the motion of rigid grains is
-/// recorded; elastic grains are stopped, and come to rest in the strained cell.
+/// Advances the strain by the next kStrainingSteps time steps. When the strain is complete, the motion of rigid grains
+/// is recorded. The velocities of elastic grains are set to zero, and these grains then relax in the strained cell.
 template <int Dim>
 RelaxationStatus ContactDynamicsRelaxer<Dim>::strain() {
   if (!closed_cell().empty()) {

@@ -47,16 +47,14 @@ struct ContactDynamicsSettings {
   /// removed in one step, and the velocities of all grains are set to zero whenever the grains, as a whole, reverse
   /// their motion. The grains then come to rest faster than if their velocities were set to zero before each step.
   bool at_once = false;
-  /// Not used.
-  bool plates = false;
 };
 
-/// Motion of grains in implicit time steps (contact dynamics; Moreau 1988, Jean 1999). In each step, the impulses of all
-/// contacts are such that the velocities at the end of the step satisfy Signorini's and Coulomb's conditions
-/// (gauss_seidel.h). If the contacts are elastic, the impulses satisfy their contact law for the overlaps at the end of
-/// the step (elastic_contacts.h). The time step is halved until no grain moves by more than 2e-2 of its diameter (5e-3
-/// for grains with corners on which a contact force acts) and no overlap is deeper than 1e-2 of the diameter of the
-/// smaller grain (0.1 if the contacts are elastic).
+/// Motion of grains in implicit time steps (contact dynamics; Moreau 1988, Jean 1999). In each step, the impulses of
+/// all contacts are such that the velocities at the end of the step satisfy Signorini's and Coulomb's conditions
+/// (gauss_seidel.h). If the contacts are elastic, the impulses satisfy their contact law for the overlaps at the end
+/// of the step (elastic_contacts.h). The time step is halved until no grain moves by more than 2e-2 of its diameter
+/// (5e-3 for grains with corners on which a contact force acts) and no overlap is deeper than 1e-2 of the diameter of
+/// the smaller grain (0.1 if the contacts are elastic).
 ///
 /// The contacts of the packing are all contact points whose gap could close within one step. The forces of the contacts
 /// are the impulses of the last step, divided by the time step. The initial impulses of the next step are computed from

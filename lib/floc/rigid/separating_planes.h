@@ -40,7 +40,7 @@ struct SeparatingPlane {
   Vec<3> branch;  ///< vector from the centre of i to the centre of the image of j, or to the wall (length)
   Vec<3> normal;  ///< unit normal, from i to j
   double offset;  ///< distance of the plane from the centre of i along the normal (length); not used for walls
-  Vec<3> centre;  ///< point about which the plane turns, from the centre of i (length)
+  Vec<3> centre;  ///< point about which the plane turns, relative to the centre of grain i (length)
   std::array<int, kPairUnknowns> unknown;  ///< index of each unknown of the pair, -1 if it is fixed
   /// Gap (length) and multiplier (force) of each vertex of i, then of each vertex of j.
   std::vector<double> gap, multiplier;
@@ -50,7 +50,7 @@ struct SeparatingPlane {
   double force(std::size_t n_first) const;
 };
 
-/// Vertices of all grains: the vectors from the centre of a grain to its vertices, in the axes of space. The only
+/// Vertices of all grains: the vectors from the centre of a grain to its vertices, in space-fixed axes. The only
 /// vertex of a sphere is its centre.
 class GrainVertices {
  public:

@@ -15,7 +15,7 @@ struct BodyMotion {
   /// Inverse mass of each body along each axis of space (1/mass). For a wall, only the component along the normal can
   /// differ from zero.
   std::vector<Vec<Dim>> inverse_mass;
-  /// inverse inertia tensor of each body in the axes of space (1/(mass length^2))
+  /// inverse inertia tensor of each body in space-fixed axes (1/(mass length^2))
   std::vector<Mat<kRotations<Dim>>> inverse_inertia;
   Vec<Dim> stretch = Vec<Dim>::Zero();  ///< rate of stretch L_aa of each axis of the cell (1/time)
   /// Inverse 1/M_a of the inertia of each rate of stretch; zero if the rate is imposed (1/(mass length^2)).

@@ -25,7 +25,7 @@ std::string contact_type_name(ContactType type);
 /// One contact point of two shapes.
 template <int Dim>
 struct ManifoldPoint {
-  /// Vector from the centre of the first shape to the point midway between the surfaces (length), in the axes of space.
+  /// Vector from the centre of the first shape to the point midway between the surfaces (length), in space-fixed axes.
   Vec<Dim> arm = Vec<Dim>::Zero();
   double gap = 0.0;  ///< distance between the surfaces along the normal (length); negative if they overlap
   /// Number that identifies the contact point from step to step, as long as the same two features (faces or edges) meet

@@ -50,8 +50,8 @@ ModuliRow described(const std::string& file, const State<Dim>& state) {
 /// Beginning of the message of require_elastic() for a state of rigid grains if --kn and --kt are not given.
 const std::string kNeedsStiffness = "without named stiffnesses --kn and --kt, moduli are computed";
 
-/// Requires a packing whose moduli can be computed. Its contacts must be elastic. For moduli with prestress of grains
-/// with corners, its boundaries must be periodic.
+/// Requires a packing whose moduli can be computed. Its contacts must be elastic. If its grains have corners and
+/// prestress is included, its boundaries must be periodic.
 template <int Dim>
 void require_stiffness(const Packing<Dim>& packing, bool prestress, const std::string& file) {
   require_elastic(packing, kNeedsStiffness, file);

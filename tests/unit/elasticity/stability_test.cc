@@ -49,7 +49,8 @@ TEST(Stability, CountsWhatTheModuliCountIn3D) {
 }
 
 /// Tests the method without factorization: it must find a negative eigenvalue if and only if the factorization counts
-/// at least one. The method cannot find negative eigenvalues that are closer to zero than its bound.
+/// at least one. The method could miss negative eigenvalues that are very close to zero, but these packings have
+/// none.
 template <int Dim>
 void expect_sign_of_the_inertia(int n_grains, double grains_per_volume) {
   StabilityOptions iterative;

@@ -14,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Returns moduli equal to coefficient (x - start)^exponent, with random relative errors.
+/// Returns the moduli `coefficient * (x - start)^exponent`, with random relative errors.
 std::vector<double> power_moduli(const std::vector<double>& x, double coefficient, double start,
                                  double exponent, double error, RandomStream& random) {
   std::vector<double> moduli;

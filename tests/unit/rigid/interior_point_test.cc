@@ -11,9 +11,9 @@
 namespace floc::test {
 namespace {
 
-/// Disk of radius 1 in a groove whose sides have the angle b, under a load (0, -W). Each of the two contacts is a block
-/// (P, T/mu) of the cone program, with the normal force P and the tangential force T. The rows of the program are the
-/// balance of forces along x and y and of moments.
+/// Disk of radius 1 in a groove whose sides are inclined by `angle` to the horizontal, under a load (0, -W). Each of
+/// the two contacts is a block (P, T/mu) of the cone program, with the normal force P and the tangential force T. The
+/// rows of the program are the balance of forces along x and y and of moments.
 struct Groove {
   double angle = std::numbers::pi / 3.0;
   double friction = 0.3;

@@ -32,7 +32,8 @@ std::map<std::string, std::string> files_of(const std::string& directory) {
   return files;
 }
 
-/// Renames the directory of a run, and puts `then` at its old name.
+/// Renames the directory of a run. Afterwards, its old path is what `then` says: free, an empty directory or another
+/// run.
 void take_away(const std::string& path, Then then) {
   fs::rename(path, path + "-renamed");
   if (then != Then::nothing) fs::create_directory(path);

@@ -142,8 +142,8 @@ struct KernelLawsOf<Dim, std::variant<Laws...>> : KernelLaws<Dim, std::variant<>
 template <class Law, int Dim, Partner partner = Partner::grain>
 using KernelLawOf = typename detail::KernelLawOf<Law, Dim, partner>::Type;
 
-/// Variant type of the kernel laws (contact laws with a compiled kernel) to which the alternatives of AnyContactLaw are
-/// completed, in 2D or in 3D.
+/// Variant type of the kernel laws in 2D or in 3D. A kernel law is a contact law with a compiled kernel; there is one
+/// for each alternative of AnyContactLaw.
 template <int Dim>
 using AnyKernelLaw = typename detail::KernelLawsOf<Dim, AnyContactLaw>::Type;
 

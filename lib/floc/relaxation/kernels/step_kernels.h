@@ -74,7 +74,7 @@ constexpr int row_size(RowKind kind) {
   return kind == RowKind::forces ? RowLayout<Dim, RowKind::forces>::kSize
                                  : RowLayout<Dim, RowKind::moments>::kSize;
 }
-/// Returns the place of the force in the row of a pair, in doubles from the beginning of the row.
+/// Returns the offset of the force from the beginning of the row of a pair, counted in doubles.
 template <int Dim>
 constexpr int force_in_row(RowKind kind) {
   return kind == RowKind::moments ? RowLayout<Dim, RowKind::moments>::kForce : 0;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "floc/base/error.h"
+#include "floc/base/interruption.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/grain_sizes.h"
 #include "floc/packing/law/contact_forces.h"
@@ -39,6 +40,9 @@ constexpr double kNearBalanceAngular = 3e-2;
 /// Number of steps of the phase `resting` between two searches for balanced forces. If the net forces are large, the
 /// next search begins only after twice this number of steps.
 constexpr int kStepsBetweenTrials = 50;
+/// Number of times that rounded polyhedra near a minimum of the volume make steps, with a search for balanced forces
+/// after each time.
+constexpr int kTrialsNearMinimum = 10;
 /// Number of steps of the phase `resting` after which the relaxation is given up.
 constexpr int kMostRestingSteps = 3000;
 /// To test whether a packing with balanced forces is stable, it moves freely for this number of steps.
@@ -119,8 +123,9 @@ RelaxationStatus ContactDynamicsRelaxer<Dim>::rest_in_steps() {
   return progress_.resting_steps >= kMostRestingSteps ? RelaxationStatus::gave_up : RelaxationStatus::running;
 }
 
-/// Moves polyhedra without friction to a minimum of P V, where their forces balance. After a failure, the grains move
-/// under the load again before the next search.
+/// Moves polyhedra without friction to a minimum of P V, where their forces balance. Rounded polyhedra are moved near a
+/// minimum, and then make steps until their forces balance. After a failure, the grains move under the load again
+/// before the next search.
 template <int Dim>
 RelaxationStatus ContactDynamicsRelaxer<Dim>::rest_at_least_volume() {
   if constexpr (Dim == 3) {
@@ -133,6 +138,11 @@ RelaxationStatus ContactDynamicsRelaxer<Dim>::rest_at_least_volume() {
     measure();
     progress_.obstacle = found.failure;
     if (found.failure.empty() && find_balanced_forces()) return RelaxationStatus::converged;
+    for (int k = 0; k < kTrialsNearMinimum && found.failure.empty() && found.is_near; ++k) {
+      check_interruption();
+      make_steps(kSteps);
+      if (find_balanced_forces()) return RelaxationStatus::converged;
+    }
     if (progress_.resting_steps < kMostRestingSteps) {
       start_moving();
       return RelaxationStatus::running;

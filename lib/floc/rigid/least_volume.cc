@@ -22,6 +22,9 @@ constexpr int kMostDescentSteps = 3000;
 /// first weight of 1e-5, the first minimum takes hundreds of steps and is often not found. With a first weight of 1e-3,
 /// the grains rearrange so far that the solid fraction grows by 0.01 (polyhedra, 20 and 200 grains).
 constexpr double kFirstWeight = 1e-4, kLastWeight = 1e-11, kNextWeight = 0.2;
+/// Value of kLastWeight for rounded grains. With a value of 1e-8, one more packing of eight (20 polyhedra with a
+/// rounding of 0.05) did not come to rest.
+constexpr double kLastWeightRounded = 1e-7;
 /// If the decrement of a Newton step (PlaneStep::decrement), divided by mu, is below kNearMinimum, mu is decreased. At
 /// the last mu, the minimum is reached if this ratio is below kAtMinimum. If mu were decreased earlier, steps at the
 /// smaller mu could be only a thousandth of a Newton step long.
@@ -64,12 +67,14 @@ class Descent {
 
   LeastVolume run() {
     LeastVolume out;
+    out.is_near = vertices_.are_rounded();
     if (!shrink()) {
       out.failure = "some grains overlap by more than half their size";
       return out;
     }
     const double unit = mean_stress() * packing_.cell.volume() / packing_.grains.size();
     mu_ = kFirstWeight * unit;
+    const double last_mu = (out.is_near ? kLastWeightRounded : kLastWeight) * unit;
     find_planes();
     int last_steps = 0;
     while (out.n_steps < kMostDescentSteps && last_steps < kMostLastSteps) {
@@ -81,7 +86,7 @@ class Descent {
         return out;
       }
       ++out.n_steps;
-      const bool is_last = mu_ <= kLastWeight * unit;
+      const bool is_last = mu_ <= last_mu;
       last_steps += is_last;
       if (is_last && step->is_convex && step->decrement < kAtMinimum * mu_) return out;
       if (is_last || !(step->decrement < kNearMinimum * mu_)) continue;

@@ -11,6 +11,8 @@ namespace floc {
 struct LeastVolume {
   int n_steps = 0;      ///< number of Newton steps
   std::string failure;  ///< reason why no minimum was found, as a sentence; empty if a minimum was found
+  /// Whether the forces are not exact yet, because the last weight mu was larger. This is so for rounded grains.
+  bool is_near = false;
 };
 
 /// Moves polyhedra without friction and adhesion to a local minimum of P V, with the pressure P and the volume V, among
@@ -22,6 +24,10 @@ struct LeastVolume {
 /// grain. The gaps g are smooth functions of the unknowns. The minimum of P V - mu sum log g is found for a sequence of
 /// decreasing mu, by Newton's method with the exact second derivatives (interior point method [NW2006]). The minimum is
 /// accepted if the matrix of second derivatives is positive definite, so that no motion decreases P V.
+///
+/// Where a rounded corner or edge touches an edge, only the curvature of the rounding fixes the direction of the plane.
+/// The equations are then so badly conditioned that rounding errors hide the sign of the second derivatives at a small
+/// mu. The search for rounded grains therefore ends near the minimum, at a larger mu.
 ///
 /// The contact points of two grains (manifold.h) cannot serve as constraints, because they belong to the closest
 /// features at the start of a step. If two faces are nearly parallel, one corner may be closest before a step and

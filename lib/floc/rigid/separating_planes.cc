@@ -111,6 +111,10 @@ GrainVertices::GrainVertices(const Grains<3>& grains) {
   }
 }
 
+bool GrainVertices::are_rounded() const {
+  return std::ranges::any_of(rounding_, [](double rounding) { return rounding > 0.0; });
+}
+
 void set_gaps(const GrainVertices& vertices, SeparatingPlane& plane) {
   plane.gap.clear();
   const double distance = plane.is_wall ? plane.normal.dot(plane.branch) : plane.offset;

@@ -60,6 +60,8 @@ class GrainVertices {
   }
   /// Returns the radius of the rounding of a grain (length).
   double rounding(int grain) const { return rounding_[grain]; }
+  /// Returns whether some grain is rounded.
+  bool are_rounded() const;
 
  private:
   std::vector<Vec<3>> vertex_;

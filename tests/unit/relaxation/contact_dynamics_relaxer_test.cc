@@ -84,6 +84,15 @@ TEST(ContactDynamicsRelaxer, FrictionlessPolyhedraBalanceWithEveryFinish) {
   }
 }
 
+TEST(ContactDynamicsRelaxer, RoundedPolyhedraComeToRestWithoutFriction) {
+  for (const double rounding : {0.05, 0.15}) {
+    SCOPED_TRACE(rounding);
+    ShapeOptions shape = cut_stones();
+    shape.rounding = rounding;
+    expect_at_rest(relaxed<3>(make_rigid_gas<3>({.count = 12, .shape = shape})));
+  }
+}
+
 /// Removes the forces of a packing and computes canonical forces from its positions alone. These must equal the
 /// canonical forces at the end of the relaxation.
 TEST(ContactDynamicsRelaxer, CanonicalForcesDependOnPositionsAlone) {

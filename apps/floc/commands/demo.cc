@@ -70,6 +70,8 @@ void print_laws(const std::string& directory, const std::string& tables) {
 }
 
 int run_demo(const std::string& directory) {
+  // The directory `tables` is used only after the run, but shipped() looks for this directory now: if it is missing,
+  // the demonstration fails before the run and not after it.
   const std::string scene = shipped("scenes/demo.toml"), tables = shipped("tables/consolidation");
   const auto began = std::chrono::steady_clock::now();
   const std::string picture = directory + "/forces.svg", page = directory + "/report.html";
@@ -91,6 +93,9 @@ int run_demo(const std::string& directory) {
   }
   if (code == kDone)
     code = step("A report of the whole run on one page", {"report", directory, "-o", page}, false);
+  // A signal may end a child with the exit code 143 (128 plus the number of SIGTERM), but a child that has just
+  // finished its work returns kDone. The demonstration was interrupted in both cases, so the exit code of the child
+  // does not matter.
   if (was_signalled()) return kInterrupted;
   if (code == kDone)
     fmt::print(stderr,

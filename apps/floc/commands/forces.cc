@@ -69,6 +69,8 @@ Command add_forces(CommandLine program) {
          "largest gap across which pairs of grains may carry a force, in units of the smallest diameter [only "
          "the contacts of the state carry forces]")
       .within(kNearGap);
+  // A range is a pair of numbers for each contact, but the table on stdout has one row for each state. The ranges are
+  // therefore written only to the file of --contacts, and the options for ranges need this file.
   const auto table =
       app.add_option("--contacts", command->contacts,
                      "csv file to write: contacts with their forces, in the format of floc convert "
@@ -77,6 +79,7 @@ Command add_forces(CommandLine program) {
                "add to the file of --contacts the smallest and the largest normal force that each contact can "
                "carry while all forces balance")
       .needs(table);
+  // The option --range-of does not need --range: run_forces() computes ranges if either option is given.
   app.add_option("--range-of", command->options.range_of,
                  "compute the ranges of --range only for the contacts with these numbers, separated "
                  "by commas; numbers count from 0 in the order of the file of --contacts")

@@ -51,6 +51,8 @@ Command add_plan(CommandLine program) {
       "Choose the number of grains, the number of samples and the numerical settings of a "
       "scene for a given budget or for given errors");
   const auto arguments = std::make_shared<PlanCommand>();
+  // The scene is not a required argument, because --check needs only a directory. The function that runs the command
+  // checks that one of the two is given.
   app.add_option("SCENE", arguments->plan.scene, "scene file (TOML)");
   const Option budget =
       app.add_option("--budget", arguments->plan.budget,
@@ -94,6 +96,7 @@ Command add_plan(CommandLine program) {
             if (!arguments->check.empty()) return check_plan_of(*arguments);
             if (arguments->plan.scene.empty())
               throw InputError("floc plan", "expected a scene file, or --check DIR");
+            // A message about the scene may lack the name of the scene file. fault_of() adds this name.
             const Fault fault = fault_of(arguments->plan.scene, [&] { return make_plan(*arguments); });
             if (!fault.message.empty()) spdlog::error("floc: {}", fault.message);
             return fault.code;

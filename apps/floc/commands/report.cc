@@ -165,11 +165,15 @@ ReportedRun<Dim> read_run(const std::string& directory) {
   run.directory = directory;
   run.path = read_path(table_of_run(directory), {});
   run.files = states_of_run(directory);
+  // Row k of path.csv must describe state file k, because shown_states() selects rows of the table and the loop below
+  // reads the files with the same numbers. After an interrupted run, the numbers of rows and files may differ.
   if (run.files.size() != run.path.rows.size())
     throw InputError(directory,
                      fmt::format("this directory has {} state files, but its path.csv has {} rows: expected "
                                  "one row per state file (floc run --resume completes an unfinished run)",
                                  run.files.size(), run.path.rows.size()));
+  // The kind of the contacts must be known before the loop over the states, because the choice of the shown states
+  // depends on it.
   run.is_rigid = is_rigid_state(run.files.front());
   const std::set<std::size_t> shown = shown_states(run.path, run.is_rigid);
   for (std::size_t k = 0; k < run.files.size(); ++k) {

@@ -131,6 +131,7 @@ Command add_scene(CommandLine program) {
           "NAME", arguments->name,
           "name of the scene file, without .toml (the content does not depend on it); - writes to stdout")
       .required();
+  // Because of require_one_subcommand(), a command line without the subcommand `check` has the subcommand `new`.
   return {app, [arguments, check] {
             return check.parsed() ? check_scene(*arguments) : start_scene(arguments->name);
           }};

@@ -74,6 +74,8 @@ TableValue softening_cell(const TradeoffRow& row, double Softening::*part) {
 
 const std::vector<Column<TradeoffRow>>& tradeoff_columns() {
   using Row = TradeoffRow;
+  // The order of the columns matters: in the format "table", print_tradeoff() prints only the first eleven columns,
+  // from knob to pareto, if the user has chosen no columns. A new column must not be inserted among them.
   static const std::vector<Column<Row>> columns = {
       {"knob", [](const Row& r) { return r.setting.setting.parameter; }},
       {"value", [](const Row& r) { return r.setting.setting.value; }},
@@ -209,6 +211,7 @@ Command add_tradeoff(CommandLine program) {
          "time_step, softening, ... [all]")
       .delimiter(',')
       .one_argument_each();
+  // The variable of this option has no default value: the lattice is studied only if the variable has a value.
   app.add_option("--lattice", command->matrix_content,
                  "volume fraction of a matrix that cements the grains of the last state; the lattice of floc "
                  "lattice is then studied instead of the states")

@@ -119,6 +119,8 @@ std::pair<double, double> value_range(const Plot& plot, const std::vector<int>& 
 std::string range_script(const Plot& plot, const std::string& axis, const std::vector<int>& blocks, int column,
                          bool logarithmic) {
   const auto [low, high] = value_range(plot, blocks, column, logarithmic);
+  // Without any finite value, `low` is infinite and larger than `high`. If all values are equal, the range would have no
+  // width. In both cases gnuplot chooses the range itself.
   if (!(low < high)) return "";
   const double factor = std::pow(10.0, 0.1);
   const double margin = 0.05 * (high - low);
@@ -128,6 +130,8 @@ std::string range_script(const Plot& plot, const std::string& axis, const std::v
 
 std::string value_and_error(double value, double error) {
   if (!(error > 0.0) || !std::isfinite(error)) return fmt::format("{:.3g}", value);
+  // The first significant digit of the error e is at the decimal -floor(log10(e)), and the second digit is at the next
+  // decimal. An error of 100 or more would give a negative number of decimals, so the number is at least 0.
   const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 12);
   return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, error, decimals);
 }
@@ -148,6 +152,8 @@ void write_plot(const std::string& file, const Plot& plot) {
   const fs::path script = fs::path(picture).replace_extension(".gp");
   write_bytes_atomically(data.string(), data_of(plot));
   write_bytes_atomically(script.string(), script_of(plot, picture, data));
+  // gnuplot draws to a temporary file: if gnuplot fails or is interrupted, an older picture with the final name does
+  // not change.
   const TransientFile drawn(file + ".drawn"), words(file + ".words");
   run_gnuplot(script, drawn.path(), words.path());
   std::string bytes = read_file(drawn.path());

@@ -64,6 +64,8 @@ PackingPicture<Dim> picture_of(const std::string& file, const State<Dim>& state,
       picture = grains_of(state.packing);
       break;
   }
+  // The coordination number z = 2 n_contacts/N (n_contacts: number of contacts between grains that touch, N: number of
+  // grains) also counts contacts without a force. The second argument of coordination() does not change z.
   picture.caption = {pressure_text(state), fmt::format("Φ = {:.4f}", solid_fraction(state.packing)),
                      fmt::format("z = {:.2f}", coordination(state.packing, 0.0).z)};
   return picture;

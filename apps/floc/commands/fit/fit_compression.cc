@@ -95,6 +95,8 @@ Command add_fit_compression(CommandLine fit) {
   app.add_option("--D0", arguments->fit.fit.D0,
                  "solid fraction D0 of the powder without pressure, for the laws that have it [fitted]")
       .positive();
+  // The value of --phi-limit is read as text, because it may be the word none. phi_limit_of() converts this text after
+  // the parsing.
   app.add_option("--phi-limit", arguments->phi_limit,
                  "largest solid fraction to which a law may tend at high pressure, or none for no bound [1]");
   add_columns_option(app, arguments->columns, "P, P_star, phi, void_ratio, branch");

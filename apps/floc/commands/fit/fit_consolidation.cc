@@ -188,6 +188,8 @@ int fit_tables(ConsolidationArguments arguments) {
       parse_column_names(arguments.columns, names_with_densities({"P_star", "branch"}), printing);
   std::vector<ConsolidationSample> read;
   std::optional<PathTable> first;
+  // All samples are read before the first fit, because the mean of the samples is also fitted. The mean needs all
+  // pressures in one unit: `first` keeps the unit of the first sample.
   int code = for_each_table(arguments.inputs, [&](const std::string& file) {
     read.push_back(read_sample(file, columns, arguments, first));
     return static_cast<int>(kDone);

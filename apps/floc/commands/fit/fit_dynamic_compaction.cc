@@ -41,6 +41,8 @@ std::vector<CompactedSample> read_samples(const CsvTable& table, const ColumnNam
 
 /// Prints on stderr which samples were fitted, and for each parameter the parts of its standard error.
 void log_fit(const std::string& name, const CompactionFit& fit) {
+  // The warnings precede the reason of a failure: they may tell that samples are left out, and these samples may be the
+  // reason why too few samples remain for a fit.
   for (const std::string& warning : fit.warnings) spdlog::warn("{}: warning: {}", name, warning);
   if (!fit.found()) {
     spdlog::warn("{}: the law of dynamic compaction cannot be fitted: {}", name, fit.failure_reason);
@@ -56,6 +58,8 @@ void log_fit(const std::string& name, const CompactionFit& fit) {
       "ratio e {:.3g}",
       name, fit.used.size(), ranges(fit.used), flagged, fit.rms);
   std::vector<std::string> budget;
+  // The standard error s of a parameter has three parts with s^2 = s_scatter^2 + s_law^2 + s_plateau^2. limit_of()
+  // names the largest part, because s decreases much only if this part decreases.
   for (const CompactionErrorParts& parts : fit.error_parts)
     budget.push_back(fmt::format(
         "{}: {:.2g} from the scatter, {:.2g} from the law and {:.2g} from the choice of the samples "

@@ -60,6 +60,8 @@ int fit_strength(const StrengthArguments& arguments) {
   StrengthOptions options;
   options.critical_from = arguments.critical_from;
   options.modulus_range = modulus_range(arguments.modulus);
+  // The tests of all tables are read before any test is evaluated, because strength_fits() also evaluates all tests of
+  // one kind together: a Mohr-Coulomb line needs tests under different lateral stresses.
   std::vector<StrengthTest> tests;
   const auto read = [&](const std::string& file) {
     std::vector<StrengthTest> found = read_strength_tests(file, columns, kind_of_test(arguments.kind));
@@ -74,6 +76,7 @@ int fit_strength(const StrengthArguments& arguments) {
     return static_cast<int>(kDone);
   };
   int code = for_each_table(arguments.inputs, read, tables_of_tests);
+  // Without a test, nothing is printed on stdout: an empty table would look like a result.
   if (tests.empty()) return code;
   const std::vector<StrengthFit> fits = strength_fits(std::move(tests), options);
   code = worse(code, log_fits(fits));
@@ -105,6 +108,8 @@ Command add_fit_strength(CommandLine fit) {
                  "alone, one "
                  "sample at failure in each row; - for a table on stdin")
       .required();
+  // This option has no fixed default. If it is not given, read_strength_tests() recognizes simple shear by the columns
+  // sigma_n and tau. Any other table with strains is then a drained test, unless `floc run` has written it.
   app.add_option("--kind", arguments->kind,
                  "kind of the test in tables that were not written by `floc run`: drained, undrained (sigma1 "
                  "and sigma3 are effective stresses), oedometer or simple-shear [simple-shear for tables with "
@@ -114,6 +119,8 @@ Command add_fit_strength(CommandLine fit) {
                  "axial strain at which the critical state begins [three quarters of the strain of "
                  "the test]")
       .positive();
+  // The command line checks only that there are two numbers. modulus_range() checks later that LOW is positive and less
+  // than HIGH.
   app.add_option("--modulus", arguments->modulus,
                  "LOW,HIGH: axial stresses between which the constrained modulus is computed [half of "
                  "the largest stress to the largest stress]")

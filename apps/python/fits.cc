@@ -88,6 +88,7 @@ py::object consolidation(const py::list& samples, const ColumnNames& columns, co
   arguments.protocol = word_of("protocol", protocol, {"", "published"});
   arguments.window = window_of(window);
   arguments.P0 = number_if_any("P0", P0, kPositiveNumber).value_or(0.0);
+  // The argument P0 also determines a window: fit_of() would replace the window of the user without a message.
   if (!P0.is_none() && !window.is_none())
     throw InputError("P0",
                      "this argument cannot be combined with the argument window: expected only one of them");
@@ -98,6 +99,8 @@ py::object consolidation(const py::list& samples, const ColumnNames& columns, co
   arguments.seed = seed_of("seed", seed);
   arguments.stress = word_of("stress", stress, {"driven", "mean"});
   arguments.phi_limit = phi_limit_of(phi_limit);
+  // Only a thread that holds the global interpreter lock may use Python objects. All arguments are therefore converted
+  // before without_gil() releases the lock.
   const Inputs inputs = inputs_of(samples, columns);
   return to_python(without_gil([&] {
     const ConsolidationOptions options = consolidation_options(arguments);
@@ -127,6 +130,8 @@ py::object compression(const py::list& samples, const ColumnNames& columns, cons
   const Inputs inputs = inputs_of(samples, columns);
   return to_python(without_gil([&] {
     Json array = Json::array();
+    // phi_limit() differs from the member fit.phi_limit: it is infinite for densities measured in the die, where
+    // elastic strain may take the solid fraction beyond 1.
     for (const PathTable& path :
          tables_of(inputs, {"P_star", "P"}, OedometerPressure::driven, arguments.phi_limit())) {
       const CompressedPath compressed = compression_fits(path, arguments);
@@ -173,6 +178,7 @@ py::object fit_moduli(const std::vector<std::string>& files, const ColumnNames& 
     std::vector<ModulusFit> fits;
     for (const std::string& file : files)
       for (ModulusFit& fit : modulus_fits(file, columns, options).fits) fits.push_back(std::move(fit));
+    // The means are computed after all files have been fitted, because a mean is taken over the samples of all files.
     for (ModulusFit& mean : pooled_over_samples(fits)) fits.push_back(std::move(mean));
     Json array = Json::array();
     for (const ModulusFit& fit : fits) array.push_back(as_json(fit));
@@ -193,6 +199,8 @@ py::object strength(const std::vector<std::string>& inputs, const ColumnNames& c
   const TestKind of_tables =
       kind_of_test(word_of("kind", kind, {"drained", "undrained", "oedometer", "simple-shear"}));
   return to_python(without_gil([&] {
+    // The tests of all tables are collected first, because strength_fits() also evaluates all tests of one kind
+    // together, for example to fit a Mohr-Coulomb line to tests under different lateral stresses.
     std::vector<StrengthTest> tests;
     for (const std::string& input : inputs)
       for (const std::string& table : tables_of_tests(input))

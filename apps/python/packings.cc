@@ -203,6 +203,7 @@ class ContactArrays {
     if (id1.ndim() != 1) throw InputError(name_, "id1 has shape " + shape_of(id1) + ", expected (n,)");
     const py::ssize_t n = id1.shape(0);
     require_shape(name_ + ": id2", id2, n, -1);
+    // All contacts share one copy of this word. A copy in every contact would use much more memory.
     const auto before = std::make_shared<const std::string>(name_ == "bonds" ? "bond " : "contact ");
     std::vector<ListedContact> contacts(static_cast<std::size_t>(n));
     for (py::ssize_t c = 0; c < n; ++c) {
@@ -211,6 +212,8 @@ class ContactArrays {
       contact.id1 = id1.data()[c];
       contact.id2 = id2.data()[c];
     }
+    // The images are set before the walls, because set_walls() removes the image of a contact with a wall: walls have
+    // no periodic images.
     set_images(contacts);
     set_walls(contacts);
     vectors("force", &ListedContact::force, contacts);

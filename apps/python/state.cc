@@ -289,6 +289,8 @@ void bind_words(py::class_<NamedState>& bound) {
       .def_property_readonly("path", property([](const py::object&, const auto& s) { return path_of(s); }))
       .def_property_readonly("shapes",
                              property([](const py::object&, const auto& s) { return shapes_of(s.packing); }))
+      // For disks and spheres, the vectors `shape` and `scale` are empty. Arrays without elements would have another
+      // length than the array of radii, so these properties are None.
       .def_property_readonly("shape", property([](const py::object&, const auto& s) -> py::object {
                                if (s.packing.grains.are_round()) return py::none();
                                return copied_array(s.packing.grains.shape);

@@ -68,6 +68,8 @@ py::object to_python(const TableValue& value) {
     py::object operator()(bool flag) const { return py::bool_(flag); }
     py::object operator()(std::int64_t whole) const { return py::int_(whole); }
     py::object operator()(double number) const {
+      // A number that is not finite stands for an undefined value. write_json() writes null for it, and Python gets
+      // None, so that a result has the same value in a file and in Python.
       if (!std::isfinite(number)) return py::none();
       return py::float_(number);
     }
@@ -84,6 +86,7 @@ py::object to_python(const Json& json) {
     case Json::value_t::number_unsigned:
       return py::int_(json.get<std::int64_t>());
     case Json::value_t::number_float:
+      // The conversion to TableValue replaces a number that is not finite by None.
       return to_python(TableValue{json.get<double>()});
     case Json::value_t::string:
       return py::str(json.get<std::string>());

@@ -328,12 +328,18 @@ void part(HardGrains<Dim>& hard, const std::vector<double>& diameter) {
     bool any = false;
     for (int i = 0; i < static_cast<int>(diameter.size()); ++i) {
       overlapping.clear();
+      // The overlapping grains are listed before any of them is moved: a move changes the lists of grains in the bins,
+      // and visit_near() iterates over these lists.
       hard.visit_near(i, hard.position()[i], [&](int j, const Vec<Dim>& r) {
         if (2.0 * r.norm() < diameter[i] + diameter[j]) overlapping.push_back(j);
         return true;
       });
+      // The final positions depend on the order of the pushes. visit_near() finds the grains in an order that depends
+      // on the grid of bins and on earlier moves. The order of the numbers of the grains depends on neither of them.
       std::sort(overlapping.begin(), overlapping.end());
       for (const int j : overlapping) {
+        // The distance d = |r| is computed again, because earlier pushes may have moved both grains. If d is less than
+        // the wanted distance w, each grain moves by (w - d)/2 along r, away from the other.
         const Vec<Dim> r = hard.nearest_image(hard.position()[j] - hard.position()[i]);
         const double distance = r.norm(), wanted = 0.5 * kParted * (diameter[i] + diameter[j]);
         if (distance >= wanted) continue;

@@ -112,7 +112,10 @@ int state_at(double P_star, const StateChoice& choice, const CampaignCase& one, 
     const std::optional<double>& reached = choice.is_driven ? state.P_driven_star : state.P_star;
     if (!reached || (!choice.branch.empty() && state.branch != choice.branch)) continue;
     there.push_back(fmt::format("{:.4g}", *reached));
+    // Equal pressures are compared first: for two pressures of 0, the relative difference would be 0/0.
     const double off = *reached == P_star ? 0.0 : std::abs(*reached / P_star - 1.0);
+    // A load path may reach a pressure several times, for example again during unloading. The first of these states is
+    // chosen; the user can select a later one by its branch.
     if (off > smallest || (best >= 0 && off == smallest)) continue;
     best = k;
     smallest = off;

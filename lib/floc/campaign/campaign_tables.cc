@@ -167,16 +167,21 @@ Table collected_runs(const Campaign& campaign, const std::vector<CasePlan>& plan
   Table table{joined(with_case_columns(campaign, {"seed", "step", "branch", "P_star"}), columns), {}};
   for (const CampaignRun& run : runs_of(campaign)) {
     const std::string place = directory + "/" + run.directory;
+    // Runs that failed or have not ended are left out, so that the results of the other runs can be collected.
     if (!is_done(outcome_of(place))) continue;
     const CampaignCase& one = campaign.cases[static_cast<std::size_t>(run.case_number)];
     const CasePlan& plan = plans[static_cast<std::size_t>(run.case_number)];
     const CsvTable path = CsvTable::read(place + "/path.csv");
+    // The plan gives the numbers of the states to collect, and these numbers are used as row numbers of path.csv. With
+    // another number of rows, a number may denote another state than the user has selected.
     if (path.n_rows() != static_cast<int>(plan.states.size()))
       throw InputError(
           path.place(),
           fmt::format("this run has {} states, but the plan of the campaign has {}: run floc campaign "
                       "plan again, with another directory if the scene has changed",
                       path.n_rows(), plan.states.size()));
+    // Each collection may select other states. The map joins the cells of all collections by state, so that each state
+    // has one row.
     std::map<int, StateCells> states;
     for (int k = 0; k < static_cast<int>(campaign.collections.size()); ++k)
       collect(campaign, k, chosen_states(campaign.collections[static_cast<std::size_t>(k)].states, one, plan),

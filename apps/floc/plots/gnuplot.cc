@@ -119,8 +119,8 @@ std::pair<double, double> value_range(const Plot& plot, const std::vector<int>& 
 std::string range_script(const Plot& plot, const std::string& axis, const std::vector<int>& blocks, int column,
                          bool logarithmic) {
   const auto [low, high] = value_range(plot, blocks, column, logarithmic);
-  // Without any finite value, `low` is infinite and larger than `high`. If all values are equal, the range would have no
-  // width. In both cases gnuplot chooses the range itself.
+  // Without any finite value, `low` is infinite and larger than `high`. If all values are equal, the range would have
+  // no width. In both cases gnuplot chooses the range itself.
   if (!(low < high)) return "";
   const double factor = std::pow(10.0, 0.1);
   const double margin = 0.05 * (high - low);

@@ -192,6 +192,9 @@ struct ContactLaw {
       response.elastic = repulsion.force(pair);
       response.stiffness = repulsion.stiffness(pair);
     }
+    // A law that is stiffer in unloading than in loading declares its stiffness for small reversible motions by
+    // elastic_stiffness(), because elastic moduli must not depend on the direction of the last motion. A law without
+    // this function counts as equally stiff in both directions.
     response.elastic_stiffness = response.stiffness;
     if constexpr (requires { repulsion.elastic_stiffness(pair, history); })
       response.elastic_stiffness = repulsion.elastic_stiffness(pair, history);
@@ -200,6 +203,9 @@ struct ContactLaw {
       response.shear_stiffness = repulsion.shear_stiffness(pair);
     if constexpr (requires { repulsion.attraction(pair, history); })
       response.adhesive = repulsion.attraction(pair, history);
+    // The adhesion changes `stiffness` and `elastic_stiffness`, because both are derivatives of the whole normal force.
+    // For the attraction of a normal law, nothing is added: a normal law that attracts by itself returns the stiffness
+    // of its whole force.
     if constexpr (kHoldsLiquid) {
       response.adhesive = adhesion.force(pair, parameters);
       add_stiffness(adhesion.stiffness(pair, parameters), response);

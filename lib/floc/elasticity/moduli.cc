@@ -142,6 +142,8 @@ void add_warnings(Moduli& m) {
         fmt::format("{} mechanism(s) change the strain of the cell without resistance: the moduli along these "
                     "strains are zero",
                     m.n_coupled_mechanisms));
+  // `n_mechanisms` also counts the coupled mechanisms, which the first warning reports. Only the other mechanisms leave
+  // the moduli unchanged.
   if (m.n_mechanisms > m.n_coupled_mechanisms)
     m.warnings.push_back(fmt::format("{} mechanism(s) do not couple to strain; they do not affect the moduli",
                                      m.n_mechanisms - m.n_coupled_mechanisms));
@@ -152,6 +154,8 @@ void add_warnings(Moduli& m) {
     m.warnings.push_back(fmt::format(
         "{} contact(s) are mobilised (their force is at its limit); the moduli treat them as elastic",
         m.n_mobilised));
+  // The condition number is infinite if the stiffness matrix is singular; the warnings above then report mechanisms.
+  // The condition number is NaN if the method of solution does not estimate it.
   if (std::isfinite(m.condition) && m.condition > kWarnCondition)
     m.warnings.push_back(
         fmt::format("the stiffness matrix has a condition number of {:.1e}: soft modes dominate the moduli; "

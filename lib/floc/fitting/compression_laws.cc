@@ -70,6 +70,8 @@ std::optional<Solution> solve(const CompressionPoints& points, const Compression
   if (kLimit >= 0 && std::isfinite(options.phi_limit))
     limits.push_back({kLimit, -kInfinity, std::log(options.phi_limit)});
   std::optional<LeastSquaresSolution> best;
+  // The sum of squares may have several local minima, and the solver finds only one of them from each start. The fit is
+  // the smallest of these minima.
   for (Eigen::VectorXd start : starts_of<Model>(points, options.D0)) {
     for (const ParameterLimits& limit : limits)
       start[limit.parameter] = std::min(start[limit.parameter], limit.high);
@@ -81,12 +83,16 @@ std::optional<Solution> solve(const CompressionPoints& points, const Compression
   if (!best) return std::nullopt;
   Solution solution{best->theta, best->residuals, {}, best->sum_of_squares, Model::kParameters - (held == 0),
                     false};
+  // minimize() returns no Jacobian if a parameter is held, so the Jacobian is computed here in all cases.
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows(points.P.size(),
                                                                               Model::kParameters);
   Eigen::VectorXd values(points.P.size());
   DifferentiatedResiduals(residuals).evaluate(solution.theta.data(), values.data(), rows.data());
   solution.jacobian = rows;
   if (held == 0) solution.jacobian.col(0).setZero();
+  // The bound, and not the data, determines the value of a coordinate at its bound, so that the Jacobian gives no
+  // standard error of this value. With a column of zeros, the coordinate counts as a given number in the errors of the
+  // other coordinates.
   constexpr double kAtBound = 1e-9;
   if (!limits.empty() && solution.theta[kLimit] > limits.front().high - kAtBound) {
     solution.jacobian.col(kLimit).setZero();
@@ -191,6 +197,8 @@ CompressionFit refused(CompressionLaw law, std::string why) {
 
 template <class Model>
 CompressionFit fit_model(CompressionLaw law, const CompressionPoints& all, const CompressionOptions& options) {
+  // The corrected Akaike criterion of n points and k parameters has the denominator n - k - 1, where k includes the
+  // variance. With kParameters + 3 points, this denominator is at least 1.
   const auto least = Model::kParameters + 3;
   if (all.P.size() < least)
     return refused(law, fmt::format("there are {} pressures, but this law needs {}", all.P.size(), least));
@@ -198,6 +206,8 @@ CompressionFit fit_model(CompressionLaw law, const CompressionPoints& all, const
   if (!whole) return refused(law, "no parameters of this law describe the data");
   CompressionFit fit{};
   fit.law = law;
+  // Akaike criteria can be compared only between fits to equal points. The criterion therefore belongs to the fit to
+  // all points, even if the parameters are those of the straight part.
   fit.aicc = aicc_of(*whole, all.P.size());
   const auto [first, n] =
       law == CompressionLaw::heckel ? straight_part(all) : std::pair{0, static_cast<int>(all.P.size())};
@@ -208,6 +218,9 @@ CompressionFit fit_model(CompressionLaw law, const CompressionPoints& all, const
   fit.n_points = n;
   const int dof = n - solution->n_free;
   fit.rms = std::sqrt(solution->residuals.cwiseQuotient(part.weight).squaredNorm() / n);
+  // The pattern of all residuals shows whether the law describes the whole curve. The variance factor, in contrast,
+  // widens the intervals of the parameters, so that the factor is computed from the points that determine the
+  // parameters.
   fit.pattern = pattern_of(*whole);
   fit.parameters = parameters_of<Model>(*solution, pattern_of(*solution).variance_factor(), dof);
   mark_given(options, *solution, fit);

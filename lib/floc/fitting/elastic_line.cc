@@ -176,10 +176,14 @@ ElasticFit fit_elastic(const std::vector<double>& P, const std::vector<double>& 
   const Eigen::VectorXd y = Eigen::Map<const Eigen::ArrayXd>(phi.data(), n).log();
   const bool is_line = falls_as_a_whole(x, y) && !is_curved(x, y);
   const std::optional<FittedPart> part = is_line ? line_through(x, y, 0, n) : straight_part(x, y);
+  // A curved branch without a straight part is reported with its secant moduli and without B, if its solid fraction
+  // falls with the pressure. Otherwise there is nothing to report, because an elastic modulus is positive.
   if (!part && !falls_as_a_whole(x, y)) {
     fit.failure_reason = "the branch is not elastic: its solid fraction does not fall as the pressure falls";
     return fit;
   }
+  // If the pressure falls along the branch, the two lowest pressures are at the end of the branch. The secant moduli
+  // must be set before fit_curved(), whose warning may contain them.
   const bool falls = x[0] > x[n - 1];
   fit.secant_low = secant(x, y, falls ? n - 2 : 0);
   fit.secant_high = secant(x, y, falls ? 0 : n - 2);

@@ -167,6 +167,8 @@ bool is_elastic(const LawPoints& points, double information) {
 std::optional<Regimes> find_segments(const LawPoints& points, bool bends) {
   const int n = points.size();
   std::vector<Division> divisions = divisions_with_two(points);
+  // The third part of a division describes the bend. Without a bend, only those divisions remain in which regime II
+  // extends to the last point.
   if (!bends) std::erase_if(divisions, [n](const Division& d) { return d.upper_begin < n; });
   const auto less = [](const Division& a, const Division& b) { return a.information < b.information; };
   const auto best_with = std::min_element(divisions.begin(), divisions.end(), less);
@@ -181,10 +183,14 @@ std::optional<Regimes> find_segments(const LawPoints& points, bool bends) {
     regimes.all_in_one = true;
     return regimes;
   }
+  // Only divisions of the chosen kind count for the positions of the changes, because a position has different meanings
+  // in the two kinds: without regime II, the recompression line ends where regime III begins.
   const std::vector<Division>& of_kind = has_two ? divisions : without;
   regimes.n_plateau = best.lower_end;
   regimes.end_of_two = best.upper_begin;
   const ChangePoint end = change_of(of_kind, n, best.lower_end, [](const Division& d) { return d.lower_end; });
+  // If high95 is 0, regime II or III begins at the first point with a probability of at least 95 %. In this case there
+  // is no recompression line that could end.
   if (end.high95 > 0) regimes.plateau_end = end;
   if (best.upper_begin < n)
     regimes.onset_three =

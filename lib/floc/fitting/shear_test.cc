@@ -84,13 +84,19 @@ ShearTest evaluate_shear_test(const TestPoints& points, const ShearTestOptions& 
                      held_at("strain_peak", curve.strain[peak])};
   if (options.undrained) {
     const double rise = deviator(points[peak]) - deviator(points.front());
+    // In an undrained test the mean stress changes, so that the deviator may be largest at another point than the
+    // mobilised friction. The undrained strength is half of the largest deviator, and not half of the deviator at the
+    // peak of the mobilised friction.
     const auto strongest = std::max_element(
         points.begin(), points.end(), [](const auto& a, const auto& b) { return deviator(a) < deviator(b); });
     test.parameters.push_back(held_at("undrained_strength_peak", 0.5 * deviator(*strongest)));
+    // The pore pressure coefficient is A = (sigma_3 at the start - sigma_3 at the peak) divided by the rise of the
+    // deviator. A rise of zero or less would give a number without meaning.
     if (rise > 0.0)
       test.parameters.push_back(held_at("pore_pressure_coefficient",
                                         (points.front().failure().minor - test.peak_stress.minor) / rise));
   } else {
+    // The volume is constant in an undrained test, so that only a drained test has an angle of dilatancy.
     const FittedParameter sine = dilatancy_sine(volume_at_peak(curve, peak), points.back().axial_strain > 0.0);
     test.parameters.push_back(named("dilatancy_angle", angle_of_sine(sine)));
   }

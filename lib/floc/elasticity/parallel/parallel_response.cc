@@ -88,12 +88,21 @@ class ParallelCondensation {
       next.head(rows_.n_own()) += u.head(rows_.n_own());
       fetch(next);
       Balance after = balance(next, b);
+      // Twice the energy that further relaxation would release is r^T K^-1 r, with the net forces r and the stiffness
+      // matrix K. The inverse of K is not available. With the preconditioner M and an estimated lower bound `ratio_` on
+      // the eigenvalues of M^-1 K, r^T K^-1 r is at most r^T M^-1 r divided by `ratio_`.
       const double left = std::abs(solver_.preconditioned_square(as_span(after.net))) / ratio_;
       const bool gains = left < kGain * excess;
       if (left < excess) excess = left, u.swap(next), std::swap(now, after);
       if (!gains) break;
+      // The energy is quadratic in the net forces. The share to which the forces have to fall is therefore the square
+      // root of the ratio of the tolerance to `excess`. The factor 0.3 is a margin, so that the next round is the last
+      // one if rounding permits it.
       reduction = std::clamp(0.3 * std::sqrt(wanted(now, affine) / excess), kLeastReduction, 0.1);
     }
+    // The rounds may have ended at the limit of rounding, with an error above the tolerance. Such a stiffness is
+    // accepted if its relative error is at most kUseful. It is also accepted if the error is so small that, up to this
+    // error, the stiffness cannot be distinguished from zero (kNothing). The negated comparison also rejects NaN.
     if (!(excess <= std::max(kUseful * std::abs(now.energy), kNothing * affine)))
       return fmt::format(
           "rounding causes an error of {:.1e} in the stiffness {:.1e} of the relaxed network (stiffness before "
@@ -174,11 +183,17 @@ ElasticResponse elastic_response(const ContactNetwork<Dim>& network, const std::
   const double unit = stiffness_scale(core);
   const int n_boundary = n_boundary_unknowns(core, options.strains);
   const GrainShares shares = share_out(centres, in_contact(core), solver.size());
+  // Conjugate gradients compute no factor of the stiffness matrix, so that its condition number and its negative
+  // eigenvalues remain unknown. Only the negative eigenvalues of dead ends are known: one for each dead end whose
+  // contact is an attraction across a gap.
   out.counted = false;
   out.condition = std::numeric_limits<double>::quiet_NaN();
   out.n_negative = out.free.n_unstable_ends;
   out.relaxed = out.error = Eigen::MatrixXd::Zero(n_boundary, n_boundary);
   out.fluctuation.resize(0, n_boundary);
+  // If no grain has a contact, there is no matrix to solve with, and the response is zero. The calls under this
+  // condition are collective. All processes compute equal shares, so that either all processes make these calls or none
+  // does.
   if (!shares.grain.empty()) {
     const LocalRows<Dim> rows(core, out.free.kept, shares, solver.rank(), unit, options);
     double norm = rows.assemble(centres, solver);

@@ -22,6 +22,8 @@ void add_list(const ListedContactCounts& listed, int n_kept, ConversionSummary& 
       fmt::format("contacts: {} read, {} kept, {} left out because they have a gap and no force, {} left out "
                   "because they are tensile, {} moved to the nearest image",
                   listed.n_read, n_kept, listed.n_neighbors, listed.n_tensile, listed.n_other_image));
+  // The line above is only information. Each message below reports a contradiction in the data. With --strict, the
+  // program refuses a file with such a contradiction.
   if (listed.n_neighbors > 0)
     summary.inconsistencies.push_back(
         fmt::format("{} of the {} listed contacts are left out, because the grains do not touch: they have a "
@@ -33,6 +35,8 @@ void add_list(const ListedContactCounts& listed, int n_kept, ConversionSummary& 
         "keep the listed forces and have no stiffness; their normals are wrong, and so is the force "
         "balance of their second grains",
         listed.n_across_no_lattice, listed.n_read));
+  // Tensile contacts are counted here only if the user allows to leave them out (--drop-tensile). Otherwise the reader
+  // has ended with an InputError, see assemble().
   if (listed.n_tensile > 0)
     summary.inconsistencies.push_back(fmt::format(
         "{} of the {} listed contacts have a tensile force and are left out", listed.n_tensile, listed.n_read));

@@ -31,6 +31,7 @@ std::vector<XyzFrame> read_frames(const std::string& path) {
   int number = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;
+    // Empty lines are skipped only between frames. Within a frame, an empty line may be the comment line of plain XYZ.
     if (trimmed(line).empty()) continue;
     const auto n = parse_number<std::int64_t>(line);
     if (!n || *n < 0)
@@ -41,6 +42,8 @@ std::vector<XyzFrame> read_frames(const std::string& path) {
     if (!std::getline(in, frame.comment))
       throw InputError(
           path, "the file ends before the comment line of a frame: expected a comment line with Properties=");
+    // No memory is reserved for n rows, because n may be far too large in a damaged file. With such an n, the loop ends
+    // with an error at the end of the file.
     for (std::int64_t k = 0; k < *n; ++k) {
       if (!std::getline(in, line))
         throw InputError(path, fmt::format("the file ends after {} of {} grains of a frame", k, *n));
@@ -112,10 +115,13 @@ std::vector<std::string> numbered_columns(const std::string& place, const XyzFra
         "the comment line of the frame has no Properties=, so the columns have no names: give the number of "
         "the column of the sizes, --columns radius=5 or --columns diameter=5, and also the numbers of the "
         "columns x, y and z unless these are columns 2 to 4");
+  // emplace() keeps the number of a column that the user has given.
   given.emplace("x", "2");
   given.emplace("y", "3");
   given.emplace("z", "4");
   std::vector<std::string> columns;
+  // The first row determines the number of columns, and CsvTable::add_row() refuses a later row with another number of
+  // cells. A frame without grains has no first row.
   for (std::size_t k = 0; !frame.rows.empty() && k < tokenize(frame.rows.front()).size(); ++k)
     columns.push_back(std::to_string(k + 1));
   return columns;

@@ -361,12 +361,16 @@ void Hdf5Writer::fixed_text_attribute(const std::string& path, const std::string
                                       const std::string& value) {
   const Handle type(checked(H5Tcopy(H5T_C_S1)), H5Tclose);
   checked(H5Tset_size(type, value.size()));
+  // By default, HDF5 ends a string of fixed length with a null character, for which the size of this type has no room.
+  // With H5T_STR_NULLPAD, the text needs no null character at its end.
   checked(H5Tset_strpad(type, H5T_STR_NULLPAD));
   write_attribute(file_, path, name, type, type, value.data());
 }
 
 void Hdf5Writer::close() {
   checked(H5Fflush(file_, H5F_SCOPE_GLOBAL));
+  // The identifier is cleared before its value is closed. If H5Fclose fails, the destructor therefore does not close
+  // the file again.
   checked(H5Fclose(std::exchange(file_, -1)));
 }
 

@@ -70,6 +70,9 @@ bool begins_with(const std::string& path, const std::string& text) {
 }
 
 const std::vector<ImportFormat>& import_formats() {
+  // If the user names no format, find_import_format() takes the first format of this list that recognises the file. A
+  // state file begins with the signature of HDF5, by which `vtkhdf` recognises its files, so that `state` must come
+  // before `vtkhdf`.
   static const std::vector<ImportFormat> formats = {
       {"state", "state file of floc, .h5", is_state, read_own_state},
       {"csv", "one grain per line, columns x, y[, z] and radius or diameter[, mass, id]", is_csv,

@@ -132,6 +132,8 @@ const DeclaredModel& model_given(const std::string& place, const LawText& given,
   for (const DeclaredModel& m : slot.models) keywords.push_back(m.keyword);
   const DeclaredModel& model = given.has(name) ? slot.models[keyword_index(place, given, name, keywords)]
                                                : described_model(slot, keys, before);
+  // The keys need this check even if they have determined the model: if no model of the slot has all of them,
+  // described_model() returns the first model.
   for (const std::string& key : keys)
     if (!has_key(model, key))
       throw InputError(place, fmt::format("{}.{} is given, but {} = {} has no such parameter", slot.key, key,
@@ -141,8 +143,12 @@ const DeclaredModel& model_given(const std::string& place, const LawText& given,
 
 void read_slot(const std::string& place, const LawText& given, const DeclaredSlot& slot, LawParameters& law) {
   const std::vector<std::string> keys = given.keys_of(slot.key);
+  // An optional slot without any key is left empty. The key "law" alone fills a slot, because some models have no
+  // parameters.
   if (slot.optional && keys.empty() && !given.has(slot.key + "." + kLaw)) return;
   const DeclaredModel& model = model_given(place, given, slot, keys, law);
+  // The model is put into the law first, because numbers_of() and choose() find only parameters of models that the law
+  // contains. Every number must be given, but a choice that is not given keeps its first keyword.
   model.choose(law);
   for (const LawNumber& n : numbers_of(law))
     if (n.key.starts_with(slot.key + ".")) *n.value = given.number(n.key);

@@ -93,6 +93,8 @@ void wrap(const ListedPacking& listed, State<Dim>& state) {
   std::vector<Vec<Dim, int>> moved;
   std::vector<DoubleDoubleVec<Dim>> centres;
   for (int i = 0; i < packing.grains.size(); ++i) {
+    // The rounded position determines only a whole number of cells. The grain is moved in double-double precision, so
+    // that its position keeps all digits of the file.
     const Vec<Dim> reduced = packing.cell.reduced(packing.grains.position[i]);
     Vec<Dim> cells = -reduced.array().floor().matrix();
     for (const Wall<Dim>& wall : packing.walls) cells[wall.axis] = 0.0;
@@ -102,6 +104,9 @@ void wrap(const ListedPacking& listed, State<Dim>& state) {
   packing.grains.set_centres(centres);
   const auto update_image = [&](auto& c) {
     if (packing.is_wall(c.j)) return;
+    // The branch vector x_j + image * cell - x_i of a contact must not change when the grains i and j are moved. The
+    // new image is therefore image + moved_i - moved_j. Each of the three terms may be so large that their sum exceeds
+    // the range of int.
     using Wide = Vec<Dim, std::int64_t>;
     const Wide image = c.image.template cast<std::int64_t>() + moved[c.i].template cast<std::int64_t>() -
                        moved[c.j].template cast<std::int64_t>();
@@ -153,6 +158,8 @@ Imported assemble_in(const ListedPacking& listed) {
   packing.grains = make_grains<Dim>(listed);
   const Identifiers identifiers(listed);
   Imported imported;
+  // The contacts are made before wrap() moves the grains into the cell, because the listed images refer to the listed
+  // positions.
   imported.listed_contacts = add_contacts(listed, identifiers, state);
   imported.liquid_known = holds_liquid(packing) && lists_liquid(listed);
   wrap(listed, state);

@@ -82,6 +82,9 @@ void place_point(const ListedContact& row, bool reversed, const Packing<Dim>& pa
                                                    "point1, point2{} for contacts of grains with corners",
                                                    Dim == 3 ? ", point3" : ""));
   const Vec<Dim> to_second = branch(packing, c);
+  // The listed point may lie near any periodic image of grain i. The arm is the vector from the centre of the grain to
+  // the nearest image of this point. The arm of j follows from the branch vector, because a second search for the
+  // nearest image could find a point on another image of j.
   c.arm_i = nearest_of_images<Dim>(packing, row.point->template head<Dim>() - packing.grains.position[c.i]);
   c.arm_j = c.arm_i - to_second;
   require_near<Dim>(row, c.arm_i.norm(), packing.grains.radius[c.i], reversed ? "second" : "first");
@@ -92,6 +95,8 @@ void place_point(const ListedContact& row, bool reversed, const Packing<Dim>& pa
     c.normal = at.normal;
     c.gap = at.gap;
   }
+  // The listed normal points from id1 to id2, but c.normal points from c.i to c.j. A file with few digits changes the
+  // length of the normal only slightly; a length far from 1 shows that the columns contain other numbers.
   if (row.normal) {
     const Vec<Dim> listed = (reversed ? -1.0 : 1.0) * row.normal->template head<Dim>();
     if (!(listed.norm() > 0.5 && listed.norm() < 2.0))

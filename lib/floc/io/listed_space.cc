@@ -38,6 +38,8 @@ double face_of(const std::string& entry, const ListedSpace& space, int axis, int
 
 ListedEnds ends_of(const std::string& entry, const ListedSpace& space, int n_axes) {
   const std::size_t axis = entry.empty() ? std::string::npos : std::string("xyz").find(entry[0]);
+  // This comparison finds three faults: an empty entry, a first letter other than x, y and z, and z in two dimensions.
+  // In the first two cases `axis` is npos, which is larger than any number of axes.
   if (axis >= static_cast<std::size_t>(n_axes))
     throw InputError(kOption,
                      fmt::format("\"{}\" does not begin with an axis of the packing: expected x{}, for "
@@ -47,6 +49,7 @@ ListedEnds ends_of(const std::string& entry, const ListedSpace& space, int n_axe
   ends.axis = static_cast<int>(axis);
   const std::string rest(trimmed(entry.substr(1)));
   const std::size_t colon = rest.find(':');
+  // After an equals sign the colon is required, because the position in "x=5" could be that of either end.
   if (rest.starts_with('=') && colon != std::string::npos) {
     ends.low = position_of(entry, rest.substr(1, colon - 1));
     ends.high = position_of(entry, rest.substr(colon + 1));
@@ -58,6 +61,7 @@ ListedEnds ends_of(const std::string& entry, const ListedSpace& space, int n_axe
                                           "or {}=0:10",
                                           entry, entry[0], entry[0], entry[0], entry[0]));
   }
+  // Two walls at the same position are also refused: the cell between them would have no volume.
   if (ends.low && ends.high && !(*ends.low < *ends.high))
     throw InputError(kOption,
                      fmt::format("\"{}\": the lower wall is at {}, expected a position below that of the "

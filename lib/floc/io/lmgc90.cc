@@ -304,6 +304,7 @@ std::vector<ListedContact> read_contacts(const std::string& path,
   };
   while (file.next()) {
     const auto words = file.words();
+    // No line marks the end of a contact. A contact is complete when the next contact begins, or when the file ends.
     if (words[0] == "$icdan") {
       finish();
       c = ListedContact{};
@@ -322,6 +323,7 @@ std::vector<ListedContact> read_contacts(const std::string& path,
       c.id1 = ids[0], c.id2 = ids[1];
       open = true;
     } else if (file.has("rln/H")) {
+      // LMGC90 computes impulses. Each number in this line is an impulse divided by the time step H, which is a force.
       forced = true;
       local = {file.number("rlt/H"), file.number("rln/H"), spatial ? file.number("rls/H") : 0.0};
     } else if (file.has("gapTT")) {
@@ -329,6 +331,8 @@ std::vector<ListedContact> read_contacts(const std::string& path,
     } else if (file.has("coo1=")) {
       c.point = {file.number("coo1="), file.number("coo2="), spatial ? file.number("coo3=") : 0.0};
     } else {
+      // In 3D, the tangents t and s must be read, because the normal n does not determine them. In 2D, finish()
+      // computes t from n.
       for (const auto& [name, vector] : {std::pair{"t", &t}, std::pair{"n", &n}, std::pair{"s", &s}})
         if (file.has(fmt::format("{}(1)=", name)))
           for (int a = 0; a < 3; ++a) (*vector)[a] = file.number(fmt::format("{}({})=", name, a + 1));
@@ -422,6 +426,8 @@ Imported read_lmgc90(const std::string& path, const ImportOptions& options) {
   listed.space.boundary =
       "files of LMGC90 contain no periodic directions, and there is no wall across this axis";
   add_grains(bodies, bulk, listed);
+  // The file does not say on which side of a bar or plate the grains lie. The mean position of the grains determines
+  // this side, so the grains must be known before the walls are added.
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const ListedGrain& grain : listed.grains)
     middle += grain.position / static_cast<double>(listed.grains.size());
@@ -434,8 +440,11 @@ Imported read_lmgc90(const std::string& path, const ImportOptions& options) {
           fmt::format("body {} has the contactor {}, expected a disk (DISKx), a sphere "
                       "(SPHER), a polygon (POLYG), a polyhedron (POLYR), a bar (JONCx) or a plate (PLANx)",
                       body.id, body.contactor));
+    // Walls that the user gives replace the bars and plates of the file.
     if (options.walls.empty()) walls.emplace(body.id, add_bar(body, middle, listed.space));
   }
+  // If no contacts are listed, `listed.contacts` remains absent, and the contacts are found from the geometry. An empty
+  // list would mean that no grains touch.
   if (auto contacts = read_contacts((folder / "Vloc_Rloc.INI").string(), walls); !contacts.empty())
     listed.contacts = std::move(contacts);
   return assemble(std::move(listed), options);

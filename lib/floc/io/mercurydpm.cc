@@ -316,6 +316,8 @@ Imported read_mercurydpm(const std::string& path, const ImportOptions& options) 
   const int dimension = options.dimension.value_or(dimension_of(file));
   listed.space.place = path;
   listed.space.dimension = dimension;
+  // The order of these calls matters: set_box() marks every axis as not periodic, and each periodic boundary then
+  // replaces the lattice vector and the mark of its axis.
   set_box(file, listed.space);
   read_boundaries(file, listed);
   const auto walls = read_walls(file, !options.walls.empty(), dimension, listed.space);
@@ -328,9 +330,13 @@ Imported read_mercurydpm(const std::string& path, const ImportOptions& options) 
   if (n_fixed > 0)
     listed.remarks.push_back(
         fmt::format("{} grains are fixed in the file; they are free to move in floc", n_fixed));
+  // The file may list volumes of liquid bridges although the user chose a law without liquid. assemble() would refuse
+  // these volumes, so they are then not read.
   const bool with_liquid = options.law && options.law->liquid() != nullptr;
   const bool angled = has_angled_boundary(file);
   if (file.has("Interactions")) {
+    // A section without lines means that no grains touch. Only if the section is missing, `listed.contacts` remains
+    // absent, and the contacts are found from the geometry.
     listed.contacts.emplace();
     file.for_each("Interactions", [&](const KeyedLine& line) {
       listed.contacts->push_back(read_interaction(line, walls, with_liquid, dimension));
@@ -366,6 +372,7 @@ std::vector<ListedContact> read_mercurydpm_contacts(const ImportOptions& options
     const KeyedLine line(file, number, text);
     if (line.size() != 16)
       throw InputError(line.place(), fmt::format("the line has {} numbers, expected 16", line.size()));
+    // The file lists the contacts of all times in succession. Only the contacts of the last time are kept.
     if (const double now = line.number(0, "the time"); time != now) {
       contacts.clear();
       time = now;
@@ -386,6 +393,8 @@ std::vector<ListedContact> read_mercurydpm_contacts(const ImportOptions& options
                         c.id2));
       c.wall = found->second;
     }
+    // Numbers 3 to 7 of the line (counted from 0), the contact point and the overlaps, are not read: the positions of
+    // the grains determine the contact point and the normal overlap, and the force determines the tangential spring.
     c.force = sign * (line.number(8, "the normal force") * line.vector(10, "the normal") +
                       line.number(9, "the tangential force") * line.vector(13, "the tangent"));
     if (dimension == 2) (*c.force)[2] = 0.0;

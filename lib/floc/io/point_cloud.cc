@@ -58,6 +58,7 @@ std::string find_array(const PointCloud& cloud, const ImportOptions& options, co
 std::vector<ListedGrain> grains_of(const PointCloud& cloud, const ImportOptions& options) {
   const std::size_t n_points = cloud.x.size() / 3;
   std::vector<std::pair<SizeColumn, PointArray>> sizes;
+  // `has` ignores the names that the user gave, because size_columns() itself prefers them to the names in the file.
   const auto has = [&](const std::string& name) { return !find_array(cloud, {}, name).empty(); };
   for (const SizeColumn& size : size_columns(has, options.columns))
     sizes.emplace_back(size, PointArray(cloud, find_array(cloud, options, size.name), n_points));
@@ -78,6 +79,8 @@ std::vector<ListedGrain> grains_of(const PointCloud& cloud, const ImportOptions&
     grain.place = sizes.front().second.numbered_place(point);
     grain.id = id ? id->whole(point) : static_cast<std::int64_t>(point);
     grain.position = {x[3 * point], x[3 * point + 1], x[3 * point + 2]};
+    // All arrays that give a size are compared, because a radius and a diameter in one file may contradict each other.
+    // A radius of zero means that no array has been read yet.
     for (const auto& [size, array] : sizes) {
       const double radius = array.positive(point) * size.radius_of_one;
       if (grain.radius != 0.0) require_same_size(grain.place, sizes.front().first, grain.radius, size, radius);

@@ -45,11 +45,15 @@ Guess guess_of_layer(const std::vector<ListedGrain>& grains, double height, bool
     n_touching += 2.0 * g.radius > height;
     largest = std::max(largest, 2.0 * g.radius);
   }
+  // If the packing is not periodic along z, the height is infinite, so no sphere touches an image of itself.
   if (n_touching == 0)
     return {
         2,
         "every z is the same, so the grains are taken as disks in 2D; give --dimension 3 to make them spheres",
         false};
+  // In a packing of spheres that is one sphere high, every sphere slightly overlaps its own image along z. For disks
+  // the height of the cell is arbitrary, so such a height would be a coincidence. Grains in the middle plane are taken
+  // as disks even then, because LAMMPS requires this plane in two dimensions.
   if (n_touching == grains.size() && largest - height <= kDeepestOverlap * largest && !mid_plane)
     return {
         3,
@@ -134,12 +138,15 @@ void add_stated_ends(int dimension, ListedPacking& listed) {
   std::string open;
   std::size_t n_beyond = 0;
   for (int a = 0; a < dimension; ++a) {
+    // The option --walls takes precedence over the file.
     if (find_ends(listed.ends, a)) continue;
     if (const ListedEnds* ends = find_ends(space.ends, a)) {
       listed.ends.push_back(*ends);
     } else if (static_cast<std::size_t>(a) < space.periodic.size() && !space.periodic[a]) {
       listed.ends.push_back({a, {}, {}});
       open += fmt::format("{}{}", open.empty() ? "" : ",", "xyz"[a]);
+      // Grains at a wall slightly overlap it. Therefore grains beyond a face may mean that this face has a wall, which
+      // the file does not describe.
       if (!space.cell.empty()) n_beyond += n_beyond_faces(listed, a);
     }
   }
@@ -152,6 +159,7 @@ void add_stated_ends(int dimension, ListedPacking& listed) {
         fmt::format("{} grains extend beyond faces of the box, which are taken as open: give --walls {} to put "
                     "walls at these faces",
                     n_beyond, open));
+  // Without a cell this remark is not needed: assemble() then refuses the packing.
   if (space.periodic.empty() && listed.ends.empty() && !space.cell.empty())
     listed.remarks.emplace_back(
         "the packing is taken as periodic in every direction, because the file does not say whether it is; "

@@ -166,12 +166,15 @@ void describe_attributes(Archive& archive, State& s) {
   archive.value("path", "time", s.path.time);
   archive.value("path", "n_steps", s.path.n_steps);
   archive.value_if_there("path", "ending", s.path.ending);
+  // Only contact dynamics, the method for rigid contacts, makes sweeps. A reader must set the contact law before it
+  // calls this function, because the law determines which attributes the file has.
   if (s.packing.law.is_rigid()) {
     archive.value("path", "n_steps_of_state", s.path.counts.n_steps);
     archive.value("path", "n_sweeps", s.path.counts.n_sweeps);
     archive.value("path", "n_unfinished", s.path.counts.n_unfinished);
     archive.value("path", "deepest_overlap", s.path.counts.deepest_overlap);
   }
+  // A reader creates `s.motion` before this call if the file has the group `motion`.
   if (s.motion) {
     archive.value("motion", "time_step", s.motion->time_step);
     archive.value("motion", "cell_mass", s.motion->cell_mass);

@@ -194,8 +194,12 @@ void check_shaped_grains(const Hdf5Reader& file, const Grains<Dim>& grains) {
 
 template <int Dim>
 void write_shapes(WritingArchive& archive, const Packing<Dim>& packing) {
+  // If a file lacks the group `shapes`, read_shapes_of_state() takes the grains as round.
   if (packing.grains.are_round()) return;
   const std::vector<Shape<Dim>>& shapes = *packing.grains.shapes;
+  // Shapes differ in their numbers of vertices and faces, but all rows of an array have the same length. Therefore the
+  // vertices of all shapes form one array, and so do the faces. The arrays first_... contain the row at which the part
+  // of each shape or face begins; their last entry is the number of rows.
   std::vector<std::int32_t> first_vertex = {0}, first_face = {0}, first_corner = {0}, faces;
   std::vector<Vec<Dim>> vertices, normals;
   std::vector<double> offsets, axes;
@@ -224,6 +228,8 @@ void write_shapes(WritingArchive& archive, const Packing<Dim>& packing) {
   describe_shaped_grains<Dim>(archive, packing.grains);
   std::vector<std::int32_t> types;
   for (const Contact<Dim>& c : packing.contacts) types.push_back(static_cast<std::int32_t>(c.type));
+  // Only the lever arm of the first grain is stored. A reader subtracts the branch vector from it to obtain the lever
+  // arm of the second grain.
   archive.rows(
       kPoint, packing.contacts, [](auto& c) -> auto& { return c.arm_i; });
   archive.put(kType, {types.size()}, types);

@@ -58,6 +58,7 @@ FracturePath fracture(const LatticeNetwork<Dim>& network, LatticeSolver<Dim>& so
       break;
     }
     const LatticeSolution<Dim> solution = solver.solve(load);
+    // Without a solution in equilibrium, the tensions are meaningless, so no element may be chosen from them.
     if (!solution.report.holds || !solution.report.converged) {
       path.end = solution.report.holds ? "the solution has not converged"
                                        : "the remaining elements do not resist the load";
@@ -69,6 +70,9 @@ FracturePath fracture(const LatticeNetwork<Dim>& network, LatticeSolver<Dim>& so
                                      : "none of the remaining elements can break";
       break;
     }
+    // The response is proportional to the load: a load of another magnitude opens or closes no one-sided element,
+    // because these elements have no gap at zero load. Therefore the state at the breakage is the solution times the
+    // factor.
     const Breakage next{weakest.element, weakest.factor * solution.strain[axis],
                         weakest.factor * solution.stress[axis]};
     path.broken.push_back(next);
@@ -80,6 +84,8 @@ FracturePath fracture(const LatticeNetwork<Dim>& network, LatticeSolver<Dim>& so
       path.end = "the calculation was stopped";
       break;
     }
+    // If the stress were compared with the last value instead of the largest value so far, a decrease in many small
+    // steps would never end the simulation.
     if (std::abs(next.stress) < options.end_at * path.strength) {
       path.end = fmt::format("the stress has fallen below {:.2g} of its largest value", options.end_at);
       break;

@@ -82,6 +82,8 @@ class Springs final : public RelaxedSprings<Dim> {
 
   Eigen::MatrixXd tangent_stiffness() override {
     constexpr int kAll = kSymmetric<Dim>;
+    // All strains are imposed in this function: one strain is 1, all others are zero, and only the nodes relax. The
+    // control of the last relaxation is restored afterwards.
     inverse_->set_free(Eigen::Matrix<bool, kAll, 1>::Constant(false));
     SpringRelaxationReport report;
     refresh(report);
@@ -98,6 +100,10 @@ class Springs final : public RelaxedSprings<Dim> {
     }
     control_.imposed = imposed;
     inverse_->set_free((!control_.imposed.array()).matrix());
+    // The stiffness is C_ab = sum_r k_r o_ra o_rb, over the closed springs r, with the stiffness k_r of a spring and
+    // its overlap o_ra if strain a is 1. The sum of spring forces times their derivatives with respect to the strains
+    // would have errors of first order in the residual net forces on the nodes. This symmetric sum has only errors of
+    // second order.
     Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(kAll, kAll);
     for (std::size_t r = 0; r < springs_.rows.size(); ++r) {
       if (!active_[r]) continue;

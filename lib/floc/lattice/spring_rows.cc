@@ -32,6 +32,8 @@ class RowBuilder {
 
  private:
   void add(int e, const LatticeElement<Dim>& element) {
+    // The element is described as a contact between two grains at its nodes. Therefore contact_rows() gives the same
+    // kinematics as in packings.
     NetworkContact<Dim> c{};
     c.i = element.i;
     c.j = element.j;
@@ -40,6 +42,8 @@ class RowBuilder {
     c.arm_j = element.arm_i - element.branch;
     c.frame = contact_frame(Vec<Dim>(element.branch.normalized()));
     c.kn = element.kn;
+    // A unilateral element has a normal stiffness only. All its other rows are therefore left out below, and its single
+    // spring has the number that build() has added to `one_sided`.
     if (!element.unilateral) {
       c.kt = network_.shear * element.kn;
       c.kr = network_.bending * element.kn * network_.spacing * network_.spacing;

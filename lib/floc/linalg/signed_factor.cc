@@ -153,6 +153,9 @@ class SignedFactorization {
   bool eliminate_panel(int s, int first, int count) {
     const Block panel = block(s, first, first, count);
     double* sign = sign_.data() + l_.first_column[s] + first;
+    // Let a be the entries of the panel after columns 0, ..., j - 1 have been subtracted, s_j the sign of a_jj, and p
+    // the smallest pivot. Column j of the factor is l_jj = sqrt(max(|a_jj|, p)) and l_ij = s_j a_ij/l_jj. The products
+    // s_j l_ij l_kj are subtracted from the later columns k. A Cholesky factorization would fail at the first a_jj < 0.
     for (int j = 0; j < count; ++j) {
       double* column = panel.value + static_cast<std::size_t>(j) * panel.stride;
       if (!std::isfinite(column[j])) return false;
@@ -169,6 +172,9 @@ class SignedFactorization {
     const int n_below = n_rows(s) - first - count;
     if (n_below == 0) return true;
     constexpr double kOne = 1.0;
+    // Let L be the factor of the square block at the top of the panel, and A the entries of the panel below this block.
+    // The rows B of the factor below this block satisfy A = B S L^T. dtrsm_ computes X = B S from X L^T = A. To obtain
+    // B from X, the columns with a negative sign are multiplied by -1.
     dtrsm_("R", "L", "T", "N", &n_below, &count, &kOne, panel.value, &panel.stride, panel.value + count,
            &panel.stride);
     for (int j = 0; j < count; ++j) {

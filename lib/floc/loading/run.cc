@@ -31,6 +31,8 @@ void take_walls(const BoxOptions& box, const Law& law, Packing<Dim>& packing) {
   for (const Wall<Dim>& wall : packing.walls)
     if (wall.side < 0) lowest[wall.axis] = wall.position;
   const std::vector<Wall<Dim>> saved = std::move(packing.walls);
+  // The distance between two opposite walls is the side of the cell, so the positions of the lower walls determine
+  // those of the upper walls.
   packing.walls = walls_around(packing, box, lowest);
   for (int a = 0; a < Dim; ++a)
     if (between_walls(saved, a) != between_walls(packing.walls, a))
@@ -40,6 +42,8 @@ void take_walls(const BoxOptions& box, const Law& law, Packing<Dim>& packing) {
               "the saved state has {0} along axis {1}: expected a value of box.boundary with {0} along this "
               "axis",
               between_walls(saved, a) ? "walls" : "no walls", a + 1));
+  // Both lists now have walls on the same axes, in the order of the axes, with the lower wall of an axis first.
+  // Therefore two walls with the same index lie at the same end of the same axis.
   for (std::size_t w = 0; w < saved.size(); ++w)
     if (saved[w].open != packing.walls[w].open)
       throw InputError(
@@ -48,6 +52,8 @@ void take_walls(const BoxOptions& box, const Law& law, Packing<Dim>& packing) {
                       "every axis of which only the upper end is open, and another value on all other axes",
                       saved[w].open ? "is open" : "has a wall", saved[w].side < 0 ? "lower" : "upper",
                       saved[w].axis + 1));
+  // Gravity may be added to a saved state, but not removed: a scene that lacks the key box.gravity also has zero
+  // gravity here, and the gravity of the state would be lost without notice.
   if (!packing.gravity.isZero(0.0) && box.gravity.isZero(0.0))
     throw InputError("box.gravity", "the saved state has gravity, but the scene has none: expected this key");
   packing.wall_law = wall_law(law, box);

@@ -68,6 +68,8 @@ class Walk {
     Component<Dim> part{{start}, {Vec<Dim>::Zero()}, {}, {}};
     Lattice<Dim> lattice;
     index_[start] = 0;
+    // `part.grains` is also the queue of a breadth-first search, so it grows in this loop. An iterator over this list
+    // would become invalid.
     for (std::size_t at = 0; at < part.grains.size(); ++at) {
       const int grain = part.grains[at];
       for (const int k : of_[grain]) {
@@ -81,6 +83,9 @@ class Walk {
         const int other = c.i == grain ? c.j : c.i;
         const Vec<Dim> place = part.place[at] + sign * c.branch;
         const CellCount<Dim> image = image_[grain] + sign * c.image.template cast<std::int64_t>();
+        // If `other` has been reached before, two chains of contacts lead to it, and the two chains form a loop. The
+        // difference of the two images is the number of cells that the loop spans; it is zero for a loop that does not
+        // wind around the cell. These integers decide, because the places of grains have rounding errors.
         if (!reached(other)) {
           index_[other] = static_cast<int>(part.grains.size());
           image_[other] = image;

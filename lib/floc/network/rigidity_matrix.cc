@@ -104,6 +104,8 @@ BoundaryRows<Dim> boundary_rows(const ContactNetwork<Dim>& network, const Networ
   if (network.wall_axes.empty()) return out;
   const auto on_walls = rows_on_walls(c);
   const double unit = wall_shift_unit(network);
+  // The unknown of an axis is a displacement divided by `unit`. Therefore the motion per unknown is the motion per
+  // displacement, multiplied by `unit`.
   for (int k = 0; k < static_cast<int>(network.wall_axes.size()); ++k)
     out.col(n + k) = unit * on_walls.col(network.wall_axes[k]);
   return out;
@@ -146,6 +148,8 @@ Eigen::SparseMatrix<double> rigidity_matrix(const ContactNetwork<Dim>& network, 
     const ContactRows<Dim> g = contact_rows(c);
     for (int a = 0; a < kDofs<Dim>; ++a, ++row) {
       matrix.startVec(row);
+      // The entries of a row must be appended in ascending order of their columns, so the grain with the smaller number
+      // comes first. If i = j, `on_j` is zero and adds no entries to the same columns.
       const bool i_first = c.i <= c.j;
       append(matrix, row, first_unknown<Dim>(i_first ? c.i : c.j), (i_first ? g.on_i : g.on_j).row(a));
       append(matrix, row, first_unknown<Dim>(i_first ? c.j : c.i), (i_first ? g.on_j : g.on_i).row(a));

@@ -114,6 +114,8 @@ class Sight {
       extents.push_back({camera_.seen(home_[i]), radius_inside(placed.back()), placed.back().outer_radius()});
       widen_range(extents.back().centre[2]);
     }
+    // Grains of size zero are not drawn. The range of depths was widened before this return, because tubes and arrows
+    // become paler with depth, too.
     if (size_ == 0.0) return;
     const std::vector<bool> hidden = hidden_bodies(extents);
     std::vector<int> grains;
@@ -121,6 +123,8 @@ class Sight {
     for (std::size_t i = 0; i < home_.size(); ++i)
       if (!hidden[i]) grains.push_back(static_cast<int>(i)), visible.push_back(placed[i]);
     std::map<const Shape<3>*, Facets> facets;
+    // order() later sorts all parts by depth. If the depth decreased along drawing_order(), this sort would undo the
+    // order of the grains. Therefore each depth is at least the depth of the grains before.
     double depth = seen_.far;
     for (const int k : drawing_order(visible, camera_)) {
       const PlacedShape<3>& grain = visible[k];
@@ -185,6 +189,7 @@ class Sight {
     if (!in_cell) return;
     const double width = drawn_width(line, scale_, diameter_) / scale_.points_per_length;
     const double length = (to.x - from.x).norm();
+    // The direction of a line without length is not defined.
     if (length == 0.0) return;
     const auto inside = [&](const End& end, const End& other) {
       if (!end.body) return 0.0;
@@ -193,12 +198,16 @@ class Sight {
     };
     SeenTube tube;
     const double inside_from = inside(from, to), inside_to = inside(to, from);
+    // Both the face of the cell and the surface of the grain may cut the line. The cut nearer to the middle of the line
+    // decides where the tube ends, and whether this end is flat. If neither cuts the line, the end is round.
     const double begin = std::max(in_cell->first, inside_from);
     const double end = std::min(in_cell->second, 1.0 - inside_to);
     if ((end - begin) * length <= kShortest * width) return;
     tube.from = camera_.seen(from.x + begin * (to.x - from.x));
     tube.to = camera_.seen(from.x + end * (to.x - from.x));
     tube.from_end = begin > inside_from ? TubeEnd::cut : begin > 0.0 ? TubeEnd::at_sphere : TubeEnd::round;
+    // A wall can only be the second body of a contact. The line ends on the wall itself, so without this test the tube
+    // would have a round end, which would extend beyond the wall.
     const bool at_wall = to.body && *to.body >= static_cast<int>(home_.size());
     tube.to_end = at_wall || end < 1.0 - inside_to ? TubeEnd::cut
                   : end < 1.0                      ? TubeEnd::at_sphere

@@ -67,6 +67,8 @@ class SeenDrawing {
 
   void draw_marks(const PackingPicture<3>& picture) const {
     const double diameter = mean_diameter(picture) * scale_;
+    // Grains, tubes and arrows are drawn in one common order, the farthest first. One pass for each kind of part would
+    // be wrong, because a grain may cover a tube, and another tube may cover this grain.
     for (const SeenPacking::Mark& mark : seen_.order) {
       switch (mark.part) {
         case SeenPacking::Part::sphere: {

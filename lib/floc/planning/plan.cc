@@ -268,6 +268,8 @@ class PlanSearch {
 Plan plan_of(const PriceModel& model, const std::vector<ObservablePrice>& observables,
              const PricedSettings& settings, int n_grains, int n_samples, int cores) {
   const double seconds = model.core_seconds(settings, n_grains);
+  // Each core computes one sample at a time. The last round of samples takes as long as the others, even if some cores
+  // are idle in it. Therefore n_samples/cores without rounding up would be too small.
   const double rounds = std::ceil(static_cast<double>(n_samples) / cores);
   Plan plan{settings,
             n_grains,
@@ -306,10 +308,12 @@ std::vector<std::pair<std::string, double>> wants_of(const std::vector<std::stri
     if (!error || !(*error > 0.0) || !std::isfinite(*error))
       throw InputError("--want " + text,
                        "expected NAME=ERROR with a positive relative error, such as phi=0.003");
+    // A name may be both an observable and a key of [accuracy], such as phi. The observable then takes precedence.
     std::vector<std::string> meant = {name};
     if (std::find(names.begin(), names.end(), name) == names.end() &&
         std::find(keys.begin(), keys.end(), name) != keys.end())
       meant = observables_of(name);
+    // A key may stand for observables that this scene lacks; they are ignored. An unknown name leaves `meant` empty.
     std::erase_if(meant,
                   [&](const auto& m) { return std::find(names.begin(), names.end(), m) == names.end(); });
     if (meant.empty())
@@ -317,6 +321,7 @@ std::vector<std::pair<std::string, double>> wants_of(const std::vector<std::stri
                                                      "table of prices: expected one of {}; the nearest is {}",
                                                      name, fmt::join(names, ", "), nearest_name(name, names)));
     for (const std::string& m : meant) {
+      // A key and one of its observables, or two texts, may request different errors of one observable.
       if (std::any_of(wants.begin(), wants.end(), [&](const auto& w) { return w.first == m; }))
         throw InputError("--want " + text, m + " is requested twice: expected each quantity once");
       wants.emplace_back(m, *error);

@@ -147,6 +147,8 @@ int number_of_states(const Scene& scene) {
 PriceModel::PriceModel(const Scene& scene, std::optional<PriceTable> table, std::optional<PilotResult> pilot)
     : scene_(scene), table_(std::move(table)) {
   if (scene.assembly.box) size_exponent_ = 1.0 / scene.dimension;
+  // take_table() uses `size_exponent_` in a fit, so this exponent must be set before. take_pilot() corrects and extends
+  // the numbers from the table, so the table must be read before.
   if (table_) take_table();
   if (pilot) take_pilot(*pilot);
   if (scene.grains.diameter.kind == DiameterDistribution::Kind::list)
@@ -169,6 +171,8 @@ void PriceModel::take_table() {
       least_grains_ = std::min(least_grains_, other.n_grains);
   most_grains_ = n_grains_ * kExtrapolation;
   cost_exponent_ = exponent_of(*table_, *row);
+  // The time of this scene, divided by the time of the scene of the table, is 1 - b + b n/n0. Here n and n0 are the
+  // numbers of equilibria of the two scenes, and b is the share of the time that is proportional to this number.
   if (row->n_states > 0) {
     const double share = share_of_steps(*table_, *row);
     cost_factor_ = 1.0 - share + share * number_of_states(scene_) / row->n_states;
@@ -176,6 +180,9 @@ void PriceModel::take_table() {
   for (const std::string& name : table_->observables()) {
     const PriceRow* reference = table_->find("strict", "all", name);
     const double scatter = scatter_of(*table_, name, n_grains_);
+    // Without the reference row or the scatter between samples, the error of a mean is not known, so the model leaves
+    // the observable out. A scatter that the table does not contain is NaN; the negated comparison is true for NaN,
+    // too.
     if (reference == nullptr || !(scatter > 0.0) || reference->n_samples < 2) continue;
     observables_.push_back({name, reference->unit, scatter, reference->n_samples - 1,
                             size_of_table(*table_, name, n_grains_, size_exponent_)});

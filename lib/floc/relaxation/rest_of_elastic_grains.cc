@@ -82,6 +82,9 @@ RelaxationStatus ContactDynamicsRelaxer<Dim>::rest_on_springs() {
 /// stable. If so, replaces the packing by the packing at rest, in which the contacts are the overlaps.
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::springs_balance() {
+  // The forces of the last time step cannot be tested: they balance the change of momentum in this step, and the
+  // contact list also contains points with gaps. The test therefore uses a copy at rest, in which the gaps give the
+  // normal forces. If the test fails, the motion continues from the unchanged packing.
   Packing<Dim> rested = packing_;
   stop_grains(rested);
   rested.contacts = ContactPoints<Dim>().find(rested, 0.0);
@@ -89,6 +92,8 @@ bool ContactDynamicsRelaxer<Dim>::springs_balance() {
   set_spring_forces(rested);
   const Mat<Dim> stress = static_stress(rested);
   const Residuals reached = residuals(rested, load_.stress_with(stress), stress);
+  // Only a fall to less than half of the smallest residual counts as progress. Otherwise a residual that falls by a
+  // tiny amount in each step would never count as stalled. The value zero means that no residual has been measured yet.
   if (progress_.least_residual == 0.0 || largest_of(reached) < 0.5 * progress_.least_residual) {
     progress_.least_residual = largest_of(reached);
     progress_.least_at = progress_.resting_steps;
@@ -101,6 +106,8 @@ bool ContactDynamicsRelaxer<Dim>::springs_balance() {
     progress_.obstacle = "the residuals are within their tolerances, but Newton steps still reduce them";
     return false;
   }
+  // This test comes last, because it makes many time steps. Balanced forces alone do not show that an equilibrium is
+  // stable.
   if (!stays_in_place(rested)) {
     progress_.obstacle = "the balance is unstable: grains leave their places when the packing is free to move";
     start_moving();

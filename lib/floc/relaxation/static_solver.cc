@@ -451,6 +451,9 @@ StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryContr
   const TangentPlan plan = options.method ? TangentPlan{*options.method} : plan_of(problem, tangent);
   TangentSolver solver(plan, problem.layout());
   StaticSolution<Dim> solution;
+  // The strain e of the ramp displaces two grains in contact by e times their distance, which is about a diameter. The
+  // strain therefore counts as a displacement in units of the diameter. The total displacement is limited because only
+  // pairs that were close at the start are candidates for contacts.
   double travelled = control.ramp.any() ? control.ramp.largest_strain() : 0.0;
   if (travelled > options.largest_displacement) {
     solution.reason = "the imposed lengths are too far from the present lengths of the cell";
@@ -484,6 +487,8 @@ StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryContr
     }
     Eigen::VectorXd step = *solved;
     double length = problem.largest_relative_displacement(now, step);
+    // A motion without stiffness has only the stiffness of the regularisation, so that a small residual along this
+    // motion gives a huge step. The negated comparison also detects a step that is not a number.
     if (!(length < 1e3)) {
       solution.reason = "the packing has a mechanism (a motion without stiffness)";
       break;
@@ -492,6 +497,8 @@ StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryContr
       step *= options.largest_step / length;
       length = options.largest_step;
     }
+    // Springs that reach their caps and contacts that open or close change the tangent stiffness within a step. A full
+    // Newton step can therefore increase the residual, whereas a shorter step may reduce it.
     int halvings = 0;
     Configuration<Dim> next = problem.moved(now, step);
     while (next.worst >= now.worst && halvings < options.max_backtracking) {

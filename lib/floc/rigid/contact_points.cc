@@ -82,6 +82,8 @@ std::vector<Contact<Dim>> ContactPoints<Dim>::find(const Packing<Dim>& packing, 
       append(manifold_of(packing, contact, r, own_reach, features), contact, r, out);
     }
   };
+  // The pairs of the last search and the new pairs are both sorted by (i, j, image). One simultaneous pass through both
+  // lists therefore finds the stored features of each pair. A new pair begins with default features.
   std::vector<KnownPair> known;
   std::size_t next = 0;
   const double furthest = largest_diameter(grains) + reach;
@@ -94,6 +96,8 @@ std::vector<Contact<Dim>> ContactPoints<Dim>::find(const Packing<Dim>& packing, 
     if (!grains.are_round()) known.push_back(now);
   }
   known_ = std::move(known);
+  // The separating axis of a grain and a wall is always the normal of the wall, so no features are stored for walls.
+  // The pairs with walls come after all pairs of grains. The contacts are therefore sorted at the end.
   for (NeighborPair<Dim> pair : find_wall_pairs(packing.walls, grains, reach)) {
     pair.j += grains.size();
     add_points(contact_of(pair), nullptr);

@@ -112,6 +112,7 @@ Vec<Dim> present_force(const NetworkContact<Dim>& c) {
 /// continues with this grain. With gravity, no contact is marked.
 template <int Dim>
 std::vector<bool> idle_contacts(const Packing<Dim>& packing) {
+  // With gravity, the only contact of a grain may carry the weight of this grain.
   if (!packing.gravity.isZero(0.0)) return std::vector<bool>(packing.contacts.size(), false);
   const int n = packing.grains.size();
   std::vector<std::vector<int>> contacts_of(n);
@@ -131,8 +132,11 @@ std::vector<bool> idle_contacts(const Packing<Dim>& packing) {
       if (!idle[k]) only = k, ++count;
     if (count != 1) continue;
     const Contact<Dim>& c = packing.contacts[only];
+    // An attraction across a gap keeps its present force. A contact with the adhesion F_a = elastic_force -
+    // normal_force has the repulsive force P = F_a even if its total force is zero.
     if (c.distant || c.elastic_force > c.normal_force) continue;
     idle[only] = true;
+    // The other grain has lost a contact and is tested again. A contact is marked at most once, so the search ends.
     for (const int body : {c.i, c.j})
       if (body != grain && !packing.is_wall(body)) pending.push_back(body);
   }

@@ -141,6 +141,7 @@ class StepProgram {
   void add_unknowns() {
     int group = 0;
     for (int i = 0; i < bodies_.size(); ++i) {
+      // A body without contacts gets no impulses and keeps its velocity, so its velocity is no unknown.
       if (first_[i] < 0) continue;
       first_[i] = static_cast<int>(unknowns_.size());
       for (int a = 0; a < Dim; ++a)
@@ -150,6 +151,8 @@ class StepProgram {
       const Eigen::SelfAdjointEigenSolver<Mat<kRotations<Dim>>> axes(bodies_.inverse_inertia[i]);
       for (int a = 0; a < kRotations<Dim>; ++a)
         if (const double inverse = axes.eigenvalues()[a]; inverse > 0.0) {
+          // For a grain of the mass m, this length is the radius of gyration sqrt(I/m) about the principal axis with
+          // the moment of inertia I. The mass of the unknown is then I/length^2 = m, as for translations.
           const double length = std::sqrt(bodies_.inverse_mass[i].maxCoeff() / inverse);
           add({.axis = axes.eigenvectors().col(a),
                .body = i,
@@ -165,6 +168,8 @@ class StepProgram {
       if (const double inverse = bodies_.inverse_stretch_mass[a]; inverse > 0.0) {
         double branch = 0.0;
         for (const StepContact<Dim>& c : contacts_) branch = std::max(branch, std::abs(c.branch[a]));
+        // All n contacts contribute to the row of a stretch, with the coefficients r_a/length for the components r_a of
+        // the branch vectors. With length = max|r_a| sqrt(n), the norm of these coefficients is at most one.
         const double length = branch * std::sqrt(static_cast<double>(contacts_.size()));
         add({.stretch = a, .mass = 1.0 / (inverse * length * length), .length = length},
             bodies_.stretch[a] * length, group++);

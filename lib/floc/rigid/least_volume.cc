@@ -86,10 +86,15 @@ class Descent {
         return out;
       }
       ++out.n_steps;
+      // A small decrement alone does not prove a minimum, because the decrement also vanishes at a saddle point. The
+      // matrix of second derivatives must be positive definite, too.
       const bool is_last = mu_ <= last_mu;
       last_steps += is_last;
       if (is_last && step->is_convex && step->decrement < kAtMinimum * mu_) return out;
       if (is_last || !(step->decrement < kNearMinimum * mu_)) continue;
+      // The grains grow to full size before mu decreases. At a minimum, a gap with the force f is about mu/f wide, and
+      // in each growth a share of every gap remains. At a smaller mu, the grains could therefore grow only by tiny
+      // amounts.
       if (growth_ < 1.0)
         grow();
       else

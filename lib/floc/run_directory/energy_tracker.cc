@@ -92,6 +92,7 @@ void require_energy_account(const RunOptions& options) {
     throw InputError("--track-energy",
                      "Newton steps may find the equilibria of this scene without any motion, so that there is "
                      "no energy balance to record; expected equilibrium.finish = \"dynamic\"");
+  // The assembly and each stage of the load path may have their own softening, so every step of the plan is tested.
   for (const PlannedEquilibrium& step :
        plan_run(options.assembly, options.law, options.load, options.dimension))
     if (step.cell.applied_to(options.relaxation).softening > 1.0)
@@ -108,6 +109,8 @@ void require_energy_account(const RunOptions& options) {
           fmt::format("stage \"{}\" is a simple shear: the periodic cell is transformed between its steps, so "
                       "the energy balance cannot be recorded; expected a scene without simple shear",
                       stage.name));
+  // A saved packing is vibrated when the run begins, before the balance starts. A packing made from a gas is vibrated
+  // between two equilibria and therefore within the balance.
   if (options.assembly.vibration && options.assembly.protocol != AssemblyOptions::Protocol::state)
     throw InputError("--track-energy",
                      "assembly.vibration displaces the grains as hard bodies, without forces, so the energy "

@@ -43,12 +43,15 @@ void read_gravity(TableReader& t, int dimension, BoxOptions& box) {
                    dimension == 2 ? "two numbers, the acceleration due to gravity along each axis, e.g. [0, -1]"
                                   : "three numbers, the acceleration due to gravity along each axis, e.g. "
                                     "[0, 0, -1]"});
+    // An empty list means that the value is invalid and that numbers() has already recorded a fault.
     if (gravity.empty()) return;
     if (gravity.size() != static_cast<std::size_t>(dimension))
       return t.fault("gravity", fmt::format("box.gravity has {} numbers: expected {}, one for each axis",
                                             gravity.size(), dimension));
     for (int a = 0; a < dimension; ++a) box.gravity[a] = gravity[static_cast<std::size_t>(a)];
   }
+  // The axes are checked even if the key is missing, because the grains would not stay on a floor without gravity. With
+  // "fixed", both ends of the axis are walls at rest, so gravity may act in either direction.
   for (int a = 0; a < dimension; ++a) {
     const BoxSide side = box.boundary[a];
     const bool has_floor = side == BoxSide::floor || side == BoxSide::lid;
@@ -233,6 +236,8 @@ void read_compaction_end(TableReader& t, Scene& scene) {
                                 t.path_of(key)));
     return;
   }
+  // Between walls this value is the default tolerance of the stress. The key equilibrium.stress is read after this
+  // function and replaces the default.
   scene.relaxation.tolerance.stress = CompactionEnd::kSettledPressure;
   if (scene.law.is_rigid()) {
     for (const char* key : {"end", "energy_ratio", "stop_time"})
@@ -244,6 +249,8 @@ void read_compaction_end(TableReader& t, Scene& scene) {
   }
   const auto chosen = t.choice("end", {"settled", "energy_ratio"}, Need::optional);
   if (chosen && *chosen == 1) end.criterion = CompactionEnd::Criterion::energy_ratio;
+  // The key is read even if the criterion does not use it. A key that is not read would be reported as unknown, whereas
+  // the message below names the criterion that needs the key.
   end.energy_ratio = t.number("energy_ratio",
                               {kPositive.holds, "a positive number (kinetic energy divided by elastic energy)"},
                               Need::optional)

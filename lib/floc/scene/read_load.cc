@@ -296,15 +296,19 @@ void check_zero_stress(TableReader& t, const LoadStage& stage, bool has_end, con
                                t.path_of(key)));
     return;
   }
+  // A cap on the inertial number I = |L'/L| sqrt(m/P) allows strain rates up to I sqrt(P/m). This limit vanishes with
+  // the pressure P, so that the cell could never reach its length at zero pressure.
   if (stage.is_isotropic() && stage.cell.inertial_number_cap)
     t.fault("inertial_number_cap", fmt::format("{}: at zero pressure a cap on the inertial number allows no "
                                                "motion; expected cell.strain_rate_cap in its place",
                                                t.path_of("inertial_number_cap")));
+  // If the key is missing, the stress of zero is only a placeholder, and the missing key has been reported already.
   if (!t.has(key)) return;
   if (!law.adheres())
     t.fault(key, fmt::format("{} = 0: without adhesion nothing holds the grains together at zero pressure; "
                              "expected a positive pressure",
                              t.path_of(key)));
+  // The cap of the table [cell] acts on a stage only if the stage has no cap of its own.
   else if (stage.is_isotropic() && cell_cap && !stage.cell.has_cap())
     t.fault(key, fmt::format("{} = 0: at zero pressure cell.inertial_number_cap allows no motion; expected "
                              "cell.strain_rate_cap in its place",

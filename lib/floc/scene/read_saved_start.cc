@@ -60,6 +60,8 @@ std::string refusal_of(const State<Dim>& state, const Scene& scene) {
   if (!state.packing.grains.are_round() && !scene.law.is_rigid())
     return "the grains of the state have shapes, and in this version of floc only rigid grains with shapes can "
            "start from a state: expected contact.normal = {law = \"rigid\"}";
+  // An open end is stored as a wall (Wall::open), so the test of walls below would refuse this state, too. This test
+  // comes first, because its message names the free space.
   if (is_open(state.packing.walls) && !scene.assembly.box)
     return "the state ends in free space along an axis: expected a periodic state, or a table [box] in "
            "the "
@@ -71,6 +73,8 @@ std::string refusal_of(const State<Dim>& state, const Scene& scene) {
     return has_walls ? "the state has walls: expected a table [box] in the scene"
                      : "the state has no walls: expected a table [cell] in the scene";
   const Cell<Dim>& cell = state.packing.cell;
+  // The elements above the diagonal must be exactly zero, because the static solver changes only lower triangular cells
+  // and requires this form. A negative element on the diagonal would mean a reversed lattice vector.
   if (!cell.matrix.isLowerTriangular(0.0) || cell.matrix.diagonal().minCoeff() <= 0.0)
     return "the cell of the state (cell/matrix) is rotated: expected a first lattice vector along the first "
            "axis and a second lattice vector in the plane of the first two axes, so that the sides of the cell "

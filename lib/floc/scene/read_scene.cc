@@ -224,6 +224,8 @@ void read_assembly(TableReader& root, const std::string& directory, Scene& scene
 void read_equilibrium(TableReader& root, Scene& scene) {
   RelaxationOptions& relaxation = scene.relaxation;
   TableReader t = root.table("equilibrium", "a table [equilibrium]", Need::optional);
+  // This call comes first, because it sets the default tolerance of the stress for packings between walls. A value of
+  // the key stress replaces this default below.
   read_compaction_end(t, scene);
   const NumberRule rule{positive, "a positive number (tolerance)"};
   EquilibriumTolerance& tolerance = relaxation.tolerance;

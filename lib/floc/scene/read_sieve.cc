@@ -138,6 +138,7 @@ std::optional<std::pair<std::string, std::string>> fault_of(const Sieves& s) {
     return std::pair{s.place_of(row), std::move(words)};
   };
   for (std::size_t k = 0; k < s.sizes.size(); ++k) {
+    // The comparisons are negated so that NaN is refused, too; TOML allows nan as a number.
     if (!(s.sizes[k] > 0.0))
       return at(k,
                 fmt::format("the size of a sieve is {:g}: expected a positive size. Between sizes the curve is "
@@ -149,6 +150,8 @@ std::optional<std::pair<std::string, std::string>> fault_of(const Sieves& s) {
           k, fmt::format("{:g} % of the mass pass the sieve of size {:g}: expected a percentage from 0 to 100",
                          s.passing[k], s.sizes[k]));
     if (k == 0) continue;
+    // The rows are sorted by size. Equal sizes are therefore in adjacent rows, and the percentages are in order if they
+    // are in order between adjacent rows.
     if (s.sizes[k] == s.sizes[k - 1])
       return at(k, fmt::format("two rows have the size {:g}: expected one row for each sieve", s.sizes[k]));
     if (s.passing[k] < s.passing[k - 1])

@@ -132,6 +132,8 @@ std::vector<std::vector<int>> face_loops(const std::vector<Vec<3>>& points, cons
   const std::vector<HullTriangle> triangles = triangulated_hull(points, place);
   const std::vector<int> group = joined_faces(points, triangles);
   std::vector<std::vector<std::pair<int, int>>> borders(triangles.size());
+  // The boundary of a face consists of the edges between a triangle of the face and a triangle of another face. The
+  // edges inherit the direction of their triangles, so the boundary is counter-clockwise as seen from outside.
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (int k = 0; k < 3; ++k)
       if (group[triangles[t].across[k]] != group[t])
@@ -139,6 +141,8 @@ std::vector<std::vector<int>> face_loops(const std::vector<Vec<3>>& points, cons
   std::vector<std::vector<int>> loops;
   for (std::vector<std::pair<int, int>>& border : borders) {
     if (border.empty()) continue;
+    // The edges are sorted by their first corner, so that the edge that begins at the corner `at` can be found by
+    // bisection.
     std::sort(border.begin(), border.end());
     std::vector<int>& loop = loops.emplace_back();
     int at = border.front().first;
@@ -147,6 +151,9 @@ std::vector<std::vector<int>> face_loops(const std::vector<Vec<3>>& points, cons
       const auto next = std::lower_bound(border.begin(), border.end(), std::pair(at, -1));
       at = next != border.end() && next->first == at ? next->second : -1;
     } while (at >= 0 && at != border.front().first && loop.size() <= border.size());
+    // The walk follows one closed curve. If the face has a hole or touches itself, some of its edges are not on this
+    // curve, and the numbers of corners and edges differ. The limit of the loop size above ends a walk that never
+    // returns to its first corner.
     if (at < 0 || loop.size() != border.size())
       throw InputError(
           place,

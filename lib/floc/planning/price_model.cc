@@ -209,14 +209,15 @@ void PriceModel::take_pilot(const PilotResult& pilot) {
     cost_factor_ *= pilot.core_seconds / core_seconds(settings_of_scene(), pilot.n_grains);
   }
   for (const ObservablePrice& measured : pilot.observables) {
-    // The scatter is proportional to N^(-1/2) for N grains. It is converted to the number of grains of the model before
-    // two scatters are pooled.
+    // The scatter is proportional to N^(-1/2) for N grains. The scatter of the pilot is converted to the number of
+    // grains of the model before two scatters are pooled.
     ObservablePrice scaled = measured;
     scaled.scatter *= std::sqrt(static_cast<double>(pilot.n_grains) / n_grains_);
     const auto known = std::find_if(observables_.begin(), observables_.end(),
                                     [&](const ObservablePrice& o) { return o.name == measured.name; });
     if (known != observables_.end()) {
-      // Pooled variance of the scatters s1 and s2 with n1 and n2 degrees of freedom: (n1 s1^2 + n2 s2^2)/(n1 + n2).
+      // The pooled variance of the scatters s1 and s2 with n1 and n2 degrees of freedom is (n1 s1^2 + n2 s2^2)/(n1 +
+      // n2).
       const double squares =
           known->dof * std::pow(known->scatter, 2) + scaled.dof * std::pow(scaled.scatter, 2);
       known->dof += scaled.dof;

@@ -118,8 +118,8 @@ std::vector<std::string> PriceTable::observables() const {
 PriceTable read_price_table(const std::string& csv, const std::string& place) {
   std::istringstream in(csv);
   const CsvTable cells = CsvTable::parse(place, in, kColumns);
-  // Only the columns that all versions of floc write are required. Columns that were added later may be missing, so
-  // that older tables can still be read; row_of() then stores NaN, 0 or the default value.
+  // Columns that later versions of floc have added may be missing, so that older tables can still be read. For a
+  // missing column, row_of() stores a value that stands for an unknown number, or a default value.
   for (const std::string& column : kColumns)
     if (!cells.has(column))
       throw InputError(place, "column " + column +

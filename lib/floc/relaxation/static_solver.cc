@@ -451,9 +451,9 @@ StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryContr
   const TangentPlan plan = options.method ? TangentPlan{*options.method} : plan_of(problem, tangent);
   TangentSolver solver(plan, problem.layout());
   StaticSolution<Dim> solution;
-  // The strain e of the ramp displaces two grains in contact by e times their distance, which is about a diameter. The
-  // strain therefore counts as a displacement in units of the diameter. The total displacement is limited because only
-  // pairs that were close at the start are candidates for contacts.
+  // The strain e of the ramp displaces two grains in contact by at most about e a, with the largest diameter a, which
+  // is the unit of this sum of displacements. The sum is limited because only pairs of grains that were close at the
+  // start can come into contact in the equations.
   double travelled = control.ramp.any() ? control.ramp.largest_strain() : 0.0;
   if (travelled > options.largest_displacement) {
     solution.reason = "the imposed lengths are too far from the present lengths of the cell";
@@ -488,7 +488,7 @@ StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryContr
     Eigen::VectorXd step = *solved;
     double length = problem.largest_relative_displacement(now, step);
     // A motion without stiffness has only the stiffness of the regularisation, so that a small residual along this
-    // motion gives a huge step. The negated comparison also detects a step that is not a number.
+    // motion gives a huge step.
     if (!(length < 1e3)) {
       solution.reason = "the packing has a mechanism (a motion without stiffness)";
       break;

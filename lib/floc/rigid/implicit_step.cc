@@ -141,7 +141,8 @@ class StepProgram {
   void add_unknowns() {
     int group = 0;
     for (int i = 0; i < bodies_.size(); ++i) {
-      // A body without contacts gets no impulses and keeps its velocity, so its velocity is no unknown.
+      // A body without contacts gets no impulses and keeps its velocity. The program therefore does not contain this
+      // velocity.
       if (first_[i] < 0) continue;
       first_[i] = static_cast<int>(unknowns_.size());
       for (int a = 0; a < Dim; ++a)
@@ -169,7 +170,8 @@ class StepProgram {
         double branch = 0.0;
         for (const StepContact<Dim>& c : contacts_) branch = std::max(branch, std::abs(c.branch[a]));
         // All n contacts contribute to the row of a stretch, with the coefficients r_a/length for the components r_a of
-        // the branch vectors. With length = max|r_a| sqrt(n), the norm of these coefficients is at most one.
+        // the branch vectors. With length = max|r_a| sqrt(n), the norm of the row is of order one for any number of
+        // contacts. The coefficients of the other unknowns are of order one, too.
         const double length = branch * std::sqrt(static_cast<double>(contacts_.size()));
         add({.stretch = a, .mass = 1.0 / (inverse * length * length), .length = length},
             bodies_.stretch[a] * length, group++);

@@ -93,7 +93,7 @@ class Descent {
       if (is_last && step->is_convex && step->decrement < kAtMinimum * mu_) return out;
       if (is_last || !(step->decrement < kNearMinimum * mu_)) continue;
       // The grains grow to full size before mu decreases. At a minimum, a gap with the force f is about mu/f wide, and
-      // in each growth a share of every gap remains. At a smaller mu, the grains could therefore grow only by tiny
+      // each growth closes only a part of every gap. At a smaller mu, the grains could therefore grow only by tiny
       // amounts.
       if (growth_ < 1.0)
         grow();

@@ -112,8 +112,9 @@ BalancedForces<Dim> StaticForces<Dim>::forces(const std::vector<Vec<Dim>>& x, in
   double mean = 0.0;
   for (std::size_t k = 0; k < x.size(); ++k) {
     const UnknownForce<Dim>& u = balance_.unknowns[k];
-    // The block is x = (P, T/mu) in the unit of forces. The normal force is F_N = P - F_a with the adhesion F_a, and
-    // the tangential force is T = mu times the tangential part of x.
+    // The block is x = (P, T/mu) in units of ForceBalance::unit, with the repulsive part P and the friction coefficient
+    // mu. The normal force is F_N = P - F_a with the adhesion F_a, and the tangential force T is mu times the
+    // tangential part of x.
     out.normal_force[u.contact] = x[k][0] * balance_.unit - u.adhesion;
     Vec<Dim> shear = u.friction * balance_.unit * x[k];
     shear[0] = 0.0;
@@ -121,8 +122,8 @@ BalancedForces<Dim> StaticForces<Dim>::forces(const std::vector<Vec<Dim>>& x, in
     if (u.friction > 0.0) out.friction_limit[u.contact] = u.friction * x[k][0] * balance_.unit;
     mean += std::abs(x[k][0]) / static_cast<double>(x.size());
   }
-  // In the program, the moments on a grain are divided by the size of the grain, so that all rows of grains contain
-  // forces in the unit of forces. Like these rows, `mean` is given in this unit.
+  // In the program, the moments on a grain are divided by the size of the grain, so that the residuals of these rows
+  // are forces, too. The residuals and `mean` have the unit ForceBalance::unit, which cancels in their ratio.
   const Eigen::VectorXd residual = program_.balance(x) - program_.load;
   for (int row = 0; row < residual.size(); ++row) {
     const double size = std::abs(residual[row]);

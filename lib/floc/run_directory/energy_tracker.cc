@@ -110,7 +110,7 @@ void require_energy_account(const RunOptions& options) {
                       "the energy balance cannot be recorded; expected a scene without simple shear",
                       stage.name));
   // A saved packing is vibrated when the run begins, before the balance starts. A packing made from a gas is vibrated
-  // between two equilibria and therefore within the balance.
+  // between two equilibria, while the balance is recorded.
   if (options.assembly.vibration && options.assembly.protocol != AssemblyOptions::Protocol::state)
     throw InputError("--track-energy",
                      "assembly.vibration displaces the grains as hard bodies, without forces, so the energy "

@@ -90,8 +90,8 @@ SceneRun<Dim>::SceneRun(const Scene& scene, const SceneRunOptions& asked)
       checkpoint_every_(scene.checkpoint_every),
       until_(asked.until),
       timing_(!asked.no_timing) {
-  // In a finished run no packing moves any more. The tables then remain as they are, and the functions that start to
-  // record require a run that is not finished.
+  // A finished run makes no more time steps, so there is nothing to record. track_contacts() and track_energy() require
+  // a run that is not finished.
   if (asked.track_contacts && !run.finished())
     table = track_contacts(run, options, directory, *asked.track_contacts);
   if (asked.track_energy && !run.finished()) table = track_energy(run, options, directory);

@@ -50,8 +50,8 @@ void read_gravity(TableReader& t, int dimension, BoxOptions& box) {
                                             gravity.size(), dimension));
     for (int a = 0; a < dimension; ++a) box.gravity[a] = gravity[static_cast<std::size_t>(a)];
   }
-  // The axes are checked even if the key is missing, because the grains would not stay on a floor without gravity. With
-  // "fixed", both ends of the axis are walls at rest, so gravity may act in either direction.
+  // The axes are checked even if the key is missing, because an axis with a floor needs gravity, and the default
+  // gravity is zero. With "fixed", both ends of the axis are walls at rest, so gravity may act in either direction.
   for (int a = 0; a < dimension; ++a) {
     const BoxSide side = box.boundary[a];
     const bool has_floor = side == BoxSide::floor || side == BoxSide::lid;

@@ -193,8 +193,9 @@ void read_dynamics(TableReader& root, const SceneSource& source, Scene& scene) {
   TableReader t = root.table("dynamics", "a table [dynamics]", Need::optional);
   const bool knows_law = knows_normal_law(root, source);
   const auto method = t.choice("method", {"smooth", "contact_dynamics"}, Need::optional);
-  // If the normal law has a fault, the law of the scene is a placeholder. The method is then taken from the key, and
-  // the key is not compared with the law, because such a comparison could report a fault that does not exist.
+  // If the normal law is missing or has a fault, the law of the scene is a placeholder. The method is then taken from
+  // the key, and the key is not compared with the law, because such a comparison could report a fault that does not
+  // exist.
   const bool implicit = knows_law ? scene.has_contact_dynamics() : method != std::optional<std::size_t>(0);
   if (knows_law && method && implicit && *method == 0)
     t.fault(
@@ -213,14 +214,15 @@ void read_dynamics(TableReader& root, const SceneSource& source, Scene& scene) {
                 "or method = \"smooth\"",
                 scene.law.normal_keyword()));
   // If the scene asks for contact dynamics where only smooth dynamics is possible, the fault has been recorded above.
-  // The settings of contact dynamics are then read all the same, so that they cause no further faults.
+  // The length of time steps and the limits of sweeps are then read as for contact dynamics, so that they cause no
+  // further faults.
   const bool steps = implicit || (method && *method == 1);
   if (steps)
     read_steps(t, scene.relaxation.contact_dynamics);
   else
     refuse_contact_dynamics(t);
-  // Elastic contacts have no rigid settings. If the law is not known, the contacts may be rigid, and the rigid settings
-  // are accepted.
+  // The settings of rigid contacts, such as the restitution, do not exist for elastic contacts. If the law is not
+  // known, the contacts may be rigid, and these settings are accepted.
   if (steps && knows_law && !scene.law.is_rigid())
     refuse_rigid_settings(t);
   else if (steps)

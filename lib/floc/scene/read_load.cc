@@ -296,8 +296,8 @@ void check_zero_stress(TableReader& t, const LoadStage& stage, bool has_end, con
                                t.path_of(key)));
     return;
   }
-  // A cap on the inertial number I = |L'/L| sqrt(m/P) allows strain rates up to I sqrt(P/m). This limit vanishes with
-  // the pressure P, so that the cell could never reach its length at zero pressure.
+  // A cap on the inertial number I = |L'/L| sqrt(m/P) allows strain rates up to I sqrt(P/m). At zero pressure P, this
+  // limit is zero, and the cell could not move.
   if (stage.is_isotropic() && stage.cell.inertial_number_cap)
     t.fault("inertial_number_cap", fmt::format("{}: at zero pressure a cap on the inertial number allows no "
                                                "motion; expected cell.strain_rate_cap in its place",

@@ -73,8 +73,8 @@ std::string refusal_of(const State<Dim>& state, const Scene& scene) {
     return has_walls ? "the state has walls: expected a table [box] in the scene"
                      : "the state has no walls: expected a table [cell] in the scene";
   const Cell<Dim>& cell = state.packing.cell;
-  // The elements above the diagonal must be exactly zero, because the static solver changes only lower triangular cells
-  // and requires this form. A negative element on the diagonal would mean a reversed lattice vector.
+  // The elements above the diagonal must be exactly zero, because the static solver requires a lower triangular matrix.
+  // A diagonal element that is not positive would mean a reversed lattice vector or a cell without volume.
   if (!cell.matrix.isLowerTriangular(0.0) || cell.matrix.diagonal().minCoeff() <= 0.0)
     return "the cell of the state (cell/matrix) is rotated: expected a first lattice vector along the first "
            "axis and a second lattice vector in the plane of the first two axes, so that the sides of the cell "

@@ -141,8 +141,8 @@ std::vector<std::vector<int>> face_loops(const std::vector<Vec<3>>& points, cons
   std::vector<std::vector<int>> loops;
   for (std::vector<std::pair<int, int>>& border : borders) {
     if (border.empty()) continue;
-    // The edges are sorted by their first corner, so that the edge that begins at the corner `at` can be found by
-    // bisection.
+    // The edges are sorted by their first corner, because std::lower_bound() below finds the edge that begins at a
+    // corner.
     std::sort(border.begin(), border.end());
     std::vector<int>& loop = loops.emplace_back();
     int at = border.front().first;

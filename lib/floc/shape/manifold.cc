@@ -184,9 +184,13 @@ class PairSearch {
     Manifold<Dim> found;
     if (best.face < 0) return found;
     const Shape<Dim>&reference = of_second ? b_ : a_, &incident = of_second ? a_ : b_;
+    // The contact is computed in the coordinates of the shape with the reference face. All lengths are therefore
+    // converted to the unit of length of this shape.
     const double scale = of_second ? second_.scale : first_.scale;
     const RelativePlace<Dim> place = of_second ? place_.inverse() : place_;
     const double size = size_ * first_.scale / scale;
+    // The gap between the rounded surfaces is the height of a corner of the core minus roundings_, the sum of both
+    // radii of rounding. Corners up to the height reach_ + roundings_ are therefore within reach.
     const ClippedFace<Dim> clipped = clipped_face<Dim>(reference, best.face, incident, place, best.vertex,
                                                        {.reach = (reach_ + roundings_) / scale,
                                                         .tolerance = 1e-9 * size,
@@ -198,6 +202,8 @@ class PairSearch {
     found.normal = first_.rotation * n;
     for (int k = 0; k < clipped.n; ++k) {
       const auto& p = clipped.points[k];
+      // The corner belongs to the incident core, and its foot lies on the plane of the reference face. The function
+      // midway() expects the point of the first shape before the point of the second shape.
       const Vec<Dim> foot = p.x - p.height * outward;
       const Vec<Dim> x = of_second ? midway(place_.point(p.x), place_.point(foot), n) : midway(foot, p.x, n);
       add(found, x, scale * p.height - roundings_,

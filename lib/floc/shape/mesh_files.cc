@@ -80,6 +80,8 @@ Mesh<3> parse_obj(const std::string& place, std::string_view text) {
       if (static_cast<std::int64_t>(mesh.faces.size()) >= kFaceCount.most)
         lines.refuse(
             fmt::format("the file has more than {} faces, the largest number allowed", kFaceCount.most));
+      // A face may refer only to vertices in lines above. A negative index counts backwards from the last vertex above,
+      // not from the last vertex of the file.
       const auto n = static_cast<std::int64_t>(mesh.vertices.size());
       if (lines.n_words() < 4)
         lines.refuse(
@@ -87,6 +89,7 @@ Mesh<3> parse_obj(const std::string& place, std::string_view text) {
             "vertices");
       std::vector<int>& face = mesh.faces.emplace_back();
       for (std::size_t k = 1; k < lines.n_words(); ++k) {
+        // The word of a corner may have the form vertex/texture/normal. Only the index of the vertex is needed.
         const std::string_view index = lines.word(k).substr(0, lines.word(k).find('/'));
         const auto i = parse_number<std::int64_t>(index);
         if (!i || *i == 0 || *i > n || *i < -n)
@@ -96,6 +99,8 @@ Mesh<3> parse_obj(const std::string& place, std::string_view text) {
         face.push_back(static_cast<int>(*i > 0 ? *i - 1 : n + *i));
       }
     } else if (std::find(kSkipped.begin(), kSkipped.end(), key) == kSkipped.end()) {
+      // A line of an unknown kind may describe a part of the surface, for example a curved patch. The shape would be
+      // wrong without this part, so the line is not skipped.
       lines.refuse(
           fmt::format("the line begins with \"{}\": expected v (vertex) or f (face)", key.substr(0, 40)));
     }

@@ -151,6 +151,8 @@ NamedShape<Dim> shape_of_mesh(const std::string& place, const Mesh<Dim>& mesh,
         fmt::format(
             "rounding = {:g}: the file already gives a radius of rounding for this shape; leave out rounding",
             options.rounding));
+  // One or two points have no convex hull with a volume. If the file gives a radius of rounding, the points
+  // nevertheless define a sphere or a capsule.
   if (mesh.rounding > 0.0 && mesh.vertices.size() <= 2) return {mesh.name, shape_of_few(place, mesh), {}};
 
   const std::vector<Vec<Dim>> points = used_vertices(mesh);
@@ -165,6 +167,10 @@ NamedShape<Dim> shape_of_mesh(const std::string& place, const Mesh<Dim>& mesh,
                     n_left_out, points.size()));
   const double whole = volume_of(hull.polytope);
   if (!mesh.faces.empty() && mesh.is_oriented) {
+    // Even if every point is a vertex of the hull, the surface between the points may have dents. The number of points
+    // left out is therefore no test of convexity, but the volume is: only a convex surface encloses the whole volume of
+    // its hull. The sum over the faces is the enclosed volume if all faces have one sense of rotation, and its sign
+    // depends on this sense.
     const double enclosed = std::abs(volume_of(Polytope<Dim>{mesh.vertices, mesh.faces}));
     if (enclosed < kConvexShare * whole)
       made.remarks.push_back(
@@ -173,6 +179,8 @@ NamedShape<Dim> shape_of_mesh(const std::string& place, const Mesh<Dim>& mesh,
                       enclosed / whole));
   }
   const std::size_t n_before = hull.polytope.vertices.size();
+  // The points to keep are chosen from the vertices of the hull. All points of the mesh would be the wrong set, because
+  // a chosen point inside the hull may not be a vertex of the shape.
   if (options.vertices != 0 && static_cast<int>(n_before) > options.vertices) {
     hull = convex_hull<Dim>(spread_points<Dim>(hull.polytope.vertices, options.vertices), place);
     made.remarks.push_back(fmt::format(

@@ -180,8 +180,11 @@ std::optional<ShapeFault> fault_of_geometry(const Shape<Dim>& shape) {
   const Polytope<Dim> core = core_of(shape);
   for (int f = 0; f < shape.n_faces(); ++f) {
     const Vec<Dim> normal = face_normal(core, f).normalized();
+    // The comparison is negated, so that a normal with a NaN is a fault, too.
     if (!((shape.normals[f] - normal).norm() <= kRelative))
       return ShapeFault{"normals", fmt::format("the normal of face {} is not normal to the face", f)};
+    // A shape is convex if none of its vertices lies above the plane of any face. The offset of a face is the height of
+    // its highest vertex, because the vertices of merged faces do not lie exactly in one plane.
     double highest = -size;
     for (const int v : shape.loop(f)) highest = std::max(highest, shape.normals[f].dot(shape.vertices[v]));
     if (differs(shape.offsets[f], highest, size))
@@ -193,6 +196,8 @@ std::optional<ShapeFault> fault_of_geometry(const Shape<Dim>& shape) {
         return ShapeFault{"vertices",
                           fmt::format("the shape is not convex: vertex {} lies outside face {}", v, f)};
   }
+  // The formulas for the mass of a rounded shape hold only for a convex core, so the convexity is tested before the
+  // mass.
   if (auto fault = fault_of_mass_properties(shape, core)) return fault;
   return fault_of_radii(shape);
 }

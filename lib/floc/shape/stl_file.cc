@@ -94,6 +94,8 @@ Mesh<3> parse_text(const std::string& place, std::string_view text) {
     if (lines.word(0) == "endsolid") break;
     if (lines.word(0) != "facet")
       lines.refuse(fmt::format("\"{}\": expected facet or endsolid", lines.word(0).substr(0, 40)));
+    // The normal in the line of the facet is not read. The order of the corners shows the outer side of the triangle,
+    // and the normals of the shape are computed from its convex hull.
     require("outer", "loop");
     std::array<Vec<3>, 3> corners;
     for (Vec<3>& corner : corners) {

@@ -194,6 +194,8 @@ std::vector<ConsolidationSample> with_pooled(std::vector<ConsolidationSample> sa
 ConsolidationFit fit_of(const ConsolidationSample& sample, const ConsolidationFitOptions& asked,
                         const ConsolidationOptions& options) {
   ConsolidationOptions own = options;
+  // The keyword "scatter" asks for weights from the scatter between samples. A single curve has no such scatter, so its
+  // fit keeps the weighting of `options`.
   if (asked.weights == "scatter" && sample.loading.curve.samples.cols() > 1) own.weighting = Weighting::scatter;
   start_at_P0(asked.P0, sample.loading.curve, own);
   if (asked.chooses_law()) return fit_supported_law(sample.loading.curve, own);
@@ -208,6 +210,7 @@ ConsolidationFit consolidation_fit(const std::vector<std::string>& inputs, const
   for (const std::string& input : inputs)
     for (const std::string& table : tables_of(input)) {
       paths.push_back(read_path(table, columns, {"P_star"}, stress, asked.phi_limit));
+      // The mean over the paths needs one unit of pressure. All paths are converted to the unit of the first path.
       convert_pressures(paths.front(), paths.back());
     }
   std::vector<ConsolidationSample> samples;
@@ -215,6 +218,8 @@ ConsolidationFit consolidation_fit(const std::vector<std::string>& inputs, const
   if (samples.empty())
     throw InputError("fit",
                      "no table of a load path is given: give one or more tables, or directories of floc run");
+  // The last sample is the mean of all samples. If there is only one table, the last sample is the sample of this
+  // table.
   return fit_of(with_pooled(std::move(samples), options.hold_P0).back(), asked, options);
 }
 
@@ -223,6 +228,7 @@ std::optional<std::pair<double, double>> range_of_lambda(const ConsolidationFit&
   if (!lambda || !lambda->value || fit.window_shifts.empty()) return std::nullopt;
   std::pair<double, double> range{*lambda->value, *lambda->value};
   for (const WindowShift& shift : fit.window_shifts) {
+    // It is not known how far a window without a value of lambda would extend the range, so no range is returned.
     if (!shift.lambda) return std::nullopt;
     range = {std::min(range.first, *shift.lambda), std::max(range.second, *shift.lambda)};
   }
@@ -240,6 +246,8 @@ Json as_json(const ConsolidationSample& sample, const ConsolidationFit& fit,
   object["sample"] = sample.name;
   object["law"] = word_for(fit.law);
   object["protocol"] = asked.protocol.empty() ? "automatic" : asked.protocol;
+  // Every object has all keys, so that scripts need not test whether a key exists. A member without a value is null or
+  // empty.
   object["refusal"] = fit.found() ? Json(nullptr) : Json(fit.failure_reason);
   object["window"] = fit.found() ? Json{fit.window_low, fit.window_high} : Json(nullptr);
   object["pressure_unit"] = sample.unit.empty() ? Json(nullptr) : Json(sample.unit);
@@ -252,6 +260,7 @@ Json as_json(const ConsolidationSample& sample, const ConsolidationFit& fit,
     for (std::size_t j = 0; j < fit.correlated.size(); ++j)
       object["correlation"][fit.correlated[i]][fit.correlated[j]] = number_or_null(fit.correlation(i, j));
   object["rms"] = fit.found() ? Json(fit.rms) : Json(nullptr);
+  // The pattern of the residuals is computed only if the standard errors are computed from the residuals.
   object["residual_pattern"] =
       fit.found() && !fit.errors_from_samples ? pattern_as_json(fit.pattern) : Json(nullptr);
   object["weights"] = word_for(fit.weighting);
@@ -274,6 +283,7 @@ Json as_json(const ConsolidationSample& sample, const ConsolidationFit& fit,
   object["lambda_range"] = range ? Json{range->first, range->second} : Json(nullptr);
   object["rows_used"] = Json::array();
   object["P_star_used"] = Json::array();
+  // The mean of several samples has no table rows. The pressures P* identify its points.
   for (const int i : fit.used) {
     if (!sample.loading.rows.empty()) object["rows_used"].push_back(sample.loading.rows[i]);
     object["P_star_used"].push_back(sample.loading.curve.P_star[i]);

@@ -109,6 +109,8 @@ template <int Dim>
 void add_network(const State<Dim>& state, ModuliOptions options, ModuliRow& row, Table* increments,
                  const Remarks& remarks) {
   const Packing<Dim>& packing = state.packing;
+  // The mechanics have to belong to the network from which the moduli in the row were computed. This network has the
+  // rolling stiffness of the row.
   if (row.rolling_stiffness) options.rolling_stiffness = row.rolling_stiffness;
   const ContactNetwork<Dim> network = options.loaded_network(packing);
   const ContactMechanics<Dim> contacts = contact_mechanics(network, row.moduli);
@@ -125,6 +127,10 @@ void add_network(const State<Dim>& state, ModuliOptions options, ModuliRow& row,
             fmt::join(vanishing, ", ")));
   row.n_near_mechanisms = count_near_mechanisms(network, response, options.largest_factor);
   const bool has_near_mechanisms = row.n_near_mechanisms.value_or(0) > 0;
+  // Prestress changes the eigenvalues of the stiffness matrix by about F_N/r (F_N: normal force, r: distance between
+  // centres). Near-mechanisms have eigenvalues of this size or smaller. Prestress may therefore change the moduli
+  // strongly, and the moduli with prestress are computed, too. For grains with corners, prestress can be included only
+  // if there are no walls.
   if (options.prestress || (has_near_mechanisms && (packing.grains.are_round() || packing.walls.empty()))) {
     ModuliOptions geometric = options;
     geometric.prestress = true;
@@ -339,9 +345,12 @@ std::vector<std::string> ModuliTableOptions::validate() const {
   if (kt && !kn) faults.push_back("kt: expected a normal stiffness too; give --kn");
   if (accuracy)
     for (const std::string& fault : accuracy->validate()) faults.push_back(fault);
+  // The test of moduli.method above does not find this fault. If an accuracy is required, floc chooses the method, and
+  // moduli.method may still have its default value `factor`.
   if (increments && accuracy)
     faults.push_back("increments: needs --method factor; give it instead of --accuracy");
   if (solver != ModuliSolver::petsc) return faults;
+  // PETSc always uses an iterative method of its own. The options --method and --accuracy would choose another method.
   if (!by_factor(*this))
     faults.push_back(
         "solver petsc: cannot be combined with --method or --accuracy; give the required accuracy with "

@@ -122,6 +122,7 @@ ModulusFits modulus_fits(const std::string& file, const ColumnNames& columns,
   for (const char* name : {"P", "P_star", "file"}) wanted.emplace_back(name);
   for (const std::vector<std::string>& names : {default_moduli(), options.moduli})
     wanted.insert(wanted.end(), names.begin(), names.end());
+  // The wanted names help to distinguish the line of column names from lines with titles.
   const CsvTable table = CsvTable::read(file, wanted_names(wanted, columns));
   const NamedColumns named(table, columns);
   const ModulusColumns all = modulus_columns(named, options);
@@ -133,6 +134,9 @@ ModulusFits modulus_fits(const std::string& file, const ColumnNames& columns,
           fmt::format("{0}: only the {1} rows of the first loading are fitted, of {2} rows in all", sample,
                       chosen.size(), rows.size()));
     for (const auto& modulus : all.moduli) {
+      // The rows are selected for each modulus, because a row may lack one modulus but have another one. The laws
+      // against pressure and against solid fraction are fitted to one set of rows, so the pressure has to be positive
+      // for both laws.
       std::vector<int> positive;
       std::copy_if(chosen.begin(), chosen.end(), std::back_inserter(positive), [&](int row) {
         return table.number(row, all.pressure.index) > 0.0 && !table.is_empty(row, modulus.second.index) &&
@@ -158,6 +162,7 @@ std::vector<ModulusFit> pooled_over_samples(const std::vector<ModulusFit>& fits)
   for (const ModulusFit& first : fits) {
     if (std::find(seen.begin(), seen.end(), std::pair(first.modulus, first.against)) != seen.end()) continue;
     seen.emplace_back(first.modulus, first.against);
+    // The map sorts the parameters by name. `names` keeps the order in which the law lists the parameters.
     std::map<std::string, std::vector<double>> values;
     std::vector<std::string> names;
     ModulusFit mean;
@@ -172,6 +177,7 @@ std::vector<ModulusFit> pooled_over_samples(const std::vector<ModulusFit>& fits)
         values[p.name].push_back(*p.value);
       }
     }
+    // The error of a mean follows from the scatter between samples, and a single sample has no scatter.
     if (mean.n < 2) continue;
     mean.sample = "pooled";
     mean.modulus = first.modulus;

@@ -198,6 +198,8 @@ NetworkRow network_row(const std::string& file, const State<Dim>& state, const N
   row.wall_pressure = mean_wall_pressure(packing);
   for (const Contact<Dim>& c : packing.contacts) row.n_bonds += c.bonded;
   row.solid_fraction = solid_fraction(packing);
+  // The forces balance only up to the tolerance of equilibrium. A contact with a force below this tolerance cannot be
+  // distinguished from a contact without force. The user can give another tolerance.
   const double tolerance = options.zero_force.value_or(state.tolerance.force);
   const double zero_force = tolerance * force_scale(packing, state.target_stress).force;
   row.coordination = coordination(packing, zero_force);
@@ -208,9 +210,13 @@ NetworkRow network_row(const std::string& file, const State<Dim>& state, const N
   row.phases = pressure_phases(contact_network(packing), pressure);
   const CarryingStructure held =
       carrying_structure(packing, zero_force, options.least_contacts.value_or(least_contacts(packing)));
+  // Contacts with walls support grains, so the search for rattlers includes these contacts. Contacts with walls are
+  // removed only after this search, because `row.carrying` describes forces between grains.
   row.carrying = carrying_forces(packing, between_grains(packing, held));
   add_contact_statistics(packing, held, row);
   if (options.mechanics && packing.walls.empty()) {
+    // Rigid contacts have no stiffness, so there are no elastic moduli. The indeterminacy of the forces needs no
+    // stiffness, because it follows from the equations of balance and from the friction law.
     if (packing.law.is_rigid())
       row.rigid_indeterminacy = rigid_indeterminacy(packing, zero_force);
     else

@@ -76,6 +76,8 @@ using M = StateMeasures;
 }  // namespace
 
 const std::array<DeclaredObservable, kObservables>& declared_observables() {
+  // The index of an entry is its number in the enumeration Observable, with which other functions find the entry. The
+  // entries must therefore have the order of this enumeration.
   static const std::array<DeclaredObservable, kObservables> observables = {{
       {"phi", "1", "solid fraction", Source::state, in_every_scene,
        [](const M& m) { return m.solid_fraction; }},
@@ -91,6 +93,7 @@ const std::array<DeclaredObservable, kObservables>& declared_observables() {
        in_every_scene, [](const M& m) { return m.tail_plus; }},
       {"tail_minus", "F1", "decay force of the exponential tail of the tensile forces", Source::state,
        is_cohesive, [](const M& m) { return m.tail_minus; }},
+      // The consolidation law is fitted to a whole path, so its parameters have no value in a single state.
       {"lambda", "1", "slope of the consolidation law", Source::path, raises_pressure, nullptr},
       {"alpha", "1", "exponent with which the consolidation law approaches Phi_max", Source::path,
        raises_pressure, nullptr},

@@ -175,6 +175,9 @@ ConsolidationValues fitted_consolidation(const std::vector<const SamplePath*>& p
 std::array<MeanDifference, 3> compare_fits(const std::vector<const SamplePath*>& references,
                                            const std::vector<const SamplePath*>& paths,
                                            const PressureWindow& window) {
+  // A sample and its reference path have one seed, so part of their scatter is common to both. They are left out
+  // together, so that this part cancels in the difference. Separate jackknife errors of the two fits, added in squares,
+  // would include this part twice.
   return jackknife(references.size(), [&](std::optional<std::size_t> left_out) {
     return differences(fit(curve_without(paths, left_out), window),
                        fit(curve_without(references, left_out), window));
@@ -183,6 +186,8 @@ std::array<MeanDifference, 3> compare_fits(const std::vector<const SamplePath*>&
 
 std::array<MeanDifference, 3> sampling_errors_of_fits(const std::vector<const SamplePath*>& paths,
                                                       const PressureWindow& window) {
+  // Every difference is relative to the fit to all samples. The jackknife therefore gives the standard error of each
+  // parameter divided by the parameter.
   const Fitted whole = fitted_consolidation(paths, window);
   return jackknife(paths.size(), [&](std::optional<std::size_t> left_out) {
     return differences(fit(curve_without(paths, left_out), window), whole);

@@ -344,10 +344,14 @@ std::vector<StudiedSetting> studied_settings(const Scene& scene) {
 
 std::vector<StudiedSetting> lattice_settings(const Scene& scene) {
   const bool flat = scene.dimension == 2;
+  // A scene contains no settings of the lattice. The study therefore uses the defaults of `floc lattice` for the scene
+  // as it is.
   const double nodes = flat ? 15.0 : 6.5, tolerance = flat ? 1e-10 : 1e-9;
   StudiedSetting base = as_it_is(scene);
   base.lattice = LatticeSettings{nodes, LatticeMethod::automatic, tolerance};
   Settings list;
+  // The first variant is the reference to which all others are compared. Its lattice is finer and its tolerance is
+  // smaller than those of all other variants, so that it has the smallest error.
   add(
       base, "strict", "all",
       [&](StudiedSetting& s) {
@@ -366,6 +370,7 @@ std::vector<StudiedSetting> lattice_settings(const Scene& scene) {
   for (const LatticeMethod method : {LatticeMethod::factor, LatticeMethod::iterative})
     add(
         base, "method", name_of(method), [&](StudiedSetting& s) { s.lattice->method = method; }, list);
+  // The number of grains is fixed if the scene starts from a state or lists the diameters of its grains.
   if (has_any_number_of_grains(scene)) add_count(scene, base, list);
   return list;
 }

@@ -151,12 +151,16 @@ class Study {
     const Deadline start(0.0);
     last_seed_whole_ = false;
     const std::uint64_t seed = scene_.seed + static_cast<std::uint64_t>(k);
+    // The run with the strictest settings comes first. Its states are compared with the states of the other runs, and
+    // its processor time sets their time limits. If this run fails, nothing can be compared, so the seed is left out.
     SamplePath reference = make_path(0, seed, nullptr, deadline_);
     if (!reference.whole()) return fail(0, seed, reference);
     SamplePath base;
     for (std::size_t i = 1; i < settings_.size(); ++i) {
       if (skipped_.contains(i)) continue;
       if (settings_[i].is_moduli_level()) {
+        // The moduli are computed for the states of the reference. The run `base` with the settings of the scene gives
+        // only the processor time of making such states.
         samples_[i].push_back(moduli_level(k, settings_[i], reference, base));
         continue;
       }
@@ -172,6 +176,7 @@ class Study {
       if (i == 1) base = path;
       samples_[i].push_back({k, std::move(path), {}, 0.0});
     }
+    // The packings of the reference are freed only now, because the other settings needed them.
     reference.drop_packings();
     samples_[0].push_back({k, std::move(reference), {}, 0.0});
     last_seed_whole_ = !deadline_.passed();

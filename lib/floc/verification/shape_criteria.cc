@@ -33,6 +33,9 @@ Criterion concluded(Criterion criterion, Violations& violations) {
 template <int Dim>
 void compare_contact(const Packing<Dim>& stored, const Contact<Dim>& c, const Contact<Dim>& found,
                      Criterion& result, Violations& violations) {
+  // All three errors have to be lengths. The error of the normal is therefore multiplied by the length of the branch
+  // vector (from centre to centre). The product is about the displacement of a grain that would turn the normal by this
+  // error.
   const double error =
       std::max({std::abs(c.gap - found.gap), (c.normal - found.normal).norm() * branch(stored, c).norm(),
                 (c.arm_i - found.arm_i).norm()});
@@ -40,6 +43,7 @@ void compare_contact(const Packing<Dim>& stored, const Contact<Dim>& c, const Co
   if (!(error <= result.limit))
     violations.add(error, fmt::format("{} by {:.2g}", pair_name(stored, c), error));
   else if (c.type != found.type)
+    // A wrong type has no magnitude. The value 0 places it behind all errors of the geometry in the message.
     violations.add(0.0,
                    fmt::format("{}, recorded as a contact of the type {} instead of {}", pair_name(stored, c),
                                contact_type_name(c.type), contact_type_name(found.type)));
@@ -57,6 +61,8 @@ Criterion check_shape_geometry(const Packing<Dim>& stored, const std::vector<Con
   Violations violations;
   for (std::size_t k = 0; k < stored.contacts.size(); ++k) {
     const Contact<Dim>&c = stored.contacts[k], &r = found[k];
+    // An infinite gap marks two bodies without a contact point. This violation has no finite error, so it does not
+    // change the value of the criterion.
     if (std::isinf(r.gap))
       add_lost_contact(stored, c, violations);
     else

@@ -138,6 +138,8 @@ Criterion check_law(const Packing<Dim>& stored, const Packing<Dim>& recomputed) 
     const Contact<Dim>& c = stored.contacts[k];
     const Contact<Dim>& r = recomputed.contacts[k];
     const double arm = (r.arm_i - r.arm_j).norm();
+    // The moments are divided by the length of arm_i - arm_j, the vector from the first body to the second, so that all
+    // errors are forces.
     const double error =
         std::max({std::abs(c.normal_force - r.normal_force), std::abs(c.elastic_force - r.elastic_force),
                   (c.shear_force - r.shear_force).norm(), (c.rolling_moment - r.rolling_moment).norm() / arm,
@@ -145,6 +147,8 @@ Criterion check_law(const Packing<Dim>& stored, const Packing<Dim>& recomputed) 
     result.value = std::max(*result.value, error);
     std::string state = wrong_stiffness(recomputed, c, stiffness_tolerance(recomputed, r));
     if (!state.empty()) state = "the stiffness " + state;
+    // The law computes the stiffness of a contact according to its mark (touching or distant), so a wrong mark can be
+    // the cause of a wrong stiffness. If the mark is wrong, the message therefore names the mark and not the stiffness.
     if (c.distant != r.distant)
       state = fmt::format("the contact being stored as {} although its gap is {:.2g}",
                           c.distant ? "distant" : "touching", r.gap);

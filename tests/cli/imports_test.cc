@@ -265,7 +265,7 @@ TEST_F(Imports, ReadGeneralTriclinicBoxesOfLammps) {
 TEST_F(Imports, ReadPlainXyzByTheNumbersOfItsColumns) {
   write("plain.xyz", "2\nany comment\nA 0.5 0.5 0.5 0.5 1\nB 1.49 0.5 0.6 0.5 2\n");
   EXPECT_THAT(convert("plain.xyz", {"--walls", "x=:,y=:,z=:"}).err,
-              HasSubstr("give --columns with the number of a column, radius=5"));
+              HasSubstr("give the number of the column of the sizes, --columns radius=5"));
   ASSERT_EQ(convert("plain.xyz", {"--walls", "x=:,y=:,z=:", "--columns", "radius=5,mass=6"}).code, 0);
   EXPECT_EQ(row("network").at("n_contacts"), 1);
   ASSERT_EQ(convert("plain.xyz", {"--walls", "x=:,y=:,z=:", "--columns", "x=4,y=3,z=2,diameter=5"}).code, 0);

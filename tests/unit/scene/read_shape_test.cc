@@ -259,7 +259,7 @@ TEST(ReadShape, ElasticShapesHaveSettingsOfContactDynamics) {
                 HasSubstr("it is a setting of rigid contacts"))
         << key;
   EXPECT_THAT(elastic_faults({"dynamics.method=\"smooth\""}),
-              HasSubstr("dynamics.method = \"smooth\": contacts of"));
+              HasSubstr("dynamics.method = \"smooth\": the contact forces of"));
   for (const char* change : {"run.time_step=0.1", "equilibrium.finish=\"dynamic\""})
     EXPECT_THAT(elastic_faults({change}), HasSubstr("is not allowed with shapes of grains")) << change;
   EXPECT_THAT(elastic_faults({"assembly.vibration={dilation=1.01, collisions=10}"}),

@@ -91,6 +91,9 @@ void place_point(const ListedContact& row, bool reversed, const Packing<Dim>& pa
   if (!packing.is_wall(c.j))
     require_near<Dim>(row, c.arm_j.norm(), packing.grains.radius[c.j], reversed ? "first" : "second");
   if (!row.normal || !row.gap) {
+    // locate() prefers the contact point with the key of the contact to the nearest one. The contact has no key yet, so
+    // it gets one that no contact point of two shapes has.
+    c.key = kFirstFreeKey;
     const ContactGeometry<Dim> at = locate(packing, c);
     c.normal = at.normal;
     c.gap = at.gap;

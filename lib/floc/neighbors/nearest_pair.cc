@@ -8,6 +8,19 @@
 
 namespace floc {
 
+namespace {
+
+/// Returns the gap of two grains whose circumscribed circles or spheres have a gap of at most `reach`.
+template <int Dim>
+double gap_of(const Packing<Dim>& packing, const Contact<Dim>& c, double reach) {
+  if (packing.grains.are_round()) return locate(packing, c).gap;
+  const double largest = reach + packing.grains.radius[c.i] + packing.grains.radius[c.j];
+  const Manifold<Dim> found = manifold_of(packing, c, branch(packing, c), largest);
+  return found.n > 0 ? found.least_gap() : largest;
+}
+
+}  // namespace
+
 template <int Dim>
 std::optional<NearestPair> nearest_pair(const Packing<Dim>& packing) {
   // Neighbours are searched up to a largest gap, which increases from search to search. kFirst and kLast are the first
@@ -21,10 +34,12 @@ std::optional<NearestPair> nearest_pair(const Packing<Dim>& packing) {
     for (const NeighborPair<Dim>& pair : find_pairs(cell, packing.grains, reach)) {
       Contact<Dim> c;
       c.i = pair.i, c.j = pair.j, c.image = pair.image;
-      const double gap = locate(packing, c).gap;
+      const double gap = gap_of(packing, c, reach);
       if (!nearest || gap < nearest->gap) nearest = {c.i, c.j, gap};
     }
-    if (nearest) return nearest;
+    // The gap of two grains with corners can exceed the gap of their circumscribed circles or spheres. Pairs that were
+    // not found have larger gaps than `reach`.
+    if (nearest && nearest->gap <= reach) return nearest;
   }
   return std::nullopt;
 }

@@ -131,7 +131,7 @@ TEST_F(Structure, OfBothDimensionsHasNeitherOneFileNorAnAverage) {
 }
 
 TEST_F(Structure, ComparesStatesInRescaledDistance) {
-  // The same crystal at two densities. In the loose crystal, neighbours are farther away relative to the diameter. In
+  // One crystal at two densities. In the loose crystal, neighbours are farther away relative to the diameter. In
   // rescaled distances, the neighbours of the two crystals are at equal distances.
   for (const double r : {1.0, 0.8}) {
     State<3> bcc;

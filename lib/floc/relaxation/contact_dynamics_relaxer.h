@@ -30,10 +30,12 @@ struct ContactDynamicsProgress {
   double time_step = 0.0;        ///< next time step (time); 0 before the first step
   double last_step = 0.0;        ///< last time step (time); 0 before the first step
   double deepest_overlap = 0.0;  ///< deepest overlap so far, divided by the diameter of the smaller grain
-  int calm_steps = 0;            ///< number of successive calm time steps up to the present (kCalmSteps)
-  int resting_steps = 0;         ///< number of time steps of the phase `resting`
-  int next_trial = 0;            ///< value of resting_steps before which balanced forces are not sought again
-  int n_rests = 0;               ///< number of times that elastic grains have begun the phase `resting`
+  /// number of successive calm time steps up to the present (kCalmSteps); negative if more calm steps than usual are
+  /// required
+  int calm_steps = 0;
+  int resting_steps = 0;  ///< number of time steps of the phase `resting`
+  int next_trial = 0;     ///< value of resting_steps before which balanced forces are not sought again
+  int n_rests = 0;        ///< number of times that elastic grains have begun the phase `resting`
   /// smallest residual of elastic grains in the phase `resting`, in units of the force scale; 0 before the first test
   double least_residual = 0.0;
   int least_at = 0;          ///< number of steps of the phase `resting` after which least_residual was found
@@ -108,17 +110,18 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
   void make_steps(int n_steps);
   bool forces_are_nearly_balanced() const;
   double near_balance() const;
-  double largest_gap() const;
+  double largest_gap(bool is_exact) const;
   bool find_balanced_forces();
   bool stays_in_place(const Packing<Dim>& rested) const;
   void set_balanced_forces(Packing<Dim>& packing) const;
   void start_resting();
+  bool settles_freely() const;
   RelaxationStatus rest();
   RelaxationStatus rest_in_steps();
   RelaxationStatus rest_at_least_volume();
   RelaxationStatus rest_on_springs();
   bool springs_balance();
-  void start_moving();
+  void start_moving(int more_calm_steps = 0);
   void measure();
 
   RelaxationOptions options_;

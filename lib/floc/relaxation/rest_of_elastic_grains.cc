@@ -52,10 +52,12 @@ double largest_of(const Residuals& r) {
 }  // namespace
 
 /// Returns to the phase in which the grains move under the load.
+/// @param more_calm_steps  number of calm steps, beyond the usual number, after which the phase ends; the usual number
+/// is enough once a step has not been calm
 template <int Dim>
-void ContactDynamicsRelaxer<Dim>::start_moving() {
+void ContactDynamicsRelaxer<Dim>::start_moving(int more_calm_steps) {
   progress_.phase = ContactDynamicsProgress::moving;
-  progress_.calm_steps = 0;
+  progress_.calm_steps = -more_calm_steps;
   progress_.time_step = 0.0;
 }
 
@@ -122,8 +124,8 @@ bool ContactDynamicsRelaxer<Dim>::springs_balance() {
   return true;
 }
 
-template void ContactDynamicsRelaxer<2>::start_moving();
-template void ContactDynamicsRelaxer<3>::start_moving();
+template void ContactDynamicsRelaxer<2>::start_moving(int);
+template void ContactDynamicsRelaxer<3>::start_moving(int);
 template RelaxationStatus ContactDynamicsRelaxer<2>::rest_on_springs();
 template RelaxationStatus ContactDynamicsRelaxer<3>::rest_on_springs();
 template bool ContactDynamicsRelaxer<2>::springs_balance();

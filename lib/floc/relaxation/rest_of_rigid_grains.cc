@@ -24,6 +24,14 @@ namespace {
 /// Longest and shortest time step of the phase `resting`, in units of T.
 constexpr double kLongestRest = 0.5;
 constexpr double kShortestRest = 1e-3;
+/// Longest time step at the beginning of the phase `resting`, in units of T, for packings that settle freely
+/// (ContactDynamicsRelaxer::settles_freely()). Errors of the impulses displace grains in proportion to the square of the
+/// time step. In a test, a step of 0.5 T made disks overlap by 30 times the gap tolerance.
+constexpr double kFirstRest = 0.125;
+/// After a failed search for balanced forces, packings that settle freely move until kCalmSteps plus this number of
+/// steps have been calm. The motion away from an unstable equilibrium grows from rest, so that its first steps are calm,
+/// too.
+constexpr int kMoreCalmSteps = 160;
 /// Longest time step of elastic grains in the phase `resting`, in units of T. Each step is solved all at once.
 constexpr double kLongestOnSprings = 30.0;
 /// Largest number of sweeps in a time step of the phase `resting`: at the beginning of the phase (kRestingSweeps), and
@@ -86,9 +94,12 @@ void hold_adhesion(Packing<Dim>& packing) {
 template <int Dim>
 void ContactDynamicsRelaxer<Dim>::start_resting() {
   progress_.phase = ContactDynamicsProgress::resting;
-  progress_.rest_length = kLongestRest;
-  progress_.rest_sweeps = kRestingSweeps;
   progress_.time_step = 0.0;
+  // Rigid grains that have rested before continue with the time step that they had reached.
+  if (progress_.rest_length == 0.0) {
+    progress_.rest_length = settles_freely() ? kFirstRest : kLongestRest;
+    progress_.rest_sweeps = kRestingSweeps;
+  }
   if (!is_elastic()) return;
   ++progress_.n_rests;
   progress_.rest_length = kLongestOnSprings;
@@ -105,6 +116,14 @@ template <int Dim>
 RelaxationStatus ContactDynamicsRelaxer<Dim>::rest() {
   if (are_smooth_polyhedra(packing_)) return rest_at_least_volume();
   return rest_in_steps();
+}
+
+/// Returns whether the free motion of the grains soon decays. It does for round grains and for polygons. Polyhedra creep
+/// on for a long time, because contact switches back and forth between corners. They come to rest sooner in steps from
+/// rest.
+template <int Dim>
+bool ContactDynamicsRelaxer<Dim>::settles_freely() const {
+  return Dim == 2 || packing_.grains.are_round();
 }
 
 /// Makes steps of the phase `resting`, then seeks balanced forces if the net forces are small or if the last search was
@@ -163,15 +182,17 @@ double ContactDynamicsRelaxer<Dim>::near_balance() const {
   return packing_.grains.are_round() ? kNearBalanceRound : kNearBalanceAngular;
 }
 
-/// Returns the largest gap or overlap of the contacts, divided by the diameter of the smaller grain. A gap counts only
-/// if the contact carries a force that exceeds the errors of the balance.
+/// Returns the deepest overlap of the contacts, divided by the diameter of the smaller grain. If the contacts of a step
+/// without friction are solved all at once, the gaps of contacts with a force count, too, as long as the force exceeds
+/// the errors of the balance.
 template <int Dim>
-double ContactDynamicsRelaxer<Dim>::largest_gap() const {
+double ContactDynamicsRelaxer<Dim>::largest_gap(bool is_exact) const {
   const double least = near_balance() * mean_repulsive_force(packing_);
   double largest = 0.0;
-  for (const Contact<Dim>& c : packing_.contacts)
-    largest = std::max(
-        largest, (c.elastic_force > least ? std::abs(c.gap) : -c.gap) / (2.0 * smaller_radius(packing_, c)));
+  for (const Contact<Dim>& c : packing_.contacts) {
+    const bool counts = is_exact && c.elastic_force > least;
+    largest = std::max(largest, (counts ? std::abs(c.gap) : -c.gap) / (2.0 * smaller_radius(packing_, c)));
+  }
   return largest;
 }
 
@@ -182,11 +203,11 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
   const double tolerance = gap_tolerance();
   const bool is_exact = solves_at_once() && packing_.law.friction_coefficient() == 0.0;
   const double reached_gap = is_exact ? std::min(tolerance, kGapAtOnce) : tolerance;
-  if (const double gap = largest_gap(); gap > reached_gap) {
+  if (const double gap = largest_gap(is_exact); gap > reached_gap) {
     progress_.obstacle = fmt::format(
-        "the largest gap of a contact with a force, or the largest overlap, is {:.2g} times the diameter of "
-        "the smaller grain, but the tolerance is {:.2g}",
-        gap, reached_gap);
+        "the {} is {:.2g} times the diameter of the smaller grain, but the tolerance is {:.2g}",
+        is_exact ? "largest gap of a contact with a force, or the deepest overlap," : "deepest overlap", gap,
+        reached_gap);
     // Errors of the impulses displace grains in proportion to the square of the time step, so the longest step is
     // halved.
     if (!solves_at_once()) progress_.rest_length = std::max(0.5 * progress_.rest_length, kShortestRest);
@@ -201,6 +222,10 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
     if (forces_at_rest(options_, rested) != RigidForces::stepped) set_balanced_forces(rested);
   } catch (const NoResult& reason) {
     progress_.obstacle = reason.what();
+    if (settles_freely() && !solves_at_once()) {
+      start_moving(kMoreCalmSteps);
+      return false;
+    }
     // A grain still moves, so the longest step is doubled. The number of sweeps is doubled, too: without friction, many
     // sweeps are needed to resolve a slow motion.
     progress_.rest_length = std::min(2.0 * progress_.rest_length, kLongestRest);
@@ -217,7 +242,7 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
   if (!are_smooth_polyhedra(rested) && !stays_in_place(rested)) {
     progress_.obstacle =
         "the equilibrium is unstable: grains leave their places when the packing is free to move";
-    start_moving();
+    start_moving(settles_freely() ? kMoreCalmSteps : 0);
     return false;
   }
   packing_ = std::move(rested);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -91,6 +93,39 @@ TEST(ContactDynamicsRelaxer, RoundedPolyhedraComeToRestWithoutFriction) {
     shape.rounding = rounding;
     expect_at_rest(relaxed<3>(make_rigid_gas<3>({.count = 12, .shape = shape})));
   }
+}
+
+/// Relaxes packings of disks and reads the progress after each chunk of steps. Expects that steps at rest are never
+/// longer than at their beginning, that the count of calm steps begins at -160 after a failed search for balanced
+/// forces, and that it has reached 40 whenever the motion ends.
+TEST(ContactDynamicsRelaxer, DisksMoveOnAfterAFailedSearch) {
+  int n_failed = 0;
+  for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
+    SCOPED_TRACE(seed);
+    ContactDynamicsRelaxer<2> relaxer(rigid_options(),
+                                      make_rigid_gas<2>({.count = 150, .friction = 0.5, .seed = seed}),
+                                      LoadTarget<2>::normal_stress(Vec<2>::Ones()));
+    RelaxationStatus status = RelaxationStatus::running;
+    for (int phase = ContactDynamicsProgress::moving; status == RelaxationStatus::running;) {
+      status = relaxer.advance();
+      const nlohmann::json now = nlohmann::json::parse(relaxer.progress());
+      const int calm = now["calm_steps"];
+      EXPECT_LE(now["rest_length"], 0.125);
+      const bool ended_motion = phase == ContactDynamicsProgress::moving && now["phase"] != phase;
+      const bool failed = phase == ContactDynamicsProgress::resting && now["phase"] != phase;
+      if (ended_motion) {
+        EXPECT_GE(calm, 40);
+      }
+      if (failed) {
+        EXPECT_EQ(calm, -160);
+      }
+      n_failed += failed;
+      phase = now["phase"];
+    }
+    EXPECT_EQ(status, RelaxationStatus::converged) << relaxer.report().blocking;
+    expect_verified(relaxer.packing());
+  }
+  EXPECT_GT(n_failed, 0);
 }
 
 /// Removes the forces of a packing and computes canonical forces from its positions alone. These must equal the

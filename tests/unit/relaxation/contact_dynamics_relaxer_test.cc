@@ -100,10 +100,10 @@ TEST(ContactDynamicsRelaxer, RoundedPolyhedraComeToRestWithoutFriction) {
 /// forces, and that it has reached 40 whenever the motion ends.
 TEST(ContactDynamicsRelaxer, DisksMoveOnAfterAFailedSearch) {
   int n_failed = 0;
-  for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
+  for (const std::uint64_t seed : {3u, 9u}) {
     SCOPED_TRACE(seed);
     ContactDynamicsRelaxer<2> relaxer(rigid_options(),
-                                      make_rigid_gas<2>({.count = 150, .friction = 0.5, .seed = seed}),
+                                      make_rigid_gas<2>({.count = 250, .friction = 0.5, .seed = seed}),
                                       LoadTarget<2>::normal_stress(Vec<2>::Ones()));
     RelaxationStatus status = RelaxationStatus::running;
     for (int phase = ContactDynamicsProgress::moving; status == RelaxationStatus::running;) {

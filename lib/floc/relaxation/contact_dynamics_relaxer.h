@@ -112,6 +112,7 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
   double near_balance() const;
   double largest_gap(bool is_exact) const;
   bool find_balanced_forces();
+  bool find_forces_at_minimum(bool is_near);
   bool stays_in_place(const Packing<Dim>& rested) const;
   void set_balanced_forces(Packing<Dim>& packing) const;
   void start_resting();

@@ -142,9 +142,8 @@ RelaxationStatus ContactDynamicsRelaxer<Dim>::rest_in_steps() {
   return progress_.resting_steps >= kMostRestingSteps ? RelaxationStatus::gave_up : RelaxationStatus::running;
 }
 
-/// Moves polyhedra without friction to a minimum of P V, where their forces balance. Rounded polyhedra are moved near a
-/// minimum, and then make steps until their forces balance. After a failure, the grains move under the load again
-/// before the next search.
+/// Moves polyhedra without friction to a minimum of P V, or near one, and then seeks balanced forces. After a failure,
+/// the grains move under the load again before the next search.
 template <int Dim>
 RelaxationStatus ContactDynamicsRelaxer<Dim>::rest_at_least_volume() {
   if constexpr (Dim == 3) {
@@ -156,18 +155,26 @@ RelaxationStatus ContactDynamicsRelaxer<Dim>::rest_at_least_volume() {
     wrap_into_cell(packing_);
     measure();
     progress_.obstacle = found.failure;
-    if (found.failure.empty() && find_balanced_forces()) return RelaxationStatus::converged;
-    for (int k = 0; k < kTrialsNearMinimum && found.failure.empty() && found.is_near; ++k) {
-      check_interruption();
-      make_steps(kSteps);
-      if (find_balanced_forces()) return RelaxationStatus::converged;
-    }
+    if (found.failure.empty() && find_forces_at_minimum(found.is_near)) return RelaxationStatus::converged;
     if (progress_.resting_steps < kMostRestingSteps) {
       start_moving();
       return RelaxationStatus::running;
     }
   }
   return RelaxationStatus::gave_up;
+}
+
+/// Seeks balanced forces in a packing at a minimum of P V. If the packing is only near a minimum, as that of rounded
+/// polyhedra, it makes steps until its forces balance.
+template <int Dim>
+bool ContactDynamicsRelaxer<Dim>::find_forces_at_minimum(bool is_near) {
+  if (find_balanced_forces()) return true;
+  for (int k = 0; k < kTrialsNearMinimum && is_near; ++k) {
+    check_interruption();
+    make_steps(kSteps);
+    if (find_balanced_forces()) return true;
+  }
+  return false;
 }
 
 template <int Dim>

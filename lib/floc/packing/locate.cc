@@ -45,8 +45,8 @@ template <int Dim>
 ManifoldOptions manifold_options(const Packing<Dim>& packing) {
   ManifoldOptions options;
   options.exact = are_smooth_polyhedra(packing);
+  options.most_points = Manifold<Dim>::kMostPoints;
   if (!options.exact && packing.law.is_rigid()) options.face_preference = kFacePreference;
-  if (options.exact || !packing.law.is_rigid()) options.most_points = Manifold<Dim>::kMostPoints;
   return options;
 }
 

@@ -57,6 +57,8 @@ constexpr double kElasticStrains = 1.0;
 /// Tolerance of the impulses in the phase `resting`, divided by the mean normal impulse: the sweeps of a step end when
 /// the error is below this tolerance.
 constexpr double kRestingTolerance = 1e-8;
+/// Largest number of sweeps in a time step of the phase `resting`.
+constexpr int kRestingSweeps = 300;
 
 /// Function that calls visit(name, member) for every member of a ContactDynamicsProgress, with the name that the member
 /// has in checkpoints.
@@ -76,7 +78,6 @@ constexpr auto kMembers = [](auto& p, const auto& visit) {
   visit("least_at", p.least_at);
   visit("next_trial", p.next_trial);
   visit("rest_length", p.rest_length);
-  visit("rest_sweeps", p.rest_sweeps);
   visit("side_before", p.side_before);
   visit("offset_before", p.offset_before);
   visit("obstacle", p.obstacle);
@@ -192,7 +193,7 @@ ContactDynamicsSettings ContactDynamicsRelaxer<Dim>::settings() const {
   return {.longest_step = longest * time_unit_,
           .sweep_tolerance = resting ? std::min(kRestingTolerance, own.sweep_tolerance)
                                      : (is_gas ? kGasTolerance : 1.0) * own.sweep_tolerance,
-          .max_sweeps = resting ? progress_.rest_sweeps : own.max_sweeps,
+          .max_sweeps = resting ? kRestingSweeps : own.max_sweeps,
           .restitution = resting ? 0.0 : own.restitution,
           .slow_impact = kSlowImpact * own.time_step * largest_diameter(packing_.grains) / time_unit_,
           .threads = options_.threads,

@@ -40,7 +40,6 @@ struct ContactDynamicsProgress {
   double least_residual = 0.0;
   int least_at = 0;          ///< number of steps of the phase `resting` after which least_residual was found
   double rest_length = 0.0;  ///< longest time step of the phase `resting`, in units of T
-  int rest_sweeps = 0;       ///< largest number of sweeps in a time step of the phase `resting`
   /// Sides of the cell before the strain (length).
   std::vector<double> side_before;
   double offset_before = 0.0;
@@ -116,7 +115,6 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
   bool stays_in_place(const Packing<Dim>& rested) const;
   void set_balanced_forces(Packing<Dim>& packing) const;
   void start_resting();
-  bool settles_freely() const;
   RelaxationStatus rest();
   RelaxationStatus rest_in_steps();
   RelaxationStatus rest_at_least_volume();

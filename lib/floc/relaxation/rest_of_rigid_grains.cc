@@ -21,23 +21,16 @@
 namespace floc {
 namespace {
 
-/// Longest and shortest time step of the phase `resting`, in units of T.
-constexpr double kLongestRest = 0.5;
+/// Longest time step at the beginning of the phase `resting`, and shortest limit to which it is reduced, in units of T.
+/// Errors of the impulses displace grains in proportion to the square of the time step. In a test, a step of 0.5 T made
+/// disks overlap by 30 times the gap tolerance.
+constexpr double kLongestRest = 0.125;
 constexpr double kShortestRest = 1e-3;
-/// Longest time step at the beginning of the phase `resting`, in units of T, for packings that settle freely
-/// (ContactDynamicsRelaxer::settles_freely()). Errors of the impulses displace grains in proportion to the square of the
-/// time step. In a test, a step of 0.5 T made disks overlap by 30 times the gap tolerance.
-constexpr double kFirstRest = 0.125;
-/// After a failed search for balanced forces, packings that settle freely move until kCalmSteps plus this number of
-/// steps have been calm. The motion away from an unstable equilibrium grows from rest, so that its first steps are calm,
-/// too.
+/// After a failed search for balanced forces, the grains move until kCalmSteps plus this number of steps have been
+/// calm. The motion away from an unstable equilibrium grows from rest, so that its first steps are calm, too.
 constexpr int kMoreCalmSteps = 160;
 /// Longest time step of elastic grains in the phase `resting`, in units of T. Each step is solved all at once.
 constexpr double kLongestOnSprings = 30.0;
-/// Largest number of sweeps in a time step of the phase `resting`: at the beginning of the phase (kRestingSweeps), and
-/// after all increases (kMostRestingSweeps).
-constexpr int kRestingSweeps = 300;
-constexpr int kMostRestingSweeps = 9600;
 /// Largest gap, divided by the diameter of the smaller grain, at which a contact without friction may have a force if
 /// contacts are solved all at once.
 constexpr double kGapAtOnce = 1e-6;
@@ -96,10 +89,7 @@ void ContactDynamicsRelaxer<Dim>::start_resting() {
   progress_.phase = ContactDynamicsProgress::resting;
   progress_.time_step = 0.0;
   // Rigid grains that have rested before continue with the time step that they had reached.
-  if (progress_.rest_length == 0.0) {
-    progress_.rest_length = settles_freely() ? kFirstRest : kLongestRest;
-    progress_.rest_sweeps = kRestingSweeps;
-  }
+  if (progress_.rest_length == 0.0) progress_.rest_length = kLongestRest;
   if (!is_elastic()) return;
   ++progress_.n_rests;
   progress_.rest_length = kLongestOnSprings;
@@ -116,14 +106,6 @@ template <int Dim>
 RelaxationStatus ContactDynamicsRelaxer<Dim>::rest() {
   if (are_smooth_polyhedra(packing_)) return rest_at_least_volume();
   return rest_in_steps();
-}
-
-/// Returns whether the free motion of the grains soon decays. It does for round grains and for polygons. Polyhedra creep
-/// on for a long time, because contact switches back and forth between corners. They come to rest sooner in steps from
-/// rest.
-template <int Dim>
-bool ContactDynamicsRelaxer<Dim>::settles_freely() const {
-  return Dim == 2 || packing_.grains.are_round();
 }
 
 /// Makes steps of the phase `resting`, then seeks balanced forces if the net forces are small or if the last search was
@@ -229,14 +211,9 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
     if (forces_at_rest(options_, rested) != RigidForces::stepped) set_balanced_forces(rested);
   } catch (const NoResult& reason) {
     progress_.obstacle = reason.what();
-    if (settles_freely() && !solves_at_once()) {
-      start_moving(kMoreCalmSteps);
-      return false;
-    }
-    // A grain still moves, so the longest step is doubled. The number of sweeps is doubled, too: without friction, many
-    // sweeps are needed to resolve a slow motion.
-    progress_.rest_length = std::min(2.0 * progress_.rest_length, kLongestRest);
-    progress_.rest_sweeps = std::min(2 * progress_.rest_sweeps, kMostRestingSweeps);
+    // A grain still moves. Steps that are solved all at once move it on, too; steps that are solved by sweeps, each of
+    // which begins at rest, move it slowly.
+    if (!solves_at_once()) start_moving(kMoreCalmSteps);
     return false;
   }
   const Mat<Dim> stress = static_stress(rested);
@@ -249,7 +226,7 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
   if (!are_smooth_polyhedra(rested) && !stays_in_place(rested)) {
     progress_.obstacle =
         "the equilibrium is unstable: grains leave their places when the packing is free to move";
-    start_moving(settles_freely() ? kMoreCalmSteps : 0);
+    start_moving(kMoreCalmSteps);
     return false;
   }
   packing_ = std::move(rested);

@@ -40,8 +40,6 @@ struct ManifoldPoint {
 template <int Dim>
 struct Manifold {
   static constexpr int kMostPoints = Dim == 2 ? 2 : 8;
-  /// Number of points that represent a contact of rigid shapes well.
-  static constexpr int kRigidPoints = Dim == 2 ? 2 : 4;
 
   /// Number of points; 0 if no point has a gap below `reach` of contact_manifold().
   int n = 0;
@@ -59,10 +57,10 @@ struct Manifold {
 
 /// Options of contact_manifold().
 struct ManifoldOptions {
-  /// If a contact in 3D has more corners than this number, only some of them are kept. Manifold::kRigidPoints is enough
-  /// for rigid shapes with friction. Elastic shapes need Manifold::kMostPoints, because each overlapping corner is a
-  /// spring. Grains in equilibrium without friction need Manifold::kMostPoints, too, because the force of a pair can
-  /// act anywhere between the corners.
+  /// If a contact in 3D has more corners than this number, only some of them are kept. Packings need
+  /// Manifold::kMostPoints. With a smaller number, a corner that carries a force can be left out because another corner
+  /// is a little deeper; a rigid pair then turns to and fro between two sets of corners and never comes to rest.
+  /// Moreover, each overlapping corner of elastic shapes is a spring.
   int most_points = 4;
   /// Whether normals have to be accurate to about 1e-6 instead of 1e-4 radians, and both ends of an edge on a face are
   /// needed. Grains in equilibrium without friction require this, because errors of the normals unbalance their forces.

@@ -15,13 +15,13 @@ const ManifoldPoint<Dim>& largest(const std::vector<ManifoldPoint<Dim>>& points,
                            [&](const auto& p, const auto& q) { return size(p) < size(q); });
 }
 
-/// Returns all points if there are at most Manifold::kRigidPoints. Otherwise returns that number of points that enclose
-/// a large area, and the point with the wanted key.
+/// Returns all points if there are at most Manifold::kMostPoints. Otherwise returns at most four points that enclose a
+/// large area, and the point with the wanted key.
 template <int Dim>
 std::vector<ManifoldPoint<Dim>> spread_out(const std::vector<ManifoldPoint<Dim>>& all, const Vec<Dim>& normal,
                                            std::optional<std::uint32_t> wanted) {
   using Point = ManifoldPoint<Dim>;
-  if (static_cast<int>(all.size()) <= Manifold<Dim>::kRigidPoints) return all;
+  if (static_cast<int>(all.size()) <= Manifold<Dim>::kMostPoints) return all;
   const Point deepest = largest<Dim>(all, [](const Point& p) { return -p.gap; });
   const Point furthest = largest<Dim>(all, [&](const Point& p) { return (p.arm - deepest.arm).squaredNorm(); });
   std::vector<Point> kept = {deepest, furthest};

@@ -5,7 +5,7 @@
 namespace floc {
 
 /// Computes the contact of a shape and a plane, such as a wall. The contact points are the vertices whose gap is
-/// smaller than `reach`. If there are more points than Manifold::kRigidPoints, only these are kept: the deepest point,
+/// smaller than `reach`. If there are more points than Manifold::kMostPoints, only these are kept: the deepest point,
 /// the point furthest from it, and, on each side of the line through these two points, the point furthest from the
 /// line. The key of a point is the index of its vertex.
 /// @param normal  unit normal of the plane, in the direction away from the shape

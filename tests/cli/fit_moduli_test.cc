@@ -13,6 +13,7 @@ namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
+using testing::Not;
 
 /// A table of moduli of two samples that are loaded and unloaded. On loading, the moduli are exact powers of the
 /// pressure.
@@ -55,6 +56,16 @@ TEST(FitModuli, OfNamedColumnsWithAllStates) {
                              "p0 [kPa];Gmax [MPa]\n100;50\n25;25\n400;100\n50;35,355339\n");
   ASSERT_EQ(o.code, 0) << o.err;
   EXPECT_THAT(o.out, HasSubstr("stdin,Gmax,P,exponent,0.5"));
+}
+
+TEST(FitModuli, LeaveOutColumnsWithoutValues) {
+  std::string text = "P,B,G_shear,M\n";
+  for (const double P : {1.0, 2.0, 4.0, 8.0, 16.0}) text += fmt::format("{},{},,\n", P, std::sqrt(P));
+  const Outcome o = run_floc("fit moduli - --format csv", ".", text);
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(o.out, HasSubstr("stdin,B,P,exponent,"));
+  EXPECT_THAT(o.err, Not(HasSubstr("G_shear")));
+  EXPECT_EQ(run_floc("fit moduli - --moduli G_shear", ".", text).code, 3);
 }
 
 TEST(FitModuli, ThatATableDoesNotHaveAreRefused) {

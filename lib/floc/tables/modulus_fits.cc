@@ -26,6 +26,14 @@ struct ModulusColumns {
   const CsvTable& table() const { return named.table(); }
 };
 
+/// Returns whether a column has a value in any row. Tables of floc moduli also have the columns of moduli that none of
+/// their states has.
+bool has_values(const CsvTable& table, int column) {
+  for (int row = 0; row < table.n_rows(); ++row)
+    if (!table.is_empty(row, column)) return true;
+  return false;
+}
+
 std::vector<std::pair<std::string, UnitColumn>> columns_of_moduli(const NamedColumns& named,
                                                                   const std::vector<std::string>& asked) {
   std::vector<std::pair<std::string, UnitColumn>> found;
@@ -33,14 +41,15 @@ std::vector<std::pair<std::string, UnitColumn>> columns_of_moduli(const NamedCol
   if (!asked.empty()) return found;
   for (const std::string& name : default_moduli()) {
     const auto column = named.is_named(name) ? named.unit_column(name) : named.find_exactly(name);
-    if (column) found.emplace_back(name, *column);
+    if (column && has_values(named.table(), column->index)) found.emplace_back(name, *column);
   }
   if (found.empty())
     throw InputError(
         named.table().place(),
-        fmt::format("the table has none of the columns {}; its columns are {}: expected a table of floc "
-                    "moduli, or the names of the moduli with --moduli",
-                    fmt::join(default_moduli(), ", "), fmt::join(named.table().columns(), ", ")));
+        fmt::format(
+            "the table has values in none of the columns {}; its columns are {}: expected a table of floc "
+            "moduli, or the names of the moduli with --moduli",
+            fmt::join(default_moduli(), ", "), fmt::join(named.table().columns(), ", ")));
   return found;
 }
 

@@ -10,8 +10,8 @@
 namespace floc {
 
 struct ModulusFitOptions {
-  /// Headers of the columns of the moduli to fit. If empty, those moduli in default_moduli() are fitted that the table
-  /// contains.
+  /// Headers of the columns of the moduli to fit. If empty, those moduli in default_moduli() are fitted of which the
+  /// table contains values.
   std::vector<std::string> moduli;
   std::string branch = "first";  ///< "first": the states of the first loading; "all": all states
   double phi_limit = 1.0;        ///< see largest_solid_fraction()

@@ -299,7 +299,7 @@ def moduli(tables, *, moduli=None, branch="first", phi_limit=1.0, columns=None):
     tables : path-like or sequence of them
         Tables of ``floc moduli``, or other tables with a pressure and moduli.
     moduli : sequence of str, optional
-        Columns of the moduli [those of B, B_S, G, G_shear, M and E that the table has].
+        Columns of the moduli [those of B, B_S, G, G_shear, M and E of which the table has values].
     branch : {"first", "all"}
         States to fit: those of the first loading of each sample, or all.
     phi_limit : float or None

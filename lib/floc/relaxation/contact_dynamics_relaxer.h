@@ -56,7 +56,8 @@ struct ContactDynamicsProgress {
 /// sweeps have not brought the grains to rest. Frictionless polyhedra make no steps in this phase: they are moved to a
 /// minimum of the volume (rigid/least_volume.h).
 /// 3. Without motion of the grains, forces are sought that satisfy Coulomb's conditions and balance all grains and the
-/// imposed stress (rigid/static_forces.h). If there are no such forces, some grain still moves, and phase 2 continues.
+/// imposed stress (rigid/static_forces.h). If there are no such forces, some grain still moves: phase 1 begins anew or, if
+/// the contacts are solved all at once, phase 2 continues. Phase 1 also begins anew if the equilibrium is unstable.
 ///
 /// Sides of the cell with an imposed length do not move during these phases. The stress on these sides results from the
 /// forces.

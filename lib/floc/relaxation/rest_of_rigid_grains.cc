@@ -88,9 +88,11 @@ template <int Dim>
 void ContactDynamicsRelaxer<Dim>::start_resting() {
   progress_.phase = ContactDynamicsProgress::resting;
   progress_.time_step = 0.0;
-  // Rigid grains that have rested before continue with the time step that they had reached.
-  if (progress_.rest_length == 0.0) progress_.rest_length = kLongestRest;
-  if (!is_elastic()) return;
+  if (!is_elastic()) {
+    // Grains that have rested before continue with the time step that they had reached.
+    if (progress_.rest_length == 0.0) progress_.rest_length = kLongestRest;
+    return;
+  }
   ++progress_.n_rests;
   progress_.rest_length = kLongestOnSprings;
   progress_.resting_steps = progress_.least_at = 0;
@@ -151,7 +153,8 @@ RelaxationStatus ContactDynamicsRelaxer<Dim>::rest_at_least_volume() {
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::find_forces_at_minimum(bool is_near) {
   if (find_balanced_forces()) return true;
-  for (int k = 0; k < kTrialsNearMinimum && is_near; ++k) {
+  if (!is_near) return false;
+  for (int k = 0; k < kTrialsNearMinimum; ++k) {
     check_interruption();
     make_steps(kSteps);
     if (find_balanced_forces()) return true;

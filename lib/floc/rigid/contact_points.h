@@ -9,7 +9,7 @@
 namespace floc {
 
 /// Search for the contact points of a packing. A pair of round grains has one point; a pair of grains with corners has
-/// up to two (2D) or four (3D). For each pair, the object stores the features (vertices, edges or faces) that defined
+/// up to two (2D) or eight (3D). For each pair, the object stores the features (vertices, edges or faces) that defined
 /// the separating axis in the last search. The next search begins with these features. Its result differs from that of
 /// a search without stored features by no more than the margins of contact_manifold().
 template <int Dim>

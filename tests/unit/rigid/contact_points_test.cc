@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "support/angular_packing.h"
+#include "support/few_grains.h"
 #include "support/network_packings.h"
 #include "support/rigid_states.h"
 
@@ -30,12 +31,8 @@ Packing<3> two_octagons(const Law& law) {
   for (int k = 0; k < 8; ++k)
     for (const double z : {-0.5, 0.5})
       corners.emplace_back(std::cos(0.25 * k * std::numbers::pi), std::sin(0.25 * k * std::numbers::pi), z);
-  Packing<3> packing;
-  packing.law = law;
-  packing.cell.matrix *= 8.0;
-  packing.grains = Grains<3>::with_size(2);
+  Packing<3> packing = test::unit_grains<3>({{4, 4, 3}, {4, 4, 4.001}}, 8.0, law);
   test::set_shape(packing.grains, shape_of_points<3>(corners, 0.0).shape, std::sqrt(5.0));
-  packing.grains.position = {{4, 4, 3}, {4, 4, 4.001}};
   packing.grains.orientation[1] = Eigen::AngleAxisd(1e-4, Vec<3>(1.0, 0.3, 0.0).normalized());
   return packing;
 }

@@ -70,9 +70,9 @@ Command add_fit_moduli(CommandLine fit) {
                  "tables of floc moduli, or other tables with a pressure, moduli and, for the law of the solid "
                  "fraction, a solid fraction or void_ratio; - for a table on stdin")
       .required();
-  app.add_option(
-         "--moduli", arguments->fit.moduli,
-         "NAME,...: columns of the moduli to fit [those of B, B_S, G, G_shear, M and E that the table has]")
+  app.add_option("--moduli", arguments->fit.moduli,
+                 "NAME,...: columns of the moduli to fit [those of B, B_S, G, G_shear, M and E of which the "
+                 "table has values]")
       .delimiter(',');
   app.add_option("--branch", arguments->fit.branch,
                  "states to fit: first (those of the first loading of each sample) or all [first]")

@@ -3,11 +3,11 @@
 #include <cstddef>
 #include <utility>
 
+#include "floc/base/pack.h"
 #include "floc/contact/contact_law.h"
 #include "floc/contact/history_layout.h"
 #include "floc/geometry/frame_turn.h"
 #include "floc/relaxation/kernels/kernel_law.h"
-#include "floc/relaxation/kernels/pack.h"
 #include "floc/relaxation/kernels/step_kernels.h"
 
 /// Force loop in single precision, which only single_precision_bench.cc uses. Separations and overlaps are computed in

@@ -50,7 +50,8 @@ Vec<Dim> strain_under(const Packing<Dim>& rested, const Vec<Dim>& stress) {
 /// stress cause. The tolerance is 1e-6 of the largest modulus. Tangential forces make the matrix of the measured moduli
 /// unsymmetric, by some P/K_N; its symmetric part is compared. Also expects that moduli without prestress differ only
 /// by some P/K_N, and lie between their bounds.
-/// @param step  change of the stress, divided by the pressure
+/// @param step  Change of the stress, divided by the pressure. The error of the measured strains is the tolerance of the
+/// forces divided by the step; with larger steps, it is the change of the moduli with the stress.
 template <int Dim>
 void expect_moduli_of_strains(int count, const ShapeOptions& shape, double friction, double step) {
   constexpr double kStiffness = 1e5, kSticks = 100.0;

@@ -22,4 +22,8 @@ std::string relaxation_library() {
   return FLOC_RELAXATION_LIBRARY;
 }
 
+std::string rigid_library() {
+  return FLOC_RIGID_LIBRARY;
+}
+
 }  // namespace floc::test

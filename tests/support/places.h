@@ -21,4 +21,7 @@ std::string floc_program();
 /// Path of the library that contains the kernels of the relaxation.
 std::string relaxation_library();
 
+/// Path of the library that contains the kernels of the sweeps over rigid contacts.
+std::string rigid_library();
+
 }  // namespace floc::test

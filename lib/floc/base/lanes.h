@@ -22,6 +22,16 @@ inline T select(const Mask& when, const T& a, const T& b) {
   }
 }
 
+/// Returns whether a mask is set in any lane.
+template <class Mask>
+inline bool any_lane(const Mask& mask) {
+  if constexpr (std::is_same_v<Mask, bool>) {
+    return mask;
+  } else {
+    return any(mask);
+  }
+}
+
 template <class T>
 inline T min(const T& a, const T& b) {
   return select(a < b, a, b);
@@ -30,6 +40,11 @@ inline T min(const T& a, const T& b) {
 template <class T>
 inline T max(const T& a, const T& b) {
   return select(a < b, b, a);
+}
+
+template <class T>
+inline T absolute(const T& value) {
+  return max(value, T(-value));
 }
 
 /// Returns `value` limited to the interval [-bound, bound]. @pre bound >= 0

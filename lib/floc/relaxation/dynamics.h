@@ -2,9 +2,9 @@
 
 #include <memory>
 
+#include "floc/base/instruction_set.h"
 #include "floc/packing/packing.h"
 #include "floc/relaxation/boundary_control.h"
-#include "floc/relaxation/instruction_set.h"
 
 namespace floc {
 

@@ -3,8 +3,6 @@
 #include <utility>
 
 #include "floc/rigid/contact_colours.h"
-#include "floc/rigid/coupled_contacts.h"
-#include "floc/rigid/round_contacts.h"
 #include "floc/rigid/team_sweeps.h"
 
 namespace floc {
@@ -14,7 +12,7 @@ namespace {
 /// Rounding of positions in large cells causes small deviations.
 constexpr double kRound = 1e-12;
 
-/// Returns whether a body behaves like a round body at one of its contacts, as RoundContacts requires.
+/// Returns whether a body behaves like a round body at one of its contacts, as RoundGroup requires.
 template <int Dim>
 bool is_round(const BodyMotion<Dim>& bodies, int body, const Vec<Dim>& arm, const Vec<Dim>& normal) {
   const Mat<kRotations<Dim>>& inertia = bodies.inverse_inertia[body];
@@ -26,7 +24,8 @@ bool is_round(const BodyMotion<Dim>& bodies, int body, const Vec<Dim>& arm, cons
 
 template <int Dim, bool Cell>
 std::unique_ptr<ContactSweeps<Dim>> make_sweeps(BodyMotion<Dim>& bodies,
-                                                std::vector<StepContact<Dim>>& contacts, int threads) {
+                                                std::vector<StepContact<Dim>>& contacts, int threads,
+                                                InstructionSet instructions) {
   const std::vector<bool> moving = moving_bodies(bodies);
   std::vector<int> chosen;
   bool round = true;
@@ -40,18 +39,20 @@ std::unique_ptr<ContactSweeps<Dim>> make_sweeps(BodyMotion<Dim>& bodies,
   }
   ContactColours colours = colour_contacts(moving, contacts, chosen);
   if (round)
-    return std::make_unique<TeamSweeps<RoundContacts<Dim, Cell>>>(bodies, contacts, moving, std::move(colours),
-                                                                  threads);
-  return std::make_unique<TeamSweeps<CoupledContacts<Dim, Cell>>>(bodies, contacts, moving, std::move(colours),
-                                                                  threads);
+    return std::make_unique<TeamSweeps<RoundGroup<Dim, Cell>>>(bodies, contacts, moving, std::move(colours),
+                                                               threads, instructions);
+  return std::make_unique<TeamSweeps<CoupledGroup<Dim, Cell>>>(bodies, contacts, moving, std::move(colours),
+                                                               threads, instructions);
 }
 
 }  // namespace
 
 template <int Dim>
-GaussSeidel<Dim>::GaussSeidel(BodyMotion<Dim>& bodies, std::vector<StepContact<Dim>>& contacts, int threads)
-    : sweeps_(bodies.inverse_stretch_mass.isZero(0.0) ? make_sweeps<Dim, false>(bodies, contacts, threads)
-                                                      : make_sweeps<Dim, true>(bodies, contacts, threads)) {}
+GaussSeidel<Dim>::GaussSeidel(BodyMotion<Dim>& bodies, std::vector<StepContact<Dim>>& contacts, int threads,
+                              InstructionSet instructions)
+    : sweeps_(bodies.inverse_stretch_mass.isZero(0.0)
+                  ? make_sweeps<Dim, false>(bodies, contacts, threads, instructions)
+                  : make_sweeps<Dim, true>(bodies, contacts, threads, instructions)) {}
 
 template <int Dim>
 GaussSeidel<Dim>::~GaussSeidel() = default;

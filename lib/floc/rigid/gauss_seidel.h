@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "floc/base/instruction_set.h"
 #include "floc/rigid/step_contact.h"
 
 namespace floc {
@@ -33,8 +34,10 @@ class GaussSeidel {
   /// cannot move are not changed.
   /// @param bodies   motion of the bodies; the velocities contain all external impulses, but no impulses of contacts
   /// @param threads  number of threads, >= 1. A colour with few contacts is solved by one thread.
+  /// @param instructions  instruction set of the sweeps; the results do not depend on it
   /// @pre bodies and contacts outlive this object
-  GaussSeidel(BodyMotion<Dim>& bodies, std::vector<StepContact<Dim>>& contacts, int threads = 1);
+  GaussSeidel(BodyMotion<Dim>& bodies, std::vector<StepContact<Dim>>& contacts, int threads = 1,
+              InstructionSet instructions = widest_instruction_set());
   ~GaussSeidel();
 
   /// Sweeps over all contacts until the residual is below a tolerance. Afterwards the velocities of the bodies are

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
+#include <array>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -9,12 +9,14 @@
 #include "floc/base/aligned_vector.h"
 #include "floc/base/shared_loops.h"
 #include "floc/rigid/contact_colours.h"
+#include "floc/rigid/contact_lanes.h"
 #include "floc/rigid/gauss_seidel.h"
+#include "floc/rigid/kernels/sweep_kernels.h"
 
 namespace floc {
 
 /// Interface of the sweeps of GaussSeidel over the contacts of one time step. It does not depend on the type of the
-/// records in which the contacts are stored.
+/// groups in which the contacts are stored.
 template <int Dim>
 class ContactSweeps {
  public:
@@ -24,34 +26,34 @@ class ContactSweeps {
   virtual double residual() const = 0;
 };
 
-/// Sweeps of a team of threads over the records of a model (packed_contacts.h).
+/// Sweeps of a team of threads over groups of contacts (kernels/contact_groups.h).
 ///
-/// Contacts are solved colour by colour. The contacts of a colour are divided into chunks. The size of the chunks does
-/// not depend on the number of threads. A sum over contacts is computed for each chunk, and these sums are added in the
-/// order of the chunks, so results are bitwise identical for any number of threads.
-template <class Model>
-class TeamSweeps final : public ContactSweeps<Model::kDim> {
+/// Contacts are solved colour by colour. The contacts of a colour are divided into groups, and the groups into chunks.
+/// The size of the chunks does not depend on the number of threads. A sum over contacts is computed for each chunk, and
+/// these sums are added in the order of the chunks, so results are bitwise identical for any number of threads.
+template <class Group>
+class TeamSweeps final : public ContactSweeps<Group::kDim> {
  public:
-  static constexpr int Dim = Model::kDim;
+  static constexpr int Dim = Group::kDim;
 
   TeamSweeps(BodyMotion<Dim>& bodies, std::vector<StepContact<Dim>>& contacts, const std::vector<bool>& moving,
-             ContactColours colours, int threads)
-      : bodies_(bodies), contacts_(contacts), colours_(std::move(colours)), free_stretch_(bodies.stretch) {
-    for (int i = 0; i < bodies.size(); ++i) free_.push_back(Model::pack(bodies, i, moving[i]));
-    records_.reserve(colours_.contacts.size());
-    Vec<Dim> gain = Vec<Dim>::Zero();
-    for (int c = 0; c < n_colours(); ++c)
-      for (int k = colours_.start[c]; k < colours_.start[c + 1]; ++k) {
-        const StepContact<Dim>& contact = contacts[colours_.contacts[k]];
-        records_.push_back(Model::pack(bodies, contact, colours_.start[c + 1] - colours_.start[c]));
-        Model::apply(records_.back(), Model::normal_impulse(-contact.adhesion), free_.data(), gain);
-      }
-    free_stretch_ += bodies.inverse_stretch_mass.cwiseProduct(gain);
-    is_idle_.assign(records_.size(), 0);
-    direction_.assign(records_.size(), Model::normal_impulse(0.0));
-    last_step_ = direction_;
+             ContactColours colours, int threads, InstructionSet instructions)
+      : bodies_(bodies),
+        contacts_(contacts),
+        kernels_(sweep_kernels<Group>(instructions)),
+        colours_(std::move(colours)),
+        free_(bodies) {
+    for (const int k : colours_.contacts)
+      push(contacts[k], Vec<Dim>(-contacts[k].adhesion * Vec<Dim>::Unit(0)), free_);
+    make_groups(moving);
     divide(threads);
-    recompute_velocities();
+    rows_.assign(kRow * (bodies.size() + 1), 0.0);
+    recompute_motion();
+    start_.reserve(kMotion * bodies.size());
+    for (int i = 0; i < bodies.size(); ++i)
+      start_.insert(start_.end(), rows_.begin() + kRow * i, rows_.begin() + kRow * i + kMotion);
+    earlier_start_ = start_;
+    start_stretch_ = earlier_start_stretch_ = stretch_;
   }
 
   int n_colours() const override { return colours_.n_colours(); }
@@ -59,6 +61,7 @@ class TeamSweeps final : public ContactSweeps<Model::kDim> {
   SweepResult solve(double tolerance, int max_sweeps, int check_every) override {
     SweepResult out;
     last_change_ = 0.0;
+    for (GroupSums& sums : sums_) sums.change = 0.0;
     SharedLoops::run(n_threads_, [&](SharedLoops& loops) {
       bool rounded = false;
       while (true) {
@@ -66,14 +69,13 @@ class TeamSweeps final : public ContactSweeps<Model::kDim> {
         if (out.n_sweeps % check_every == 0 || last) {
           out.residual = residual(loops);
           if (rounded && (out.residual < tolerance || last)) {
-            recompute_velocities();
+            recompute_motion();
             rounded = false;
             out.residual = residual(loops);
           }
           out.converged = out.residual < tolerance;
           if (out.converged || last) return;
         }
-        if (out.n_sweeps > 0) extrapolate(loops);
         sweep(loops, out.n_sweeps % kAllEvery == 0);
         rounded = true;
         ++out.n_sweeps;
@@ -84,156 +86,189 @@ class TeamSweeps final : public ContactSweeps<Model::kDim> {
   }
 
   double residual() const override {
-    std::vector<ChunkError> errors;
-    for (const Chunk& chunk : chunks_) errors.push_back(error_of(chunk));
+    std::vector<GroupErrors> errors;
+    for (const Chunk& chunk : chunks_) errors.push_back(errors_of(chunk));
     return relative(errors);
   }
 
  private:
-  using Body = typename Model::Body;
-  using Contact = typename Model::Contact;
-  using Impulse = typename Model::Impulse;
-
-  /// Consecutive contacts of one colour: the contacts with the indices begin to end - 1 in the order of colours.
+  /// Consecutive groups of one colour: the groups with the indices begin to end - 1.
   struct Chunk {
     int begin, end;
   };
-  /// For the contacts of a chunk: the largest contact_error(), the sum of the normal impulses, and the number of
-  /// nonzero normal impulses.
-  struct ChunkError {
-    double worst, sum;
-    int n;
-  };
 
-  /// Each sweep whose number is a multiple of kAllEvery goes over all contacts. All other sweeps leave out the contacts
-  /// whose impulse was zero in the last sweep over all contacts; most of these contacts have open gaps.
+  static constexpr int kRow = BodyRow<Dim>::kSize, kMotion = BodyRow<Dim>::kMotion;
+  /// Each sweep whose number is a multiple of kAllEvery goes over all groups. All other sweeps leave out the idle
+  /// groups: those whose impulses were zero at the end of the last sweep over all groups, at its start, and at the start
+  /// of the sweep before. Most contacts of these groups have open gaps.
   static constexpr int kAllEvery = 10;
-  /// Number of contacts per chunk. Solving a chunk takes from 0.4 microseconds (disks) to 4 microseconds (bodies of any
-  /// shape in 3D).
-  static constexpr int kChunk = 64;
+  /// Number of groups per chunk.
+  static constexpr int kChunk = 8;
+  /// A contact counts as sticking if its tangential impulse, divided by Coulomb's limit, is below this number.
+  static constexpr double kBelowLimit = 1.0 - 1e-6;
+  /// Number of bodies per chunk.
+  static constexpr int kBodyChunk = 512;
   /// Several threads solve a colour only if it has at least this number of chunks. With fewer chunks, the time lost by
   /// waiting for other threads would be as long as the time saved.
   static constexpr int kSharedChunks = 4;
+
+  /// Adds the impulse of a contact, in the frame of the contact, to the motion of the bodies and of the cell.
+  static void push(const StepContact<Dim>& c, const Vec<Dim>& impulse, BodyMotion<Dim>& bodies) {
+    const Vec<Dim> in_space = c.frame * impulse;
+    bodies.velocity[c.i] -= bodies.inverse_mass[c.i].cwiseProduct(in_space);
+    bodies.angular_velocity[c.i] -= bodies.inverse_inertia[c.i] * moment<double>(c.arm_i, in_space);
+    bodies.velocity[c.j] += bodies.inverse_mass[c.j].cwiseProduct(in_space);
+    bodies.angular_velocity[c.j] += bodies.inverse_inertia[c.j] * moment<double>(c.arm_j, in_space);
+    bodies.stretch += bodies.inverse_stretch_mass.cwiseProduct(c.branch.cwiseProduct(in_space));
+  }
+
+  /// States of a contact, in the order in which contacts are sorted into groups.
+  enum State { sticking, sliding, open };
+
+  /// Returns the state of a contact according to its present impulse.
+  static State state_of(const StepContact<Dim>& c) {
+    if (!(c.impulse[0] > 0.0)) return open;
+    const double tangential = c.impulse.template tail<Dim - 1>().norm();
+    return tangential < kBelowLimit * c.friction * c.impulse[0] ? sticking : sliding;
+  }
+
+  /// Sorts the contacts of each colour into groups of contacts with equal states. Sliding contacts in 3D take more time
+  /// than others; groups of open contacts are soon idle.
+  void make_groups(const std::vector<bool>& moving) {
+    place_.resize(colours_.contacts.size());
+    const Group empty = empty_group();
+    for (int c = 0; c < n_colours(); ++c) {
+      first_group_.push_back(static_cast<int>(groups_.size()));
+      const int begin = colours_.start[c], end = colours_.start[c + 1];
+      std::stable_sort(colours_.contacts.begin() + begin, colours_.contacts.begin() + end,
+                       [&](int k, int l) { return state_of(contacts_[k]) < state_of(contacts_[l]); });
+      // The contacts of the last possible colour may share bodies, and each of them is a group of its own.
+      const int size = c == kMostColours - 1 ? 1 : kGroup;
+      for (int n = begin; n < end; ++n) {
+        const int lane = (n - begin) % size;
+        if (lane == 0) groups_.push_back(empty);
+        const StepContact<Dim>& contact = contacts_[colours_.contacts[n]];
+        Group& group = groups_.back();
+        set_contact(group, lane, bodies_, contact, end - begin);
+        group.moves_i[lane] = moving[contact.i];
+        group.moves_j[lane] = moving[contact.j];
+        place_[n] = {static_cast<int>(groups_.size()) - 1, lane};
+      }
+    }
+    first_group_.push_back(static_cast<int>(groups_.size()));
+  }
+
+  /// Returns a group whose contacts are between a body that does not move, the one after the last body, and itself.
+  Group empty_group() const {
+    BodyMotion<Dim> bodies;
+    bodies.velocity = {Vec<Dim>::Zero()};
+    bodies.angular_velocity = {RotationVector<Dim>::Zero()};
+    bodies.inverse_mass = {Vec<Dim>::Ones()};
+    bodies.inverse_inertia = {Mat<kRotations<Dim>>::Zero()};
+    StepContact<Dim> contact{};
+    Group out{};
+    for (int lane = 0; lane < kGroup; ++lane) {
+      set_contact(out, lane, bodies, contact, 1);
+      out.i[lane] = out.j[lane] = bodies_.size();
+    }
+    out.touches_itself = false;
+    return out;
+  }
 
   void divide(int threads) {
     int most_chunks = 1;
     for (int c = 0; c < n_colours(); ++c) {
       first_chunk_.push_back(static_cast<int>(chunks_.size()));
-      for (int k = colours_.start[c]; k < colours_.start[c + 1]; k += kChunk)
-        chunks_.push_back({k, std::min(k + kChunk, colours_.start[c + 1])});
+      for (int g = first_group_[c]; g < first_group_[c + 1]; g += kChunk)
+        chunks_.push_back({g, std::min(g + kChunk, first_group_[c + 1])});
       if (is_shared(c)) most_chunks = std::max(most_chunks, n_chunks(c));
     }
     first_chunk_.push_back(static_cast<int>(chunks_.size()));
     n_threads_ = std::min(threads, most_chunks);
-    gain_.assign(chunks_.size(), Vec<Dim>::Zero());
-    change_.assign(chunks_.size(), 0.0);
-    error_.resize(chunks_.size());
+    sums_.resize(chunks_.size());
+    errors_.resize(chunks_.size());
   }
   int n_chunks(int colour) const {
-    return (colours_.start[colour + 1] - colours_.start[colour] + kChunk - 1) / kChunk;
+    return (first_group_[colour + 1] - first_group_[colour] + kChunk - 1) / kChunk;
   }
   bool is_shared(int colour) const { return n_chunks(colour) >= kSharedChunks && colour != kMostColours - 1; }
 
-  /// Recomputes the velocities from the impulses, since the velocities collect rounding errors during many sweeps.
-  void recompute_velocities() {
-    packed_ = free_;
-    Vec<Dim> gain = Vec<Dim>::Zero();
-    for (const Contact& record : records_) Model::apply(record, record.impulse, packed_.data(), gain);
-    stretch_ = free_stretch_ + bodies_.inverse_stretch_mass.cwiseProduct(gain);
+  /// Recomputes the motion from the impulses, since it collects rounding errors during many sweeps.
+  void recompute_motion() {
+    BodyMotion<Dim> motion = free_;
+    for (std::size_t n = 0; n < place_.size(); ++n) {
+      const StepContact<Dim>& contact = contacts_[colours_.contacts[n]];
+      push(contact, impulse_of(n), motion);
+    }
+    for (int i = 0; i < motion.size(); ++i) set_row(motion, i, &rows_[kRow * i]);
+    stretch_ = motion.stretch;
+  }
+
+  Vec<Dim> impulse_of(std::size_t n) const {
+    return impulse_in_frame(groups_[place_[n].group], place_[n].lane, contacts_[colours_.contacts[n]].frame);
   }
 
   void sweep(SharedLoops& loops, bool over_all) {
+    const double share = share_of_change();
+    extrapolate(loops, share);
     for (int c = 0; c < n_colours(); ++c) {
+      const SweepStart start{stretch_.data(), share, over_all};
+      const auto solve_chunk = [&](int k) {
+        const Chunk& chunk = chunks_[first_chunk_[c] + k];
+        kernels_.solve(&groups_[chunk.begin], chunk.end - chunk.begin, rows_.data(), start,
+                       sums_[first_chunk_[c] + k]);
+      };
       if (is_shared(c))
-        loops.for_each(n_chunks(c), [&](int k) { solve_chunk(first_chunk_[c] + k, over_all); });
+        loops.for_each(n_chunks(c), solve_chunk);
       else
-        for (int k = 0; k < n_chunks(c); ++k) solve_chunk(first_chunk_[c] + k, over_all);
+        for (int k = 0; k < n_chunks(c); ++k) solve_chunk(k);
       for (int k = first_chunk_[c]; k < first_chunk_[c + 1]; ++k)
-        stretch_ += bodies_.inverse_stretch_mass.cwiseProduct(gain_[k]);
+        for (int a = 0; a < Dim; ++a) stretch_[a] += bodies_.inverse_stretch_mass[a] * sums_[k].gain[a];
     }
   }
 
-  /// Extrapolates the impulses in the direction of their earlier changes, as the method of conjugate gradients does
-  /// (Silcowitz-Hansen et al. 2010). Let r be the change of all impulses in the last sweep, r_old the change in the
-  /// previous sweep, d the present direction, and b = |r|^2/|r_old|^2. The impulses change by b d, and the new
-  /// direction is b d + r. If b >= 1, the impulses do not change, and the new direction is r.
-  void extrapolate(SharedLoops& loops) {
+  /// Returns the share b of the last change that is added to all impulses before the next sweep, as in the method of
+  /// conjugate gradients (Silcowitz-Hansen et al. 2010). Let y_t be the impulses at the start of sweep t, and p_t those
+  /// at its end. The next sweep starts from
+  ///     y_(t+1) = p_t + b (y_t - y_(t-1)),      b = |p_t - y_t|^2/|p_(t-1) - y_(t-1)|^2,
+  /// or from p_t if this b is 1 or larger.
+  double share_of_change() {
     double change = 0.0;
-    for (const double part : change_) change += part;
+    for (const GroupSums& sums : sums_) change += sums.change;
     const double share = change < last_change_ ? change / last_change_ : 0.0;
     last_change_ = change;
-    for (int c = 0; c < n_colours(); ++c) {
-      if (is_shared(c))
-        loops.for_each(n_chunks(c), [&](int k) { extrapolate_chunk(first_chunk_[c] + k, share); });
-      else
-        for (int k = 0; k < n_chunks(c); ++k) extrapolate_chunk(first_chunk_[c] + k, share);
-      for (int k = first_chunk_[c]; k < first_chunk_[c + 1]; ++k)
-        stretch_ += bodies_.inverse_stretch_mass.cwiseProduct(gain_[k]);
-    }
+    return share;
   }
 
-  [[gnu::flatten]] void extrapolate_chunk(int chunk, double share) {
-    Vec<Dim> gain = Vec<Dim>::Zero();
-    const Chunk range = chunks_[chunk];
-    for (int k = range.begin; k < range.end; ++k) {
-      if (is_idle_[k]) {
-        direction_[k] = Model::normal_impulse(0.0);
-        continue;
-      }
-      if (share == 0.0) {
-        direction_[k] = last_step_[k];
-        continue;
-      }
-      Contact& record = records_[k];
-      const Impulse further = share * direction_[k];
-      record.impulse = record.impulse + further;
-      Model::apply(record, further, packed_.data(), gain);
-      direction_[k] = further + last_step_[k];
-    }
-    gain_[chunk] = gain;
+  /// Extrapolates the motion of all bodies and the rate of stretch. They are linear in the impulses, so they are
+  /// extrapolated by the same equation. The impulses themselves are extrapolated when their contact is solved.
+  void extrapolate(SharedLoops& loops, double share) {
+    const int n = bodies_.size();
+    const auto extrapolate_chunk = [&](int k) {
+      const int first = k * kBodyChunk;
+      kernels_.extrapolate(rows_.data() + kRow * first, start_.data() + kMotion * first,
+                           earlier_start_.data() + kMotion * first, std::min(kBodyChunk, n - first), share);
+    };
+    loops.for_each((n + kBodyChunk - 1) / kBodyChunk, extrapolate_chunk);
+    const Vec<Dim> stretch = stretch_ + share * (start_stretch_ - earlier_start_stretch_);
+    earlier_start_stretch_ = start_stretch_;
+    start_stretch_ = stretch_ = stretch;
   }
 
-  // The attribute makes the compiler inline all functions that the loop calls; otherwise vectors would be passed
-  // through memory.
-  [[gnu::flatten]] void solve_chunk(int chunk, bool over_all) {
-    const Vec<Dim> stretch = stretch_;
-    Vec<Dim> gain = Vec<Dim>::Zero();
-    Body* const bodies = packed_.data();
-    const Chunk range = chunks_[chunk];
-    double change = 0.0;
-    for (int k = range.begin; k < range.end; ++k) {
-      if (!over_all && is_idle_[k]) continue;
-      const Impulse before = records_[k].impulse;
-      Model::solve(records_[k], bodies, stretch, gain);
-      last_step_[k] = records_[k].impulse - before;
-      change += last_step_[k].squaredNorm();
-      if (over_all) is_idle_[k] = !(Model::normal(records_[k]) > 0.0);
-    }
-    gain_[chunk] = gain;
-    change_[chunk] = change;
-  }
-
-  [[gnu::flatten]] ChunkError error_of(const Chunk& chunk) const {
-    ChunkError out{0.0, 0.0, 0};
-    for (int k = chunk.begin; k < chunk.end; ++k) {
-      const double normal = Model::normal(records_[k]);
-      out.worst = std::max(out.worst, Model::error(records_[k], packed_.data(), stretch_));
-      out.sum += normal;
-      out.n += normal > 0.0;
-    }
-    return out;
+  GroupErrors errors_of(const Chunk& chunk) const {
+    return kernels_.errors(&groups_[chunk.begin], chunk.end - chunk.begin, rows_.data(), stretch_.data());
   }
 
   double residual(SharedLoops& loops) {
-    loops.for_each(static_cast<int>(chunks_.size()), [&](int k) { error_[k] = error_of(chunks_[k]); });
-    return relative(error_);
+    loops.for_each(static_cast<int>(chunks_.size()), [&](int k) { errors_[k] = errors_of(chunks_[k]); });
+    return relative(errors_);
   }
 
   /// Returns the largest error divided by the mean of the nonzero normal impulses; infinite if there are errors but no
   /// impulses.
-  static double relative(const std::vector<ChunkError>& errors) {
-    ChunkError all{0.0, 0.0, 0};
-    for (const ChunkError& error : errors)
+  static double relative(const std::vector<GroupErrors>& errors) {
+    GroupErrors all{0.0, 0.0, 0.0};
+    for (const GroupErrors& error : errors)
       all = {std::max(all.worst, error.worst), all.sum + error.sum, all.n + error.n};
     if (all.worst == 0.0) return 0.0;
     return all.sum > 0.0 ? all.worst * all.n / all.sum : std::numeric_limits<double>::infinity();
@@ -241,38 +276,40 @@ class TeamSweeps final : public ContactSweeps<Model::kDim> {
 
   void write_back() {
     for (int i = 0; i < bodies_.size(); ++i) {
-      bodies_.velocity[i] = packed_[i].velocity;
-      bodies_.angular_velocity[i] = packed_[i].angular_velocity;
+      const double* const row = &rows_[kRow * i];
+      bodies_.velocity[i] = Eigen::Map<const Vec<Dim>>(row + BodyRow<Dim>::kVelocity);
+      bodies_.angular_velocity[i] = Eigen::Map<const RotationVector<Dim>>(row + BodyRow<Dim>::kSpin);
     }
     bodies_.stretch = stretch_;
-    for (std::size_t k = 0; k < records_.size(); ++k) {
-      StepContact<Dim>& contact = contacts_[colours_.contacts[k]];
-      contact.impulse = Model::in_frame(records_[k], contact.frame);
-    }
+    for (std::size_t n = 0; n < place_.size(); ++n) contacts_[colours_.contacts[n]].impulse = impulse_of(n);
   }
+
+  /// Place of a contact: its group and its number in the group.
+  struct Place {
+    int group, lane;
+  };
 
   BodyMotion<Dim>& bodies_;
   std::vector<StepContact<Dim>>& contacts_;
+  const SweepKernels<Group>& kernels_;
   ContactColours colours_;
-  // bodies with velocities that include the impulses of adhesion, but no other impulses of contacts
-  AlignedVector<Body> free_;
-  // rate of stretch of the cell that includes the impulses of adhesion, but no other impulses of contacts
-  Vec<Dim> free_stretch_;
-  AlignedVector<Body> packed_;
-  AlignedVector<Contact> records_;
-  // for each record, whether its impulse was zero in the last sweep over all contacts
-  std::vector<std::uint8_t> is_idle_;
-  Vec<Dim> stretch_;  // present rate of stretch of the cell
+  BodyMotion<Dim> free_;  // motion that includes the impulses of adhesion, but no other impulses of contacts
+  std::vector<Place> place_;  // for each element of colours_.contacts
+  AlignedVector<Group> groups_;
+  // index of the first group of each colour; the last element is the number of groups
+  std::vector<int> first_group_;
+  AlignedVector<double> rows_;  // rows of all bodies, followed by the row of a body that does not move
+  Vec<Dim> stretch_;            // present rate of stretch of the cell
   std::vector<Chunk> chunks_;
   // index of the first chunk of each colour; the last element is the number of chunks
   std::vector<int> first_chunk_;
   int n_threads_ = 1;
-  std::vector<Impulse> direction_;  // direction d in extrapolate(), for each record
-  std::vector<Impulse> last_step_;  // change r in extrapolate(), for each record
-  double last_change_ = 0.0;        // value of |r|^2 in the sweep before the last sweep
-  std::vector<double> change_;      // contribution of each chunk to |r|^2 in the last sweep
-  std::vector<Vec<Dim>> gain_;      // contribution of each chunk to `gain` in the present sweep
-  std::vector<ChunkError> error_;   // error of each chunk
+  // Motion of the bodies, and rates of stretch, at the start of the last sweep and of the sweep before.
+  AlignedVector<double> start_, earlier_start_;
+  Vec<Dim> start_stretch_, earlier_start_stretch_;
+  double last_change_ = 0.0;         // value of |p - y|^2 in the sweep before the last sweep
+  std::vector<GroupSums> sums_;      // sums of each chunk in the last sweep
+  std::vector<GroupErrors> errors_;  // errors of each chunk
 };
 
 }  // namespace floc

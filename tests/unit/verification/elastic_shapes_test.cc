@@ -100,7 +100,7 @@ TEST(ElasticShapes, FrictionlessPolyhedraRest) {
 }
 
 TEST(ElasticShapes, PolyhedraWithoutRestSayWhy) {
-  const RigidEnd<3> end = relaxed(elastic_gas<3>(8, kRoundedStones, 1e4, 0.0));
+  const RigidEnd<3> end = relaxed(elastic_gas<3>(18, kRoundedStones, 1e4, 0.0));
   ASSERT_EQ(end.status, RelaxationStatus::gave_up);
   EXPECT_THAT(end.reason, testing::HasSubstr("contact points between two faces appear and vanish abruptly"));
 }
@@ -116,21 +116,21 @@ TEST(ElasticShapes, RelaxationsRepeatTheirBits) {
 }
 
 TEST(ElasticShapes, ModuliOfPolygonsAreThoseOfRelaxedStrains) {
-  expect_moduli_of_strains<2>(30, kRoundedPentagons, 0.5, 1e-4);
-  expect_moduli_of_strains<2>(30, {.kind = PolygonOptions{5}}, 0.5, 1e-4);
-  expect_moduli_of_strains<2>(30, {.kind = CapsuleOptions{2.0}}, 0.3, 1e-4);
+  expect_moduli_of_strains<2>(30, kRoundedPentagons, 0.5, 1e-3);
+  expect_moduli_of_strains<2>(30, {.kind = PolygonOptions{5}}, 0.5, 1e-3);
+  expect_moduli_of_strains<2>(30, {.kind = CapsuleOptions{2.0}}, 0.3, 1e-3);
 }
 
 TEST(ElasticShapes, ModuliOfPolyhedraAreThoseOfRelaxedStrains) {
-  expect_moduli_of_strains<3>(16, kRoundedStones, 0.5, 2e-4);
-  expect_moduli_of_strains<3>(16, {.kind = CutOptions{}, .count = 10}, 0.5, 2e-4);
-  expect_moduli_of_strains<3>(8, {.kind = CapsuleOptions{1.5}}, 0.3, 2e-4);
+  expect_moduli_of_strains<3>(16, kRoundedStones, 0.5, 1e-3);
+  expect_moduli_of_strains<3>(16, {.kind = CutOptions{}, .count = 10}, 0.5, 1e-3);
+  expect_moduli_of_strains<3>(9, {.kind = CapsuleOptions{1.5}}, 0.3, 1e-3);
 }
 
 /// Without friction, only the normal forces resist rotations. The packing of pentagons is isostatic, and its shear
 /// modulus is only about as large as the pressure.
 TEST(ElasticShapes, ModuliOfFrictionlessPolygonsAreThoseOfRelaxedStrains) {
-  expect_moduli_of_strains<2>(30, kRoundedPentagons, 0.0, 1e-5);
+  expect_moduli_of_strains<2>(25, kRoundedPentagons, 0.0, 1e-5);
 }
 
 TEST(ElasticShapes, PrestressNeedsPeriodicBoundaries) {

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "floc/relaxation/kernels/pack.h"
+#include "floc/base/pack.h"
 #include "floc/relaxation/kernels/step_kernels.h"
 
 namespace floc {

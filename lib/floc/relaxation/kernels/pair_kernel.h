@@ -4,11 +4,11 @@
 #include <type_traits>
 #include <utility>
 
+#include "floc/base/pack.h"
 #include "floc/contact/contact_law.h"
 #include "floc/contact/history_layout.h"
 #include "floc/geometry/frame_turn.h"
 #include "floc/relaxation/kernels/kernel_law.h"
-#include "floc/relaxation/kernels/pack.h"
 #include "floc/relaxation/kernels/step_kernels.h"
 
 namespace floc {

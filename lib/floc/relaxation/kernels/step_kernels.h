@@ -2,9 +2,9 @@
 
 #include <cstddef>
 
+#include "floc/base/instruction_set.h"
 #include "floc/base/vec.h"
 #include "floc/contact/history.h"
-#include "floc/relaxation/instruction_set.h"
 
 /// Data of the kernels, the compiled loops over all grains or all pairs in a time step. The data are plain arrays and
 /// not containers: code compiled for one instruction set must not share inline functions with the rest of the program.

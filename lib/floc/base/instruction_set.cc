@@ -1,4 +1,4 @@
-#include "floc/relaxation/instruction_set.h"
+#include "floc/base/instruction_set.h"
 
 namespace floc {
 

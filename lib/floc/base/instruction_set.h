@@ -5,8 +5,9 @@ namespace floc {
 /// Number of doubles in a register of the widest instruction set.
 inline constexpr int kWindow = 8;
 
-/// Instruction sets for which the force loop is compiled. All of them give bitwise identical results: the lanes of a
-/// register are independent, sums have a fixed order, and no multiplication is fused with an addition.
+/// Instruction sets for which kernels are compiled: the force loop, and the sweeps over the contacts of rigid grains.
+/// All of them give bitwise identical results: the lanes of a register are independent, sums have a fixed order, and no
+/// multiplication is fused with an addition.
 enum class InstructionSet {
   portable,  ///< registers of two doubles; runs on every processor of the architecture
   avx2,      ///< AVX2, registers of four doubles

@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "floc/relaxation/instruction_set.h"
+#include "floc/base/instruction_set.h"
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -63,7 +63,7 @@ auto widened(const Numbers& numbers) {
     return __builtin_convertvector(numbers, Wide);
 }
 
-/// Number type for which kernels (compiled loops over grains or pairs) evaluate contact laws: as many doubles as a
+/// Number type of kernels (compiled loops over grains, pairs or contacts): as many doubles as a
 /// register of the instruction set holds. Operations and comparisons act lane by lane.
 template <class Isa>
 struct Pack {
@@ -73,6 +73,16 @@ struct Pack {
 
   struct Mask {
     Bits bits;
+
+    friend Mask operator&(const Mask& a, const Mask& b) { return {Bits(a.bits & b.bits)}; }
+    friend Mask operator|(const Mask& a, const Mask& b) { return {Bits(a.bits | b.bits)}; }
+    friend Mask operator!(const Mask& a) { return {Bits(~a.bits)}; }
+    /// Returns whether the mask is set in any lane.
+    friend bool any(const Mask& a) {
+      long long bits = 0;
+      for (int l = 0; l < kWidth; ++l) bits |= a.bits[l];
+      return bits != 0;
+    }
   };
 
   Vector v;
@@ -105,6 +115,7 @@ struct Pack {
   friend Pack operator*(const Pack& a, const Pack& b) { return Pack(Vector(a.v * b.v)); }
   friend Pack operator/(const Pack& a, const Pack& b) { return Pack(Vector(a.v / b.v)); }
   friend Mask operator<(const Pack& a, const Pack& b) { return {Bits(a.v < b.v)}; }
+  friend Mask operator<=(const Pack& a, const Pack& b) { return {Bits(a.v <= b.v)}; }
   friend Mask operator==(const Pack& a, const Pack& b) { return {Bits(a.v == b.v)}; }
   friend Pack blend(const Mask& when, const Pack& a, const Pack& b) {
     return Pack(Vector(when.bits ? a.v : b.v));

@@ -1,7 +1,8 @@
 // Benchmark of the sweeps of GaussSeidel over frictional contacts, in updates of contacts per second ("items"):
 //   floc_bench --benchmark_filter=sweeps
 // Grains on a lattice are pushed together; each grain touches some of its neighbours. The arguments are the number of
-// threads, whether the cell is under stress, and the approximate number of grains.
+// threads, whether the cell is under stress, the approximate number of grains, and the instruction set (0: portable, 1:
+// AVX2, 2: AVX-512).
 
 #include <benchmark/benchmark.h>
 
@@ -98,7 +99,9 @@ class LatticeStep {
 template <int Dim, bool General>
 void sweeps(benchmark::State& state) {
   Step<Dim> step = LatticeStep<Dim>(General, state.range(1) != 0, static_cast<double>(state.range(2))).step();
-  GaussSeidel<Dim> solver(step.bodies, step.contacts, static_cast<int>(state.range(0)));
+  const auto instructions = static_cast<InstructionSet>(state.range(3));
+  if (!supported(instructions)) return state.SkipWithError("this processor lacks the instruction set");
+  GaussSeidel<Dim> solver(step.bodies, step.contacts, static_cast<int>(state.range(0)), instructions);
   solver.solve(0.0, 100);
   constexpr int kSweeps = 100;
   for (auto _ : state) solver.solve(0.0, kSweeps, 10);
@@ -115,8 +118,8 @@ void sweeps(benchmark::State& state) {
 }
 
 void arguments(benchmark::internal::Benchmark* benchmark) {
-  benchmark->ArgsProduct({{1, 2}, {0, 1}, {3000, 10000}})
-      ->ArgNames({"threads", "cell", "grains"})
+  benchmark->ArgsProduct({{1, 2}, {0, 1}, {3000, 10000}, {0, 1, 2}})
+      ->ArgNames({"threads", "cell", "grains", "instructions"})
       ->UseRealTime();
 }
 BENCHMARK(sweeps<2, false>)->Name("sweeps_disks")->Apply(arguments);

@@ -313,12 +313,15 @@ RelaxationReport ContactDynamicsRelaxer<Dim>::report() const {
   else if (resting)
     report.blocking =
         progress_.obstacle.empty() ? "the net forces on the grains are not small yet" : progress_.obstacle;
-  else
+  else {
     report.blocking = fmt::format(
         "the grains still move: their root mean square velocity is {:.2g} of the largest diameter per time "
         "unit T, and the largest strain rate of the {} is {:.2g} per T",
         rms_velocity(packing_.grains) * time_unit_ / largest_diameter(packing_.grains),
         packing_.walls.empty() ? "cell" : "box", boundary_rate(packing_) * time_unit_);
+    if (!progress_.obstacle.empty())
+      report.blocking += fmt::format("; the last search for an equilibrium failed: {}", progress_.obstacle);
+  }
   return report;
 }
 

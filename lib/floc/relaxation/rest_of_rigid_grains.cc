@@ -34,6 +34,10 @@ constexpr double kLongestOnSprings = 30.0;
 /// Largest gap, divided by the diameter of the smaller grain, at which a contact without friction may have a force if
 /// contacts are solved all at once.
 constexpr double kGapAtOnce = 1e-6;
+/// Deepest overlap of grains with corners, divided by the gap tolerance, at which balanced forces are sought. Steps remove
+/// overlaps, and this moves grains with corners by many times the overlap, as if the equilibrium were unstable. In a
+/// test with 5000 polyhedra, 22 left their places with 1.0 in place of 0.1, and 4 with 0.1.
+constexpr double kOverlapWithCorners = 0.1;
 /// The forces count as nearly balanced if the largest net force on a grain, divided by the mean repulsive force, is
 /// below kNearBalanceRound (round grains) or kNearBalanceAngular (grains with corners).
 constexpr double kNearBalanceRound = 1e-3;
@@ -211,7 +215,8 @@ template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
   const double tolerance = gap_tolerance();
   const bool is_exact = solves_at_once() && packing_.law.friction_coefficient() == 0.0;
-  const double reached_gap = is_exact ? std::min(tolerance, kGapAtOnce) : tolerance;
+  const double reached_gap = is_exact ? std::min(tolerance, kGapAtOnce)
+                                      : tolerance * (packing_.grains.are_round() ? 1.0 : kOverlapWithCorners);
   if (const double gap = largest_gap(is_exact); gap > reached_gap) {
     progress_.obstacle = fmt::format(
         "the {} is {:.2g} times the diameter of the smaller grain, but the tolerance is {:.2g}",

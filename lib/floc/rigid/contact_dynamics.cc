@@ -246,16 +246,20 @@ double ContactDynamics<Dim>::removal_time(double dt) const {
 /// are elastic, points with a gap are left out unless their adhesion acts. Otherwise the step would reduce the velocity
 /// of approach so far that the gap only just closes. The velocity before the impact, from which the restitution is
 /// computed, would be lost.
+/// @param recorded  whether the packing contains the forces of this step, and not those of the step before: points whose
+/// adhesion acted in the step then take part
 template <int Dim>
 std::vector<StepContact<Dim>> ContactDynamics<Dim>::step_contacts(double dt, double removed,
-                                                                  std::vector<int>& source) const {
+                                                                  std::vector<int>& source,
+                                                                  bool recorded) const {
   Mat<Dim> shear = packing_.cell.rate();
   shear.diagonal().setZero();
   std::vector<StepContact<Dim>> out;
   for (std::size_t at = 0; at < packing_.contacts.size(); ++at) {
     const Contact<Dim>& c = packing_.contacts[at];
     const bool elastic_impact = settings_.restitution > 0.0;
-    if (elastic_impact && c.gap > 0.0 && !sticks(c)) continue;
+    const bool adhered = recorded && c.elastic_force > c.normal_force;
+    if (elastic_impact && c.gap > 0.0 && !sticks(c) && !adhered) continue;
     source.push_back(static_cast<int>(at));
     StepContact<Dim>& k = out.emplace_back();
     const Law& law = packing_.law_of(c);
@@ -407,7 +411,7 @@ template <int Dim>
 double ContactDynamics<Dim>::error_of_forces() const {
   BodyMotion<Dim> motion = free_motion(time_step_, false);
   std::vector<int> source;
-  std::vector<StepContact<Dim>> contacts = step_contacts(time_step_, kStabilisation, source);
+  std::vector<StepContact<Dim>> contacts = step_contacts(time_step_, kStabilisation, source, true);
   // The adhesion of each contact is computed from the recorded forces. The contact law alone does not give this
   // adhesion, because adhesion across a gap acts only if a force acted in the previous step.
   for (std::size_t k = 0; k < contacts.size(); ++k) {

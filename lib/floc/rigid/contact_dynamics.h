@@ -116,7 +116,8 @@ class ContactDynamics {
   Mat<Dim> cell_rate() const;
   double gap_rate(const Contact<Dim>& contact) const;
   double restitution(const Contact<Dim>& contact) const;
-  std::vector<StepContact<Dim>> step_contacts(double dt, double removed, std::vector<int>& source) const;
+  std::vector<StepContact<Dim>> step_contacts(double dt, double removed, std::vector<int>& source,
+                                              bool recorded = false) const;
   std::vector<PairMatrix<Dim>> stiffnesses(const Trial& trial, double dt) const;
   double removal_time(double dt) const;
   Trial solve(double dt, const Method& method) const;

@@ -8,6 +8,8 @@ namespace {
 
 TEST(RigidGrains, RandomScenesEndAtRestOrWithAReason) {
   relax_random_scenes(20, 1);
+  // In the last step of this scene, adhesion pulls across a gap where impacts are elastic.
+  relax_random_scenes(1, 39);
 }
 
 TEST(RigidGrains, SizesFromOneToFortyNine) {

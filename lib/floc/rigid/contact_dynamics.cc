@@ -258,7 +258,10 @@ std::vector<StepContact<Dim>> ContactDynamics<Dim>::step_contacts(double dt, dou
   for (std::size_t at = 0; at < packing_.contacts.size(); ++at) {
     const Contact<Dim>& c = packing_.contacts[at];
     const bool elastic_impact = settings_.restitution > 0.0;
-    const bool adhered = recorded && c.elastic_force > c.normal_force;
+    // The contact law alone does not give the adhesion in a recorded step, because adhesion across a gap acts only if a
+    // force acted in the step before.
+    const double recorded_adhesion = std::max(0.0, c.elastic_force - c.normal_force);
+    const bool adhered = recorded && recorded_adhesion > 0.0;
     if (elastic_impact && c.gap > 0.0 && !sticks(c) && !adhered) continue;
     source.push_back(static_cast<int>(at));
     StepContact<Dim>& k = out.emplace_back();
@@ -270,7 +273,7 @@ std::vector<StepContact<Dim>> ContactDynamics<Dim>::step_contacts(double dt, dou
     k.branch = packing_.is_wall(c.j) ? Vec<Dim>(Vec<Dim>::Zero()) : Vec<Dim>(c.arm_i - c.arm_j);
     k.frame = contact_frame(c.normal);
     k.friction = law.friction_coefficient();
-    k.adhesion = sticks(c) ? dt * law.pull_off_force() : 0.0;
+    k.adhesion = dt * (recorded ? recorded_adhesion : sticks(c) ? law.pull_off_force() : 0.0);
     k.bias = k.frame.transpose() * (shear * k.branch);
     const bool rigid = law.is_rigid();
     const double removal = removal_time(dt);
@@ -412,12 +415,6 @@ double ContactDynamics<Dim>::error_of_forces() const {
   BodyMotion<Dim> motion = free_motion(time_step_, false);
   std::vector<int> source;
   std::vector<StepContact<Dim>> contacts = step_contacts(time_step_, kStabilisation, source, true);
-  // The adhesion of each contact is computed from the recorded forces. The contact law alone does not give this
-  // adhesion, because adhesion across a gap acts only if a force acted in the previous step.
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const Contact<Dim>& c = packing_.contacts[static_cast<std::size_t>(source[k])];
-    contacts[k].adhesion = time_step_ * std::max(0.0, c.elastic_force - c.normal_force);
-  }
   return GaussSeidel<Dim>(motion, contacts).residual();
 }
 

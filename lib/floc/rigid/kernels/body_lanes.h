@@ -88,4 +88,15 @@ struct BodyLanes {
   }
 };
 
+/// Adds the velocities that the stretch of the cell causes between the bodies of the contacts. If the rate of stretch is
+/// imposed, they are part of the bias, and nothing is added.
+template <class Isa, class Group, int Dim = Group::kDim>
+[[gnu::always_inline]] inline void add_stretch(const Group& group, int lane, const Vec<Dim, Pack<Isa>>& stretch,
+                                               Vec<Dim, Pack<Isa>>& velocity) {
+  if constexpr (Group::kCell) {
+    const Vec<Dim, Pack<Isa>> branch = load<Isa>(group.branch, lane);
+    for (int a = 0; a < Dim; ++a) velocity[a] += stretch[a] * branch[a];
+  }
+}
+
 }  // namespace floc

@@ -84,10 +84,7 @@ struct CoupledModel {
     V u = j.velocity() - i.velocity();
     u += cross<P>(j.spin(), load<Isa>(group.arm_j, lane));
     u -= cross<P>(i.spin(), load<Isa>(group.arm_i, lane));
-    if constexpr (Cell) {
-      const V branch = load<Isa>(group.branch, lane);
-      for (int a = 0; a < Dim; ++a) u[a] += stretch[a] * branch[a];
-    }
+    add_stretch<Isa>(group, lane, stretch, u);
     V out;
     for (int b = 0; b < Dim; ++b) {
       const Lanes& compliance = b == 0 ? group.normal_compliance : group.tangential_compliance;

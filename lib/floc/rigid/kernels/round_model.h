@@ -73,10 +73,7 @@ struct RoundModel {
   [[gnu::always_inline]] static Impulse unlimited(const Group& group, int lane, const Bodies& i,
                                                   const Bodies& j, const V& stretch, const Impulse& impulse) {
     V u = j.velocity() - i.velocity();
-    if constexpr (Cell) {
-      const V branch = load<Isa>(group.branch, lane);
-      for (int a = 0; a < Dim; ++a) u[a] += stretch[a] * branch[a];
-    }
+    add_stretch<Isa>(group, lane, stretch, u);
     const V normal = load<Isa>(group.normal, lane);
     const RotationVector<Dim, P> spin =
         scaled(P::load(group.arm_i + lane), i.spin()) + scaled(P::load(group.arm_j + lane), j.spin());

@@ -149,8 +149,8 @@ TEST_F(Draw, RefusesInWordsWhatItCannotDraw) {
   write_state(file("spheres.h5"), busy_state<3>());
   const std::pair<const char*, const char*> refusals[] = {
       {"draw run/state-0004.h5 -o s.svg --view 10,20",
-       "run/state-0004.h5: this is a state of disks, but --view, --slab and --sphere-size apply only to states "
-       "of spheres"},
+       "run/state-0004.h5: this is a state of disks, but --view, --slab, --cut and --sphere-size apply only to "
+       "states of spheres"},
       {"draw spheres.h5 -o s.svg --view 10",
        "--view 10: this is not a direction of view: expected AZIMUTH,ELEVATION"},
       {"draw spheres.h5 -o s.svg --view 10,91",
@@ -159,6 +159,14 @@ TEST_F(Draw, RefusesInWordsWhatItCannotDraw) {
       {"draw spheres.h5 -o s.svg --slab z,0.6,0.4", "slab from 0.6 to 0.4: must be fractions of the cell"},
       {"draw spheres.h5 -o s.svg --slab x,0.98,0.99",
        "spheres.h5: this state has no grain whose centre lies in --slab"},
+      {"draw run/state-0004.h5 -o s.svg --cut y,0.5", "--view, --slab, --cut and --sphere-size apply only to"},
+      {"draw spheres.h5 -o s.svg --cut 0.5", "--cut 0.5: this is not a section: expected AXIS,FRACTION"},
+      {"draw spheres.h5 -o s.svg --cut y,1.5", "--cut y,1.5: this is not a section: expected AXIS,FRACTION"},
+      {"draw spheres.h5 -o s.svg --cut z,0.5",
+       "spheres.h5: the plane of --cut z,0.5 crosses no grain of this state"},
+      {"draw spheres.h5 -o s.svg --cut y,0.5 --forces kinds",
+       "--forces kinds: --cut shows sections of grains without contacts: expected none, particle-pressure or "
+       "phases"},
       {"draw spheres.h5 -o s.svg --sphere-size 2",
        "sphere size = 2 times the true size: must be between 0 and 1"},
       {"draw spheres.h5 -o s.svg --compare run/state-0004.h5",
@@ -192,6 +200,11 @@ TEST_F(Draw, DrawsSpheres) {
   for (const std::string rest : {"--forces none", "--forces particle-pressure", "--compare spheres.h5",
                                  "--slab y,0,0.2 --sphere-size 0", "--bare", "--image"})
     EXPECT_EQ(floc("draw spheres.h5 -o other.pdf " + rest).code, 0) << rest;
+  for (const std::string rest : {"", "--forces none", "--forces particle-pressure", "--forces phases"}) {
+    const Outcome cut = floc("draw spheres.h5 -o cut.svg --format json --cut y,0.1 " + rest);
+    EXPECT_EQ(cut.code, 0) << rest << cut.err;
+    EXPECT_GE(json::parse(cut.out).at(0).at("n_grains"), 1);
+  }
   // Disks and spheres may not be on one strip. In a directory of pictures, each state has its own file.
   const Outcome strip = floc("draw run/state-0004.h5 spheres.h5 -o strip.svg");
   EXPECT_EQ(strip.code, 4);

@@ -65,6 +65,7 @@ lattice {state} --matrix 0.05 --per-diameter 5 --stiffness grain=100,matrix=1 --
 draw {state} -o forces.svg
 draw {state} -o forces.png --forces particle-pressure --width 20
 draw {state} -o forces.pdf --forces phases
+draw {state} -o section.svg --cut z,0.4 --forces particle-pressure
 draw {state} -o increment.pdf --forces increment
 draw {run} -o strip.svg --steps 0,1
 draw {first} -o change.svg --compare {state}

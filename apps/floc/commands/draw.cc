@@ -12,11 +12,13 @@
 #include "floc/io/atomic_file.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/require_elastic.h"
+#include "floc/picture/cross_section.h"
 #include "floc/picture/drawn_scale.h"
 #include "floc/picture/sheet.h"
 #include "floc/structure/coordination.h"
 #include "plots/state_picture.h"
 #include "process/command.h"
+#include "process/cut_option.h"
 #include "process/output.h"
 #include "process/printing.h"
 #include "process/run_states.h"
@@ -32,7 +34,7 @@ constexpr int kPictures = 4;  ///< number of states of a directory that are draw
 struct DrawArguments {
   std::vector<std::string> inputs;
   std::string output;
-  std::string forces = "equilibrium";
+  std::string forces;  ///< empty for the default: equilibrium, or none in a section
   std::string step = "isotropic";
   std::string compare;
   std::vector<int> steps;
@@ -41,8 +43,9 @@ struct DrawArguments {
   SheetOptions sheet;
   bool image = false;
   bool vectors = false;
-  std::string view, slab;
-  std::optional<Slab> cut;  ///< slab of the cell whose grains are drawn, parsed from `slab`
+  std::string view, slab, cut;
+  std::optional<Slab> layer;            ///< layer of the cell whose grains are drawn, parsed from `slab`
+  std::optional<CrossSection> section;  ///< plane whose section is drawn, parsed from `cut`
   Printing printing;
 };
 
@@ -50,8 +53,8 @@ Shown shown_by(const DrawArguments& arguments) {
   if (arguments.forces == "particle-pressure") return Shown::particle_pressure;
   if (arguments.forces == "phases") return Shown::phases;
   if (arguments.forces == "kinds") return Shown::kinds;
-  if (arguments.forces == "none") return Shown::grains;
-  if (arguments.forces == "equilibrium") return Shown::equilibrium;
+  if (arguments.forces == "none" || (arguments.forces.empty() && arguments.section)) return Shown::grains;
+  if (arguments.forces == "equilibrium" || arguments.forces.empty()) return Shown::equilibrium;
   return arguments.step == "isotropic" ? Shown::isotropic_step : Shown::deviatoric_step;
 }
 
@@ -102,7 +105,7 @@ std::optional<std::vector<double>> numbers_of(const std::string& text, std::size
   return numbers.size() == count ? std::optional(numbers) : std::nullopt;
 }
 
-/// Parses the values of the options --view and --slab.
+/// Parses the values of the options --view, --slab and --cut.
 /// @throws InputError if a value is invalid
 void read_sight(DrawArguments& arguments) {
   if (!arguments.view.empty()) {
@@ -114,6 +117,14 @@ void read_sight(DrawArguments& arguments) {
     arguments.sheet.view.azimuth = (*angles)[0];
     arguments.sheet.view.elevation = (*angles)[1];
   }
+  if (!arguments.cut.empty()) {
+    arguments.section = parse_cut(arguments.cut);
+    for (const char* forces : {"equilibrium", "increment", "kinds"})
+      if (arguments.forces == forces)
+        throw InputError(
+            "--forces " + arguments.forces,
+            "--cut shows sections of grains without contacts: expected none, particle-pressure or phases");
+  }
   if (arguments.slab.empty()) return;
   const std::size_t axis = std::string("x,y,z,").find(arguments.slab.substr(0, 2));
   const auto ends = arguments.slab.size() < 2 || axis == std::string::npos
@@ -123,7 +134,7 @@ void read_sight(DrawArguments& arguments) {
     throw InputError("--slab " + arguments.slab,
                      "this is not a slab: expected AXIS,FROM,TO with an axis x, y or z and two fractions of "
                      "the cell, such as z,0.4,0.6");
-  arguments.cut = Slab{static_cast<int>(axis / 2), (*ends)[0], (*ends)[1]};
+  arguments.layer = Slab{static_cast<int>(axis / 2), (*ends)[0], (*ends)[1]};
 }
 
 /// A picture of a state, and the values of this state in a row of the printed table.
@@ -135,13 +146,26 @@ struct Drawn {
   double driven_stress;           ///< value of the column P_driven_star
 };
 
-void cut_slab(const std::string& file, const DrawArguments& arguments, PackingPicture<3>& picture) {
-  picture = part_in_slab(picture, *arguments.cut);
+void keep_slab(const std::string& file, const DrawArguments& arguments, PackingPicture<3>& picture) {
+  picture = part_in_slab(picture, *arguments.layer);
   if (picture.position.empty())
     throw InputError(file, "this state has no grain whose centre lies in --slab " + arguments.slab +
                                ": choose a slab that contains at least one grain");
-  picture.caption.push_back(fmt::format("{} from {} to {} of the cell", "xyz"[arguments.cut->axis],
-                                        short_number(arguments.cut->from), short_number(arguments.cut->to)));
+  picture.caption.push_back(fmt::format("{} from {} to {} of the cell", "xyz"[arguments.layer->axis],
+                                        short_number(arguments.layer->from),
+                                        short_number(arguments.layer->to)));
+}
+
+/// Replaces the picture of a state by the section that --cut names.
+Drawn<2> section_of(Drawn<3> drawn, const DrawArguments& arguments) {
+  PackingPicture<2> section = cross_section(drawn.picture, *arguments.section);
+  if (section.position.empty())
+    throw InputError(drawn.file,
+                     "the plane of --cut " + arguments.cut +
+                         " crosses no grain of this state: choose a plane that crosses at least one grain");
+  section.caption.push_back(fmt::format("section at {} = {} of the cell", "xyz"[arguments.section->axis],
+                                        short_number(arguments.section->at)));
+  return {drawn.file, std::move(section), std::move(drawn.cells), drawn.driven_stress};
 }
 
 /// Makes the picture of a state.
@@ -150,13 +174,14 @@ void cut_slab(const std::string& file, const DrawArguments& arguments, PackingPi
 template <int Dim>
 Drawn<Dim> drawn_from(const std::string& file, const State<Dim>& state, const DrawArguments& arguments,
                       const std::optional<AnyState>& other) {
-  if (Dim == 2 && (arguments.cut || !arguments.view.empty() || arguments.sheet.view.sphere_size))
-    throw InputError(file,
-                     state.packing.grains.are_round()
-                         ? "this is a state of disks, but --view, --slab and --sphere-size apply only to "
-                           "states of spheres: leave them out"
-                         : "this is a state in 2D, but --view, --slab and --sphere-size apply only to states "
-                           "in 3D: leave them out");
+  if (Dim == 2 &&
+      (arguments.layer || arguments.section || !arguments.view.empty() || arguments.sheet.view.sphere_size))
+    throw InputError(
+        file, state.packing.grains.are_round()
+                  ? "this is a state of disks, but --view, --slab, --cut and --sphere-size apply only to "
+                    "states of spheres: leave them out"
+                  : "this is a state in 2D, but --view, --slab, --cut and --sphere-size apply only to states "
+                    "in 3D: leave them out");
   if (other && !std::holds_alternative<State<Dim>>(*other))
     throw InputError(
         arguments.compare,
@@ -169,7 +194,7 @@ Drawn<Dim> drawn_from(const std::string& file, const State<Dim>& state, const Dr
                        solid_fraction(state.packing), coordination(state.packing, 0.0).z},
                       reduced_pressure(state.packing, stress_on_driven_axis<Dim>(state, state.target_stress))};
   if constexpr (Dim == 3)
-    if (arguments.cut) cut_slab(file, arguments, drawn.picture);
+    if (arguments.layer) keep_slab(file, arguments, drawn.picture);
   return drawn;
 }
 
@@ -215,19 +240,9 @@ class Drawer {
   void add(const std::string& file, const State<Dim>& state) {
     if (other_) require_round(state.packing, "changes of contacts are drawn", file);
     Drawn<Dim> drawn = drawn_from(file, state, arguments_, other_);
-    auto& strip = std::get<std::vector<PackingPicture<Dim>>>(strips_);
-    auto& others = std::get<std::vector<PackingPicture<5 - Dim>>>(strips_);
-    if (!others.empty())
-      throw InputError(
-          file, fmt::format("this is a state in {}D, but the states before it are not: all states of a picture "
-                            "must have the same dimension (-o DIR/ draws each state as a separate picture)",
-                            Dim));
-    const std::string path = target_.of(arguments_, file);
-    add_row(drawn, path, table_);
-    if (target_.directory)
-      write_picture(target_, path, draw_sheet<Dim>({std::move(drawn.picture)}, arguments_.sheet));
-    else
-      strip.push_back(std::move(drawn.picture));
+    if constexpr (Dim == 3)
+      if (arguments_.section) return place(section_of(std::move(drawn), arguments_));
+    place(std::move(drawn));
   }
 
   /// Writes the strip if all states are in one picture. Then prints the table of the states, except if the picture was
@@ -239,6 +254,25 @@ class Drawer {
   }
 
  private:
+  /// Writes a picture to its own file, or adds it to the strip.
+  template <int Dim>
+  void place(Drawn<Dim> drawn) {
+    auto& strip = std::get<std::vector<PackingPicture<Dim>>>(strips_);
+    auto& others = std::get<std::vector<PackingPicture<5 - Dim>>>(strips_);
+    if (!others.empty())
+      throw InputError(
+          drawn.file,
+          fmt::format("this is a state in {}D, but the states before it are not: all states of a picture "
+                      "must have the same dimension (-o DIR/ draws each state as a separate picture)",
+                      Dim));
+    const std::string path = target_.of(arguments_, drawn.file);
+    add_row(drawn, path, table_);
+    if (target_.directory)
+      write_picture(target_, path, draw_sheet<Dim>({std::move(drawn.picture)}, arguments_.sheet));
+    else
+      strip.push_back(std::move(drawn.picture));
+  }
+
   template <int Dim>
   void write_strip() {
     auto& strip = std::get<std::vector<PackingPicture<Dim>>>(strips_);
@@ -263,8 +297,8 @@ int draw(DrawArguments arguments) {
   if (arguments.image || arguments.vectors) arguments.sheet.as_image = arguments.image;
   read_sight(arguments);
   auto faults = arguments.sheet.validate();
-  if (arguments.cut)
-    for (const std::string& fault : arguments.cut->validate()) faults.push_back(fault);
+  if (arguments.layer)
+    for (const std::string& fault : arguments.layer->validate()) faults.push_back(fault);
   if (!faults.empty()) throw InputError("floc draw", fmt::format("{}", fmt::join(faults, "; ")));
   if (target.directory) fs::create_directories(arguments.output);
   Drawer drawer(arguments, target);
@@ -298,17 +332,18 @@ Command add_draw(CommandLine program) {
                      "coloured by their pressure; phases: grains with positive and with negative "
                      "pressure, and the contacts between grains of the same sign; kinds: forces of grains "
                      "with corners, coloured by the kind of contact (vertex and face, edge and face, or "
-                     "two faces); none: no forces [equilibrium]")
+                     "two faces); none: no forces [equilibrium; with --cut, none]")
           .one_of({"equilibrium", "increment", "particle-pressure", "phases", "kinds", "none"});
   app.add_option("--step", arguments->step,
                  "type of the stress increment for --forces increment: isotropic or deviatoric [isotropic]")
       .one_of({"isotropic", "deviatoric"});
   // The option --compare excludes --forces, because pictures of --compare show displacements of the grains instead of
   // forces.
-  app.add_option("--compare", arguments->compare,
-                 "STATE2: draw the contacts that are lost and gained between STATE and STATE2, and the "
-                 "non-affine displacements of the grains")
-      .excludes(forces);
+  const Option compare =
+      app.add_option("--compare", arguments->compare,
+                     "STATE2: draw the contacts that are lost and gained between STATE and STATE2, and the "
+                     "non-affine displacements of the grains")
+          .excludes(forces);
   app.add_option("--steps", arguments->steps,
                  "K,...: numbers of the states of a directory to draw [four states, evenly spread from the "
                  "first to the last]")
@@ -338,16 +373,26 @@ Command add_draw(CommandLine program) {
   app.add_flag("--vectors", arguments->vectors,
                "in svg and pdf, draw grains and lines as vectors, even if there are many of them")
       .excludes(image);
-  app.add_option(
+  const Option view = app.add_option(
       "--view", arguments->view,
       "AZIMUTH,ELEVATION: direction from which grains in 3D are viewed (degrees); azimuth 0 is the x "
       "axis, azimuth 90 the y axis [-65,20]");
-  app.add_option("--slab", arguments->slab,
-                 "AXIS,FROM,TO: draw only the grains whose centres lie between two fractions of the cell, for "
-                 "example z,0.4,0.6");
-  app.add_option("--sphere-size", arguments->sheet.view.sphere_size,
-                 "ratio of the drawn radius of spheres to their true radius, from 0 to 1 [1; 0.25 if forces or "
-                 "changes are drawn]");
+  const Option slab = app.add_option(
+      "--slab", arguments->slab,
+      "AXIS,FROM,TO: draw only the grains whose centres lie between two fractions of the cell, for "
+      "example z,0.4,0.6");
+  const Option size = app.add_option(
+      "--sphere-size", arguments->sheet.view.sphere_size,
+      "ratio of the drawn radius of spheres to their true radius, from 0 to 1 [1; 0.25 if forces or "
+      "changes are drawn]");
+  app.add_option(
+         "--cut", arguments->cut,
+         "AXIS,FRACTION: draw the section of a packing in 3D by a plane across AXIS, at this fraction of the "
+         "cell, for example y,0.5; contacts are left out")
+      .excludes(slab)
+      .excludes(view)
+      .excludes(size)
+      .excludes(compare);
   add_printing_options(app, arguments->printing);
   return {app, [arguments] { return draw(*arguments); }};
 }

@@ -9,13 +9,13 @@
 #include <sstream>
 
 #include "floc/base/error.h"
-#include "floc/base/parse_number.h"
 #include "floc/io/atomic_file.h"
 #include "floc/picture/drawn_scale.h"
 #include "floc/picture/lattice_picture.h"
 #include "floc/structure/force_distribution.h"
 #include "floc/tables/column.h"
 #include "plots/gnuplot.h"
+#include "process/cut_option.h"
 #include "process/repeated_warnings.h"
 
 namespace floc {
@@ -163,24 +163,9 @@ PictureFormat format_of(const std::string& path) {
                    ".svg, .pdf or .png");
 }
 
-/// Parses the value of the option --cut, AXIS,FRACTION. @throws InputError if it is invalid
-LatticeSheetOptions section_of(const std::string& cut) {
-  LatticeSheetOptions sheet;
-  const std::size_t axis =
-      cut.size() > 2 && cut[1] == ',' ? std::string("xyz").find(cut[0]) : std::string::npos;
-  const auto at =
-      axis == std::string::npos ? std::nullopt : parse_number<double>(std::string_view(cut).substr(2));
-  if (!at || *at < 0.0 || *at > 1.0)
-    throw InputError("--cut " + cut,
-                     "this is not a section: expected AXIS,FRACTION with an axis x, y or z and a fraction of "
-                     "the cell from 0 to 1, such as y,0.5");
-  sheet.cut_axis = static_cast<int>(axis);
-  sheet.cut_at = *at;
-  return sheet;
-}
-
 LatticeSheetOptions sheet_of(const LatticeArguments& arguments, const std::string& path) {
-  LatticeSheetOptions sheet = section_of(arguments.cut);
+  LatticeSheetOptions sheet;
+  sheet.cut = parse_cut(arguments.cut);
   sheet.format = format_of(path);
   sheet.pixels_a_node = arguments.pixels;
   return sheet;
@@ -232,7 +217,7 @@ std::vector<double> stresses_of(const LoadedSample<Dim>& of, int axis, std::opti
 
 template <int Dim>
 void check_lattice_pictures(const LatticeArguments& arguments, const Cell<Dim>& cell) {
-  (void)section_of(arguments.cut);
+  (void)parse_cut(arguments.cut);
   const bool drawn = !(arguments.map.empty() && arguments.phases.empty() && arguments.cracks.empty());
   if (drawn && !can_be_drawn(cell))
     throw InputError(arguments.file,

@@ -39,9 +39,8 @@ struct Section {
 template <int Dim>
 Section<Dim> section_of(const Lattice<Dim>& lattice, const LatticeSheetOptions& options) {
   if constexpr (Dim == 2) return {lattice, 0, 1, -1, 0.0};
-  const int across = options.cut_axis;
-  const int right = across == 0 ? 1 : 0, up = across == 2 ? 1 : 2;
-  return {lattice, right, up, across, options.cut_at * std::abs(lattice.cell.matrix(across, across))};
+  const CrossSection& cut = options.cut;
+  return {lattice, cut.right(), cut.up(), cut.axis, cut.at * std::abs(lattice.cell.matrix(cut.axis, cut.axis))};
 }
 
 template <int Dim>
@@ -148,10 +147,7 @@ std::vector<std::string> LatticeSheetOptions::validate() const {
   std::vector<std::string> faults;
   if (!(width >= 50.0 && width <= 5000.0))
     faults.push_back(fmt::format("width = {} points: must be 50 to 5000", width));
-  if (cut_axis < 0 || cut_axis > 2) faults.push_back(fmt::format("cut axis = {}: must be 0 to 2", cut_axis));
-  if (!(cut_at >= 0.0 && cut_at <= 1.0))
-    faults.push_back(fmt::format(
-        "cut = {}: must be 0 to 1 (position along the axis of the cut, as a fraction of the cell)", cut_at));
+  for (const std::string& fault : cut.validate()) faults.push_back(fault);
   if (!kPixels.holds(pixels_a_node))
     faults.push_back(fmt::format("pixels per node = {}: must be 1 to 100", pixels_a_node));
   return faults;

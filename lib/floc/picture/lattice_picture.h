@@ -6,6 +6,7 @@
 
 #include "floc/base/range.h"
 #include "floc/lattice/lattice.h"
+#include "floc/picture/cross_section.h"
 #include "floc/picture/palette.h"
 #include "floc/picture/picture_format.h"
 
@@ -32,8 +33,7 @@ struct LatticePicture {
 struct LatticeSheetOptions {
   PictureFormat format = PictureFormat::svg;
   double width = 482.0;  ///< width of the page (points)
-  int cut_axis = 1;      ///< 3D: axis normal to the drawn section, counted from 0
-  double cut_at = 0.5;   ///< 3D: position of the section along cut_axis, as a fraction of the cell
+  CrossSection cut;      ///< 3D: section that is drawn
   /// Number of pixels per lattice spacing, reduced if a side of the picture would exceed 3000 pixels.
   double pixels_a_node = 4.0;
 

@@ -129,13 +129,14 @@ class Drawing {
   template <class Traced>
   void trace_copies(int i, Traced&& traced) const {
     const Vec<2>& centre = picture_.position[i];
-    if (picture_.is_round(i)) {
+    const bool has_outline = !picture_.outline.empty();
+    if (!has_outline && picture_.is_round(i)) {
       return copies_.of_disk(centre, picture_.radius[i], [&](const Vec<2>& shift) {
         trace_disk(centre + shift, picture_.radius[i]);
         traced();
       });
     }
-    const Outline outline = outline_of(picture_.shape[i].at(centre));
+    const Outline outline = has_outline ? picture_.outline[i] : outline_of(picture_.shape[i].at(centre));
     std::vector<Vec<2>> centres;
     for (const OutlineCorner& corner : outline.corners) centres.push_back(corner.centre);
     copies_.of_points(centres, outline.radius, [&](const Vec<2>& shift) {

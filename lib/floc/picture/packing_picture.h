@@ -8,6 +8,7 @@
 #include "floc/base/vec.h"
 #include "floc/geometry/cell.h"
 #include "floc/packing/packing.h"
+#include "floc/picture/outline.h"
 
 namespace floc {
 
@@ -84,6 +85,9 @@ struct PackingPicture {
   std::vector<double> radius;
   /// Shape of each grain; empty if all grains are disks or spheres.
   std::vector<DrawnShape<Dim>> shape;
+  /// 2D: outline of each grain in the section of a packing in 3D, see cross_section(). Empty in other pictures, where
+  /// the outlines follow from `radius` and `shape`.
+  std::vector<Outline> outline;
   /// Table of shapes to which `shape` points, shared with the packing.
   std::shared_ptr<const std::vector<Shape<Dim>>> shapes;
   std::vector<bool> rattler;  ///< whether each grain is a rattler; empty if no rattlers are marked

@@ -38,8 +38,7 @@ TEST(LatticePicture, IsTheSameWhicheverCellSpansTheLattice) {
   ASSERT_FALSE(skewed.cell.rectangular());
   for (int axis = 0; axis < 3; ++axis) {
     LatticeSheetOptions options;
-    options.cut_axis = axis;
-    options.cut_at = 0.3;
+    options.cut = {.axis = axis, .at = 0.3};
     EXPECT_EQ(draw_lattice(straight, picture_of(straight), options),
               draw_lattice(skewed, picture_of(skewed), options))
         << "across axis " << axis;

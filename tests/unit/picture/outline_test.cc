@@ -7,27 +7,15 @@
 
 #include "floc/packing/packing.h"
 #include "floc/shape/generators.h"
+#include "support/outline_area.h"
 
 namespace floc {
 namespace {
 
+using test::area_of;
+
 Vec<2> on_circle(double angle) {
   return {std::cos(angle), std::sin(angle)};
-}
-
-/// Returns the area inside an outline: half the integral of x dy - y dx along its arcs and straight sides.
-double area_of(const Outline& outline) {
-  const double r = outline.radius;
-  const auto cross = [](const Vec<2>& a, const Vec<2>& b) { return a[0] * b[1] - a[1] * b[0]; };
-  double twice = 0.0;
-  for (std::size_t k = 0; k < outline.corners.size(); ++k) {
-    const OutlineCorner& corner = outline.corners[k];
-    const OutlineCorner& next = outline.corners[(k + 1) % outline.corners.size()];
-    const Vec<2> begin = on_circle(corner.begin), end = on_circle(corner.end);
-    twice += r * cross(corner.centre, end - begin) + r * r * (corner.end - corner.begin);
-    twice += cross(corner.centre + r * end, next.centre + r * on_circle(next.begin));
-  }
-  return 0.5 * twice;
 }
 
 std::vector<Shape<2>> some_shapes() {

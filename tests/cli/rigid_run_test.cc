@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <utility>
 
 #include "floc/io/csv.h"
@@ -84,6 +85,64 @@ TEST(RigidRun, ElasticGrainsWithCornersVerifyAndHaveModuli) {
     EXPECT_EQ(rows_without_seconds(scratch.file("out/path.csv")),
               rows_without_seconds(scratch.file("two/path.csv")));
   }
+}
+
+/// Returns the table [contact] of rigid contacts, or of elastic contacts with the stiffnesses of elastic_scene().
+std::string contact_table(bool is_rigid) {
+  return is_rigid ? "[contact]\nnormal = {law = \"rigid\"}\nfriction = {coefficient = 0.5}\n"
+                  : "[contact]\nnormal = {law = \"linear\", stiffness = 1e4}\n"
+                    "friction = {coefficient = 0.5, stiffness = 1e4}\n";
+}
+
+/// Returns a scene that starts from the state s.h5 of grains with shapes and doubles the pressure.
+std::string scene_from_state(int dimension, bool is_rigid, const std::string& keys = "") {
+  return "[scene]\nname = \"again\"\nunits = \"reduced\"\ndimension = " + std::to_string(dimension) + "\n" +
+         contact_table(is_rigid) + "[assembly]\nprotocol = \"state\"\nstate = \"s.h5\"\n" + keys +
+         "[[load]]\nname = \"load\"\nto = 2.0\nsteps = 1\n[run]\nseed = 1\n";
+}
+
+/// Grains with shapes start from states of elastic and of rigid contacts, with either law. Under their own law they
+/// are in equilibrium from the start.
+TEST(RigidRun, StartsFromStatesOfGrainsWithShapes) {
+  for (const int dimension : {2, 3})
+    for (const bool was_rigid : {false, true})
+      for (const bool is_rigid : {false, true}) {
+        SCOPED_TRACE(testing::Message() << dimension << "D, rigid: " << was_rigid << " -> " << is_rigid);
+        const ScratchDirectory scratch;
+        std::string first = elastic_scene(dimension);
+        const std::size_t contact = first.find("[contact]");
+        first.replace(contact, first.find("[assembly]") - contact, contact_table(was_rigid));
+        write_text(scratch.file("first.toml"), first);
+        ASSERT_EQ(run_floc("run first.toml -o first --until 0", scratch.path()).code, 0);
+        std::filesystem::copy_file(scratch.file("first/state-0000.h5"), scratch.file("s.h5"));
+        write_text(scratch.file("again.toml"), scene_from_state(dimension, is_rigid));
+        const Outcome made = run_floc("run again.toml -o again", scratch.path());
+        ASSERT_EQ(made.code, 0) << made.err;
+        const Outcome verified = run_floc("verify again/state-0000.h5 again/state-0001.h5", scratch.path());
+        EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
+        const CsvTable before = CsvTable::read(scratch.file("first/path.csv"));
+        const CsvTable after = CsvTable::read(scratch.file("again/path.csv"));
+        const double largest_change = was_rigid || is_rigid ? 0.02 : 1e-9;
+        EXPECT_NEAR(after.number(0, after.column("phi")), before.number(0, before.column("phi")),
+                    largest_change);
+        EXPECT_NEAR(after.number(1, after.column("P")), 2.0, 1e-6);
+      }
+}
+
+/// Copies of a packing of elastic grains with shapes, side by side, are in equilibrium, too.
+TEST(RigidRun, CopiesOfElasticGrainsAreInEquilibrium) {
+  const ScratchDirectory scratch;
+  write_text(scratch.file("first.toml"), elastic_scene(2));
+  ASSERT_EQ(run_floc("run first.toml -o first --until 0", scratch.path()).code, 0);
+  std::filesystem::copy_file(scratch.file("first/state-0000.h5"), scratch.file("s.h5"));
+  write_text(scratch.file("again.toml"), scene_from_state(2, false, "copies = [2, 1]\n"));
+  const Outcome made = run_floc("run again.toml -o again --until 0", scratch.path());
+  ASSERT_EQ(made.code, 0) << made.err;
+  EXPECT_EQ(run_floc("verify again/state-0000.h5", scratch.path()).code, 0);
+  const CsvTable one = CsvTable::read(scratch.file("first/path.csv"));
+  const CsvTable two = CsvTable::read(scratch.file("again/path.csv"));
+  for (const char* column : {"phi", "z"})
+    EXPECT_NEAR(two.number(0, two.column(column)), one.number(0, one.column(column)), 1e-9) << column;
 }
 
 /// In the report of a run of grains with corners, the section on moduli is replaced by a section on contacts.

@@ -26,11 +26,9 @@ ContactHistory<Dim> common_history(const Law& before, const Law& after) {
   return common;
 }
 
-}  // namespace
-
+/// Replaces the contact law of a packing of disks or spheres, and finds its contacts anew.
 template <int Dim>
-Packing<Dim> start_from(Packing<Dim> saved, const Law& law, const Vec<Dim, int>& copies) {
-  stop_grains(saved);
+void replace_law(Packing<Dim>& saved, const Law& law) {
   const ContactHistory<Dim> kept = common_history<Dim>(saved.law, law);
   saved.law = law;
   const std::vector<Contact<Dim>> before = std::move(saved.contacts);
@@ -52,6 +50,25 @@ Packing<Dim> start_from(Packing<Dim> saved, const Law& law, const Vec<Dim, int>&
   saved.contacts.insert(saved.contacts.end(), held.begin(), held.end());
   std::sort(saved.contacts.begin(), saved.contacts.end(), precedes<Contact<Dim>>);
   refresh_contacts(saved);
+}
+
+/// Replaces the contact law of a packing of grains with shapes. The motion finds the contact points anew in its first
+/// time step, and gives them the forces of the saved points.
+template <int Dim>
+void replace_law_of_shapes(Packing<Dim>& saved, const Law& law) {
+  saved.law = law;
+  for (Contact<Dim>& c : saved.contacts) c.normal_force = c.elastic_force - saved.law_of(c).pull_off_force();
+}
+
+}  // namespace
+
+template <int Dim>
+Packing<Dim> start_from(Packing<Dim> saved, const Law& law, const Vec<Dim, int>& copies) {
+  stop_grains(saved);
+  if (saved.grains.are_round())
+    replace_law(saved, law);
+  else
+    replace_law_of_shapes(saved, law);
   return copies.prod() == 1 ? saved : tiled(saved, copies);
 }
 

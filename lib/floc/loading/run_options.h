@@ -26,8 +26,10 @@ struct RunOptions {
   /// text of the scene file in TOML, after the user's overrides; it is stored in every saved state
   std::string text;
 
-  /// Whether contact dynamics moves the grains. It does if the contacts are rigid or the grains have corners.
-  bool has_contact_dynamics() const { return law.is_rigid() || grains.shape.has_value(); }
+  /// Whether contact dynamics moves the grains. It does if the contacts are rigid or the grains have shapes.
+  bool has_contact_dynamics() const {
+    return law.is_rigid() || grains.shape.has_value() || assembly.saved.has_shapes;
+  }
 
   static constexpr WholeRange kThreads{.least = 1, .most = 1024};
 };

@@ -57,9 +57,6 @@ std::string refusal_of(const State<Dim>& state, const Scene& scene) {
   if (state.units != scene.units)
     return fmt::format("the units of the state are \"{}\": expected the units of the scene, \"{}\"",
                        state.units, scene.units);
-  if (!state.packing.grains.are_round() && !scene.law.is_rigid())
-    return "the grains of the state have shapes, and in this version of floc only rigid grains with shapes can "
-           "start from a state: expected contact.normal = {law = \"rigid\"}";
   // An open end is stored as a wall (Wall::open), so the test of walls below would refuse this state, too. This test
   // comes first, because its message names the free space.
   if (is_open(state.packing.walls) && !scene.assembly.box)
@@ -156,6 +153,7 @@ void describe_start(TableReader& t, const State<Dim>& state, const std::string& 
     t.fault("copies",
             "assembly.copies: a packing between walls cannot be repeated; expected one copy along each axis");
   scene.grains = grains_of(state.packing.grains, start.copies.prod());
+  start.has_shapes = !state.packing.grains.are_round();
   scene.assembly.solid_fraction = solid_fraction(state.packing);
   scene.start = start_description(state, file, scene);
 }

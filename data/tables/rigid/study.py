@@ -36,6 +36,7 @@ RUNS = {
        for i in ("0.03", "0.054")},
     "spheres": ("rigid_spheres", ["grains.count=2000", "contact.friction.coefficient=0.5"], {"spheres-sheared": range(6, 11), "spheres": AT_REST}),
     "cut": ("polyhedra", ["grains.count=1000"], AT_REST),
+    "cut-5000": ("polyhedra", ["grains.count=5000"], AT_REST),
     "hull": ("polyhedra", ["grains.count=1000", HULL], AT_REST),
     "cubes": ("polyhedra", ["grains.count=1000", CUBE], AT_REST),
     "cut-smooth": ("polyhedra", ["grains.count=300", SMOOTH], AT_REST),

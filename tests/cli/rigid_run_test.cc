@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <utility>
 
 #include "floc/io/csv.h"
@@ -87,17 +86,12 @@ TEST(RigidRun, ElasticGrainsWithCornersVerifyAndHaveModuli) {
   }
 }
 
-/// Returns the table [contact] of rigid contacts, or of elastic contacts with the stiffnesses of elastic_scene().
-std::string contact_table(bool is_rigid) {
-  return is_rigid ? "[contact]\nnormal = {law = \"rigid\"}\nfriction = {coefficient = 0.5}\n"
-                  : "[contact]\nnormal = {law = \"linear\", stiffness = 1e4}\n"
-                    "friction = {coefficient = 0.5, stiffness = 1e4}\n";
-}
-
-/// Returns a scene that starts from the state s.h5 of grains with shapes and doubles the pressure.
-std::string scene_from_state(int dimension, bool is_rigid, const std::string& keys = "") {
+/// Returns a scene that starts from the first state of the run in the directory `first` and doubles the pressure.
+/// @param contacts  table [contact]
+/// @param keys  further lines of the table [assembly]
+std::string scene_from_state(int dimension, const std::string& contacts, const std::string& keys = "") {
   return "[scene]\nname = \"again\"\nunits = \"reduced\"\ndimension = " + std::to_string(dimension) + "\n" +
-         contact_table(is_rigid) + "[assembly]\nprotocol = \"state\"\nstate = \"s.h5\"\n" + keys +
+         contacts + "[assembly]\nprotocol = \"state\"\nstate = \"first/state-0000.h5\"\n" + keys +
          "[[load]]\nname = \"load\"\nto = 2.0\nsteps = 1\n[run]\nseed = 1\n";
 }
 
@@ -109,13 +103,11 @@ TEST(RigidRun, StartsFromStatesOfGrainsWithShapes) {
       for (const bool is_rigid : {false, true}) {
         SCOPED_TRACE(testing::Message() << dimension << "D, rigid: " << was_rigid << " -> " << is_rigid);
         const ScratchDirectory scratch;
-        std::string first = elastic_scene(dimension);
-        const std::size_t contact = first.find("[contact]");
-        first.replace(contact, first.find("[assembly]") - contact, contact_table(was_rigid));
-        write_text(scratch.file("first.toml"), first);
+        write_text(scratch.file("first.toml"),
+                   elastic_scene(dimension, was_rigid ? kRigidContacts : kElasticContacts));
         ASSERT_EQ(run_floc("run first.toml -o first --until 0", scratch.path()).code, 0);
-        std::filesystem::copy_file(scratch.file("first/state-0000.h5"), scratch.file("s.h5"));
-        write_text(scratch.file("again.toml"), scene_from_state(dimension, is_rigid));
+        write_text(scratch.file("again.toml"),
+                   scene_from_state(dimension, is_rigid ? kRigidContacts : kElasticContacts));
         const Outcome made = run_floc("run again.toml -o again", scratch.path());
         ASSERT_EQ(made.code, 0) << made.err;
         const Outcome verified = run_floc("verify again/state-0000.h5 again/state-0001.h5", scratch.path());
@@ -134,8 +126,7 @@ TEST(RigidRun, CopiesOfElasticGrainsAreInEquilibrium) {
   const ScratchDirectory scratch;
   write_text(scratch.file("first.toml"), elastic_scene(2));
   ASSERT_EQ(run_floc("run first.toml -o first --until 0", scratch.path()).code, 0);
-  std::filesystem::copy_file(scratch.file("first/state-0000.h5"), scratch.file("s.h5"));
-  write_text(scratch.file("again.toml"), scene_from_state(2, false, "copies = [2, 1]\n"));
+  write_text(scratch.file("again.toml"), scene_from_state(2, kElasticContacts, "copies = [2, 1]\n"));
   const Outcome made = run_floc("run again.toml -o again --until 0", scratch.path());
   ASSERT_EQ(made.code, 0) << made.err;
   EXPECT_EQ(run_floc("verify again/state-0000.h5", scratch.path()).code, 0);

@@ -4,6 +4,13 @@
 
 namespace floc::test {
 
+/// Tables [contact] of rigid contacts and of elastic contacts, with equal friction.
+inline const std::string kRigidContacts =
+    "[contact]\nnormal = {law = \"rigid\"}\nfriction = {coefficient = 0.5}\n";
+inline const std::string kElasticContacts =
+    "[contact]\nnormal = {law = \"linear\", stiffness = 1e4}\n"
+    "friction = {coefficient = 0.5, stiffness = 1e4}\n";
+
 /// Scene of 40 rigid grains that are compressed from a gas, loaded to twice the pressure and sheared: four
 /// states in a few seconds.
 /// @param shape  line of the scene with the shape of the grains; empty for disks
@@ -16,11 +23,7 @@ units = "reduced"
 count = 40
 diameter = {distribution = "uniform", min = 0.5, max = 1.0}
 )" + shape +
-         R"(
-[contact]
-normal = {law = "rigid"}
-friction = {coefficient = 0.5}
-[cell]
+         "\n" + kRigidContacts + R"([cell]
 solid_fraction = 0.25
 inertial_number_cap = 0.02
 [assembly]
@@ -55,11 +58,7 @@ dimension = )" +
          std::string(plane ? "2" : "3") + "\n[grains]\ncount = " + (plane ? "25" : "12") + R"(
 diameter = {distribution = "uniform", min = 0.5, max = 1.0}
 )" + shape +
-         R"(
-[contact]
-normal = {law = "rigid"}
-friction = {coefficient = 0.5}
-[assembly]
+         "\n" + kRigidContacts + R"([assembly]
 protocol = "direct"
 [box]
 )" +
@@ -80,20 +79,18 @@ checkpoint_every = 0.02
 )";
 }
 
-/// Scene of elastic grains with rounded corners (pentagons in 2D, capsules in 3D), compressed from a gas and loaded to
-/// twice the pressure: two states in one to two seconds.
-inline std::string elastic_scene(int dimension) {
+/// Scene of grains with rounded corners (pentagons in 2D, capsules in 3D), elastic by default, compressed from a gas and
+/// loaded to twice the pressure: two states in one to two seconds.
+/// @param contacts  table [contact]
+inline std::string elastic_scene(int dimension, const std::string& contacts = kElasticContacts) {
   const bool plane = dimension == 2;
   return "[scene]\nname = \"elastic\"\nunits = \"reduced\"\ndimension = " + std::string(plane ? "2" : "3") +
          "\n[grains]\ncount = " + (plane ? "40" : "16") + R"(
 diameter = {distribution = "uniform", min = 0.5, max = 1.0}
 shape = )" +
          (plane ? R"({kind = "polygon", sides = 5, rounding = 0.05})" : R"({kind = "capsule", aspect = 2})") +
-         R"(
-[contact]
-normal = {law = "linear", stiffness = 1e4}
-friction = {coefficient = 0.5, stiffness = 1e4}
-[assembly]
+         "\n" + contacts +
+         R"([assembly]
 protocol = "direct"
 pressure = 1.0
 [cell]

@@ -28,7 +28,7 @@ std::vector<Shape<3>> shapes_of_all_kinds() {
           box<3>({1.0, 1.0, 1.0}, 0.4), round_shape<3>(0.5)};
 }
 
-/// Returns a picture of one grain of each shape at the same centre, in a slanted cell that is smaller than some grains.
+/// Returns a picture of one grain of each shape, in a slanted cell that is smaller than some grains.
 PackingPicture<3> picture_in_slanted_cell(const std::vector<Shape<3>>& shapes) {
   PackingPicture<3> picture;
   picture.cell.matrix << 1.5, 0.0, 0.0, 0.4, 1.2, 0.0, -0.3, 0.2, 0.9;

@@ -74,7 +74,7 @@ ClosePair close_pair(const Shape<3>& one, const Shape<3>& other, bool face_to_fa
     const double middle = 0.5 * (near + far);
     pair.second.position = begin + middle * towards;
     const Manifold<3> contact = contact_manifold<3>(pair.first, pair.second, 2.0);
-    (contact.n > 0 && contact.least_gap() < gap ? near : far) = middle;
+    (contact.n() > 0 && contact.least_gap() < gap ? near : far) = middle;
   }
   return pair;
 }
@@ -100,8 +100,8 @@ void close_pairs(benchmark::State& state) {
       PlacedShape<3> second = pair.second;
       second.position += move;
       const Manifold<3> contact = contact_manifold<3>(pair.first, second, 2.0 * kGap, &pair.last);
-      n_points += contact.n;
-      n_contacts += contact.n > 0 ? 1.0 : 0.0;
+      n_points += contact.n();
+      n_contacts += contact.n() > 0 ? 1.0 : 0.0;
     }
   }
   const double n_calls = static_cast<double>(state.iterations()) * kPairs;

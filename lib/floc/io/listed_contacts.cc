@@ -364,10 +364,7 @@ class ListedContacts {
   /// point with the smallest gap.
   double gap_of(const Contact<Dim>& c) const {
     if (packing_.grains.are_round()) return locate(packing_, c).gap;
-    const Manifold<Dim> manifold = manifold_of(packing_, c, branch(packing_, c), radii(c));
-    double least = radii(c);
-    for (int p = 0; p < manifold.n; ++p) least = std::min(least, manifold.points[p].gap);
-    return least;
+    return std::min(radii(c), manifold_of(packing_, c, branch(packing_, c), radii(c)).least_gap());
   }
   bool can_touch(const Contact<Dim>& c) const {
     return gap_of(c) <= range_of(packing_, c) + 0.5 * kFarthestGap * radii(c);

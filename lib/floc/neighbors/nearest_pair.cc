@@ -15,8 +15,7 @@ template <int Dim>
 double gap_of(const Packing<Dim>& packing, const Contact<Dim>& c, double reach) {
   if (packing.grains.are_round()) return locate(packing, c).gap;
   const double largest = reach + packing.grains.radius[c.i] + packing.grains.radius[c.j];
-  const Manifold<Dim> found = manifold_of(packing, c, branch(packing, c), largest);
-  return found.n > 0 ? found.least_gap() : largest;
+  return std::min(largest, manifold_of(packing, c, branch(packing, c), largest).least_gap());
 }
 
 }  // namespace

@@ -46,7 +46,6 @@ class MovedContact {
         second_(packing.grains.placed(contact.j)),
         options_(manifold_options(packing)) {
     second_.position = first_.position + branch(packing, contact);
-    options_.wanted = static_cast<std::uint32_t>(contact.key);
     reach_ = first_.outer_radius() + second_.outer_radius();
     contact_manifold(first_, second_, reach_, &features_, options_);
   }
@@ -78,7 +77,7 @@ class MovedContact {
     second.rotation = rotation_by(turn_j) * second.rotation;
     AxisFeatures features = features_;
     const Manifold<Dim> manifold = contact_manifold(first, second, reach_, &features, options_);
-    const ManifoldPoint<Dim>* point = manifold.with_key(*options_.wanted);
+    const ManifoldPoint<Dim>* point = manifold.with_key(static_cast<std::uint32_t>(contact_.key));
     if (!point) return std::nullopt;
     return GeometryChange<Dim>{manifold.normal, point->gap, point->arm};
   }

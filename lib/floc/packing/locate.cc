@@ -28,24 +28,21 @@ ContactGeometry<Dim> locate_balls(const DoubleDoubleVec<Dim>& branch, double rad
 
 template <int Dim>
 Manifold<Dim> manifold_of(const Packing<Dim>& packing, const Contact<Dim>& contact, const Vec<Dim>& branch,
-                          double reach, AxisFeatures* last, std::optional<std::uint32_t> wanted) {
+                          double reach, AxisFeatures* last) {
   const PlacedShape<Dim> first = packing.grains.placed(contact.i);
   if (packing.is_wall(contact.j)) {
     const Wall<Dim>& wall = packing.wall(contact.j);
-    return plane_manifold<Dim>(first, wall.normal(), wall.side * wall.position, reach, wanted);
+    return plane_manifold<Dim>(first, wall.normal(), wall.side * wall.position, reach);
   }
   PlacedShape<Dim> second = packing.grains.placed(contact.j);
   second.position = first.position + branch;
-  ManifoldOptions options = manifold_options(packing);
-  options.wanted = wanted;
-  return contact_manifold(first, second, reach, last, options);
+  return contact_manifold(first, second, reach, last, manifold_options(packing));
 }
 
 template <int Dim>
 ManifoldOptions manifold_options(const Packing<Dim>& packing) {
   ManifoldOptions options;
   options.exact = are_smooth_polyhedra(packing);
-  options.most_points = Manifold<Dim>::kMostPoints;
   if (!options.exact && packing.law.is_rigid()) options.face_preference = kFacePreference;
   return options;
 }
@@ -71,7 +68,7 @@ ContactGeometry<Dim> locate_shapes(const Packing<Dim>& packing, const Contact<Di
   at.branch = branch(packing, contact);
   const double reach = packing.grains.radius[contact.i] + packing.surface_radius(contact.j);
   const auto key = static_cast<std::uint32_t>(contact.key);
-  const Manifold<Dim> manifold = manifold_of(packing, contact, at.branch, reach, nullptr, key);
+  const Manifold<Dim> manifold = manifold_of(packing, contact, at.branch, reach);
   const ManifoldPoint<Dim>* found = manifold.with_key(key);
   if (!found) found = manifold.nearest(contact.arm_i);
   if (!found) {  // the bodies are too far apart for a contact point
@@ -117,7 +114,7 @@ void set_arms(Packing<Dim>& packing) {
 #define FLOC_INSTANTIATE(Dim)                                                                           \
   template ContactGeometry<Dim> locate_balls(const DoubleDoubleVec<Dim>&, double, double);              \
   template Manifold<Dim> manifold_of(const Packing<Dim>&, const Contact<Dim>&, const Vec<Dim>&, double, \
-                                     AxisFeatures*, std::optional<std::uint32_t>);                      \
+                                     AxisFeatures*);                                                    \
   template ManifoldOptions manifold_options(const Packing<Dim>&);                                       \
   template bool are_smooth_polyhedra(const Packing<Dim>&);                                              \
   template ContactGeometry<Dim> locate(const Packing<Dim>&, const Contact<Dim>&);                       \

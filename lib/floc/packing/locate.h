@@ -35,12 +35,10 @@ ContactGeometry<Dim> locate(const Packing<Dim>& packing, const Contact<Dim>& con
 /// @param branch  branch vector of the contact (length)
 /// @param reach  largest gap of a contact point (length)
 /// @param last  features (such as vertices or faces) with which the search begins, as in contact_manifold()
-/// @param wanted  key of a point that is found if it is within reach, as in ManifoldOptions
 /// @pre !packing.grains.are_round()
 template <int Dim>
 Manifold<Dim> manifold_of(const Packing<Dim>& packing, const Contact<Dim>& contact, const Vec<Dim>& branch,
-                          double reach, AxisFeatures* last = nullptr,
-                          std::optional<std::uint32_t> wanted = std::nullopt);
+                          double reach, AxisFeatures* last = nullptr);
 
 /// Returns the options with which contact points of two grains of a packing are found.
 /// @pre !packing.grains.are_round()

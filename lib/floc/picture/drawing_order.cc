@@ -97,7 +97,7 @@ class Sorter {
     // If the circumscribed spheres do not overlap, a plane normal to the line between the centres separates the bodies.
     if (apart.norm() >= radii) return apart[2];
     const Manifold<3> contact = contact_manifold(bodies_[i], bodies_[j], radii);
-    return contact.n > 0 ? camera_.seen(contact.normal)[2] : apart[2];
+    return contact.n() > 0 ? camera_.seen(contact.normal)[2] : apart[2];
   }
 
   /// Returns the drawing order. A body is free if all bodies that it may cover have been drawn. Of the free bodies, the

@@ -20,8 +20,7 @@ void append(const Manifold<Dim>& manifold, Contact<Dim> contact, const Vec<Dim>&
             std::vector<Contact<Dim>>& out) {
   contact.normal = manifold.normal;
   contact.type = manifold.type;
-  for (int p = 0; p < manifold.n; ++p) {
-    const ManifoldPoint<Dim>& point = manifold.points[p];
+  for (const ManifoldPoint<Dim>& point : manifold.points) {
     contact.key = static_cast<int>(point.key);
     contact.gap = point.gap;
     contact.arm_i = point.arm;
@@ -120,7 +119,7 @@ void carry_forces(const Packing<Dim>& packing, const std::vector<Contact<Dim>>& 
     while (end < before.size() && same_pair(before[end], now[first])) ++end;
     if (end == old) continue;
     const double radius = smaller_radius(packing, now[first]);
-    const PointMatches<Dim> match =
+    const std::vector<int> match =
         matched_points<Dim>(points_of<Dim>(std::span(now).subspan(first, last - first)),
                             points_of<Dim>(std::span(before).subspan(old, end - old)), kMatchingShare * radius);
     for (std::size_t k = first; k < last; ++k)

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace floc {
@@ -104,49 +103,6 @@ void join_equal_points(Polygon<Dim>& polygon, double tolerance) {
   polygon.n = n;
 }
 
-/// Returns the index k < n of the largest value(k). Values that differ by at most the tolerance count as equal; of
-/// equal values, the first is taken.
-template <class Value>
-int largest(int n, double tolerance, const Value& value) {
-  int best = 0;
-  double most = value(0);
-  for (int k = 1; k < n; ++k)
-    if (const double here = value(k); here > most + tolerance) most = here, best = k;
-  return best;
-}
-
-/// If there are more than `most_points` points, selects at most four that represent all contact points well: the
-/// deepest point, the point furthest from it, and, on each side of the line through these two points, the point
-/// furthest from the line. The point at which the side ClipOptions::wanted_side begins is selected, too.
-void select(const Polygon<3>& polygon, const Vec<3>& normal, const ClipOptions& options, ClippedFace<3>& kept) {
-  const auto& p = polygon.points;
-  const double tolerance = options.tolerance;
-  if (polygon.n <= options.most_points) {
-    kept.n = polygon.n;
-    std::copy_n(p.begin(), polygon.n, kept.points.begin());
-    return;
-  }
-  const int deepest = largest(polygon.n, tolerance, [&](int k) { return -p[k].height; });
-  const auto from_deepest = [&](int k) { return Vec<3>(p[k].x - p[deepest].x); };
-  const int furthest = largest(polygon.n, tolerance, [&](int k) { return from_deepest(k).norm(); });
-  const Vec<3> across = normal.cross(from_deepest(furthest)).normalized();
-  const int left = largest(polygon.n, tolerance, [&](int k) { return across.dot(from_deepest(k)); });
-  const int right = largest(polygon.n, tolerance, [&](int k) { return -across.dot(from_deepest(k)); });
-  const auto keep = [&](int k) {
-    bool is_new = true;
-    for (int l = 0; l < kept.n; ++l) is_new = is_new && kept.points[l].side != p[k].side;
-    if (is_new) kept.points[kept.n++] = p[k];
-  };
-  for (const int k : {deepest, furthest, left, right}) keep(k);
-  for (int k = 0; k < polygon.n; ++k)
-    if (p[k].side == options.wanted_side) keep(k);
-}
-
-void select(const Polygon<2>& polygon, const Vec<2>&, const ClipOptions&, ClippedFace<2>& kept) {
-  kept.n = std::min(polygon.n, 2);
-  std::copy_n(polygon.points.begin(), kept.n, kept.points.begin());
-}
-
 }  // namespace
 
 template <int Dim>
@@ -180,7 +136,7 @@ ClippedFace<Dim> clipped_face(const Shape<Dim>& reference, int face, const Shape
   }
   from->n = n_kept;
   join_equal_points<Dim>(*from, options.tolerance);
-  select(*from, n, options, kept);
+  kept.points.assign(from->points.begin(), from->points.begin() + from->n);
   return kept;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <vector>
 
 #include "floc/shape/manifold.h"
 #include "floc/shape/placed_shape.h"
@@ -21,26 +21,18 @@ struct ClippedFace {
   };
 
   int incident_face = 0;
-  int n = 0;
-  std::array<Point, Manifold<Dim>::kMostPoints> points;
+  std::vector<Point> points;
 };
 
 /// Options of clipped_face(), with lengths in the unit of the reference shape.
 struct ClipOptions {
-  double reach;      ///< largest height of a point above the reference face (length)
-  double tolerance;  ///< distance below which points are merged and heights count as equal (length)
-  /// If there are more corners than this number (at most Manifold::kMostPoints), only some of them are returned. Not
-  /// used in 2D, where there are at most two corners.
-  int most_points = 4;
+  double reach;        ///< largest height of a point above the reference face (length)
+  double tolerance;    ///< distance below which points are merged (length)
   double level = 0.0;  ///< largest difference of heights of vertices that count as equally high (length)
-  /// Number of a side. The corner at which this side begins is always returned if it is within reach. -1 for no side.
-  int wanted_side = -1;
 };
 
 /// Clips the incident face, a face of the shape `incident`, by the sides of the reference face, the face `face` of the
 /// shape `reference`. Returns the corners of the clipped polygon that are less than `reach` above the reference face.
-/// In 3D, returns all of them if there are at most `most_points`. Otherwise returns at most four of them and the corner
-/// at which the wanted side begins.
 ///
 /// Among the faces that meet at the vertex `lowest`, the incident face is the face whose normal is closest to the
 /// opposite of the normal of the reference face. (A face without this vertex may have a normal that is even closer.)

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "floc/shape/clipped_face.h"
@@ -28,9 +29,6 @@ constexpr double kSideBySide = 1e-3;
 /// Value that replaces the number of the side in ManifoldPoint::key if the contact point lies between the closest
 /// points of two shapes.
 constexpr std::uint32_t kClosest = 1023;
-
-/// Bits of ManifoldPoint::key below the index of the reference feature.
-constexpr std::uint32_t kBelowReference = (1U << 21) - 1;
 
 std::uint32_t key_of(bool of_second, int reference, int incident, std::uint32_t corner, bool edges) {
   return (of_second ? 1U << 31 : 0U) | static_cast<std::uint32_t>(reference) << 21 |
@@ -83,13 +81,13 @@ class PairSearch {
           separating_axis<Dim>(a_, b_, place_, {margins().faces, 0.0}, limit, none);
       if (exact.features.kind == AxisKind::kEdgePair) {
         const double gap = world(exact.separation) - roundings_;
-        if (options_.face_preference > 0.0 && found.n > 0 && found.least_gap() <= gap) return found;
+        if (options_.face_preference > 0.0 && found.n() > 0 && found.least_gap() <= gap) return found;
         last = none;
         return of_edge_pair(exact);
       }
     }
     if (const auto closest = closest_if_apart(axis)) return of_closest_points(*closest);
-    return found.n > 0 ? found : of_deepest_vertex(axis);
+    return found.n() > 0 ? found : of_deepest_vertex(axis);
   }
 
  private:
@@ -103,7 +101,7 @@ class PairSearch {
   /// Returns whether all contact points found above a face are higher than the lowest vertex of the other shape. The
   /// heights are measured from the plane of the face.
   bool misses_the_deepest(const Manifold<Dim>& found, const SeparatingAxis<Dim>& axis) const {
-    return found.n == 0 ||
+    return found.n() == 0 ||
            found.least_gap() - (world(axis.separation) - roundings_) > kBesideFace * world(size_);
   }
 
@@ -119,8 +117,7 @@ class PairSearch {
   /// Adds a contact point to `found`.
   /// @param x  point midway between the surfaces of the two shapes, in the coordinates of the first shape
   void add(Manifold<Dim>& found, const Vec<Dim>& x, double gap, std::uint32_t key) const {
-    if (found.n < Manifold<Dim>::kMostPoints)
-      found.points[found.n++] = {first_.rotation * (first_.scale * x), gap, key};
+    found.points.push_back({first_.rotation * (first_.scale * x), gap, key});
   }
 
   /// Returns the point midway between the surfaces of two rounded shapes. The arguments are two points of the cores
@@ -138,11 +135,11 @@ class PairSearch {
       for (const bool of_second : {prefers_second, !prefers_second})
         if (is_along_face(closest.normal, axis, of_second))
           if (Manifold<Dim> found = of_face(axis, of_second);
-              found.n > 0 && found.least_gap() - gap <= kBesideFace * world(size_))
+              found.n() > 0 && found.least_gap() - gap <= kBesideFace * world(size_))
             return found;
       if constexpr (Dim == 3) {
         if (a_.n_faces() == 0 && b_.n_faces() == 0)
-          if (Manifold<Dim> found = of_capsules_side_by_side(closest); found.n > 0) return found;
+          if (Manifold<Dim> found = of_capsules_side_by_side(closest); found.n() > 0) return found;
       }
     }
     return of_closest_points(closest);
@@ -194,14 +191,12 @@ class PairSearch {
     const ClippedFace<Dim> clipped = clipped_face<Dim>(reference, best.face, incident, place, best.vertex,
                                                        {.reach = (reach_ + roundings_) / scale,
                                                         .tolerance = 1e-9 * size,
-                                                        .most_points = options_.most_points,
-                                                        .level = options_.exact ? kFaceMargin * size : 0.0,
-                                                        .wanted_side = wanted_side(of_second, best.face)});
+                                                        .level = options_.exact ? kFaceMargin * size : 0.0});
     const Vec<Dim> outward = reference.normals[best.face];
     const Vec<Dim> n = of_second ? Vec<Dim>(-place_.direction(outward)) : outward;
     found.normal = first_.rotation * n;
-    for (int k = 0; k < clipped.n; ++k) {
-      const auto& p = clipped.points[k];
+    found.points.reserve(clipped.points.size());
+    for (const auto& p : clipped.points) {
       // The corner belongs to the incident core, and its foot lies on the plane of the reference face. The function
       // midway() expects the point of the first shape before the point of the second shape.
       const Vec<Dim> foot = p.x - p.height * outward;
@@ -209,16 +204,8 @@ class PairSearch {
       add(found, x, scale * p.height - roundings_,
           key_of(of_second, best.face, clipped.incident_face, static_cast<std::uint32_t>(p.side), false));
     }
-    found.type = type_of(found.n);
+    found.type = type_of(found.n());
     return found;
-  }
-
-  /// Returns the number of the side that begins at the wanted point, or -1 if the point is not on this reference face.
-  int wanted_side(bool of_second, int reference) const {
-    if (!options_.wanted) return -1;
-    const std::uint32_t key = *options_.wanted;
-    const bool is_on_face = (key & ~kBelowReference) == key_of(of_second, reference, 0, 0, false);
-    return is_on_face ? static_cast<int>(key >> 1 & 1023) : -1;
   }
 
   static ContactType type_of(int n) {
@@ -296,7 +283,7 @@ class PairSearch {
         add(found, midway(on_first, on_second, closest.normal), gap,
             key_of(false, 0, 0, s == low ? 0 : 1, false));
     }
-    found.type = type_of(found.n);
+    found.type = type_of(found.n());
     return found;
   }
 
@@ -350,23 +337,23 @@ std::string contact_type_name(ContactType type) {
 
 template <int Dim>
 const ManifoldPoint<Dim>* Manifold<Dim>::with_key(std::uint32_t key) const {
-  for (int p = 0; p < n; ++p)
-    if (points[p].key == key) return &points[p];
+  for (const ManifoldPoint<Dim>& point : points)
+    if (point.key == key) return &point;
   return nullptr;
 }
 
 template <int Dim>
 const ManifoldPoint<Dim>* Manifold<Dim>::nearest(const Vec<Dim>& arm) const {
   const ManifoldPoint<Dim>* found = nullptr;
-  for (int p = 0; p < n; ++p)
-    if (!found || (points[p].arm - arm).squaredNorm() < (found->arm - arm).squaredNorm()) found = &points[p];
+  for (const ManifoldPoint<Dim>& point : points)
+    if (!found || (point.arm - arm).squaredNorm() < (found->arm - arm).squaredNorm()) found = &point;
   return found;
 }
 
 template <int Dim>
 double Manifold<Dim>::least_gap() const {
-  double least = points[0].gap;
-  for (int k = 1; k < n; ++k) least = std::min(least, points[k].gap);
+  double least = std::numeric_limits<double>::infinity();
+  for (const ManifoldPoint<Dim>& point : points) least = std::min(least, point.gap);
   return least;
 }
 

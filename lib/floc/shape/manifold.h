@@ -1,9 +1,8 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "floc/shape/placed_shape.h"
 #include "floc/shape/separating_axis.h"
@@ -39,14 +38,15 @@ struct ManifoldPoint {
 /// Contact points of two shapes that touch or are close to each other.
 template <int Dim>
 struct Manifold {
-  static constexpr int kMostPoints = Dim == 2 ? 2 : 8;
-
-  /// Number of points; 0 if no point has a gap below `reach` of contact_manifold().
-  int n = 0;
   Vec<Dim> normal = Vec<Dim>::Zero();  ///< unit vector from the first shape to the second
   ContactType type = ContactType::kVertexFace;
-  std::array<ManifoldPoint<Dim>, kMostPoints> points;
+  /// All points with a gap below `reach` of contact_manifold(). If a corner of two faces were left out because another
+  /// corner is a little deeper, a rigid pair would turn to and fro between two sets of corners and never come to rest,
+  /// and forces inside the polygon of all corners would have no balance.
+  std::vector<ManifoldPoint<Dim>> points;
 
+  int n() const { return static_cast<int>(points.size()); }
+  /// Returns the smallest gap of the points (length); infinity if there are none.
   double least_gap() const;
   /// Returns the point with a key; null if there is none.
   const ManifoldPoint<Dim>* with_key(std::uint32_t key) const;
@@ -57,11 +57,6 @@ struct Manifold {
 
 /// Options of contact_manifold().
 struct ManifoldOptions {
-  /// If a contact in 3D has more corners than this number, only some of them are kept. Packings need
-  /// Manifold::kMostPoints. With a smaller number, a corner that carries a force can be left out because another corner
-  /// is a little deeper; a rigid pair then turns to and fro between two sets of corners and never comes to rest.
-  /// Moreover, each overlapping corner of elastic shapes is a spring.
-  int most_points = 4;
   /// Whether normals have to be accurate to about 1e-6 instead of 1e-4 radians, and both ends of an edge on a face are
   /// needed. Grains in equilibrium without friction require this, because errors of the normals unbalance their forces.
   /// The features that define the contact then depend on differences of gaps of 1e-6 of the smaller inner radius.
@@ -71,8 +66,6 @@ struct ManifoldOptions {
   /// latter. If two nearly parallel faces overlap at a corner, these faces then define the contact. With a value of 0,
   /// a rigid pair can be pushed apart at another corner in each step and never come to rest.
   double face_preference = 0.0;
-  /// Key of a contact point that is kept in any case if its features meet and its gap is below `reach`.
-  std::optional<std::uint32_t> wanted = std::nullopt;
 };
 
 /// Computes the contact of two shapes: the points with a gap smaller than `reach`.
@@ -80,9 +73,7 @@ struct ManifoldOptions {
 /// There are four cases:
 ///   1. Polytopes without rounding touch along the axis of their largest separation (separating_axis.h). If this axis
 ///      is the normal of a face (the reference face), the contact points are the corners of the incident face of the
-///      other shape, clipped by the sides of the reference face. In 3D, if there are more than `most_points` corners,
-///      four of them are kept: the deepest point, the point furthest from it, and, on each side of the line through
-///      these two points, the point furthest from the line. The wanted point is kept, too.
+///      other shape, clipped by the sides of the reference face.
 ///   2. If the axis of the largest separation is the common normal of a pair of edges, there is one contact point.
 ///   3. If polytopes without rounding are apart, it can happen that no axis of separating_axis.h is parallel to the
 ///      line between their closest points (for example between two vertices). In this case there is one contact point,

@@ -3,11 +3,9 @@
 namespace floc {
 
 template <int Dim>
-PointMatches<Dim> matched_points(std::span<const ManifoldPoint<Dim>> now,
-                                 std::span<const ManifoldPoint<Dim>> before, double radius) {
-  PointMatches<Dim> match;
-  match.fill(-1);
-  PointMatches<Dim> claimed_by = match;
+std::vector<int> matched_points(std::span<const ManifoldPoint<Dim>> now,
+                                std::span<const ManifoldPoint<Dim>> before, double radius) {
+  std::vector<int> match(now.size(), -1), claimed_by(before.size(), -1);
   for (std::size_t k = 0; k < now.size(); ++k)
     for (std::size_t l = 0; l < before.size(); ++l)
       if (now[k].key == before[l].key) {
@@ -30,9 +28,9 @@ PointMatches<Dim> matched_points(std::span<const ManifoldPoint<Dim>> now,
   }
 }
 
-template PointMatches<2> matched_points(std::span<const ManifoldPoint<2>>, std::span<const ManifoldPoint<2>>,
-                                        double);
-template PointMatches<3> matched_points(std::span<const ManifoldPoint<3>>, std::span<const ManifoldPoint<3>>,
-                                        double);
+template std::vector<int> matched_points(std::span<const ManifoldPoint<2>>, std::span<const ManifoldPoint<2>>,
+                                         double);
+template std::vector<int> matched_points(std::span<const ManifoldPoint<3>>, std::span<const ManifoldPoint<3>>,
+                                         double);
 
 }  // namespace floc

@@ -52,7 +52,7 @@ Contact<Dim> relocated(const Packing<Dim>& packing, Contact<Dim> c, double toler
     AxisFeatures features;
     if (!packing.is_wall(c.j))
       features = features_of(key, *packing.grains.placed(c.i).shape, *packing.grains.placed(c.j).shape);
-    return manifold_of(packing, c, r, reach, &features, key);
+    return manifold_of(packing, c, r, reach, &features);
   };
   // The recorded gap may be wrong, so the point is searched for at all gaps. The type follows from the points whose
   // gaps are within the tolerance.

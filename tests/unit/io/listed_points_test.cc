@@ -39,7 +39,7 @@ TEST(ListedPoints, HaveTheGapsOfTheirOwnPointsWhicheverSidesMeet) {
         contact.i = 0;
         contact.j = 1;
         const Manifold<2> manifold = manifold_of(packing, contact, branch(packing, contact), 0.1);
-        ASSERT_EQ(manifold.n, 2);
+        ASSERT_EQ(manifold.n(), 2);
         ASSERT_GT(std::abs(manifold.points[0].gap - manifold.points[1].gap), 1e-3);
         n_with_key_0 += manifold.with_key(0) != nullptr;
         for (const ManifoldPoint<2>& point : manifold.points) {

@@ -54,7 +54,7 @@ double smallest_gap(const Packing<Dim>& packing) {
         c.i = i, c.j = j;
         for (int a = 0, rest = n; a < Dim; ++a, rest /= 3) c.image[a] = rest % 3 - 1;
         const Manifold<Dim> found = manifold_of(packing, c, branch(packing, c), 1.0);
-        if (found.n > 0) smallest = std::min(smallest, found.least_gap());
+        if (found.n() > 0) smallest = std::min(smallest, found.least_gap());
       }
   return smallest;
 }

@@ -18,7 +18,7 @@ template <int Dim>
 void compare(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, const FeatureGap& expected,
              Counts& counts) {
   const Manifold<Dim> contact = contact_manifold<Dim>(first, second, std::max(0.0, expected.gap) + 1e-3);
-  ASSERT_GT(contact.n, 0) << expected.gap;
+  ASSERT_GT(contact.n(), 0) << expected.gap;
   EXPECT_NEAR(contact.normal.norm(), 1.0, 1e-14);
   const double inner = std::min(first.inner_radius(), second.inner_radius()), outer = second.outer_radius();
   const double error = std::abs(contact.least_gap() - expected.gap), rounding_error = 1e-14 * outer;

@@ -28,7 +28,7 @@ void expect_everywhere(const PlacedShape<Dim>& first, const PlacedShape<Dim>& se
     std::vector<Vec<Dim>> found = positions(contact, a);
     for (Vec<Dim>& x : found) x = (all.transpose() * x).eval();
     expect_points<Dim>(found, points);
-    for (int k = 0; k < contact.n; ++k) EXPECT_NEAR(contact.points[k].gap, gap, kExact);
+    for (int k = 0; k < contact.n(); ++k) EXPECT_NEAR(contact.points[k].gap, gap, kExact);
   }
 }
 

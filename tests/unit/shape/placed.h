@@ -34,7 +34,7 @@ PlacedShape<Dim> placed(const Shape<Dim>& shape, const Vec<Dim>& position, const
 template <int Dim>
 std::vector<Vec<Dim>> positions(const Manifold<Dim>& manifold, const PlacedShape<Dim>& first) {
   std::vector<Vec<Dim>> found;
-  for (int k = 0; k < manifold.n; ++k) found.push_back(first.position + manifold.points[k].arm);
+  for (int k = 0; k < manifold.n(); ++k) found.push_back(first.position + manifold.points[k].arm);
   return found;
 }
 

@@ -18,7 +18,7 @@ using Points = std::vector<ManifoldPoint<3>>;
 
 /// Returns the matches of the points `now`, and expects that there are no other matches.
 std::vector<int> matched(const Points& now, const Points& before, double radius) {
-  const PointMatches<3> all = matched_points<3>(std::span(now), std::span(before), radius);
+  const std::vector<int> all = matched_points<3>(std::span(now), std::span(before), radius);
   for (std::size_t k = now.size(); k < all.size(); ++k) EXPECT_EQ(all[k], -1);
   return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(now.size())};
 }

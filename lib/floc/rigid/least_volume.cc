@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "floc/base/interruption.h"
 #include "floc/packing/contact_order.h"
@@ -38,9 +39,9 @@ constexpr double kLongestNewtonMove = 0.03, kReach = 0.15, kFarGap = 0.01, kRatt
 /// Smallest gap in the shrunk packing, divided by the radius of the smaller grain, and smallest size of the shrunk
 /// grains, divided by their full size.
 constexpr double kFirstGap = 2e-3, kLeastSize = 0.5;
-/// Smallest share of each gap that remains after the grains have grown.
+/// Smallest share of each gap that remains after a step in which the grains grow.
 constexpr double kGapAfterGrowth = 0.3;
-/// Smallest share of a gap or of a multiplier that remains after a step.
+/// Smallest share of a gap or of a multiplier that remains after any step.
 constexpr double kKeptShare = 0.01;
 /// At a minimum, each multiplier equals mu/gap. After a step, each multiplier is limited to values from mu/gap divided
 /// by this factor to mu/gap times this factor.
@@ -77,15 +78,18 @@ class Descent {
     const double last_mu = (out.is_near ? kLastWeightRounded : kLastWeight) * unit;
     find_planes();
     int last_steps = 0;
+    bool grows = false;
     while (out.n_steps < kMostDescentSteps && last_steps < kMostLastSteps) {
       check_interruption();
-      const std::optional<PlaneStep> step = newton_step();
-      if (!step || !take(*step)) {
+      const double growth = grows ? 1.0 / growth_ - 1.0 : 0.0;
+      const std::optional<PlaneStep> step = newton_step(growth);
+      if (!step || !take(*step, growth)) {
         set_growth(1.0);
         out.failure = "no step decreases the volume, although the packing is not at a minimum";
         return out;
       }
       ++out.n_steps;
+      if (std::exchange(grows, false)) continue;
       // A small decrement alone does not prove a minimum, because the decrement also vanishes at a saddle point. The
       // matrix of second derivatives must be positive definite, too.
       const bool is_last = mu_ <= last_mu;
@@ -93,10 +97,9 @@ class Descent {
       if (is_last && step->is_convex && step->decrement < kAtMinimum * mu_) return out;
       if (is_last || !(step->decrement < kNearMinimum * mu_)) continue;
       // The grains grow to full size before mu decreases. At a minimum, a gap with the force f is about mu/f wide, and
-      // each growth closes only a part of every gap. At a smaller mu, the grains could therefore grow only by tiny
-      // amounts.
+      // each growth closes only a part of every gap.
       if (growth_ < 1.0)
-        grow();
+        grows = true;
       else
         mu_ *= kNextWeight;
     }
@@ -136,11 +139,20 @@ class Descent {
   /// Sets the size of each grain to a share of its full size.
   void set_growth(double share) {
     growth_ = share;
-    for (std::size_t i = 0; i < full_scale_.size(); ++i) {
-      packing_.grains.scale[i] = share * full_scale_[i];
-      packing_.grains.radius[i] = share * full_radius_[i];
-    }
+    scale(packing_.grains, share);
     vertices_ = GrainVertices(packing_.grains);
+  }
+
+  void scale(Grains<3>& grains, double share) const {
+    for (std::size_t i = 0; i < full_scale_.size(); ++i) {
+      grains.scale[i] = share * full_scale_[i];
+      grains.radius[i] = share * full_radius_[i];
+    }
+  }
+
+  /// Returns the size of the grains, divided by their full size, after a share of a step.
+  double grown(double share, double growth) const {
+    return share < 1.0 ? growth_ * (1.0 + share * growth) : growth > 0.0 ? 1.0 : growth_;
   }
 
   /// Shrinks the grains until none overlap. Returns false if they would become too small.
@@ -156,23 +168,6 @@ class Descent {
     return false;
   }
 
-  /// Lets the grains grow towards their full size, as far as the share kGapAfterGrowth of each gap remains.
-  void grow() {
-    const double before = growth_;
-    double next = 1.0;
-    const auto has_gaps = [&](SeparatingPlane plane) {
-      const std::vector<double> gap = plane.gap;
-      set_gaps(vertices_, plane);
-      for (std::size_t v = 0; v < gap.size(); ++v)
-        if (!(plane.gap[v] > kGapAfterGrowth * gap[v])) return false;
-      return true;
-    };
-    for (set_growth(next); !std::ranges::all_of(planes_, has_gaps); set_growth(next))
-      next = before + 0.5 * (next - before);
-    for (SeparatingPlane& plane : planes_) set_gaps(vertices_, plane);
-    moved_ += (next - before) * size_;
-  }
-
   void find_planes() {
     planes_ = separating_planes(packing_, vertices_, unknowns_, kReach * size_, planes_);
     for (SeparatingPlane& p : planes_)
@@ -181,7 +176,8 @@ class Descent {
     moved_ = 0.0;
   }
 
-  std::optional<PlaneStep> newton_step() {
+  /// @param growth  relative growth of the grains in the step. The packing yields to it like to the other terms
+  std::optional<PlaneStep> newton_step(double growth) {
     equations_.reset();
     add_objective();
     // For each grain, a term mu |u|^2/(2 s^2) is added to the objective, with the displacement u of the grain and s =
@@ -192,7 +188,7 @@ class Descent {
         const int row = PlaneUnknowns::of_grain(i) + a;
         equations_.add(row, row, stiffness * (a < 3 ? 1.0 : std::pow(packing_.grains.radius[i], 2)));
       }
-    equations_.add(planes_, vertices_, mu_, mu_ / (kFarGap * size_));
+    equations_.add(planes_, vertices_, {.mu = mu_, .weak = mu_ / (kFarGap * size_), .growth = growth});
     return equations_.solve(planes_);
   }
 
@@ -248,16 +244,17 @@ class Descent {
     return longest + 2.0 * size_ * strain;
   }
 
-  /// Moves the packing by a share of a step. The share is halved until the objective decreases. Returns false if the
-  /// objective decreases for no share.
-  bool take(const PlaneStep& step) {
+  /// Moves the packing by a share of a step and lets the grains grow by this share of `growth`. The share is halved until
+  /// the objective decreases or, if the grains grow, until a part of each gap remains. Returns false if the objective
+  /// decreases for no share.
+  bool take(const PlaneStep& step, double growth) {
     const double move = largest_move(step.motion);
     double share = std::min(1.0, kLongestNewtonMove * size_ / move), share_of_multipliers = 1.0;
     // changes of the multipliers l of all gaps g: from l g + dl g + l dg = mu
     std::vector<std::vector<double>> changes(planes_.size());
     for (std::size_t k = 0; k < planes_.size(); ++k) {
       const SeparatingPlane& p = planes_[k];
-      changes[k] = gap_changes(vertices_, p, step.own[k]);
+      changes[k] = gap_changes(vertices_, p, step.own[k], growth);
       for (std::size_t v = 0; v < p.gap.size(); ++v) {
         double& change = changes[k][v];
         if (change < 0.0) share = std::min(share, (1.0 - kKeptShare) * p.gap[v] / -change);
@@ -267,7 +264,7 @@ class Descent {
       }
     }
     int halvings = 0;
-    while (!try_share(step, share)) {
+    while (!try_share(step, share, growth)) {
       if (++halvings == kMostShares) return false;
       share *= 0.5;
     }
@@ -282,15 +279,17 @@ class Descent {
     std::swap(packing_.grains, trial_.grains);
     std::swap(vertices_, trial_.vertices);
     move_boundary(share * step.motion);
-    moved_ += 2.0 * share * move;
+    growth_ = grown(share, growth);
+    moved_ += 2.0 * share * move + share * growth * size_;
     if (moved_ > 0.5 * kReach * size_) find_planes();
     return true;
   }
 
-  /// Computes the grains and planes after a share of a step. Returns true if no gap becomes too small and the objective
-  /// decreases.
-  bool try_share(const PlaneStep& step, double share) {
-    move_grains(share * step.motion);
+  /// Computes the grains and planes after a share of a step. Returns true if no gap becomes too small and, unless the
+  /// grains grow, the objective decreases.
+  bool try_share(const PlaneStep& step, double share, double growth) {
+    move_grains(share * step.motion, grown(share, growth));
+    const double least_ratio = growth > 0.0 ? kGapAfterGrowth : 0.5 * kKeptShare;
     trial_.planes.resize(planes_.size());
     double logarithms = 0.0, rounding = 0.0;
     for (std::size_t k = 0; k < planes_.size(); ++k) {
@@ -298,17 +297,19 @@ class Descent {
       moved = moved_plane(planes_[k], step.motion, step.own[k], share, trial_.vertices);
       for (std::size_t v = 0; v < moved.gap.size(); ++v) {
         const double ratio = moved.gap[v] / planes_[k].gap[v];
-        if (!(ratio > 0.5 * kKeptShare)) return false;
+        if (!(ratio > least_ratio)) return false;
         logarithms += std::log(ratio);
         rounding += std::numeric_limits<double>::epsilon() * size_ / moved.gap[v];
       }
     }
+    if (growth > 0.0) return true;
     const double change = objective_change(share * step.motion) - mu_ * logarithms;
     return change <= -kArmijo * share * step.decrement + mu_ * (1e-6 + rounding);
   }
 
-  void move_grains(const Eigen::VectorXd& step) {
+  void move_grains(const Eigen::VectorXd& step, double size) {
     trial_.grains = packing_.grains;
+    scale(trial_.grains, size);
     for (int i = 0; i < trial_.grains.size(); ++i) {
       const int at = PlaneUnknowns::of_grain(i);
       Vec<3>& x = trial_.grains.position[i];

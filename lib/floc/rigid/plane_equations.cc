@@ -43,13 +43,13 @@ void PlaneEquations::reset() {
   load_.setZero(n_);
 }
 
-void PlaneEquations::add(const std::vector<SeparatingPlane>& planes, const GrainVertices& vertices, double mu,
-                         double weak) {
+void PlaneEquations::add(const std::vector<SeparatingPlane>& planes, const GrainVertices& vertices,
+                         const GapTerms& terms) {
   eliminated_.resize(planes.size());
   for (std::size_t k = 0; k < planes.size(); ++k) {
     PlaneMatrix full = PlaneMatrix::Zero();
     PlaneVector load = PlaneVector::Zero();
-    add_gaps(vertices, planes[k], mu, weak, full, load);
+    add_gaps(vertices, planes[k], terms, full, load);
     Eigen::Matrix<double, kPairUnknowns, kPairUnknowns> block =
         full.topLeftCorner<kPairUnknowns, kPairUnknowns>();
     Eigen::Matrix<double, kPairUnknowns, 1> of_pair = load.head<kPairUnknowns>();

@@ -35,7 +35,7 @@ class PlaneEquations {
   void add(int row, int column, double value) { matrix_.coeffRef(row, column) += value; }
   void add_load(int row, double value) { load_[row] += value; }
   /// Adds the terms of all planes, see add_gaps().
-  void add(const std::vector<SeparatingPlane>& planes, const GrainVertices& vertices, double mu, double weak);
+  void add(const std::vector<SeparatingPlane>& planes, const GrainVertices& vertices, const GapTerms& terms);
 
   /// Solves the equations. The diagonal of the scaled matrix is shifted until the matrix is positive definite. Returns
   /// no value if no shift is large enough.

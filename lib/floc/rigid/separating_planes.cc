@@ -86,6 +86,14 @@ SeparatingPlane new_plane(const Packing<3>& packing, const GrainVertices& vertic
   return plane;
 }
 
+/// Returns the change of a gap when both grains grow, divided by their relative growth: minus the distance from the
+/// centre of the grain to the surface above the vertex.
+double change_by_growth(const SeparatingPlane& plane, std::size_t k, bool is_second) {
+  const double between = plane.normal.dot(plane.branch);
+  const double to_plane = plane.is_wall ? between : is_second ? between - plane.offset : plane.offset;
+  return plane.gap[k] - to_plane;
+}
+
 }  // namespace
 
 PlaneUnknowns::PlaneUnknowns(const Packing<3>& packing, const BoundaryLoad<3>& load)
@@ -165,7 +173,7 @@ SeparatingPlane moved_plane(const SeparatingPlane& plane, const Eigen::VectorXd&
   return out;
 }
 
-void add_gaps(const GrainVertices& vertices, const SeparatingPlane& plane, double mu, double weak,
+void add_gaps(const GrainVertices& vertices, const SeparatingPlane& plane, const GapTerms& terms,
               PlaneMatrix& matrix, PlaneVector& load) {
   for_each_gap(
       vertices, plane,
@@ -173,9 +181,9 @@ void add_gaps(const GrainVertices& vertices, const SeparatingPlane& plane, doubl
         const double l = plane.multiplier[k];
         const double sign = is_second ? 1.0 : -1.0;
         const double rounding = vertices.rounding(is_second ? plane.j : plane.i);
-        load += mu / plane.gap[k] * g;
+        load += (terms.mu - l * terms.growth * change_by_growth(plane, k, is_second)) / plane.gap[k] * g;
         matrix.noalias() += (l / plane.gap[k]) * g * g.transpose();
-        const double bent = l * l / (l + weak);
+        const double bent = l * l / (l + terms.weak);
         const int turn = is_second ? kTurnOfSecond : kTurnOfFirst;
         matrix.block<3, 3>(turn, turn) -= bent * sign * turn_curvature(arm, Vec<3>(frame.col(0)));
         if (plane.is_wall) return;
@@ -196,11 +204,12 @@ void add_gaps(const GrainVertices& vertices, const SeparatingPlane& plane, doubl
 }
 
 std::vector<double> gap_changes(const GrainVertices& vertices, const SeparatingPlane& plane,
-                                const PlaneVector& step) {
+                                const PlaneVector& step, double growth) {
   std::vector<double> out;
-  for_each_gap(vertices, plane, [&](std::size_t, const PlaneVector& g, const Vec<3>&, bool, const Mat<3>&) {
-    out.push_back(g.dot(step));
-  });
+  for_each_gap(vertices, plane,
+               [&](std::size_t k, const PlaneVector& g, const Vec<3>&, bool is_second, const Mat<3>&) {
+                 out.push_back(g.dot(step) + growth * change_by_growth(plane, k, is_second));
+               });
   return out;
 }
 

@@ -92,16 +92,25 @@ void set_gaps(const GrainVertices& vertices, SeparatingPlane& plane);
 SeparatingPlane moved_plane(const SeparatingPlane& plane, const Eigen::VectorXd& motion, const PlaneVector& own,
                             double share, const GrainVertices& vertices);
 
+/// Numbers on which the terms of gaps in Newton's equations depend.
+struct GapTerms {
+  double mu;  ///< weight of the logarithms (energy)
+  /// Force below which the multiplier l of a gap counts as weak: the second derivatives of the gap are multiplied by
+  /// l/(l + weak). Those of wide gaps, which would make the matrix indefinite, thus disappear.
+  double weak;
+  double growth;  ///< relative growth of all grains in the step
+};
+
 /// Adds the terms of a pair to Newton's equations for a minimum of f - mu sum log g, with an objective f and a sum over
 /// all gaps g (PlaneEquations). Let l be the multiplier, G the gradient and H the matrix of second derivatives of a
-/// gap. Adds to `matrix` the sum of (l/g) G G' - l H over the gaps of the pair, and to `load` the sum of (mu/g) G.
-/// @param weak  force below which the multiplier l of a gap counts as weak: H is multiplied by l/(l + weak), which
-/// removes the second derivatives of wide gaps. They would make the matrix indefinite
-void add_gaps(const GrainVertices& vertices, const SeparatingPlane& plane, double mu, double weak,
+/// gap, and dg the change of the gap due to the growth of the grains. Adds to `matrix` the sum of (l/g) G G' - l H over
+/// the gaps of the pair, and to `load` the sum of (mu - l dg)/g G.
+void add_gaps(const GrainVertices& vertices, const SeparatingPlane& plane, const GapTerms& terms,
               PlaneMatrix& matrix, PlaneVector& load);
 
 /// Returns the changes of all gaps to first order.
+/// @param growth  relative growth of the grains in the step
 std::vector<double> gap_changes(const GrainVertices& vertices, const SeparatingPlane& plane,
-                                const PlaneVector& step);
+                                const PlaneVector& step, double growth);
 
 }  // namespace floc

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "floc/base/random.h"
 #include "floc/rigid/contact_points.h"
@@ -17,8 +18,10 @@ ShapeOptions stones(double rounding) {
   return {.kind = CutOptions{}, .rounding = rounding};
 }
 
-Packing<3> moved(Packing<3> packing, const Eigen::VectorXd& step) {
+Packing<3> moved(Packing<3> packing, const Eigen::VectorXd& step, double growth) {
   for (int i = 0; i < packing.grains.size(); ++i) {
+    packing.grains.scale[i] *= 1.0 + growth;
+    packing.grains.radius[i] *= 1.0 + growth;
     const int at = PlaneUnknowns::of_grain(i);
     const Vec<3> stretch = step.tail<3>();
     packing.grains.position[i] =
@@ -49,11 +52,12 @@ TEST(SeparatingPlanes, LieBetweenAllNearPairs) {
   }
 }
 
-/// Compares the first and second derivatives of the gaps with differences, for random steps of all unknowns.
+/// Compares the first and second derivatives of the gaps with differences, for random steps of all unknowns with and
+/// without growth of the grains.
 TEST(SeparatingPlanes, HaveTheDerivativesOfTheirGaps) {
-  constexpr double kStep = 1e-4;
+  constexpr double kStep = 1e-4, kMu = 0.3;
   RandomStream random(1, 1);
-  for (const double rounding : {0.0, 0.1}) {
+  for (const auto& [rounding, growth] : {std::pair(0.0, 0.0), {0.1, 0.0}, {0.0, 0.7}, {0.1, 0.7}}) {
     const Packing<3> packing = make_dense_gas({.count = 8, .shape = stones(rounding), .seed = 4});
     const GrainVertices vertices(packing.grains);
     const PlaneUnknowns unknowns(packing, pressure_on_all_sides(1.0));
@@ -64,24 +68,27 @@ TEST(SeparatingPlanes, HaveTheDerivativesOfTheirGaps) {
       for (int a = 0; a < kPairUnknowns; ++a) own[a] = step[plane.unknown[a]];
       for (int a = 0; a < kPlaneUnknowns; ++a) own[kPairUnknowns + a] = random.uniform(-1.0, 1.0);
       const auto gaps_after = [&](double part) {
-        const GrainVertices there(moved(packing, part * step).grains);
+        const GrainVertices there(moved(packing, part * step, part * growth).grains);
         return moved_plane(plane, step, own, part, there).gap;
       };
       const std::vector<double> ahead = gaps_after(kStep), back = gaps_after(-kStep);
-      const std::vector<double> changes = gap_changes(vertices, plane, own);
-      double expected = 0.0, first_order = 0.0;
+      const std::vector<double> changes = gap_changes(vertices, plane, own, growth);
+      const std::vector<double> by_motion = gap_changes(vertices, plane, own, 0.0);
+      double expected = 0.0, first_order = 0.0, work = 0.0;
       for (std::size_t v = 0; v < plane.gap.size(); ++v) {
         EXPECT_NEAR(changes[v], (ahead[v] - back[v]) / (2.0 * kStep), 1e-6);
         const double multiplier = plane.multiplier.emplace_back(random.uniform(0.5, 1.5));
         expected -= multiplier * (ahead[v] + back[v] - 2.0 * plane.gap[v]) / (kStep * kStep);
-        first_order += multiplier / plane.gap[v] * changes[v] * changes[v];
+        first_order += multiplier / plane.gap[v] * by_motion[v] * by_motion[v];
+        work += (kMu - multiplier * (changes[v] - by_motion[v])) / plane.gap[v] * by_motion[v];
       }
       PlaneMatrix matrix = PlaneMatrix::Zero();
       PlaneVector load = PlaneVector::Zero();
-      add_gaps(vertices, plane, 1.0, 0.0, matrix, load);
-      EXPECT_NEAR(own.dot(matrix * own), first_order + expected, 1e-5 * first_order + 1e-4);
-      double work = 0.0;
-      for (std::size_t v = 0; v < plane.gap.size(); ++v) work += changes[v] / plane.gap[v];
+      add_gaps(vertices, plane, {.mu = kMu, .weak = 0.0, .growth = growth}, matrix, load);
+      // The matrix has no terms of the growth.
+      if (growth == 0.0) {
+        EXPECT_NEAR(own.dot(matrix * own), first_order + expected, 1e-5 * first_order + 1e-4);
+      }
       EXPECT_NEAR(load.dot(own), work, 1e-9 * std::abs(work) + 1e-9);
     }
   }

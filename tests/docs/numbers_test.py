@@ -72,7 +72,7 @@ LONG = {
     "floc lattice grains/": "likewise",
     "floc run data/tables/lattice/sample1000.toml": "for the next line",
     "floc lattice cemented/": "six seconds each",
-    "floc run data/scenes/polyhedra_demo.toml": "fifteen seconds",
+    "floc run data/scenes/polyhedra_demo.toml": "twenty seconds",
     "floc draw stones/": "with them",
     "cd friction && snakemake": "six runs of the demo's size",
     "cd plan && snakemake": "two minutes",

@@ -176,7 +176,7 @@ class Descent {
     moved_ = 0.0;
   }
 
-  /// @param growth  relative growth of the grains in the step. The packing yields to it like to the other terms
+  /// @param growth  relative growth of the grains in the step, to which the packing yields
   std::optional<PlaneStep> newton_step(double growth) {
     equations_.reset();
     add_objective();

@@ -152,7 +152,8 @@ class Descent {
 
   /// Returns the size of the grains, divided by their full size, after a share of a step.
   double grown(double share, double growth) const {
-    return share < 1.0 ? growth_ * (1.0 + share * growth) : growth > 0.0 ? 1.0 : growth_;
+    const bool is_full = growth > 0.0 && share == 1.0;  // exactly, without rounding errors
+    return is_full ? 1.0 : growth_ * (1.0 + share * growth);
   }
 
   /// Shrinks the grains until none overlap. Returns false if they would become too small.

@@ -42,6 +42,11 @@ constexpr double kOverlapWithCorners = 0.1;
 /// below kNearBalanceRound (round grains) or kNearBalanceAngular (grains with corners).
 constexpr double kNearBalanceRound = 1e-3;
 constexpr double kNearBalanceAngular = 3e-2;
+/// Balanced forces of grains with corners and friction avoid contacts with a gap of more than about this size, divided
+/// by the diameter of the smaller grain (StaticForces::closest()). The gap tolerance is larger, because without any
+/// forces across larger gaps there is often no balance. In a packing of 5000 polyhedra, 85 contacts with a gap above 1e-5
+/// had a force; if gaps were not avoided, there were 3000.
+constexpr double kCostlyGap = 1e-5;
 /// Number of steps of the phase `resting` between two searches for balanced forces. If the net forces are large, the
 /// next search begins only after twice this number of steps.
 constexpr int kStepsBetweenTrials = 50;
@@ -318,7 +323,9 @@ void ContactDynamicsRelaxer<Dim>::set_balanced_forces(Packing<Dim>& packing) con
   }
   StaticForces<Dim> forces("the packing", packing, options);
   const bool closest = forces_at_rest(options_, packing) == RigidForces::closest;
-  const BalancedForces<Dim> found = closest ? forces.closest() : forces.canonical();
+  const bool avoids_gaps = !packing.grains.are_round() && !are_smooth_polyhedra(packing);
+  const BalancedForces<Dim> found =
+      closest ? forces.closest(avoids_gaps ? kCostlyGap : 0.0) : forces.canonical();
   for (std::size_t k = 0; k < packing.contacts.size(); ++k) {
     Contact<Dim>& c = packing.contacts[k];
     const double adhesion = std::max(0.0, c.elastic_force - c.normal_force);

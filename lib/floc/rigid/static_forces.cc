@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "floc/base/error.h"
+#include "floc/packing/grain_sizes.h"
 #include "floc/packing/wall_forces.h"
 
 namespace floc {
@@ -41,8 +42,8 @@ StaticForces<Dim>::StaticForces(const std::string& place, const Packing<Dim>& pa
       method_(program_) {}
 
 template <int Dim>
-BalancedForces<Dim> StaticForces<Dim>::closest() {
-  return solved(present_blocks(balance_));
+BalancedForces<Dim> StaticForces<Dim>::closest(double costly_gap) {
+  return solved(present_blocks(balance_), costly_gap);
 }
 
 template <int Dim>
@@ -56,7 +57,7 @@ BalancedForces<Dim> StaticForces<Dim>::present() const {
 }
 
 template <int Dim>
-BalancedForces<Dim> StaticForces<Dim>::solved(const std::vector<Vec<Dim>>& preferred) {
+BalancedForces<Dim> StaticForces<Dim>::solved(const std::vector<Vec<Dim>>& preferred, double costly_gap) {
   // The unit of the energy is chosen so that the mean normal compliance is one.
   double mean = 0.0;
   for (const UnknownForce<Dim>& u : balance_.unknowns) mean += 1.0 / u.kn;
@@ -66,6 +67,10 @@ BalancedForces<Dim> StaticForces<Dim>::solved(const std::vector<Vec<Dim>>& prefe
     program_.compliance[k].setConstant(u.friction * u.friction / (u.kt * mean));
     program_.compliance[k][0] = 1.0 / (u.kn * mean);
     program_.linear[k] = -program_.compliance[k].cwiseProduct(preferred[k]);
+    if (costly_gap > 0.0) {
+      const Contact<Dim>& c = packing_.contacts[u.contact];
+      program_.linear[k][0] += std::max(0.0, c.gap) / (2.0 * smaller_radius(packing_, c) * costly_gap);
+    }
   }
   ConeSolution<Dim> solution = method_.solve(program_);
   if (!solution.is_solved(kNearlySolved)) fail(solution);

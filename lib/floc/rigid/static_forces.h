@@ -43,9 +43,12 @@ class StaticForces {
 
   /// Returns the balanced forces that are closest to the present forces: the elastic energy of the difference is
   /// smallest.
+  /// @param costly_gap  If positive, forces across gaps are avoided. As for springs that first have to close a gap g,
+  /// the sum of P g is added to the energy. Its weight is such that the mean force across a gap of this size (divided by
+  /// the diameter of the smaller grain) adds twice the elastic energy of the mean force.
   /// @throws NoResult if no set of forces balances the load (the message names the grain that the load moves most), or
   /// if rounding errors do not allow a decision
-  BalancedForces<Dim> closest();
+  BalancedForces<Dim> closest(double costly_gap = 0.0);
 
   /// Returns the balanced forces with the least elastic energy. They depend on the geometry, the stiffnesses and the
   /// load, but not on the history of the packing.
@@ -61,7 +64,7 @@ class StaticForces {
   BalancedForces<Dim> present() const;
 
  private:
-  BalancedForces<Dim> solved(const std::vector<Vec<Dim>>& preferred);
+  BalancedForces<Dim> solved(const std::vector<Vec<Dim>>& preferred, double costly_gap = 0.0);
   BalancedForces<Dim> forces(const std::vector<Vec<Dim>>& x, int n_factorizations) const;
   double extreme(int block, double sign);
   [[noreturn]] void fail(const ConeSolution<Dim>& solution) const;

@@ -73,15 +73,19 @@ class PairSearch {
     if (!misses_the_deepest(found, axis)) return found;
     // The deepest vertex lies outside the boundary of the face. In this case a pair of edges has a larger separation
     // than the face, but the difference is less than the margin for edges. The search is therefore repeated without
-    // this margin. If ManifoldOptions::face_preference is positive and the points above the face are at least as deep
-    // as the edges, the points above the face are returned.
+    // this margin. If ManifoldOptions::face_preference is positive and the points above the face are as deep as the
+    // edges, the points above the face are returned. The deepest of them is often the crossing of the two edges, so the
+    // comparison has a tolerance. Without it, an edge on a face would have two points if it overlaps the face and one
+    // point if it is above the face, and forces would jump from step to step.
     if (a_.n_edges() > 0 && b_.n_edges() > 0) {
       AxisFeatures none;
       const SeparatingAxis<Dim> exact =
           separating_axis<Dim>(a_, b_, place_, {margins().faces, 0.0}, limit, none);
       if (exact.features.kind == AxisKind::kEdgePair) {
         const double gap = world(exact.separation) - roundings_;
-        if (options_.face_preference > 0.0 && found.n() > 0 && found.least_gap() <= gap) return found;
+        const double tolerance = kBesideFace * world(size_);
+        if (options_.face_preference > 0.0 && found.n() > 0 && found.least_gap() <= gap + tolerance)
+          return found;
         last = none;
         return of_edge_pair(exact);
       }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -119,6 +120,32 @@ TYPED_TEST(StaticForcesOf, ClosestForcesToBalancedOnesAreThose) {
   StaticForces<Dim> again("s.h5", packing, {});
   EXPECT_LT(force_distance(forces, again.closest()), 1e-12);
   EXPECT_GT(force_distance(forces, again.canonical()), 1e-3);
+}
+
+/// Returns the sum of P g over the contacts with a gap, with the repulsive force P and the gap g.
+template <int Dim>
+double work_across_gaps(const Packing<Dim>& packing, const BalancedForces<Dim>& forces) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < packing.contacts.size(); ++k)
+    sum += forces.normal_force[k] * std::max(0.0, packing.contacts[k].gap);
+  return sum;
+}
+
+TYPED_TEST(StaticForcesOf, ClosestForcesAvoidCostlyGaps) {
+  constexpr int Dim = TypeParam::value;
+  Packing<Dim> packing = packing_without_forces<Dim>(5);
+  for (std::size_t k = 0; k < packing.contacts.size(); ++k) packing.contacts[k].gap = k % 4 == 0 ? 1e-3 : -1e-3;
+  StaticForces<Dim> problem("s.h5", packing, under_pressure<Dim>(1.0));
+  const BalancedForces<Dim> all = problem.closest(), few = problem.closest(1e-5);
+  EXPECT_GT(work_across_gaps(packing, all), 0.0);
+  EXPECT_LT(work_across_gaps(packing, few), 0.2 * work_across_gaps(packing, all));
+  EXPECT_LT(few.error.force, 1e-9);
+  EXPECT_LT(few.error.moment, 1e-9);
+  EXPECT_LT(few.error.stress, 1e-9);
+  // If there is no gap, no cost is added.
+  for (Contact<Dim>& c : packing.contacts) c.gap = -1e-3;
+  StaticForces<Dim> closed("s.h5", packing, under_pressure<Dim>(1.0));
+  EXPECT_EQ(force_distance(closed.closest(), closed.closest(1e-5)), 0.0);
 }
 
 TYPED_TEST(StaticForcesOf, CanonicalForcesHaveTheLeastEnergyOfAllThatBalance) {

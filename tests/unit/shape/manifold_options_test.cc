@@ -67,6 +67,25 @@ TEST(Manifold, OfExactShapesHasTheNormalOfCrossedEdges) {
   EXPECT_NEAR(std::abs(exact.normal[1]), 2e-6, 1e-8);
 }
 
+/// An edge that lies on a face and extends beyond it has two contact points, whether the edge overlaps the face a little
+/// or is a little above it. The point at which the edge crosses the boundary of the face is also a crossing of two edges.
+TEST(Manifold, OfAnEdgeOnAFaceHasTwoPointsAtSmallGapsAndOverlaps) {
+  const Shape<3> cube = shape_of<3>(box_points(1, 1, 1));
+  const auto below = placed<3>(cube, Vec<3>::Zero(), kNoTurn);
+  for (const double tilt : {1e-5, 3e-5, 1e-4}) {
+    for (const double gap : {-1e-5, -1e-7, -1e-9, 1e-9, 1e-7, 1e-5}) {
+      // The upper cube stands on an edge along y, and the lower end of this edge is beyond the face.
+      const Mat<3> turn =
+          turn_about(Vec<3>::UnitX(), -tilt * 180.0 / std::numbers::pi) * turn_about(Vec<3>::UnitY(), 45.0);
+      const double height = 0.5 + std::numbers::sqrt2 / 2.0 * std::cos(tilt);
+      const auto above = placed<3>(cube, {0, 0.2, height + 0.3 * tilt + gap}, turn);
+      const Manifold<3> contact = contact_manifold<3>(below, above, 1e-2, nullptr, {.face_preference = 0.5});
+      EXPECT_EQ(contact.type, ContactType::kDouble) << tilt << ' ' << gap;
+      EXPECT_NEAR(contact.least_gap(), gap, 1e-8) << tilt << ' ' << gap;
+    }
+  }
+}
+
 /// A recorded contact point is found again at any larger reach.
 TEST(Manifold, OfALargerReachHasTheSamePoints) {
   const Shape<3> cube = shape_of<3>(box_points(1, 1, 1));

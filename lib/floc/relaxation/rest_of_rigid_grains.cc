@@ -42,8 +42,9 @@ constexpr double kOverlapWithCorners = 0.1;
 /// below kNearBalanceRound (round grains) or kNearBalanceAngular (grains with corners).
 constexpr double kNearBalanceRound = 1e-3;
 constexpr double kNearBalanceAngular = 3e-2;
-/// Balanced forces of grains with corners and friction avoid contacts with a gap of more than about this size, divided
-/// by the diameter of the smaller grain (StaticForces::closest()). The gap tolerance is larger, because without any
+/// Balanced forces of grains with corners avoid contacts with a gap of more than about this size, divided by the
+/// diameter of the smaller grain (StaticForces::closest()). This does not apply to polyhedra without friction, which rest
+/// at a minimum of the volume, where the forces are unique. The gap tolerance is larger, because without any
 /// forces across larger gaps there is often no balance. In a packing of 5000 polyhedra, 85 contacts with a gap above 1e-5
 /// had a force; if gaps were not avoided, there were 3000.
 constexpr double kCostlyGap = 1e-5;

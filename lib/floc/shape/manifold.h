@@ -64,7 +64,8 @@ struct ManifoldOptions {
   /// Preference for faces over edge pairs if two shapes overlap. An edge pair defines the contact only if the overlap
   /// along the common normal of the edges is smaller than the overlap along the normal of a face by this share of the
   /// latter. If two nearly parallel faces overlap at a corner, these faces then define the contact. With a value of 0,
-  /// a rigid pair can be pushed apart at another corner in each step and never come to rest.
+  /// a rigid pair can be pushed apart at another corner in each step and never come to rest. If the smallest gap above a
+  /// face and the gap of an edge pair differ by less than 1e-6 of the smaller inner radius, the face is preferred, too.
   double face_preference = 0.0;
 };
 

@@ -70,7 +70,7 @@ class PairSearch {
     }
     if (axis.features.kind == AxisKind::kEdgePair) return of_edge_pair(axis);
     Manifold<Dim> found = of_face(axis, axis.features.kind == AxisKind::kFaceOfSecond);
-    if (!misses_the_deepest(found, axis)) return found;
+    if (is_as_deep_as(world(axis.separation) - roundings_, found)) return found;
     // The deepest vertex lies outside the boundary of the face. In this case a pair of edges has a larger separation
     // than the face, but the difference is less than the margin for edges. The search is therefore repeated without
     // this margin. If ManifoldOptions::face_preference is positive and the points above the face are as deep as the
@@ -83,9 +83,7 @@ class PairSearch {
           separating_axis<Dim>(a_, b_, place_, {margins().faces, 0.0}, limit, none);
       if (exact.features.kind == AxisKind::kEdgePair) {
         const double gap = world(exact.separation) - roundings_;
-        const double tolerance = kBesideFace * world(size_);
-        if (options_.face_preference > 0.0 && found.n() > 0 && found.least_gap() <= gap + tolerance)
-          return found;
+        if (options_.face_preference > 0.0 && is_as_deep_as(gap, found)) return found;
         last = none;
         return of_edge_pair(exact);
       }
@@ -102,11 +100,9 @@ class PairSearch {
 
   double world(double own) const { return first_.scale * own; }
 
-  /// Returns whether all contact points found above a face are higher than the lowest vertex of the other shape. The
-  /// heights are measured from the plane of the face.
-  bool misses_the_deepest(const Manifold<Dim>& found, const SeparatingAxis<Dim>& axis) const {
-    return found.n() == 0 ||
-           found.least_gap() - (world(axis.separation) - roundings_) > kBesideFace * world(size_);
+  /// Returns whether a contact point found above a face has a gap of at most `gap`, up to the tolerance kBesideFace.
+  bool is_as_deep_as(double gap, const Manifold<Dim>& found) const {
+    return found.least_gap() - gap <= kBesideFace * world(size_);
   }
 
   /// Returns the direction with which the search for the closest points begins: the direction of the separating axis.
@@ -138,9 +134,7 @@ class PairSearch {
       const bool prefers_second = axis.features.kind == AxisKind::kFaceOfSecond;
       for (const bool of_second : {prefers_second, !prefers_second})
         if (is_along_face(closest.normal, axis, of_second))
-          if (Manifold<Dim> found = of_face(axis, of_second);
-              found.n() > 0 && found.least_gap() - gap <= kBesideFace * world(size_))
-            return found;
+          if (Manifold<Dim> found = of_face(axis, of_second); is_as_deep_as(gap, found)) return found;
       if constexpr (Dim == 3) {
         if (a_.n_faces() == 0 && b_.n_faces() == 0)
           if (Manifold<Dim> found = of_capsules_side_by_side(closest); found.n() > 0) return found;

@@ -38,6 +38,7 @@ RUNS = {
     "cut": ("polyhedra", ["grains.count=1000"], AT_REST),
     "cut-5000": ("polyhedra", ["grains.count=5000"], AT_REST),
     "hull": ("polyhedra", ["grains.count=1000", HULL], AT_REST),
+    "hull-5000": ("polyhedra", ["grains.count=5000", HULL], AT_REST),
     "cubes": ("polyhedra", ["grains.count=1000", CUBE], AT_REST),
     "cut-smooth": ("polyhedra", ["grains.count=300", SMOOTH], AT_REST),
     "hull-smooth": ("polyhedra", ["grains.count=300", SMOOTH, HULL], AT_REST),

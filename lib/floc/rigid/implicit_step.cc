@@ -11,10 +11,13 @@ namespace floc {
 namespace {
 
 /// Largest number of times that a step with friction is solved.
-constexpr int kMostSolutions = 10;
-/// A step with friction is not solved again if the opening velocities mu |u_t| (implicit_step.h) change by less than
-/// this value from one solution to the next, in the units of the program.
+constexpr int kMostSolutions = 30;
+/// A step with friction is not solved again if the errors of the opening velocities (implicit_step.h) are below this
+/// value, in the units of the program.
 constexpr double kSameOpening = 1e-6;
+/// Limits of the derivative of the error mu |u_t| - s with respect to the opening velocity s of the same contact. The
+/// derivative is -1 if the slip does not depend on the opening, and below -1 if a contact that opens more slips less.
+constexpr double kSteepestError = -10.0, kFlattestError = -0.3;
 
 /// If rounding errors ended the iteration, a solution is still accepted if the errors of its impulses and of the
 /// objective are at most this value, in the units of the program. The next step corrects the error.
@@ -56,21 +59,30 @@ class StepProgram {
 
   const ConeProgram<Dim>& program() const { return program_; }
 
-  /// Adds to the normal velocity of each contact the opening velocity mu |u_t| of a solution, with the friction
-  /// coefficient mu and the slip velocity u_t. This opening velocity replaces that of an earlier solution.
-  /// @return largest change of an opening velocity
-  double add_opening(const ConeSolution<Dim>& solution) {
+  /// Changes the opening velocities in the program. In a solution of the step, the opening velocity of each contact
+  /// equals mu |u_t|, with the friction coefficient mu and the slip velocity u_t. The new value follows by the secant
+  /// method from the errors of the last two values. (With mu |u_t| itself as the new value, the values of a contact on
+  /// soft surroundings would alternate without end: the contact slides without the opening, and sticks with it.)
+  /// @return largest error of an opening velocity in the given solution
+  double improve_openings(const ConeSolution<Dim>& solution) {
     const std::vector<Vec<Dim>> motion = program_.relative_motion(Eigen::VectorXd(-solution.motion));
-    double change = 0.0;
+    openings_.resize(contacts_.size());
+    double largest = 0.0;
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       const Vec<Dim> own = bias(contacts_[k]);
       // An elastic spring takes up a part of the relative motion.
       const Vec<Dim> slip = motion[k] + own + program_.compliance[k].cwiseProduct(solution.x[k]);
-      const double opened = own[0] + slip.template tail<Dim - 1>().norm();
-      change = std::max(change, std::abs(opened - program_.linear[k][0]));
-      program_.linear[k][0] = opened;
+      Opening& last = openings_[k];
+      const double value = program_.linear[k][0] - own[0];
+      const double error = slip.template tail<Dim - 1>().norm() - value;
+      double slope = -1.0;
+      if (value != last.value)
+        slope = std::clamp((error - last.error) / (value - last.value), kSteepestError, kFlattestError);
+      last = {value, error};
+      program_.linear[k][0] = own[0] + std::max(0.0, value - error / slope);
+      largest = std::max(largest, std::abs(error));
     }
-    return change;
+    return largest;
   }
 
   /// Sets the impulses of the contacts and the velocities at the end of the step.
@@ -93,6 +105,12 @@ class StepProgram {
   }
 
  private:
+  /// An opening velocity in the last program, and its error mu |u_t| - s in the solution of this program.
+  struct Opening {
+    double value = 0.0;
+    double error = 0.0;
+  };
+
   /// Sets the unit of impulses to the mean of the nonzero initial impulses, and the unit of velocities to the largest
   /// velocity that closes a gap. If all these impulses or velocities are zero, the unit follows from the velocities
   /// without impulses.
@@ -247,6 +265,7 @@ class StepProgram {
   std::vector<Unknown<Dim>> unknowns_;
   std::vector<double> free_;  ///< value of each unknown without impulses (length/time)
   double impulse_ = 1.0, velocity_ = 0.0;
+  std::vector<Opening> openings_;  ///< for each contact; empty before the first solution
   ConeProgram<Dim> program_;
 };
 
@@ -261,7 +280,7 @@ bool solve_at_once(BodyMotion<Dim>& bodies, std::vector<StepContact<Dim>>& conta
   const bool slides = std::ranges::any_of(contacts, [](const auto& c) { return c.friction > 0.0; });
   ConeSolution<Dim> solution = method.solve(step.program());
   for (int n = 1; slides && n < kMostSolutions && solution.is_solved(kAcceptedError); ++n) {
-    if (step.add_opening(solution) < kSameOpening) break;
+    if (step.improve_openings(solution) < kSameOpening) break;
     solution = method.solve(step.program());
   }
   if (!solution.is_solved(kAcceptedError)) return false;

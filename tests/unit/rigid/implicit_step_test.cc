@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
+#include <vector>
 
 #include "floc/rigid/gauss_seidel.h"
 #include "support/step_contacts.h"
@@ -97,6 +99,47 @@ void expect_springs_agree_with_sweeps() {
 TEST(ImplicitStep, SpringsWithFrictionAgreeWithSweeps) {
   expect_springs_agree_with_sweeps<2>();
   expect_springs_agree_with_sweeps<3>();
+}
+
+/// Returns the share of random steps whose impulses satisfy Coulomb's law: a Gauss-Seidel sweep, which applies the law
+/// without an opening velocity, does not change them. In each step, a ball is pushed in a random direction between three
+/// elastic contacts.
+template <int Dim>
+double share_of_lawful_steps(int n_steps) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> share(-1.0, 1.0);
+  const auto vector = [&] {
+    Vec<Dim> v;
+    for (int a = 0; a < Dim; ++a) v[a] = share(random);
+    return v;
+  };
+  int n_lawful = 0;
+  for (int n = 0; n < n_steps; ++n) {
+    BodyMotion<Dim> bodies = balls_and_ground<Dim>(1, 1.0, 0.5);
+    bodies.velocity[0] = vector();
+    std::vector<StepContact<Dim>> contacts;
+    for (int k = 0; k < 3; ++k) {
+      const Vec<Dim> normal = vector().normalized();
+      StepContact<Dim>& c =
+          contacts.emplace_back(touching<Dim>(0, 1, 0.5 * normal, Vec<Dim>::Zero(), normal, 0.5));
+      c.normal_compliance = 0.02;
+      c.tangential_compliance = 0.03;
+      c.bias = 0.05 * vector();
+      c.bias[0] -= 0.1;
+    }
+    BodyMotion<Dim> free = bodies;
+    EXPECT_TRUE(solve_at_once<Dim>(bodies, contacts, {})) << n;
+    n_lawful += GaussSeidel<Dim>(free, contacts).residual() < 1e-5;
+  }
+  return static_cast<double>(n_lawful) / n_steps;
+}
+
+/// In many of these steps, a contact slides if its opening is left out, and sticks with the opening that this slip would
+/// cause. If the slip itself were always the next opening, 62 % of the steps would satisfy the law. In every tenth step
+/// the openings of several contacts change each other without end.
+TEST(ImplicitStep, MostRandomStepsSatisfyCoulombsLaw) {
+  EXPECT_GE(share_of_lawful_steps<2>(200), 0.87);
+  EXPECT_GE(share_of_lawful_steps<3>(200), 0.87);
 }
 
 }  // namespace

@@ -48,7 +48,8 @@ class StepProgram {
       : bodies_(bodies),
         contacts_(contacts),
         first_(static_cast<std::size_t>(bodies.size()), -1),
-        ends_(first_.size(), 0) {
+        ends_(first_.size(), 0),
+        openings_(contacts.size()) {
     set_units();
     for (const StepContact<Dim>& c : contacts_)
       for (const int body : {c.i, c.j}) first_[body] = 0;
@@ -66,7 +67,6 @@ class StepProgram {
   /// @return largest error of an opening velocity in the given solution
   double improve_openings(const ConeSolution<Dim>& solution) {
     const std::vector<Vec<Dim>> motion = program_.relative_motion(Eigen::VectorXd(-solution.motion));
-    openings_.resize(contacts_.size());
     double largest = 0.0;
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       const Vec<Dim> own = bias(contacts_[k]);
@@ -265,7 +265,7 @@ class StepProgram {
   std::vector<Unknown<Dim>> unknowns_;
   std::vector<double> free_;  ///< value of each unknown without impulses (length/time)
   double impulse_ = 1.0, velocity_ = 0.0;
-  std::vector<Opening> openings_;  ///< for each contact; empty before the first solution
+  std::vector<Opening> openings_;  ///< for each contact
   ConeProgram<Dim> program_;
 };
 

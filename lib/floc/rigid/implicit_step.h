@@ -14,8 +14,8 @@ namespace floc {
 /// Without friction the step is a convex program. Coulomb's friction does not fit into a convex program exactly: in the
 /// program, a contact that slides with the velocity u_t also opens with the velocity mu |u_t|, where mu is the friction
 /// coefficient. As a correction, an opening velocity s is added to the normal velocity, and the program is solved again
-/// [DF1998] until s = mu |u_t| at each contact, but at most 30 times. The last solution is then taken, and its contacts
-/// may differ from Coulomb's law.
+/// [DF1998] until s = mu |u_t| at each contact. After 30 solutions the last one is taken, whose impulses may then
+/// violate Coulomb's law.
 ///
 /// @param bodies    motion of the bodies with all external impulses; it gets the velocities at the end of the step
 /// @param contacts  contacts of the step; they get the impulses

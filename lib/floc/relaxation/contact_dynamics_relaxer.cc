@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "floc/base/error.h"
 #include "floc/contact/law_parameters.h"
@@ -34,7 +35,9 @@ constexpr double kJitter = 3.0;
 constexpr double kSlowImpact = 2.0;
 /// Factor by which the tolerance of the sweeps is larger while the packing counts as a gas.
 constexpr double kGasTolerance = 10.0;
-/// A packing counts as a gas if its mean stress, divided by the mean imposed stress, is below this number.
+/// A packing counts as a gas if its mean stress, divided by the mean imposed stress, is below this number. In a box, the
+/// sum of the forces on the walls takes the place of the stress, and the load on moving walls and the weight of the grains
+/// that of the imposed stress.
 constexpr double kGasStress = 0.3;
 /// Number of steps of the phase `resting` that are solved by sweeps. In later steps, all contacts are solved at once.
 /// In 2D such a step costs as much as a few hundred sweeps, but it brings creeping polygons to rest. In 3D it costs far
@@ -187,13 +190,12 @@ template <int Dim>
 ContactDynamicsSettings ContactDynamicsRelaxer<Dim>::settings() const {
   const ContactDynamicsOptions& own = options_.contact_dynamics;
   const bool resting = progress_.phase == ContactDynamicsProgress::resting;
-  const bool is_gas = stress_.trace() < kGasStress * imposed_.sum();
   const double longest = !resting                            ? own.time_step
                          : solves_at_once() && !is_elastic() ? kLongestAtOnce
                                                              : progress_.rest_length;
   return {.longest_step = longest * time_unit_,
           .sweep_tolerance = resting ? std::min(kRestingTolerance, own.sweep_tolerance)
-                                     : (is_gas ? kGasTolerance : 1.0) * own.sweep_tolerance,
+                                     : (is_gas() ? kGasTolerance : 1.0) * own.sweep_tolerance,
           .max_sweeps = resting ? kRestingSweeps : own.max_sweeps,
           .restitution = resting ? 0.0 : own.restitution,
           .slow_impact = kSlowImpact * own.time_step * largest_diameter(packing_.grains) / time_unit_,
@@ -232,6 +234,19 @@ double ContactDynamicsRelaxer<Dim>::rate_cap(const Packing<Dim>& packing) const 
   if (const std::optional<double>& speed = options_.compaction.wall_speed; speed && !packing.walls.empty())
     cap = *speed / packing.cell.matrix.diagonal().maxCoeff();
   return std::min(cap, 1.0 / time_unit_);
+}
+
+/// Returns whether the mean stress of a packing, or the sum of the forces on the walls of a box, is so small that the
+/// packing counts as a gas. Such a packing may be calm, because a heavy cell, heavy walls or weak gravity have not moved
+/// it yet.
+template <int Dim>
+bool ContactDynamicsRelaxer<Dim>::is_gas() const {
+  if (packing_.walls.empty()) return stress_.trace() < kGasStress * imposed_.sum();
+  const std::vector<double> force = wall_forces(packing_);
+  double load = packing_.gravity.norm() * total_mass(packing_.grains);
+  for (const Wall<Dim>& wall : packing_.walls)
+    if (follows_forces(wall)) load += imposed_[wall.axis] * wall_area(packing_, wall.axis);
+  return std::accumulate(force.begin(), force.end(), 0.0) < kGasStress * load;
 }
 
 /// Returns whether the motion of the packing has nearly ended. The balance of the stress is judged by the strain rate
@@ -283,7 +298,7 @@ RelaxationStatus ContactDynamicsRelaxer<Dim>::advance() {
   if (progress_.phase == ContactDynamicsProgress::resting) return is_elastic() ? rest_on_springs() : rest();
   if (progress_.phase == ContactDynamicsProgress::straining) return strain();
   make_steps(kSteps);
-  if (progress_.calm_steps >= kCalmSteps) start_resting();
+  if (progress_.calm_steps >= kCalmSteps && !is_gas()) start_resting();
   return progress_.time > options_.max_time * time_unit_ ? RelaxationStatus::gave_up
                                                          : RelaxationStatus::running;
 }

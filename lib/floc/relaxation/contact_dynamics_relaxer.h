@@ -106,6 +106,7 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
   double gap_tolerance() const;
   double boundary_rate(const Packing<Dim>& packing) const;
   double rate_cap(const Packing<Dim>& packing) const;
+  bool is_gas() const;
   bool is_calm(const Packing<Dim>& packing) const;
   void make_steps(int n_steps);
   bool forces_are_nearly_balanced() const;

@@ -242,6 +242,11 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
   rested.contacts = ContactPoints<Dim>().find_touching(rested, tolerance);
   carry_forces(rested, packing_.contacts, rested.contacts);
   hold_adhesion(rested);
+  if (rested.contacts.empty()) {
+    progress_.obstacle = "no grains touch each other";
+    start_moving();
+    return false;
+  }
   try {
     if (forces_at_rest(options_, rested) != RigidForces::stepped) set_balanced_forces(rested);
   } catch (const NoResult& reason) {

@@ -12,6 +12,7 @@
 #include "floc/packing/grain_sizes.h"
 #include "floc/packing/law/contact_forces.h"
 #include "floc/packing/wall_forces.h"
+#include "floc/rigid/common_factor.h"
 #include "floc/rigid/elastic_contacts.h"
 #include "floc/rigid/implicit_step.h"
 
@@ -44,6 +45,9 @@ constexpr double kElasticOverlap = 5e-3;
 constexpr double kShortestRemoval = 0.125;
 /// If the largest displacement in a step is less than this share of its limit, the next time step is doubled.
 constexpr double kTimid = 0.4;
+/// The initial impulses are multiplied by a common factor if the sweeps that would otherwise adapt the stress to the
+/// motion of the cell (has_slow_cell()) are more than this number.
+constexpr double kSlowCell = 500.0;
 /// A contact counts as sliding if its tangential impulse differs from Coulomb's limit by less than this fraction of the
 /// limit.
 constexpr double kAtLimit = 1e-9;
@@ -311,6 +315,15 @@ std::vector<PairMatrix<Dim>> ContactDynamics<Dim>::stiffnesses(const Trial& tria
   return out;
 }
 
+/// Returns whether sweeps alone would adapt the stress too slowly to the motion of the cell. With N grains, the inertia of
+/// the cell is about cell_mass N^(2/Dim) times that of a contact, and about so many sweeps are needed. As long as the
+/// stress is wrong, even by a factor of two, the errors of the single impulses are below any tolerance.
+template <int Dim>
+bool ContactDynamics<Dim>::has_slow_cell() const {
+  const bool moves = std::ranges::any_of(load_.under_stress, [](bool under) { return under; });
+  return moves && load_.cell_mass * std::pow(packing_.grains.size(), 2.0 / Dim) > kSlowCell;
+}
+
 template <int Dim>
 auto ContactDynamics<Dim>::solve(double dt, const Method& method) const -> Trial {
   Trial trial;
@@ -319,6 +332,10 @@ auto ContactDynamics<Dim>::solve(double dt, const Method& method) const -> Trial
   if (method.at_once && solve_at_once(trial.motion, trial.contacts, stiffnesses(trial, dt))) {
     trial.sweeps.converged = true;
     return trial;
+  }
+  if (has_slow_cell()) {
+    const double factor = best_common_factor(trial.motion, trial.contacts);
+    for (StepContact<Dim>& c : trial.contacts) c.impulse *= factor;
   }
   GaussSeidel<Dim> sweeps(trial.motion, trial.contacts, settings_.threads);
   trial.sweeps = sweeps.solve(settings_.sweep_tolerance, settings_.max_sweeps);

@@ -120,6 +120,7 @@ class ContactDynamics {
                                               bool recorded = false) const;
   std::vector<PairMatrix<Dim>> stiffnesses(const Trial& trial, double dt) const;
   double removal_time(double dt) const;
+  bool has_slow_cell() const;
   Trial solve(double dt, const Method& method) const;
   double largest_share_moved(const Trial& trial, double dt, const Method& method) const;
   Packing<Dim> moved(const Trial& trial, double dt) const;

@@ -213,17 +213,39 @@ TEST(RigidWalls, PressGrainsTogether) {
   expect_walls_bear_pressure<3>(8, ShapeOptions{.kind = CutOptions{}, .count = 8}, {BoxSide::fixed});
 }
 
+/// Lets heavy walls press on a gas. Expects that they are still in motion after 20 time units, and that each has the
+/// velocity which the pressure has given to it.
+template <int Dim>
+void expect_heavy_walls_move() {
+  BoxOptions box;
+  box.boundary = {BoxSide::periodic, Dim == 2 ? BoxSide::walls : BoxSide::periodic, BoxSide::walls};
+  box.mass = 1e5;
+  const Packing<Dim> gas = boxed_gas<Dim>(20, std::nullopt, box, 0.4);
+  const RigidEnd<Dim> end = relaxed(gas, rigid_options(), false, 400);
+  EXPECT_EQ(end.report.phase, "moving") << end.reason;
+  for (const Wall<Dim>& wall : end.packing.walls)
+    EXPECT_NEAR(std::abs(wall.velocity) * box.mass, wall_area(gas, wall.axis) * end.report.time,
+                0.05 * wall_area(gas, wall.axis) * end.report.time);
+}
+
+// The gas between heavy walls is calm at first.
+TEST(RigidWalls, HeavyWallsStartToMove) {
+  expect_heavy_walls_move<2>();
+  expect_heavy_walls_move<3>();
+}
+
 /// Lets grains of any shape fall on a floor. Expects that the force on the floor is their weight, and that the
 /// upper end is open.
 template <int Dim>
-void expect_bed(const std::optional<ShapeOptions>& shape, int count) {
+void expect_bed(const std::optional<ShapeOptions>& shape, int count, double gravity = 1.0) {
   BoxOptions box;
   box.boundary = {BoxSide::periodic, Dim == 2 ? BoxSide::floor : BoxSide::fixed, BoxSide::floor};
   box.friction = 0.5;
-  box.gravity[Dim - 1] = -1.0;
+  box.gravity[Dim - 1] = -gravity;
   const RigidEnd<Dim> end = settled(boxed_gas<Dim>(count, shape, box, 0.5));
   expect_at_rest(end);
-  const double weight = std::accumulate(end.packing.grains.mass.begin(), end.packing.grains.mass.end(), 0.0);
+  const double weight =
+      gravity * std::accumulate(end.packing.grains.mass.begin(), end.packing.grains.mass.end(), 0.0);
   double borne = 0.0;
   for (const Contact<Dim>& c : end.packing.contacts)
     if (end.packing.is_wall(c.j)) borne += (c.shear_force - c.normal_force * c.normal)[Dim - 1];
@@ -236,6 +258,12 @@ TEST(RigidWalls, FloorBearsTheWeightOfABed) {
   expect_bed<2>(ShapeOptions{.kind = PolygonOptions{5}}, 20);
   expect_bed<3>(std::nullopt, 20);
   expect_bed<3>(ShapeOptions{.kind = CutOptions{}, .count = 6}, 8);
+}
+
+// Under weak gravity the gas above the floor is calm at first.
+TEST(RigidWalls, FloorBearsABedUnderWeakGravity) {
+  expect_bed<2>(std::nullopt, 20, 2e-3);
+  expect_bed<3>(std::nullopt, 10, 2e-3);
 }
 
 TEST(RigidWalls, RepeatTheirBits) {

@@ -570,7 +570,7 @@ class Test:
         for grains, samples, *cells in self.claim_table("| grains | samples | Phi |"):
             compare(names.get(grains) or "rolling-" + re.search("mu_R = (.*) a", grains).group(1), samples, cells, shears)
         for span, samples, *cells in self.claim_table("| span | samples | Phi |"):
-            compare("span-" + span.replace(", I = ", "-rate-"), samples, cells, shears)
+            compare("span-" + span.replace(", I = ", "-rate-").replace(", N = ", "-"), samples, cells, shears)
         for case, _, samples, *cells in self.claim_table("| case | packing | samples | Phi |"):
             compare(case, samples, cells, forces)
         kinds = ("vertex_face", "edge_edge", "edge_face", "face_face")

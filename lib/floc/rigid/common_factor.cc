@@ -7,10 +7,10 @@
 namespace floc {
 namespace {
 
-/// Adds an impulse, given in the frame of a contact, to the velocities of the bodies and of the cell.
+/// Adds the impulse of a contact to the velocities of the bodies and of the cell.
 template <int Dim>
-void push(const StepContact<Dim>& c, const Vec<Dim>& impulse, BodyMotion<Dim>& bodies) {
-  const Vec<Dim> p = c.frame * impulse;
+void push(const StepContact<Dim>& c, BodyMotion<Dim>& bodies) {
+  const Vec<Dim> p = c.frame * c.impulse;
   const auto push_body = [&](int i, const Vec<Dim>& arm, const Vec<Dim>& on_body) {
     bodies.velocity[i] += bodies.inverse_mass[i].cwiseProduct(on_body);
     bodies.angular_velocity[i] += bodies.inverse_inertia[i] * moment<double>(arm, on_body);
@@ -34,20 +34,19 @@ Vec<Dim> relative_velocity(const StepContact<Dim>& c, const BodyMotion<Dim>& bod
 
 template <int Dim>
 double best_common_factor(const BodyMotion<Dim>& bodies, const std::vector<StepContact<Dim>>& contacts) {
-  BodyMotion<Dim> free = bodies, changed = bodies;
+  BodyMotion<Dim> changed = bodies;
   std::fill(changed.velocity.begin(), changed.velocity.end(), Vec<Dim>::Zero());
   std::fill(changed.angular_velocity.begin(), changed.angular_velocity.end(), RotationVector<Dim>::Zero());
   changed.stretch.setZero();
-  for (const StepContact<Dim>& c : contacts) {
-    push<Dim>(c, -c.adhesion * Vec<Dim>::Unit(0), free);
-    push<Dim>(c, c.impulse, changed);
-  }
+  for (const StepContact<Dim>& c : contacts) push<Dim>(c, changed);
   double work = 0.0, twice_energy = 0.0;
   for (const StepContact<Dim>& c : contacts) {
     Vec<Dim> compliance = Vec<Dim>::Constant(c.tangential_compliance);
     compliance[0] = c.normal_compliance;
-    work += c.impulse.dot(relative_velocity<Dim>(c, free) + c.bias);
-    twice_energy += c.impulse.dot(relative_velocity<Dim>(c, changed) + compliance.cwiseProduct(c.impulse));
+    const Vec<Dim> change = relative_velocity<Dim>(c, changed);
+    // The adhesions a are a part of u_free. As W is symmetric, their part of the work is p' W a = a' W p.
+    work += c.impulse.dot(relative_velocity<Dim>(c, bodies) + c.bias) - c.adhesion * change[0];
+    twice_energy += c.impulse.dot(change + compliance.cwiseProduct(c.impulse));
   }
   return twice_energy > 0.0 ? std::max(0.0, -work / twice_energy) : 1.0;
 }

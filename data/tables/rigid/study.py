@@ -32,6 +32,7 @@ RUNS = {
     "span-0.2": ("wide_span", ["grains.count=1000", "grains.diameter.min=0.667"], CRITICAL),
     "span-0.2-10000": ("wide_span", ["grains.diameter.min=0.667"], CRITICAL),
     "span-0.6": ("wide_span", ["grains.count=1000", "grains.diameter.min=0.25"], CRITICAL),
+    "span-0.6-10000": ("wide_span", ["grains.diameter.min=0.25"], CRITICAL),
     "span-0.9": ("wide_span", ["grains.count=1500", "grains.diameter.min=0.0526"], CRITICAL),
     **{f"span-0.9-rate-{i}": ("wide_span", ["grains.count=1500", "grains.diameter.min=0.0526", f"load.0.inertial_number={i}"], CRITICAL)
        for i in ("0.03", "0.054")},

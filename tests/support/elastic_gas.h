@@ -19,8 +19,9 @@ inline Law spring_law(double stiffness, double friction) {
 }
 
 template <int Dim>
-Packing<Dim> elastic_gas(int count, const ShapeOptions& shape, double stiffness, double friction) {
-  Packing<Dim> gas = make_rigid_gas<Dim>({.count = count, .shape = shape, .friction = friction});
+Packing<Dim> elastic_gas(int count, const ShapeOptions& shape, double stiffness, double friction,
+                         std::uint64_t seed = 1) {
+  Packing<Dim> gas = make_rigid_gas<Dim>({.count = count, .shape = shape, .friction = friction, .seed = seed});
   gas.law = spring_law(stiffness, friction);
   return gas;
 }
@@ -53,9 +54,11 @@ Vec<Dim> strain_under(const Packing<Dim>& rested, const Vec<Dim>& stress) {
 /// @param step  Change of the stress, divided by the pressure. The error of the measured strains is the tolerance of the
 /// forces divided by the step; with larger steps, it is the change of the moduli with the stress.
 template <int Dim>
-void expect_moduli_of_strains(int count, const ShapeOptions& shape, double friction, double step) {
+void expect_moduli_of_strains(int count, const ShapeOptions& shape, double friction, double step,
+                              std::uint64_t seed = 1) {
   constexpr double kStiffness = 1e5, kSticks = 100.0;
-  RigidEnd<Dim> rested = relaxed(elastic_gas<Dim>(count, shape, kStiffness, friction), strict_options<Dim>());
+  RigidEnd<Dim> rested =
+      relaxed(elastic_gas<Dim>(count, shape, kStiffness, friction, seed), strict_options<Dim>());
   ASSERT_EQ(rested.status, RelaxationStatus::converged) << rested.reason;
   if (friction > 0.0) rested.packing.law = spring_law(kStiffness, kSticks);
   Mat<Dim> compliance;

@@ -287,18 +287,19 @@ Moduli moduli_of(ElasticResponse response, const ContactNetwork<Dim>& network, c
   return m;
 }
 
-/// Returns whether a network has motions of almost no stiffness, and B is below its lower bound. This is impossible if
-/// the forces balance the pressure P exactly: P times the change of volume in a motion is the work of the forces, so
-/// that a motion without stiffness does not change the volume. Residual forces let such a motion change the volume
-/// slightly. With a large amplitude, the motion then relaxes a strain of the cell without energy.
+/// Returns whether a network has motions of almost no stiffness, and B is below its lower bound or has no correct digit.
+/// This is impossible if the forces balance the pressure P exactly: P times the change of volume in a motion is the work
+/// of the forces, so that a motion without stiffness does not change the volume. Residual forces let such a motion change
+/// the volume slightly. With a large amplitude, the motion then relaxes a strain of the cell without energy.
 bool is_softened_by_residual_forces(const Moduli& m) {
-  return m.failure.empty() && m.condition > kSoftCondition && m.bounds_hold() &&
-         m.B < (1.0 - kBalancedShare) * m.bounds.B_reuss;
+  if (!m.failure.empty() || !m.bounds_hold()) return false;
+  return !m.response.resolved ||
+         (m.condition > kSoftCondition && m.B < (1.0 - kBalancedShare) * m.bounds.B_reuss);
 }
 
-/// Computes the moduli of a network from its elastic response. If residual forces make B smaller than its lower bound,
-/// motions of little stiffness count as mechanisms: first the softest motions, then more motions, until B is no longer
-/// smaller.
+/// Computes the moduli of a network from its elastic response. If residual forces make B smaller than its lower bound, or
+/// leave none of its digits correct, motions of little stiffness count as mechanisms: first the softest motions, then
+/// more motions, until B has correct digits and is no longer smaller.
 /// @param respond  function that returns the elastic response of a network; it may reuse data of its last call
 template <int Dim>
 Moduli solved_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
@@ -335,10 +336,11 @@ Moduli solved_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>&
     held.warnings.push_back(fmt::format(
         "motions that stretch the springs by less than {:.0e} of their size count as mechanisms that do not "
         "change the volume; otherwise the residual forces of this packing would make B smaller than its lower "
-        "bound",
+        "bound, or leave none of its digits correct",
         length));
     return held;
   }
+  if (!found.response.resolved) return found;
   found.warnings.push_back(fmt::format(
       "B = {:.6g} is below its lower bound {:.6g}: the residual forces of this packing are too large for its "
       "motions of little stiffness; compare B with the value computed with prestress",

@@ -89,16 +89,17 @@ class MovedContact {
   double reach_;
 };
 
-/// Returns the geometric springs of one contact. Let f = -F n + S be the force on i, with the normal n, the normal
-/// force F and the tangential force S. Let a_i and a_j be the lever arms. If j is displaced by dr relative to i, and
-/// the grains rotate, the normal changes by dn, the arms change by da_i and da_j = da_i - dr, and the gap changes by
-/// dg. The stiffness K_N of the contact point describes only a part of dg, n.u, with the relative displacement u of the
-/// points in contact. The rest of dg changes F by dF = -K_N (dg - n.u). With the mean rotation w of the grains, dS = w
-/// x S - n (n.(w x S) + S.dn). Then
-///
-///   df = -dF n - F dn + dS,  d(moment on i) = da_i x f + a_i x df,  d(moment on j) = -(da_j x f + a_j x df)
+}  // namespace
+
+// Let f = -F n + S be the force on i, with the normal n, the normal force F and the tangential force S. Let a_i and a_j
+// be the lever arms. If j is displaced by dr relative to i, and the grains rotate, the normal changes by dn, the arms
+// change by da_i and da_j = da_i - dr, and the gap changes by dg. The stiffness K_N of the contact point describes only
+// a part of dg, n.u, with the relative displacement u of the points in contact. The rest of dg changes F by
+// dF = -K_N (dg - n.u). With the mean rotation w of the grains, dS = w x S - n (n.(w x S) + S.dn). Then
+//
+//   df = -dF n - F dn + dS,  d(moment on i) = da_i x f + a_i x df,  d(moment on j) = -(da_j x f + a_j x df)
 template <int Dim>
-GeometricSprings<Dim> springs_of(const Packing<Dim>& packing, const NetworkContact<Dim>& c) {
+MotionMatrix<Dim> geometric_stiffness(const Packing<Dim>& packing, const NetworkContact<Dim>& c) {
   const MovedContact<Dim> moved(packing, packing.contacts[static_cast<std::size_t>(c.source)]);
   const Vec<Dim> n = c.normal();
   const Vec<Dim> force = c.shear_force - c.normal_force * n;
@@ -120,11 +121,8 @@ GeometricSprings<Dim> springs_of(const Packing<Dim>& packing, const NetworkConta
     k.col(a) << change, -(moment<double>(d.arm_i, force) + moment<double>(c.arm_i, change)),
         moment<double>(arm_j, force) + moment<double>(c.arm_j, change);
   }
-  const Eigen::SelfAdjointEigenSolver<MotionMatrix<Dim>> springs(0.5 * (k + k.transpose()));
-  return {springs.eigenvectors(), springs.eigenvalues()};
+  return k;
 }
-
-}  // namespace
 
 template <int Dim>
 std::vector<GeometricSprings<Dim>> geometric_springs(const Packing<Dim>& packing) {
@@ -132,7 +130,11 @@ std::vector<GeometricSprings<Dim>> geometric_springs(const Packing<Dim>& packing
   const ContactNetwork<Dim> network = contact_network(packing);
   std::vector<GeometricSprings<Dim>> springs;
   springs.reserve(network.contacts.size());
-  for (const NetworkContact<Dim>& c : network.contacts) springs.push_back(springs_of(packing, c));
+  for (const NetworkContact<Dim>& c : network.contacts) {
+    const MotionMatrix<Dim> k = geometric_stiffness(packing, c);
+    const Eigen::SelfAdjointEigenSolver<MotionMatrix<Dim>> modes(0.5 * (k + k.transpose()));
+    springs.push_back({modes.eigenvectors(), modes.eigenvalues()});
+  }
   return springs;
 }
 
@@ -162,6 +164,7 @@ RowStiffness<Dim> geometric_row_stiffness(const GeometricSprings<Dim>& springs, 
 }
 
 #define FLOC_INSTANTIATE(Dim)                                                                              \
+  template MotionMatrix<Dim> geometric_stiffness(const Packing<Dim>&, const NetworkContact<Dim>&);         \
   template std::vector<GeometricSprings<Dim>> geometric_springs(const Packing<Dim>&);                      \
   template ContactRows<Dim> geometric_rows(const NetworkContact<Dim>&, const GeometricSprings<Dim>&, int); \
   template RowStiffness<Dim> geometric_row_stiffness(const GeometricSprings<Dim>&, int);

@@ -5,6 +5,14 @@
 
 namespace floc {
 
+/// Returns the part of the stiffness of a contact of grains with corners that the stiffnesses K_N and K_T of its contact
+/// point (contact_rows()) do not give: the change of its forces and moments due to the changes of its gap, normal and
+/// arms, in the form of geometric_stiffness() for round grains. The matrix is not symmetric.
+/// @param contact  contact of contact_network(packing), with the forces of the contact law
+/// @pre the grains have corners, and the packing has no walls
+template <int Dim>
+MotionMatrix<Dim> geometric_stiffness(const Packing<Dim>& packing, const NetworkContact<Dim>& contact);
+
 /// Returns the geometric springs of all contacts of a packing of grains with corners. If the grains of a contact move,
 /// its forces and moments change. The stiffnesses K_N and K_T of the contact point (contact_rows()) give one part of
 /// this change. The geometric springs give the symmetric part of the rest, for all forces of the contact.

@@ -114,7 +114,7 @@ void TangentMatrix<Dim>::reset(double regularisation) {
 
 template <int Dim>
 void TangentMatrix<Dim>::add(const NetworkContact<Dim>& c, const ConsistentStiffness<Dim>& d,
-                             const BoundaryColumns<Dim>& boundary) {
+                             const MotionMatrix<Dim>& geometric, const BoundaryColumns<Dim>& boundary) {
   constexpr int kRotationDofs = kRotations<Dim>;
   Sum sum(*this);
   const double size_i = grain_size_[c.i], size_j = grain_size_[c.j];
@@ -132,7 +132,7 @@ void TangentMatrix<Dim>::add(const NetworkContact<Dim>& c, const ConsistentStiff
   rows.on_i.template rightCols<kRotationDofs>() /= size_i;
   rows.on_j.template rightCols<kRotationDofs>() /= size_j;
   add_contact(c.i, c.j, rows.on_i, rows.on_j, felt, d, sum);
-  add_contact(c.i, c.j, of_grains.on_i, of_grains.on_j, moved, geometric_stiffness(c), sum);
+  add_contact(c.i, c.j, of_grains.on_i, of_grains.on_j, moved, geometric, sum);
   sum.border_row(c.i) += boundary.follow * of_grains.on_i.template topRows<Dim>();
   sum.border_row(c.j) += boundary.follow * of_grains.on_j.template topRows<Dim>();
   sum.boundary() += boundary.follow * boundary.displacement;

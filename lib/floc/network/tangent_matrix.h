@@ -5,6 +5,7 @@
 
 #include "floc/network/contact_blocks.h"
 #include "floc/network/contact_network.h"
+#include "floc/network/geometric_stiffness.h"
 
 namespace floc {
 
@@ -52,7 +53,13 @@ class TangentMatrix {
   /// @param d         derivatives of the forces of the contact with respect to the relative motion at the contact
   /// @param boundary  effect of the unknowns of the boundary on the contact
   void add(const NetworkContact<Dim>& contact, const ConsistentStiffness<Dim>& d,
-           const BoundaryColumns<Dim>& boundary);
+           const BoundaryColumns<Dim>& boundary) {
+    add(contact, d, geometric_stiffness(contact), boundary);
+  }
+
+  /// Adds a contact with a given geometric stiffness, which has the form of geometric_stiffness().
+  void add(const NetworkContact<Dim>& contact, const ConsistentStiffness<Dim>& d,
+           const MotionMatrix<Dim>& geometric, const BoundaryColumns<Dim>& boundary);
 
   /// Adds a matrix to the block of the boundary unknowns.
   void add_boundary(const Eigen::Ref<const Eigen::MatrixXd>& block);

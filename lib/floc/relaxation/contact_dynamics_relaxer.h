@@ -38,7 +38,10 @@ struct ContactDynamicsProgress {
   int n_rests = 0;        ///< number of times that elastic grains have begun the phase `resting`
   /// smallest residual of elastic grains in the phase `resting`, in units of the force scale; 0 before the first test
   double least_residual = 0.0;
-  int least_at = 0;          ///< number of steps of the phase `resting` after which least_residual was found
+  int least_at = 0;  ///< number of steps of the phase `resting` after which least_residual was found
+  /// largest residual of elastic grains before the last trial of balance_springs() in the phase `resting`; 0 before the
+  /// first trial
+  double tried_residual = 0.0;
   double rest_length = 0.0;  ///< longest time step of the phase `resting`, in units of T
   /// Sides of the cell before the strain (length).
   std::vector<double> side_before;
@@ -107,7 +110,8 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
   double boundary_rate(const Packing<Dim>& packing) const;
   double rate_cap(const Packing<Dim>& packing) const;
   bool is_gas() const;
-  bool is_calm(const Packing<Dim>& packing) const;
+  bool is_calm(const Packing<Dim>& packing, double factor) const;
+  bool motion_has_ended() const;
   void make_steps(int n_steps);
   bool forces_are_nearly_balanced() const;
   double near_balance() const;
@@ -122,6 +126,7 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
   RelaxationStatus rest_at_least_volume();
   RelaxationStatus rest_on_springs();
   bool springs_balance();
+  void accept(Packing<Dim> balanced);
   void start_moving(int more_calm_steps = 0);
   void measure();
 

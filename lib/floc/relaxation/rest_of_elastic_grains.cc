@@ -6,6 +6,7 @@
 
 #include "floc/packing/balance.h"
 #include "floc/relaxation/contact_dynamics_relaxer.h"
+#include "floc/relaxation/spring_balance.h"
 #include "floc/rigid/elastic_contacts.h"
 
 namespace floc {
@@ -15,6 +16,10 @@ namespace {
 constexpr int kNewtonSteps = 2;
 /// The Newton steps end as soon as all residuals, in the units of EquilibriumTolerance, are at most this number.
 constexpr double kBalanced = 1e-9;
+/// Newton iterations with the whole tangent matrix (balance_springs()) are tried if all residuals are at most kNearBalance,
+/// and again whenever the largest residual has fallen to kNextTrial times that of the last trial.
+constexpr double kNearBalance = 1.0;
+constexpr double kNextTrial = 0.1;
 /// Number of steps after which a packing within the tolerances of the scene is accepted, although its residuals are
 /// larger than kBalanced.
 constexpr int kEnoughSteps = 60;
@@ -23,6 +28,9 @@ constexpr int kEnoughSteps = 60;
 /// series begins.
 constexpr int kMostNewtonSteps = 200;
 constexpr int kMostStalledSteps = 60;
+/// The first series also ends without success if the residual is above kNearBalance after this number of steps: a packing
+/// that began at rest, without motion, then rearranges, which takes far less time in motion.
+constexpr int kMostFarSteps = 4;
 /// Number of series of Newton steps without success after which the relaxation is given up.
 constexpr int kMostRests = 6;
 /// Whenever the residual has not fallen to less than half in kStalledSteps steps, the next steps are half as long, but
@@ -64,13 +72,16 @@ void ContactDynamicsRelaxer<Dim>::start_moving(int more_calm_steps) {
 /// Makes time steps from rest, and ends the relaxation if the forces of the springs balance.
 template <int Dim>
 RelaxationStatus ContactDynamicsRelaxer<Dim>::rest_on_springs() {
+  if (progress_.resting_steps == 0 && springs_balance()) return RelaxationStatus::converged;
   make_steps(kNewtonSteps);
   progress_.resting_steps += kNewtonSteps;
   if (springs_balance()) return RelaxationStatus::converged;
   const int stalled = progress_.resting_steps - progress_.least_at;
   if (stalled > 0 && stalled % kStalledSteps == 0)
     progress_.rest_length = std::max(0.5 * progress_.rest_length, kShortestOnSprings);
-  const bool is_stuck = stalled >= kMostStalledSteps || progress_.resting_steps >= kMostNewtonSteps;
+  const bool is_far = progress_.n_rests == 1 && progress_.resting_steps >= kMostFarSteps &&
+                      progress_.least_residual > kNearBalance;
+  const bool is_stuck = is_far || stalled >= kMostStalledSteps || progress_.resting_steps >= kMostNewtonSteps;
   if (!is_stuck) return RelaxationStatus::running;
   if (progress_.n_rests < kMostRests) {
     start_moving();
@@ -100,6 +111,17 @@ bool ContactDynamicsRelaxer<Dim>::springs_balance() {
     progress_.least_residual = largest_of(reached);
     progress_.least_at = progress_.resting_steps;
   }
+  const double next_trial =
+      progress_.tried_residual > 0.0 ? kNextTrial * progress_.tried_residual : kNearBalance;
+  if (!rested.grains.are_round() && rested.walls.empty() && largest_of(reached) < next_trial) {
+    progress_.tried_residual = largest_of(reached);
+    SpringBalance<Dim> balanced = balance_springs(rested, load_, kBalanced);
+    if (balanced.converged && balanced.residuals.within(options_.tolerance) &&
+        stays_in_place(balanced.packing)) {
+      accept(std::move(balanced.packing));
+      return true;
+    }
+  }
   if (!reached.within(options_.tolerance)) {
     progress_.obstacle = worst_residual(reached, options_.tolerance, rested.grains.id);
     return false;
@@ -115,13 +137,17 @@ bool ContactDynamicsRelaxer<Dim>::springs_balance() {
     start_moving();
     return false;
   }
-  packing_ = std::move(rested);
-  stress_ = stress;
-  target_ = load_.stress_with(stress);
-  residuals_ = reached;
+  accept(std::move(rested));
+  return true;
+}
+
+/// Ends the relaxation with a packing whose springs balance.
+template <int Dim>
+void ContactDynamicsRelaxer<Dim>::accept(Packing<Dim> balanced) {
+  packing_ = std::move(balanced);
+  measure();
   stability_ = stability_at_rest(packing_);
   ending_ = "polished";
-  return true;
 }
 
 template void ContactDynamicsRelaxer<2>::start_moving(int);
@@ -130,5 +156,7 @@ template RelaxationStatus ContactDynamicsRelaxer<2>::rest_on_springs();
 template RelaxationStatus ContactDynamicsRelaxer<3>::rest_on_springs();
 template bool ContactDynamicsRelaxer<2>::springs_balance();
 template bool ContactDynamicsRelaxer<3>::springs_balance();
+template void ContactDynamicsRelaxer<2>::accept(Packing<2>);
+template void ContactDynamicsRelaxer<3>::accept(Packing<3>);
 
 }  // namespace floc

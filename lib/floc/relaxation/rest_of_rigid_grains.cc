@@ -127,7 +127,7 @@ void ContactDynamicsRelaxer<Dim>::start_resting() {
   ++progress_.n_rests;
   progress_.rest_length = kLongestOnSprings;
   progress_.resting_steps = progress_.least_at = 0;
-  progress_.least_residual = 0.0;
+  progress_.least_residual = progress_.tried_residual = 0.0;
 }
 
 template <int Dim>

@@ -11,6 +11,7 @@
 #include "floc/packing/body_name.h"
 #include "floc/packing/grain_sizes.h"
 #include "floc/packing/law/contact_forces.h"
+#include "floc/packing/rotation.h"
 #include "floc/packing/wall_forces.h"
 #include "floc/rigid/common_factor.h"
 #include "floc/rigid/elastic_contacts.h"
@@ -57,27 +58,6 @@ constexpr double kAtLimit = 1e-9;
 template <int Dim>
 bool sticks(const Contact<Dim>& c) {
   return c.gap <= 0.0 || c.elastic_force > 0.0;
-}
-
-template <int Dim>
-Orientation<Dim> turned(const Orientation<Dim>& orientation, const RotationVector<Dim>& angle) {
-  if constexpr (Dim == 2) {
-    return orientation + angle[0];
-  } else {
-    const double size = angle.norm();
-    if (size == 0.0) return orientation;
-    return (Eigen::Quaterniond(Eigen::AngleAxisd(size, angle / size)) * orientation).normalized();
-  }
-}
-
-/// Returns a vector after a rotation.
-template <int Dim>
-Vec<Dim> rotated(const Vec<Dim>& vector, const RotationVector<Dim>& angle) {
-  if constexpr (Dim == 2) {
-    return Eigen::Rotation2Dd(angle[0]) * vector;
-  } else {
-    return turned<3>(Eigen::Quaterniond::Identity(), angle) * vector;
-  }
 }
 
 /// Stops all grains, the cell, and the walls that move under a force.
@@ -378,7 +358,7 @@ Packing<Dim> ContactDynamics<Dim>::moved(const Trial& trial, double dt) const {
     g.velocity[i] = trial.motion.velocity[i];
     g.angular_velocity[i] = trial.motion.angular_velocity[i];
     g.position[i] += dt * (rate * g.position[i] + g.velocity[i]);
-    g.orientation[i] = turned<Dim>(g.orientation[i], dt * g.angular_velocity[i]);
+    g.orientation[i] = turned(g.orientation[i], RotationVector<Dim>(dt * g.angular_velocity[i]));
   }
   out.cell.matrix += dt * out.cell.matrix * rate.transpose();
   out.cell.velocity = out.cell.matrix * rate.transpose();
@@ -393,8 +373,8 @@ Packing<Dim> ContactDynamics<Dim>::moved(const Trial& trial, double dt) const {
   // The tangential forces of springs turn with the two grains.
   if (!out.law.is_rigid())
     for (Contact<Dim>& c : out.contacts)
-      c.shear_force =
-          rotated<Dim>(c.shear_force, 0.5 * dt * (g.angular_velocity[c.i] + g.angular_velocity[c.j]));
+      c.shear_force = rotated(
+          c.shear_force, RotationVector<Dim>(0.5 * dt * (g.angular_velocity[c.i] + g.angular_velocity[c.j])));
   return out;
 }
 

@@ -9,6 +9,7 @@
 #include "floc/base/interruption.h"
 #include "floc/packing/contact_order.h"
 #include "floc/packing/grain_sizes.h"
+#include "floc/packing/rotation.h"
 #include "floc/packing/wall_forces.h"
 #include "floc/rigid/contact_points.h"
 #include "floc/rigid/plane_equations.h"
@@ -317,11 +318,8 @@ class Descent {
       for (int a = 0; a < 3; ++a)
         if (unknowns_.stretch[a] >= 0) x[a] *= 1.0 + step[unknowns_.stretch[a]];
       x += step.segment<3>(at);
-      const Vec<3> turn = step.segment<3>(at + 3);
-      if (const double angle = turn.norm(); angle > 0.0) {
-        Eigen::Quaterniond& orientation = trial_.grains.orientation[i];
-        orientation = (Eigen::Quaterniond(Eigen::AngleAxisd(angle, turn / angle)) * orientation).normalized();
-      }
+      trial_.grains.orientation[i] =
+          turned(trial_.grains.orientation[i], RotationVector<3>(step.segment<3>(at + 3)));
     }
     trial_.vertices = GrainVertices(trial_.grains);
   }

@@ -123,7 +123,7 @@ TEST(ElasticShapes, ModuliOfPolygonsAreThoseOfRelaxedStrains) {
 
 TEST(ElasticShapes, ModuliOfPolyhedraAreThoseOfRelaxedStrains) {
   expect_moduli_of_strains<3>(16, kRoundedStones, 0.5, 1e-3);
-  expect_moduli_of_strains<3>(16, {.kind = CutOptions{}, .count = 10}, 0.5, 1e-3);
+  expect_moduli_of_strains<3>(18, {.kind = CutOptions{}, .count = 10}, 0.5, 1e-3);
   expect_moduli_of_strains<3>(9, {.kind = CapsuleOptions{1.5}}, 0.3, 1e-3);
 }
 
@@ -171,9 +171,10 @@ TEST(ElasticShapes, StressesOfImposedStrainsAreThoseOfTheModuli) {
 }
 
 /// Without friction, some motions of a packing have no stiffness. Residual forces couple these motions to the volume.
-/// Even then, B must not be smaller than its lower bound.
+/// Even then, B must have correct digits and not be smaller than its lower bound. With ModuliMethod::iterative, B without
+/// prestress may be the result of an iteration that starts from the solution with prestress.
 TEST(ElasticShapes, FrictionlessPackingsKeepTheirBounds) {
-  for (const int n : {20, 30, 40}) {
+  for (const int n : {20, 28, 33, 40, 59}) {
     const RigidEnd<2> end = relaxed(elastic_gas<2>(n, kRoundedPentagons, 1e4, 0.0));
     ASSERT_EQ(end.status, RelaxationStatus::converged) << end.reason;
     for (const ModuliMethod method :
@@ -187,7 +188,8 @@ TEST(ElasticShapes, FrictionlessPackingsKeepTheirBounds) {
       const Moduli plain = ModuliSequence<2>(options).next(end.packing, false);
       EXPECT_GE(plain.B, plain.bounds.B_reuss * (1.0 - 1e-4));
       EXPECT_LE(plain.B, plain.bounds.B_voigt);
-      EXPECT_EQ(*with.B_without_prestress, plain.B);
+      const double of_iteration = method == ModuliMethod::iterative ? 1e-9 * plain.B : 0.0;
+      EXPECT_NEAR(*with.B_without_prestress, plain.B, of_iteration);
       EXPECT_NEAR(with.B, plain.B, 0.01 * plain.B);
       EXPECT_GT(with.G, 0.0);
     }

@@ -1,0 +1,224 @@
+#include "floc/relaxation/spring_balance.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "floc/geometry/frame.h"
+#include "floc/linalg/tangent_solver.h"
+#include "floc/network/contact_network.h"
+#include "floc/network/geometric_springs.h"
+#include "floc/network/tangent_matrix.h"
+#include "floc/packing/balance.h"
+#include "floc/packing/grain_sizes.h"
+#include "floc/packing/law/contact_forces.h"
+#include "floc/packing/law/contact_response.h"
+#include "floc/packing/rotation.h"
+#include "floc/rigid/contact_points.h"
+#include "floc/rigid/elastic_contacts.h"
+
+namespace floc {
+namespace {
+
+constexpr int kMostCorrections = 12;
+/// Largest number of times that a step is halved because it does not reduce the largest residual.
+constexpr int kMostBacktracking = 6;
+/// Largest relative displacement of two grains in contact in one iteration, divided by the largest diameter.
+constexpr double kLargestStep = 2e-3;
+/// A step in which two grains in contact would move further than this, in the same units, is a mechanism.
+constexpr double kMechanism = 1e3;
+/// Stiffness on the diagonal of the tangent matrix, divided by the stiffness of the stiffest contact: it keeps grains
+/// without contacts in place.
+constexpr double kIdleStiffness = 1e-12;
+/// Net force that counts as a rounding error, divided by that of one contact whose gap is wrong by the rounding error of a
+/// position.
+constexpr double kRoundings = 4.0;
+
+template <int Dim>
+class SpringProblem {
+ public:
+  /// State of the packing in an iteration.
+  struct Configuration {
+    /// Packing whose tangential forces are those of springs without Coulomb's limit.
+    Packing<Dim> unlimited;
+    Packing<Dim> packing;  ///< packing with the forces of the contact law
+    Mat<Dim> stress;
+    Residuals residuals;
+    double worst = 0.0;  ///< largest residual
+  };
+
+  SpringProblem(const Packing<Dim>& start, const LoadTarget<Dim>& load)
+      : load_(load), length_(largest_diameter(start.grains)), size_(contact_network(start).grain_size) {
+    for (int a = 0; a < Dim; ++a)
+      if (!load.strained(a)) open_.push_back(a);
+  }
+
+  Configuration evaluated(Packing<Dim> unlimited) const {
+    Configuration out;
+    out.unlimited = std::move(unlimited);
+    out.packing = out.unlimited;
+    set_spring_forces(out.packing);
+    out.stress = static_stress(out.packing);
+    out.residuals = residuals(out.packing, load_.stress_with(out.stress), out.stress);
+    out.worst = std::max({out.residuals.force, out.residuals.moment, out.residuals.stress});
+    return out;
+  }
+
+  /// Returns the change of all unknowns in a Newton step: displacements of the grains, rotations times the sizes of the
+  /// grains, and strains times the largest diameter. Absent if the tangent matrix is singular.
+  std::optional<Eigen::VectorXd> newton_step(const Configuration& at) const {
+    const TangentMatrix<Dim> tangent = tangent_matrix(at);
+    const TangentLayout layout{kDofs<Dim>, n_strains()};
+    TangentSolver solver(Dim == 2 ? TangentPlan{} : plan_tangent(tangent.matrix(), layout), layout);
+    if (!solver.set_matrix(tangent.matrix())) return std::nullopt;
+    return solver.solve(net_loads(at));
+  }
+
+  /// Returns the largest relative displacement of two grains in contact, divided by the largest diameter.
+  double relative_displacement(const Configuration& at, const Eigen::VectorXd& step) const {
+    double largest = 0.0;
+    for (const Contact<Dim>& c : at.packing.contacts) largest = std::max(largest, displacement(c, step).norm());
+    return largest / length_;
+  }
+
+  /// Returns the configuration after the change `step` of all unknowns.
+  Configuration moved(const Configuration& from, const Eigen::VectorXd& step) const {
+    Packing<Dim> to = from.unlimited;
+    const Mat<Dim> strain = strain_of(step);
+    for (std::size_t k = 0; k < to.contacts.size(); ++k) {
+      Contact<Dim>& c = to.contacts[k];
+      const Vec<Dim> slip = displacement(c, step);
+      c.shear_force += from.packing.contacts[k].kt * (slip - c.normal.dot(slip) * c.normal);
+      c.shear_force =
+          rotated(c.shear_force, RotationVector<Dim>(0.5 * (rotation(c.i, step) + rotation(c.j, step))));
+    }
+    Grains<Dim>& g = to.grains;
+    g.position_low.clear();
+    for (int i = 0; i < g.size(); ++i) {
+      g.position[i] += strain * g.position[i] + step.segment<Dim>(first_unknown<Dim>(i));
+      g.orientation[i] = turned(g.orientation[i], rotation(i, step));
+    }
+    to.cell.matrix += to.cell.matrix * strain.transpose();
+    const std::vector<Contact<Dim>> before = std::move(to.contacts);
+    to.contacts = ContactPoints<Dim>().find(to, 0.0);
+    carry_forces(to, before, to.contacts);
+    return evaluated(std::move(to));
+  }
+
+ private:
+  int n_strains() const { return static_cast<int>(open_.size()); }
+
+  RotationVector<Dim> rotation(int i, const Eigen::VectorXd& step) const {
+    return step.segment<kRotations<Dim>>(first_unknown<Dim>(i) + Dim) / size_[static_cast<std::size_t>(i)];
+  }
+  Mat<Dim> strain_of(const Eigen::VectorXd& step) const {
+    Mat<Dim> strain = Mat<Dim>::Zero();
+    for (int s = 0; s < n_strains(); ++s)
+      strain(open_[s], open_[s]) = step[step.size() - n_strains() + s] / length_;
+    return strain;
+  }
+  /// Returns the displacement of the surface of the second grain of a contact relative to that of the first.
+  Vec<Dim> displacement(const Contact<Dim>& c, const Eigen::VectorXd& step) const {
+    const auto of_grain = [&](int i, const Vec<Dim>& arm) {
+      return Vec<Dim>(step.segment<Dim>(first_unknown<Dim>(i)) + cross<double>(rotation(i, step), arm));
+    };
+    return of_grain(c.j, c.arm_j) - of_grain(c.i, c.arm_i) + strain_of(step) * (c.arm_i - c.arm_j);
+  }
+
+  TangentMatrix<Dim> tangent_matrix(const Configuration& at) const {
+    const Packing<Dim>& packing = at.packing;
+    const ContactNetwork<Dim> network = contact_network(packing);
+    std::vector<Contact<Dim>> springs = at.unlimited.contacts;
+    for (Contact<Dim>& c : springs) set_given_forces(packing, {}, {}, 0.0, c);
+    std::vector<Mat<Dim>> frames;
+    for (const NetworkContact<Dim>& c : network.contacts) frames.push_back(c.frame);
+    const std::vector<SurfaceMotion<Dim>> unmoved(springs.size());
+    std::vector<ContactTangent<Dim>> tangents(springs.size());
+    contact_tangents<Dim>(packing, springs, unmoved, frames, tangents);
+    TangentMatrix<Dim> out(size_, contact_graph(packing.grains.size(), packing.contacts), n_strains());
+    out.reset(kIdleStiffness * stiffness_scale(network));
+    for (std::size_t k = 0; k < springs.size(); ++k) {
+      const NetworkContact<Dim>& c = network.contacts[k];
+      out.add(c, tangents[k], geometric_stiffness(packing, c), boundary_columns(c));
+    }
+    // A strain changes the volume, and with it the load of the imposed stress.
+    Eigen::MatrixXd of_load(n_strains(), n_strains());
+    for (int s = 0; s < n_strains(); ++s)
+      of_load.row(s).setConstant(packing.cell.volume() * load_.stress[open_[s]] / (length_ * length_));
+    out.add_boundary(of_load);
+    return out;
+  }
+
+  BoundaryColumns<Dim> boundary_columns(const NetworkContact<Dim>& c) const {
+    const Vec<Dim> on_i = c.shear_force - c.normal_force * c.normal();
+    BoundaryColumns<Dim> columns;
+    columns.displacement.setZero(Dim, n_strains());
+    columns.follow.setZero(n_strains(), Dim);
+    for (int s = 0; s < n_strains(); ++s) {
+      columns.displacement(open_[s], s) = c.branch[open_[s]] / length_;
+      columns.follow(s, open_[s]) = on_i[open_[s]] / length_;
+    }
+    return columns;
+  }
+
+  /// Returns the load on each unknown: net force, net moment divided by the size of the grain, and the difference
+  /// between the stress and its target, multiplied by the volume and divided by the largest diameter.
+  Eigen::VectorXd net_loads(const Configuration& at) const {
+    const Balance<Dim> net = net_forces(at.packing);
+    const int n = at.packing.grains.size();
+    Eigen::VectorXd out(kDofs<Dim> * n + n_strains());
+    for (int i = 0; i < n; ++i)
+      out.segment<kDofs<Dim>>(first_unknown<Dim>(i)) << net.force[i],
+          net.moment[i] / size_[static_cast<std::size_t>(i)];
+    for (int s = 0; s < n_strains(); ++s) {
+      const int a = open_[s];
+      out[kDofs<Dim> * n + s] = at.packing.cell.volume() * (at.stress(a, a) - load_.stress[a]) / length_;
+    }
+    return out;
+  }
+
+  LoadTarget<Dim> load_;
+  double length_;             // largest diameter
+  std::vector<double> size_;  // size of each grain
+  std::vector<int> open_;     // axes under stress
+};
+
+/// Returns the net force, in units of the force scale, that rounding of the positions may cause on a grain.
+template <int Dim>
+double rounding_of_forces(const Packing<Dim>& packing, const Vec<Dim>& stress) {
+  double stiffness = 0.0;
+  for (const Contact<Dim>& c : packing.contacts) stiffness = std::max(stiffness, c.kn);
+  const double length = packing.cell.matrix.diagonal().maxCoeff();
+  return kRoundings * std::numeric_limits<double>::epsilon() * stiffness * length /
+         force_scale(packing, stress).force;
+}
+
+}  // namespace
+
+template <int Dim>
+SpringBalance<Dim> balance_springs(const Packing<Dim>& start, const LoadTarget<Dim>& load, double target) {
+  const SpringProblem<Dim> problem(start, load);
+  typename SpringProblem<Dim>::Configuration now = problem.evaluated(start);
+  const double reachable = std::max(target, rounding_of_forces(now.packing, load.stress_with(now.stress)));
+  for (int n = 0; n < kMostCorrections && now.worst > reachable; ++n) {
+    std::optional<Eigen::VectorXd> step = problem.newton_step(now);
+    if (!step) break;
+    const double length = problem.relative_displacement(now, *step);
+    if (!(length < kMechanism)) break;
+    if (length > kLargestStep) *step *= kLargestStep / length;
+    auto next = problem.moved(now, *step);
+    // Contacts that open, close or begin to slide change the stiffness within a step.
+    for (int halvings = 0; next.worst >= now.worst && halvings < kMostBacktracking; ++halvings) {
+      *step *= 0.5;
+      next = problem.moved(now, *step);
+    }
+    if (next.worst >= now.worst) break;
+    now = std::move(next);
+  }
+  return {std::move(now.packing), now.residuals, now.worst <= reachable};
+}
+
+template SpringBalance<2> balance_springs(const Packing<2>&, const LoadTarget<2>&, double);
+template SpringBalance<3> balance_springs(const Packing<3>&, const LoadTarget<3>&, double);
+
+}  // namespace floc

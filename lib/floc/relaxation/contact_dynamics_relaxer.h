@@ -66,9 +66,9 @@ struct ContactDynamicsProgress {
 /// forces.
 ///
 /// Elastic grains with corners go through the first two phases in the same way, with the springs of their contacts
-/// (rigid/elastic_contacts.h). In phase 2 all contacts of a step are solved at once. Each step is then a Newton step
-/// towards the balance of all forces. The relaxation ends when the forces of the contact law balance all grains and the
-/// stress.
+/// (rigid/elastic_contacts.h). In phase 2 all contacts of a step are solved at once. Near the balance, Newton iterations
+/// with the whole tangent matrix are tried (balance_springs()). The relaxation ends when the forces of the contact law
+/// balance all grains and the stress.
 ///
 /// If the load changes a length or shears the cell, the relaxation begins by straining the cell. Rigid grains are
 /// strained at a constant rate (ContactDynamicsOptions::inertial_number). The relaxation ends when their packing
@@ -126,6 +126,7 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
   RelaxationStatus rest_at_least_volume();
   RelaxationStatus rest_on_springs();
   bool springs_balance();
+  bool newton_iterations_balance(const Packing<Dim>& rested, double residual);
   void accept(Packing<Dim> balanced);
   void start_moving(int more_calm_steps = 0);
   void measure();

@@ -20,6 +20,9 @@ constexpr double kBalanced = 1e-9;
 /// and again whenever the largest residual has fallen to kNextTrial times that of the last trial.
 constexpr double kNearBalance = 1.0;
 constexpr double kNextTrial = 0.1;
+/// A packing at rest moves under its load, before any Newton step, if a residual is above this number: its springs carry
+/// half of the load or less.
+constexpr double kSmallChange = 0.5;
 /// Number of steps after which a packing within the tolerances of the scene is accepted, although its residuals are
 /// larger than kBalanced.
 constexpr int kEnoughSteps = 60;
@@ -28,9 +31,6 @@ constexpr int kEnoughSteps = 60;
 /// series begins.
 constexpr int kMostNewtonSteps = 200;
 constexpr int kMostStalledSteps = 60;
-/// The first series also ends without success if the residual is above kNearBalance after this number of steps: a packing
-/// that began at rest, without motion, then rearranges, which takes far less time in motion.
-constexpr int kMostFarSteps = 4;
 /// Number of series of Newton steps without success after which the relaxation is given up.
 constexpr int kMostRests = 6;
 /// Whenever the residual has not fallen to less than half in kStalledSteps steps, the next steps are half as long, but
@@ -72,16 +72,23 @@ void ContactDynamicsRelaxer<Dim>::start_moving(int more_calm_steps) {
 /// Makes time steps from rest, and ends the relaxation if the forces of the springs balance.
 template <int Dim>
 RelaxationStatus ContactDynamicsRelaxer<Dim>::rest_on_springs() {
-  if (progress_.resting_steps == 0 && springs_balance()) return RelaxationStatus::converged;
+  if (progress_.resting_steps == 0) {
+    if (springs_balance()) return RelaxationStatus::converged;
+    if (progress_.phase != ContactDynamicsProgress::resting) return RelaxationStatus::running;
+    // A packing that began at rest rearranges if it is far from a balance. This takes far less time in motion than in
+    // Newton steps.
+    if (progress_.time == 0.0 && progress_.least_residual > kSmallChange) {
+      start_moving();
+      return RelaxationStatus::running;
+    }
+  }
   make_steps(kNewtonSteps);
   progress_.resting_steps += kNewtonSteps;
   if (springs_balance()) return RelaxationStatus::converged;
   const int stalled = progress_.resting_steps - progress_.least_at;
   if (stalled > 0 && stalled % kStalledSteps == 0)
     progress_.rest_length = std::max(0.5 * progress_.rest_length, kShortestOnSprings);
-  const bool is_far = progress_.n_rests == 1 && progress_.resting_steps >= kMostFarSteps &&
-                      progress_.least_residual > kNearBalance;
-  const bool is_stuck = is_far || stalled >= kMostStalledSteps || progress_.resting_steps >= kMostNewtonSteps;
+  const bool is_stuck = stalled >= kMostStalledSteps || progress_.resting_steps >= kMostNewtonSteps;
   if (!is_stuck) return RelaxationStatus::running;
   if (progress_.n_rests < kMostRests) {
     start_moving();
@@ -111,17 +118,7 @@ bool ContactDynamicsRelaxer<Dim>::springs_balance() {
     progress_.least_residual = largest_of(reached);
     progress_.least_at = progress_.resting_steps;
   }
-  const double next_trial =
-      progress_.tried_residual > 0.0 ? kNextTrial * progress_.tried_residual : kNearBalance;
-  if (!rested.grains.are_round() && rested.walls.empty() && largest_of(reached) < next_trial) {
-    progress_.tried_residual = largest_of(reached);
-    SpringBalance<Dim> balanced = balance_springs(rested, load_, kBalanced);
-    if (balanced.converged && balanced.residuals.within(options_.tolerance) &&
-        stays_in_place(balanced.packing)) {
-      accept(std::move(balanced.packing));
-      return true;
-    }
-  }
+  if (newton_iterations_balance(rested, largest_of(reached))) return true;
   if (!reached.within(options_.tolerance)) {
     progress_.obstacle = worst_residual(reached, options_.tolerance, rested.grains.id);
     return false;
@@ -141,6 +138,22 @@ bool ContactDynamicsRelaxer<Dim>::springs_balance() {
   return true;
 }
 
+/// Tries to balance the springs of a packing at rest by Newton iterations with the whole tangent matrix, and ends the
+/// relaxation if this succeeds. Nothing is tried if the residual is too large, or nearly as large as in the last trial.
+/// @param residual  largest residual of the packing, in the units of EquilibriumTolerance
+template <int Dim>
+bool ContactDynamicsRelaxer<Dim>::newton_iterations_balance(const Packing<Dim>& rested, double residual) {
+  if (rested.grains.are_round() || !rested.walls.empty()) return false;
+  const bool is_first = progress_.tried_residual == 0.0;
+  if (residual > (is_first ? kNearBalance : kNextTrial * progress_.tried_residual)) return false;
+  progress_.tried_residual = residual;
+  SpringBalance<Dim> balanced = balance_springs(rested, load_, kBalanced);
+  if (!balanced.converged || !balanced.residuals.within(options_.tolerance)) return false;
+  if (!stays_in_place(balanced.packing)) return false;
+  accept(std::move(balanced.packing));
+  return true;
+}
+
 /// Ends the relaxation with a packing whose springs balance.
 template <int Dim>
 void ContactDynamicsRelaxer<Dim>::accept(Packing<Dim> balanced) {
@@ -156,6 +169,8 @@ template RelaxationStatus ContactDynamicsRelaxer<2>::rest_on_springs();
 template RelaxationStatus ContactDynamicsRelaxer<3>::rest_on_springs();
 template bool ContactDynamicsRelaxer<2>::springs_balance();
 template bool ContactDynamicsRelaxer<3>::springs_balance();
+template bool ContactDynamicsRelaxer<2>::newton_iterations_balance(const Packing<2>&, double);
+template bool ContactDynamicsRelaxer<3>::newton_iterations_balance(const Packing<3>&, double);
 template void ContactDynamicsRelaxer<2>::accept(Packing<2>);
 template void ContactDynamicsRelaxer<3>::accept(Packing<3>);
 

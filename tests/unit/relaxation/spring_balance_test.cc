@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "floc/packing/balance.h"
@@ -25,8 +26,8 @@ double largest_residual(const Packing<Dim>& packing) {
   return std::max({r.force, r.moment, r.stress});
 }
 
-/// Returns a packing after random displacements of its grains, and their rotations, by at most `size` (2D: the
-/// rotations; in 3D only displacements).
+/// Returns a packing after random displacements of its grains by at most `size` along each axis and, in 2D, rotations by
+/// at most this angle.
 template <int Dim>
 Packing<Dim> shaken(const Packing<Dim>& rested, double size) {
   Packing<Dim> out = rested;
@@ -83,8 +84,8 @@ TEST(SpringBalance, ImposedLengthsStay) {
   EXPECT_NEAR(static_stress(found.packing)(1, 1), load.stress[1], kBalanced);
 }
 
-/// A grain whose contacts have been removed cannot bear the others: there is no balance nearby, and the residual must not
-/// have grown.
+/// A grain that is displaced by a twentieth of a diameter overlaps its neighbours deeply: there is no balance nearby, and
+/// the residual must not grow.
 TEST(SpringBalance, SaysThatThereIsNoBalance) {
   RigidEnd<2> rested = relaxed(elastic_gas<2>(30, {.kind = PolygonOptions{5}}, 1e4, 0.5));
   ASSERT_EQ(rested.status, RelaxationStatus::converged) << rested.reason;

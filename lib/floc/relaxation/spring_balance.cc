@@ -14,19 +14,14 @@
 #include "floc/packing/law/contact_forces.h"
 #include "floc/packing/law/contact_response.h"
 #include "floc/packing/rotation.h"
+#include "floc/relaxation/free_strains.h"
+#include "floc/relaxation/newton_move.h"
 #include "floc/rigid/contact_points.h"
 #include "floc/rigid/elastic_contacts.h"
 
 namespace floc {
 namespace {
 
-constexpr int kMostCorrections = 12;
-/// Largest number of times that a step is halved because it does not reduce the largest residual.
-constexpr int kMostBacktracking = 6;
-/// Largest relative displacement of two grains in contact in one iteration, divided by the largest diameter.
-constexpr double kLargestStep = 2e-3;
-/// A step in which two grains in contact would move further than this, in the same units, is a mechanism.
-constexpr double kMechanism = 1e3;
 /// Stiffness on the diagonal of the tangent matrix, divided by the stiffness of the stiffest contact: it keeps grains
 /// without contacts in place.
 constexpr double kIdleStiffness = 1e-12;
@@ -34,6 +29,8 @@ constexpr double kIdleStiffness = 1e-12;
 /// position.
 constexpr double kRoundings = 4.0;
 
+/// Equations of the static equilibrium of elastic grains with corners. The unknowns are the displacement and the rotation
+/// (times the size) of each grain, followed by the strains of the axes under stress (FreeStrains).
 template <int Dim>
 class SpringProblem {
  public:
@@ -48,9 +45,13 @@ class SpringProblem {
   };
 
   SpringProblem(const Packing<Dim>& start, const LoadTarget<Dim>& load)
-      : load_(load), length_(largest_diameter(start.grains)), size_(contact_network(start).grain_size) {
-    for (int a = 0; a < Dim; ++a)
-      if (!load.strained(a)) open_.push_back(a);
+      : load_(load), size_(contact_network(start).grain_size) {
+    strains_.length = largest_diameter(start.grains);
+    for (int a = 0; a < Dim; ++a) {
+      if (load.strained(a)) continue;
+      strains_.axes.push_back({a, a});
+      strains_.stress.push_back(load.stress[a]);
+    }
   }
 
   Configuration evaluated(Packing<Dim> unlimited) const {
@@ -75,16 +76,16 @@ class SpringProblem {
   }
 
   /// Returns the largest relative displacement of two grains in contact, divided by the largest diameter.
-  double relative_displacement(const Configuration& at, const Eigen::VectorXd& step) const {
+  double largest_relative_displacement(const Configuration& at, const Eigen::VectorXd& step) const {
     double largest = 0.0;
     for (const Contact<Dim>& c : at.packing.contacts) largest = std::max(largest, displacement(c, step).norm());
-    return largest / length_;
+    return largest / strains_.length;
   }
 
   /// Returns the configuration after the change `step` of all unknowns.
   Configuration moved(const Configuration& from, const Eigen::VectorXd& step) const {
     Packing<Dim> to = from.unlimited;
-    const Mat<Dim> strain = strain_of(step);
+    const Mat<Dim> strain = strains_.strain_of(step);
     for (std::size_t k = 0; k < to.contacts.size(); ++k) {
       Contact<Dim>& c = to.contacts[k];
       const Vec<Dim> slip = displacement(c, step);
@@ -106,23 +107,17 @@ class SpringProblem {
   }
 
  private:
-  int n_strains() const { return static_cast<int>(open_.size()); }
+  int n_strains() const { return strains_.size(); }
 
   RotationVector<Dim> rotation(int i, const Eigen::VectorXd& step) const {
     return step.segment<kRotations<Dim>>(first_unknown<Dim>(i) + Dim) / size_[static_cast<std::size_t>(i)];
-  }
-  Mat<Dim> strain_of(const Eigen::VectorXd& step) const {
-    Mat<Dim> strain = Mat<Dim>::Zero();
-    for (int s = 0; s < n_strains(); ++s)
-      strain(open_[s], open_[s]) = step[step.size() - n_strains() + s] / length_;
-    return strain;
   }
   /// Returns the displacement of the surface of the second grain of a contact relative to that of the first.
   Vec<Dim> displacement(const Contact<Dim>& c, const Eigen::VectorXd& step) const {
     const auto of_grain = [&](int i, const Vec<Dim>& arm) {
       return Vec<Dim>(step.segment<Dim>(first_unknown<Dim>(i)) + cross<double>(rotation(i, step), arm));
     };
-    return of_grain(c.j, c.arm_j) - of_grain(c.i, c.arm_i) + strain_of(step) * (c.arm_i - c.arm_j);
+    return of_grain(c.j, c.arm_j) - of_grain(c.i, c.arm_i) + strains_.strain_of(step) * (c.arm_i - c.arm_j);
   }
 
   TangentMatrix<Dim> tangent_matrix(const Configuration& at) const {
@@ -139,26 +134,10 @@ class SpringProblem {
     out.reset(kIdleStiffness * stiffness_scale(network));
     for (std::size_t k = 0; k < springs.size(); ++k) {
       const NetworkContact<Dim>& c = network.contacts[k];
-      out.add(c, tangents[k], geometric_stiffness(packing, c), boundary_columns(c));
+      out.add(c, tangents[k], geometric_stiffness(packing, c), strains_.columns(c));
     }
-    // A strain changes the volume, and with it the load of the imposed stress.
-    Eigen::MatrixXd of_load(n_strains(), n_strains());
-    for (int s = 0; s < n_strains(); ++s)
-      of_load.row(s).setConstant(packing.cell.volume() * load_.stress[open_[s]] / (length_ * length_));
-    out.add_boundary(of_load);
+    out.add_boundary(strains_.load_derivatives(packing.cell.volume()));
     return out;
-  }
-
-  BoundaryColumns<Dim> boundary_columns(const NetworkContact<Dim>& c) const {
-    const Vec<Dim> on_i = c.shear_force - c.normal_force * c.normal();
-    BoundaryColumns<Dim> columns;
-    columns.displacement.setZero(Dim, n_strains());
-    columns.follow.setZero(n_strains(), Dim);
-    for (int s = 0; s < n_strains(); ++s) {
-      columns.displacement(open_[s], s) = c.branch[open_[s]] / length_;
-      columns.follow(s, open_[s]) = on_i[open_[s]] / length_;
-    }
-    return columns;
   }
 
   /// Returns the load on each unknown: net force, net moment divided by the size of the grain, and the difference
@@ -171,16 +150,16 @@ class SpringProblem {
       out.segment<kDofs<Dim>>(first_unknown<Dim>(i)) << net.force[i],
           net.moment[i] / size_[static_cast<std::size_t>(i)];
     for (int s = 0; s < n_strains(); ++s) {
-      const int a = open_[s];
-      out[kDofs<Dim> * n + s] = at.packing.cell.volume() * (at.stress(a, a) - load_.stress[a]) / length_;
+      const int a = strains_.axes[s][0];
+      out[kDofs<Dim> * n + s] =
+          at.packing.cell.volume() * (at.stress(a, a) - strains_.stress[s]) / strains_.length;
     }
     return out;
   }
 
   LoadTarget<Dim> load_;
-  double length_;             // largest diameter
   std::vector<double> size_;  // size of each grain
-  std::vector<int> open_;     // axes under stress
+  FreeStrains<Dim> strains_;
 };
 
 /// Returns the net force, in units of the force scale, that rounding of the positions may cause on a grain.
@@ -200,20 +179,13 @@ SpringBalance<Dim> balance_springs(const Packing<Dim>& start, const LoadTarget<D
   const SpringProblem<Dim> problem(start, load);
   typename SpringProblem<Dim>::Configuration now = problem.evaluated(start);
   const double reachable = std::max(target, rounding_of_forces(now.packing, load.stress_with(now.stress)));
-  for (int n = 0; n < kMostCorrections && now.worst > reachable; ++n) {
-    std::optional<Eigen::VectorXd> step = problem.newton_step(now);
+  const StaticSolverOptions options;
+  for (int n = 0; n < options.max_iterations && now.worst > reachable; ++n) {
+    const std::optional<Eigen::VectorXd> step = problem.newton_step(now);
     if (!step) break;
-    const double length = problem.relative_displacement(now, *step);
-    if (!(length < kMechanism)) break;
-    if (length > kLargestStep) *step *= kLargestStep / length;
-    auto next = problem.moved(now, *step);
-    // Contacts that open, close or begin to slide change the stiffness within a step.
-    for (int halvings = 0; next.worst >= now.worst && halvings < kMostBacktracking; ++halvings) {
-      *step *= 0.5;
-      next = problem.moved(now, *step);
-    }
-    if (next.worst >= now.worst) break;
-    now = std::move(next);
+    auto move = newton_move(problem, now, *step, options);
+    if (!move || move->next.worst >= now.worst) break;
+    now = std::move(move->next);
   }
   return {std::move(now.packing), now.residuals, now.worst <= reachable};
 }

@@ -22,6 +22,8 @@
 #include "floc/packing/liquid/liquid.h"
 #include "floc/packing/locate.h"
 #include "floc/packing/require_periodic.h"
+#include "floc/relaxation/free_strains.h"
+#include "floc/relaxation/newton_move.h"
 
 namespace floc {
 namespace {
@@ -100,10 +102,11 @@ class StaticProblem {
       : start_(start),
         scale_(force_scale(start, Vec<Dim>(Vec<Dim>::Constant(control.mean_stress())))),
         quantities_(history_quantities(start.law, Dim)) {
+    strains_.length = scale_.length;
     for (int k = 0; k < kSymmetric<Dim>; ++k) {
       if (control.imposed[k] != Imposed::stress) continue;
-      strains_.push_back(component_axes<Dim>(k));
-      target_stress_.push_back(control.target[k]);
+      strains_.axes.push_back(component_axes<Dim>(k));
+      strains_.stress.push_back(control.target[k]);
     }
     initial_ = start_from(2.0 * options.largest_displacement * scale_.length);
     stiffness_ = 0.0;
@@ -129,7 +132,7 @@ class StaticProblem {
 
   /// Returns the configuration after the change `step` of all unknowns (positions, rotations and free strains).
   Configuration<Dim> moved(const Configuration<Dim>& from, const Eigen::VectorXd& step) const {
-    return moved(from, step, strain_of(step));
+    return moved(from, step, strains_.strain_of(step));
   }
 
   /// Returns the configuration at the end of a strain ramp: the cell has its final lengths and offset, and the grains
@@ -186,7 +189,7 @@ class StaticProblem {
     double largest = 0.0;
     for (std::size_t k = 0; k < at.contacts.size(); ++k)
       if (interacts(at.contacts[k]))
-        largest = std::max(largest, relative_displacement(at, k, step, strain_of(step)).norm());
+        largest = std::max(largest, relative_displacement(at, k, step, strains_.strain_of(step)).norm());
     return largest / scale_.length;
   }
 
@@ -197,14 +200,11 @@ class StaticProblem {
     contact_tangents<Dim>(start_, at.remembered, at.motion, frames, tangents);
     matrix.reset(kRegularisation * stiffness_);
     for (std::size_t k = 0; k < frames.size(); ++k)
-      if (interacts(at.contacts[k]))
-        matrix.add(network_contact(at, k, frames[k]), tangents[k], boundary_columns(at, k));
-    Eigen::MatrixXd load = Eigen::MatrixXd::Zero(n_strains(), n_strains());
-    for (int p = 0; p < n_strains(); ++p)
-      for (int q = 0; q < n_strains(); ++q)
-        if (strains_[q][0] == strains_[q][1])
-          load(p, q) = at.cell.volume() * target_stress_[p] / (scale_.length * scale_.length);
-    matrix.add_boundary(load);
+      if (interacts(at.contacts[k])) {
+        const NetworkContact<Dim> contact = network_contact(at, k, frames[k]);
+        matrix.add(contact, tangents[k], strains_.columns(contact));
+      }
+    matrix.add_boundary(strains_.load_derivatives(at.cell.volume()));
   }
 
   /// Whether any two grains interact although they are not a candidate contact. The candidates are all pairs that
@@ -246,7 +246,7 @@ class StaticProblem {
 
  private:
   int n_grains() const { return start_.grains.size(); }
-  int n_strains() const { return static_cast<int>(strains_.size()); }
+  int n_strains() const { return strains_.size(); }
   int order() const { return kDofs<Dim> * n_grains() + n_strains(); }
   double radii(const Contact<Dim>& c) const { return start_.grains.radius[c.i] + start_.grains.radius[c.j]; }
   double share_i(const Contact<Dim>& c) const {
@@ -317,12 +317,6 @@ class StaticProblem {
   RotationVector<Dim> rotation_of(const Eigen::VectorXd& step, int i) const {
     return step.segment<kRotations<Dim>>(first_unknown<Dim>(i) + Dim) / start_.grains.radius[i];
   }
-  Mat<Dim> strain_of(const Eigen::VectorXd& step) const {
-    Mat<Dim> strain = Mat<Dim>::Zero();
-    for (int k = 0; k < n_strains(); ++k)
-      strain(strains_[k][0], strains_[k][1]) = step[order() - n_strains() + k] / scale_.length;
-    return strain;
-  }
   /// Returns the strain e that deforms the lattice matrix `from` into `to` = `from` (1 + e)^T.
   static Mat<Dim> strain_between(const Mat<Dim>& from, const Mat<Dim>& to) {
     return from.template triangularView<Eigen::Lower>().solve(Mat<Dim>(to - from)).transpose();
@@ -345,7 +339,7 @@ class StaticProblem {
     at.n_contacts = at.n_mobilised = 0;
     auto stress_balance = at.residual.tail(n_strains());
     for (int k = 0; k < n_strains(); ++k)
-      stress_balance[k] = -at.cell.volume() * target_stress_[k] / scale_.length;
+      stress_balance[k] = -at.cell.volume() * strains_.stress[k] / scale_.length;
     const std::vector<double>& radius = start_.grains.radius;
     for (std::size_t k = 0; k < at.contacts.size(); ++k) {
       const Contact<Dim>& c = at.contacts[k];
@@ -361,7 +355,7 @@ class StaticProblem {
       at.residual.template segment<kRotationDofs>(first_i + Dim) += shear_moment + of_springs / radius[c.i];
       at.residual.template segment<kRotationDofs>(first_j + Dim) += shear_moment - of_springs / radius[c.j];
       for (int s = 0; s < n_strains(); ++s)
-        stress_balance[s] -= on_i[strains_[s][0]] * at.branch[k][strains_[s][1]] / scale_.length;
+        stress_balance[s] -= on_i[strains_.axes[s][0]] * at.branch[k][strains_.axes[s][1]] / scale_.length;
       at.n_contacts += !c.distant;
       at.n_mobilised += c.is_mobilised();
     }
@@ -403,24 +397,10 @@ class StaticProblem {
     return out;
   }
 
-  BoundaryColumns<Dim> boundary_columns(const Configuration<Dim>& at, std::size_t k) const {
-    const Vec<Dim> on_i = force_on_i(at.contacts[k]);
-    BoundaryColumns<Dim> columns;
-    columns.displacement.setZero(Dim, n_strains());
-    columns.follow.setZero(n_strains(), Dim);
-    for (int s = 0; s < n_strains(); ++s) {
-      const auto [along, by] = strains_[s];
-      columns.displacement(along, s) = at.branch[k][by] / scale_.length;
-      columns.follow(s, by) = on_i[along] / scale_.length;
-    }
-    return columns;
-  }
-
   const Packing<Dim>& start_;
   ForceScale scale_;
   std::vector<HistoryQuantity> quantities_;  // history variables of contacts under the contact law
-  std::vector<std::array<int, 2>> strains_;  // axes (a, b) of each free strain
-  std::vector<double> target_stress_;        // imposed stress for each free strain (force/length^(Dim-1))
+  FreeStrains<Dim> strains_;
   Configuration<Dim> initial_;
   double stiffness_;  // normal stiffness of the stiffest contact (force/length)
 };
@@ -485,35 +465,18 @@ StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryContr
       solution.reason = "the iterative solution of the linear system for a Newton step did not converge";
       break;
     }
-    Eigen::VectorXd step = *solved;
-    double length = problem.largest_relative_displacement(now, step);
-    // A motion without stiffness has only the stiffness of the regularisation, so that a small residual along this
-    // motion gives a huge step.
-    if (!(length < 1e3)) {
+    auto move = newton_move(problem, now, *solved, options);
+    if (!move) {
       solution.reason = "the packing has a mechanism (a motion without stiffness)";
       break;
     }
-    if (length > options.largest_step) {
-      step *= options.largest_step / length;
-      length = options.largest_step;
-    }
-    // Springs that reach their caps and contacts that open or close change the tangent stiffness within a step. A full
-    // Newton step can therefore increase the residual, whereas a shorter step may reduce it.
-    int halvings = 0;
-    Configuration<Dim> next = problem.moved(now, step);
-    while (next.worst >= now.worst && halvings < options.max_backtracking) {
-      step *= 0.5;
-      length *= 0.5;
-      next = problem.moved(now, step);
-      ++halvings;
-    }
-    travelled += length;
-    if (next.worst >= now.worst || travelled > options.largest_displacement) {
-      solution.reason = next.worst >= now.worst ? "a Newton step no longer reduces the residual"
-                                                : "the equilibrium is too far from the initial state";
+    travelled += move->length;
+    if (move->next.worst >= now.worst || travelled > options.largest_displacement) {
+      solution.reason = move->next.worst >= now.worst ? "a Newton step no longer reduces the residual"
+                                                      : "the equilibrium is too far from the initial state";
       break;
     }
-    now = std::move(next);
+    now = std::move(move->next);
   }
   solution.converged = now.worst <= target_residual;
   if (solution.converged && problem.meets_others(now)) {

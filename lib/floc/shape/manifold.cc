@@ -137,7 +137,7 @@ class PairSearch {
           if (Manifold<Dim> found = of_face(axis, of_second); is_as_deep_as(gap, found)) return found;
       if constexpr (Dim == 3) {
         if (a_.n_faces() == 0 && b_.n_faces() == 0)
-          if (Manifold<Dim> found = of_capsules_side_by_side(closest); found.n() > 0) return found;
+          if (Manifold<Dim> found = of_capsules_side_by_side(); found.n() > 0) return found;
       }
     }
     return of_closest_points(closest);
@@ -258,7 +258,9 @@ class PairSearch {
   }
 
   /// Returns the contact of two parallel capsules: the two ends of the section in which the capsules lie side by side.
-  Manifold<Dim> of_capsules_side_by_side(const ClosestPoints<Dim>& closest) {
+  /// The normal is that in the middle of the section. The line between the closest points would not serve, because they
+  /// change from one end to the other when the capsules turn by a tiny angle, and the normal would jump.
+  Manifold<Dim> of_capsules_side_by_side() {
     Manifold<Dim> found;
     const Vec<Dim> p = a_.vertices[0], u = a_.vertices[1] - p;
     const Vec<Dim> q = place_.point(b_.vertices[0]), v = place_.point(b_.vertices[1]) - q;
@@ -272,14 +274,18 @@ class PairSearch {
     if (is_turned) std::swap(from, to);
     const double low = std::max(from, 0.0), high = std::min(to, length);
     if (!(high - low > kSideBySide * size_)) return found;
-    found.normal = first_.rotation * closest.normal;
-    for (const double s : {low, high}) {
+    const auto on_first = [&](double s) { return Vec<Dim>(p + s * along); };
+    const auto on_second = [&](double s) {
       const double share = (s - from) / (to - from);
-      const Vec<Dim> on_first = p + s * along, on_second = q + (is_turned ? 1.0 - share : share) * v;
-      const double gap = world(closest.normal.dot(on_second - on_first)) - roundings_;
+      return Vec<Dim>(q + (is_turned ? 1.0 - share : share) * v);
+    };
+    const double middle = 0.5 * (low + high);
+    const Vec<Dim> n = (on_second(middle) - on_first(middle)).normalized();
+    found.normal = first_.rotation * n;
+    for (const double s : {low, high}) {
+      const double gap = world(n.dot(on_second(s) - on_first(s))) - roundings_;
       if (gap < reach_)
-        add(found, midway(on_first, on_second, closest.normal), gap,
-            key_of(false, 0, 0, s == low ? 0 : 1, false));
+        add(found, midway(on_first(s), on_second(s), n), gap, key_of(false, 0, 0, s == low ? 0 : 1, false));
     }
     found.type = type_of(found.n());
     return found;

@@ -314,6 +314,22 @@ TEST(Manifold, OfCapsulesHasOnePointOrTwoSideBySide) {
   EXPECT_NEAR(in_line.points[0].gap, -0.01, kExact);
 }
 
+/// Two capsules are skew by 3.5e-4 radians. As they tilt, the end at which they are closest changes, but the normal and
+/// the gaps must change continuously.
+TEST(Manifold, NormalOfCapsulesSideBySideDoesNotJump) {
+  const Shape<3> capsule = capsule_shape<3>(2.0, 0.25);
+  const PlacedShape<3> one{&capsule, 1.0, {0, 0, 0}, kNoTurn};
+  const auto tilted = [&](double degrees) {
+    const Mat<3> turn = turn_about(Vec<3>::UnitY(), 0.02) * turn_about(Vec<3>::UnitZ(), degrees);
+    return contact_manifold<3>(one, {&capsule, 1.0, {0.5, 0.49, 0}, turn}, 0.01);
+  };
+  const Manifold<3> to_one_side = tilted(1e-6), to_the_other = tilted(-1e-6);
+  ASSERT_EQ(to_one_side.n(), 2);
+  ASSERT_EQ(to_the_other.n(), 2);
+  EXPECT_LT((to_one_side.normal - to_the_other.normal).norm(), 1e-7);
+  for (int k = 0; k < 2; ++k) EXPECT_NEAR(to_one_side.points[k].gap, to_the_other.points[k].gap, 1e-7) << k;
+}
+
 /// An edge of the upper cube rotates about the vertical axis. At the angle 0, it is parallel to an edge of the lower
 /// cube. The gap must change continuously, and must equal the separation of the cubes along the contact normal.
 TEST(Manifold, OfEdgesThatTurnThroughParallelIsContinuous) {

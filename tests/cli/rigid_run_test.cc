@@ -27,10 +27,15 @@ TEST(RigidRun, KillsOfARunBetweenWallsLeaveNoTrace) {
 /// Boxes of disks, polygons, spheres and polyhedra give states that pass the verification. Runs with one and two
 /// threads give identical states.
 TEST(RigidRun, BetweenWallsVerifies) {
-  for (const auto& [dimension, shape] : {std::pair(2, ""), {2, kPentagons}, {3, ""}, {3, kCutStones}}) {
-    SCOPED_TRACE(testing::Message() << dimension << " " << shape);
+  for (const auto& [dimension, shape, contacts] : {std::tuple(2, "", kRigidContacts),
+                                                   {2, kPentagons, kRigidContacts},
+                                                   {3, "", kRigidContacts},
+                                                   {3, kCutStones, kRigidContacts},
+                                                   {2, kRoundedPentagons, kElasticContacts},
+                                                   {3, kCapsules, kElasticContacts}}) {
+    SCOPED_TRACE(testing::Message() << dimension << " " << shape << contacts);
     const ScratchDirectory scratch;
-    write_text(scratch.file("s.toml"), rigid_box_scene(shape, dimension));
+    write_text(scratch.file("s.toml"), rigid_box_scene(shape, dimension, contacts));
     const Outcome made = run_floc("run s.toml -o out --no-timing", scratch.path());
     ASSERT_EQ(made.code, 0) << made.err;
     const Outcome verified = run_floc("verify out/state-0000.h5 out/state-0001.h5", scratch.path());
@@ -38,7 +43,14 @@ TEST(RigidRun, BetweenWallsVerifies) {
     const CsvTable path = CsvTable::read(scratch.file("out/path.csv"));
     // The pressure on the lid must be the pressure of the load.
     EXPECT_NEAR(path.number(1, path.column("P")), 4.0, 1e-9);
-    EXPECT_EQ(run_floc("report out -o r.html", scratch.path()).code, 0);
+    if (contacts == kRigidContacts) {
+      EXPECT_EQ(run_floc("report out -o r.html", scratch.path()).code, 0);
+    } else {
+      for (const char* options : {"", " --prestress"})
+        EXPECT_EQ(
+            run_floc("moduli --strains diagonal out/state-0001.h5" + std::string(options), scratch.path()).code,
+            0);
+    }
     ASSERT_TRUE(run_with_threads(scratch.file("s.toml"), scratch.file("two"), 2));
     EXPECT_EQ(rows_without_seconds(scratch.file("out/path.csv")),
               rows_without_seconds(scratch.file("two/path.csv")));
@@ -47,6 +59,10 @@ TEST(RigidRun, BetweenWallsVerifies) {
 
 TEST(RigidRun, KillsOfARunOfElasticPentagonsLeaveNoTrace) {
   kill_and_resume(3, 24, elastic_scene(2), 4);
+}
+
+TEST(RigidRun, KillsOfElasticPentagonsBetweenWallsLeaveNoTrace) {
+  kill_and_resume(3, 25, rigid_box_scene(kRoundedPentagons, 2, kElasticContacts), 2);
 }
 
 /// Elastic grains with corners give states that pass the verification. Their moduli are computed with the stiffnesses

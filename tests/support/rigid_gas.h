@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "floc/assembly/box_options.h"
 #include "floc/assembly/shaped_gas.h"
 #include "floc/base/error.h"
 #include "floc/packing/balance.h"
@@ -59,6 +60,23 @@ Packing<Dim> make_rigid_gas(const RigidGas& gas) {
   const double share = share_of_bounding_balls(shaped_grains<Dim>(grains, diameters, gas.seed));
   return make_shaped_gas<Dim>(grains, law, 0.95 * kSolidFraction * share, gas.seed, random,
                               GasKind::equilibrated);
+}
+
+/// Returns a gas of rigid grains in a box; the largest diameter is at most 1.
+template <int Dim>
+Packing<Dim> boxed_gas(int count, const std::optional<ShapeOptions>& shape, const BoxOptions& box,
+                       double friction) {
+  GrainOptions grains;
+  grains.count = count;
+  grains.diameter.kind = DiameterDistribution::Kind::uniform;
+  grains.diameter.min = 0.5;
+  grains.diameter.max = 1.0;
+  grains.shape = shape;
+  RandomStream random(3, 1);
+  const double fraction = Dim == 2 ? 0.25 : 0.08;
+  if (!shape) return make_boxed_gas<Dim>(grains, rigid_law(friction), box, fraction, random);
+  return make_boxed_shaped_gas<Dim>(grains, rigid_law(friction), box, fraction, 3, random,
+                                    GasKind::sequential_addition);
 }
 
 /// Returns a gas of grains with corners. The cell and the positions of the grains have been compressed until the

@@ -11,6 +11,12 @@ inline const std::string kElasticContacts =
     "[contact]\nnormal = {law = \"linear\", stiffness = 1e4}\n"
     "friction = {coefficient = 0.5, stiffness = 1e4}\n";
 
+/// Lines of a scene with the shape of the grains.
+inline const char* const kCutStones = R"(shape = {kind = "cut", count = 5})";
+inline const char* const kPentagons = R"(shape = {kind = "polygon", sides = 5})";
+inline const char* const kRoundedPentagons = R"(shape = {kind = "polygon", sides = 5, rounding = 0.05})";
+inline const char* const kCapsules = R"(shape = {kind = "capsule", aspect = 2})";
+
 /// Scene of 40 rigid grains that are compressed from a gas, loaded to twice the pressure and sheared: four
 /// states in a few seconds.
 /// @param shape  line of the scene with the shape of the grains; empty for disks
@@ -46,10 +52,12 @@ checkpoint_every = 0.02
 )";
 }
 
-/// Scene of rigid grains that fall onto a floor between walls and are then pressed by a lid: two states in about a
-/// second.
+/// Scene of grains, rigid by default, that fall onto a floor between walls and are then pressed by a lid: two states in
+/// about a second.
 /// @param shape  line of the scene with the shape of the grains; empty for disks and spheres
-inline std::string rigid_box_scene(const std::string& shape, int dimension = 2) {
+/// @param contacts  table [contact]
+inline std::string rigid_box_scene(const std::string& shape, int dimension = 2,
+                                   const std::string& contacts = kRigidContacts) {
   const bool plane = dimension == 2;
   return R"([scene]
 name = "rigid-box"
@@ -58,7 +66,7 @@ dimension = )" +
          std::string(plane ? "2" : "3") + "\n[grains]\ncount = " + (plane ? "25" : "12") + R"(
 diameter = {distribution = "uniform", min = 0.5, max = 1.0}
 )" + shape +
-         "\n" + kRigidContacts + R"([assembly]
+         "\n" + contacts + R"([assembly]
 protocol = "direct"
 [box]
 )" +
@@ -87,8 +95,7 @@ inline std::string elastic_scene(int dimension, const std::string& contacts = kE
   return "[scene]\nname = \"elastic\"\nunits = \"reduced\"\ndimension = " + std::string(plane ? "2" : "3") +
          "\n[grains]\ncount = " + (plane ? "40" : "16") + R"(
 diameter = {distribution = "uniform", min = 0.5, max = 1.0}
-shape = )" +
-         (plane ? R"({kind = "polygon", sides = 5, rounding = 0.05})" : R"({kind = "capsule", aspect = 2})") +
+)" + (plane ? kRoundedPentagons : kCapsules) +
          "\n" + contacts +
          R"([assembly]
 protocol = "direct"
@@ -115,8 +122,5 @@ seed = 1
 checkpoint_every = 0.02
 )";
 }
-
-inline const char* const kCutStones = R"(shape = {kind = "cut", count = 5})";
-inline const char* const kPentagons = R"(shape = {kind = "polygon", sides = 5})";
 
 }  // namespace floc::test

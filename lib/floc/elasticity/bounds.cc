@@ -107,7 +107,7 @@ bool forces_balance(const ContactNetwork<Dim>& network) {
     const RowStiffness<Dim> forces = row_forces(c);
     on_grains.segment<kDofs<Dim>>(first_unknown<Dim>(c.i)) += rows.on_i.transpose() * forces;
     on_grains.segment<kDofs<Dim>>(first_unknown<Dim>(c.j)) += rows.on_j.transpose() * forces;
-    on_walls += rows_on_walls(c).transpose() * forces;
+    on_walls += rows.on_wall.transpose() * forces;
     const double force = std::abs(c.normal_force) + c.shear_force.norm();
     largest = std::max(largest, force);
     if (c.on_wall()) largest_on_walls += std::abs(c.normal_force);

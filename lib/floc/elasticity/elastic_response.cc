@@ -53,7 +53,7 @@ class SpringList {
   }
 
   void append(const NetworkContact<Dim>& c, const ContactRows<Dim>& g, const RowStiffness<Dim>& k) {
-    const BoundaryRows<Dim> on_boundary = boundary_rows(network_, c, g, strains_);
+    const BoundaryRows<Dim> on_boundary = boundary_rows(network_, g, strains_);
     for (int a = 0; a < kDofs<Dim>; ++a) {
       if (k[a] == 0.0) continue;
       springs_.on_free.startVec(n_);

@@ -97,7 +97,7 @@ std::vector<ForceIncrement<Dim>> force_increments(const ContactNetwork<Dim>& net
     ForceRows<Dim> displacement = g.on_i * motion.segment<kDofs<Dim>>(first_unknown<Dim>(c.i)) +
                                   g.on_j * motion.segment<kDofs<Dim>>(first_unknown<Dim>(c.j)) +
                                   g.on_strain.leftCols(strain.size()) * strain;
-    if (c.on_wall()) displacement += rows_on_walls(c) * response.wall_shift.leftCols(strain.size()) * strain;
+    if (c.on_wall()) displacement += g.on_wall * response.wall_shift.leftCols(strain.size()) * strain;
     const ForceRows<Dim> forces = row_stiffness(c).cwiseProduct(displacement);
     increments.push_back(increment_of(c, forces));
   }

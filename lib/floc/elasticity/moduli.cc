@@ -16,7 +16,6 @@
 #include "floc/network/rattlers.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/require_elastic.h"
-#include "floc/packing/require_periodic.h"
 #include "floc/packing/wall_forces.h"
 
 namespace floc {
@@ -199,10 +198,7 @@ ContactNetwork<Dim> loaded(const Packing<Dim>& packing, const ModuliOptions& opt
   const double smallest = options.force_tolerance * force_scale<Dim>(packing, pressure).force;
   ContactNetwork<Dim> network = without_grains(contact_network(packing), find_rattlers(packing, smallest));
   if (options.rolling_stiffness) set_rolling_stiffness(network, *options.rolling_stiffness);
-  if (options.prestress && !packing.grains.are_round()) {
-    require_periodic(packing, "moduli with prestress of grains with corners are computed");
-    network.geometric = geometric_springs(packing);
-  }
+  if (options.prestress && !packing.grains.are_round()) network.geometric = geometric_springs(packing);
   return network;
 }
 

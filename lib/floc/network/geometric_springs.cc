@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "floc/packing/locate.h"
+#include "floc/shape/plane_manifold.h"
 
 namespace floc {
 namespace {
@@ -36,21 +37,29 @@ Mat<3> rotation_by(const RotationVector<3>& angle) {
   return Eigen::AngleAxisd(size, angle / size).toRotationMatrix();
 }
 
-/// Contact of two grains with corners whose grains are moved by small amounts.
+/// Contact of two grains with corners, or of such a grain and a wall, whose bodies are moved by small amounts.
 template <int Dim>
 class MovedContact {
  public:
   MovedContact(const Packing<Dim>& packing, const Contact<Dim>& contact)
       : contact_(contact),
         first_(packing.grains.placed(contact.i)),
-        second_(packing.grains.placed(contact.j)),
+        reach_(first_.outer_radius()),
         options_(manifold_options(packing)) {
+    if (packing.is_wall(contact.j)) {
+      wall_ = packing.wall(contact.j);
+      return;
+    }
+    second_ = packing.grains.placed(contact.j);
     second_.position = first_.position + branch(packing, contact);
-    reach_ = first_.outer_radius() + second_.outer_radius();
+    reach_ += second_.outer_radius();
     contact_manifold(first_, second_, reach_, &features_, options_);
   }
 
-  double smaller_radius() const { return std::min(first_.outer_radius(), second_.outer_radius()); }
+  /// Returns the radius of the smaller grain of the contact (length).
+  double smaller_radius() const {
+    return wall_ ? reach_ : std::min(first_.outer_radius(), second_.outer_radius());
+  }
 
   /// Returns the derivative of the geometry with respect to one component of the motion. The grains are moved forwards
   /// and backwards. If the contact point exists after only one of these motions, because an edge leaves a face at the
@@ -69,24 +78,38 @@ class MovedContact {
  private:
   /// Returns the geometry of the contact after a motion of its grains; nothing if no point has the key of the contact.
   std::optional<GeometryChange<Dim>> moved(const Motion<Dim>& motion) const {
-    PlacedShape<Dim> first = first_, second = second_;
-    second.position += motion.template head<Dim>();
-    const RotationVector<Dim> turn_i = motion.template segment<kRotations<Dim>>(Dim);
-    const RotationVector<Dim> turn_j = motion.template tail<kRotations<Dim>>();
-    first.rotation = rotation_by(turn_i) * first.rotation;
-    second.rotation = rotation_by(turn_j) * second.rotation;
-    AxisFeatures features = features_;
-    const Manifold<Dim> manifold = contact_manifold(first, second, reach_, &features, options_);
+    const Manifold<Dim> manifold = manifold_after(motion);
     const ManifoldPoint<Dim>* point = manifold.with_key(static_cast<std::uint32_t>(contact_.key));
     if (!point) return std::nullopt;
     return GeometryChange<Dim>{manifold.normal, point->gap, point->arm};
   }
 
+  /// Returns the contact points after a motion of the bodies.
+  Manifold<Dim> manifold_after(const Motion<Dim>& motion) const {
+    const Vec<Dim> displacement = motion.template head<Dim>();
+    const RotationVector<Dim> turn_i = motion.template segment<kRotations<Dim>>(Dim);
+    const RotationVector<Dim> turn_j = motion.template tail<kRotations<Dim>>();
+    PlacedShape<Dim> first = first_;
+    first.rotation = rotation_by(turn_i) * first.rotation;
+    if (wall_) {
+      const Vec<Dim> normal = wall_->normal();
+      return plane_manifold<Dim>(first, normal, wall_->side * wall_->position + normal.dot(displacement),
+                                 reach_);
+    }
+    PlacedShape<Dim> second = second_;
+    second.position += displacement;
+    second.rotation = rotation_by(turn_j) * second.rotation;
+    AxisFeatures features = features_;
+    return contact_manifold(first, second, reach_, &features, options_);
+  }
+
   const Contact<Dim>& contact_;
-  PlacedShape<Dim> first_, second_;
+  PlacedShape<Dim> first_;
+  PlacedShape<Dim> second_;  // not used if the second body is a wall
+  std::optional<Wall<Dim>> wall_;
+  double reach_;
   ManifoldOptions options_;
   AxisFeatures features_;
-  double reach_;
 };
 
 }  // namespace
@@ -126,7 +149,7 @@ MotionMatrix<Dim> geometric_stiffness(const Packing<Dim>& packing, const Network
 
 template <int Dim>
 std::vector<GeometricSprings<Dim>> geometric_springs(const Packing<Dim>& packing) {
-  assert(!packing.grains.are_round() && packing.walls.empty());
+  assert(!packing.grains.are_round());
   const ContactNetwork<Dim> network = contact_network(packing);
   std::vector<GeometricSprings<Dim>> springs;
   springs.reserve(network.contacts.size());
@@ -147,11 +170,14 @@ ContactRows<Dim> geometric_rows(const NetworkContact<Dim>& c, const GeometricSpr
   rows.on_i.setZero();
   rows.on_j.setZero();
   rows.on_strain.setZero();
+  rows.on_wall.setZero();
   rows.on_i.topRows(n) = directions * motions.on_i;
   rows.on_j.topRows(n) = directions * motions.on_j;
   // A strain E displaces j relative to i by -E branch and rotates no grain.
   for (int e = 0; e < kSymmetric<Dim>; ++e)
     rows.on_strain.col(e).head(n) = -directions.template leftCols<Dim>() * (unit_strain<Dim>(e) * c.branch);
+  if (c.on_wall())
+    rows.on_wall.topRows(n) = directions.template leftCols<Dim>() * c.normal() * c.normal().transpose();
   return rows;
 }
 

@@ -9,7 +9,7 @@ namespace floc {
 /// point (contact_rows()) do not give: the change of its forces and moments due to the changes of its gap, normal and
 /// arms, in the form of geometric_stiffness() for round grains. The matrix is not symmetric.
 /// @param contact  contact of contact_network(packing), with the forces of the contact law
-/// @pre the grains have corners, and the packing has no walls
+/// @pre the grains have corners
 template <int Dim>
 MotionMatrix<Dim> geometric_stiffness(const Packing<Dim>& packing, const NetworkContact<Dim>& contact);
 
@@ -17,12 +17,12 @@ MotionMatrix<Dim> geometric_stiffness(const Packing<Dim>& packing, const Network
 /// its forces and moments change. The stiffnesses K_N and K_T of the contact point (contact_rows()) give one part of
 /// this change. The geometric springs give the symmetric part of the rest, for all forces of the contact.
 ///
-/// The changes of the gap, the normal and the contact point are central differences of contact_manifold(), because they
-/// depend on the features (vertices, edges or faces) that meet: a vertex on a face moves with one of the grains, the
-/// corner at which an edge leaves a face moves with both, and the normal of two crossed edges rotates with both. The
-/// tangential force rotates with the mean rotation of the two grains and stays in the tangential plane, as in contact
-/// dynamics.
-/// @pre the grains have corners, and the packing has no walls
+/// The changes of the gap, the normal and the contact point are central differences of contact_manifold() or, at walls, of
+/// plane_manifold(), because they depend on the features (vertices, edges or faces) that meet: a vertex on a face moves
+/// with one of the grains, the corner at which an edge leaves a face moves with both, and the normal of two crossed edges
+/// rotates with both. The tangential force rotates with the mean rotation of the two grains and stays in the tangential
+/// plane, as in contact dynamics.
+/// @pre the grains have corners
 template <int Dim>
 std::vector<GeometricSprings<Dim>> geometric_springs(const Packing<Dim>& packing);
 

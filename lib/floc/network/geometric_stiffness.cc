@@ -68,7 +68,7 @@ GrainMotions<Dim> grain_motions(const NetworkContact<Dim>& c, double size_i, dou
   GrainMotions<Dim> motions{motion_of_grain<Dim>(-1.0, Dim, size_i),
                             motion_of_grain<Dim>(1.0, Dim + kRotations<Dim>, size_j)};
   if (c.i == c.j) {
-    motions.on_i += motions.on_j;
+    if (!c.on_wall()) motions.on_i += motions.on_j;
     motions.on_j.setZero();
   }
   return motions;

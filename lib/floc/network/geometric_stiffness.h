@@ -24,9 +24,11 @@ MotionMatrix<Dim> geometric_stiffness(const NetworkContact<Dim>& contact);
 /// the components of the motion (kMotionRows), the columns are the unknowns.
 template <int Dim>
 struct GrainMotions {
-  /// columns for the unknowns of i; if i = j, they also contain the columns for the unknowns of j
+  /// columns for the unknowns of i; for a contact of i with its own image they also contain the columns for the unknowns
+  /// of j
   Eigen::Matrix<double, kMotionRows<Dim>, kDofs<Dim>> on_i;
-  Eigen::Matrix<double, kMotionRows<Dim>, kDofs<Dim>> on_j;  ///< columns: unknowns of j; zero if i = j
+  Eigen::Matrix<double, kMotionRows<Dim>, kDofs<Dim>>
+      on_j;  ///< columns: unknowns of j; zero if i = j, and for walls
 };
 
 /// Returns the matrices of a contact (GrainMotions).

@@ -63,6 +63,8 @@ ContactRows<Dim> contact_rows(const NetworkContact<Dim>& c) {
   const Mat<kRotationDofs> axes = rotation_axes(c.frame);
   g.on_i.template bottomRightCorner<kRotationDofs, kRotationDofs>() = -axes.transpose();
   g.on_j.template bottomRightCorner<kRotationDofs, kRotationDofs>() = axes.transpose();
+  g.on_wall.setZero();
+  if (c.on_wall()) g.on_wall.row(0) = -c.frame.col(0).transpose();
   if (c.i == c.j) {
     if (!c.on_wall()) g.on_i += g.on_j;
     g.on_j.setZero();
@@ -79,13 +81,6 @@ RotationVector<Dim> normal_moment(const NetworkContact<Dim>& c, int grain) {
 }
 
 template <int Dim>
-Eigen::Matrix<double, kDofs<Dim>, Dim> rows_on_walls(const NetworkContact<Dim>& c) {
-  Eigen::Matrix<double, kDofs<Dim>, Dim> rows = Eigen::Matrix<double, kDofs<Dim>, Dim>::Zero();
-  if (c.on_wall()) rows.row(0) = -c.normal().transpose();
-  return rows;
-}
-
-template <int Dim>
 int n_boundary_unknowns(const ContactNetwork<Dim>& network, StrainSet strains) {
   return n_strains<Dim>(strains) + static_cast<int>(network.wall_axes.size());
 }
@@ -96,18 +91,17 @@ double wall_shift_unit(const ContactNetwork<Dim>& network) {
 }
 
 template <int Dim>
-BoundaryRows<Dim> boundary_rows(const ContactNetwork<Dim>& network, const NetworkContact<Dim>& c,
-                                const ContactRows<Dim>& rows, StrainSet strains) {
+BoundaryRows<Dim> boundary_rows(const ContactNetwork<Dim>& network, const ContactRows<Dim>& rows,
+                                StrainSet strains) {
   const int n = n_strains<Dim>(strains);
   BoundaryRows<Dim> out(kDofs<Dim>, n_boundary_unknowns(network, strains));
   out.leftCols(n) = rows.on_strain.leftCols(n);
   if (network.wall_axes.empty()) return out;
-  const auto on_walls = rows_on_walls(c);
   const double unit = wall_shift_unit(network);
   // The unknown of an axis is a displacement divided by `unit`. Therefore the motion per unknown is the motion per
   // displacement, multiplied by `unit`.
   for (int k = 0; k < static_cast<int>(network.wall_axes.size()); ++k)
-    out.col(n + k) = unit * on_walls.col(network.wall_axes[k]);
+    out.col(n + k) = unit * rows.on_wall.col(network.wall_axes[k]);
   return out;
 }
 
@@ -169,19 +163,17 @@ Eigen::SparseMatrix<double> scaled_rigidity_matrix(const ContactNetwork<Dim>& ne
   return root.asDiagonal() * rigidity_matrix(network, strains);
 }
 
-#define FLOC_INSTANTIATE(Dim)                                                                      \
-  template Mat<Dim> unit_strain<Dim>(int);                                                         \
-  template ContactRows<Dim> contact_rows(const NetworkContact<Dim>&);                              \
-  template RotationVector<Dim> normal_moment(const NetworkContact<Dim>&, int);                     \
-  template Eigen::Matrix<double, kDofs<Dim>, Dim> rows_on_walls(const NetworkContact<Dim>&);       \
-  template int n_boundary_unknowns(const ContactNetwork<Dim>&, StrainSet);                         \
-  template double wall_shift_unit(const ContactNetwork<Dim>&);                                     \
-  template BoundaryRows<Dim> boundary_rows(const ContactNetwork<Dim>&, const NetworkContact<Dim>&, \
-                                           const ContactRows<Dim>&, StrainSet);                    \
-  template RowStiffness<Dim> row_stiffness(const NetworkContact<Dim>&);                            \
-  template ContactRows<Dim> translation_rows(ContactRows<Dim>);                                    \
-  template RowStiffness<Dim> row_prestress(const NetworkContact<Dim>&);                            \
-  template Eigen::SparseMatrix<double> rigidity_matrix(const ContactNetwork<Dim>&, StrainSet);     \
+#define FLOC_INSTANTIATE(Dim)                                                                               \
+  template Mat<Dim> unit_strain<Dim>(int);                                                                  \
+  template ContactRows<Dim> contact_rows(const NetworkContact<Dim>&);                                       \
+  template RotationVector<Dim> normal_moment(const NetworkContact<Dim>&, int);                              \
+  template int n_boundary_unknowns(const ContactNetwork<Dim>&, StrainSet);                                  \
+  template double wall_shift_unit(const ContactNetwork<Dim>&);                                              \
+  template BoundaryRows<Dim> boundary_rows(const ContactNetwork<Dim>&, const ContactRows<Dim>&, StrainSet); \
+  template RowStiffness<Dim> row_stiffness(const NetworkContact<Dim>&);                                     \
+  template ContactRows<Dim> translation_rows(ContactRows<Dim>);                                             \
+  template RowStiffness<Dim> row_prestress(const NetworkContact<Dim>&);                                     \
+  template Eigen::SparseMatrix<double> rigidity_matrix(const ContactNetwork<Dim>&, StrainSet);              \
   template Eigen::SparseMatrix<double> scaled_rigidity_matrix(const ContactNetwork<Dim>&, StrainSet);
 FLOC_INSTANTIATE(2)
 FLOC_INSTANTIATE(3)

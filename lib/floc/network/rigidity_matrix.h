@@ -35,6 +35,9 @@ struct ContactRows {
   Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>> on_j;  ///< columns for the unknowns of j; zero if i = j
   /// columns for the strains, in the order of StrainSet::full
   Eigen::Matrix<double, kDofs<Dim>, kSymmetric<Dim>> on_strain;
+  /// Columns for the displacement of the touched wall along each axis; zero for a contact between grains. A wall moves
+  /// only along its normal, so that at most one column is not zero.
+  Eigen::Matrix<double, kDofs<Dim>, Dim> on_wall;
 };
 
 /// Stiffness for each component of the relative motion at a contact, in the order of the rows of `ContactRows`.
@@ -49,11 +52,6 @@ ContactRows<Dim> contact_rows(const NetworkContact<Dim>& contact);
 /// the axes (length). For round grains they are zero up to rounding.
 template <int Dim>
 RotationVector<Dim> normal_moment(const NetworkContact<Dim>& contact, int grain);
-
-/// Returns a matrix with one column per axis: the relative motion at a contact (rows as in ContactRows) if the two
-/// walls of this axis are displaced together by 1 along the axis. Only the overlap with a wall of this axis changes.
-template <int Dim>
-Eigen::Matrix<double, kDofs<Dim>, Dim> rows_on_walls(const NetworkContact<Dim>& contact);
 
 /// Returns the number of unknowns of the boundary: the strains and, for each axis between walls, the common
 /// displacement of its two walls divided by wall_shift_unit().
@@ -72,10 +70,9 @@ using BoundaryRows =
     Eigen::Matrix<double, kDofs<Dim>, Eigen::Dynamic, Eigen::ColMajor, kDofs<Dim>, kSymmetric<Dim> + Dim>;
 
 /// Returns a matrix with one column per unknown of the boundary: the relative motion at a contact if this unknown is 1.
-/// @param rows  contact_rows() of the contact
 template <int Dim>
-BoundaryRows<Dim> boundary_rows(const ContactNetwork<Dim>& network, const NetworkContact<Dim>& contact,
-                                const ContactRows<Dim>& rows, StrainSet strains);
+BoundaryRows<Dim> boundary_rows(const ContactNetwork<Dim>& network, const ContactRows<Dim>& rows,
+                                StrainSet strains);
 
 /// Returns the axes of the relative rotations in `ContactRows` for a contact with the given frame. Each column is the
 /// axis of one component.

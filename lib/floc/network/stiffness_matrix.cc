@@ -43,7 +43,7 @@ StiffnessMatrix stiffness_matrix(const ContactNetwork<Dim>& network, const Stiff
       add_contact(c.i, c.j, rows.on_i, rows.on_j, boundary, k.asDiagonal(), sum);
     };
     if (shifts)
-      add_with(boundary_rows(network, c, rows, options.strains));
+      add_with(boundary_rows(network, rows, options.strains));
     else
       add_with(rows.on_strain.leftCols(n_boundary));
   };

@@ -33,9 +33,18 @@ struct Hold {
   bool rolling = false;  ///< whether any contact has a rolling or twisting spring
 };
 
+/// Returns how many rotations of a grain the normal forces of its contacts may resist.
 template <int Dim>
-int rotations_of(const Hold& hold) {
-  if (!hold.across && !hold.rolling) return 0;
+int rotations_of_shape(const Grains<Dim>& grains, int i) {
+  if (grains.are_round() || grains.placed(i).shape->is_round()) return 0;
+  const bool turns_about_axis = Dim == 3 && grains.placed(i).shape->n_vertices() == 2;
+  return kRotations<Dim> - (turns_about_axis ? 1 : 0);
+}
+
+/// Returns the number of rotations of a grain that count as unknowns, since its contacts may resist them.
+template <int Dim>
+int rotations_of(const Grains<Dim>& grains, int i, const Hold& hold) {
+  if (!hold.across && !hold.rolling) return rotations_of_shape(grains, i);
   const bool pivots = Dim == 3 && hold.n_contacts == 2 && !hold.rolling;
   return kRotations<Dim> - (pivots ? 1 : 0);
 }
@@ -60,7 +69,7 @@ int least_mechanisms(const Packing<Dim>& packing) {
   }
   int n_unknowns = 0;
   for (std::size_t i = 0; i < held.size(); ++i)
-    if (held[i]) n_unknowns += Dim + rotations_of<Dim>(hold[i]);
+    if (held[i]) n_unknowns += Dim + rotations_of(packing.grains, static_cast<int>(i), hold[i]);
   return std::max(n_unknowns - n_springs, 0);
 }
 

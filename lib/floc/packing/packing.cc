@@ -57,6 +57,12 @@ void stop_grains(Packing<Dim>& packing) {
 }
 
 template <int Dim>
+void stop_all_bodies(Packing<Dim>& packing) {
+  stop_grains(packing);
+  for (Wall<Dim>& wall : packing.walls) wall.velocity = 0.0;
+}
+
+template <int Dim>
 double solid_fraction(const Packing<Dim>& packing) {
   return total_volume(packing.grains) / packing.cell.volume();
 }
@@ -89,6 +95,8 @@ template struct Grains<2>;
 template struct Grains<3>;
 template void stop_grains(Packing<2>&);
 template void stop_grains(Packing<3>&);
+template void stop_all_bodies(Packing<2>&);
+template void stop_all_bodies(Packing<3>&);
 template double solid_fraction(const Packing<2>&);
 template double solid_fraction(const Packing<3>&);
 template Cell<2> search_cell(Cell<2>, const std::vector<Wall<2>>&, double);

@@ -162,6 +162,10 @@ Cell<Dim> search_cell(Cell<Dim> cell, const std::vector<Wall<Dim>>& walls, doubl
 template <int Dim>
 void stop_grains(Packing<Dim>& packing);
 
+/// Sets the velocities of all grains, the cell and all walls to zero.
+template <int Dim>
+void stop_all_bodies(Packing<Dim>& packing);
+
 /// Returns the solid fraction: the area (2D) or volume (3D) of the grains divided by the area or volume of the
 /// cell. Overlaps count twice, as is customary.
 template <int Dim>

@@ -104,6 +104,7 @@ double strain_of_springs(const Packing<Dim>& packing, const Vec<Dim>& stress) {
 template <int Dim>
 bool is_at_rest(const Packing<Dim>& packing) {
   return packing.cell.velocity.isZero(0.0) &&
+         std::ranges::all_of(packing.walls, [](const Wall<Dim>& wall) { return wall.velocity == 0.0; }) &&
          std::ranges::all_of(packing.grains.velocity, [](const Vec<Dim>& v) { return v.isZero(0.0); });
 }
 

@@ -38,6 +38,11 @@ constexpr int kMostRests = 6;
 constexpr int kStalledSteps = 16;
 constexpr double kShortestOnSprings = 0.1;
 
+/// Under gravity, a series of Newton steps ends as soon as a step is shorter than this share of its intended length. Steps
+/// are shortened so much if a grain has lost its support and falls: it comes down in motion, while steps from rest would
+/// let it sink by a small distance each. A bed of 100 polyhedra under a lid came to rest in 81 s instead of 362 s.
+constexpr double kFalls = 0.02;
+
 /// Returns the end of a message about grains that do not come to rest; empty if the contact forces change continuously
 /// with the positions of the grains.
 template <int Dim>
@@ -85,10 +90,12 @@ RelaxationStatus ContactDynamicsRelaxer<Dim>::rest_on_springs() {
   make_steps(kNewtonSteps);
   progress_.resting_steps += kNewtonSteps;
   if (springs_balance()) return RelaxationStatus::converged;
+  const bool falls =
+      !packing_.gravity.isZero(0.0) && progress_.last_step < kFalls * progress_.rest_length * time_unit_;
   const int stalled = progress_.resting_steps - progress_.least_at;
   if (stalled > 0 && stalled % kStalledSteps == 0)
     progress_.rest_length = std::max(0.5 * progress_.rest_length, kShortestOnSprings);
-  const bool is_stuck = stalled >= kMostStalledSteps || progress_.resting_steps >= kMostNewtonSteps;
+  const bool is_stuck = falls || stalled >= kMostStalledSteps || progress_.resting_steps >= kMostNewtonSteps;
   if (!is_stuck) return RelaxationStatus::running;
   if (progress_.n_rests < kMostRests) {
     start_moving();
@@ -106,7 +113,7 @@ bool ContactDynamicsRelaxer<Dim>::springs_balance() {
   // contact list also contains points with gaps. The test therefore uses a copy at rest, in which the gaps give the
   // normal forces. If the test fails, the motion continues from the unchanged packing.
   Packing<Dim> rested = packing_;
-  stop_grains(rested);
+  stop_all_bodies(rested);
   rested.contacts = ContactPoints<Dim>().find(rested, 0.0);
   carry_forces(rested, packing_.contacts, rested.contacts);
   set_spring_forces(rested);
@@ -143,7 +150,7 @@ bool ContactDynamicsRelaxer<Dim>::springs_balance() {
 /// @param residual  largest residual of the packing, in the units of EquilibriumTolerance
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::newton_iterations_balance(const Packing<Dim>& rested, double residual) {
-  if (rested.grains.are_round() || !rested.walls.empty()) return false;
+  if (rested.grains.are_round()) return false;
   const bool is_first = progress_.tried_residual == 0.0;
   if (residual > (is_first ? kNearBalance : kNextTrial * progress_.tried_residual)) return false;
   progress_.tried_residual = residual;

@@ -75,12 +75,6 @@ constexpr double kCarries = 1e-9;
 /// limit, is at most this number.
 constexpr double kAtLimit = 1e-9;
 
-template <int Dim>
-void stop(Packing<Dim>& packing) {
-  stop_grains(packing);
-  for (Wall<Dim>& wall : packing.walls) wall.velocity = 0.0;
-}
-
 /// Returns the choice of the recorded forces of a packing at rest. At a minimum of the volume there is no last step
 /// whose forces could be recorded, and the closest forces are recorded instead.
 template <int Dim>
@@ -238,7 +232,7 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
     return false;
   }
   Packing<Dim> rested = packing_;
-  stop(rested);
+  stop_all_bodies(rested);
   rested.contacts = ContactPoints<Dim>().find_touching(rested, tolerance);
   carry_forces(rested, packing_.contacts, rested.contacts);
   hold_adhesion(rested);

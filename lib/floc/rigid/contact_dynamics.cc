@@ -370,11 +370,11 @@ Packing<Dim> ContactDynamics<Dim>::moved(const Trial& trial, double dt) const {
     out.cell.velocity(wall.axis, wall.axis) += wall.side * wall.velocity;
   }
   set_forces(trial, dt, out);
-  // The tangential forces of springs turn with the two grains.
+  // The tangential forces of springs turn with the two bodies.
+  const std::vector<RotationVector<Dim>>& spin = trial.motion.angular_velocity;
   if (!out.law.is_rigid())
     for (Contact<Dim>& c : out.contacts)
-      c.shear_force = rotated(
-          c.shear_force, RotationVector<Dim>(0.5 * dt * (g.angular_velocity[c.i] + g.angular_velocity[c.j])));
+      c.shear_force = rotated(c.shear_force, RotationVector<Dim>(0.5 * dt * (spin[c.i] + spin[c.j])));
   return out;
 }
 

@@ -64,7 +64,7 @@ class BalanceRows {
       if (c.on_wall()) visit(first_of_boundary() + c.wall, Vec<Dim>(Vec<Dim>::Unit(0)));
       return;
     }
-    const BoundaryRows<Dim> boundary = boundary_rows(network_, c, rows, strains_);
+    const BoundaryRows<Dim> boundary = boundary_rows(network_, rows, strains_);
     for (int s = 0; s < n_boundary_; ++s)
       visit(first_of_boundary() + s, Vec<Dim>(boundary.col(s).template head<Dim>()));
   }

@@ -19,6 +19,12 @@ bool knows_normal_law(TableReader& root, const SceneSource& source) {
          !source.is_faulty("contact.normal.law");
 }
 
+/// Whether it is known which grains have shapes: the table grains.shape and the saved start were read without faults.
+bool knows_shapes(TableReader& root, const SceneSource& source, const Scene& scene) {
+  const bool names_shape = root.table("grains", "", Need::optional).has("shape");
+  return !source.is_faulty("assembly.state") && (!names_shape || scene.grains.shape);
+}
+
 /// Reads the settings of contact dynamics that rigid and elastic grains share.
 void read_steps(TableReader& t, ContactDynamicsOptions& options) {
   options.time_step =
@@ -179,8 +185,10 @@ void check_elastic_shapes(TableReader& root, const Scene& scene) {
          "no key damping");
   refuse("rolling", static_cast<bool>(law.rolling), "their corners resist rolling", "no key rolling");
   refuse("twisting", static_cast<bool>(law.twisting), "their corners resist twisting", "no key twisting");
-  root.refuse("box", fmt::format(kRefused, "[box]", "these grains are compressed in a periodic cell",
-                                 "a table [cell]"));
+  if (scene.assembly.box && scene.assembly.box->adhesion > 0.0)
+    root.table("box", "").fault(
+        "adhesion",
+        fmt::format(kRefused, "box.adhesion", "the contacts of these grains only repel", "box.adhesion = 0"));
   TableReader assembly = root.table("assembly", "", Need::optional);
   assembly.refuse("vibration", fmt::format(kRefused, "assembly.vibration",
                                            "only disks and spheres are vibrated", "no key vibration"));
@@ -192,12 +200,13 @@ void check_elastic_shapes(TableReader& root, const Scene& scene) {
 void read_dynamics(TableReader& root, const SceneSource& source, Scene& scene) {
   TableReader t = root.table("dynamics", "a table [dynamics]", Need::optional);
   const bool knows_law = knows_normal_law(root, source);
+  const bool knows_method = knows_law && knows_shapes(root, source, scene);
   const auto method = t.choice("method", {"smooth", "contact_dynamics"}, Need::optional);
   // If the normal law is missing or has a fault, the law of the scene is a placeholder. The method is then taken from
   // the key, and the key is not compared with the law, because such a comparison could report a fault that does not
-  // exist.
-  const bool implicit = knows_law ? scene.has_contact_dynamics() : method != std::optional<std::size_t>(0);
-  if (knows_law && method && implicit && *method == 0)
+  // exist. The same is done if the shapes of the grains are not known.
+  const bool implicit = knows_method ? scene.has_contact_dynamics() : method != std::optional<std::size_t>(0);
+  if (knows_method && method && implicit && *method == 0)
     t.fault(
         "method",
         fmt::format(
@@ -206,7 +215,7 @@ void read_dynamics(TableReader& root, const SceneSource& source, Scene& scene) {
             scene.law.is_rigid()
                 ? "rigid contacts have no stiffness"
                 : "the contact forces of grains with shapes jump when other corners come into contact"));
-  if (knows_law && method && !implicit && *method == 1)
+  if (knows_method && method && !implicit && *method == 1)
     t.fault("method",
             fmt::format(
                 "dynamics.method = \"contact_dynamics\": contact dynamics moves only rigid grains and grains "

@@ -378,9 +378,9 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
   CellResponse unsaid;
   if (has_box(root)) {
     read_box(root, scene);
-    // The default cap on the strain rate also applies to walls around rigid grains: a drag acts on these walls, as on
-    // the sides of a periodic cell.
-    if (scene.law.is_rigid()) scene.relaxation = default_cap(scene).applied_to(scene.relaxation);
+    // The default cap on the strain rate also applies to walls in contact dynamics: a drag acts on these walls, as on the
+    // sides of a periodic cell.
+    if (scene.has_contact_dynamics()) scene.relaxation = default_cap(scene).applied_to(scene.relaxation);
     root.refuse(
         "cell",
         "[cell] is not allowed together with [box]: expected either a periodic cell ([cell]) or walls ([box])");

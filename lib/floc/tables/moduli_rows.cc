@@ -17,7 +17,6 @@
 #include "floc/packing/law/named_stiffness.h"
 #include "floc/packing/law/stiffness_check.h"
 #include "floc/packing/require_elastic.h"
-#include "floc/packing/require_periodic.h"
 #include "floc/packing/wall_forces.h"
 #include "floc/structure/coordination.h"
 #include "floc/tables/equilibrium_warning.h"
@@ -49,15 +48,6 @@ ModuliRow described(const std::string& file, const State<Dim>& state) {
 
 /// Beginning of the message of require_elastic() for a state of rigid grains if --kn and --kt are not given.
 const std::string kNeedsStiffness = "without named stiffnesses --kn and --kt, moduli are computed";
-
-/// Requires a packing whose moduli can be computed. Its contacts must be elastic. If its grains have corners and
-/// prestress is included, its boundaries must be periodic.
-template <int Dim>
-void require_stiffness(const Packing<Dim>& packing, bool prestress, const std::string& file) {
-  require_elastic(packing, kNeedsStiffness, file);
-  if (prestress && !packing.grains.are_round())
-    require_periodic(packing, "moduli with prestress of grains with corners are computed", file);
-}
 
 /// Returns a state of rigid grains whose contacts are springs with the stiffnesses --kn and --kt. Warns that these
 /// stiffnesses are not a property of the grains.
@@ -129,9 +119,8 @@ void add_network(const State<Dim>& state, ModuliOptions options, ModuliRow& row,
   const bool has_near_mechanisms = row.n_near_mechanisms.value_or(0) > 0;
   // Prestress changes the eigenvalues of the stiffness matrix by about F_N/r (F_N: normal force, r: distance between
   // centres). Near-mechanisms have eigenvalues of this size or smaller. Prestress may therefore change the moduli
-  // strongly, and the moduli with prestress are computed, too. For grains with corners, prestress can be included only
-  // if there are no walls.
-  if (options.prestress || (has_near_mechanisms && (packing.grains.are_round() || packing.walls.empty()))) {
+  // strongly, and the moduli with prestress are computed, too.
+  if (options.prestress || has_near_mechanisms) {
     ModuliOptions geometric = options;
     geometric.prestress = true;
     const Moduli with =
@@ -262,7 +251,7 @@ std::vector<ModuliRow> ModuliRows::of(const std::string& file, const State<Dim>&
 template <int Dim>
 std::vector<ModuliRow> ModuliRows::of_elastic(const std::string& file, const State<Dim>& state,
                                               Table* increments, const Remarks& remarks) {
-  require_stiffness(state.packing, options_.moduli.prestress, file);
+  require_elastic(state.packing, kNeedsStiffness, file);
   const ModuliRow description = described(file, state);
   warn_of_rounding(file, state, remarks);
   warn_of_stiffnesses(file, state, remarks);
@@ -295,7 +284,7 @@ std::vector<ModuliRow> parallel_moduli_rows(const std::string& file, State<Dim> 
   const double began = processor_seconds();
   if (asked.kn || asked.kt)
     state = with_named_stiffness(file, std::move(state), asked, solver.rank() == 0 ? remarks : Remarks{});
-  require_stiffness(state.packing, asked.moduli.prestress, file);
+  require_elastic(state.packing, kNeedsStiffness, file);
   ModuliOptions options = asked.moduli;
   options.unloaded = state.target_stress.isZero(0.0);
   const bool speaks = solver.rank() == 0;

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "floc/base/error.h"
 #include "floc/rigid/contact_points.h"
 #include "floc/verification/boundary_verification.h"
 #include "floc/verification/scene_check.h"
@@ -15,10 +14,6 @@ template <int Dim>
 std::vector<Criterion> criteria_of_law(const State<Dim>& state, const std::string& file) {
   if (state.packing.law.is_rigid())
     return verify_rigid(state, scene_gap_tolerance(file, state).value_or(default_gap_tolerance(state.packing)));
-  if (!state.packing.grains.are_round() && !state.packing.walls.empty())
-    throw InputError(file,
-                     "its grains have corners, its contacts are elastic, and it has walls; such states cannot "
-                     "be verified: expected a periodic cell, disks, spheres or rigid contacts");
   return verify_equilibrium(state);
 }
 

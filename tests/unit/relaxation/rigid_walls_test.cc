@@ -160,22 +160,6 @@ TEST(RigidWalls, FreeWallsReachTheirSpeed) {
   EXPECT_EQ(now.grains.position[0], Vec<2>(20.0, 20.0));
 }
 
-template <int Dim>
-Packing<Dim> boxed_gas(int count, const std::optional<ShapeOptions>& shape, const BoxOptions& box,
-                       double friction) {
-  GrainOptions grains;
-  grains.count = count;
-  grains.diameter.kind = DiameterDistribution::Kind::uniform;
-  grains.diameter.min = 0.5;
-  grains.diameter.max = 1.0;
-  grains.shape = shape;
-  RandomStream random(3, 1);
-  const double fraction = Dim == 2 ? 0.25 : 0.08;
-  if (!shape) return make_boxed_gas<Dim>(grains, rigid_law(friction), box, fraction, random);
-  return make_boxed_shaped_gas<Dim>(grains, rigid_law(friction), box, fraction, 3, random,
-                                    GasKind::sequential_addition);
-}
-
 /// Compresses a gas of grains between moving walls. The test is made for each kind of boundary of the lateral axes.
 /// Expects a pressure of 1 on all walls that move.
 template <int Dim>

@@ -304,6 +304,34 @@ TEST(ReadDynamics, AFaultyNormalLawCausesNoFurtherFaults) {
   EXPECT_THAT(words, AllOf(HasSubstr("contact.normal.law = 'rigit'"), Not(HasSubstr("dynamics")))) << words;
 }
 
+/// With a faulty shape or saved start, it is not known whether the elastic grains have shapes.
+TEST(ReadDynamics, FaultyShapesCauseNoFurtherFaults) {
+  const std::vector<std::string> faults = {
+      "grains.shape={kind=\"polygn\", sides=5}", "grains.shape={kind=\"polygon\", sides=2}",
+      "grains.shape={kind=\"polygon\", sides=5, rounding=-1}", "grains.shape=\"polygon\"",
+      "grains.shape={kind=\"file\", file=\"none.csv\"}"};
+  for (const std::string& fault : faults) {
+    const std::string words = dynamics_faults(kElasticScene, {fault, "dynamics.method=contact_dynamics"});
+    EXPECT_THAT(words, AllOf(HasSubstr("shape"), Not(HasSubstr("dynamics.method")))) << words;
+  }
+  const std::string start = kElasticScene.substr(0, kElasticScene.find("[grains]")) +
+                            "[contact]\nnormal = {law = \"linear\", stiffness = 1e5}\n"
+                            "[assembly]\nprotocol = \"state\"\nstate = \"none.h5\"\n"
+                            "[dynamics]\nmethod = \"contact_dynamics\"\n";
+  EXPECT_THAT(dynamics_faults(start), AllOf(HasSubstr("none.h5"), Not(HasSubstr("dynamics.method"))));
+}
+
+/// Walls press elastic grains with shapes together, at the rate of contact dynamics; they may rub, but not stick.
+TEST(ReadDynamics, ElasticGrainsWithShapesInABox) {
+  const std::string box = kElasticScene.substr(0, kElasticScene.find("[cell]")) +
+                          "[box]\nsides = [20, 20]\nfriction = 0\nadhesion = 0\npressure = 1\nmass = 5\n"
+                          "[assembly]\nprotocol = \"direct\"\n";
+  const std::vector<std::string> shape = {"grains.shape={kind=\"polygon\", sides=5}"};
+  EXPECT_EQ(parsed(box, shape).relaxation.inertial_number_cap, 0.02);
+  EXPECT_THAT(dynamics_faults(box, {shape[0], "box.adhesion=0.1"}),
+              HasSubstr("the contacts of these grains only repel; expected box.adhesion = 0"));
+}
+
 TEST(ReadDynamics, GroupsOfRigidGrainsAreFinite) {
   for (const std::vector<std::string>& changes :
        {std::vector<std::string>{}, {"contact.adhesion={law=\"constant\", force=2.0}"}}) {

@@ -6,10 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "floc/base/error.h"
 #include "floc/packing/balance.h"
 #include "floc/verification/verification.h"
-#include "support/angular_packing.h"
 #include "support/elastic_gas.h"
 
 /// Tests of elastic grains with corners. They come to rest by contact dynamics. Their states meet the criteria of an
@@ -131,16 +129,6 @@ TEST(ElasticShapes, ModuliOfPolyhedraAreThoseOfRelaxedStrains) {
 /// modulus is only about as large as the pressure.
 TEST(ElasticShapes, ModuliOfFrictionlessPolygonsAreThoseOfRelaxedStrains) {
   expect_moduli_of_strains<2>(25, kRoundedPentagons, 0.0, 1e-5);
-}
-
-TEST(ElasticShapes, PrestressNeedsPeriodicBoundaries) {
-  Packing<2> packing = angular_packing_with_forces<2>({"ww", "p"}).packing;
-  packing.law = packing.wall_law = spring_law(1e4, 0.5);
-  ModuliOptions options;
-  EXPECT_EQ(elastic_moduli(packing, options).failure, "");
-  options.prestress = true;
-  EXPECT_THAT([&] { return elastic_moduli(packing, options); },
-              testing::ThrowsMessage<InputError>(testing::HasSubstr("only with periodic boundaries")));
 }
 
 /// A small strain of one axis is imposed, under a constant stress on the other axis. Divided by the strain, the change

@@ -128,10 +128,10 @@ template <int Dim>
 template <class Visit>
 void LocalRows<Dim>::for_each_spring(const NetworkContact<Dim>& c, const Visit& visit) const {
   const ContactRows<Dim> rows = contact_rows(c);
-  visit(rows, RowStiffness<Dim>(row_stiffness(c) / unit_), boundary_rows(network_, c, rows, strains_));
+  visit(rows, RowStiffness<Dim>(row_stiffness(c) / unit_), boundary_rows(network_, rows, strains_));
   if (!prestress_) return;
   for_each_geometric_term(network_, c, rows, [&](const ContactRows<Dim>& moved, const RowStiffness<Dim>& k) {
-    visit(moved, RowStiffness<Dim>(k / unit_), boundary_rows(network_, c, moved, strains_));
+    visit(moved, RowStiffness<Dim>(k / unit_), boundary_rows(network_, moved, strains_));
   });
 }
 

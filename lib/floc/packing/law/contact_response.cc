@@ -17,6 +17,25 @@ constexpr double kBeyondCap = 1.0 + 2e-12;
 /// compared with any other motion, and its square does not underflow.
 constexpr double kTinyMotion = 1e-150;
 
+/// Calls visit(law, contact, k) for each contact, with the contact law between its bodies and its index k.
+template <int Dim, class Contacts, class Visitor>
+void for_each_with_law(const Packing<Dim>& packing, const Contacts& contacts, const Visitor& visit) {
+  const AnyContactLaw wall_law = compose_law(packing.wall_law);
+  // Defined outside the visitor below, so that it is compiled once and not once for each law between grains.
+  const auto visit_on_wall = [&](std::size_t k) {
+    std::visit([&](const auto& law) { visit(law, contacts[k], k); }, wall_law);
+  };
+  std::visit(
+      [&](const auto& law) {
+        for (std::size_t k = 0; k < contacts.size(); ++k)
+          if (packing.is_wall(contacts[k].j))
+            visit_on_wall(k);
+          else
+            visit(law, contacts[k], k);
+      },
+      compose_law(packing.law));
+}
+
 /// Returns the factor by which each number in the history of a contact is multiplied when derivatives are computed:
 /// kBeyondCap for springs, 1 for other quantities.
 template <int Dim>
@@ -133,12 +152,9 @@ template <int Dim>
 void respond(const Packing<Dim>& packing, std::span<const SurfaceMotion<Dim>> motion,
              std::span<Contact<Dim>> contacts) {
   assert(motion.size() == contacts.size());
-  std::visit(
-      [&](const auto& composed) {
-        for (std::size_t k = 0; k < contacts.size(); ++k)
-          respond_to_motion(composed, packing.grains, motion[k], contacts[k]);
-      },
-      compose_law(packing.law));
+  for_each_with_law(packing, contacts, [&](const auto& law, Contact<Dim>& contact, std::size_t k) {
+    respond_to_motion(law, packing.grains, motion[k], contact);
+  });
 }
 
 template <int Dim>
@@ -146,13 +162,12 @@ void contact_tangents(const Packing<Dim>& packing, std::span<const Contact<Dim>>
                       std::span<const SurfaceMotion<Dim>> motion, std::span<const Mat<Dim>> frame,
                       std::span<ContactTangent<Dim>> tangent) {
   assert(motion.size() == start.size() && frame.size() == start.size() && tangent.size() == start.size());
-  const ContactHistory<Dim> factor = spring_factors<Dim>(packing.law);
-  std::visit(
-      [&](const auto& composed) {
-        for (std::size_t k = 0; k < start.size(); ++k)
-          tangent[k] = tangent_of(composed, packing.grains, start[k], factor, motion[k], frame[k]);
-      },
-      compose_law(packing.law));
+  const ContactHistory<Dim> between_grains = spring_factors<Dim>(packing.law);
+  const ContactHistory<Dim> on_walls = spring_factors<Dim>(packing.wall_law);
+  for_each_with_law(packing, start, [&](const auto& law, const Contact<Dim>& contact, std::size_t k) {
+    const ContactHistory<Dim>& factor = packing.is_wall(contact.j) ? on_walls : between_grains;
+    tangent[k] = tangent_of(law, packing.grains, contact, factor, motion[k], frame[k]);
+  });
 }
 
 #define FLOC_INSTANTIATE(Dim)                                                                                  \

@@ -28,7 +28,7 @@ template <int Dim>
 void transport_history(const std::vector<HistoryQuantity>& remembered, const Vec<Dim>& normal, double twist,
                        Contact<Dim>& contact, SurfaceMotion<Dim>& motion);
 
-/// Updates contacts between grains by the contact law of a packing. The static forces, stiffnesses, flags and new
+/// Updates contacts by the contact laws of a packing. The static forces, stiffnesses, flags and new
 /// history of each contact follow from its gap, its normal, its old history and the motion of its surfaces.
 ///
 /// @param motion  motion of the surfaces of each contact, in the order of `contacts`

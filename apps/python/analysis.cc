@@ -60,7 +60,8 @@ void add_moduli(const NamedState& s, const ModuliCall& call, ModuliRows& computa
 
 py::tuple moduli(const States& states, const py::object& strains, bool prestress, const py::object& tolerance,
                  const py::object& method, const Names& accuracy, const py::object& force_tolerance,
-                 const py::object& rolling_stiffness, const Names& tables, bool force) {
+                 const py::object& rolling_stiffness, const py::object& kn, const py::object& kt,
+                 const py::object& per, const Names& tables, bool force) {
   require_tables(tables, {"increments"});
   ModuliCall call{.options = {}, .force = force};
   ModuliTableOptions& options = call.options;
@@ -75,6 +76,9 @@ py::tuple moduli(const States& states, const py::object& strains, bool prestress
   options.solver = ModuliSolver::cholmod;
   options.accuracy = moduli_accuracy(accuracy);
   options.rolling_stiffness = numbers_of("rolling_stiffness", rolling_stiffness, kNotNegativeNumber);
+  options.kn = number_if_any("kn", kn, kPositiveNumber);
+  options.kt = number_if_any("kt", kt, kPositiveNumber);
+  options.stiffness_per = stiffness_per(word_of("stiffness_per", per, {"point", "contact"}));
   options.increments = contains(tables, "increments");
   Table increments;
   const Table table = without_gil([&](const Remarks& remarks) {
@@ -285,7 +289,8 @@ py::tuple chain(const py::object& n, const py::object& radius, const py::object&
 void bind_analysis(py::module_& module) {
   module.def("moduli", &moduli, py::arg("states"), py::kw_only(), py::arg("strains"), py::arg("prestress"),
              py::arg("tolerance"), py::arg("method"), py::arg("accuracy"), py::arg("force_tolerance"),
-             py::arg("rolling_stiffness"), py::arg("tables"), py::arg("force"));
+             py::arg("rolling_stiffness"), py::arg("kn"), py::arg("kt"), py::arg("stiffness_per"),
+             py::arg("tables"), py::arg("force"));
   module.def("network", &network, py::arg("states"), py::kw_only(), py::arg("zero_force"),
              py::arg("least_contacts"), py::arg("unit"), py::arg("bin_width"), py::arg("groups"),
              py::arg("near_zero"), py::arg("shuffles"), py::arg("pressure_bin_width"), py::arg("without"),

@@ -185,7 +185,7 @@ def columns(s, row, options, context):
     out = {"file": Same(s.path), "dimension": Same(s.dim), "n_grains": Same(s.n), "units": Same(s.units),
            "n_contacts": Same(int(s.counted.sum())), "n_distant": Same(int((s.distant & ~s.on_wall).sum())),
            "P": Close(s.P, s.stress_scale), "P_star": Close(s.reduced(s.P), s.reduced(s.stress_scale)), **s.driven_columns(), "kn_named": Same(None),
-           "kt_named": Same(None),
+           "kt_named": Same(None), "stiffness_per": Same(None),
            "p_wall": Close(s.p_wall), "phi": Close(s.phi), "z": Close(2 * s.counted.sum() / s.n),
            "method": Same("factor"), "seconds": Exempt("a time"), "seconds_row": Exempt("a time")}
     for name, value in entries(C, full).items():

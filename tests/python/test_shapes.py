@@ -99,6 +99,19 @@ class Shapes(unittest.TestCase):
                     depths.append((side[0] * to[1] - side[1] * to[0]) / np.linalg.norm(side))
                 self.assertAlmostEqual(min(depths), -c["gap"] / 2, delta=2e-3)
 
+    def test_moduli_with_named_stiffnesses(self):
+        """Moduli of rigid states are proportional to the stiffnesses, which belong to points or to pairs."""
+        with tempfile.TemporaryDirectory() as directory:
+            rest = states_of(PENTAGONS, directory)[0]
+        with self.assertRaisesRegex(floc.InputError, "rigid"):
+            floc.moduli(rest)
+        one, two = floc.moduli(rest, kn=1.0, kt=0.5), floc.moduli(rest, kn=2.0, kt=1.0)
+        self.assertEqual((one.kn_named, one.kt_named, one.stiffness_per), (1.0, 0.5, "point"))
+        self.assertAlmostEqual(two.B / one.B, 2.0, delta=1e-9)
+        pairs = floc.moduli(rest, kn=1.0, kt=0.5, stiffness_per="contact")
+        self.assertEqual(pairs.stiffness_per, "contact")
+        self.assertLess(pairs.B_voigt, one.B_voigt)  # side contacts have two points, which share the stiffness here
+
     def test_pentagons(self):
         self.check(PENTAGONS, 5)
 

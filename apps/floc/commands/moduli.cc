@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "floc/base/error.h"
-#include "floc/io/atomic_file.h"
 #include "floc/packing/equilibrium_check.h"
 #include "floc/tables/equilibrium_warning.h"
 #include "floc/tables/moduli_rows.h"
@@ -25,6 +24,7 @@ struct ModuliCommand {
   std::string strains = "diagonal";
   std::string method = "factor";
   std::string solver = "automatic";
+  std::string stiffness_per = "point";
   /// Largest memory that a Cholesky factor of the stiffness matrix may take (GB).
   std::optional<double> memory;
   /// Required relative errors of the moduli: "X" for all moduli, or "B=X", "G=X"; if empty, `method` is used.
@@ -47,6 +47,7 @@ ModuliTableOptions options_of(const ModuliCommand& command) {
                    : command.solver == "cholmod" ? ModuliSolver::cholmod
                                                  : ModuliSolver::automatic;
   if (command.memory) options.memory = kGigabyte * *command.memory;
+  options.stiffness_per = stiffness_per(command.stiffness_per);
   options.increments = !command.increments.empty();
   for (const std::string& fault : options.validate()) throw InputError("floc moduli", "--" + fault);
   return options;
@@ -86,7 +87,7 @@ void write_file(const std::string& path, const Table& table, const Printing& pri
   std::ostringstream text;
   write_table(text, with_chosen_columns(table, printing, false),
               printing.format.empty() ? TableFormat::csv : chosen_format(printing.format));
-  write_bytes_atomically(path, text.str());
+  write_output(path, text.str());
 }
 
 void print_rows(const ModuliCommand& command, const ModuliTableOptions& options,
@@ -116,7 +117,7 @@ int run_alone(const ModuliCommand& command, const ModuliTableOptions& options) {
         std::ranges::move(computed, std::back_inserter(rows));
         return outcome;
       });
-  if (options.increments) write_csv(command.increments, increments);
+  if (options.increments) write_csv_unless_failed(command.increments, increments, code);
   print_rows(command, options, rows);
   return code;
 }
@@ -202,10 +203,16 @@ Command add_moduli(CommandLine program) {
       .one_argument_each();
   app.add_option("--kn", command->options.kn,
                  "for rigid grains, whose contacts have no stiffness: normal stiffness K_N of each "
-                 "contact point (force/length)");
+                 "contact point, or of each pair with --stiffness-per contact (force/length)");
   app.add_option("--kt", command->options.kt,
-                 "for rigid grains with friction: tangential stiffness K_T of each contact point "
-                 "(force/length)");
+                 "for rigid grains with friction: tangential stiffness K_T of each contact point, or of each "
+                 "pair (force/length)");
+  app.add_option(
+         "--stiffness-per", command->stiffness_per,
+         "what has the stiffnesses --kn and --kt: each contact point, or the contact of each pair of grains, "
+         "whose contact points then have equal shares")
+      .one_of({"point", "contact"})
+      .show_default();
   app.add_option(
       "--increments", command->increments,
       "csv file to write, with one row per contact: increments of the contact forces per unit of isotropic "

@@ -197,6 +197,7 @@ class Moduli(Record):
     P_driven_star: float | None
     kn_named: float | None
     kt_named: float | None
+    stiffness_per: str | None
 
 class Network(Record):
     file: str
@@ -500,12 +501,14 @@ def moduli(
     state: _OneState, strains: str = "diagonal", *, prestress: bool = False,
     tolerance: float | None = None, method: str = "factor", accuracy: float | _Mapping[str, float] | None = None,
     force_tolerance: float | None = None, rolling_stiffness: float | _Sequence[float] | None = None,
+    kn: float | None = None, kt: float | None = None, stiffness_per: str = "point",
     tables: str | _Iterable[str] = (), force: bool = False) -> Moduli: ...
 @_overload
 def moduli(
     state: _Iterable[_OneState], strains: str = "diagonal", *, prestress: bool = False,
     tolerance: float | None = None, method: str = "factor", accuracy: float | _Mapping[str, float] | None = None,
     force_tolerance: float | None = None, rolling_stiffness: float | _Sequence[float] | None = None,
+    kn: float | None = None, kt: float | None = None, stiffness_per: str = "point",
     tables: str | _Iterable[str] = (), force: bool = False) -> Records[Moduli]: ...
 @_overload
 def network(

@@ -40,7 +40,7 @@ class Chain(Record):
 
 
 def moduli(state, strains="diagonal", *, prestress=False, tolerance=None, method="factor", accuracy=None,
-           force_tolerance=None, rolling_stiffness=None, tables=(), force=False):
+           force_tolerance=None, rolling_stiffness=None, kn=None, kt=None, stiffness_per="point", tables=(), force=False):
     """Computes elastic moduli, bounds and stability, as ``floc moduli`` prints them.
 
     Parameters
@@ -64,6 +64,13 @@ def moduli(state, strains="diagonal", *, prestress=False, tolerance=None, method
     rolling_stiffness : float or sequence of float, optional
         Rolling stiffness K_R of every touching contact instead of the value in the state (force length). A sequence
         gives one row per value.
+    kn, kt : float, optional
+        Normal and tangential stiffness of the contacts of rigid grains, which have none of their own (force/length).
+        Required for states of rigid grains (`kt` if they have friction) and refused for others. The moduli are then those
+        of these springs, and not a property of the grains.
+    stiffness_per : {"point", "contact"}
+        What has the stiffnesses `kn` and `kt`: each contact point, or the contact of each pair of grains, whose contact
+        points then have equal shares.
     tables : sequence of str
         Additional tables to compute. "increments": for each contact, the changes of its force under an isotropic and a
         deviatoric stress of 1.
@@ -92,7 +99,8 @@ def moduli(state, strains="diagonal", *, prestress=False, tolerance=None, method
     rolling = [] if rolling_stiffness is None else list(np.atleast_1d(unmasked("rolling_stiffness", rolling_stiffness)))
     table, further = _core.moduli(
         states, strains=strains, prestress=prestress, tolerance=tolerance, method=method, accuracy=_accuracy(accuracy),
-        force_tolerance=force_tolerance, rolling_stiffness=rolling, tables=_names(tables), force=force)
+        force_tolerance=force_tolerance, rolling_stiffness=rolling, kn=kn, kt=kt, stiffness_per=stiffness_per,
+        tables=_names(tables), force=force)
     return records(Moduli, table, further, single and not several)
 
 

@@ -225,6 +225,10 @@ std::vector<Column<ModuliRow>> moduli_columns(const ModuliColumnChoice& choice,
   columns.emplace_back("P_driven_star", [](const ModuliRow& r) { return r.reduced_driven_stress; });
   columns.emplace_back("kn_named", [](const ModuliRow& r) { return or_undefined(r.kn_named); });
   columns.emplace_back("kt_named", [](const ModuliRow& r) { return or_undefined(r.kt_named); });
+  columns.emplace_back("stiffness_per", [](const ModuliRow& r) {
+    if (!r.stiffness_per) return TableValue{};
+    return TableValue{*r.stiffness_per == StiffnessPer::contact ? "contact" : "point"};
+  });
   return columns;
 }
 

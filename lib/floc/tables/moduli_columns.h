@@ -9,6 +9,7 @@
 #include "floc/elasticity/mean_field.h"
 #include "floc/elasticity/moduli.h"
 #include "floc/elasticity/network_mechanics.h"
+#include "floc/packing/law/named_stiffness.h"
 #include "floc/tables/column.h"
 
 namespace floc {
@@ -49,6 +50,7 @@ struct ModuliRow {
   std::optional<double> kn_named,
       /// stiffnesses --kn and --kt that the user gave for the contacts of rigid grains (force/length)
       kt_named;
+  std::optional<StiffnessPer> stiffness_per;  ///< whether these stiffnesses belong to points or to pairs
   MeanFieldEstimates mean_field;
   double seconds;            ///< processor time for computing the moduli (s)
   double seconds_row = 0.0;  ///< processor time for the whole row, including reading the state (s)

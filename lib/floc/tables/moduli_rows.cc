@@ -58,8 +58,8 @@ State<Dim> with_named_stiffness(const std::string& file, State<Dim> state, const
     throw InputError(
         file, "this state is in motion, so its forces do not balance: moduli are computed for states at rest");
   try {
-    state.packing =
-        with_named_stiffness(std::move(state.packing), {options.kn.value_or(0.0), options.kt.value_or(0.0)});
+    state.packing = with_named_stiffness(
+        std::move(state.packing), {options.kn.value_or(0.0), options.kt.value_or(0.0), options.stiffness_per});
   } catch (const InputError& error) {
     throw InputError(file, error.what());
   }
@@ -68,6 +68,13 @@ State<Dim> with_named_stiffness(const std::string& file, State<Dim> state, const
       "the grains are rigid: these moduli are those of springs with the stiffnesses --kn and --kt at the "
       "contacts, and are not a property of the grains");
   return state;
+}
+
+/// Sets the columns of the stiffnesses that the user gave, if any.
+void set_named_stiffness(ModuliRow& row, const ModuliTableOptions& options) {
+  if (!options.kn) return;
+  row.kn_named = options.kn, row.kt_named = options.kt;
+  row.stiffness_per = options.stiffness_per;
 }
 
 /// Warns if the rounding of the grain positions causes residual forces or stresses that reach the tolerances of
@@ -243,7 +250,7 @@ std::vector<ModuliRow> ModuliRows::of(const std::string& file, const State<Dim>&
   if (!options_.kn && !options_.kt) return of_elastic(file, state, increments, remarks);
   std::vector<ModuliRow> rows =
       of_elastic(file, with_named_stiffness(file, state, options_, remarks), increments, remarks);
-  for (ModuliRow& row : rows) row.kn_named = options_.kn, row.kt_named = options_.kt;
+  for (ModuliRow& row : rows) set_named_stiffness(row, options_);
   return rows;
 }
 
@@ -254,7 +261,7 @@ std::vector<ModuliRow> ModuliRows::of_elastic(const std::string& file, const Sta
   require_elastic(state.packing, kNeedsStiffness, file);
   const ModuliRow description = described(file, state);
   warn_of_rounding(file, state, remarks);
-  warn_of_stiffnesses(file, state, remarks);
+  if (!options_.kn) warn_of_stiffnesses(file, state, remarks);
   ModuliOptions options = options_.moduli;
   const double start = processor_seconds();
   const std::vector<Moduli> moduli = compute(file, state, options, remarks);
@@ -290,7 +297,7 @@ std::vector<ModuliRow> parallel_moduli_rows(const std::string& file, State<Dim> 
   const bool speaks = solver.rank() == 0;
   if (speaks) {
     warn_of_rounding(file, state, remarks);
-    warn_of_stiffnesses(file, state, remarks);
+    if (!asked.kn) warn_of_stiffnesses(file, state, remarks);
   }
   Packing<Dim>& packing = state.packing;
   const ModuliRow description = described(file, state);
@@ -306,7 +313,7 @@ std::vector<ModuliRow> parallel_moduli_rows(const std::string& file, State<Dim> 
     require_moduli(file, row.moduli);
     row.seconds = processor_seconds() - start;
     row.rolling_stiffness = rolling;
-    row.kn_named = asked.kn, row.kt_named = asked.kt;
+    set_named_stiffness(row, asked);
     row.mean_field = mean_field_estimates(network, description.z, description.solid_fraction);
     if (speaks)
       for (const std::string& warning : row.moduli.warnings) remarks.warn(file, warning, first_number(warning));
@@ -332,6 +339,8 @@ std::vector<std::string> ModuliTableOptions::validate() const {
     if (value && !(*value > 0.0 && std::isfinite(*value)))
       faults.push_back(fmt::format("{} = {}: expected a positive stiffness (force/length)", name, *value));
   if (kt && !kn) faults.push_back("kt: expected a normal stiffness too; give --kn");
+  if (stiffness_per == StiffnessPer::contact && !kn)
+    faults.push_back("stiffness-per contact: expected the stiffnesses of rigid grains too; give --kn");
   if (accuracy)
     for (const std::string& fault : accuracy->validate()) faults.push_back(fault);
   // The test of moduli.method above does not find this fault. If an accuracy is required, floc chooses the method, and

@@ -38,6 +38,8 @@ struct ModuliTableOptions {
   /// Stiffnesses of the contacts of rigid grains (force/length). They are required for states of rigid grains, and
   /// refused for other states.
   std::optional<double> kn, kt;
+  /// Whether each contact point has the stiffnesses `kn` and `kt`, or all contact points of a pair of grains together.
+  StiffnessPer stiffness_per = StiffnessPer::point;
   bool increments = false;  ///< whether a table of the force increments of every contact is added
 
   /// Returns the faults of the options as texts "name of the option: requirement", some with the value of the option.

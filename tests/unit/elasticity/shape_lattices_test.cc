@@ -1,9 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <vector>
 
 #include "floc/base/error.h"
 #include "floc/elasticity/moduli.h"
@@ -22,7 +24,8 @@ constexpr double kNormal = 1.0, kTangential = 0.7;
 /// @param is_face  function of the vector from one grain to the other; true if the two grains share a face
 template <int Dim>
 Packing<Dim> face_lattice(const Mat<Dim>& cell, const std::vector<Vec<Dim>>& positions, const Shape<Dim>& shape,
-                          double scale, const std::function<bool(const Vec<Dim>&)>& is_face) {
+                          double scale, const std::function<bool(const Vec<Dim>&)>& is_face,
+                          StiffnessPer per = StiffnessPer::point) {
   Packing<Dim> packing;
   packing.law = rigid_law(0.5);
   packing.cell.matrix = cell;
@@ -31,7 +34,7 @@ Packing<Dim> face_lattice(const Mat<Dim>& cell, const std::vector<Vec<Dim>>& pos
   set_shape(packing.grains, shape, scale);
   packing.contacts = ContactPoints<Dim>().find(packing, 1e-9);
   std::erase_if(packing.contacts, [&](const Contact<Dim>& c) { return !is_face(branch(packing, c)); });
-  return with_named_stiffness(packing, {kNormal, kTangential});
+  return with_named_stiffness(packing, {kNormal, kTangential, per});
 }
 
 template <int Dim>
@@ -107,6 +110,46 @@ TEST(ShapeLattices, Cubes) {
     EXPECT_NEAR(m.C(a, (a + 1) % 3), 0.0, 1e-9);
     EXPECT_NEAR(m.C(3 + a, 3 + a), 2.0 * kTangential, 1e-9);
   }
+}
+
+/// Faces of squares have two contact points and faces of cubes four, so that a stiffness for each contact is divided by
+/// two and by four.
+TEST(ShapeLattices, OfStiffnessesPerContact) {
+  const auto is_face = [](const auto& r) { return r.norm() < 1.2; };
+  std::vector<Vec<2>> positions;
+  for (int k = 0; k < 12; ++k) positions.emplace_back(0.5 + k % 4, 0.5 + k / 4);
+  const Moduli squares =
+      moduli_of_lattice(face_lattice<2>(Vec<2>(4.0, 3.0).asDiagonal(), positions, box<2>(Vec<2>(1.0, 1.0), 0.0),
+                                        std::sqrt(2.0), is_face, StiffnessPer::contact));
+  EXPECT_NEAR(squares.C(0, 0), kNormal, 1e-9);
+  EXPECT_NEAR(squares.C(0, 1), 0.0, 1e-9);
+  EXPECT_NEAR(squares.C(2, 2), 0.5 * kTangential, 1e-9);
+  std::vector<Vec<3>> centres;
+  for (int k = 0; k < 27; ++k) centres.emplace_back(0.5 + k % 3, 0.5 + k / 3 % 3, 0.5 + k / 9);
+  const Moduli cubes = moduli_of_lattice(face_lattice<3>(Vec<3>(3.0, 3.0, 3.0).asDiagonal(), centres,
+                                                         box<3>(Vec<3>(1.0, 1.0, 1.0), 0.0), std::sqrt(3.0),
+                                                         is_face, StiffnessPer::contact));
+  EXPECT_NEAR(cubes.C(2, 2), kNormal, 1e-9);
+  EXPECT_NEAR(cubes.C(5, 5), 0.5 * kTangential, 1e-9);
+}
+
+/// Two periodic images of a grain are two pairs.
+TEST(NamedStiffness, PerContactIsDividedAmongThePointsOfAPair) {
+  Packing<2> packing;
+  packing.law = rigid_law(0.5);
+  packing.contacts.resize(7);
+  const std::vector<std::array<int, 3>> pairs = {{0, 1, 0}, {0, 1, 0}, {0, 1, 1}, {0, 2, 0},
+                                                 {1, 2, 0}, {1, 2, 0}, {1, 2, 0}};
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    packing.contacts[k].i = pairs[k][0];
+    packing.contacts[k].j = pairs[k][1];
+    packing.contacts[k].image = {pairs[k][2], 0};
+  }
+  const Packing<2> named = with_named_stiffness(packing, {6.0, 3.0, StiffnessPer::contact});
+  std::vector<double> normal, tangential;
+  for (const Contact<2>& c : named.contacts) normal.push_back(c.kn), tangential.push_back(c.kt);
+  EXPECT_THAT(normal, testing::ElementsAre(3.0, 3.0, 6.0, 6.0, 2.0, 2.0, 2.0));
+  EXPECT_THAT(tangential, testing::ElementsAre(1.5, 1.5, 3.0, 3.0, 1.0, 1.0, 1.0));
 }
 
 TEST(NamedStiffness, GoesWithRigidContactsAndFriction) {

@@ -1,9 +1,16 @@
 #include "floc/packing/law/named_stiffness.h"
 
+#include <vector>
+
 #include "floc/base/error.h"
 #include "floc/contact/law_parameters.h"
+#include "floc/packing/contact_order.h"
 
 namespace floc {
+
+StiffnessPer stiffness_per(const std::string& keyword) {
+  return keyword == "contact" ? StiffnessPer::contact : StiffnessPer::point;
+}
 
 template <int Dim>
 Packing<Dim> with_named_stiffness(Packing<Dim> packing, const NamedStiffness& named) {
@@ -25,9 +32,17 @@ Packing<Dim> with_named_stiffness(Packing<Dim> packing, const NamedStiffness& na
   else
     law.friction = NoFriction{};
   packing.law = law;
-  for (Contact<Dim>& c : packing.contacts) {
-    c.kn = named.normal;
-    c.kt = named.tangential;
+  std::vector<Contact<Dim>>& contacts = packing.contacts;
+  for (std::size_t first = 0, last; first < contacts.size(); first = last) {
+    last = first + 1;
+    while (named.per == StiffnessPer::contact && last < contacts.size() &&
+           same_pair(contacts[last], contacts[first]))
+      ++last;
+    const double share = 1.0 / static_cast<double>(last - first);
+    for (std::size_t k = first; k < last; ++k) {
+      contacts[k].kn = share * named.normal;
+      contacts[k].kt = share * named.tangential;
+    }
   }
   return packing;
 }

@@ -134,7 +134,7 @@ struct Problem {
     out.fluctuation = Eigen::MatrixXd::Zero(whole.n_unknowns(), out.relaxed.cols());
     for (int a = 0; a < static_cast<int>(unknowns.unknown.size()); ++a)
       out.fluctuation.row(unknowns.unknown[a]) = condensed.response.row(a) * unknowns.length[a];
-    if (!whole.wall_axes.empty()) relax_wall_shifts(whole, out);
+    relax_wall_shifts(whole, out);
     return std::move(out);
   }
 };

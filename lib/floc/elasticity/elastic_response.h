@@ -58,7 +58,7 @@ struct ElasticResponse {
   /// stiffness matrix K, one column per strain of the cell. Rows of unknowns whose motion no contact resists are zero.
   Eigen::MatrixXd fluctuation;
   /// For each axis with walls, the wall shift per unit strain: the common displacement of the two walls at which the
-  /// forces on both walls are equal. One row per axis, one column per strain. Empty without walls.
+  /// forces on both walls are equal. One row per axis, one column per strain. Zero for the other axes.
   Eigen::MatrixXd wall_shift;
   FreeMotions free;
   /// number of independent wall shifts (common displacements of the two walls of an axis) that no stiffness resists

@@ -53,21 +53,33 @@ double vanishing_bound(double scale, const Moduli& m) {
   return std::isfinite(error) ? error : kVanishingModulus * scale;
 }
 
-/// Counts the zero and negative eigenvalues of the moduli C. Eigenvalues whose absolute value is at most `bound` are
-/// set to exactly zero.
-void count_coupled_mechanisms(double bound, Moduli& m) {
+/// Counts the strains that no spring resists, which are the zero eigenvalues of the moduli C, and sets these eigenvalues
+/// to exactly zero. Then adds the terms of the convected stress, but none for these strains, and counts the negative
+/// eigenvalues. With these terms, a strain that no spring resists would couple to the other strains, and C would have a
+/// negative eigenvalue: a bed on a floor would count as unstable.
+/// @param bound  largest absolute value of an eigenvalue that counts as zero
+/// @param convected  convected_stress() of a packing between walls; empty without prestress and in a periodic cell, where C
+/// contains it
+void count_coupled_mechanisms(double bound, Eigen::MatrixXd convected, Moduli& m) {
   const SymmetricEigen eigen = symmetric_eigen(m.C);
   Eigen::VectorXd values = eigen.values;
+  Eigen::MatrixXd resisted = Eigen::MatrixXd::Identity(m.C.rows(), m.C.cols());
   for (Eigen::Index k = 0; k < values.size(); ++k) {
-    if (values[k] < -bound) ++m.n_negative;
     if (std::abs(values[k]) > bound) continue;
     ++m.n_coupled_mechanisms;
-    const Eigen::VectorXd direction = eigen.vectors.col(k).cwiseAbs();
-    m.C_error += std::abs(values[k]) * direction * direction.transpose();
+    const Eigen::VectorXd direction = eigen.vectors.col(k);
+    m.C_error += std::abs(values[k]) * direction.cwiseAbs() * direction.cwiseAbs().transpose();
+    resisted -= direction * direction.transpose();
     values[k] = 0.0;
   }
   if (m.n_coupled_mechanisms > 0) m.C = eigen.vectors * values.asDiagonal() * eigen.vectors.transpose();
   m.n_mechanisms += m.n_coupled_mechanisms;
+  if (convected.size() > 0) {
+    if (m.n_coupled_mechanisms > 0) convected = (resisted * convected * resisted).eval();
+    m.C += convected;
+    values = symmetric_eigen(m.C).values;
+  }
+  m.n_negative += static_cast<int>((values.array() < -bound).count());
 }
 
 /// Computes the bulk modulus under imposed stress, B_S = 1/(1^T C^-1 1), and its error from the moduli C. B_S is 0 if
@@ -96,10 +108,12 @@ void derive_stress_controlled_bulk(const Eigen::MatrixXd& c, const Eigen::Matrix
   m.B_S_error = change < 0.5 ? 2.0 * change * std::abs(m.B_S) : kInfinity;
 }
 
+/// @param scale      Voigt stiffness, the stiffness of affine motion (stress)
+/// @param convected  see count_coupled_mechanisms()
 template <int Dim>
-void derive_constants(double scale, Moduli& m) {
+void derive_constants(double scale, const Eigen::MatrixXd& convected, Moduli& m) {
   const double bound = vanishing_bound(scale, m);
-  count_coupled_mechanisms(bound, m);
+  count_coupled_mechanisms(bound, convected, m);
   const Eigen::MatrixXd block = m.C.topLeftCorner(Dim, Dim);
   const Eigen::MatrixXd error = m.C_error.topLeftCorner(Dim, Dim);
   const Eigen::VectorXd diagonal = block.diagonal();
@@ -208,7 +222,9 @@ template <int Dim>
 NetworkLoad<Dim> network_load(const Packing<Dim>& packing, bool unloaded) {
   const auto n_mobilised = std::count_if(packing.contacts.begin(), packing.contacts.end(),
                                          [](const auto& c) { return c.is_mobilised(); });
-  return {load_stress(packing), unloaded, mean_field(packing), static_cast<int>(n_mobilised)};
+  return {load_stress(packing),         unloaded,
+          mean_field(packing),          static_cast<int>(n_mobilised),
+          !packing.gravity.isZero(0.0), !packing.walls.empty()};
 }
 
 template <int Dim>
@@ -266,8 +282,14 @@ Moduli moduli_of(ElasticResponse response, const ContactNetwork<Dim>& network, c
     return m;
   }
   m.C = response.relaxed / network.volume;
-  if (options.prestress) m.C += convected_stress<Dim>(load.stress, static_cast<int>(m.C.rows()));
-  m.C_error = response.error / network.volume + kCellRounding * m.C.cwiseAbs();
+  Eigen::MatrixXd convected;
+  if (options.prestress) convected = convected_stress<Dim>(load.stress, static_cast<int>(m.C.rows()));
+  const Eigen::MatrixXd sum = options.prestress ? m.C + convected : m.C;
+  m.C_error = response.error / network.volume + kCellRounding * sum.cwiseAbs();
+  if (!load.has_walls) {
+    m.C = sum;
+    convected.resize(0, 0);
+  }
   if (!response.counted) m.method = options.method;
   m.steps = response.steps;
   m.n_negative = response.n_negative;
@@ -276,7 +298,7 @@ Moduli moduli_of(ElasticResponse response, const ContactNetwork<Dim>& network, c
   m.n_free_rollers = response.free.n_free_rollers;
   m.residual = response.residual;
   m.condition = response.condition;
-  derive_constants<Dim>(m.bounds.B_voigt + m.bounds.G_voigt, m);
+  derive_constants<Dim>(m.bounds.B_voigt + m.bounds.G_voigt, convected, m);
   check_errors(response.resolved, options.tolerance, m);
   m.response = std::move(response);
   add_warnings(m);
@@ -305,6 +327,8 @@ Moduli solved_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>&
   m.pressure = load.stress.trace() / Dim;
   m.n_mobilised = load.n_mobilised;
   m.bounds = elastic_bounds(network, load.unloaded ? 0.0 : m.pressure, load.mean_field);
+  if (load.has_weight && !m.bounds_hold())
+    m.bounds.fault = "the contact forces balance the weights of the grains, and not each other";
   if (options.prestress && m.bounds_hold())
     m.bounds.fault = "B contains the geometric terms of the forces (prestress)";
   m.isotropic_stress = m.bounds.B_reuss == 0.0 || is_isotropic<Dim>(load.stress, m.pressure);

@@ -34,7 +34,7 @@ struct ModuliOptions {
   ModuliMethod method = ModuliMethod::factor;
   StrainSet strains = StrainSet::diagonal;
   /// Whether the geometric terms, which result from the contact forces, are added to the stiffness. The moduli are in
-  /// this case derivatives of the Cauchy stress. Packings of grains with corners must not have walls.
+  /// this case derivatives of the Cauchy stress.
   bool prestress = false;
   /// Tolerance for the search for rattlers of a cohesionless packing. A contact counts as carrying no force if its
   /// normal force is at most this number, in units of F1 = max(F0, P a^(Dim-1)) (pull-off force F0, pressure P, largest
@@ -54,7 +54,7 @@ struct ModuliOptions {
 
   /// Returns the contacts from which the moduli of a packing are computed: all contacts except the contacts of
   /// rattlers, with `rolling_stiffness` if it is given.
-  /// @throws InputError if the contacts are rigid, or if `prestress` is set for grains with corners between walls
+  /// @throws InputError if the contacts are rigid
   template <int Dim>
   ContactNetwork<Dim> loaded_network(const Packing<Dim>& packing) const;
 
@@ -71,6 +71,8 @@ struct NetworkLoad {
   MeanField mean_field{};  ///< averages for the mean-field forms of the bounds
   /// number of mobilised contacts (whose force is at its limit), which the moduli treat as elastic
   int n_mobilised = 0;
+  bool has_weight = false;  ///< whether gravity acts on the grains
+  bool has_walls = false;   ///< whether the grains are between walls
 };
 
 /// Returns the load of a packing: its stress, its mean-field averages and the number of its mobilised contacts.

@@ -68,13 +68,34 @@ double unresolved_by_symmetry(const ContactNetwork<Dim>& network, double unit) {
   return std::pow(largest / unit, 2);
 }
 
+/// Returns the convected stress that counts in the stability of a packing: convected_stress(), in a box only for axes with
+/// a wall that forces move. The other lengths of a box cannot change, or nothing resists their change. With its terms, a
+/// strain that nothing resists would couple to the other strains, and a bed on a floor would count as unstable.
 template <int Dim>
-ReducedStiffness reduced_stiffness(const ContactNetwork<Dim>& whole, const std::optional<Mat<Dim>>& stress) {
+Eigen::MatrixXd free_convected_stress(const Packing<Dim>& packing) {
+  Eigen::MatrixXd convected = convected_stress<Dim>(load_stress(packing), Dim);
+  for (int a = 0; a < Dim && !packing.walls.empty(); ++a) {
+    const bool is_free =
+        !is_open_along(packing.walls, a) && std::ranges::any_of(packing.walls, [&](const Wall<Dim>& wall) {
+          return wall.axis == a && follows_forces(wall);
+        });
+    if (is_free) continue;
+    convected.row(a).setZero();
+    convected.col(a).setZero();
+  }
+  return convected;
+}
+
+/// @param convected  terms that prestress adds to the stiffness against strains of the cell (stress); absent without
+/// prestress
+template <int Dim>
+ReducedStiffness reduced_stiffness(const ContactNetwork<Dim>& whole,
+                                   const std::optional<Eigen::MatrixXd>& convected) {
   const FreeMotions free = find_free_motions(whole);
   const ContactNetwork<Dim> core = without_grains(whole, free.dead_end);
   const ReducedUnknowns unknowns = reduce_unknowns(core, free.kept);
   const double unit = stiffness_scale(core);
-  const bool prestress = stress.has_value();
+  const bool prestress = convected.has_value();
   const StiffnessMatrix k = stiffness_matrix(core, {StrainSet::diagonal, prestress, true, prestress});
   ReducedStiffness out;
   out.n_unstable_ends = free.n_unstable_ends;
@@ -87,8 +108,8 @@ ReducedStiffness reduced_stiffness(const ContactNetwork<Dim>& whole, const std::
   out.boundary = k.boundary / unit;
   out.vanishing = kVanishingStrain * k.boundary.cwiseAbs().maxCoeff() / unit;
   out.unresolved = ResponseOptions{}.mechanism_bound;
-  if (!stress) return out;
-  out.boundary.topLeftCorner(Dim, Dim) += whole.volume / unit * convected_stress<Dim>(*stress, Dim);
+  if (!convected) return out;
+  out.boundary.topLeftCorner(Dim, Dim) += whole.volume / unit * *convected;
   out.unresolved = std::max(out.unresolved, unresolved_by_symmetry(core, unit));
   return out;
 }
@@ -181,9 +202,9 @@ Stability test_by_iteration(const ReducedStiffness& k, const StabilityOptions& o
 }
 
 template <int Dim>
-Stability test(const ContactNetwork<Dim>& network, const std::optional<Mat<Dim>>& stress,
+Stability test(const ContactNetwork<Dim>& network, const std::optional<Eigen::MatrixXd>& convected,
                const StabilityOptions& options) {
-  const ReducedStiffness k = reduced_stiffness<Dim>(network, stress);
+  const ReducedStiffness k = reduced_stiffness<Dim>(network, convected);
   const Stability exact = test_by_factor(k, options);
   return exact.n_negative ? exact : test_by_iteration(k, options, exact.note);
 }
@@ -199,7 +220,7 @@ Stability stability(const ContactNetwork<Dim>& network, const StabilityOptions& 
 template <int Dim>
 Stability stability(const ContactNetwork<Dim>& network, const Mat<Dim>& stress,
                     const StabilityOptions& options) {
-  return test<Dim>(network, stress, options);
+  return test<Dim>(network, convected_stress<Dim>(stress, Dim), options);
 }
 
 template <int Dim>
@@ -208,7 +229,7 @@ Stability stability(const Packing<Dim>& packing, bool prestress, const Stability
   ModuliOptions network_options;
   network_options.prestress = prestress;
   const ContactNetwork<Dim> network = network_options.loaded_network(packing);
-  return prestress ? stability(network, load_stress(packing), options) : stability(network, options);
+  return prestress ? test<Dim>(network, free_convected_stress(packing), options) : stability(network, options);
 }
 
 template <int Dim>

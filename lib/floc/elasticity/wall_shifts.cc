@@ -19,6 +19,8 @@ template <int Dim>
 void relax_wall_shifts(const ContactNetwork<Dim>& network, ElasticResponse& out) {
   const auto n = static_cast<Eigen::Index>(network.wall_axes.size());
   const Eigen::Index n_strains = out.relaxed.rows() - n;
+  out.wall_shift = Eigen::MatrixXd::Zero(Dim, n_strains);
+  if (n == 0) return;
   // The wall shifts (common displacements of the two walls of an axis) are eliminated by a pseudo-inverse. In a shift
   // without stiffness, the grains move along without resistance, and the amplitude has no influence on the forces.
   const SymmetricEigen eigen = symmetric_eigen(out.relaxed.bottomRightCorner(n, n));
@@ -35,7 +37,6 @@ void relax_wall_shifts(const ContactNetwork<Dim>& network, ElasticResponse& out)
   Eigen::MatrixXd with_strain = Eigen::MatrixXd::Identity(out.relaxed.rows(), n_strains);
   with_strain.bottomRows(n) = -eigen.vectors * inverse.asDiagonal() * eigen.vectors.transpose() *
                               out.relaxed.bottomLeftCorner(n, n_strains);
-  out.wall_shift = Eigen::MatrixXd::Zero(Dim, n_strains);
   for (Eigen::Index k = 0; k < n; ++k)
     out.wall_shift.row(network.wall_axes[static_cast<std::size_t>(k)]) =
         wall_shift_unit(network) * with_strain.row(n_strains + k);

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "floc/packing/wall_forces.h"
+
 namespace floc {
 
 Mat<2> contact_frame(const Vec<2>& n) {
@@ -22,22 +24,33 @@ Mat<3> contact_frame(const Vec<3>& n) {
 
 namespace {
 
-/// Returns a vector with the coordinate of the middle between the two walls for each axis with walls (length).
+/// Returns the axes with walls whose two walls may move together. If forces move some wall of the box, both walls of
+/// such an axis follow forces, since the place of a wall that forces do not move is given. If forces move no wall, as in
+/// imported packings, nothing is known about the walls, and those of each axis may move together.
 template <int Dim>
-Vec<Dim> middle(const std::vector<Wall<Dim>>& walls) {
-  Vec<Dim> middle = Vec<Dim>::Zero();
-  for (const Wall<Dim>& wall : walls) middle[wall.axis] += 0.5 * wall.position;
-  return middle;
+std::vector<int> shifting_axes(const Packing<Dim>& packing) {
+  const auto follows = [](const Wall<Dim>& wall) { return follows_forces(wall); };
+  const bool any_follows = std::ranges::any_of(packing.walls, follows);
+  std::vector<int> axes;
+  for (int a = 0; a < Dim; ++a)
+    if (between_walls(packing.walls, a) &&
+        (!any_follows || std::ranges::all_of(packing.walls, [&](const Wall<Dim>& wall) {
+          return wall.axis != a || follows_forces(wall);
+        })))
+      axes.push_back(a);
+  return axes;
 }
 
 /// Returns the branch vector of a contact with a wall, as defined for NetworkContact::branch.
-/// @param to_foot  vector from the centre of the grain to the nearest point of the wall
 template <int Dim>
-Vec<Dim> strained_branch(const Packing<Dim>& packing, const Contact<Dim>& c, Vec<Dim> to_foot) {
-  const Vec<Dim> to_middle = middle(packing.walls) - packing.grains.position[c.i];
+Vec<Dim> strained_branch(const Packing<Dim>& packing, const Contact<Dim>& c) {
+  Vec<Dim> branch = stress_lever(packing, c);
+  const Wall<Dim>& wall = packing.wall(c.j);
+  const Vec<Dim> origin = strain_origin(packing);
   for (int b = 0; b < Dim; ++b)
-    if (b != packing.wall(c.j).axis && between_walls(packing.walls, b)) to_foot[b] = to_middle[b];
-  return to_foot;
+    if (b != wall.axis && between_walls(packing.walls, b))
+      branch[b] = origin[b] - packing.grains.position[c.i][b];
+  return branch;
 }
 
 template <int Dim>
@@ -49,7 +62,7 @@ NetworkContact<Dim> network_contact(const Packing<Dim>& packing, const Contact<D
   out.j = on_wall ? c.i : c.j;
   if (on_wall) out.wall = c.j - packing.grains.size();
   out.image = c.image;
-  out.branch = on_wall ? strained_branch<Dim>(packing, c, r) : r;
+  out.branch = on_wall ? strained_branch<Dim>(packing, c) : r;
   out.arm_i = c.arm_i;
   out.arm_j = c.arm_j;
   out.frame = contact_frame(packing.grains.are_round() ? Vec<Dim>(r.normalized()) : c.normal);
@@ -71,8 +84,7 @@ NetworkContact<Dim> network_contact(const Packing<Dim>& packing, const Contact<D
 template <int Dim>
 ContactNetwork<Dim> contact_network(const Packing<Dim>& packing) {
   ContactNetwork<Dim> network;
-  for (int a = 0; a < Dim; ++a)
-    if (between_walls(packing.walls, a)) network.wall_axes.push_back(a);
+  network.wall_axes = shifting_axes(packing);
   network.n_grains = packing.grains.size();
   network.volume = packing.cell.volume();
   network.grain_size = packing.grains.radius;

@@ -17,7 +17,7 @@ struct NetworkContact {
   Vec<Dim, int> image;
   /// Vector from the centre of i to the centre of the image of j (length). A strain of the cell changes this vector.
   /// For a contact with a wall, the vector ends on the plane of the wall. Along other axes with walls, the vector ends
-  /// in the middle of the box, because a wall moves only along its normal.
+  /// at strain_origin(), because a wall moves only along its normal.
   Vec<Dim> branch;
   Vec<Dim> arm_i;  ///< vector from the centre of i to the contact point (length)
   Vec<Dim> arm_j;  ///< vector from the centre of the image of j to the contact point (length)
@@ -65,8 +65,9 @@ struct ContactNetwork {
   /// grain is its radius.
   std::vector<double> grain_size;
   std::vector<NetworkContact<Dim>> contacts;
-  /// Axes with a wall at both ends, ascending. The two walls of an axis may move together along the axis; this motion
-  /// is an additional unknown of the boundary.
+  /// Axes whose two walls may move together along the axis, ascending; this motion is an additional unknown of the
+  /// boundary. These are the axes with two walls that follow forces or, if no wall of the packing does, all axes with
+  /// walls.
   std::vector<int> wall_axes;
   /// Geometric springs of each contact of the packing, in the order of NetworkContact::source. The list is empty unless
   /// the grains have corners and the springs are needed. For round grains, the geometric springs are computed from the

@@ -36,7 +36,7 @@ Mat<Dim> static_stress(const Packing<Dim>& packing) {
   Mat<Dim> sum = Mat<Dim>::Zero();
   for (const Contact<Dim>& c : packing.contacts) {
     const Vec<Dim> on_j = c.normal_force * c.normal - c.shear_force;
-    sum += on_j * branch(packing, c).transpose();
+    sum += on_j * stress_lever(packing, c).transpose();
   }
   return sum / packing.cell.volume();
 }
@@ -48,8 +48,8 @@ Mat<Dim> boundary_stress(const Packing<Dim>& packing) {
     const bool on_wall = packing.is_wall(c.j);
     if (c.image.isZero() && !on_wall) continue;
     const Vec<Dim> on_j = c.normal_force * c.normal - c.shear_force;
-    const Vec<Dim> shift =
-        on_wall ? Vec<Dim>(packing.grains.position[c.i] + branch(packing, c)) : packing.cell.shift(c.image);
+    const Vec<Dim> shift = on_wall ? Vec<Dim>(packing.grains.position[c.i] + stress_lever(packing, c))
+                                   : packing.cell.shift(c.image);
     sum += on_j * shift.transpose();
   }
   if (!packing.gravity.isZero(0.0))

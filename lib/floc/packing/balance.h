@@ -26,8 +26,8 @@ template <int Dim>
 Balance<Dim> net_forces(const Packing<Dim>& packing);
 
 /// Returns the static stress of a packing, compression positive (force/length^(Dim-1)). Its component (a, b) is the sum
-/// over all contacts of F_j^(a) r^(b), divided by the volume of the cell, where F_j is the force on the second grain j
-/// of the contact and r is the branch vector from grain i to grain j.
+/// over all contacts of F_j^(a) r^(b), divided by the volume of the cell, where F_j is the force on the second body
+/// of the contact and r is its lever, stress_lever().
 template <int Dim>
 Mat<Dim> static_stress(const Packing<Dim>& packing);
 

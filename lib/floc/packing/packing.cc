@@ -91,6 +91,16 @@ Vec<Dim> branch(const Packing<Dim>& packing, const Contact<Dim>& contact) {
   return rounded<Dim>(exact_branch(packing, contact));
 }
 
+template <int Dim>
+Vec<Dim> stress_lever(const Packing<Dim>& packing, const Contact<Dim>& contact) {
+  Vec<Dim> lever = branch(packing, contact);
+  if (!packing.is_wall(contact.j) || packing.grains.are_round()) return lever;
+  const int axis = packing.wall(contact.j).axis;
+  for (int b = 0; b < Dim; ++b)
+    if (b != axis) lever[b] = contact.arm_i[b];
+  return lever;
+}
+
 template struct Grains<2>;
 template struct Grains<3>;
 template void stop_grains(Packing<2>&);
@@ -104,6 +114,8 @@ template Cell<3> search_cell(Cell<3>, const std::vector<Wall<3>>&, double);
 template DoubleDoubleVec<2> exact_branch(const Packing<2>&, const Contact<2>&);
 template DoubleDoubleVec<3> exact_branch(const Packing<3>&, const Contact<3>&);
 template Vec<2> branch(const Packing<2>&, const Contact<2>&);
+template Vec<2> stress_lever(const Packing<2>&, const Contact<2>&);
 template Vec<3> branch(const Packing<3>&, const Contact<3>&);
+template Vec<3> stress_lever(const Packing<3>&, const Contact<3>&);
 
 }  // namespace floc

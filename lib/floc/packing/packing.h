@@ -181,4 +181,10 @@ DoubleDoubleVec<Dim> exact_branch(const Packing<Dim>& packing, const Contact<Dim
 template <int Dim>
 Vec<Dim> branch(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
+/// Returns the lever of a contact force in the stress of a packing (length): the branch vector of two grains or, for a
+/// grain and a wall, the vector from the centre of the grain to the contact point. The contact point of a disk or sphere is
+/// the point of the wall that is nearest to the centre.
+template <int Dim>
+Vec<Dim> stress_lever(const Packing<Dim>& packing, const Contact<Dim>& contact);
+
 }  // namespace floc

@@ -75,18 +75,58 @@ std::optional<double> mean_wall_pressure(const Packing<Dim>& packing) {
 
 template <int Dim>
 Vec<Dim> stress_borne_by_friction(const Packing<Dim>& packing) {
-  Vec<Dim> sum = Vec<Dim>::Zero();
+  Vec<Dim> between = Vec<Dim>::Zero(), reference = Vec<Dim>::Zero(), sum = Vec<Dim>::Zero();
+  for (const Wall<Dim>& wall : packing.walls) {
+    between[wall.axis] = 1.0;
+    if (!is_open_along(packing.walls, wall.axis))
+      reference[wall.axis] += 0.5 * wall.position;
+    else if (wall.open)
+      reference[wall.axis] = wall.position;
+  }
   for (const Contact<Dim>& c : packing.contacts)
-    if (packing.is_wall(c.j)) sum += c.shear_force.cwiseProduct(packing.grains.position[c.i]);
-  return sum / packing.cell.volume();
+    if (packing.is_wall(c.j)) {
+      const Vec<Dim> point = packing.grains.position[c.i] + stress_lever(packing, c);
+      sum += c.shear_force.cwiseProduct(point - reference);
+    }
+  return sum.cwiseProduct(between) / packing.cell.volume();
+}
+
+namespace {
+
+/// Returns whether an axis has two walls of which forces move exactly one.
+template <int Dim>
+bool has_one_moving_wall(const Packing<Dim>& packing, int axis) {
+  return std::ranges::count_if(packing.walls, [&](const Wall<Dim>& wall) {
+           return wall.axis == axis && follows_forces(wall) && !is_open_along(packing.walls, axis);
+         }) == 1;
+}
+
+}  // namespace
+
+template <int Dim>
+Vec<Dim> strain_origin(const Packing<Dim>& packing) {
+  Vec<Dim> origin = Vec<Dim>::Zero();
+  for (const Wall<Dim>& wall : packing.walls)
+    if (!has_one_moving_wall(packing, wall.axis))
+      origin[wall.axis] += 0.5 * wall.position;
+    else if (!follows_forces(wall))
+      origin[wall.axis] = wall.position;
+  return origin;
 }
 
 template <int Dim>
 Mat<Dim> load_stress(const Packing<Dim>& packing) {
   Mat<Dim> stress = static_stress(packing);
-  const Vec<Dim> pressure = wall_pressure(packing);
-  for (const Wall<Dim>& wall : packing.walls)
-    if (!wall.open) stress(wall.axis, wall.axis) = pressure[wall.axis];
+  const Vec<Dim> mean = wall_pressure(packing);
+  const std::vector<double> force = wall_forces(packing);
+  for (std::size_t w = 0; w < force.size(); ++w) {
+    const Wall<Dim>& wall = packing.walls[w];
+    double& pressure = stress(wall.axis, wall.axis);
+    if (!has_one_moving_wall(packing, wall.axis))
+      pressure = mean[wall.axis];
+    else if (follows_forces(wall))
+      pressure = force[w] / wall_area(packing, wall.axis);
+  }
   return stress;
 }
 
@@ -112,6 +152,7 @@ double wall_imbalance(const Packing<Dim>& packing, const Vec<Dim>& target_stress
   template Vec<Dim> wall_pressure(const Packing<Dim>&);                   \
   template std::optional<double> mean_wall_pressure(const Packing<Dim>&); \
   template Vec<Dim> stress_borne_by_friction(const Packing<Dim>&);        \
+  template Vec<Dim> strain_origin(const Packing<Dim>&);                   \
   template Mat<Dim> load_stress(const Packing<Dim>&);                     \
   template double wall_imbalance(const Packing<Dim>&, const Vec<Dim>&);
 FLOC_INSTANTIATE(2)

@@ -41,16 +41,25 @@ Vec<Dim> wall_pressure(const Packing<Dim>& packing);
 template <int Dim>
 std::optional<double> mean_wall_pressure(const Packing<Dim>& packing);
 
+/// Returns, for each axis with walls, the coordinate that does not move while the distance between the two walls changes
+/// (length). It is the position of a wall that forces do not move if they move the wall opposite, such as the floor
+/// below a lid, and the middle between two walls that both move or both stay. Zero along an axis without walls.
+template <int Dim>
+Vec<Dim> strain_origin(const Packing<Dim>& packing);
+
 /// Returns the stress that balances the load on the boundary (force/length^(Dim-1)). It is the static stress, except
-/// that for each axis with a wall the diagonal component is the pressure on the walls. At rest, the static stress and
-/// the pressure on the walls differ by stress_borne_by_friction().
+/// that for each axis with a wall the diagonal component is the pressure that does work if the distance between the two
+/// walls changes (strain_origin()): the mean pressure on both walls, or the pressure on the only wall that forces move. If
+/// one end of the axis is open, it is the pressure on the only wall. At rest, the static stress and the mean pressure on the walls differ by
+/// stress_borne_by_friction().
 template <int Dim>
 Mat<Dim> load_stress(const Packing<Dim>& packing);
 
 /// For each axis a, returns the part of the pressure on the two walls normal to a that is balanced by friction on the
-/// other walls (force/length^(Dim-1)). This part is the sum of t_a x_a over the contacts with walls, divided by the
-/// volume of the cell, where t is the friction force on a grain at x. At rest the static stress is the pressure minus
-/// this part (docs/physics.md, "Boxes with walls").
+/// other walls (force/length^(Dim-1)). This part is the sum of t_a (x_a - c_a) over the contacts with walls, divided by
+/// the volume of the cell, where t is the friction force on a grain, x the contact point, and c the middle between the two
+/// walls. If one end of the axis is open, c is this end. At rest and without gravity along the axis, the static stress is
+/// the pressure minus this part (docs/physics.md, "Boxes with walls"). Zero along an axis without walls.
 template <int Dim>
 Vec<Dim> stress_borne_by_friction(const Packing<Dim>& packing);
 

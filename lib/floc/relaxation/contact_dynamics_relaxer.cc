@@ -57,9 +57,6 @@ int swept_steps(bool are_round) {
 constexpr int kMostGrainsAtOnce = 1000;
 /// Longest time step, in units of T, if contacts are solved all at once.
 constexpr double kLongestAtOnce = 3.0;
-/// The relaxation of elastic grains at rest begins with the phase `resting` if the mean stress, divided by the mean
-/// imposed stress, is above this number.
-constexpr double kLoadedStress = 0.3;
 /// Largest imposed strain of elastic grains, divided by strain_of_springs(), during which all contacts are solved at
 /// once. Larger strains open many contacts, and the grains have to move.
 constexpr double kElasticStrains = 1.0;
@@ -170,10 +167,10 @@ ContactDynamicsRelaxer<Dim>::ContactDynamicsRelaxer(const RelaxationOptions& opt
   strains_springs_ =
       is_elastic() && imposed_strain().size() <= kElasticStrains * strain_of_springs(packing_, imposed_);
   measure();
-  // A packing at rest under load begins with the phase `resting`: the errors of the sweeps of a motion would make
+  // A packing at rest that bears load begins with the phase `resting`: the errors of the sweeps of a motion would make
   // contacts slip that do not slip under the load.
   if (progress.empty() && is_elastic() && progress_.phase == ContactDynamicsProgress::moving &&
-      is_at_rest(packing_) && stress_.trace() > kLoadedStress * imposed_.sum())
+      is_at_rest(packing_) && !is_gas())
     start_resting();
 }
 

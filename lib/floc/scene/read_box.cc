@@ -62,10 +62,12 @@ void read_gravity(TableReader& t, int dimension, BoxOptions& box) {
                       "wall at rest supports the grains; expected \"floor\", \"lid\" or \"fixed\"",
                       a + 1, side == BoxSide::periodic ? "periodic" : "walls"));
     if (has_floor && !(box.gravity[a] < 0.0))
-      return t.fault(given ? "gravity" : "boundary",
-                     fmt::format("box.gravity: axis {} has a floor at its lower end, so gravity must act "
-                                 "towards the floor; expected a negative number for this axis",
-                                 a + 1));
+      return t.fault(
+          given ? "gravity" : "boundary",
+          fmt::format("{}: axis {} has a floor at its lower end (boundary \"{}\"), so gravity must act "
+                      "towards the floor; expected {}a negative number for this axis",
+                      given ? "box.gravity" : "box.boundary", a + 1, side == BoxSide::floor ? "floor" : "lid",
+                      given ? "" : "box.gravity with "));
   }
 }
 

@@ -233,7 +233,8 @@ void warn_of_light_cell(const Scene& scene, Warnings& warnings) {
 /// Warns if the walls are so light that their motion diverges. The time step is chosen for the grains alone, and may be
 /// too long for light walls.
 void warn_of_light_walls(const Scene& scene, Warnings& warnings) {
-  if (!scene.assembly.box) return;
+  // Contact dynamics solves the motion of a wall together with the impulses of its contacts, so that it cannot diverge.
+  if (!scene.assembly.box || scene.has_contact_dynamics()) return;
   // A wall is touched by about two thirds of the grains that fit side by side along it. The motion of the wall diverges
   // if dt w > 2, with the time step dt and the frequency w of the wall: w^2 = n K/M, with the number n of touching
   // grains, the contact stiffness K and the mass M of the wall.

@@ -103,8 +103,14 @@ void add_missing_contacts(const Packing<Dim>& packing, ContactCheck& check) {
     check.missing = fmt::format("{} at a gap of {:.2g}", names_of(packing, missing[0]), missing[0].gap);
 }
 
+template <int Dim>
+double relative_distance_error(const Packing<Dim>& packing) {
+  return distance_error(packing) / (2.0 * *std::ranges::min_element(packing.grains.radius));
+}
+
 #define FLOC_INSTANTIATE(Dim)                                                       \
   template double distance_error(const Packing<Dim>&);                              \
+  template double relative_distance_error(const Packing<Dim>&);                     \
   template std::vector<Contact<Dim>> missing_contacts(const Packing<Dim>&, double); \
   template ContactCheck check_contacts(const Packing<Dim>&, double);                \
   template void add_missing_contacts(const Packing<Dim>&, ContactCheck&);

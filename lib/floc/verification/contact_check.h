@@ -12,6 +12,10 @@ namespace floc {
 template <int Dim>
 double distance_error(const Packing<Dim>& packing);
 
+/// Returns distance_error() divided by the diameter of the smallest grain.
+template <int Dim>
+double relative_distance_error(const Packing<Dim>& packing);
+
 /// Returns the pairs of grains, and pairs of a grain and a wall, that interact but are missing in the contact list. A
 /// pair is returned only if its gap (negative for an overlap) is smaller than the range of the contact law minus `open`
 /// (length). The gap and the normal of each returned contact are set.

@@ -37,10 +37,10 @@ AxisFeatures features_of(std::uint32_t key, const Shape<Dim>& first, const Shape
   return features;
 }
 
-/// Returns a recorded contact, but with the geometry that follows from positions and shapes.
-/// @param tolerance  largest gap at which a contact point counts, divided by the diameter of the smaller grain
+/// Returns a recorded contact, but with the geometry that follows from positions and shapes; see rigid_geometry() for
+/// the parameters.
 template <int Dim>
-Contact<Dim> relocated(const Packing<Dim>& packing, Contact<Dim> c, double tolerance) {
+Contact<Dim> relocated(const Packing<Dim>& packing, Contact<Dim> c, double gap_limit, double error) {
   if (packing.grains.are_round()) {
     place(locate(packing, c), c);
     return c;
@@ -55,14 +55,15 @@ Contact<Dim> relocated(const Packing<Dim>& packing, Contact<Dim> c, double toler
     return manifold_of(packing, c, r, reach, &features);
   };
   // The recorded gap may be wrong, so the point is searched for at all gaps. The type follows from the points whose
-  // gaps are within the tolerance.
+  // gaps are below the limit.
   const Manifold<Dim> manifold = within(diameter);
   const ManifoldPoint<Dim>* found = manifold.with_key(key);
   if (!found) found = manifold.nearest(c.arm_i);
   c.gap = found ? found->gap : std::numeric_limits<double>::infinity();
   if (!found) return c;
   c.normal = manifold.normal;
-  c.type = within(tolerance * diameter).type;
+  const ContactType most = within((gap_limit + error) * diameter).type;
+  if (c.type != within((gap_limit - error) * diameter).type) c.type = most;
   c.arm_i = found->arm;
   c.arm_j = found->arm - r;
   return c;
@@ -71,13 +72,14 @@ Contact<Dim> relocated(const Packing<Dim>& packing, Contact<Dim> c, double toler
 }  // namespace
 
 template <int Dim>
-RigidGeometry<Dim> rigid_geometry(const Packing<Dim>& packing, double tolerance) {
+RigidGeometry<Dim> rigid_geometry(const Packing<Dim>& packing, double gap_limit, double error) {
   RigidGeometry<Dim> out;
-  for (const Contact<Dim>& c : packing.contacts) out.recorded.push_back(relocated(packing, c, tolerance));
+  for (const Contact<Dim>& c : packing.contacts)
+    out.recorded.push_back(relocated(packing, c, gap_limit, error));
   for (const Contact<Dim>& c : ContactPoints<Dim>().find(packing, 0.0)) {
     const double overlap = -c.gap / (2.0 * smaller_radius(packing, c));
     out.deepest = std::max(out.deepest, overlap);
-    if (overlap > tolerance) out.overlapping.push_back(c);
+    if (overlap > std::max(gap_limit, error)) out.overlapping.push_back(c);
   }
   std::ranges::stable_sort(out.overlapping, [&](const Contact<Dim>& c, const Contact<Dim>& d) {
     return c.gap / (2.0 * smaller_radius(packing, c)) < d.gap / (2.0 * smaller_radius(packing, d));
@@ -85,7 +87,7 @@ RigidGeometry<Dim> rigid_geometry(const Packing<Dim>& packing, double tolerance)
   return out;
 }
 
-#define FLOC_INSTANTIATE(Dim) template RigidGeometry<Dim> rigid_geometry(const Packing<Dim>&, double);
+#define FLOC_INSTANTIATE(Dim) template RigidGeometry<Dim> rigid_geometry(const Packing<Dim>&, double, double);
 FLOC_INSTANTIATE(2)
 FLOC_INSTANTIATE(3)
 #undef FLOC_INSTANTIATE

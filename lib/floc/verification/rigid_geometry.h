@@ -21,10 +21,12 @@ struct RigidGeometry {
   double deepest = 0.0;
 };
 
-/// Finds the contact points of a packing from positions and shapes.
-/// @param tolerance  smallest overlap of the contacts listed in RigidGeometry::overlapping, divided by the diameter of
-/// the smaller grain
+/// Finds the contact points of a packing from positions and shapes. Overlaps above `gap_limit` and above `error` are
+/// listed in RigidGeometry::overlapping.
+/// @param gap_limit  largest gap of a contact, divided by the diameter of the smaller grain
+/// @param error      rounding error of the gaps, divided by the diameter of the smaller grain. A contact keeps its
+/// recorded type if points whose gap is at the limit, within this error, decide about the type
 template <int Dim>
-RigidGeometry<Dim> rigid_geometry(const Packing<Dim>& packing, double tolerance);
+RigidGeometry<Dim> rigid_geometry(const Packing<Dim>& packing, double gap_limit, double error);
 
 }  // namespace floc

@@ -173,8 +173,7 @@ void add_geometry(const Packing<Dim>& stored, Packing<Dim>& recomputed, std::vec
   }
   // Two shapes may have several contact points. Each point keeps its springs, and the law gives the forces at the
   // point.
-  const double error = distance_error(stored) / (2.0 * *std::ranges::min_element(stored.grains.radius));
-  const RigidGeometry<Dim> geometry = rigid_geometry(stored, error);
+  const RigidGeometry<Dim> geometry = rigid_geometry(stored, 0.0, relative_distance_error(stored));
   criteria = {check_shape_geometry(stored, geometry.recorded), check_shape_list(stored, geometry)};
   recomputed.contacts = geometry.recorded;
   const std::vector<SurfaceMotion<Dim>> unmoved(recomputed.contacts.size());

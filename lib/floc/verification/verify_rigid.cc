@@ -245,7 +245,8 @@ std::vector<Criterion> verify_motion(const State<Dim>& state) {
 template <int Dim>
 std::vector<Criterion> verify_rigid(const State<Dim>& state, double gap_tolerance) {
   if (state.motion) return verify_motion(state);
-  const RigidGeometry<Dim> geometry = rigid_geometry(state.packing, gap_tolerance);
+  const RigidGeometry<Dim> geometry =
+      rigid_geometry(state.packing, gap_tolerance, relative_distance_error(state.packing));
   Packing<Dim> recomputed = state.packing;
   recomputed.contacts = geometry.recorded;
   std::vector<Criterion> criteria = {check_shape_geometry(state.packing, geometry.recorded),

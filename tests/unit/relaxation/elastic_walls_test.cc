@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "floc/elasticity/moduli.h"
 #include "floc/network/geometric_springs.h"
+#include "floc/packing/balance.h"
 #include "floc/packing/grain_sizes.h"
 #include "floc/packing/least_mechanisms.h"
 #include "floc/packing/wall_forces.h"
@@ -36,6 +38,14 @@ std::string violations_of(const Packing<Dim>& packing) {
   for (const Criterion& criterion : verify_equilibrium(state))
     if (!criterion.holds) names += std::string(criterion.name) + " (" + criterion.where + ") ";
   return names;
+}
+
+/// Returns the moduli of a packing with prestress.
+template <int Dim>
+Moduli prestressed(const Packing<Dim>& packing) {
+  ModuliOptions options;
+  options.prestress = true;
+  return elastic_moduli(packing, options);
 }
 
 /// Returns the side of block k in column().
@@ -132,6 +142,30 @@ Packing<Dim> boxed_springs(int count, const ShapeOptions& shape, const BoxOption
   return gas;
 }
 
+/// Expects that the stress of each axis between walls is the pressure on its walls less the parts of it that friction on
+/// the other walls and the weights bear, and that the stress is symmetric. The pressure of an axis with an open end is that
+/// on its only wall.
+template <int Dim>
+void expect_stress_of_walls(const Packing<Dim>& packing) {
+  const Mat<Dim> stress = static_stress(packing);
+  const Vec<Dim> pressure = wall_pressure(packing), friction = stress_borne_by_friction(packing);
+  Vec<Dim> middle = Vec<Dim>::Zero();
+  for (std::size_t w = 0; w < packing.walls.size(); w += 2) {
+    const Wall<Dim>&lower = packing.walls[w], &upper = packing.walls[w + 1];
+    middle[lower.axis] = upper.open ? upper.position : 0.5 * (lower.position + upper.position);
+  }
+  for (int a = 0; a < Dim; ++a) {
+    if (!between_walls(packing.walls, a)) continue;
+    double weights = 0.0;
+    for (int i = 0; i < packing.grains.size(); ++i)
+      weights += packing.grains.mass[i] * packing.gravity[a] * (packing.grains.position[i][a] - middle[a]);
+    EXPECT_NEAR(stress(a, a), pressure[a] - friction[a] - weights / packing.cell.volume(), 1e-8)
+        << "axis " << a;
+  }
+  // The tangential forces act in the middle of the overlaps, and the normal forces on the planes of the walls.
+  EXPECT_LT((stress - stress.transpose()).cwiseAbs().maxCoeff(), 1e-4);
+}
+
 /// Friction coefficient between grains, and of grains on walls.
 using Frictions = std::pair<double, double>;
 
@@ -158,6 +192,7 @@ void expect_walls_bear_pressure(int count, const ShapeOptions& shape, const std:
         EXPECT_NEAR(force[w] / wall_area(end.packing, wall.axis), 1.0, 1e-8);
       }
       for (const Contact<Dim>& c : end.packing.contacts) EXPECT_NEAR(c.normal_force, -kStiffness * c.gap, 1e-9);
+      expect_stress_of_walls(end.packing);
     }
 }
 
@@ -187,6 +222,17 @@ void expect_bed_rests(int count, const ShapeOptions& shape) {
     if (end.packing.is_wall(c.j)) borne += (c.shear_force - c.normal_force * c.normal)[Dim - 1];
   EXPECT_NEAR(borne, total_mass(end.packing.grains), 1e-8);
   EXPECT_TRUE(end.packing.walls.back().open);
+  expect_stress_of_walls(end.packing);
+  // Nothing resists a change of the height, and the load is that of no wall.
+  const Moduli m = prestressed(end.packing);
+  EXPECT_EQ(m.n_negative, 0);
+  EXPECT_EQ(m.n_coupled_mechanisms, 1);
+  EXPECT_LT(m.C.row(Dim - 1).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_EQ(m.B_S, 0.0);
+  const RigidEnd<Dim> again = relaxed(end.packing);
+  EXPECT_EQ(again.report.n_steps, 0);
+  for (int i = 0; i < count; ++i)
+    EXPECT_LT((again.packing.grains.position[i] - end.packing.grains.position[i]).norm(), 1e-9) << i;
 }
 
 TEST(ElasticWalls, FloorBearsTheWeightOfABed) {
@@ -224,6 +270,39 @@ TEST(ElasticWalls, ModuliAreThoseOfRelaxedStrains) {
     set_springs(stones, stiffness, 0.4, of_walls);
     expect_moduli_of_strains(stones, stiffness, 2e-4);
   }
+}
+
+/// Below a lid, the floor and the side walls stay where they are. Their friction bears a part of the changes of the
+/// pressure, so that the lid feels a larger stiffness than two walls that press the grains from both ends.
+template <int Dim>
+void expect_modulus_of_lid(int count, const ShapeOptions& shape, double step) {
+  SCOPED_TRACE(testing::Message() << Dim << " dimensions");
+  constexpr double kSpring = 1e5, kSticks = 100.0;
+  constexpr int kUp = Dim - 1;
+  BoxOptions box;
+  box.boundary = {BoxSide::fixed, Dim == 2 ? BoxSide::lid : BoxSide::fixed, BoxSide::lid};
+  box.friction = 0.4;
+  box.gravity[kUp] = -0.05;
+  Packing<Dim> gas = boxed_gas<Dim>(count, shape, box, 0.4);
+  set_springs(gas, kSpring, 0.4, box.friction);
+  RigidEnd<Dim> rested = relaxed(gas, strict_options<Dim>());
+  ASSERT_EQ(rested.status, RelaxationStatus::converged) << rested.reason;
+  expect_stress_of_walls(rested.packing);
+  set_springs(rested.packing, kSpring, kSticks, kSticks);
+  const Vec<Dim> change = step * Vec<Dim>::Unit(kUp), pressure = Vec<Dim>::Ones();
+  const double strain = strain_under<Dim>(rested.packing, pressure + change)[kUp] -
+                        strain_under<Dim>(rested.packing, pressure - change)[kUp];
+  const Moduli m = prestressed(rested.packing);
+  EXPECT_NEAR(m.C(kUp, kUp), 2.0 * step / strain, 2e-6 * m.C(kUp, kUp));
+  EXPECT_EQ(m.n_negative, 0);
+  Packing<Dim> both = rested.packing;
+  for (Wall<Dim>& wall : both.walls) wall.mass = 1.0;
+  EXPECT_LT(prestressed(both).C(kUp, kUp), m.C(kUp, kUp));
+}
+
+TEST(ElasticWalls, ModulusOfALidIsThatOfItsPressure) {
+  expect_modulus_of_lid<2>(20, kPentagons, 1e-3);
+  expect_modulus_of_lid<3>(10, kStones, 2e-5);  // with 2e-4 another contact closes
 }
 
 /// A wall and a grain that move together along the axis of the wall do not change their contact.

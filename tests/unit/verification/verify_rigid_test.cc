@@ -7,6 +7,10 @@
 #include <numbers>
 
 #include "floc/packing/locate.h"
+#include "floc/rigid/contact_points.h"
+#include "floc/shape/generators.h"
+#include "floc/verification/contact_check.h"
+#include "floc/verification/rigid_geometry.h"
 #include "floc/verification/verify_state.h"
 #include "support/rigid_states.h"
 
@@ -97,6 +101,35 @@ TEST(VerifyRigid, RefusesForcesThatDriveTheMotion) {
   EXPECT_THAT(failed(state), ElementsAre("power", "boundary_motion"));
   state.packing.cell.velocity *= -1.0;
   EXPECT_THAT(failed(state), ElementsAre("boundary_motion"));
+}
+
+/// The side of a square touches that of a larger one at one corner or at both, if the gap of the other corner is zero up to
+/// rounding. Both types are accepted there, and only the right one elsewhere.
+TEST(VerifyRigid, AcceptsBothTypesOfATie) {
+  for (const double gap : {-1e-6, 0.0, 1e-6}) {
+    SCOPED_TRACE(testing::Message() << "gap of the second corner " << gap);
+    Packing<2> squares;
+    squares.law = rigid_law(0.3);
+    squares.cell.matrix = 5.0 * Mat<2>::Identity();
+    squares.grains = Grains<2>::with_size(2);
+    set_shape<2>(squares.grains, box<2>(Vec<2>(1.0, 1.0), 0.0), std::sqrt(2.0));
+    const double overlap = -1e-3, tilt = gap - overlap, turn = std::asin(tilt);
+    squares.grains.scale[0] *= 2.0;
+    squares.grains.radius[0] *= 2.0;
+    squares.grains.position = {Vec<2>(0.5, 2.0), Vec<2>(2.0, 2.0)};
+    squares.grains.orientation = {0.0, turn};
+    // The centre of the second square is 1/sqrt(2) from its corners, of which the deeper one overlaps by 1e-3.
+    squares.grains.position[1][0] = 1.5 + overlap + 0.5 * (std::cos(turn) + std::sin(turn));
+    squares.contacts = ContactPoints<2>().find(squares, -1e-4);
+    ASSERT_EQ(squares.contacts.size(), 1U);
+    EXPECT_NEAR(squares.contacts[0].gap, overlap, 1e-12);
+    for (const ContactType type : {ContactType::kVertexFace, ContactType::kFaceFace}) {
+      squares.contacts[0].type = type;
+      const bool is_right = (type == ContactType::kFaceFace) == (gap < 0.0), is_tie = gap == 0.0;
+      const RigidGeometry<2> geometry = rigid_geometry(squares, 0.0, relative_distance_error(squares));
+      EXPECT_EQ(geometry.recorded[0].type == type, is_right || is_tie) << contact_type_name(type);
+    }
+  }
 }
 
 TEST(VerifyRigid, RefusesForcesOutsideTheCone) {

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <regex>
 #include <string>
+#include <vector>
 
 #include "support/places.h"
 #include "support/run_arguments.h"
@@ -38,6 +40,77 @@ TEST_F(Output, ToAFullDiskIsAFailureWithItsReason) {
     const Outcome o = shell("\"$0\" " + command + " >/dev/full");
     EXPECT_EQ(o.code, 1) << command;
     EXPECT_THAT(o.err, HasSubstr("standard output: cannot be written: No space left on device")) << command;
+  }
+}
+
+/// Commands that write files, with OUT in place of the name of the file. IN is the state that they read.
+const std::vector<std::string>& commands_with_outputs() {
+  static const std::vector<std::string> commands = {"info IN --sizes OUT",
+                                                    "network IN --pdf OUT",
+                                                    "network IN --particle-stress OUT",
+                                                    "network IN --with bonds --exponents OUT",
+                                                    "network IN --with bonds --pressure-pdf OUT",
+                                                    "network IN --with bonds --like-neighbours OUT",
+                                                    "network IN --with phases --clusters OUT",
+                                                    "structure IN --intensity OUT",
+                                                    "structure IN --pair-correlation OUT",
+                                                    "structure IN --gaps OUT",
+                                                    "structure IN --pores OUT",
+                                                    "structure IN --map OUT",
+                                                    "structure IN --porosity OUT",
+                                                    "structure IN --profile OUT",
+                                                    "forces IN --contacts OUT",
+                                                    "moduli IN --increments OUT",
+                                                    "moduli IN -o OUT",
+                                                    "compare IN IN --contacts OUT",
+                                                    "compare IN IN --displacements OUT",
+                                                    "draw IN -o OUT",
+                                                    "draw IN --compare IN -o OUT",
+                                                    "plot --show forces IN -o OUT",
+                                                    "export IN --grains OUT",
+                                                    "export IN --contacts OUT"};
+  return commands;
+}
+
+TEST_F(Output, DoesNotReplaceTheInputOrAnotherState) {
+  fs::copy_file(file("s.h5"), file("other.h5"));
+  const std::string before = content_of(file("s.h5"));
+  for (const std::string& command : commands_with_outputs()) {
+    const std::string with_input = std::regex_replace(command, std::regex("IN"), "s.h5");
+    const auto run_into = [&](const std::string& name) {
+      return shell("\"$0\" " + std::regex_replace(with_input, std::regex("OUT"), name));
+    };
+    EXPECT_EQ(run_into("new.svg").code, 0) << command;
+    for (const std::string name : {"s.h5", "./s.h5", "other.h5"}) {
+      const Outcome o = run_into(name);
+      EXPECT_EQ(o.code, 4) << command << " " << name << o.err;
+      EXPECT_THAT(o.err, HasSubstr("expected")) << command << " " << name;
+      EXPECT_TRUE(content_of(file("s.h5")) == before && content_of(file("other.h5")) == before) << command;
+    }
+  }
+}
+
+TEST_F(Output, DoesNotReplaceAScene) {
+  const std::string scene = content_of(source_directory() + "/data/scenes/demo.toml");
+  for (const std::string command :
+       {"scene check mine.toml --sizes mine.toml", "plan mine.toml --budget 10s -o mine.toml"}) {
+    write_text(file("mine.toml"), scene);
+    const Outcome o = shell("\"$0\" " + command);
+    EXPECT_EQ(o.code, 4) << command;
+    EXPECT_THAT(o.err, HasSubstr("mine.toml: this file is an input of the command")) << command;
+    EXPECT_EQ(content_of(file("mine.toml")), scene) << command;
+  }
+}
+
+TEST_F(Output, OfACommandThatFailsLeavesAnOlderFile) {
+  for (const std::string command :
+       {"structure none.h5 --profile old.csv", "network none.h5 --pdf old.csv",
+        "forces none.h5 --contacts old.csv", "moduli none.h5 --increments old.csv",
+        "info none.h5 --sizes old.csv", "compare none.h5 none.h5 --contacts old.csv",
+        "export none.h5 --grains old.csv"}) {
+    write_text(file("old.csv"), "old\n");
+    EXPECT_NE(shell("\"$0\" " + command).code, 0) << command;
+    EXPECT_EQ(content_of(file("old.csv")), "old\n") << command;
   }
 }
 

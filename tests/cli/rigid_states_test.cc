@@ -61,6 +61,7 @@ const Case kCommands[] = {
     {"compare S S", "bcs"},
     {"compare S S --contacts c.csv --displacements d.csv", "bcs"},
     {"draw S -o picture.svg", "bcsx"},
+    {"draw S -o picture.svg --compare S", "bcs"},
     {"draw S -o picture.svg --forces kinds", "bcx"},
     {"draw S -o picture.svg --forces particle-pressure", "bcsx"},
     {"draw S -o picture.svg --forces phases", "bcs"},
@@ -125,6 +126,25 @@ TEST_F(RigidStates, AreComparedByPairs) {
   EXPECT_THAT(row, HasSubstr("\"n_kept\": 24"));
   EXPECT_THAT(row, HasSubstr("\"n_lost\": 0"));
   EXPECT_THAT(row, HasSubstr("\"rigid_largest\": 8"));
+}
+
+/// Each pair of these cubes has four contact points.
+TEST_F(RigidStates, HaveNamedStiffnessesForEachPointOrForEachPair) {
+  const auto moduli = [&](const std::string& options) {
+    write_text(scratch_.file("m.csv"), run("moduli cubes.h5 --format csv " + options).out);
+    return CsvTable::read(scratch_.file("m.csv"));
+  };
+  const CsvTable point = moduli("--kn 1 --kt 0.5"), pair = moduli("--kn 4 --kt 2 --stiffness-per contact");
+  for (const char* name : {"C11", "B", "G", "B_voigt", "B_reuss"})
+    EXPECT_DOUBLE_EQ(pair.number(0, pair.column(name)), point.number(0, point.column(name))) << name;
+  EXPECT_EQ(pair.number(0, pair.column("kn_named")), 4.0);
+  EXPECT_EQ(pair.text(0, pair.column("stiffness_per")), "contact");
+  EXPECT_EQ(point.text(0, point.column("stiffness_per")), "point");
+  EXPECT_THAT(run("moduli cubes.h5 --kn 4 --kt 2 --stiffness-per contact").err,
+              Not(HasSubstr("of the contact law")));
+  const Outcome alone = run("moduli cubes.h5 --stiffness-per contact");
+  EXPECT_EQ(alone.code, 4);
+  EXPECT_THAT(alone.err, HasSubstr("--stiffness-per contact: expected the stiffnesses"));
 }
 
 TEST_F(RigidStates, AreVerified) {

@@ -12,7 +12,6 @@
 #include "floc/base/sha256.h"
 #include "floc/base/version.h"
 #include "floc/campaign/campaign_tables.h"
-#include "floc/io/atomic_file.h"
 #include "floc/picture/sheet.h"
 #include "floc/run_directory/one_run.h"
 #include "plots/html.h"
@@ -317,7 +316,7 @@ int write_page(const PageArguments& arguments) {
                     {}};
   page.drawn = drawn_runs(page.planned.campaign, page.directory);
   const std::string html = html_of(page);
-  write_bytes_atomically(arguments.output, html);
+  write_output(arguments.output, html);
   print_table({{"campaign", "page", "n_cases", "n_runs", "bytes"},
                {{page.planned.campaign.name, arguments.output,
                  static_cast<std::int64_t>(page.planned.campaign.cases.size()),

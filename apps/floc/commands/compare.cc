@@ -68,8 +68,8 @@ int run_compare(CompareCommand command) {
         before->second, now.second);
     return int{kDone};
   });
-  if (!command.displacements.empty()) write_csv(command.displacements, side.displacements);
-  if (!command.contacts.empty()) write_csv(command.contacts, side.contacts);
+  if (!command.displacements.empty()) write_csv_unless_failed(command.displacements, side.displacements, code);
+  if (!command.contacts.empty()) write_csv_unless_failed(command.contacts, side.contacts, code);
   print_table(to_table(compare_columns(rows), rows), command.printing);
   return code;
 }

@@ -9,7 +9,6 @@
 
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
-#include "floc/io/atomic_file.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/require_elastic.h"
 #include "floc/picture/cross_section.h"
@@ -226,7 +225,7 @@ void share_shades(std::vector<PackingPicture<Dim>>& strip) {
 }
 
 void write_picture(const Target& target, const std::string& path, const std::string& bytes) {
-  write_bytes_atomically(target.standard_output ? "-" : path, bytes);
+  write_output(target.standard_output ? "-" : path, bytes);
 }
 
 /// Draws several states, either each in its own picture or all side by side in one picture, a strip.
@@ -238,7 +237,6 @@ class Drawer {
 
   template <int Dim>
   void add(const std::string& file, const State<Dim>& state) {
-    if (other_) require_round(state.packing, "changes of contacts are drawn", file);
     Drawn<Dim> drawn = drawn_from(file, state, arguments_, other_);
     if constexpr (Dim == 3)
       if (arguments_.section) return place(section_of(std::move(drawn), arguments_));

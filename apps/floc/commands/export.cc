@@ -211,8 +211,12 @@ void export_state(const ExportArguments& arguments, const State<Dim>& state) {
   if (!state.packing.grains.are_round())
     spdlog::info(
         "floc convert cannot read grains with corners from tables of grains; Packing.from_arrays of the Python "
-        "package can, and floc convert {} FILE.conf writes these grains for Rockable",
-        shell_word(arguments.state));
+        "package can{}",
+        Dim == 3
+            ? fmt::format(", and floc convert {} FILE.conf writes the packing for Rockable if all axes are "
+                          "periodic or all have walls",
+                          shell_word(arguments.state))
+            : "");
   if (!both || !state.packing.grains.are_round()) return;
   spdlog::info("wrote {} grains and {} contacts. The following command restores the state:\n  {}",
                state.packing.grains.size(), state.packing.contacts.size(), convert_command(arguments, state));

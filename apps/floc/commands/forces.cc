@@ -30,7 +30,7 @@ int run_forces(const ForcesCommand& command) {
                any);
     return int{kDone};
   });
-  if (options.contacts) write_csv(command.contacts, contacts);
+  if (options.contacts) write_csv_unless_failed(command.contacts, contacts, code);
   print_table(to_table(forces_columns(), rows), command.printing);
   return code;
 }

@@ -85,7 +85,7 @@ int info(const InfoArguments& arguments) {
     if (!arguments.sizes.empty()) add_size_rows(file, state, sizes);
     return int{kDone};
   });
-  if (!arguments.sizes.empty()) write_csv(arguments.sizes, sizes);
+  if (!arguments.sizes.empty()) write_csv_unless_failed(arguments.sizes, sizes, code);
   if (!table.rows.empty()) print(table, printing);
   finish_output();
   return worse(code, code_of_tables);

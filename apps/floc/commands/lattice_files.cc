@@ -9,13 +9,13 @@
 #include <sstream>
 
 #include "floc/base/error.h"
-#include "floc/io/atomic_file.h"
 #include "floc/picture/drawn_scale.h"
 #include "floc/picture/lattice_picture.h"
 #include "floc/structure/force_distribution.h"
 #include "floc/tables/column.h"
 #include "plots/gnuplot.h"
 #include "process/cut_option.h"
+#include "process/output_files.h"
 #include "process/repeated_warnings.h"
 
 namespace floc {
@@ -28,7 +28,7 @@ constexpr Color kVoidColor = hex_color(0xFFFFFF);
 void write_table_whole(const std::string& path, const Table& table) {
   std::ostringstream out;
   write_table(out, table, TableFormat::csv);
-  write_bytes_atomically(path, out.str());
+  write_output(path, out.str());
 }
 
 std::string phase_name(Phase phase) {
@@ -200,8 +200,7 @@ void draw_map(const LatticeArguments& arguments, const LatticeRow& row, const Lo
   picture.meanings = {{palette::kBackground, "void"}};
   picture.bar_name = fmt::format("stress {0}{0} / mean stress,", row.axis + 1);
   picture.caption = caption_of(row);
-  write_bytes_atomically(arguments.map,
-                         draw_lattice(of.sample.lattice, picture, sheet_of(arguments, arguments.map)));
+  write_output(arguments.map, draw_lattice(of.sample.lattice, picture, sheet_of(arguments, arguments.map)));
 }
 
 }  // namespace
@@ -244,8 +243,8 @@ void write_lattice_files(const LatticeArguments& arguments, const LatticeRow& ro
   }
   if (!arguments.map.empty()) draw_map(arguments, row, of);
   if (!arguments.phases.empty())
-    write_bytes_atomically(arguments.phases, draw_lattice(of.sample.lattice, phase_picture(row, of),
-                                                          sheet_of(arguments, arguments.phases)));
+    write_output(arguments.phases, draw_lattice(of.sample.lattice, phase_picture(row, of),
+                                                sheet_of(arguments, arguments.phases)));
 }
 
 template <int Dim>
@@ -267,8 +266,8 @@ void write_fracture_files(const LatticeArguments& arguments, const LatticeRow& r
   for (const Breakage& b : broken) picture.faces.push_back(of.network.elements[b.element].bond);
   picture.meanings.emplace_back(palette::kArrow, fmt::format("broken: {} elements", broken.size()));
   picture.caption = caption_of(row);
-  write_bytes_atomically(arguments.cracks,
-                         draw_lattice(of.sample.lattice, picture, sheet_of(arguments, arguments.cracks)));
+  write_output(arguments.cracks,
+               draw_lattice(of.sample.lattice, picture, sheet_of(arguments, arguments.cracks)));
 }
 
 template void check_lattice_pictures(const LatticeArguments&, const Cell<2>&);

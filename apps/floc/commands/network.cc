@@ -39,14 +39,14 @@ NetworkTableOptions options_of(const NetworkCommand& command) {
   return options;
 }
 
-void write_files(const NetworkCommand& command, const NetworkTables& tables) {
+void write_files(const NetworkCommand& command, const NetworkTables& tables, int code) {
   for (const auto& [path, table] : {std::pair{&command.distributions, &tables.distributions},
                                     {&command.pressures, &tables.pressures},
                                     {&command.exponents, &tables.bonds.exponents},
                                     {&command.bond_pressures, &tables.bonds.pressures},
                                     {&command.neighbours, &tables.bonds.neighbours},
                                     {&command.clusters, &tables.bonds.clusters}})
-    if (!path->empty()) write_csv(*path, *table);
+    if (!path->empty()) write_csv_unless_failed(*path, *table, code);
 }
 
 int run_network(const NetworkCommand& command) {
@@ -60,7 +60,7 @@ int run_network(const NetworkCommand& command) {
         return int{kDone};
       });
   add_pooled(options, rows.size(), side, printed_remarks());
-  write_files(command, side);
+  write_files(command, side, code);
   print_table(to_table(network_columns(options), rows), command.printing);
   return code;
 }

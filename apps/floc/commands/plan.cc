@@ -5,7 +5,6 @@
 
 #include "floc/base/error.h"
 #include "floc/campaign/campaign_directory.h"
-#include "floc/io/atomic_file.h"
 #include "floc/planning/plans_of_scene.h"
 #include "process/command.h"
 #include "process/fault.h"
@@ -24,7 +23,7 @@ struct PlanCommand {
 };
 
 void write_plan(const PlansOfScene& plans, const std::string& output) {
-  write_bytes_atomically(output, plans.file(output));
+  write_output(output, plans.file(output));
   spdlog::info("wrote {0}; you may run next: floc {2} {0} -o {1}", output,
                std::filesystem::path(output).stem().string(),
                plans.best().n_samples > 1 ? "campaign plan" : "run");

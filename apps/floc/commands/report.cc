@@ -8,7 +8,6 @@
 #include "floc/base/error.h"
 #include "floc/base/sha256.h"
 #include "floc/elasticity/moduli.h"
-#include "floc/io/atomic_file.h"
 #include "floc/io/law_text.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/equilibrium_check.h"
@@ -392,7 +391,7 @@ template <int Dim>
 int report_of(const ReportArguments& arguments) {
   ReportedRun<Dim> run = read_run<Dim>(arguments.directory);
   const std::string page = page_of(run);
-  write_bytes_atomically(arguments.output, page);
+  write_output(arguments.output, page);
   print_table({{"run", "report", "n_states", "n_warnings", "bytes"},
                {{arguments.directory, arguments.output, static_cast<std::int64_t>(run.files.size()),
                  static_cast<std::int64_t>(run.warnings.size() + run.state_warnings.size()),

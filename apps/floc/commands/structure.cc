@@ -62,7 +62,7 @@ int run_structure(const StructureCommand& command) {
                                     {&command.prediction, &series.prediction},
                                     {&command.porosity, &series.porosity},
                                     {&command.profile, &series.profile}})
-    if (!path->empty()) write_csv(*path, *table);
+    if (!path->empty()) write_csv_unless_failed(*path, *table, code);
   print_table(to_table(structure_columns(), rows), command.printing);
   return code;
 }

@@ -15,8 +15,8 @@
 
 #include "floc/base/error.h"
 #include "floc/base/read_file.h"
-#include "floc/io/atomic_file.h"
 #include "floc/io/transient_file.h"
+#include "process/output_files.h"
 
 namespace floc {
 namespace {
@@ -150,15 +150,15 @@ void write_plot(const std::string& file, const Plot& plot) {
                      ".svg, .pdf or .png");
   const fs::path data = fs::path(picture).replace_extension(".dat");
   const fs::path script = fs::path(picture).replace_extension(".gp");
-  write_bytes_atomically(data.string(), data_of(plot));
-  write_bytes_atomically(script.string(), script_of(plot, picture, data));
+  write_output(data.string(), data_of(plot));
+  write_output(script.string(), script_of(plot, picture, data));
   // gnuplot draws to a temporary file: if gnuplot fails or is interrupted, an older picture with the final name does
   // not change.
   const TransientFile drawn(file + ".drawn"), words(file + ".words");
   run_gnuplot(script, drawn.path(), words.path());
   std::string bytes = read_file(drawn.path());
   blank_creation_date(bytes);
-  write_bytes_atomically(file, bytes);
+  write_output(file, bytes);
 }
 
 std::string plot_as_svg(const Plot& plot) {

@@ -4,14 +4,17 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <iostream>
+#include <iterator>
 #include <limits>
 #include <type_traits>
 
 #include "floc/base/nearest_name.h"
 #include "floc/base/parse_number.h"
 #include "process/command.h"
+#include "process/output_files.h"
 
 namespace floc {
 namespace {
@@ -102,6 +105,23 @@ CLI::Validator number_within(const std::string& name, const Range& range) {
 template <class Range>
 std::string limits_of(const char* type, const Range& range) {
   return fmt::format("{} in [{} - {}]", type, range.least, range.most);
+}
+
+/// Options whose value is the name of a file that the command reads.
+constexpr std::array kInputOptions = {"compare", "prices", "scene", "state", "bonds"};
+
+/// Returns the values of the positional arguments and of kInputOptions that were given to `app` and to its subcommand.
+std::vector<std::string> named_inputs(const CLI::App& app) {
+  std::vector<std::string> values;
+  for (const CLI::Option* option : app.get_options()) {
+    const bool names_input =
+        option->get_positional() ||
+        std::ranges::any_of(kInputOptions, [&](const char* name) { return option->check_lname(name); });
+    if (names_input) std::ranges::copy(option->results(), std::back_inserter(values));
+  }
+  for (const CLI::App* command : app.get_subcommands())
+    std::ranges::copy(named_inputs(*command), std::back_inserter(values));
+  return values;
 }
 
 }  // namespace
@@ -268,6 +288,7 @@ std::optional<int> ProgramLine::parse(int argc, char** argv) {
     }
     return app_->exit(error) == 0 ? kDone : kUsage;
   }
+  remember_inputs(named_inputs(*app_));
   return std::nullopt;
 }
 

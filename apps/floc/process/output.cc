@@ -9,7 +9,6 @@
 #include <sstream>
 
 #include "floc/base/error.h"
-#include "floc/io/atomic_file.h"
 #include "floc/packing/overlaps.h"
 #include "process/command.h"
 #include "process/fault.h"
@@ -24,16 +23,6 @@ void finish_output() {
   if (!std::cout)
     throw IoError("standard output",
                   std::string("cannot be written: ") + std::strerror(errno != 0 ? errno : EIO));
-}
-
-void write_csv(const std::string& path, const Table& table) {
-  if (path == "-")
-    throw InputError(path,
-                     "this name means standard output, which already receives the first table of this command: "
-                     "expected the name of a file");
-  std::ostringstream text;
-  write_table(text, table, TableFormat::csv);
-  write_bytes_atomically(path, text.str());
 }
 
 std::string duration_text(double seconds) {

@@ -8,11 +8,9 @@
 #include "floc/io/table.h"
 #include "floc/tables/remarks.h"
 #include "process/command_line.h"
+#include "process/output_files.h"
 
 namespace floc {
-
-/// Writes a table as csv. @throws IoError if the file cannot be written
-void write_csv(const std::string& path, const Table& table);
 
 /// Returns a span of time as text, in a suitable unit: "90 s", "35 min", "2.5 h", "3.0 days".
 std::string duration_text(double seconds);

@@ -1,0 +1,73 @@
+#include "process/output_files.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+#include "floc/base/error.h"
+#include "floc/io/atomic_file.h"
+#include "process/command.h"
+
+namespace floc {
+namespace {
+
+std::vector<std::filesystem::path>& inputs() {
+  static std::vector<std::filesystem::path> paths;
+  return paths;
+}
+
+bool is_input(const std::string& path) {
+  return std::ranges::any_of(inputs(), [&](const std::filesystem::path& input) {
+    std::error_code error;
+    return std::filesystem::equivalent(input, path, error) && !error;
+  });
+}
+
+/// Returns whether a file is in the format HDF5, as state files are.
+bool is_hdf5(const std::string& path) {
+  constexpr std::array<char, 8> kSignature = {'\x89', 'H', 'D', 'F', '\r', '\n', '\x1a', '\n'};
+  std::array<char, 8> found{};
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
+  std::ifstream file(path, std::ios::binary);
+  return file.read(found.data(), found.size()) && found == kSignature;
+}
+
+}  // namespace
+
+void remember_inputs(const std::vector<std::string>& paths) {
+  std::error_code error;
+  for (const std::string& path : paths)
+    if (std::filesystem::is_regular_file(path, error)) inputs().emplace_back(path);
+}
+
+void write_output(const std::string& path, std::string_view bytes) {
+  if (is_input(path))
+    throw InputError(path,
+                     "this file is an input of the command, which the output would replace: expected another "
+                     "name for the output");
+  if (is_hdf5(path))
+    throw InputError(path,
+                     "this file is a state or another file of HDF5, which the output would replace: expected "
+                     "another name for the output");
+  write_bytes_atomically(path, bytes);
+}
+
+void write_csv(const std::string& path, const Table& table) {
+  if (path == "-")
+    throw InputError(path,
+                     "this name means standard output, which already receives the first table of this command: "
+                     "expected the name of a file");
+  std::ostringstream text;
+  write_table(text, table, TableFormat::csv);
+  write_output(path, text.str());
+}
+
+void write_csv_unless_failed(const std::string& path, const Table& table, int code) {
+  if (code == kDone || !table.rows.empty()) write_csv(path, table);
+}
+
+}  // namespace floc

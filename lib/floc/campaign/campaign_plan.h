@@ -22,7 +22,7 @@ struct PlannedState {
 struct CasePlan {
   std::vector<PlannedState> states;
   int threads = 1;
-  double cost = 0.0;  ///< expected processor time of a run (s, on one core), accurate within a factor of two
+  double cost = 0.0;  ///< expected processor time of a run (s, on one core): expected_cost()
 };
 
 /// A run of a campaign: a case with a seed.

@@ -11,6 +11,7 @@
 #include "floc/base/nearest_name.h"
 #include "floc/base/parse_number.h"
 #include "floc/planning/duration.h"
+#include "floc/prices/accuracy.h"
 
 namespace floc {
 namespace {
@@ -60,15 +61,12 @@ class PlanSearch {
           "expected a table of more samples (--prices FILE), or --pilot, which measures the scatter");
     if (!wanted_.empty()) require_reachable();
     std::vector<ScoredPlan> found = plans_of_settings(kLeastSamples);
-    if (found.empty()) found = plans_of_settings(1);
+    if (found.empty() || exceeds_budget(found.front().second)) found = plans_of_settings(1);
     if (found.empty()) refuse();
-    std::stable_sort(found.begin(), found.end(),
-                     [](const auto& x, const auto& y) { return x.first < y.first; });
     PlanChoice choice{observables_, {}};
     for (auto& [score, plan] : found)
       if (static_cast<int>(choice.plans.size()) < n_plans) choice.plans.push_back(std::move(plan));
-    if (!wanted_.empty() && request_.budget && choice.plans.front().wall_seconds > *request_.budget)
-      refuse_budget(choice.plans.front());
+    if (exceeds_budget(choice.plans.front())) refuse_budget(choice.plans.front());
     return choice;
   }
 
@@ -76,7 +74,12 @@ class PlanSearch {
   /// A plan and its score, by which plans are compared: the plan with the smallest score is the best.
   using ScoredPlan = std::pair<double, Plan>;
 
-  /// For each set of numerical settings, returns the best plan if there is a plan.
+  bool exceeds_budget(const Plan& plan) const {
+    return request_.budget && plan.wall_seconds > kRounding * *request_.budget;
+  }
+
+  /// For each set of numerical settings, returns the best plan if there is a plan. The plan with the best score comes
+  /// first.
   std::vector<ScoredPlan> plans_of_settings(int least_samples) const {
     std::vector<ScoredPlan> found;
     for (const PricedSettings& settings : settings_) {
@@ -85,6 +88,7 @@ class PlanSearch {
       const double score = wanted_.empty() ? mean_log_error(*plan) : plan->core_seconds;
       found.emplace_back(score, std::move(*plan));
     }
+    std::ranges::stable_sort(found, {}, &ScoredPlan::first);
     return found;
   }
 
@@ -180,9 +184,9 @@ class PlanSearch {
                         observables_[k].name, wanted));
       else if (wanted < least)
         problems.push_back(
-            fmt::format("{}={:g}: expected at least {:.2g}, the smallest error that any settings reach with up "
+            fmt::format("{}={:g}: expected at least {}, the smallest error that any settings reach with up "
                         "to {} grains and {} samples",
-                        observables_[k].name, wanted, least * 1.005, sizes_.back(), kMostSamples));
+                        observables_[k].name, wanted, rounded_up(least), sizes_.back(), kMostSamples));
     if (!problems.empty()) throw InputError("--want", fmt::format("{}", fmt::join(problems, "; ")));
   }
 
@@ -226,13 +230,13 @@ class PlanSearch {
         nearest = std::min(nearest, worst_over_wanted(settings, n_grains, kMostSamples));
     throw InputError(
         "--want", "no settings reach all of these errors at once; the nearest errors that can be reached are " +
-                      scaled_wants(1.005 * nearest));
+                      scaled_wants(nearest));
   }
 
   std::string scaled_wants(double factor) const {
     std::vector<std::string> nearest;
     for (const auto& [k, wanted] : wanted_)
-      nearest.push_back(fmt::format("{}={:.3g}", observables_[k].name, wanted * factor));
+      nearest.push_back(fmt::format("{}={}", observables_[k].name, rounded_up(wanted * factor, 3)));
     return fmt::format("{}", fmt::join(nearest, ","));
   }
 
@@ -247,12 +251,12 @@ class PlanSearch {
       }
     throw InputError(
         "--budget " + duration_in_words(*request_.budget),
-        fmt::format("the requested errors take {} on {} core{}: expected at least this budget{}",
-                    duration_in_words(least.wall_seconds), request_.cores, request_.cores == 1 ? "" : "s",
-                    std::isfinite(nearest)
-                        ? ", or larger errors; the nearest errors that the budget allows are " +
-                              scaled_wants(1.005 * nearest)
-                        : ""));
+        fmt::format(
+            "the requested errors take {} on {} core{}: expected at least this budget{}",
+            duration_in_words(least.wall_seconds), request_.cores, request_.cores == 1 ? "" : "s",
+            std::isfinite(nearest)
+                ? ", or larger errors; the nearest errors that the budget allows are " + scaled_wants(nearest)
+                : ""));
   }
 
   const PriceModel& model_;

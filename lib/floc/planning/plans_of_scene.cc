@@ -90,6 +90,12 @@ void tell_best(const Plan& best, const PriceModel& model, const PlanRequest& req
         "without a table of prices, the errors due to the numerical settings and to the finite number of "
         "grains are "
         "not known: the errors given here are due to the scatter between samples alone");
+  else if (!model.knows_size_errors())
+    tell(
+        fmt::format("the table of prices has no rows of other numbers of grains: the error due to the finite "
+                    "number of grains is not "
+                    "known, and not part of the errors given here. No plan has fewer than {} grains",
+                    model.least_grains()));
   if (best.n_grains > kFarExtrapolation * model.measured_grains())
     tell(fmt::format(
         "the prices were measured with {} grains: for this plan, they are extrapolated far beyond this number",
@@ -147,7 +153,7 @@ Table PlansOfScene::table() const {
                             plan.wall_seconds / kSecondsPerHour,
                             plan.memory_mb,
                             error.settings,
-                            error.size,
+                            choice_.observables[k].size ? TableValue(error.size) : TableValue(),
                             error.scatter,
                             s.tolerance,
                             s.time_step,

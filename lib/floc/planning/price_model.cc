@@ -187,6 +187,8 @@ void PriceModel::take_table() {
     observables_.push_back({name, reference->unit, scatter, reference->n_samples - 1,
                             size_of_table(*table_, name, n_grains_, size_exponent_)});
   }
+  // Where the table does not know what few grains change, small samples would seem to be as good as large ones.
+  if (!knows_size_errors()) least_grains_ = std::clamp(scene_.grains.count, n_grains_, most_grains_);
 }
 
 void PriceModel::take_pilot(const PilotResult& pilot) {
@@ -238,6 +240,11 @@ const ObservablePrice& PriceModel::observable(const std::string& name, const std
     if (o.name == name) return o;
     names.push_back(o.name);
   }
+  if (names.empty())
+    throw InputError(
+        place, fmt::format("the {} has fewer than two samples, so it does not contain the scatter between "
+                           "samples: expected a table of more samples (--prices FILE), or --pilot",
+                           table_ ? table_->name() : "pilot"));
   throw InputError(
       place,
       fmt::format("{} is not a quantity of this scene that {} contains: expected one of {}; the nearest is {}",
@@ -256,6 +263,10 @@ double PriceModel::memory_mb(double n_grains) const {
       if (row.parameter == "scene" && row.memory_mb > 0.0 && row.n_grains > 0)
         of_grain = std::max(of_grain, row.memory_mb / row.n_grains);
   return kProgramMemory + of_grain * n_grains;
+}
+
+bool PriceModel::knows_size_errors() const {
+  return std::ranges::any_of(observables_, [](const ObservablePrice& o) { return o.size.has_value(); });
 }
 
 double PriceModel::size_error(const ObservablePrice& observable, double n_grains) const {

@@ -82,6 +82,9 @@ class PriceModel {
   int least_grains() const { return least_grains_; }
   int most_grains() const { return most_grains_; }
   bool knows_settings() const { return table_.has_value(); }
+  /// Returns whether the error that a finite number of grains causes is known for any observable. If it is not, plans have
+  /// at least as many grains as the scene.
+  bool knows_size_errors() const;
 
   /// Returns the processor time (s) of a sample of `n_grains` grains.
   double core_seconds(const PricedSettings& settings, double n_grains) const;

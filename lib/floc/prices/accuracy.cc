@@ -124,9 +124,12 @@ std::vector<std::string> priced_observables(const PriceTable& table, const std::
 /// Chooses settings from a table of prices, for the requested errors and the cell of one scene.
 class AccuracyChooser {
  public:
-  AccuracyChooser(const PriceTable& table, const WantedAccuracy& wanted, const std::vector<CellFactors>& cells)
+  AccuracyChooser(const PriceTable& table, const WantedAccuracy& wanted, const std::vector<CellFactors>& cells,
+                  double tolerance_limit)
       : table_(table), candidates_(settable_prices(table)), additions_(cell_prices(table, cells)) {
-    std::erase_if(candidates_, [](const PricedSettings& c) { return c.settings.softening.any(); });
+    std::erase_if(candidates_, [&](const PricedSettings& c) {
+      return c.settings.softening.any() || (!c.is_reference() && c.settings.tolerance >= tolerance_limit);
+    });
     for (const auto& [key, asked] : wanted) wanted_.push_back({key, asked, priced_observables(table, key)});
   }
 
@@ -179,8 +182,8 @@ class AccuracyChooser {
     if (!std::isfinite(floor))
       return fmt::format("the {} has no error of this quantity; leave out the key", errors_table());
     if (wish.error >= floor) return "";
-    return fmt::format("expected at least {:.2g}, which is the smallest error in the {} for this quantity{}",
-                       floor, table_.name(),
+    return fmt::format("expected at least {}, which is the smallest error in the {} for this quantity{}",
+                       rounded_up(floor), table_.name(),
                        additions_.empty() ? "" : " for the mass and the strain rate of the cell in the scene");
   }
 
@@ -263,8 +266,13 @@ double settings_error(const PricedSettings& settings, const std::string& observa
 }
 
 AccuracyChoice choose_accuracy(const PriceTable& table, const WantedAccuracy& wanted,
-                               const std::vector<CellFactors>& cells) {
-  return AccuracyChooser(table, wanted, cells).choose();
+                               const std::vector<CellFactors>& cells, double tolerance_limit) {
+  return AccuracyChooser(table, wanted, cells, tolerance_limit).choose();
+}
+
+std::string rounded_up(double x, int digits) {
+  const double unit = std::pow(10.0, std::floor(std::log10(x)) + 1.0 - digits);
+  return fmt::format("{:.{}g}", unit * std::ceil(x / unit * (1.0 - 1e-12)), digits);
 }
 
 bool covers_stiffness(const PriceTable& table, double kappa) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -87,9 +88,15 @@ struct AccuracyChoice {
 /// errors that were measured for such a cell are added to the errors of all settings.
 /// @param wanted  requested errors, at least one; each key is from accuracy_keys(), each error is positive
 /// @param cells  mass of the cell and cap on its strain rate in the assembly and in each stage of the load path
+/// @param tolerance_limit  settings with a tolerance of this value or more are left out
 /// @pre covers_cell(table, cell) is true for each of `cells`
 [[nodiscard]] AccuracyChoice choose_accuracy(const PriceTable& table, const WantedAccuracy& wanted,
-                                             const std::vector<CellFactors>& cells = {});
+                                             const std::vector<CellFactors>& cells = {},
+                                             double tolerance_limit = std::numeric_limits<double>::infinity());
+
+/// Returns a positive number as text with a few significant digits, rounded upwards: a message that asks for at least this
+/// number would otherwise ask for less than what is accepted.
+std::string rounded_up(double x, int digits = 2);
 
 /// Whether the table of errors was measured on grains whose stiffness number differs from `kappa` by at most a factor
 /// of ten. Otherwise the errors do not apply, because errors depend on the stiffness.

@@ -39,6 +39,14 @@ class Cells {
                        fmt::format("the value of column {} is {}: expected a number", column, cell));
     return *value;
   }
+  /// Returns the number in a column, as number() does. @throws InputError if it is negative
+  double magnitude(const std::string& column) const {
+    const double value = number(column);
+    if (value < 0.0)
+      throw InputError(table_.place(row_), fmt::format("the value of column {} is {}: expected a number >= 0",
+                                                       column, text(column)));
+    return value;
+  }
   /// Returns the whole number in a column; 0 if the cell is empty, or if the table does not have the column.
   int count(const std::string& column) const {
     const double value = number(column);
@@ -79,14 +87,14 @@ PriceRow row_of(const Cells& cells) {
   row.settings = settings_in(cells);
   row.observable = cells.text("observable");
   row.unit = cells.text("unit");
-  row.cost_ratio = cells.number("cost_ratio");
-  row.core_seconds = cells.number("core_seconds");
-  row.memory_mb = cells.number("memory_mb");
-  row.error = std::fmax(cells.number("error_before_high"), cells.number("error_after_high"));
+  row.cost_ratio = cells.magnitude("cost_ratio");
+  row.core_seconds = cells.magnitude("core_seconds");
+  row.memory_mb = cells.magnitude("memory_mb");
+  row.error = std::fmax(cells.magnitude("error_before_high"), cells.magnitude("error_after_high"));
   row.mean_difference = cells.number("mean_difference");
-  row.mean_stderr = cells.number("mean_stderr");
-  row.mean_error = cells.number("mean_error95");
-  row.sample_scatter = cells.number("sample_scatter");
+  row.mean_stderr = cells.magnitude("mean_stderr");
+  row.mean_error = cells.magnitude("mean_error95");
+  row.sample_scatter = cells.magnitude("sample_scatter");
   row.n_grains = cells.count("n_grains");
   row.n_samples = cells.count("n_samples");
   row.n_states = cells.count("n_states");
@@ -138,6 +146,14 @@ PriceTable read_price_table(const std::string& csv, const std::string& place) {
                                    kind, table.kind));
     table.kind = kind;
     table.rows.push_back(row_of(one));
+    const PriceRow& read = table.rows.back();
+    for (const std::string column : {"softening", "assembly_softening"})
+      if (read.parameter == column && !cells.has(column))
+        throw InputError(cells.place(row),
+                         fmt::format("this row is of the knob {0}, but the column {0} is missing: expected "
+                                     "a table that floc tradeoff --format csv of this version of floc "
+                                     "has written",
+                                     column));
   }
   return table;
 }

@@ -39,13 +39,28 @@ void for_each_pressure(TableReader& root, const Scene& scene, const Check& check
     for (const auto& [key, stress] : stresses_of(scene.load[k])) check(stages[k], key, stress);
 }
 
+/// Returns whether the tolerance of a stress is proportional to the pull-off force, so that small pressures may be below
+/// it.
+bool has_least_pressure(const Scene& scene) {
+  return scene.law.adheres() && !scene.assembly.box && scene.grains.largest() > 0;
+}
+
+/// Returns the unit of the tolerance of a stress: the pull-off force per area (length in 2D) of a largest grain.
+double unit_of_tolerance(const Scene& scene) {
+  return pull_off_force(scene) / std::pow(scene.grains.largest(), scene.dimension - 1);
+}
+
+/// Returns whether a stage changes the pull-off force, to which the tolerance of a stress is proportional. Then neither
+/// the stage nor the later stages are checked.
+bool changes_pull_off_force(const LoadStage& stage) {
+  return std::ranges::any_of(stage.set, [](const auto& change) { return change.first == "adhesion.force"; });
+}
+
 /// Records a fault for every pressure that is not larger than the tolerance of a stress, because such a pressure cannot
 /// be distinguished from zero.
 void check_pressures(TableReader& root, const Scene& scene) {
-  if (!scene.law.adheres() || scene.assembly.box || !(scene.grains.largest() > 0)) return;
-  // Area (length in 2D) by which a stress is multiplied to give a force on a grain.
-  const double area = std::pow(scene.grains.largest(), scene.dimension - 1);
-  const double least = scene.relaxation.tolerance.stress * pull_off_force(scene) / area;
+  if (!has_least_pressure(scene)) return;
+  const double least = scene.relaxation.tolerance.stress * unit_of_tolerance(scene);
   const auto check = [&](TableReader& t, const char* key, double pressure) {
     if (pressure > 0 && pressure <= least)
       t.fault(
@@ -56,12 +71,7 @@ void check_pressures(TableReader& root, const Scene& scene) {
               "equilibrium.stress",
               t.path_of(key), pressure, scene.dimension == 2 ? "a" : "a^2", least));
   };
-  // The tolerance of a stress is proportional to the pull-off force. If a stage changes this force, neither the stage
-  // nor the later stages are checked.
-  for_each_pressure(root, scene, check, [](const LoadStage& stage) {
-    return std::any_of(stage.set.begin(), stage.set.end(),
-                       [](const auto& change) { return change.first == "adhesion.force"; });
-  });
+  for_each_pressure(root, scene, check, changes_pull_off_force);
 }
 
 /// Records a fault if contacts are so stiff that rounding errors exceed tolerances: rounding of the sides of the cell
@@ -147,6 +157,20 @@ void check_resolution(TableReader& root, const Scene& scene) {
   check_overlaps(root, scene);
   check_cohesive_overlap(root, scene);
   check_stiffness(root, scene);
+}
+
+double stress_tolerance_limit(const Scene& scene) {
+  double least = std::numeric_limits<double>::infinity();
+  if (!has_least_pressure(scene)) return least;
+  const auto add = [&](double pressure) {
+    if (pressure > 0) least = std::min(least, pressure);
+  };
+  add(scene.assembly.pressure);
+  for (const LoadStage& stage : scene.load) {
+    if (changes_pull_off_force(stage)) break;
+    for (const auto& [key, stress] : stresses_of(stage)) add(stress);
+  }
+  return least / unit_of_tolerance(scene);
 }
 
 }  // namespace floc

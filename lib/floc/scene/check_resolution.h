@@ -11,4 +11,8 @@ namespace floc {
 /// @param root  reader of the root table of the scene
 void check_resolution(TableReader& root, const Scene& scene);
 
+/// Returns the value of equilibrium.stress from which on check_resolution() refuses a pressure of a scene; infinite if it
+/// refuses none.
+double stress_tolerance_limit(const Scene& scene);
+
 }  // namespace floc

@@ -420,7 +420,8 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene) {
   groups.push_back({"equilibria", static_cast<double>(assembled + steps.up + steps.down),
                     "number of states (equilibria) of the run"});
   groups.push_back(
-      {"cost", expected_cost(scene), "expected processor time on one core (s), within a factor of two"});
+      {"cost", expected_cost(scene),
+       "expected processor time on one core (s), within a factor of two under pressures, of ten otherwise"});
   return groups;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "floc/prices/accuracy.h"
+#include "floc/scene/check_resolution.h"
 #include "floc/scene/scene_prices.h"
 
 namespace floc {
@@ -79,7 +80,8 @@ bool read_accuracy(TableReader& root, SceneSource& source, const std::string& pr
                             found.problem));
     return false;
   }
-  const AccuracyChoice choice = choose_accuracy(*found.table, wanted, cells_of(scene));
+  const AccuracyChoice choice =
+      choose_accuracy(*found.table, wanted, cells_of(scene), stress_tolerance_limit(scene));
   if (!choice.found()) {
     const auto asked = std::find_if(wanted.begin(), wanted.end(),
                                     [&](const auto& w) { return w.first == choice.refused_key; });

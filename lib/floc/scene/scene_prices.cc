@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "floc/base/read_text.h"
+#include "floc/loading/run_plan.h"
 #include "floc/scene/cell_defaults.h"
 #include "floc/scene/derived_groups.h"
 #include "floc/scene/scene_kind.h"
@@ -72,12 +73,20 @@ std::string problem_of_cell(const PriceTable& table, const Scene& scene) {
 
 /// Returns the reason why a table of prices for the kind of a scene does not apply to the scene; empty if it applies.
 std::string problem_of(const PriceTable& table, const Scene& scene) {
-  const std::optional<double> kappa = stiffness_number(scene);
-  if (kappa && !covers_stiffness(table, *kappa))
-    return fmt::format(
-        "the stiffness number {} = {:g} is outside the range of the {}, which was measured at {:g} and applies "
-        "within a factor of ten",
-        stiffness_name(scene), *kappa, errors_in(table), table.rows.empty() ? 0.0 : table.rows[0].kappa);
+  // Stages may change the contact law.
+  Scene present = scene;
+  for (const PlannedEquilibrium& planned : plan_run(scene.assembly, scene.law, scene.load, scene.dimension)) {
+    present.law = planned.law;
+    const std::optional<double> kappa = stiffness_number(present);
+    if (kappa && !covers_stiffness(table, *kappa))
+      return fmt::format(
+          "the stiffness number {} = {:g}{} is outside the range of the {}, which was measured at {:g} and "
+          "applies "
+          "within a factor of ten",
+          stiffness_name(present), *kappa,
+          planned.branch == "assembly" ? "" : fmt::format(" in the stage {}", planned.branch), errors_in(table),
+          table.rows.empty() ? 0.0 : table.rows[0].kappa);
+  }
   return problem_of_cell(table, scene);
 }
 

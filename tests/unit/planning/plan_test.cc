@@ -6,6 +6,10 @@
 
 #include <cmath>
 #include <limits>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "floc/base/error.h"
 #include "floc/fitting/student_t.h"
@@ -203,6 +207,47 @@ TEST_F(Plans, WhatCannotBeHadIsRefusedWithTheNearestThatCan) {
   EXPECT_EQ(refusal(below), "");
 }
 
+/// Returns the wants "NAME=ERROR,..." at the end of a message.
+std::vector<std::pair<std::string, double>> wants_in(const std::string& message) {
+  std::vector<std::pair<std::string, double>> wants;
+  std::istringstream text(message.substr(message.find(" are ") + 5));
+  for (std::string one; std::getline(text, one, ',');)
+    wants.emplace_back(one.substr(0, one.find('=')), std::stod(one.substr(one.find('=') + 1)));
+  return wants;
+}
+
+TEST_F(Plans, TheNearestErrorsOfAMessageAreGranted) {
+  int n_refused = 0;
+  for (const double budget : {0.2, 0.7, 2.0, 5.0, 9.0, 20.0, 100.0, 1e3})
+    for (const double phi : {1.5e-3, 3e-3, 0.01, 0.03})
+      for (const double b : {0.0, 0.02, 0.2}) {
+        PlanRequest request;
+        request.budget = budget;
+        request.wants = {{"phi", phi}};
+        if (b > 0.0) request.wants.emplace_back("B", b);
+        const std::string words = refusal(request);
+        if (words.empty()) continue;
+        SCOPED_TRACE(words);
+        ASSERT_THAT(words, HasSubstr("nearest errors that "));
+        ++n_refused;
+        request.wants = wants_in(words);
+        EXPECT_EQ(refusal(request), "");
+      }
+  EXPECT_GT(n_refused, 20);
+}
+
+/// Where the table knows one number of grains alone, nothing is known about the error of small samples.
+TEST_F(Plans, KeepTheNumberOfGrainsWhereTheErrorOfTheSizeIsNotKnown) {
+  PriceTable table = prices();
+  std::erase_if(table.rows, [](const PriceRow& row) { return row.parameter == "count"; });
+  const PriceModel model(scene_, table);
+  EXPECT_FALSE(model.knows_size_errors());
+  EXPECT_TRUE(model_.knows_size_errors());
+  PlanRequest request;
+  request.budget = 1e4;
+  for (const Plan& plan : choose_plans(model, request, 3).plans) EXPECT_GE(plan.n_grains, scene_.grains.count);
+}
+
 TEST_F(Plans, WantsAreNamesOfObservablesOrKeysOfAccuracy) {
   const std::vector<std::string> names = {"phi", "B", "G", "z_plus"};
   const auto wants = wants_of({"phi=0.01", "moduli=0.1", "z=0.2"}, names);
@@ -311,7 +356,7 @@ TEST(PriceModelOfAScene, TakesTheExponentFromWhicheverHasTheLargerSamples) {
 
 TEST(Pilot, MeasuresTheExponentOnAsManyGrainsAsItsTimeAllows) {
   const Scene here = scene({"grains.count=20", "load.0.steps_per_decade=1", "load.1.steps_per_decade=1"});
-  const PilotResult pilot = run_pilot(here, 4.0);
+  const PilotResult pilot = run_pilot(here, 8.0);
   EXPECT_EQ(pilot.n_grains, 20);
   EXPECT_GE(pilot.largest_grains, 40);
   EXPECT_LE(pilot.largest_grains, 400);

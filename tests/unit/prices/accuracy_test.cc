@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "floc/base/error.h"
 
 namespace floc {
@@ -129,8 +131,9 @@ TEST(Accuracy, WhatTheCellAddsIsSaidAndCountsForTheLeastError) {
                 "phi 2.0e-04 in 95 % of the states"));
   EXPECT_THAT(
       choice_with({{2.0, 1.0}}, 2.01e-4).failure_reason,
-      HasSubstr("expected at least 0.0002, which is the smallest error in the table shipped with floc for this "
-                "quantity for the mass and the strain rate of the cell in the scene"));
+      HasSubstr(
+          "expected at least 0.00021, which is the smallest error in the table shipped with floc for this "
+          "quantity for the mass and the strain rate of the cell in the scene"));
 }
 
 TEST(Accuracy, TheTableSpeaksForCellsBetweenThoseMeasured) {
@@ -219,6 +222,39 @@ TEST(Accuracy, TheShippedTableHasTheReferenceAndTheSceneItself) {
     EXPECT_TRUE(std::any_of(table->rows.begin(), table->rows.end(), [&](const auto& row) {
       return row.parameter == parameter;
     })) << parameter;
+}
+
+TEST(Accuracy, SettingsWithTooLargeAToleranceAreLeftOut) {
+  const PriceTable table = shipped_like(kTable);
+  EXPECT_EQ(choose_accuracy(table, {{"phi", 5e-2}}, {}, 2e-2).name, "together coarse");
+  EXPECT_EQ(choose_accuracy(table, {{"phi", 5e-2}}, {}, 1e-2).name, "tolerance 1e-4");
+  EXPECT_EQ(choose_accuracy(table, {{"phi", 5e-2}}, {}, 1e-4).name, "scene as it is");
+}
+
+TEST(Accuracy, NumbersOfMessagesAreRoundedUpwards) {
+  EXPECT_EQ(rounded_up(0.00551), "0.0056");
+  EXPECT_EQ(rounded_up(0.0055), "0.0055");
+  EXPECT_EQ(rounded_up(9.91e-7), "1e-06");
+  EXPECT_EQ(rounded_up(1.0001, 3), "1.01");
+  for (double x = 1e-8; x < 1e3; x *= 1.37)
+    for (const int digits : {2, 3}) EXPECT_GE(std::stod(rounded_up(x, digits)), x * (1.0 - 1e-11)) << x;
+}
+
+TEST(PriceTable, RefusesNegativeErrorsAndTablesWithoutTheColumnOfAKnob) {
+  const auto refusal = [](const std::string& csv) -> std::string {
+    try {
+      (void)read_price_table(csv, "prices.csv");
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refusal(kTable), "");
+  EXPECT_THAT(refusal(kHeader + "strict,all,phi,-1,0,0,0,1,1e-8,0.1,auto,2,1e5\n"),
+              HasSubstr("the value of column error_before_high is -1: expected a number >= 0"));
+  for (const std::string knob : {"softening", "assembly_softening"})
+    EXPECT_THAT(refusal(kTable + knob + ",10,phi,0,0,0,0,1,1e-8,0.1,auto,2,1e5\n"),
+                HasSubstr("this row is of the knob " + knob + ", but the column " + knob + " is missing"));
 }
 
 }  // namespace

@@ -151,5 +151,20 @@ TEST(AccuracyOfAScene, RefusesOtherKeysAndEmptyWishes) {
   EXPECT_THAT(refusal(kAskedScene + "[accuracy]\nfi = 0.1\n"), HasSubstr("nearest valid key"));
 }
 
+/// The cheapest settings for an error of 10 % in lambda have a tolerance of 1e-2, which the pressure 0.01 of the demo is
+/// not above.
+TEST(AccuracyOfAScene, TakesAToleranceThatThePressuresOfTheSceneAllow) {
+  const std::string demo = test::source_directory() + "/data/scenes/demo.toml";
+  EXPECT_LT(read_scene(demo, {"accuracy.lambda=0.1"}).relaxation.tolerance.stress, 0.01);
+}
+
+/// Stages may change the law, so that their stiffness is outside of the table.
+TEST(AccuracyOfAScene, RefusesStiffnessesThatAStageSets) {
+  const std::string demo = test::source_directory() + "/data/scenes/demo.toml";
+  for (const std::string set : {"normal.stiffness=2e6", "normal.stiffness=5e3", "adhesion.force=1e-3"})
+    EXPECT_THROW(read_scene(demo, {"accuracy.phi=0.01", "load.1.set={" + set + "}"}), InputError) << set;
+  EXPECT_NO_THROW(read_scene(demo, {"accuracy.phi=0.01", "load.1.set={normal.stiffness=2e5}"}));
+}
+
 }  // namespace
 }  // namespace floc

@@ -37,6 +37,8 @@ RUNS = {
     **{f"span-0.9-rate-{i}": ("wide_span", ["grains.count=1500", "grains.diameter.min=0.0526", f"load.0.inertial_number={i}"], CRITICAL)
        for i in ("0.03", "0.054")},
     "spheres": ("rigid_spheres", ["grains.count=2000", "contact.friction.coefficient=0.5"], {"spheres-sheared": range(6, 11), "spheres": AT_REST}),
+    "spheres-20000": ("rigid_spheres", ["contact.friction.coefficient=0.5"], AT_REST),
+    "spheres-elastic": ("elastic_spheres", [], AT_REST),
     "cut": ("polyhedra", ["grains.count=1000"], AT_REST),
     "cut-5000": ("polyhedra", ["grains.count=5000"], AT_REST),
     "hull": ("polyhedra", ["grains.count=1000", HULL], AT_REST),
@@ -52,10 +54,13 @@ COLUMNS = (["phi", "z_star", "z_pairs_star", "x0", "below_mean", "alpha", "beta"
 
 
 def run(floc, name, seed, directory):
-    scene, changes, _ = RUNS[name]
-    command = [floc, "run", os.path.join(SCENES, scene + ".toml"), "-o", directory, "--threads", "1", "--resume", "--seed", str(seed)]
+    scene, changes, states = RUNS[name]
+    places = [os.path.join(folder, scene + ".toml") for folder in (HERE, SCENES)]
+    command = [floc, "run", next(filter(os.path.exists, places)), "-o", directory, "--threads", "1", "--resume", "--seed", str(seed)]
     for change in changes:
         command += ["--set", change]
+    if states == AT_REST:
+        command += ["--until", "0"]
     if subprocess.run(command, stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL).returncode != 0:
         sys.exit("failed: " + " ".join(command))
 

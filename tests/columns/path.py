@@ -69,7 +69,8 @@ def wall_columns(s):
     out = {"n_wall_contacts": Same(int(on_wall.sum())), "z_wall": Close((2 * s.counted.sum() + on_wall.sum()) / s.n),
            "kinetic_over_elastic": Close(translation / s.energy().sum()), "n_mechanisms": Same(least_mechanisms(s))}
     pressure = s.wall_pressure()
-    friction = (s.shear * s.x[s.i])[s.on_wall].sum(0) / s.volume
+    middle = np.array([np.mean(s.walls["position"][s.walls["axis"] == a]) if a in pressure else 0.0 for a in range(s.dim)])
+    friction = (s.shear * (s.x[s.i] - middle))[s.on_wall].sum(0) / s.volume
     for a in range(s.dim):
         out[f"p_wall_{a + 1}"] = Close(pressure.get(a))
         out[f"p_friction_{a + 1}"] = Close(friction[a] if a in pressure else None, pressure.get(a, 0.0))

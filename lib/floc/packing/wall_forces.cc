@@ -121,6 +121,7 @@ Mat<Dim> load_stress(const Packing<Dim>& packing) {
   const std::vector<double> force = wall_forces(packing);
   for (std::size_t w = 0; w < force.size(); ++w) {
     const Wall<Dim>& wall = packing.walls[w];
+    if (wall.open) continue;
     double& pressure = stress(wall.axis, wall.axis);
     if (!has_one_moving_wall(packing, wall.axis))
       pressure = mean[wall.axis];

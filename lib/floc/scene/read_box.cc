@@ -65,9 +65,9 @@ void read_gravity(TableReader& t, int dimension, BoxOptions& box) {
       return t.fault(
           given ? "gravity" : "boundary",
           fmt::format("{}: axis {} has a floor at its lower end (boundary \"{}\"), so gravity must act "
-                      "towards the floor; expected {}a negative number for this axis",
+                      "towards the floor; expected a negative number for this axis{}",
                       given ? "box.gravity" : "box.boundary", a + 1, side == BoxSide::floor ? "floor" : "lid",
-                      given ? "" : "box.gravity with "));
+                      given ? "" : " in box.gravity"));
   }
 }
 

@@ -1,13 +1,12 @@
 #include "process/output_files.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <system_error>
 
 #include "floc/base/error.h"
+#include "floc/base/read_file.h"
 #include "floc/io/atomic_file.h"
 #include "process/command.h"
 
@@ -26,14 +25,15 @@ bool is_input(const std::string& path) {
   });
 }
 
-/// Returns whether a file is in the format HDF5, as state files are.
-bool is_hdf5(const std::string& path) {
-  constexpr std::array<char, 8> kSignature = {'\x89', 'H', 'D', 'F', '\r', '\n', '\x1a', '\n'};
-  std::array<char, 8> found{};
+/// Returns whether a file exists and is in the format of state files. A file that cannot be read is no such file.
+bool is_existing_state(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return false;
-  std::ifstream file(path, std::ios::binary);
-  return file.read(found.data(), found.size()) && found == kSignature;
+  try {
+    return is_hdf5(path);
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ void write_output(const std::string& path, std::string_view bytes) {
     throw InputError(path,
                      "this file is an input of the command, which the output would replace: expected another "
                      "name for the output");
-  if (is_hdf5(path))
+  if (is_existing_state(path))
     throw InputError(path,
                      "this file is a state or another file of HDF5, which the output would replace: expected "
                      "another name for the output");

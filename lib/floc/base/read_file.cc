@@ -80,4 +80,9 @@ void read_pieces(const std::string& path, const std::function<void(std::string_v
   read_all(path, open_file(path).get(), take);
 }
 
+bool is_hdf5(const std::string& path) {
+  constexpr std::string_view kSignature = "\x89HDF\r\n\x1a\n";
+  return read_beginning(path, kSignature.size()) == kSignature;
+}
+
 }  // namespace floc

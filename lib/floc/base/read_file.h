@@ -26,4 +26,8 @@ std::string read_beginning(const std::string& path, std::size_t most);
 /// @throws InputError if the file is missing or cannot be read
 void read_pieces(const std::string& path, const std::function<void(std::string_view)>& take);
 
+/// Returns whether a file begins with the signature of the format HDF5, as state files do.
+/// @throws InputError under the conditions of read_beginning()
+bool is_hdf5(const std::string& path);
+
 }  // namespace floc

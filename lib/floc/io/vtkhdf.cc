@@ -386,7 +386,7 @@ std::vector<std::int64_t> identifiers_of(const VtkHdf& file, std::size_t n_point
 }  // namespace
 
 bool is_vtkhdf(const std::string& path) {
-  return read_beginning(path, 8) == std::string("\x89HDF\r\n\x1a\n", 8);
+  return is_hdf5(path);
 }
 
 Imported read_vtkhdf(const std::string& path, const ImportOptions& options) {

@@ -42,11 +42,11 @@ std::vector<int> shifting_axes(const Packing<Dim>& packing) {
 }
 
 /// Returns the branch vector of a contact with a wall, as defined for NetworkContact::branch.
+/// @param origin  strain_origin() of the packing
 template <int Dim>
-Vec<Dim> strained_branch(const Packing<Dim>& packing, const Contact<Dim>& c) {
+Vec<Dim> strained_branch(const Packing<Dim>& packing, const Contact<Dim>& c, const Vec<Dim>& origin) {
   Vec<Dim> branch = stress_lever(packing, c);
   const Wall<Dim>& wall = packing.wall(c.j);
-  const Vec<Dim> origin = strain_origin(packing);
   for (int b = 0; b < Dim; ++b)
     if (b != wall.axis && between_walls(packing.walls, b))
       branch[b] = origin[b] - packing.grains.position[c.i][b];
@@ -54,7 +54,8 @@ Vec<Dim> strained_branch(const Packing<Dim>& packing, const Contact<Dim>& c) {
 }
 
 template <int Dim>
-NetworkContact<Dim> network_contact(const Packing<Dim>& packing, const Contact<Dim>& c, int source) {
+NetworkContact<Dim> network_contact(const Packing<Dim>& packing, const Contact<Dim>& c, int source,
+                                    const Vec<Dim>& origin) {
   const Vec<Dim> r = branch(packing, c);
   const bool on_wall = packing.is_wall(c.j);
   NetworkContact<Dim> out;
@@ -62,7 +63,7 @@ NetworkContact<Dim> network_contact(const Packing<Dim>& packing, const Contact<D
   out.j = on_wall ? c.i : c.j;
   if (on_wall) out.wall = c.j - packing.grains.size();
   out.image = c.image;
-  out.branch = on_wall ? strained_branch<Dim>(packing, c) : r;
+  out.branch = on_wall ? strained_branch<Dim>(packing, c, origin) : r;
   out.arm_i = c.arm_i;
   out.arm_j = c.arm_j;
   out.frame = contact_frame(packing.grains.are_round() ? Vec<Dim>(r.normalized()) : c.normal);
@@ -89,8 +90,9 @@ ContactNetwork<Dim> contact_network(const Packing<Dim>& packing) {
   network.volume = packing.cell.volume();
   network.grain_size = packing.grains.radius;
   network.contacts.reserve(packing.contacts.size());
+  const Vec<Dim> origin = strain_origin(packing);
   for (int c = 0; c < static_cast<int>(packing.contacts.size()); ++c)
-    network.contacts.push_back(network_contact(packing, packing.contacts[c], c));
+    network.contacts.push_back(network_contact(packing, packing.contacts[c], c, origin));
   return network;
 }
 

@@ -26,8 +26,8 @@ template <int Dim>
 Balance<Dim> net_forces(const Packing<Dim>& packing);
 
 /// Returns the static stress of a packing, compression positive (force/length^(Dim-1)). Its component (a, b) is the sum
-/// over all contacts of F_j^(a) r^(b), divided by the volume of the cell, where F_j is the force on the second body
-/// of the contact and r is its lever, stress_lever().
+/// over all contacts of F_j^(a) r^(b), divided by the volume of the cell. F_j is the force on the second body of the
+/// contact, and stress_lever() gives r.
 template <int Dim>
 Mat<Dim> static_stress(const Packing<Dim>& packing);
 

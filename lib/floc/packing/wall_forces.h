@@ -48,10 +48,10 @@ template <int Dim>
 Vec<Dim> strain_origin(const Packing<Dim>& packing);
 
 /// Returns the stress that balances the load on the boundary (force/length^(Dim-1)). It is the static stress, except
-/// that for each axis with a wall the diagonal component is the pressure that does work if the distance between the two
-/// walls changes (strain_origin()): the mean pressure on both walls, or the pressure on the only wall that forces move. If
-/// one end of the axis is open, it is the pressure on the only wall. At rest, the static stress and the mean pressure on the walls differ by
-/// stress_borne_by_friction().
+/// that for each axis with a wall the diagonal component is the pressure that does work if the distance between the
+/// two walls changes (strain_origin()): the mean pressure on both walls, or the pressure on the only wall that forces
+/// move. If one end of the axis is open, it is the pressure on the only wall. At rest, the static stress and the mean
+/// pressure on the walls differ by stress_borne_by_friction().
 template <int Dim>
 Mat<Dim> load_stress(const Packing<Dim>& packing);
 

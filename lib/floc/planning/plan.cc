@@ -30,7 +30,17 @@ int rounded(double x) {
   return static_cast<int>(std::lround(std::round(x / unit) * unit));
 }
 
+/// Checks that the scatter between samples, without which no error is known, is known for some observable.
+void require_scatter(const std::vector<ObservablePrice>& observables) {
+  if (observables.empty())
+    throw InputError(
+        "floc plan",
+        "the table of prices has fewer than two samples, so it does not contain the scatter between samples: "
+        "expected a table of more samples (--prices FILE), or --pilot, which measures the scatter");
+}
+
 std::vector<ObservablePrice> chosen_observables(const PriceModel& model, const PlanRequest& request) {
+  require_scatter(model.observables());
   std::vector<ObservablePrice> chosen;
   for (const std::string& name : request.observables) chosen.push_back(model.observable(name, "--observables"));
   for (const auto& [name, error] : request.wants)
@@ -54,11 +64,7 @@ class PlanSearch {
   }
 
   PlanChoice best(int n_plans) const {
-    if (observables_.empty())
-      throw InputError(
-          "floc plan",
-          "the table of prices has fewer than two samples, so it does not contain the scatter between samples: "
-          "expected a table of more samples (--prices FILE), or --pilot, which measures the scatter");
+    require_scatter(observables_);
     if (!wanted_.empty()) require_reachable();
     std::vector<ScoredPlan> found = plans_of_settings(kLeastSamples);
     if (found.empty() || exceeds_budget(found.front().second)) found = plans_of_settings(1);

@@ -240,11 +240,6 @@ const ObservablePrice& PriceModel::observable(const std::string& name, const std
     if (o.name == name) return o;
     names.push_back(o.name);
   }
-  if (names.empty())
-    throw InputError(
-        place, fmt::format("the {} has fewer than two samples, so it does not contain the scatter between "
-                           "samples: expected a table of more samples (--prices FILE), or --pilot",
-                           table_ ? table_->name() : "pilot"));
   throw InputError(
       place,
       fmt::format("{} is not a quantity of this scene that {} contains: expected one of {}; the nearest is {}",

@@ -33,6 +33,39 @@ TEST(WetRun, ComesToRestWhereFrictionHoldsASpin) {
   expect_rest("--seed 45 --set equilibrium.finish=dynamic");
 }
 
+/// Nothing resists a change of the height of a bed under a free surface. With the terms of the capillary forces, this
+/// strain must not count as a direction in which the bed is unstable.
+TEST(WetRun, BedOnAFloorComesToRest) {
+  const ScratchDirectory scratch;
+  write_text(scratch.file("bed.toml"), R"([scene]
+dimension = 3
+units = "SI"
+[grains]
+count = 40
+density = 2600
+diameter = {distribution = "uniform", min = 1e-3, max = 2e-3}
+[contact]
+normal = {law = "linear", stiffness = 1e3}
+damping = {restitution = 0.1, mass = "effective"}
+friction = {coefficient = 0.4, stiffness = 1e3}
+adhesion = {law = "capillary", surface_tension = 0.072, contact_angle = 0, water_content = 0.007, density_ratio = 2.6}
+[assembly]
+protocol = "direct"
+[box]
+sides = [6e-3, 6e-3, 2e-2]
+boundary = {x = "periodic", y = "periodic", z = "floor"}
+gravity = [0, 0, -9.81]
+friction = 0.4
+adhesion = 0
+[equilibrium]
+max_time = 400
+)");
+  const Outcome made = run_floc("run bed.toml -o out", scratch.path());
+  ASSERT_EQ(made.code, 0) << made.err;
+  const Outcome verified = run_floc("verify out", scratch.path());
+  EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
+}
+
 TEST(WetRun, GivesTheSameFilesForTwoThreads) {
   const ScratchDirectory scratch;
   write_text(scratch.file("wet.toml"), wet_scene());

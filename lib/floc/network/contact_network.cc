@@ -25,19 +25,14 @@ Mat<3> contact_frame(const Vec<3>& n) {
 namespace {
 
 /// Returns the axes with walls whose two walls may move together. If forces move some wall of the box, both walls of
-/// such an axis follow forces, since the place of a wall that forces do not move is given. If forces move no wall, as in
-/// imported packings, nothing is known about the walls, and those of each axis may move together.
+/// such an axis follow forces, since the place of a wall that forces do not move is given. If forces move no wall, as
+/// in imported packings, nothing is known about the walls, and those of each axis may move together.
 template <int Dim>
 std::vector<int> shifting_axes(const Packing<Dim>& packing) {
-  const auto follows = [](const Wall<Dim>& wall) { return follows_forces(wall); };
-  const bool any_follows = std::ranges::any_of(packing.walls, follows);
+  const bool any_moves = std::ranges::any_of(packing.walls, follows_forces<Dim>);
   std::vector<int> axes;
   for (int a = 0; a < Dim; ++a)
-    if (between_walls(packing.walls, a) &&
-        (!any_follows || std::ranges::all_of(packing.walls, [&](const Wall<Dim>& wall) {
-          return wall.axis != a || follows_forces(wall);
-        })))
-      axes.push_back(a);
+    if (between_walls(packing.walls, a) && (!any_moves || n_moving_walls(packing, a) == 2)) axes.push_back(a);
   return axes;
 }
 

@@ -13,6 +13,13 @@ bool follows_forces(const Wall<Dim>& wall) {
 }
 
 template <int Dim>
+int n_moving_walls(const Packing<Dim>& packing, int axis) {
+  if (is_open_along(packing.walls, axis)) return 0;
+  return static_cast<int>(std::ranges::count_if(
+      packing.walls, [axis](const Wall<Dim>& wall) { return wall.axis == axis && follows_forces(wall); }));
+}
+
+template <int Dim>
 Packing<Dim> with_walls_at_cell(Packing<Dim> packing) {
   Vec<Dim> lowest = Vec<Dim>::Zero();
   for (const Wall<Dim>& wall : packing.walls)
@@ -91,23 +98,11 @@ Vec<Dim> stress_borne_by_friction(const Packing<Dim>& packing) {
   return sum.cwiseProduct(between) / packing.cell.volume();
 }
 
-namespace {
-
-/// Returns whether an axis has two walls of which forces move exactly one.
-template <int Dim>
-bool has_one_moving_wall(const Packing<Dim>& packing, int axis) {
-  return std::ranges::count_if(packing.walls, [&](const Wall<Dim>& wall) {
-           return wall.axis == axis && follows_forces(wall) && !is_open_along(packing.walls, axis);
-         }) == 1;
-}
-
-}  // namespace
-
 template <int Dim>
 Vec<Dim> strain_origin(const Packing<Dim>& packing) {
   Vec<Dim> origin = Vec<Dim>::Zero();
   for (const Wall<Dim>& wall : packing.walls)
-    if (!has_one_moving_wall(packing, wall.axis))
+    if (n_moving_walls(packing, wall.axis) != 1)
       origin[wall.axis] += 0.5 * wall.position;
     else if (!follows_forces(wall))
       origin[wall.axis] = wall.position;
@@ -123,7 +118,7 @@ Mat<Dim> load_stress(const Packing<Dim>& packing) {
     const Wall<Dim>& wall = packing.walls[w];
     if (wall.open) continue;
     double& pressure = stress(wall.axis, wall.axis);
-    if (!has_one_moving_wall(packing, wall.axis))
+    if (n_moving_walls(packing, wall.axis) != 1)
       pressure = mean[wall.axis];
     else if (follows_forces(wall))
       pressure = force[w] / wall_area(packing, wall.axis);
@@ -146,6 +141,7 @@ double wall_imbalance(const Packing<Dim>& packing, const Vec<Dim>& target_stress
 
 #define FLOC_INSTANTIATE(Dim)                                             \
   template bool follows_forces(const Wall<Dim>&);                         \
+  template int n_moving_walls(const Packing<Dim>&, int);                  \
   template Packing<Dim> with_walls_at_cell(Packing<Dim>);                 \
   template void fit_open_ends(Packing<Dim>&);                             \
   template double wall_area(const Packing<Dim>&, int);                    \

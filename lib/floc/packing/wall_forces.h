@@ -12,6 +12,11 @@ namespace floc {
 template <int Dim>
 bool follows_forces(const Wall<Dim>& wall);
 
+/// Returns the number of walls normal to an axis that forces move: 0, 1 (a lid above a floor) or 2. It is 0 if one end
+/// of the axis is open, and without walls.
+template <int Dim>
+int n_moving_walls(const Packing<Dim>& packing, int axis);
+
 /// Returns a packing that is shifted so that the lower wall of each axis lies at zero, where the cell begins. The shift
 /// is needed because moving walls drift away from zero. A packing without walls is returned unchanged.
 template <int Dim>
@@ -41,9 +46,9 @@ Vec<Dim> wall_pressure(const Packing<Dim>& packing);
 template <int Dim>
 std::optional<double> mean_wall_pressure(const Packing<Dim>& packing);
 
-/// Returns, for each axis with walls, the coordinate that does not move while the distance between the two walls changes
-/// (length). It is the position of a wall that forces do not move if they move the wall opposite, such as the floor
-/// below a lid, and the middle between two walls that both move or both stay. Zero along an axis without walls.
+/// Returns, for each axis with walls, the coordinate that does not move while the distance between the two walls
+/// changes (length). It is the position of a wall that forces do not move if they move the wall opposite, such as the
+/// floor below a lid, and the middle between two walls that both move or both stay. Zero along an axis without walls.
 template <int Dim>
 Vec<Dim> strain_origin(const Packing<Dim>& packing);
 
@@ -57,9 +62,9 @@ Mat<Dim> load_stress(const Packing<Dim>& packing);
 
 /// For each axis a, returns the part of the pressure on the two walls normal to a that is balanced by friction on the
 /// other walls (force/length^(Dim-1)). This part is the sum of t_a (x_a - c_a) over the contacts with walls, divided by
-/// the volume of the cell, where t is the friction force on a grain, x the contact point, and c the middle between the two
-/// walls. If one end of the axis is open, c is this end. At rest and without gravity along the axis, the static stress is
-/// the pressure minus this part (docs/physics.md, "Boxes with walls"). Zero along an axis without walls.
+/// the volume of the cell, where t is the friction force on a grain, x the contact point, and c the middle between the
+/// two walls. If one end of the axis is open, c is this end. At rest and without gravity along the axis, the static
+/// stress is the pressure minus this part (docs/physics.md, "Boxes with walls"). Zero along an axis without walls.
 template <int Dim>
 Vec<Dim> stress_borne_by_friction(const Packing<Dim>& packing);
 

@@ -120,16 +120,9 @@ BoxRelaxer<Dim>::BoxRelaxer(const RelaxationOptions& options, Packing<Dim> packi
   const Vec<Dim> pressure = wall_pressure(packing_);
   for (int a = 0; a < Dim; ++a) {
     progress_.start_side.push_back(packing_.cell.matrix(a, a));
-    const bool closes = options.compaction.wall_speed && under_pressure(a);
+    const bool closes = options.compaction.wall_speed && n_moving_walls(packing_, a) > 0;
     progress_.closing_sign.push_back(!closes ? 0.0 : pressure[a] < target_[a] ? -1.0 : 1.0);
   }
-}
-
-/// Whether the walls of an axis move under a pressure, that is, whether the mass of a wall is finite.
-template <int Dim>
-bool BoxRelaxer<Dim>::under_pressure(int axis) const {
-  return std::any_of(packing_.walls.begin(), packing_.walls.end(),
-                     [axis](const Wall<Dim>& w) { return w.axis == axis && follows_forces(w); });
 }
 
 /// Returns the control of the walls for the next chunk of time steps. Axes whose walls still move at the speed given by

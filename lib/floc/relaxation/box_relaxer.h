@@ -68,7 +68,6 @@ class BoxRelaxer final : public Equilibrator<Dim> {
   std::string progress() const override;
 
  private:
-  bool under_pressure(int axis) const;
   BoundaryControl<Dim> control();
   void measure();
   std::string lost() const;

@@ -73,18 +73,20 @@ namespace {
 
 /// Returns a warning if there are many time steps of contact dynamics in which the impulses did not converge to the
 /// tolerance; otherwise returns an empty text.
-std::string unfinished_warning(const StepCounts& counts) {
+std::string unfinished_warning(const RelaxationReport& report) {
   constexpr double kMany = 0.05;
+  const StepCounts& counts = report.counts;
   const double share = counts.n_steps == 0
                            ? 0.0
                            : static_cast<double>(counts.n_unfinished) / static_cast<double>(counts.n_steps);
   if (share <= kMany) return {};
   return fmt::format(
       "in {:.0f} % of the time steps, the impulses were not yet within dynamics.sweep_tolerance after "
-      "dynamics.max_sweeps sweeps: the final forces are balanced, but the motion up to "
-      "them is less accurate than required; give a larger dynamics.max_sweeps or "
+      "dynamics.max_sweeps sweeps: {} less accurate than required; give a larger dynamics.max_sweeps or "
       "a larger tolerance",
-      100.0 * share);
+      100.0 * share,
+      report.motion ? "the motion and the forces of this state, which is in motion, are"
+                    : "the final forces are balanced, but the motion up to them is");
 }
 
 }  // namespace
@@ -104,7 +106,7 @@ void RunMonitor::equilibrium(const State<Dim>& state, const RelaxationReport& re
              state.residuals.force, ending_of(report), seconds);
   if (const std::string warning = overlap_warning(state.packing); !warning.empty())
     fmt::print(stderr, "  warning: {}\n", warning);
-  if (const std::string warning = unfinished_warning(report.counts); !warning.empty())
+  if (const std::string warning = unfinished_warning(report); !warning.empty())
     fmt::print(stderr, "  warning: {}\n", warning);
   if (!report.stability.note.empty()) fmt::print(stderr, "  test of stability: {}\n", report.stability.note);
 }

@@ -366,6 +366,7 @@ void check_motion(const Hdf5Reader& file, const State<Dim>& s) {
   };
   constexpr double kTiny = std::numeric_limits<double>::min(), kHuge = std::numeric_limits<double>::max();
   require("time_step", m.time_step, kTiny, kHuge);
+  require("longest_step", m.longest_step, m.time_step, kHuge);
   require("cell_mass", m.cell_mass, kTiny, kHuge);
   require("restitution", m.restitution, 0.0, 1.0);
   require("slow_impact", m.slow_impact, 0.0, kHuge);
@@ -408,6 +409,8 @@ State<Dim> decode(const Hdf5Reader& file, std::int64_t version) {
   read_directed_load(file, archive, s);
   if (file.has(kMotion)) s.motion.emplace();
   describe_attributes(archive, s);
+  // Earlier versions did not record this length, and took the length of the step instead.
+  if (s.motion && !file.has_attribute(kMotion, "longest_step")) s.motion->longest_step = s.motion->time_step;
   check_motion(file, s);
   s.scene = file.text("scene");
   check_descriptions(file, version, s);

@@ -177,6 +177,7 @@ void describe_attributes(Archive& archive, State& s) {
   // A reader creates `s.motion` before this call if the file has the group `motion`.
   if (s.motion) {
     archive.value("motion", "time_step", s.motion->time_step);
+    archive.value_if_there("motion", "longest_step", s.motion->longest_step);
     archive.value("motion", "cell_mass", s.motion->cell_mass);
     archive.value("motion", "restitution", s.motion->restitution);
     archive.value("motion", "slow_impact", s.motion->slow_impact);

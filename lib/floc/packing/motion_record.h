@@ -7,6 +7,9 @@ namespace floc {
 /// Signorini's and Coulomb's conditions.
 struct MotionRecord {
   double time_step = 0.0;  ///< length of the step (time)
+  /// Longest time step of the motion (time). Overlaps are removed over a time that depends on it
+  /// (shortest_removal()).
+  double longest_step = 0.0;
   double cell_mass = 0.0;  ///< inertia of the sides of the cell divided by the mass of all grains
   double restitution = 0.0;
   double slow_impact = 0.0;      ///< rate of approach below which impacts are inelastic (length/time)

@@ -121,20 +121,24 @@ RelaxationStatus ContactDynamicsRelaxer<Dim>::strain() {
   return RelaxationStatus::converged;
 }
 
-/// Gives the contacts the forces of the time step that begins at the present positions and velocities.
+/// Gives the contacts the forces of the time step that begins at the present positions and velocities. If the last steps
+/// were shorter than the shortest time in which overlaps are removed, because they were cut off at the end of a small
+/// strain, the recorded step is the longest one in which the grains do not move too far. A short step may
+/// change velocities by as much as a long one, with forces that are larger in proportion.
 template <int Dim>
 void ContactDynamicsRelaxer<Dim>::record_motion() {
   // The lengths are set once more to remove the rounding errors of the steps.
   imposed_strain().set_lattice(progress_.time, packing_.cell.matrix);
   ContactDynamicsSettings chosen = settings();
-  chosen.longest_step = progress_.time_step;
   chosen.max_sweeps =
       kSweepsOfRecord * std::min(chosen.max_sweeps, std::numeric_limits<int>::max() / kSweepsOfRecord);
-  ContactDynamics<Dim> motion(std::move(packing_), boundary_load(), chosen, progress_.time_step,
-                              progress_.last_step);
+  const bool is_cut_off = progress_.time_step < shortest_removal(chosen);
+  const double first = is_cut_off ? chosen.longest_step : progress_.time_step;
+  ContactDynamics<Dim> motion(std::move(packing_), boundary_load(), chosen, first, progress_.last_step);
   const SweepResult found = motion.find_forces();
   progress_.n_sweeps += found.n_sweeps;
   motion_ = {.time_step = motion.time_step(),
+             .longest_step = chosen.longest_step,
              .cell_mass = options_.cell_mass,
              .restitution = chosen.restitution,
              .slow_impact = chosen.slow_impact,

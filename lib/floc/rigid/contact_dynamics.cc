@@ -42,7 +42,7 @@ constexpr double kStabilisation = 0.1;
 /// If impacts are elastic, this part of each overlap (divided by the diameter of the smaller grain) is not removed. Its
 /// removal would add energy.
 constexpr double kElasticOverlap = 5e-3;
-/// Shortest time in which an overlap is removed, divided by the longest time step.
+/// Value of shortest_removal() divided by the longest time step.
 constexpr double kShortestRemoval = 0.125;
 /// If the largest displacement in a step is less than this share of its limit, the next time step is doubled.
 constexpr double kTimid = 0.4;
@@ -84,6 +84,10 @@ bool turns_back(const Packing<Dim>& before, const Packing<Dim>& now) {
 }
 
 }  // namespace
+
+double shortest_removal(const ContactDynamicsSettings& settings) {
+  return kShortestRemoval * settings.longest_step;
+}
 
 template <int Dim>
 ContactDynamics<Dim>::ContactDynamics(Packing<Dim> packing, const BoundaryLoad<Dim>& load,
@@ -157,8 +161,7 @@ template <int Dim>
 double ContactDynamics<Dim>::terminal_speed(const Wall<Dim>& wall) const {
   const double closing =
       load_.wall_speed.value_or(load_.strain_rate_cap * packing_.cell.matrix(wall.axis, wall.axis));
-  const auto shares = [&](const Wall<Dim>& w) { return w.axis == wall.axis && follows_forces(w); };
-  return closing / static_cast<double>(std::ranges::count_if(packing_.walls, shares));
+  return closing / n_moving_walls(packing_, wall.axis);
 }
 
 /// Adds the walls to the bodies of a step. The equation of motion of a wall is M dv/dt = F - P A - (P A/V) v, with the
@@ -219,19 +222,18 @@ double ContactDynamics<Dim>::restitution(const Contact<Dim>& c) const {
   return -gap_rate(c) > settings_.slow_impact ? settings_.restitution : 0.0;
 }
 
-/// Returns the time over which an overlap is removed: the time step, but not less than a minimum. In a shorter time the
-/// grains would get high velocities, which would shorten the next steps.
+/// Returns the time over which an overlap is removed: the time step, but not less than shortest_removal().
 template <int Dim>
 double ContactDynamics<Dim>::removal_time(double dt) const {
-  return std::max(dt, kShortestRemoval * settings_.longest_step);
+  return std::max(dt, shortest_removal(settings_));
 }
 
 /// Returns the contact points as contacts of a step, with the impulses of the last step as initial values. If impacts
 /// are elastic, points with a gap are left out unless their adhesion acts. Otherwise the step would reduce the velocity
 /// of approach so far that the gap only just closes. The velocity before the impact, from which the restitution is
 /// computed, would be lost.
-/// @param recorded  whether the packing contains the forces of this step, and not those of the step before: points whose
-/// adhesion acted in the step then take part
+/// @param recorded  whether the packing contains the forces of this step, and not those of the step before: points
+/// whose adhesion acted in the step then take part
 template <int Dim>
 std::vector<StepContact<Dim>> ContactDynamics<Dim>::step_contacts(double dt, double removed,
                                                                   std::vector<int>& source,
@@ -295,9 +297,9 @@ std::vector<PairMatrix<Dim>> ContactDynamics<Dim>::stiffnesses(const Trial& tria
   return out;
 }
 
-/// Returns whether sweeps alone would adapt the stress too slowly to the motion of the cell. With N grains, the inertia of
-/// the cell is about cell_mass N^(2/Dim) times that of a contact, and about so many sweeps are needed. As long as the
-/// stress is wrong, even by a factor of two, the errors of the single impulses are below any tolerance.
+/// Returns whether sweeps alone would adapt the stress too slowly to the motion of the cell. With N grains, the inertia
+/// of the cell is about cell_mass N^(2/Dim) times that of a contact, and about so many sweeps are needed. As long as
+/// the stress is wrong, even by a factor of two, the errors of the single impulses are below any tolerance.
 template <int Dim>
 bool ContactDynamics<Dim>::has_slow_cell() const {
   return std::ranges::count(load_.under_stress, true) > 0 &&

@@ -49,6 +49,10 @@ struct ContactDynamicsSettings {
   bool at_once = false;
 };
 
+/// Returns the shortest time in which an overlap is removed (time). In a shorter time the grains would get high
+/// velocities, which would shorten the next steps.
+double shortest_removal(const ContactDynamicsSettings& settings);
+
 /// Motion of grains in implicit time steps (contact dynamics; Moreau 1988, Jean 1999). In each step, the impulses of
 /// all contacts are such that the velocities at the end of the step satisfy Signorini's and Coulomb's conditions
 /// (gauss_seidel.h). If the contacts are elastic, the impulses satisfy their contact law for the overlaps at the end

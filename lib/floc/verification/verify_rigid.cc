@@ -178,7 +178,7 @@ ContactDynamics<Dim> step_from(const State<Dim>& state) {
   load.stress = state.target_stress;
   for (int a = 0; a < Dim; ++a) load.under_stress[a] = state.target_side[a] == 0.0;
   load.cell_mass = motion.cell_mass;
-  const ContactDynamicsSettings settings{.longest_step = motion.time_step,
+  const ContactDynamicsSettings settings{.longest_step = motion.longest_step,
                                          .sweep_tolerance = motion.sweep_tolerance,
                                          .max_sweeps = 1,
                                          .restitution = motion.restitution,

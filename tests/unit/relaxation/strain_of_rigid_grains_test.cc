@@ -127,6 +127,24 @@ TEST(StrainOfRigidGrains, RecordedForcesStopTheApproach) {
   EXPECT_GT(n, 40);
 }
 
+/// A strain that is much smaller than one of a time step ends in a step that is cut off. The recorded forces are
+/// nevertheless those of a usual step, and their stress is about that before the strain. The forces of the short step would
+/// grow without limit, since its impulses also change the velocities.
+TEST(StrainOfRigidGrains, RecordsTheStressOfAUsualStepAfterAnyStrain) {
+  const RigidEnd<2> rest = relaxed<2>(make_rigid_gas<2>({.count = 60, .friction = 0.5}));
+  const RigidEnd<2> moving = relaxed_under<2>(under_shear(rest.packing, 0.02), rest.packing);
+  const double before = static_stress(moving.packing)(1, 1);
+  for (const double strain : {1e-5, 1e-6, 1e-8, 1e-12}) {
+    SCOPED_TRACE(strain);
+    const LoadTarget<2> load = under_shear(moving.packing, strain);
+    const RigidEnd<2> end = relaxed_under<2>(load, moving.packing);
+    ASSERT_EQ(end.status, RelaxationStatus::converged) << end.reason;
+    EXPECT_GT(static_stress(end.packing)(1, 1), 0.5 * before);
+    EXPECT_LT(static_stress(end.packing)(1, 1), 2.0 * before);
+    expect_holds<2>(verify_motion(state_in_motion(end, load)));
+  }
+}
+
 TEST(StrainOfRigidGrains, VerificationFindsWrongForcesAndVelocities) {
   const RigidEnd<2> rest = relaxed<2>(make_rigid_gas<2>({.count = 60, .friction = 0.5}));
   const LoadTarget<2> load = under_shear(rest.packing, 0.02);

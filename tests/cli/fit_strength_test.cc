@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include "floc/io/csv.h"
 #include "support/places.h"
@@ -15,7 +17,10 @@ namespace floc::test {
 namespace {
 
 using nlohmann::json;
+using testing::DoubleNear;
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 double degrees_of_sine(double sine) {
   return std::asin(sine) * 180.0 / std::numbers::pi;
@@ -99,6 +104,102 @@ TEST(FitStrength, OfRunsAgreesWithTheColumnsOfTheirPaths) {
       EXPECT_NEAR(value_of(o.out, kind, kind, "undrained_strength_peak"), 0.5 * q, 1e-12);
     }
   }
+}
+
+/// Returns the value of a parameter of each test that `fit strength` prints, without the values of all tests.
+std::vector<double> values_of(const std::string& printed, const std::string& parameter) {
+  std::istringstream in(printed);
+  const CsvTable table = CsvTable::parse("printed", in);
+  std::vector<double> values;
+  for (int row = 0; row < table.n_rows(); ++row)
+    if (table.text(row, table.column("parameter")) == parameter &&
+        table.text(row, table.column("sample")) != "pooled")
+      values.push_back(table.number(row, table.column("value")));
+  return values;
+}
+
+/// Evaluates the rows of a path that follow an isotropic state.
+std::string evaluated(const std::string& columns, const std::string& rows) {
+  const ScratchDirectory dir;
+  const bool is_sheared = columns.find("shear") != std::string::npos;
+  write_text(dir.file("path.csv"), columns + "assembly,,,1,0,1,0" + (is_sheared ? ",,\n" : "\n") + rows);
+  const Outcome o = run_floc("fit strength path.csv --format csv", dir.path());
+  EXPECT_EQ(o.code, 0) << o.err;
+  return o.out;
+}
+
+/// Rows of a stage of simple shear in steps of `step`, with a stress ratio of 0.5 in row 5 and `ratio` elsewhere.
+std::string sheared_rows(int n, double step, double ratio) {
+  std::string rows;
+  for (int k = 1; k <= n; ++k)
+    rows += fmt::format("shear,simple_shear,2,1,0,1,0,{},{}\n", step * k,
+                        n > 6 && k == 5 ? std::copysign(0.5, ratio) : ratio);
+  return rows;
+}
+
+constexpr char kSheared[] =
+    "branch,control,axis,stress_1,strain_1,stress_2,strain_2,shear_strain,shear_stress\n";
+
+double degrees_of_tangent(double tangent) {
+  return std::atan(tangent) * 180.0 / std::numbers::pi;
+}
+
+/// Stages that follow one another under the same name are one test as long as the strain goes on. Shear strains begin
+/// at zero in each stage, whether the next stage begins with a smaller, an equal or a larger strain than the last one.
+TEST(FitStrength, StagesThatGoOnAreOneTest) {
+  for (const auto& [n, step] : {std::pair(6, 0.01), std::pair(3, 0.1), std::pair(1, 0.1), std::pair(2, 0.3)}) {
+    const std::string rows =
+        sheared_rows(10, 0.01, 0.4) + sheared_rows(n, step, 0.45) + sheared_rows(1, 0.01, 0.6);
+    const std::string out = evaluated(kSheared, rows);
+    ASSERT_EQ(values_of(out, "strain_peak").size(), 1u);
+    EXPECT_NEAR(values_of(out, "strain_peak")[0], 0.1 + n * step + 0.01, 1e-12);
+    EXPECT_NEAR(values_of(out, "secant_angle_peak")[0], degrees_of_tangent(0.6), 1e-9);
+  }
+}
+
+/// A reversed strain is a test of its own, with its own peak, and the values of all tests leave it out.
+TEST(FitStrength, ReversedStrainsAreTestsOfTheirOwn) {
+  const std::string sheared = evaluated(kSheared, sheared_rows(10, 0.01, 0.4) + sheared_rows(8, -0.01, -0.3));
+  EXPECT_THAT(values_of(sheared, "strain_peak"), ElementsAre(DoubleNear(0.05, 1e-12), DoubleNear(0.05, 1e-12)));
+  EXPECT_NEAR(values_of(sheared, "secant_angle_peak")[0], degrees_of_tangent(0.5), 1e-9);
+  EXPECT_THAT(sheared, Not(HasSubstr("pooled")));
+
+  // Compressed to a peak of 3, then pulled to a least axial stress of 0.4; strains under noise do not count.
+  std::string rows;
+  for (int k = 1; k <= 10; ++k)
+    rows += fmt::format("test,triaxial,1,{},{},1,{}\n", k == 5 ? 3.0 : 2.5, 0.01 * k, -0.004 * k);
+  rows += "test,triaxial,1,2.5,0.0999999999,1,-0.04\n";
+  const std::string forwards = evaluated("branch,control,axis,stress_1,strain_1,stress_2,strain_2\n", rows);
+  EXPECT_EQ(values_of(forwards, "secant_angle_peak").size(), 1u);
+  for (int k = 1; k <= 10; ++k)
+    rows += fmt::format("test,triaxial,1,{},{},1,-0.04\n", k < 3 ? 2.0 : k == 5 ? 0.4 : 0.5, 0.1 - 0.01 * k);
+  const std::string both = evaluated("branch,control,axis,stress_1,strain_1,stress_2,strain_2\n", rows);
+  EXPECT_THAT(values_of(both, "secant_angle_peak"), ElementsAre(DoubleNear(degrees_of_sine(0.5), 1e-9),
+                                                                DoubleNear(degrees_of_sine(0.6 / 1.4), 1e-9)));
+  EXPECT_NEAR(values_of(both, "strain_peak")[1], 0.05, 1e-6);
+  EXPECT_THAT(both, Not(HasSubstr("pooled")));
+}
+
+/// A stage of simple shear without strain holds the packing, and the shear stress is still recorded.
+TEST(FitStrength, HoldsInSimpleShearHaveAShearStress) {
+  const ScratchDirectory dir;
+  const std::string load =
+      "load=[{control=\"simple_shear\",strain=0.01,steps=1},{control=\"simple_shear\",strain=0.0,steps=1}]";
+  ASSERT_EQ(run_floc("run " + source_directory() + "/data/scenes/demo.toml --set grains.count=60 --set '" +
+                         load + "' -o out",
+                     dir.path())
+                .code,
+            0);
+  const CsvTable path = CsvTable::read(dir.file("out/path.csv"));
+  const int last = path.n_rows() - 1;
+  // The packing is at rest, and stays as it is within the tolerances of the equilibrium.
+  for (const char* column : {"shear_stress", "mobilised_friction"}) {
+    const double held = path.number(last, path.column(column)),
+                 before = path.number(last - 1, path.column(column));
+    EXPECT_GT(std::abs(before), 1e-4) << column;
+    EXPECT_NEAR(held, before, 1e-3 * std::abs(before)) << column;
+  }
+  EXPECT_EQ(path.number(last, path.column("shear_strain")), 0.0);
 }
 
 TEST(FitStrength, OfAnOedometerIsItsK0AndModulus) {

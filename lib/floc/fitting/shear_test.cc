@@ -12,17 +12,24 @@ namespace {
 
 using TestPoints = std::vector<ShearPoint>;
 
-double deviator(const ShearPoint& p) {
-  return p.failure().major - p.failure().minor;
+/// Returns 1 if the sample shortens along the axis, and -1 if it lengthens.
+double direction_of(const TestPoints& points) {
+  return !points.empty() && points.back().axial_strain < 0.0 ? -1.0 : 1.0;
+}
+
+/// Returns the deviator sigma_1 - sigma_3 that resists a strain in the given direction. It is negative at the beginning
+/// of a reversed strain.
+double deviator(const ShearPoint& p, double direction) {
+  return direction * (p.axial_stress - p.lateral_stress);
 }
 
 /// Returns the mobilised friction and the volumetric strain of a test against the magnitude of its axial strain.
 TestCurve curve_of(const TestPoints& points) {
   TestCurve curve;
-  const double sign = !points.empty() && points.back().axial_strain < 0.0 ? -1.0 : 1.0;
+  const double direction = direction_of(points);
   for (const ShearPoint& p : points) {
-    curve.strain.push_back(sign * p.axial_strain);
-    curve.mobilised.push_back(p.mobilised());
+    curve.strain.push_back(direction * p.axial_strain);
+    curve.mobilised.push_back(deviator(p, direction) < 0.0 ? -p.mobilised() : p.mobilised());
     curve.volumetric.push_back(p.volumetric_strain);
   }
   return curve;
@@ -51,7 +58,7 @@ void add_critical(const TestPoints& points, std::size_t first, bool undrained, S
   FailureStress sum;
   for (std::size_t k = first; k < points.size(); ++k) {
     sines.push_back(points[k].mobilised());
-    strengths.push_back(0.5 * deviator(points[k]));
+    strengths.push_back(0.5 * deviator(points[k], direction_of(points)));
     sum.major += points[k].failure().major;
     sum.minor += points[k].failure().minor;
   }
@@ -83,13 +90,15 @@ ShearTest evaluate_shear_test(const TestPoints& points, const ShearTestOptions& 
   test.parameters = {held_at("secant_angle_peak", secant_angle(test.peak_stress)),
                      held_at("strain_peak", curve.strain[peak])};
   if (options.undrained) {
-    const double rise = deviator(points[peak]) - deviator(points.front());
+    const double direction = direction_of(points);
+    const double rise = deviator(points[peak], direction) - deviator(points.front(), direction);
     // In an undrained test the mean stress changes, so that the deviator may be largest at another point than the
     // mobilised friction. The undrained strength is half of the largest deviator, and not half of the deviator at the
     // peak of the mobilised friction.
     const auto strongest = std::max_element(
-        points.begin(), points.end(), [](const auto& a, const auto& b) { return deviator(a) < deviator(b); });
-    test.parameters.push_back(held_at("undrained_strength_peak", 0.5 * deviator(*strongest)));
+        points.begin(), points.end(),
+        [direction](const auto& a, const auto& b) { return deviator(a, direction) < deviator(b, direction); });
+    test.parameters.push_back(held_at("undrained_strength_peak", 0.5 * deviator(*strongest, direction)));
     // The pore pressure coefficient is A = (sigma_3 at the start - sigma_3 at the peak) divided by the rise of the
     // deviator. A rise of zero or less would give a number without meaning.
     if (rise > 0.0)

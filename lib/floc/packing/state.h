@@ -27,6 +27,9 @@ struct StageReference {
   double shear = 0.0;  ///< shear strain from the start of the stage to the end of the present step
 
   bool empty() const { return control.empty(); }
+  /// Returns whether the planes perpendicular to `axis` slide along the first axis in this stage, also if it holds
+  /// them.
+  bool is_simple_shear() const { return control == "simple_shear"; }
   bool operator==(const StageReference&) const = default;
 };
 

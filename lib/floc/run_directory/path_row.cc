@@ -82,10 +82,14 @@ void add_axes(const State<Dim>& state, const PathReference<Dim>& reference, std:
                                                  reference.sides_before ? &before : nullptr);
   row.insert(row.end(), stress.begin(), stress.end());
   row.insert(row.end(), strain.begin(), strain.end());
-  for (const double value : {test.mean_stress, test.deviator, test.lateral_ratio, test.volumetric_strain})
-    row.emplace_back(value);
+  row.emplace_back(test.mean_stress);
+  row.emplace_back(test.deviator);
+  // In a cell without load, the ratio of two stresses is one of rounding errors.
+  const bool is_unloaded = state.packing.walls.empty() && state.target_stress.isZero(0.0);
+  row.push_back(is_unloaded ? TableValue{} : TableValue{test.lateral_ratio});
+  row.emplace_back(test.volumetric_strain);
   const StageReference& turn = state.path.turn;
-  const bool is_sheared = state.target_offset.has_value();
+  const bool is_sheared = turn.is_simple_shear();
   // The shear stress is positive if it resists a positive shear strain. In a simple shear, the mobilised friction is
   // the ratio of the shear stress to the normal stress on the planes perpendicular to `turn.axis`.
   const double shear_stress = is_sheared ? -state.stress(0, turn.axis) : 0.0;

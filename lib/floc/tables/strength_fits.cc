@@ -164,7 +164,8 @@ std::vector<StrengthFit> strength_fits(std::vector<StrengthTest> tests, const St
       add_failures(test, pool);
       continue;
     }
-    StrengthFit fit = evaluate(test, options, pool);
+    Pool left_out;
+    StrengthFit fit = evaluate(test, options, test.is_reversal ? left_out : pool);
     fit.sample = test.sample;
     fit.rows = ranges(test.rows);
     fit.kind = test.kind;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -67,16 +68,24 @@ class RunColumns {
     return p;
   }
 
-  /// Returns the state in a row of a test of simple shear.
-  /// If `is_start` is true, the row is the last row before the test, and the shear strain and shear stress are set to
-  /// 0.
-  PlaneShearPoint plane(int row, std::size_t axis, bool is_start) const {
+  /// Returns the strain along the driven axis or, in simple shear, the shear strain of the stage of a row.
+  double strain(int row, std::size_t axis) const {
+    return table_.number(row,
+                         kind(row) == TestKind::simple_shear ? table_.column("shear_strain") : strain_[axis]);
+  }
+  /// Returns the strain along the driven axis in the row before a row, which need not belong to the same test.
+  double strain_before(int row, std::size_t axis) const { return table_.number(row - 1, strain_[axis]); }
+
+  /// Returns the state in a row of a test of simple shear, without its shear strain.
+  /// @param of  a row of the test: `row` itself, or the first row if `row` is the row before the test, which has a
+  /// shear stress if it belongs to a test on the same planes
+  PlaneShearPoint plane(int row, int of) const {
+    const std::size_t axis = this->axis(of);
     PlaneShearPoint p;
     p.normal_stress = table_.number(row, stress_[axis]);
     for (const int column : strain_) p.volumetric_strain += table_.number(row, column);
-    if (is_start) return p;
-    p.shear_strain = table_.number(row, table_.column("shear_strain"));
-    p.shear_stress = table_.number(row, table_.column("shear_stress"));
+    if (kind(row) == TestKind::simple_shear && this->axis(row) == axis)
+      p.shear_stress = table_.number(row, table_.column("shear_stress"));
     return p;
   }
 
@@ -104,23 +113,71 @@ void count_strains_from_start(StrengthTest& test) {
 /// @param of  a row of the test: `row` itself or, if `row` is the row before the test, the first row of the test
 void add_state(const RunColumns& columns, int row, int of, StrengthTest& test) {
   if (test.kind == TestKind::simple_shear)
-    test.planes.push_back(columns.plane(row, columns.axis(of), row != of));
+    test.planes.push_back(columns.plane(row, of));
   else
     test.points.push_back(columns.point(row, columns.axis(of)));
 }
 
+/// Strain of a test from its first state on, row by row.
+class StrainOfTest {
+ public:
+  /// Returns the strain that a row adds to the strain of the row before. The shear strains of simple shear begin at
+  /// zero in each stage, and grow by equal steps.
+  double step(const RunColumns& columns, int row, std::size_t axis) {
+    const double now = columns.strain(row, axis);
+    if (columns.kind(row) != TestKind::simple_shear)
+      return row > 0 ? now - columns.strain_before(row, axis) : 0.0;
+    const bool goes_on = std::abs(now - of_stage_ - stage_step_) <= kNoise * std::abs(now);
+    if (!goes_on) stage_step_ = now;
+    const double added = goes_on ? stage_step_ : now;
+    of_stage_ = now;
+    return added;
+  }
+  /// Returns whether a step clearly takes back a part of the strain. Steps under a constant stress may be of the size
+  /// of the errors of an equilibrium.
+  bool reverses(double step) const {
+    return std::abs(furthest_) > kNoise && step * furthest_ < 0.0 &&
+           std::abs(furthest_ - strain_ - step) > kClear * std::abs(furthest_);
+  }
+  void add(double step) {
+    strain_ += step;
+    if (std::abs(strain_) > std::abs(furthest_)) furthest_ = strain_;
+  }
+  /// Begins a new test.
+  void restart() { strain_ = furthest_ = 0.0; }
+  double strain() const { return strain_; }
+
+ private:
+  static constexpr double kNoise = 1e-7;  ///< strain below which a strain may be an error of an equilibrium
+  static constexpr double kClear = 1e-3;  ///< share of the strain of a test that a reversal takes back at least
+  double strain_ = 0.0, furthest_ = 0.0;
+  double of_stage_ = 0.0,
+         stage_step_ = 0.0;  ///< shear strain of the last row, and of the first row of its stage
+};
+
+/// Reads the tests of a run. Except in an oedometer, a test ends where the strain reverses.
 std::vector<StrengthTest> tests_of_run(const std::string& name, const CsvTable& table) {
   const RunColumns columns(table);
   std::vector<StrengthTest> tests;
+  StrainOfTest strain;
   for (int row = 0; row < table.n_rows(); ++row) {
     const std::optional<TestKind> kind = columns.kind(row);
     if (!kind) continue;
-    if (tests.empty() || tests.back().rows.back() != row - 1 || !columns.same_test(row - 1, row)) {
-      tests.push_back({name, *kind, {}, "", {}, {}});
+    const std::size_t axis = columns.axis(row);
+    const bool goes_on =
+        !tests.empty() && tests.back().rows.back() == row - 1 && columns.same_test(row - 1, row);
+    if (!goes_on) strain = StrainOfTest();
+    const double step = strain.step(columns, row, axis);
+    const bool is_reversal = goes_on && kind != TestKind::oedometer && strain.reverses(step);
+    if (!goes_on || is_reversal) {
+      strain.restart();
+      tests.push_back({.sample = name, .kind = *kind, .is_reversal = is_reversal});
       if (row > 0) add_state(columns, row - 1, row, tests.back());
     }
+    strain.add(step);
     tests.back().rows.push_back(row);
     add_state(columns, row, row, tests.back());
+    if (kind == TestKind::simple_shear) tests.back().planes.back().shear_strain = strain.strain();
   }
   for (StrengthTest& test : tests) count_strains_from_start(test);
   return tests;
@@ -161,7 +218,8 @@ std::vector<StrengthTest> tests_on_planes(const std::string& name, const NamedCo
     strain = strain_column(columns, "shear_strain");
     volume = strain_column(columns, "volumetric_strain");
   }
-  StrengthTest test{name, strain ? TestKind::simple_shear : TestKind::failure, {}, normal.unit, {}, {}};
+  StrengthTest test{
+      .sample = name, .kind = strain ? TestKind::simple_shear : TestKind::failure, .unit = normal.unit};
   for (int row = 0; row < table.n_rows(); ++row) {
     PlaneShearPoint p;
     p.normal_stress = table.number(row, normal.index);
@@ -186,7 +244,7 @@ std::vector<StrengthTest> tests_of_laboratory(const std::string& name, const Nam
     // In an oedometer, the lateral lengths are constant. Therefore the volumetric strain equals the axial strain.
     volume = kind == TestKind::oedometer ? strain : strain_column(columns, "volumetric_strain");
   }
-  StrengthTest test{name, strain ? kind : TestKind::failure, {}, axial.unit, {}, {}};
+  StrengthTest test{.sample = name, .kind = strain ? kind : TestKind::failure, .unit = axial.unit};
   for (int row = 0; row < table.n_rows(); ++row) {
     ShearPoint p;
     p.axial_stress = table.number(row, axial.index);

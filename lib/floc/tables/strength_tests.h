@@ -29,13 +29,17 @@ TestKind kind_of_test(const std::string& word);
 struct StrengthTest {
   std::string sample;  ///< name of the table
   TestKind kind = TestKind::drained;
-  std::vector<int> rows;  ///< rows of the table, from 0
-  std::string unit;       ///< unit of the stresses; empty if the header has none
+  std::vector<int> rows = {};  ///< rows of the table, from 0
+  std::string unit = {};       ///< unit of the stresses; empty if the header has none
   /// States of the test. The first state is the row before the test, if the table has such a row. Strains are measured
   /// from the first state.
-  std::vector<ShearPoint> points;
+  std::vector<ShearPoint> points = {};
   /// states of a test of simple shear, or of another test whose table gives the stresses on the failure planes
-  std::vector<PlaneShearPoint> planes;
+  std::vector<PlaneShearPoint> planes = {};
+
+  /// Whether the test strains its sample back after the test before. The sample is then not in its state before all
+  /// tests.
+  bool is_reversal = false;
 
   std::size_t n_states() const { return points.size() + planes.size(); }
 };

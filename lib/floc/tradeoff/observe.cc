@@ -90,10 +90,11 @@ void measure_test(const State<Dim>& state, StateMeasures& m) {
   if (!point) return;
   m.lateral_ratio = point->lateral_stress / point->axial_stress;
   const int axis = state.path.turn.axis;
-  m.stress_ratio = state.target_offset ? -state.stress(0, axis) / state.stress(axis, axis)
-                                       : measure_axial_test<Dim>(axis, Vec<Dim>(state.stress.diagonal()),
-                                                                 Vec<Dim>(Vec<Dim>::Zero()), nullptr)
-                                             .mobilised;
+  m.stress_ratio = state.path.turn.is_simple_shear()
+                       ? -state.stress(0, axis) / state.stress(axis, axis)
+                       : measure_axial_test<Dim>(axis, Vec<Dim>(state.stress.diagonal()),
+                                                 Vec<Dim>(Vec<Dim>::Zero()), nullptr)
+                             .mobilised;
 }
 
 template <int Dim>

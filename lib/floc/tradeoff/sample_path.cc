@@ -15,7 +15,7 @@ namespace {
 /// Returns the load of a state on its driven axis: the imposed stress or, for an imposed length or shear, the strain.
 template <int Dim>
 double driven_load(const State<Dim>& state) {
-  if (state.target_offset) return state.path.turn.shear;
+  if (state.path.turn.is_simple_shear()) return state.path.turn.shear;
   const int axis = state.path.turn.axis;
   if (state.path.turn.empty() || state.target_side[axis] == 0.0)
     return stress_on_driven_axis<Dim>(state, state.target_stress);

@@ -181,6 +181,7 @@ class ShapeArrays {
           name, fmt::format("it has {} vertices and no rounding, expected a rounding > 0 or more vertices",
                             points.size()));
     if (points.empty()) return round_shape<Dim>(rounding);
+    if (points.size() == 2) return capsule_between<Dim>(points[0], points[1], rounding, name);
     ShapeOfPoints<Dim> made = shape_of_points<Dim>(points, rounding, name);
     remarks.insert(remarks.end(), made.remarks.begin(), made.remarks.end());
     return std::move(made.shape);
@@ -255,8 +256,17 @@ class ContactArrays {
     if (!arrays_.contains("type")) return;
     const auto type = arrays_["type"].cast<Integers>();
     require_shape(name_ + ": type", type, static_cast<py::ssize_t>(contacts.size()), -1);
-    for (std::size_t c = 0; c < contacts.size(); ++c)
-      contacts[c].edges = type.data()[c] == static_cast<std::int64_t>(ContactType::kEdgeEdge);
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      const std::int64_t value = type.data()[c];
+      const bool known = value >= 0 && value <= static_cast<std::int64_t>(ContactType::kFaceFace);
+      if (!known || !is_contact_type_in(static_cast<ContactType>(value), dimension_))
+        throw InputError(
+            fmt::format("{}: type[{}]", name_, c),
+            fmt::format("found {}, expected {}", value,
+                        dimension_ == 2 ? "0 (vertex-face) or 3 (face-face)"
+                                        : "0 (vertex-face), 1 (edge-edge), 2 (double) or 3 (face-face)"));
+      contacts[c].kind = static_cast<ContactType>(value);
+    }
   }
 
   /// Reads the array `wall`. An entry is the name of a wall, such as "y-", or an empty text for a contact between

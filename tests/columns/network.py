@@ -251,6 +251,32 @@ def anisotropy_columns(s, of):
     return {name: Close(value, 1.0) for name, value in zip(names, [*a, ratio, sum(a) * (0.5 if s.dim == 2 else 0.4)])}
 
 
+def moments_of_polygon(v):
+    """Returns the integral of x x' over the polygon with these corners, counter-clockwise."""
+    return sum(np.cross(p, q) / 24 * (np.outer(p, p) + np.outer(q, q) + np.outer(p + q, p + q))
+               for p, q in zip(v, np.roll(v, -1, 0)))
+
+
+def moments_of_rounded(v, R):
+    """Returns the integral of x x' over a polygon or segment that is rounded by R: core, strips on its sides, sectors."""
+    total = moments_of_polygon(v)
+    sides = np.roll(v, -1, 0) - v
+    if R == 0:
+        return total
+    normals = np.stack([sides[:, 1], -sides[:, 0]], 1) / np.linalg.norm(sides, axis=1)[:, None]
+    for p, q, n, before in zip(v, np.roll(v, -1, 0), normals, np.roll(normals, 1, 0)):
+        total = total + moments_of_polygon(np.array([p, p + R * n, q + R * n, q]))
+        start = np.arctan2(before[1], before[0])
+        end = np.arctan2(n[1], n[0])
+        end += 2 * np.pi * (end < start)
+        turn, waves = end - start, (np.sin(2 * end) - np.sin(2 * start)) / 4
+        first = np.array([np.sin(end) - np.sin(start), np.cos(start) - np.cos(end)])
+        mixed = (np.sin(end)**2 - np.sin(start)**2) / 2
+        second = np.array([[turn / 2 + waves, mixed], [mixed, turn / 2 - waves]])
+        total = total + R**2 / 2 * turn * np.outer(p, p) + R**3 / 3 * (np.outer(p, first) + np.outer(first, p)) + R**4 / 4 * second
+    return total
+
+
 def long_axes(s):
     names = ("long_axes_order", "long_axis1", "long_axis2", "long_axis3")
     if not s.shapes:
@@ -265,8 +291,7 @@ def long_axes(s):
         else:
             centre = np.arctan2(v[:, 1], v[:, 0])
             v = v[np.argsort(centre)]
-            moments = sum(np.cross(p, q) / 24 * (np.outer(p, p) + np.outer(q, q) + np.outer(p + q, p + q))
-                          for p, q in zip(v, np.roll(v, -1, 0)))
+            moments = moments_of_rounded(v, s.shapes["rounding"][k])
         values, vectors = np.linalg.eigh(moments)
         axes.append(vectors[:, -1] if values[-1] > 1.05**2 * values[-2] else None)
     e = np.array([s.turn(i) @ axes[k] for i, k in enumerate(s.shape) if axes[k] is not None])

@@ -133,6 +133,41 @@ class Shapes(unittest.TestCase):
         np.testing.assert_allclose(packing.position, [[0.5, 1.5, 1.5]], atol=1e-12)
         self.assertAlmostEqual(packing.mass[0], 1.0 / (np.pi / 6), delta=1e-12)
 
+    def test_capsules(self):
+        """Two vertices with rounding are a capsule, whichever way it points; the shapes of a state are accepted again."""
+        law = {"normal": {"law": "rigid"}, "friction": {"coefficient": 0.5}}
+        ends = np.array([[1.0, 1.0, 1.0], [1.0, 1.4, 1.3]])
+        one = floc.Packing.from_arrays([[0.0, 0.0, 0.0]], None, [4.0] * 3, law, shapes=[{"vertices": ends, "rounding": 0.25}])
+        self.assertAlmostEqual(one.solid_fraction * 64, np.pi * 0.25**2 * 0.5 + 4 / 3 * np.pi * 0.25**3, delta=1e-12)
+        np.testing.assert_allclose(sorted(map(tuple, one.vertices(0))), sorted(map(tuple, ends)), atol=1e-12)
+        again = floc.Packing.from_arrays(one.position, None, [4.0] * 3, law, shapes=one.shapes, orientation=one.orientation)
+        np.testing.assert_allclose(again.vertices(0), one.vertices(0), atol=1e-12)
+        flat = floc.Packing.from_arrays([[0.0, 0.0]], None, [4.0] * 2, law,
+                                        shapes=[{"vertices": [[1.0, 1.0], [1.0, 1.5]], "rounding": 0.25}])
+        np.testing.assert_allclose(sorted(map(tuple, flat.vertices(0))), [[1.0, 1.0], [1.0, 1.5]], atol=1e-12)
+        with self.assertRaisesRegex(floc.InputError, "times as long as it is thick"):
+            floc.Packing.from_arrays([[0.0, 0.0]], None, [40.0] * 2, law,
+                                     shapes=[{"vertices": [[0.0, 0.0], [0.0, 9.0]], "rounding": 0.1}])
+
+    def test_kinds_of_contacts(self):
+        """Kinds are those given, or follow from the shapes; others are refused."""
+        law = {"normal": {"law": "rigid"}, "friction": {"coefficient": 0.5}}
+        cube = np.array([[x, y, z] for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)]) - 0.5
+        # Two cubes, each on an edge, that cross.
+        half = np.sin(np.pi / 8)
+        turned = [[half, 0.0, 0.0, np.cos(np.pi / 8)], [0.0, half, 0.0, np.cos(np.pi / 8)]]
+        contacts = {"id1": [0], "id2": [1], "normal_force": [1.0], "shear_force": [[0.0, 0.0, 0.0]],
+                    "point": [[0.0, 0.0, np.sqrt(0.5)]]}
+        def kind(**more):
+            packing = floc.Packing.from_arrays([[2.0, 2.0, 2.0], [2.0, 2.0, 2.0 + np.sqrt(2.0)]], None, [8.0] * 3, law,
+                                               {**contacts, **more}, shapes=[cube], orientation=turned)
+            return packing.contacts["type"][0]
+        self.assertEqual(kind(), 1)
+        for number in range(4):
+            self.assertEqual(kind(type=[number]), number)
+        with self.assertRaisesRegex(floc.InputError, "expected 0 .vertex-face., 1 "):
+            kind(type=[7])
+
     def test_mistakes_are_named(self):
         square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
         right = {"position": [[1.0, 1.0]], "radius": None, "cell": [4.0, 4.0], "law": "normal.law=rigid", "shapes": [square]}
@@ -143,6 +178,7 @@ class Shapes(unittest.TestCase):
                              ({"shapes": [[[0.0, 0.0, 0.0]] * 4]}, "vertices has shape (4, 3), expected (k, 2)"),
                              ({"shapes": [square, square]}, "there are 2 shapes"),
                              ({"shape": [1]}, "shape[0]: this number is 1"),
+                             ({"shapes": [{"vertices": square, "roundng": 0.1}]}, "unknown key 'roundng'"),
                              ({"scale": [-1.0]}, "scale[0]: this number is -1"),
                              ({"orientation": [0.0, 1.0]}, "orientation: this array has shape (2,)"),
                              ({"shapes": None, "radius": [0.5], "scale": [1.0]}, "scale: expected shapes beside it")):

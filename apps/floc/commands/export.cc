@@ -213,8 +213,8 @@ void export_state(const ExportArguments& arguments, const State<Dim>& state) {
         "floc convert cannot read grains with corners from tables of grains; Packing.from_arrays of the Python "
         "package can{}",
         Dim == 3
-            ? fmt::format(", and floc convert {} FILE.conf writes the packing for Rockable if all axes are "
-                          "periodic or all have walls",
+            ? fmt::format(", and floc convert {} FILE.conf writes the packing for Rockable if its shapes are "
+                          "rounded and all axes are periodic or all have walls",
                           shell_word(arguments.state))
             : "");
   if (!both || !state.packing.grains.are_round()) return;

@@ -350,6 +350,10 @@ def _radii(radius, shapes):
     return None if radius is None else _numbers("radius", radius)
 
 
+# Keys of the dicts in State.shapes. Only the first two are read: the others follow from them.
+_KEYS_OF_SHAPES = ("vertices", "rounding", "faces", "volume", "inertia", "outer_radius")
+
+
 def _shape_arrays(shapes, shape, scale, orientation):
     poses = {"shape": shape, "scale": scale, "orientation": orientation}
     given = {name: array for name, array in poses.items() if array is not None}
@@ -362,6 +366,9 @@ def _shape_arrays(shapes, shape, scale, orientation):
         words = one if isinstance(one, dict) else {"vertices": one}
         if "vertices" not in words:
             raise InputError(f"shapes[{k}]: this dict has no vertices")
+        for word in words:
+            if word not in _KEYS_OF_SHAPES:
+                raise InputError(f"shapes[{k}]: unknown key {word!r}, expected vertices and rounding")
         arrays["shapes"].append({"vertices": _numbers(f"shapes[{k}]: vertices", words["vertices"]),
                                  "rounding": number(f"shapes[{k}]: rounding", words.get("rounding", 0.0))})
     for name, array in given.items():

@@ -71,7 +71,7 @@ int image_of(const CsvTable& table, int row, int column) {
 /// Indices of the columns in a table of contacts. The index of a missing column is -1. A list of indices is empty if
 /// its columns are missing.
 struct ContactColumns {
-  int id1, id2, normal_force, kn, kt, kr, ktw, bridge_volume, rolling_moment_2d, twisting_moment, gap;
+  int id1, id2, normal_force, kn, kt, kr, ktw, bridge_volume, rolling_moment_2d, twisting_moment, gap, kind;
   std::vector<int> image, force, shear_force, rolling_moment, point, normal;
   std::array<int, 4> strengths{};
 
@@ -87,6 +87,7 @@ struct ContactColumns {
         rolling_moment_2d(dimension == 2 ? column_if(names, "rolling_moment") : -1),
         twisting_moment(dimension == 3 ? column_if(names, "twisting_moment") : -1),
         gap(column_if(names, "gap")),
+        kind(column_if(names, "kind")),
         image(numbered(names, "image", dimension)),
         force(numbered(names, "force", dimension)),
         shear_force(numbered(names, "shear_force", dimension)),
@@ -110,6 +111,17 @@ bool read_bodies(const CsvTable& table, int row, const ContactColumns& columns, 
   c.id1 = table.integer(row, first ? columns.id2 : columns.id1);
   if (!c.wall) c.id2 = table.integer(row, columns.id2);
   return first.has_value();
+}
+
+/// Reads the kind of a contact. An empty text means that the kind is not known.
+std::optional<ContactType> kind_of(const CsvTable& table, int row, int column) {
+  if (column < 0) return std::nullopt;
+  const std::string text(table.text(row, column));
+  const std::optional<ContactType> kind = contact_type_of(text);
+  if (!kind && !text.empty())
+    throw InputError(table.place(row),
+                     fmt::format("kind = {}, expected vertex-face, edge-edge, double or face-face", text));
+  return kind;
 }
 
 ListedContact read_contact(const CsvTable& table, int row, const ContactColumns& columns) {
@@ -147,7 +159,10 @@ ListedContact read_contact(const CsvTable& table, int row, const ContactColumns&
   }
   c.point = vector_of(table, row, columns.point);
   c.normal = vector_of(table, row, columns.normal);
-  if (!columns.point.empty()) c.gap = number_of(table, row, columns.gap);
+  if (!columns.point.empty()) {
+    c.gap = number_of(table, row, columns.gap);
+    c.kind = kind_of(table, row, columns.kind);
+  }
   if (wall_first) reverse_actions(c);
   return c;
 }
@@ -315,7 +330,8 @@ std::vector<std::string> contact_names() {
           "normal1",
           "normal2",
           "normal3",
-          "gap"};
+          "gap",
+          "kind"};
 }
 
 void check_grain_columns(const std::string& option, const std::map<std::string, std::string>& given) {

@@ -11,6 +11,7 @@
 #include "floc/io/listed_shapes.h"
 #include "floc/io/listed_space.h"
 #include "floc/packing/bond_strength.h"
+#include "floc/shape/manifold.h"
 
 namespace floc {
 
@@ -53,7 +54,8 @@ struct ListedContact {
       /// direction from id1 to id2 at this point; if empty, it is computed from the shapes
       normal;
   std::optional<double> gap;  ///< gap at this point (length); if empty, it is computed from the shapes
-  bool edges = false;         ///< whether two edges cross at this point
+  /// kind of the contact at this point; if empty, it follows from the shapes and from the number of points of the pair
+  std::optional<ContactType> kind;
   std::optional<Eigen::Vector3d> shear_force;
   std::optional<Eigen::Vector3d> rolling_moment;
   std::optional<double> twisting_moment;  ///< twisting moment about the contact normal from id1 to id2

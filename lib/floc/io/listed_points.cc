@@ -34,6 +34,14 @@ Vec<Dim> nearest_of_images(const Packing<Dim>& packing, const Vec<Dim>& vector) 
   return vector - packing.cell.matrix.transpose() * cells;
 }
 
+/// Returns the type of a contact of which only the point is known, as far as a single point tells it.
+template <int Dim>
+ContactType type_at_point(const Packing<Dim>& packing, const Contact<Dim>& c) {
+  const double reach = kOnePointShare * smaller_radius(packing, c);
+  const bool crosses = manifold_of(packing, c, branch(packing, c), reach).type == ContactType::kEdgeEdge;
+  return crosses ? ContactType::kEdgeEdge : ContactType::kVertexFace;
+}
+
 template <int Dim>
 void require_near(const ListedContact& row, double distance, double radius, const char* body) {
   if (distance <= (1.0 + kFarthestPoint) * radius) return;
@@ -44,11 +52,15 @@ void require_near(const ListedContact& row, double distance, double radius, cons
                   distance, body, radius));
 }
 
-/// Returns the type of the contact points of a pair. For a single point, this is the listed type. For several points,
-/// the number of points and the dimension determine the type.
+bool is_of_several(ContactType type) {
+  return type == ContactType::kDouble || type == ContactType::kFaceFace;
+}
+
+/// Returns the type of the contact points of a pair. A listed type of several points is kept, as some of the points may
+/// carry no force and not be listed. Otherwise several points have the type that follows from their number.
 template <int Dim>
 ContactType type_of(std::size_t n_points, ContactType listed) {
-  if (n_points == 1) return listed;
+  if (n_points == 1 || is_of_several(listed)) return listed;
   if (Dim == 2 || n_points > 2) return ContactType::kFaceFace;
   return ContactType::kDouble;
 }
@@ -62,7 +74,9 @@ void number_pair(const Packing<Dim>& packing, std::span<Contact<Dim>> points) {
       manifold_of(packing, points.front(), branch(packing, points.front()), kOnePointShare * radius);
   std::set<int> taken;
   int next = kFirstFreeKey;
-  const ContactType listed = points.front().type;
+  // A kind of several points that any row lists holds for the pair.
+  const ContactType most = std::ranges::max_element(points, {}, &Contact<Dim>::type)->type;
+  const ContactType listed = is_of_several(most) ? most : points.front().type;
   for (Contact<Dim>& c : points) {
     c.type = type_of<Dim>(points.size(), listed);
     const ManifoldPoint<Dim>* nearest = manifold.nearest(c.arm_i);
@@ -109,7 +123,12 @@ void place_point(const ListedContact& row, bool reversed, const Packing<Dim>& pa
     c.normal = listed.normalized();
   }
   if (row.gap) c.gap = *row.gap;
-  c.type = Dim == 3 && row.edges ? ContactType::kEdgeEdge : ContactType::kVertexFace;
+  c.type = row.kind ? *row.kind : type_at_point(packing, c);
+  if (!is_contact_type_in(c.type, Dim))
+    throw InputError(
+        row.place.text(),
+        fmt::format("the kind of the contact is {}, expected {} or {} in 2D", contact_type_name(c.type),
+                    contact_type_name(ContactType::kVertexFace), contact_type_name(ContactType::kFaceFace)));
 }
 
 template <int Dim>

@@ -114,9 +114,10 @@ ListedContact read_interaction(const KeyedLine& line) {
   c.id1 = line.integer(0, "the first body");
   c.id2 = line.integer(1, "the second body");
   constexpr std::int64_t kEdgeEdge = 3;
+  const std::int64_t type = line.integer(2, "the type");
   const Eigen::Vector3d to_first = line.vector(5, "the normal");
   c.normal = -to_first;
-  c.edges = line.integer(2, "the type") == kEdgeEdge;
+  c.kind = type == kEdgeEdge ? ContactType::kEdgeEdge : ContactType::kVertexFace;
   c.gap = line.number(8, "dn");
   c.point = line.vector(9, "the position");
   c.force = line.number(15, "fn") * to_first + line.vector(16, "ft");
@@ -126,8 +127,15 @@ ListedContact read_interaction(const KeyedLine& line) {
 Configuration read_configuration(const std::string& path) {
   Configuration out;
   ConfigurationLines lines(path);
+  std::optional<std::int64_t>
+      n_interactions;  // number of rows of the section Interactions, if it has just ended
   while (const std::optional<KeyedLine> line = lines.next()) {
     const std::string_view key = line->word(0);
+    if (n_interactions && key.find_first_not_of("0123456789") == std::string_view::npos)
+      throw InputError(line->file_line().text(),
+                       fmt::format("the section Interactions has more than the {} rows that its head states",
+                                   *n_interactions));
+    n_interactions.reset();
     if (key == "shapeFile" && line->size() > 1) out.shape_file = line->word(1);
     if (key == "nDriven") out.n_driven = line->integer(1, "nDriven");
     if (key == "gravity") out.gravity = line->vector(1, "gravity");
@@ -147,6 +155,7 @@ Configuration read_configuration(const std::string& path) {
         else
           out.contacts.push_back(read_interaction(row));
       }
+      if (!of_bodies) n_interactions = n;
     }
   }
   if (out.bodies.empty()) throw InputError(path, "the file has no section Particles");

@@ -7,12 +7,15 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <variant>
 
 #include "floc/base/error.h"
 #include "floc/io/atomic_file.h"
 #include "floc/packing/ball.h"
+#include "floc/packing/locate.h"
+#include "floc/shape/placed_shape.h"
 
 namespace floc {
 namespace {
@@ -112,6 +115,76 @@ class DensityGroups {
   std::map<double, int> groups_;
 };
 
+/// Features of a body nearest to a point of its core (the body without its rounding).
+struct NearestFeatures {
+  int vertex = 0, edge = 0, face = 0;
+  double to_vertex = 0.0, to_edge = std::numeric_limits<double>::infinity();  ///< distances (length)
+};
+
+double distance_to_segment(const Vec<3>& x, const Vec<3>& from, const Vec<3>& to) {
+  const Vec<3> along = to - from;
+  const double share = std::clamp((x - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return (x - from - share * along).norm();
+}
+
+NearestFeatures nearest_features(const PlacedShape<3>& body, const Vec<3>& point) {
+  const Shape<3>& shape = *body.shape;
+  const Vec<3> x = body.rotation.transpose() * (point - body.position) / body.scale;
+  NearestFeatures out;
+  out.to_vertex = (x - core_vertex<3>(shape, 0)).norm();
+  for (int v = 1; v < shape.n_vertices(); ++v)
+    if (const double far = (x - shape.vertices[v]).norm(); far < out.to_vertex)
+      out.to_vertex = far, out.vertex = v;
+  const auto try_edge = [&](int edge, int from, int to) {
+    const double far = distance_to_segment(x, shape.vertices[from], shape.vertices[to]);
+    if (far < out.to_edge) out.to_edge = far, out.edge = edge;
+  };
+  for (int e = 0; e < shape.n_edges(); ++e) try_edge(e, shape.edges[e].from, shape.edges[e].to);
+  if (shape.n_vertices() == 2) try_edge(0, 0, 1);
+  double most = -std::numeric_limits<double>::infinity();
+  for (int f = 0; f < shape.n_faces(); ++f)
+    if (const double height = shape.normals[f].dot(x) - shape.offsets[f]; height > most)
+      most = height, out.face = f;
+  out.to_vertex *= body.scale;
+  out.to_edge *= body.scale;
+  return out;
+}
+
+/// Types of interactions of Rockable. In types 1 and 2, the vertex belongs to the first body.
+enum class RockableType { kVertexVertex, kVertexEdge, kVertexFace, kEdgeEdge };
+
+/// Two features that meet at a contact point. Rockable computes the point anew from these features.
+struct MeetingFeatures {
+  RockableType type = RockableType::kVertexVertex;
+  int of_first = 0, of_second = 0;
+  bool swapped = false;  ///< whether the second grain of the contact is the first body of the interaction
+};
+
+/// Returns the features of two bodies that meet at a contact point.
+/// @param on_first  core point of the first body at the contact  @param on_second  that of the second body
+MeetingFeatures meeting_features(const PlacedShape<3>& first, const Vec<3>& on_first,
+                                 const PlacedShape<3>& second, const Vec<3>& on_second) {
+  /// A core point counts as a point of a vertex or edge if its distance from it, divided by the smaller radius, is at
+  /// most this number. Normals of contacts are accurate to 1e-4 radians.
+  constexpr double kOnFeature = 1e-3;
+  const double near = kOnFeature * std::min(first.outer_radius(), second.outer_radius());
+  const NearestFeatures a = nearest_features(first, on_first), b = nearest_features(second, on_second);
+  if (a.to_vertex <= near && b.to_vertex <= near)
+    return {RockableType::kVertexVertex, a.vertex, b.vertex, false};
+  if (a.to_vertex <= near && b.to_edge <= near) return {RockableType::kVertexEdge, a.vertex, b.edge, false};
+  if (b.to_vertex <= near && a.to_edge <= near) return {RockableType::kVertexEdge, b.vertex, a.edge, true};
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  const double first_on_face = second.shape->n_faces() > 0 ? a.to_vertex : kNone,
+               second_on_face = first.shape->n_faces() > 0 ? b.to_vertex : kNone,
+               crossed = std::max(a.to_edge, b.to_edge);
+  if (crossed < std::min(first_on_face, second_on_face))
+    return {RockableType::kEdgeEdge, a.edge, b.edge, false};
+  if (first_on_face <= second_on_face && first_on_face < kNone)
+    return {RockableType::kVertexFace, a.vertex, b.face, false};
+  if (second_on_face < kNone) return {RockableType::kVertexFace, b.vertex, a.face, true};
+  return {RockableType::kVertexVertex, a.vertex, b.vertex, false};
+}
+
 /// Text of the configuration of Rockable for a packing: the bodies and the interactions.
 class ConfigurationText {
  public:
@@ -167,6 +240,13 @@ class ConfigurationText {
         throw InputError(
             path_,
             "the packing has contacts that act across gaps, which a configuration of Rockable cannot contain");
+    if (!walls.empty()) return;
+    for (const Contact<3>& c : packing_.contacts)
+      if (!(packing_.cell.reduced(branch(packing_, c)).cwiseAbs().maxCoeff() < 0.5))
+        throw InputError(
+            path_, fmt::format("grain {} touches an image of grain {} that is not the nearest one, which a "
+                               "configuration of Rockable cannot contain: the cell is too small",
+                               packing_.grains.name(c.i), packing_.grains.name(c.j)));
   }
 
   /// Returns the line of a body: name of the shape, group, cluster, homothety (scale), position, velocity,
@@ -199,14 +279,31 @@ class ConfigurationText {
     return static_cast<int>(std::ranges::find(plates_, index) - plates_.begin());
   }
 
-  /// Returns the line of an interaction: i, j, type, two sub-elements, normal from j to i, gap, position, velocity,
-  /// normal force, tangential force on i, moment, damping. In type 0 two vertices meet, in type 2 a vertex and a face,
-  /// in type 3 two edges.
+  /// Returns the features that meet at a contact. A grain touches the face of a plate with a vertex. The contact point
+  /// lies midway between the surfaces, and the core points below the surfaces by the radii of rounding.
+  MeetingFeatures features(const Contact<3>& c) const {
+    const Grains<3>& g = packing_.grains;
+    const bool on_plate = packing_.is_wall(c.j);
+    if (g.are_round()) return {on_plate ? RockableType::kVertexFace : RockableType::kVertexVertex, 0, 0, false};
+    const PlacedShape<3> first = g.placed(c.i);
+    const Vec<3> point = g.position[c.i] + c.arm_i;
+    const Vec<3> on_first = point - (0.5 * c.gap + first.rounding()) * c.normal;
+    if (on_plate) return {RockableType::kVertexFace, nearest_features(first, on_first).vertex, 0, false};
+    PlacedShape<3> second = g.placed(c.j);
+    second.position = point - c.arm_j;
+    return meeting_features(first, on_first, second, point + (0.5 * c.gap + second.rounding()) * c.normal);
+  }
+
+  /// Returns the line of an interaction: i, j, type, feature of i, feature of j, normal from j to i, gap, position,
+  /// velocity, normal force, tangential force on i, moment, damping.
   std::string interaction(const Contact<3>& c) const {
-    const int type = packing_.grains.are_round() ? 0 : c.type == ContactType::kEdgeEdge ? 3 : 2;
-    return fmt::format("{} {} {} 0 0 {} {} {} 0 0 0 {} {} 0 0 0 0\n", body_of(c.i), body_of(c.j), type,
-                       words(-c.normal), c.gap, words(packing_.grains.position[c.i] + c.arm_i), c.normal_force,
-                       words(c.shear_force));
+    const MeetingFeatures meet = features(c);
+    const double sign = meet.swapped ? -1.0 : 1.0;
+    const int i = meet.swapped ? c.j : c.i, j = meet.swapped ? c.i : c.j;
+    const Vec<3> point = packing_.grains.position[i] + (meet.swapped ? c.arm_j : c.arm_i);
+    return fmt::format("{} {} {} {} {} {} {} {} 0 0 0 {} {} 0 0 0 0\n", body_of(i), body_of(j),
+                       static_cast<int>(meet.type), meet.of_first, meet.of_second, words(-sign * c.normal),
+                       c.gap, words(point), c.normal_force, words(sign * c.shear_force));
   }
 
   const Packing<3>& packing_;

@@ -339,6 +339,17 @@ std::string contact_type_name(ContactType type) {
   return "face-face";
 }
 
+std::optional<ContactType> contact_type_of(std::string_view name) {
+  for (const ContactType type :
+       {ContactType::kVertexFace, ContactType::kEdgeEdge, ContactType::kDouble, ContactType::kFaceFace})
+    if (name == contact_type_name(type)) return type;
+  return std::nullopt;
+}
+
+bool is_contact_type_in(ContactType type, int dimension) {
+  return dimension == 3 || type == ContactType::kVertexFace || type == ContactType::kFaceFace;
+}
+
 template <int Dim>
 const ManifoldPoint<Dim>* Manifold<Dim>::with_key(std::uint32_t key) const {
   for (const ManifoldPoint<Dim>& point : points)

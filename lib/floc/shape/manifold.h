@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "floc/shape/placed_shape.h"
@@ -20,6 +22,10 @@ enum class ContactType : std::uint8_t {
 
 /// Returns the name of a contact type: "vertex-face", "edge-edge", "double" or "face-face".
 std::string contact_type_name(ContactType type);
+/// Returns the contact type with a name as contact_type_name() returns it; absent for any other text.
+std::optional<ContactType> contact_type_of(std::string_view name);
+/// Returns whether contacts of this type exist in a dimension, 2 or 3: in 2D only vertex-face and face-face.
+bool is_contact_type_in(ContactType type, int dimension);
 
 /// One contact point of two shapes.
 template <int Dim>
@@ -64,8 +70,9 @@ struct ManifoldOptions {
   /// Preference for faces over edge pairs if two shapes overlap. An edge pair defines the contact only if the overlap
   /// along the common normal of the edges is smaller than the overlap along the normal of a face by this share of the
   /// latter. If two nearly parallel faces overlap at a corner, these faces then define the contact. With a value of 0,
-  /// a rigid pair can be pushed apart at another corner in each step and never come to rest. If the smallest gap above a
-  /// face and the gap of an edge pair differ by less than 1e-6 of the smaller inner radius, the face is preferred, too.
+  /// a rigid pair can be pushed apart at another corner in each step and never come to rest. If the smallest gap above
+  /// a face and the gap of an edge pair differ by less than 1e-6 of the smaller inner radius, the face is preferred,
+  /// too.
   double face_preference = 0.0;
 };
 

@@ -30,6 +30,14 @@ Moments<Dim> sharp_moments(const Polytope<Dim>& polytope);
 template <int Dim>
 Moments<Dim> rounding_moments(const Polytope<Dim>& polytope, double rounding);
 
+/// Returns the moments of a rounded polytope: sharp_moments() and, if it is rounded, rounding_moments().
+template <int Dim>
+Moments<Dim> body_moments(const Polytope<Dim>& core, double rounding) {
+  Moments<Dim> moments = sharp_moments(core);
+  if (rounding > 0.0) moments += rounding_moments(core, rounding);
+  return moments;
+}
+
 /// Returns an outward normal of a face. In 3D the length of the normal is twice the area of the face (Newell's method);
 /// in 2D it is the length of the side.
 Vec<2> face_normal(const Polytope<2>& polytope, int face);

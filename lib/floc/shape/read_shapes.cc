@@ -98,13 +98,7 @@ double volume_of(Polytope<Dim> surface) {
 template <int Dim>
 Shape<Dim> shape_of_few(const std::string& place, const Mesh<Dim>& mesh) {
   if (mesh.vertices.size() == 1) return round_shape<Dim>(mesh.rounding);
-  const double length = (mesh.vertices[1] - mesh.vertices[0]).norm();
-  if (!(length > 0.0)) throw InputError(place, "points 1 and 2 are equal: expected each vertex once");
-  if (length > 38.0 * mesh.rounding)  // the capsule is more than 20 times as long as thick
-    throw InputError(place,
-                     fmt::format("the capsule is {:.3g} times as long as it is thick: expected at most 20",
-                                 0.5 * length / mesh.rounding + 1.0));
-  return capsule_shape<Dim>(length, mesh.rounding);
+  return capsule_between<Dim>(mesh.vertices[0], mesh.vertices[1], mesh.rounding, place);
 }
 
 std::string ending(const std::string& path) {

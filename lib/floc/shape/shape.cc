@@ -190,6 +190,28 @@ Shape<3> capsule_shape(double length, double rounding) {
 }
 
 template <int Dim>
+Shape<Dim> capsule_between(const Vec<Dim>& from, const Vec<Dim>& to, double rounding,
+                           const std::string& place) {
+  const Vec<Dim> along = to - from;
+  const double length = along.norm();
+  if (!(length > 0.0)) throw InputError(place, "points 1 and 2 are equal: expected each vertex once");
+  if (length > 38.0 * rounding)  // the capsule is more than 20 times as long as thick
+    throw InputError(place,
+                     fmt::format("the capsule is {:.3g} times as long as it is thick: expected at most 20",
+                                 0.5 * length / rounding + 1.0));
+  Shape<Dim> shape = capsule_shape<Dim>(length, rounding);
+  shape.centre = 0.5 * (from + to);
+  shape.axes.col(0) = along / length;
+  if constexpr (Dim == 2) {
+    shape.axes.col(1) = Vec<2>(-shape.axes(1, 0), shape.axes(0, 0));
+  } else {
+    shape.axes.col(1) = shape.axes.col(0).unitOrthogonal();
+    shape.axes.col(2) = shape.axes.col(0).cross(shape.axes.col(1));
+  }
+  return shape;
+}
+
+template <int Dim>
 Shape<Dim> polytope_shape(const Polytope<Dim>& hull, double rounding, const std::string& place) {
   require_counts(hull, place);
   // The origin is moved into the polytope, so that the moments keep all digits if the polytope is far from the origin.
@@ -252,6 +274,13 @@ ShapeOfPoints<Dim> shape_of_points(const std::vector<Vec<Dim>>& points, double r
 }
 
 template <int Dim>
+Polytope<Dim> core_of(const Shape<Dim>& shape) {
+  Polytope<Dim> core{shape.vertices, {}};
+  for (int f = 0; f < shape.n_faces(); ++f) core.faces.emplace_back(shape.loop(f).begin(), shape.loop(f).end());
+  return core;
+}
+
+template <int Dim>
 Shape<Dim> scaled(Shape<Dim> shape, double factor) {
   for (Vec<Dim>& v : shape.vertices) v *= factor;
   for (double& offset : shape.offsets) offset *= factor;
@@ -294,10 +323,14 @@ template Shape<2> round_shape(double);
 template Shape<3> round_shape(double);
 template void set_adjacency(Shape<2>&);
 template void set_adjacency(Shape<3>&);
+template Shape<2> capsule_between(const Vec<2>&, const Vec<2>&, double, const std::string&);
+template Shape<3> capsule_between(const Vec<3>&, const Vec<3>&, double, const std::string&);
 template Shape<2> polytope_shape(const Polytope<2>&, double, const std::string&);
 template Shape<3> polytope_shape(const Polytope<3>&, double, const std::string&);
 template ShapeOfPoints<2> shape_of_points(const std::vector<Vec<2>>&, double, const std::string&);
 template ShapeOfPoints<3> shape_of_points(const std::vector<Vec<3>>&, double, const std::string&);
+template Polytope<2> core_of(const Shape<2>&);
+template Polytope<3> core_of(const Shape<3>&);
 template Shape<2> scaled(Shape<2>, double);
 template Shape<3> scaled(Shape<3>, double);
 template void require_distinct(const std::vector<Vec<2>>&, const std::string&);

@@ -78,6 +78,11 @@ Shape<Dim> round_shape(double radius);
 template <int Dim>
 Shape<Dim> capsule_shape(double length, double rounding);
 
+/// Returns a capsule whose core is the segment between two points, with Shape::centre and Shape::axes.
+/// @throws InputError if the points are the same, or if the capsule is more than 20 times as long as it is thick
+template <int Dim>
+Shape<Dim> capsule_between(const Vec<Dim>& from, const Vec<Dim>& to, double rounding, const std::string& place);
+
 /// Returns the shape whose core (the shape without its rounding) is a convex polytope.
 ///
 /// @param hull  polytope with the faces of convex_hull()
@@ -102,6 +107,10 @@ struct ShapeOfPoints {
 template <int Dim>
 ShapeOfPoints<Dim> shape_of_points(const std::vector<Vec<Dim>>& points, double rounding,
                                    const std::string& place = "");
+
+/// Returns the core of a shape (the shape without its rounding).
+template <int Dim>
+Polytope<Dim> core_of(const Shape<Dim>& shape);
 
 /// Returns a shape whose lengths are multiplied by a factor > 0.
 template <int Dim>

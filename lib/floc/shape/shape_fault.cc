@@ -30,14 +30,6 @@ double size_of(const Shape<Dim>& shape) {
   return largest;
 }
 
-template <int Dim>
-Polytope<Dim> core_of(const Shape<Dim>& shape) {
-  Polytope<Dim> core;
-  core.vertices = shape.vertices;
-  for (int f = 0; f < shape.n_faces(); ++f) core.faces.emplace_back(shape.loop(f).begin(), shape.loop(f).end());
-  return core;
-}
-
 /// Returns a fault if no valid shape can have the numbers of vertices and faces of `shape`.
 template <int Dim>
 std::optional<ShapeFault> fault_of_counts(const Shape<Dim>& shape) {
@@ -83,9 +75,7 @@ std::optional<ShapeFault> fault_of_mass(const Shape<Dim>& shape, double volume,
 /// Returns a fault if the recorded mass properties of a polytope (in 2D also of a capsule) are wrong.
 template <int Dim>
 std::optional<ShapeFault> fault_of_moments(const Shape<Dim>& shape, const Polytope<Dim>& core) {
-  Moments<Dim> moments;
-  if (shape.n_vertices() > 2) moments = sharp_moments(core);
-  if (shape.rounding > 0.0) moments += rounding_moments(core, shape.rounding);
+  const Moments<Dim> moments = body_moments(core, shape.rounding);
   const double length = size_of(shape) + shape.rounding;
   if (!(moments.first.norm() <= kRelative * moments.volume * length))
     return ShapeFault{"vertices", "the origin of the vertices is not the centre of mass of the shape"};

@@ -8,27 +8,26 @@
 namespace floc {
 namespace {
 
-/// A shape is elongated if its largest extent divided by its second largest extent is above this value.
+/// A shape is elongated if the root of its largest second moment, divided by the root of the next one, is above this
+/// value.
 constexpr double kElongated = 1.05;
 
-/// Returns the second moments of the core of a shape (the shape without its rounding), up to a factor.
-template <int Dim>
-Mat<Dim> second_moments(const Shape<Dim>& shape) {
-  if (shape.n_faces() > 2) {
-    Polytope<Dim> core{shape.vertices, {}};
-    for (int f = 0; f < shape.n_faces(); ++f)
-      core.faces.emplace_back(shape.loop(f).begin(), shape.loop(f).end());
-    return sharp_moments(core).second;
-  }
-  Mat<Dim> sum = Mat<Dim>::Zero();
-  for (const Vec<Dim>& vertex : shape.vertices) sum += vertex * vertex.transpose();
-  return sum;
+/// Returns the second moments of a shape with its rounding.
+Mat<2> second_moments(const Shape<2>& shape) {
+  return body_moments(core_of(shape), shape.rounding).second;
+}
+
+Mat<3> second_moments(const Shape<3>& shape) {
+  // Of a body whose axes are principal axes, the moment of inertia about an axis is the sum of the second moments along
+  // the two others.
+  return (Vec<3>::Constant(0.5 * shape.inertia.sum()) - shape.inertia).asDiagonal();
 }
 
 /// Returns the direction of the long axis of a shape, in the coordinates of the shape; no value if the shape is not
 /// elongated.
 template <int Dim>
 std::optional<Vec<Dim>> long_axis(const Shape<Dim>& shape) {
+  if (shape.is_round()) return std::nullopt;
   const Eigen::SelfAdjointEigenSolver<Mat<Dim>> axes(second_moments(shape));
   const auto& values = axes.eigenvalues();
   if (!(values[Dim - 1] > kElongated * kElongated * values[Dim - 2])) return std::nullopt;

@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <sstream>
+#include <tuple>
+#include <utility>
 
 #include "floc/base/error.h"
+#include "floc/base/read_text.h"
 #include "floc/io/rockable.h"
 #include "floc/io/rockable_text.h"
 #include "support/angular_packing.h"
@@ -34,6 +38,108 @@ TEST(RockableShapes, GoOutAndComeBackAsTheyWere) {
   }
 }
 
+/// Interaction in a configuration: bodies, type, features, gap and contact point.
+struct Interaction {
+  int i, j, type, isub, jsub;
+  double gap;
+  Vec<3> point;
+};
+
+std::vector<Interaction> interactions_of(const std::string& path) {
+  std::istringstream in(read_text(path));
+  std::string line, word;
+  int n = 0;
+  while (word != "Interactions" && std::getline(in, line)) {
+    std::istringstream words(line);
+    words >> word >> n;
+  }
+  std::vector<Interaction> out(n);
+  for (Interaction& c : out) {
+    std::getline(in, line);
+    std::istringstream words(line);
+    Vec<3> normal;
+    words >> c.i >> c.j >> c.type >> c.isub >> c.jsub >> normal[0] >> normal[1] >> normal[2] >> c.gap >>
+        c.point[0] >> c.point[1] >> c.point[2];
+  }
+  return out;
+}
+
+/// Features of a grain in space, numbered as in the file of shapes.
+struct Features {
+  PlacedShape<3> body;
+  Vec<3> vertex(int v) const {
+    return body.position + body.scale * (body.rotation * core_vertex<3>(*body.shape, v));
+  }
+  std::pair<Vec<3>, Vec<3>> edge(int e) const {
+    if (body.shape->n_edges() == 0) return {vertex(0), vertex(1)};  // a capsule
+    return {vertex(body.shape->edges[e].from), vertex(body.shape->edges[e].to)};
+  }
+};
+
+/// Returns the core points of two bodies that meet in an interaction, as Rockable computes them from the features.
+std::pair<Vec<3>, Vec<3>> core_points(const Interaction& c, const Features& i, const Features& j) {
+  if (c.type == 0) return {i.vertex(c.isub), j.vertex(c.jsub)};
+  if (c.type == 1) {
+    const auto [from, to] = j.edge(c.jsub);
+    const Vec<3> x = i.vertex(c.isub), along = to - from;
+    return {x, Vec<3>(from + along * (x - from).dot(along) / along.squaredNorm())};
+  }
+  if (c.type == 2) {
+    const Vec<3> n = j.body.rotation * j.body.shape->normals[c.jsub], x = i.vertex(c.isub);
+    return {x, Vec<3>(x - (n.dot(x - j.body.position) - j.body.scale * j.body.shape->offsets[c.jsub]) * n)};
+  }
+  const auto [p, p_end] = i.edge(c.isub);
+  const auto [q, q_end] = j.edge(c.jsub);
+  const Vec<3> u = p_end - p, v = q_end - q;
+  const Eigen::Vector2d at =
+      (Eigen::Matrix2d() << u.dot(u), -u.dot(v), u.dot(v), -v.dot(v)).finished().inverse() *
+      Eigen::Vector2d(u.dot(q - p), v.dot(q - p));
+  return {Vec<3>(p + at[0] * u), Vec<3>(q + at[1] * v)};
+}
+
+/// Rockable computes contact points anew from the numbers of the features, and keeps one interaction of each set of
+/// numbers.
+TEST(RockableShapes, InteractionsNameTheFeaturesThatMeet) {
+  for (const test::Ends<3>& ends : {test::Ends<3>{"p", "p", "p"}, test::Ends<3>{"ww", "ww", "ww"}}) {
+    // Large radii of rounding, so that the cores do not overlap: Rockable has no contacts of such grains.
+    std::vector<Shape<3>> shapes = cut_shapes<3>({}, 3, 0.4, 7);
+    shapes.push_back(round_shape<3>(0.5));
+    shapes.push_back(capsule_shape<3>(0.6, 0.4));
+    const State<3> state = test::angular_packing_with_forces<3>(ends, shapes);
+    const Packing<3>& p = state.packing;
+    const test::ScratchDirectory scratch;
+    write_rockable(scratch.file("p.conf"), state);
+    const int n_plates = static_cast<int>(p.walls.size());
+    std::set<std::tuple<int, int, int, int, int>> numbers;
+    std::set<int> types;
+    int n_compared = 0;
+    for (const Interaction& c : interactions_of(scratch.file("p.conf"))) {
+      EXPECT_TRUE(numbers.emplace(c.i, c.j, c.type, c.isub, c.jsub).second);
+      if (c.j < n_plates) {
+        const Features grain{p.grains.placed(c.i - n_plates)};
+        const Wall<3>& wall = p.walls[c.j];
+        EXPECT_EQ(c.type, 2);
+        EXPECT_NEAR(wall.side * (wall.position - grain.vertex(c.isub)[wall.axis]),
+                    c.gap + grain.body.rounding(), 1e-12);
+        continue;
+      }
+      const Features i{p.grains.placed(c.i - n_plates)};
+      Features j{p.grains.placed(c.j - n_plates)};
+      Vec<3> cells = p.cell.reduced(j.body.position - i.body.position);
+      for (int a = 0; a < 3; ++a) cells[a] = p.walls.empty() ? std::round(cells[a]) : 0.0;
+      j.body.position -= p.cell.matrix.transpose() * cells;
+      const auto [on_i, on_j] = core_points(c, i, j);
+      const Vec<3> n = (on_i - on_j).normalized();
+      EXPECT_NEAR((on_i - on_j).norm() - i.body.rounding() - j.body.rounding(), c.gap, 1e-6);
+      EXPECT_NEAR((on_i - n * (i.body.rounding() + 0.5 * c.gap) - c.point).norm(), 0.0, 1e-6);
+      types.insert(c.type);
+      ++n_compared;
+    }
+    EXPECT_GT(n_compared, 20);
+    EXPECT_GE(types.size(), 2u);
+  }
+}
+
 TEST(RockableShapes, SpheresGoOutAndComeBackAsTheyWere) {
   for (const test::Ends<3>& ends : {test::Ends<3>{"p", "p", "p"}, test::Ends<3>{"ww", "ww", "ww"}}) {
     const State<3> written = test::packing_with_forces<3>(ends);
@@ -58,6 +164,9 @@ TEST(RockableShapes, SaysWhatItCannotHold) {
   State<3> bonded = test::packing_with_forces<3>({"p", "p", "p"});
   bonded.packing.contacts[0].bonded = true;
   refusal(bonded, "contacts that act across gaps");
+  State<3> small = test::packing_with_forces<3>({"p", "p", "p"});
+  small.packing.contacts[0].image[0] += 1;
+  refusal(small, "that is not the nearest one");
 }
 
 /// Writes two cubes of side 1, one on top of the other, with edges rounded by 0.1. Each line of `interactions` is one
@@ -137,6 +246,13 @@ TEST(RockableShapes, NamesWhatIsWrong) {
   refusal("0 1 2 0 0 0 0 -1 -0.01 0.4\n", "cubes.conf:9");
   refusal(good, "preCompDone", "preCompDone n\n");
   refusal(good, "preCompDone", "");
+  write_cubes(scratch, good + good);
+  std::string text = read_text(scratch.file("cubes.conf"));
+  text.replace(text.find("Interactions 2"), 14, "Interactions 1");
+  test::write_text(scratch.file("cubes.conf"), text);
+  EXPECT_THAT(
+      [&] { test::read_packing<3>(scratch.file("cubes.conf")); },
+      ThrowsMessage<InputError>(HasSubstr("Interactions has more than the 1 rows that its head states")));
 }
 
 TEST(RockableShapes, TakeContactPointsOfAnotherList) {
@@ -156,9 +272,22 @@ TEST(RockableShapes, TakeContactPointsOfAnotherList) {
   EXPECT_NEAR((p.contacts[0].arm_j - Vec<3>(0.4, 0.4, -1.0)).norm(), 0.0, 1e-15);
   EXPECT_NEAR((p.contacts[0].shear_force - Vec<3>(-0.5, 0.0, 0.0)).norm(), 0.0, 1e-14);
   EXPECT_NEAR(p.contacts[0].gap, 0.0, 1e-14);  // gap computed from the shapes
+  EXPECT_EQ(p.contacts[0].type, ContactType::kVertexFace);
+  const auto kind = [&](const std::string& name) {
+    return read("id1,id2,point1,point2,point3,kind,force1,force2,force3\n1,0,0.4,0.4,0.5," + name +
+                ",0.5,0,2\n")
+        .contacts[0]
+        .type;
+  };
+  for (const ContactType type :
+       {ContactType::kVertexFace, ContactType::kEdgeEdge, ContactType::kDouble, ContactType::kFaceFace})
+    EXPECT_EQ(kind(contact_type_name(type)), type);
+  EXPECT_EQ(kind(""), ContactType::kVertexFace);
   const auto refusal = [&](const std::string& text, const std::string& words) {
     EXPECT_THAT([&] { read(text); }, ThrowsMessage<InputError>(HasSubstr(words)));
   };
+  EXPECT_THAT([&] { kind("corner"); },
+              ThrowsMessage<InputError>(HasSubstr("kind = corner, expected vertex-face")));
   refusal("id1,id2,normal_force\n0,1,2\n", "contacts.csv:2: the contact has no contact point");
   refusal("id1,id2,point1,point2,point3\n0,1,0.4,0.4,0.5\n", "the contact has no force");
   refusal("id1,id2,point1,point2,normal_force\n0,1,0.4,0.4,0.5\n", "point3");

@@ -165,10 +165,17 @@ TEST(LongAxes, OrderOfRectanglesAndBoxes) {
   EXPECT_NEAR(long_axes_order(flat)->order, 0.0, 1e-12);
   set_shape(flat.grains, box<2>(Vec<2>(1.0, 1.0), 0.0), 1.0);
   EXPECT_FALSE(long_axes_order(flat));
+  // Rounding makes a rectangle of 1.3 by 1 less elongated than its core, by 1.04 in place of 1.3.
+  set_shape(flat.grains, box<2>(Vec<2>(1.3, 1.0), 0.4), 1.0);
+  EXPECT_FALSE(long_axes_order(flat));
+  set_shape(flat.grains, capsule<2>(1.5), 1.0);
+  EXPECT_TRUE(long_axes_order(flat));
 
   Packing<3> solid;
   solid.grains = Grains<3>::with_size(4);
   set_shape(solid.grains, box<3>(Vec<3>(1.0, 2.0, 3.0), 0.0), 1.0);
+  EXPECT_NEAR(long_axes_order(solid)->order, 1.0, 1e-12);
+  set_shape(solid.grains, capsule<3>(1.5), 1.0);
   EXPECT_NEAR(long_axes_order(solid)->order, 1.0, 1e-12);
   set_shape(solid.grains, box<3>(Vec<3>(3.0, 3.0, 1.0), 0.0), 1.0);  // a plate has no long axis
   EXPECT_FALSE(long_axes_order(solid));

@@ -1,5 +1,7 @@
 #include "floc/neighbors/pairs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,10 +25,8 @@ constexpr double kMaxCells = 1e9;
 /// whichever is larger.
 constexpr double kTrialsAlways = 1e8;
 constexpr double kTrialsPerGrain = 1e5;
-/// A search among n grains may find at most kPairsAlways + n * kPairsPerGrain close pairs. More pairs indicate a wrong
-/// radius or a wrong cell.
-constexpr std::size_t kPairsAlways = 10'000;
-constexpr std::size_t kPairsPerGrain = 1000;
+/// A search among n grains may find at most kPairsAlways pairs more than the caller expects.
+constexpr double kPairsAlways = 1e4;
 /// Largest number of size levels into which grains are sorted. Each level contains grains whose sizes differ by at most
 /// a factor of two, except that the last level contains all smaller grains, too.
 constexpr int kMaxLevels = 32;
@@ -274,8 +274,12 @@ void check_finite(const Cell<Dim>& cell, const Grains<Dim>& grains) {
 template <int Dim>
 class PairSearch {
  public:
-  PairSearch(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap)
-      : grains_(grains), gap_(gap), lattice_(reduced_lattice(cell)), wrapped_(lattice_.cell, grains) {}
+  PairSearch(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap, double most_per_grain)
+      : grains_(grains),
+        gap_(gap),
+        most_per_grain_(most_per_grain),
+        lattice_(reduced_lattice(cell)),
+        wrapped_(lattice_.cell, grains) {}
 
   /// Returns all pairs of grains whose surfaces are closer than gap_, in no particular order.
   std::vector<NeighborPair<Dim>> all() {
@@ -304,15 +308,15 @@ class PairSearch {
     // A pair of a grain with itself at image zero has no canonical form and is skipped.
     if (!is_canonical(pair)) return;
     pairs_.push_back(pair);
-    if (pairs_.size() > kPairsAlways + kPairsPerGrain * static_cast<std::size_t>(grains_.size()))
-      throw InputError(
-          "cell",
-          "the grains overlap so much, or attract each other across such wide gaps, that each has more than " +
-              std::to_string(kPairsPerGrain) + " neighbours: a radius or the cell is wrong");
+    if (static_cast<double>(pairs_.size()) > kPairsAlways + most_per_grain_ * grains_.size())
+      throw InputError("cell", fmt::format("the grains overlap so much, or attract each other across such wide "
+                                           "gaps, that each has more than "
+                                           "{:g} neighbours: a radius or the cell is wrong",
+                                           most_per_grain_));
   }
 
   const Grains<Dim>& grains_;
-  double gap_;
+  double gap_, most_per_grain_;
   ReducedLattice<Dim> lattice_;
   WrappedGrains<Dim> wrapped_;
   std::vector<NeighborPair<Dim>> pairs_;
@@ -337,11 +341,12 @@ std::vector<NeighborPair<Dim>> sorted(const std::vector<NeighborPair<Dim>>& pair
 }  // namespace
 
 template <int Dim>
-std::vector<NeighborPair<Dim>> find_pairs(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap) {
+std::vector<NeighborPair<Dim>> find_pairs(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap,
+                                          double most_per_grain) {
   check_finite(cell, grains);
   if (grains.size() == 0) return {};
   // The PairSearch object is temporary, so that its memory is free before the pairs are sorted.
-  const std::vector<NeighborPair<Dim>> pairs = PairSearch<Dim>(cell, grains, gap).all();
+  const std::vector<NeighborPair<Dim>> pairs = PairSearch<Dim>(cell, grains, gap, most_per_grain).all();
   return sorted(pairs, grains.size());
 }
 
@@ -359,8 +364,8 @@ std::vector<NeighborPair<Dim>> find_wall_pairs(const std::vector<Wall<Dim>>& wal
   return pairs;
 }
 
-template std::vector<NeighborPair<2>> find_pairs(const Cell<2>&, const Grains<2>&, double);
-template std::vector<NeighborPair<3>> find_pairs(const Cell<3>&, const Grains<3>&, double);
+template std::vector<NeighborPair<2>> find_pairs(const Cell<2>&, const Grains<2>&, double, double);
+template std::vector<NeighborPair<3>> find_pairs(const Cell<3>&, const Grains<3>&, double, double);
 template std::vector<NeighborPair<2>> find_wall_pairs(const std::vector<Wall<2>>&, const Grains<2>&, double);
 template std::vector<NeighborPair<3>> find_wall_pairs(const std::vector<Wall<3>>&, const Grains<3>&, double);
 

@@ -26,12 +26,15 @@ struct NeighborPair {
 /// opposite images of itself count as one pair.
 ///
 /// @param gap  two grains form a pair if the distance (length) between their surfaces is below this value, >= 0
+/// @param most_per_grain  limit of the number of pairs per grain. Grains that touch have a few tens of neighbours even
+/// if sizes differ much, so that with the default a radius or the cell is wrong if there are more.
 /// @throws InputError if a radius, a position or the cell is not finite, or the cell has no volume; if a grain lies
 /// more than 1e9 cells away from the cell; if the search would take too long, for example because a grain is many cells
-/// wide, or because many small grains are mixed with a very large grain; or if the number of pairs exceeds 10 000 plus
-/// 1000 per grain
+/// wide, or because many small grains are mixed with a very large grain; or if there are more than
+/// 10 000 pairs plus `most_per_grain` per grain
 template <int Dim>
-std::vector<NeighborPair<Dim>> find_pairs(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap);
+std::vector<NeighborPair<Dim>> find_pairs(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap,
+                                          double most_per_grain = 1000.0);
 
 /// Finds every pair of a grain and a wall whose surfaces are closer than `gap` (length). The pairs are sorted by
 /// (i, j), where i is the index of the grain and j the index of the wall in `walls`. A grain whose centre lies beyond a

@@ -234,6 +234,19 @@ void check_isotropic_steps(TableReader& t, const KnownStress& from, bool has_end
                                             t.path_of("steps_per_decade")));
 }
 
+/// Returns the mean of the stresses on all axes; absent if one of them is not known. Equal stresses are their own mean,
+/// to all digits.
+std::optional<double> mean_stress(const KnownStress& from) {
+  double sum = 0.0;
+  bool are_equal = true;
+  for (const std::optional<double>& stress : from) {
+    if (!stress) return std::nullopt;
+    sum += *stress;
+    are_equal = are_equal && *stress == *from.front();
+  }
+  return are_equal ? *from.front() : sum / static_cast<double>(from.size());
+}
+
 /// Returns the default name of a stage, which is used if the scene gives no name. For an isotropic or oedometric stage,
 /// the name is "load", "unload" or "hold", provided it is known before the run whether the load increases. In all other
 /// cases the name is the value of the key "control", for example "triaxial".
@@ -242,7 +255,7 @@ std::string default_name(const KnownStress& from, const LoadStage& stage) {
   const std::size_t axis = static_cast<std::size_t>(stage.axis);
   const AxisLoad driven = stage.is_isotropic() ? AxisLoad{AxisLoad::stress, stage.to}
                                                : stage.axes[std::min(axis, stage.axes.size() - 1)];
-  const std::optional<double> before = from[axis];
+  const std::optional<double> before = stage.is_isotropic() ? mean_stress(from) : from[axis];
   const bool compresses = stage.is_isotropic() || stage.control == "oedometric";
   if (compresses && driven.kind == AxisLoad::strain) return driven.end >= 0.0 ? "load" : "unload";
   if (!compresses || !before) return stage.control;

@@ -361,6 +361,19 @@ std::string as_text(const toml::table& root) {
 
 }  // namespace
 
+std::optional<Scene> scene_of_state(const std::string& text, const std::string& file, std::string& why_not) {
+  constexpr int kFoldersAbove = 2;
+  std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  for (int above = 0; above <= kFoldersAbove; ++above, folder = folder.parent_path()) {
+    try {
+      return parse_scene(text, "its scene", folder.string());
+    } catch (const InputError& error) {
+      if (above == 0) why_not = error.what();
+    }
+  }
+  return std::nullopt;
+}
+
 Scene parse_scene(const std::string& text, const std::string& place, const std::string& directory,
                   const std::vector<std::string>& overrides, const std::string& prices) {
   // A table of prices that is not valid is refused even if the scene does not use it.
@@ -378,8 +391,8 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
   CellResponse unsaid;
   if (has_box(root)) {
     read_box(root, scene);
-    // The default cap on the strain rate also applies to walls in contact dynamics: a drag acts on these walls, as on the
-    // sides of a periodic cell.
+    // The default cap on the strain rate also applies to walls in contact dynamics: a drag acts on these walls, as on
+    // the sides of a periodic cell.
     if (scene.has_contact_dynamics()) scene.relaxation = default_cap(scene).applied_to(scene.relaxation);
     root.refuse(
         "cell",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,5 +31,13 @@ Scene read_scene(const std::string& path, const std::vector<std::string>& overri
 /// @throws InputError that names every fault of the scene, see read_scene()
 Scene parse_scene(const std::string& text, const std::string& place, const std::string& directory,
                   const std::vector<std::string>& overrides = {}, const std::string& prices = "");
+
+/// Reads the scene that is stored in a state. A saved state from which the scene starts is looked for beside the scene.
+/// The folder of the scene is not known; it is the folder of the state, or one of the two above, in which the scene can
+/// be read: usually the folder of the run or that of a series of runs lies beside the scene.
+/// @param text  text of the scene
+/// @param file  name of the state file
+/// @param why_not  set to the reason if the scene cannot be read
+std::optional<Scene> scene_of_state(const std::string& text, const std::string& file, std::string& why_not);
 
 }  // namespace floc

@@ -28,6 +28,12 @@ double inner_volume(const Packing<Dim>& packing, double reach) {
   return volume;
 }
 
+/// Returns the number of pairs per grain that find_pairs() may find, so that all pairs fit into memory.
+template <int Dim>
+double most_per_grain(const Grains<Dim>& points) {
+  return std::max(1000.0, kMostPairs / points.size());
+}
+
 /// Counts the neighbours of all grains whose distance from every wall is at least `reach`.
 /// @return number of these grains
 template <int Dim>
@@ -38,7 +44,7 @@ int count_away_from_walls(const Packing<Dim>& packing, const Grains<Dim>& points
     for (const Wall<Dim>& wall : packing.walls)
       is_inner[i] = is_inner[i] && wall.side * (wall.position - points.position[i][wall.axis]) >= reach;
   const Cell<Dim> cell = search_cell(packing.cell, packing.walls, reach);
-  for (const NeighborPair<Dim>& pair : find_pairs(cell, points, reach)) {
+  for (const NeighborPair<Dim>& pair : find_pairs(cell, points, reach, most_per_grain(points))) {
     const Vec<Dim> r = points.position[pair.j] + cell.shift(pair.image) - points.position[pair.i];
     const int b = std::min(static_cast<int>(out.g.size()) - 1, static_cast<int>(r.norm() / out.width));
     out.n_pairs[b] += static_cast<int>(is_inner[pair.i]) + static_cast<int>(is_inner[pair.j]);
@@ -83,7 +89,7 @@ PairCorrelation pair_correlation(const Packing<Dim>& packing, double reach, int 
       out.g[b] = static_cast<double>(out.n_pairs[b]) / (n_inner * inner_density * shell<Dim>(out, b));
     return out;
   }
-  for (const NeighborPair<Dim>& pair : find_pairs(packing.cell, points, reach)) {
+  for (const NeighborPair<Dim>& pair : find_pairs(packing.cell, points, reach, most_per_grain(points))) {
     const Vec<Dim> r = points.position[pair.j] + packing.cell.shift(pair.image) - points.position[pair.i];
     ++out.n_pairs[std::min(n_bins - 1, static_cast<int>(r.norm() / out.width))];
   }

@@ -1,10 +1,10 @@
 #include "floc/tables/size_rows.h"
 
 #include <algorithm>
-#include <filesystem>
+#include <optional>
+#include <string>
 #include <variant>
 
-#include "floc/base/error.h"
 #include "floc/scene/read_scene.h"
 #include "floc/tables/column.h"
 
@@ -27,13 +27,10 @@ std::vector<Column<SizeClass>> size_columns() {
 /// @param diameters  diameters of the grains of the state (length)
 DiameterDistribution distribution_of(const std::string& file, const std::string& scene,
                                      const std::vector<double>& diameters) {
-  try {
-    if (!scene.empty())
-      return parse_scene(scene, "the scene", std::filesystem::path(file).parent_path().string())
-          .grains.diameter;
-  } catch (const InputError&) {
-    // The scene may start from a saved state whose file no longer exists.
-  }
+  // The scene may start from a saved state whose file no longer exists.
+  std::string why_not;
+  if (!scene.empty())
+    if (const std::optional<Scene> read = scene_of_state(scene, file, why_not)) return read->grains.diameter;
   DiameterDistribution list;
   list.kind = DiameterDistribution::Kind::list;
   list.values = diameters;

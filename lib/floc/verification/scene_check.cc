@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
 #include <optional>
 
-#include "floc/base/error.h"
 #include "floc/loading/load_path.h"
 #include "floc/loading/run_plan.h"
 #include "floc/packing/grain_sizes.h"
@@ -50,12 +48,9 @@ Criterion check_mass(const std::string& file, const State<Dim>& state) {
 /// @param why_not  set to the reason if the scene cannot be read
 std::optional<Scene> scene_of(const std::string& file, const std::string& text, std::string& why_not) {
   if (text.empty()) return std::nullopt;
-  try {
-    return parse_scene(text, "its scene", std::filesystem::path(file).parent_path().string());
-  } catch (const InputError& error) {
-    why_not = fmt::format("the state was not compared with its scene: {}", error.what());
-    return std::nullopt;
-  }
+  std::optional<Scene> scene = scene_of_state(text, file, why_not);
+  why_not = scene ? "" : fmt::format("the state was not compared with its scene: {}", why_not);
+  return scene;
 }
 
 /// Largest accepted tolerance of a state without a scene. Tolerances are in units of the force scale F1 and the largest

@@ -43,6 +43,13 @@ TEST(PairCorrelation, OfIndependentGrainsIsOne) {
     EXPECT_NEAR(found.g[b], 1.0, 4.0 / std::sqrt(static_cast<double>(found.n_pairs[b]))) << b;
 }
 
+TEST(PairCorrelation, ReachesAsFarAsItCanCount) {
+  // Centres closer than the circumscribed spheres of grains with corners may be: 2500 neighbours within the reach.
+  const Packing<2> packing = tiled<2>(square_frames(2, 0.25, elastic_law(1.0, 0.0, 0.0)), {20, 20});
+  const PairCorrelation found = pair_correlation(packing, 7.0, 1);
+  EXPECT_NEAR(found.g[0], 1.0, 0.01);
+}
+
 TEST(PairCorrelation, BetweenWallsIsThatOfGrainsAwayFromThem) {
   // A square lattice of 6 x 8 disks between two walls. Only rows at a distance of at least 2.5 from both walls
   // have complete shells of neighbours.

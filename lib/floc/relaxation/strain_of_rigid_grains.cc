@@ -121,9 +121,9 @@ RelaxationStatus ContactDynamicsRelaxer<Dim>::strain() {
   return RelaxationStatus::converged;
 }
 
-/// Gives the contacts the forces of the time step that begins at the present positions and velocities. If the last steps
-/// were shorter than the shortest time in which overlaps are removed, because they were cut off at the end of a small
-/// strain, the recorded step is the longest one in which the grains do not move too far. A short step may
+/// Gives the contacts the forces of the time step that begins at the present positions and velocities. If the last
+/// steps were shorter than the shortest time in which overlaps are removed, because they were cut off at the end of a
+/// small strain, the recorded step is the longest one in which the grains do not move too far. A short step may
 /// change velocities by as much as a long one, with forces that are larger in proportion.
 template <int Dim>
 void ContactDynamicsRelaxer<Dim>::record_motion() {

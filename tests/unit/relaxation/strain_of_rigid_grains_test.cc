@@ -128,8 +128,8 @@ TEST(StrainOfRigidGrains, RecordedForcesStopTheApproach) {
 }
 
 /// A strain that is much smaller than one of a time step ends in a step that is cut off. The recorded forces are
-/// nevertheless those of a usual step, and their stress is about that before the strain. The forces of the short step would
-/// grow without limit, since its impulses also change the velocities.
+/// nevertheless those of a usual step, and their stress is about that before the strain. The forces of the short step
+/// would grow without limit, since its impulses also change the velocities.
 TEST(StrainOfRigidGrains, RecordsTheStressOfAUsualStepAfterAnyStrain) {
   const RigidEnd<2> rest = relaxed<2>(make_rigid_gas<2>({.count = 60, .friction = 0.5}));
   const RigidEnd<2> moving = relaxed_under<2>(under_shear(rest.packing, 0.02), rest.packing);

@@ -25,6 +25,9 @@ using testing::Not;
 double degrees_of_sine(double sine) {
   return std::asin(sine) * 180.0 / std::numbers::pi;
 }
+double degrees_of_tangent(double tangent) {
+  return std::atan(tangent) * 180.0 / std::numbers::pi;
+}
 
 /// Returns a parameter of the first test of a kind, from the csv table that `fit strength` prints.
 double value_of(const std::string& printed, const std::string& sample, const std::string& kind,
@@ -140,10 +143,6 @@ std::string sheared_rows(int n, double step, double ratio) {
 constexpr char kSheared[] =
     "branch,control,axis,stress_1,strain_1,stress_2,strain_2,shear_strain,shear_stress\n";
 
-double degrees_of_tangent(double tangent) {
-  return std::atan(tangent) * 180.0 / std::numbers::pi;
-}
-
 /// Stages that follow one another under the same name are one test as long as the strain goes on. Shear strains begin
 /// at zero in each stage, whether the next stage begins with a smaller, an equal or a larger strain than the last one.
 TEST(FitStrength, StagesThatGoOnAreOneTest) {
@@ -239,8 +238,7 @@ TEST(FitStrength, OfSimpleShearIsTheLineOfItsPlanes) {
   }
   EXPECT_NEAR(value_of(o.out, "a.csv", "simple-shear", "strain_peak"), 0.05, 1e-12);
   // In the rows at the peak, the volume grows by 0.02 % while the shear strain grows by 0.5 %.
-  EXPECT_NEAR(value_of(o.out, "a.csv", "simple-shear", "dilatancy_angle"),
-              std::atan(0.04) * 180.0 / std::numbers::pi, 2.0);
+  EXPECT_NEAR(value_of(o.out, "a.csv", "simple-shear", "dilatancy_angle"), degrees_of_tangent(0.04), 2.0);
   const Outcome rows =
       run_floc("fit strength - --format csv", dir.path(), "sigma_n,tau\n50,40\n100,70\n200,130\n");
   EXPECT_NEAR(value_of(rows.out, "pooled", "failure", "cohesion_peak"), 10, 1e-9) << rows.err;
@@ -263,7 +261,7 @@ TEST(FitStrength, OfACampaignIsThatOfTheRunsOfAllItsCases) {
   for (int row = 1; row < path.n_rows(); ++row)
     largest = std::max(largest, path.number(row, path.column("mobilised_friction")));
   EXPECT_NEAR(value_of(o.out, "campaign/runs/a/seed-1", "simple-shear", "secant_angle_peak"),
-              std::atan(largest) * 180.0 / std::numbers::pi, 1e-9);
+              degrees_of_tangent(largest), 1e-9);
   EXPECT_THAT(o.out, HasSubstr("campaign/runs/b/seed-1"));
   EXPECT_THAT(o.out, HasSubstr("pooled,,simple-shear,secant_angle_peak"));
 }

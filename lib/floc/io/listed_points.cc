@@ -37,6 +37,7 @@ Vec<Dim> nearest_of_images(const Packing<Dim>& packing, const Vec<Dim>& vector) 
 /// Returns the type of a contact of which only the point is known, as far as a single point tells it.
 template <int Dim>
 ContactType type_at_point(const Packing<Dim>& packing, const Contact<Dim>& c) {
+  if (Dim == 2) return ContactType::kVertexFace;
   const double reach = kOnePointShare * smaller_radius(packing, c);
   const bool crosses = manifold_of(packing, c, branch(packing, c), reach).type == ContactType::kEdgeEdge;
   return crosses ? ContactType::kEdgeEdge : ContactType::kVertexFace;

@@ -127,8 +127,8 @@ ListedContact read_interaction(const KeyedLine& line) {
 Configuration read_configuration(const std::string& path) {
   Configuration out;
   ConfigurationLines lines(path);
-  std::optional<std::int64_t>
-      n_interactions;  // number of rows of the section Interactions, if it has just ended
+  // Number of rows of the section Interactions, if it has just ended.
+  std::optional<std::int64_t> n_interactions;
   while (const std::optional<KeyedLine> line = lines.next()) {
     const std::string_view key = line->word(0);
     if (n_interactions && key.find_first_not_of("0123456789") == std::string_view::npos)

@@ -362,15 +362,16 @@ std::string as_text(const toml::table& root) {
 }  // namespace
 
 std::optional<Scene> scene_of_state(const std::string& text, const std::string& file, std::string& why_not) {
-  constexpr int kFoldersAbove = 2;
-  std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
-  for (int above = 0; above <= kFoldersAbove; ++above, folder = folder.parent_path()) {
+  const std::filesystem::path own = std::filesystem::path(file).parent_path();
+  std::string reason;
+  for (const std::filesystem::path& folder : {own, own / "..", own / ".." / ".."}) {
     try {
       return parse_scene(text, "its scene", folder.string());
     } catch (const InputError& error) {
-      if (above == 0) why_not = error.what();
+      if (reason.empty()) reason = error.what();
     }
   }
+  why_not = reason;
   return std::nullopt;
 }
 

@@ -48,8 +48,9 @@ Criterion check_mass(const std::string& file, const State<Dim>& state) {
 /// @param why_not  set to the reason if the scene cannot be read
 std::optional<Scene> scene_of(const std::string& file, const std::string& text, std::string& why_not) {
   if (text.empty()) return std::nullopt;
-  std::optional<Scene> scene = scene_of_state(text, file, why_not);
-  why_not = scene ? "" : fmt::format("the state was not compared with its scene: {}", why_not);
+  std::string reason;
+  std::optional<Scene> scene = scene_of_state(text, file, reason);
+  if (!scene) why_not = fmt::format("the state was not compared with its scene: {}", reason);
   return scene;
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "support/kill_and_resume.h"
+#include "support/scene_text.h"
 #include "support/threaded_run.h"
 #include "support/wet_scene.h"
 
@@ -37,19 +38,9 @@ TEST(WetRun, ComesToRestWhereFrictionHoldsASpin) {
 /// strain must not count as a direction in which the bed is unstable.
 TEST(WetRun, BedOnAFloorComesToRest) {
   const ScratchDirectory scratch;
-  write_text(scratch.file("bed.toml"), R"([scene]
-dimension = 3
-units = "SI"
-[grains]
-count = 40
-density = 2600
-diameter = {distribution = "uniform", min = 1e-3, max = 2e-3}
-[contact]
-normal = {law = "linear", stiffness = 1e3}
-damping = {restitution = 0.1, mass = "effective"}
-friction = {coefficient = 0.4, stiffness = 1e3}
-adhesion = {law = "capillary", surface_tension = 0.072, contact_angle = 0, water_content = 0.007, density_ratio = 2.6}
-[assembly]
+  std::string scene = exchanged(scene_text("wet"), "water_content = 0", "water_content = 0.007");
+  scene.resize(scene.find("[cell]"));
+  scene += R"([assembly]
 protocol = "direct"
 [box]
 sides = [6e-3, 6e-3, 2e-2]
@@ -59,7 +50,8 @@ friction = 0.4
 adhesion = 0
 [equilibrium]
 max_time = 400
-)");
+)";
+  write_text(scratch.file("bed.toml"), scene);
   const Outcome made = run_floc("run bed.toml -o out", scratch.path());
   ASSERT_EQ(made.code, 0) << made.err;
   const Outcome verified = run_floc("verify out", scratch.path());

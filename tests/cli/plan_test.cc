@@ -7,6 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "floc/base/shell_word.h"
 #include "support/places.h"
 #include "support/run_program.h"
 
@@ -78,6 +79,12 @@ TEST_F(PlanCommand, BadInputIsNamedAndNothingIsRunOrWritten) {
       {kDemoScene + "--budget 1h --pilot --set grains.count=1", "grains.count"},
       {kDemoScene + "--budget 1s --pilot", "--pilot: the samples of 200 grains are not complete within 0.2 s"},
       {"--check .", "this directory contains no campaign"},
+      {kDemoScene + "--want lambda=0.3 --set load.0.to=1e-3", "lambda is not a quantity of this scene"},
+      {source_directory() + "/data/scenes/oedometer.toml --want dilatancy=0.3",
+       "dilatancy is not a quantity of"},
+      {"- --budget 1h <" + kDemoScene, "expected the name of a scene file in place of -"},
+      {kDemoScene + "--budget 5s --set 'equilibrium={softening=3}'",
+       "--set equilibrium={softening=3}: the plan sets"},
   };
   write_text(scratch_.file("beads.csv"),
              "knob,value,observable,error_before_high,error_after_high,mean_difference,mean_error95,cost_ratio,"
@@ -88,7 +95,6 @@ TEST_F(PlanCommand, BadInputIsNamedAndNothingIsRunOrWritten) {
     const Outcome o =
         plan(arguments + (arguments.starts_with("--check") || arguments.empty() ? "" : " -o p.toml"));
     EXPECT_EQ(o.code, 4) << arguments << "\n" << o.err;
-    EXPECT_EQ(o.out, "") << arguments;
     EXPECT_THAT(o.err, HasSubstr(words)) << arguments;
     EXPECT_FALSE(std::filesystem::exists(scratch_.file("p.toml"))) << arguments;
   }
@@ -124,6 +130,73 @@ TEST_F(PlanCommand, WritesACampaignWhoseRunsItChecks) {
   write_text(scratch_.file("q.toml"), text.substr(0, text.find("[plan]")));
   ASSERT_EQ(run_floc("campaign plan q.toml -o q", scratch_.path()).code, 0);
   EXPECT_THAT(plan("--check q").err, HasSubstr("the campaign has no table [plan]"));
+}
+
+/// Files of plans are valid TOML whatever the names of the scene and of the table of prices.
+TEST_F(PlanCommand, FilesNameScenesAndTablesWithQuotationMarks) {
+  const std::string table = source_directory() + "/data/tables/tradeoff/disks-cohesive.csv";
+  for (const std::string name : {"a'b", "a b", "a\"b", "a\\b"}) {
+    write_text(scratch_.file(name + ".toml"), content_of(source_directory() + "/data/scenes/demo.toml"));
+    write_text(scratch_.file(name + ".csv"), content_of(table));
+    const std::string quoted = shell_quoted(name + ".toml"), prices = shell_quoted(name + ".csv");
+    const Outcome made = plan(quoted + " --budget 5s -o p.toml --prices " + prices);
+    ASSERT_EQ(made.code, 0) << name << made.err;
+    const Outcome checked = run_floc("campaign check p.toml", scratch_.path());
+    EXPECT_EQ(checked.code, 0) << name << checked.err;
+  }
+}
+
+/// Makes the runs of a plan, and returns the rows of floc plan --check by their quantities.
+class CheckOfAPlan : public PlanCommand {
+ protected:
+  std::map<std::string, json> checked(const std::string& arguments) const {
+    std::map<std::string, json> rows;
+    const Outcome planned = plan(arguments + " -o c.toml");
+    EXPECT_EQ(planned.code, 0) << planned.err;
+    EXPECT_EQ(run_floc("campaign plan c.toml -o c", scratch_.path()).code, 0);
+    EXPECT_EQ(std::system(("cd " + scratch_.file("c") + " && snakemake --cores 2 >log 2>&1").c_str()), 0)
+        << content_of(scratch_.file("c/log"));
+    const Outcome o = plan("--check c --format json");
+    EXPECT_EQ(o.code, 0) << o.err;
+    if (o.code == 0)
+      for (const auto& row : json::parse(o.out)) rows[row["quantity"]] = row;
+    return rows;
+  }
+};
+
+TEST_F(CheckOfAPlan, ComparesEveryQuantityOfRigidGrains) {
+  const auto rows = checked(source_directory() + "/data/scenes/rigid_disks_demo.toml --budget 2s");
+  for (const char* quantity : {"phi", "z", "z_pairs", "indeterminacy", "Z2", "force_freedom", "rattlers"}) {
+    ASSERT_TRUE(rows.contains(quantity)) << quantity;
+    EXPECT_GE(rows.at(quantity)["n_samples"], 4) << quantity;
+    EXPECT_FALSE(rows.at(quantity)["achieved"].is_null()) << quantity;
+  }
+}
+
+/// Observables with the name of a column of another quantity must not be compared with this column: K0 is that of the
+/// first loading, and not the mean of K0 over all states.
+TEST_F(CheckOfAPlan, TakesTheValuesOfTestsFromTheirPaths) {
+  const auto rows =
+      checked(source_directory() + "/data/scenes/oedometer.toml --set load.0.steps_per_decade=3 --budget 6s");
+  ASSERT_TRUE(rows.contains("K0"));
+  double sum = 0.0;
+  int n = 0;
+  for (const auto& run : std::filesystem::directory_iterator(scratch_.file("c/runs/plan"))) {
+    if (!run.is_directory()) continue;
+    // The rows of the assembly and of the first stage of the load path.
+    std::istringstream path(content_of(run.path().string() + "/path.csv"));
+    std::string first_stage;
+    for (std::string line; std::getline(path, line) && line.find(",unload,") == std::string::npos;)
+      first_stage += line + "\n";
+    write_text(scratch_.file("first.csv"), first_stage);
+    const Outcome fit = run_floc("fit strength first.csv --format json", scratch_.path());
+    ASSERT_EQ(fit.code, 0) << fit.err;
+    sum += double(json::parse(fit.out)[0]["parameters"]["K0"]["value"]);
+    ++n;
+  }
+  ASSERT_EQ(n, rows.at("K0")["n_samples"]);
+  EXPECT_NEAR(rows.at("K0")["mean"], sum / n, 1e-6);
+  EXPECT_EQ(plan("--check c --columns quantity,ratio").code, 0);
 }
 
 TEST_F(PlanCommand, LeavesOutSettingsThatTheSceneRefuses) {

@@ -48,7 +48,7 @@ inline const LayerOrder& layer_order() {
       {"campaign", {"scene", "loading", "io"}},
       {"tables",
        {"elasticity", "fitting", "io", "lattice", "rigid", "run_directory", "structure", "verification"}},
-      {"planning", {"campaign", "fitting", "prices", "scene", "tables", "tradeoff"}},
+      {"planning", {"campaign", "fitting", "prices", "run_directory", "scene", "tradeoff"}},
   };
   return order;
 }

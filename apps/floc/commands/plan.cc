@@ -30,6 +30,10 @@ void write_plan(const PlansOfScene& plans, const std::string& output) {
 }
 
 int make_plan(const PlanCommand& arguments) {
+  if (arguments.plan.scene == "-" && !arguments.output.empty())
+    throw InputError(
+        "--output " + arguments.output,
+        "the file of a plan names the scene file: expected the name of a scene file in place of -");
   const PlansOfScene plans(arguments.plan, [](const std::string& remark) { spdlog::info("{}", remark); });
   print_table(plans.table(), arguments.printing);
   if (!arguments.output.empty()) write_plan(plans, arguments.output);
@@ -52,7 +56,7 @@ Command add_plan(CommandLine program) {
   const auto arguments = std::make_shared<PlanCommand>();
   // The scene is not a required argument, because --check needs only a directory. The function that runs the command
   // checks that one of the two is given.
-  app.add_option("SCENE", arguments->plan.scene, "scene file (TOML)");
+  const Option scene = app.add_option("SCENE", arguments->plan.scene, "scene file (TOML)");
   const Option budget =
       app.add_option("--budget", arguments->plan.budget,
                      "time that the runs may take on the given number of cores, such as 90s, 30min, "
@@ -64,17 +68,21 @@ Command add_plan(CommandLine program) {
              "fitted values, such as phi=0.003,B=0.03,lambda=0.02")
           .delimiter(',')
           .one_argument_each();
-  app.add_option("--cores", arguments->plan.cores, "number of cores, each of which makes one sample at a time")
-      .within(PlanRequest::kCores)
-      .show_default();
-  app.add_option("--observables", arguments->plan.observables,
-                 "NAME,...: observables whose errors the plan makes small if --want is not given [all]")
-      .delimiter(',')
-      .one_argument_each()
-      .excludes(want);
-  app.add_option("--set", arguments->plan.overrides,
-                 "KEY=VALUE: set one key of the scene to another value, e.g. contact.rolling.coefficient=0.5")
-      .one_argument_each();
+  const Option cores = app.add_option("--cores", arguments->plan.cores,
+                                      "number of cores, each of which makes one sample at a time")
+                           .within(PlanRequest::kCores)
+                           .show_default();
+  const Option observables =
+      app.add_option("--observables", arguments->plan.observables,
+                     "NAME,...: observables whose errors the plan makes small if --want is not given [all]")
+          .delimiter(',')
+          .one_argument_each()
+          .excludes(want);
+  const Option set =
+      app.add_option(
+             "--set", arguments->plan.overrides,
+             "KEY=VALUE: set one key of the scene to another value, e.g. contact.rolling.coefficient=0.5")
+          .one_argument_each();
   add_prices_option(app, arguments->plan.prices);
   const Option pilot =
       app.add_flag("--pilot", arguments->plan.pilot,
@@ -86,8 +94,12 @@ Command add_plan(CommandLine program) {
   app.add_option("--check", arguments->check,
                  "DIR: directory of a campaign that floc plan has written: compare its runs with the "
                  "errors and the cost that the plan predicts")
+      .excludes(scene)
       .excludes(budget)
       .excludes(want)
+      .excludes(cores)
+      .excludes(observables)
+      .excludes(set)
       .excludes(pilot)
       .excludes(output);
   add_printing_options(app, arguments->printing);

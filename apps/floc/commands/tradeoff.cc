@@ -13,6 +13,7 @@
 #include "floc/scene/read_scene.h"
 #include "floc/tables/column.h"
 #include "floc/tradeoff/lattice_study.h"
+#include "plots/gnuplot.h"
 #include "plots/tradeoff_plot.h"
 #include "process/command.h"
 #include "process/output.h"
@@ -162,6 +163,7 @@ int run_tradeoff(TradeoffCommand& command) {
   const Scene scene = read_scene(command.scene, command.overrides);
   const Subject subject = command.matrix_content ? Subject::lattice : Subject::states;
   require_observables(command.observables, scene, subject);
+  if (!command.plot.empty()) require_plot_name(command.plot);
   command.options.progress = [](const std::string& message) { std::cerr << message << '\n'; };
   const Tradeoff tradeoff = study(command, scene);
   if (subject == Subject::states && !scene.law.is_rigid())
@@ -212,13 +214,16 @@ Command add_tradeoff(CommandLine program) {
       .delimiter(',')
       .one_argument_each();
   // The variable of this option has no default value: the lattice is studied only if the variable has a value.
-  app.add_option("--lattice", command->matrix_content,
-                 "volume fraction of a matrix that cements the grains of the last state; the lattice of floc "
-                 "lattice is then studied instead of the states")
-      .within(CementOptions::kContent);
+  const Option lattice =
+      app.add_option(
+             "--lattice", command->matrix_content,
+             "volume fraction of a matrix that cements the grains of the last state; the lattice of floc "
+             "lattice is then studied instead of the states")
+          .within(CementOptions::kContent);
   app.add_option("--stiffness-ratio", command->stiffness_ratio,
                  "with --lattice, ratio of the stiffness of the grains to the stiffness of the matrix")
       .within(LatticeStudyOptions::kRatio)
+      .needs(lattice)
       .show_default();
   app.add_option("--plot", command->plot,
                  "plot to write (F.svg): errors against costs; the data and the gnuplot script are "

@@ -142,12 +142,17 @@ std::string gnuplot_quoted(const std::string& text) {
   return result + "'";
 }
 
-void write_plot(const std::string& file, const Plot& plot) {
+void require_plot_name(const std::string& file) {
   const fs::path picture(file);
-  if (terminal_for(picture.extension().string(), plot).empty() || picture.stem().empty())
+  if (terminal_for(picture.extension().string(), Plot{}).empty() || picture.stem().empty())
     throw InputError(file,
                      "the format of the picture cannot be told from this name: expected a name that ends in "
                      ".svg, .pdf or .png");
+}
+
+void write_plot(const std::string& file, const Plot& plot) {
+  require_plot_name(file);
+  const fs::path picture(file);
   const fs::path data = fs::path(picture).replace_extension(".dat");
   const fs::path script = fs::path(picture).replace_extension(".gp");
   write_output(data.string(), data_of(plot));

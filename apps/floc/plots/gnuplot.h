@@ -41,6 +41,10 @@ std::string value_and_error(double value, double error);
 /// Returns a text as a gnuplot string in single quotes.
 std::string gnuplot_quoted(const std::string& text);
 
+/// Checks the name of a picture, for commands whose work takes long.
+/// @throws InputError if the name does not end in .svg, .pdf or .png
+void require_plot_name(const std::string& file);
+
 /// Writes the picture F.svg, F.pdf or F.png, with its data in F.dat and its gnuplot script in F.gp, and runs gnuplot to
 /// draw it. An interrupted call leaves no incomplete file. A user can edit the script and run it in its directory to
 /// draw the picture again.

@@ -22,14 +22,18 @@ std::string pattern_of(const std::string& chosen) {
   return chosen == "all" ? "*" : chosen;
 }
 
+/// Table that a command prints in place of its usual table if an option is given.
+constexpr const char* kPrintedInPlace = "plan --check";
+
 /// Returns the names of the columns that a command can print, or patterns of these names. Some tables are written only
 /// with an option, such as the table of "moduli --increments". The columns of such tables are included only if the
-/// command has no other table, as for "campaign collect --table runs".
+/// command has no other table, as for "campaign collect --table runs", or if the table is printed in place of the other.
 std::vector<std::string> names_printed_by(const std::string& command) {
   std::vector<std::string> printed, with_option;
   for (const DescribedTable& table : described_tables()) {
     if (table.name != command && !table.name.starts_with(command + " ")) continue;
-    auto& names = table.name.starts_with(command + " --") ? with_option : printed;
+    const bool needs_option = table.name.starts_with(command + " --") && table.name != kPrintedInPlace;
+    auto& names = needs_option ? with_option : printed;
     for (const DescribedColumn& column : table.columns) names.push_back(column.name);
   }
   return printed.empty() ? with_option : printed;

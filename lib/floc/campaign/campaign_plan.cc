@@ -85,15 +85,6 @@ std::vector<PlannedState> states_of(const Scene& scene) {
   return states;
 }
 
-Scene scene_of(const Campaign& campaign, const CampaignCase& one) {
-  try {
-    return parse_scene(campaign.scene, campaign.scene_file,
-                       fs::path(campaign.scene_file).parent_path().string(), overrides_of(one));
-  } catch (const InputError& error) {
-    throw InputError(blamed_place(one, error.what()), fmt::format("case {}: {}", one.label, error.what()));
-  }
-}
-
 bool same_value(const std::string& a, const std::string& b) {
   const auto x = parse_number<double>(a), y = parse_number<double>(b);
   return x && y ? *x == *y : a == b;
@@ -141,6 +132,15 @@ int state_at(double P_star, const StateChoice& choice, const CampaignCase& one, 
 }
 
 }  // namespace
+
+Scene scene_of(const Campaign& campaign, const CampaignCase& one) {
+  try {
+    return parse_scene(campaign.scene, campaign.scene_file,
+                       fs::path(campaign.scene_file).parent_path().string(), overrides_of(one));
+  } catch (const InputError& error) {
+    throw InputError(blamed_place(one, error.what()), fmt::format("case {}: {}", one.label, error.what()));
+  }
+}
 
 std::vector<int> chosen_states(const StateChoice& choice, const CampaignCase& one, const CasePlan& plan) {
   const int n = static_cast<int>(plan.states.size());

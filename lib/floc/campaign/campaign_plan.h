@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "floc/campaign/campaign.h"
+#include "floc/scene/scene.h"
 
 namespace floc {
 
@@ -32,6 +33,10 @@ struct CampaignRun {
   /// Directory of the run, relative to the directory of the campaign: runs/LABEL/seed-N.
   std::string directory;
 };
+
+/// Returns the scene of a case: the scene of the campaign with the changes of the case.
+/// @throws InputError naming the line of the campaign file, if the scene is not valid
+Scene scene_of(const Campaign& campaign, const CampaignCase& one);
 
 /// Plans the runs of each case of a campaign. Checks that each case has the states from which the campaign collects
 /// results, or which it compares.

@@ -24,6 +24,10 @@ constexpr double kRounding = 1.0 + 1e-12;
 /// Ratio of successive numbers of grains in the list from which a plan is chosen.
 constexpr double kStepOfGrains = 1.1;
 
+/// Largest standard deviation between samples, divided by the mean, of an observable that counts if the user names none.
+/// The parameters of a fit may scatter far more if the path of the scene does not determine them.
+constexpr double kLargestScatter = 1.0;
+
 /// Returns a number rounded to two significant digits.
 int rounded(double x) {
   const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1.0);
@@ -78,7 +82,7 @@ class PlanSearch {
 
  private:
   /// A plan and its score, by which plans are compared: the plan with the smallest score is the best.
-  using ScoredPlan = std::pair<double, Plan>;
+  using ScoredPlan = std::pair<std::pair<bool, double>, Plan>;
 
   bool exceeds_budget(const Plan& plan) const {
     return request_.budget && plan.wall_seconds > kRounding * *request_.budget;
@@ -91,7 +95,7 @@ class PlanSearch {
     for (const PricedSettings& settings : settings_) {
       auto plan = wanted_.empty() ? best_in_budget(settings, least_samples) : cheapest(settings, least_samples);
       if (!plan) continue;
-      const double score = wanted_.empty() ? mean_log_error(*plan) : plan->core_seconds;
+      const auto score = wanted_.empty() ? std::pair(false, mean_log_error(*plan)) : cost_of(*plan);
       found.emplace_back(score, std::move(*plan));
     }
     std::ranges::stable_sort(found, {}, &ScoredPlan::first);
@@ -104,14 +108,15 @@ class PlanSearch {
         observables_.begin());
   }
 
-  /// Removes the observables whose error is not known for any settings, unless the user has named observables or
-  /// requested errors.
+  /// Removes the observables whose error is not known for any settings, and those that samples do not determine, unless
+  /// the user has named observables or requested errors.
   void drop_unpriced() {
     if (!wanted_.empty() || !request_.observables.empty()) return;
     std::erase_if(observables_, [&](const ObservablePrice& o) {
-      return std::none_of(settings_.begin(), settings_.end(), [&](const PricedSettings& s) {
-        return std::isfinite(model_.error(o, s, model_.measured_grains(), 1).total());
-      });
+      return o.scatter > kLargestScatter ||
+             std::none_of(settings_.begin(), settings_.end(), [&](const PricedSettings& s) {
+               return std::isfinite(model_.error(o, s, model_.measured_grains(), 1).total());
+             });
     });
   }
 
@@ -158,14 +163,23 @@ class PlanSearch {
     return needed > kMostSamples ? 0 : static_cast<int>(needed);
   }
 
+  /// Returns the plan with the least processor time that reaches the requested errors. Plans within the budget come
+  /// before all others, since on several cores the plan with the least processor time may take longer than another.
   std::optional<Plan> cheapest(const PricedSettings& settings, int least_samples) const {
     std::optional<Plan> best;
     for (const int n_grains : sizes_)
       if (const int n = samples_for_wants(settings, n_grains); n > 0)
         if (Plan here = plan(settings, n_grains, std::max(n, least_samples));
-            !best || here.core_seconds < best->core_seconds)
+            !best || cost_of(here) < cost_of(*best))
           best = std::move(here);
     return best;
+  }
+
+  /// Returns a pair by which plans with requested errors are compared: whether the plan exceeds the budget, and its
+  /// processor time. Of plans beyond the budget, the elapsed time is compared.
+  std::pair<bool, double> cost_of(const Plan& plan) const {
+    const bool exceeds = exceeds_budget(plan);
+    return {exceeds, exceeds ? plan.wall_seconds : plan.core_seconds};
   }
 
   /// Returns the smallest error of an observable that can be reached with any settings, numbers of grains and numbers

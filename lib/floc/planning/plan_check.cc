@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -13,7 +15,9 @@
 #include "floc/campaign/sample_mean.h"
 #include "floc/fitting/student_t.h"
 #include "floc/planning/plan_file.h"
-#include "floc/tables/consolidation_fits.h"
+#include "floc/run_directory/one_run.h"
+#include "floc/tradeoff/path_fits.h"
+#include "floc/tradeoff/sample_path.h"
 
 namespace floc {
 namespace {
@@ -41,75 +45,83 @@ std::map<std::string, double> means_of_samples(const CsvTable& runs, const std::
   return means;
 }
 
-SampleMean mean_of_column(const CsvTable& runs, const std::string& column) {
-  std::vector<double> values;
-  for (const auto& [seed, mean] : means_of_samples(runs, column)) values.push_back(mean);
-  return mean_of_samples(values);
-}
-
-/// Returns the number by which the error of a mean is divided to make the error relative: the absolute value of the
-/// mean. The errors of the coordination numbers z_plus and z_minus (contacts in compression and in tension) are divided
-/// by the sum of the two numbers, because one of them may be near zero.
-double size_of(const CsvTable& runs, const std::string& column, double mean) {
-  if (column != "z_plus" && column != "z_minus") return std::abs(mean);
-  const SampleMean other = mean_of_column(runs, column == "z_plus" ? "z_minus" : "z_plus");
-  return std::abs(mean) + (other.n > 0 ? std::abs(other.mean) : 0.0);
-}
-
-PlanCheck check_column(const std::string& name, double promised, const CsvTable& runs) {
-  const SampleMean mean = mean_of_column(runs, name);
-  PlanCheck check{name, "1", promised, {}, {}, mean.n};
-  if (mean.n == 0) return check;
-  check.mean = mean.mean;
-  if (const auto error = mean.standard_error())
-    check.achieved = student_t_95(mean.n - 1) * *error / size_of(runs, name, mean.mean);
-  return check;
-}
-
-/// Returns the value of a parameter of a fit; absent if the data do not determine it.
-std::optional<double> value_of(const ConsolidationFit& fit, const std::string& name) {
-  for (const FittedParameter& p : fit.parameters)
-    if (p.name == name) return p.value;
-  return std::nullopt;
-}
-
-/// Fits of the full consolidation law to the mean of the samples of a plan, made in the same way as for tables of
-/// prices. One fit uses all samples and determines the range of pressures. Each of the other fits leaves out one sample
-/// and uses this range.
-class SampleFits {
+/// Values of observables in the samples of a plan that are done. They are computed as for tables of prices, from the
+/// states of the runs. Elastic moduli, which take longer, come from the table that the campaign has collected.
+class ObservedSamples {
  public:
-  explicit SampleFits(const std::vector<std::string>& directories) {
-    ConsolidationFitOptions options;
-    options.law = "full";
-    options.weights = "uniform";
-    whole_ = consolidation_fit(directories, options);
-    if (!whole_.found() || directories.size() < 3) return;
-    options.window = {whole_.window_low, whole_.window_high};
-    for (std::size_t k = 0; k < directories.size(); ++k) {
-      std::vector<std::string> others = directories;
-      others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
-      without_.push_back(consolidation_fit(others, options));
+  ObservedSamples(const Scene& scene, const std::vector<std::string>& directories, const CsvTable& runs)
+      : runs_(runs) {
+    for (const std::string& directory : directories) {
+      std::vector<std::string> files;
+      for (const auto& [step, file] : numbered_states(directory)) files.push_back(file);
+      samples_.push_back(read_sample(scene, files));
+    }
+    for (const SamplePath& sample : samples_) paths_.push_back(&sample);
+    if ((window_ = fit_window(paths_))) {
+      fitted_ = fitted_consolidation(paths_, *window_);
+      errors_of_fits_ = sampling_errors_of_fits(paths_, *window_);
     }
   }
 
-  /// Stores in `check` the fitted value and the half width of its 95 % interval, which is computed by the jackknife.
-  /// Consider n fits, each of which leaves out one of the n samples. The standard error is n - 1 times the standard
-  /// error of the mean of these fits.
-  void check(PlanCheck& check) const {
-    check.mean = value_of(whole_, check.quantity);
-    if (!check.mean) return;
-    std::vector<double> values;
-    for (const ConsolidationFit& fit : without_)
-      if (const auto value = value_of(fit, check.quantity)) values.push_back(*value);
-    if (values.empty() || values.size() < without_.size()) return;
-    check.n_samples = static_cast<int>(values.size());
-    const double error = (check.n_samples - 1) * *mean_of_samples(values).standard_error();
-    check.achieved = student_t_95(check.n_samples - 1) * error / std::abs(*check.mean);
+  PlanCheck check(const std::string& name, double promised) const {
+    PlanCheck check{name, "1", promised, {}, {}, 0};
+    const std::vector<std::string> names = observable_names();
+    const auto k = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+    if (k == names.size()) return check;
+    if (is_fitted(name))
+      check_fit(k - kLambda, check);
+    else
+      check_mean(k, check);
+    return check;
   }
 
  private:
-  ConsolidationFit whole_;
-  std::vector<ConsolidationFit> without_;
+  SampleMean mean_of(std::size_t k) const {
+    const DeclaredObservable& observable = declared_observables()[k];
+    std::vector<double> values;
+    if (observable.source == ObservableSource::moduli) {
+      for (const auto& [seed, mean] : means_of_samples(runs_, observable.name)) values.push_back(mean);
+    } else {
+      for (const SamplePath& sample : samples_)
+        if (const double value = value_of_path(k, sample); std::isfinite(value)) values.push_back(value);
+    }
+    return mean_of_samples(values);
+  }
+
+  /// Returns the number by which the error of a mean is divided to make the error relative: the absolute value of the
+  /// mean. The errors of the coordination numbers z_plus and z_minus (contacts in compression and in tension) are
+  /// divided by the sum of the two numbers, because one of them may be near zero.
+  double size_of(std::size_t k, double mean) const {
+    if (k != kZPlus && k != kZMinus) return std::abs(mean);
+    const SampleMean other = mean_of(k == kZPlus ? kZMinus : kZPlus);
+    return std::abs(mean) + (other.n > 0 ? std::abs(other.mean) : 0.0);
+  }
+
+  void check_mean(std::size_t k, PlanCheck& check) const {
+    const SampleMean mean = mean_of(k);
+    check.n_samples = mean.n;
+    if (mean.n == 0) return;
+    check.mean = mean.mean;
+    if (const auto error = mean.standard_error())
+      check.achieved = student_t_95(mean.n - 1) * *error / size_of(k, mean.mean);
+  }
+
+  /// Stores the value of a parameter of the consolidation law, fitted to the mean of all samples, and the half width of
+  /// its 95 % interval by the jackknife.
+  /// @param p  number of the parameter in ConsolidationValues
+  void check_fit(std::size_t p, PlanCheck& check) const {
+    if (!window_ || errors_of_fits_[p].n == 0) return;
+    check.mean = fitted_[p];
+    check.achieved = errors_of_fits_[p].error95;
+    check.n_samples = errors_of_fits_[p].n;
+  }
+
+  const CsvTable& runs_;
+  std::vector<SamplePath> samples_;
+  std::vector<const SamplePath*> paths_;
+  std::optional<PressureWindow> window_;
+  ConsolidationValues fitted_{};
+  std::array<MeanDifference, 3> errors_of_fits_{};
 };
 
 }  // namespace
@@ -136,16 +148,9 @@ std::vector<PlanCheck> check_plan(const Campaign& campaign, const std::vector<Ca
                                "are computed from the scatter between samples; run snakemake in this directory",
                                n_done, outcomes.n_rows()));
   const CsvTable runs = as_csv(collected_runs(campaign, plans, directory), directory);
+  const ObservedSamples samples(scene_of(campaign, campaign.cases.front()), done, runs);
   std::vector<PlanCheck> checks;
-  std::optional<SampleFits> fits;
-  for (const auto& [name, error] : promise.errors) {
-    PlanCheck check = check_column(name, error, runs);
-    if (is_fitted(name)) {
-      if (!fits) fits.emplace(done);
-      fits->check(check);
-    }
-    checks.push_back(check);
-  }
+  for (const auto& [name, error] : promise.errors) checks.push_back(samples.check(name, error));
   // The promised cost is multiplied by the fraction of samples that have succeeded, because `seconds` does not include
   // the processor time of the other samples.
   const double share = static_cast<double>(n_done) / outcomes.n_rows();

@@ -11,18 +11,39 @@
 #include "floc/base/parse_number.h"
 #include "floc/scene/read_scene.h"
 #include "floc/scene/scene_softening.h"
-#include "floc/tables/column_reference.h"
 
 namespace floc {
 namespace {
 
 namespace fs = std::filesystem;
 
+/// Returns a text as a string in TOML notation.
+std::string toml_string(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + '"';
+}
+
 /// Returns the value of an override in TOML notation: a word without quotation marks becomes a string.
 std::string as_toml(const std::string& value) {
   const bool is_quoted = !value.empty() && std::string("\"'[{").find(value.front()) != std::string::npos;
   if (is_quoted || value == "true" || value == "false" || parse_number<double>(value)) return value;
-  return '"' + value + '"';
+  return toml_string(value);
+}
+
+/// Checks that no change sets a table of which another change sets a key: TOML does not allow both in one table.
+void require_separate_keys(const std::vector<std::string>& changes) {
+  for (const std::string& whole : changes)
+    for (const std::string& part : changes)
+      if (const std::string key = whole.substr(0, whole.find('=')); part.starts_with(key + "."))
+        throw InputError(
+            "--set " + whole,
+            fmt::format("the plan sets the key {} of this table: expected --set with each key of the "
+                        "table by itself, such as --set {}=VALUE",
+                        part.substr(0, part.find('=')), part.substr(0, part.find('='))));
 }
 
 std::string as_setting(const std::string& change) {
@@ -30,38 +51,29 @@ std::string as_setting(const std::string& change) {
   return change.substr(0, equals) + " = " + as_toml(change.substr(equals + 1));
 }
 
-/// Returns the observables that are columns of a table and are not yet in `taken`, and adds them to `taken`.
-std::vector<std::string> columns_in(const std::string& table, const std::vector<ObservablePrice>& observables,
-                                    std::vector<std::string>& taken) {
-  const auto& tables = described_tables();
-  const DescribedTable& described = *std::ranges::find(tables, table, &DescribedTable::name);
-  std::vector<std::string> columns;
-  for (const ObservablePrice& o : observables) {
-    const bool has = std::ranges::any_of(described.columns, [&](const auto& c) { return c.name == o.name; });
-    if (!has || std::ranges::count(taken, o.name) > 0) continue;
-    columns.push_back(o.name);
-    taken.push_back(o.name);
-  }
-  return columns;
-}
-
 std::string quoted_list(const std::vector<std::string>& names) {
   return fmt::format("[\"{}\"]", fmt::join(names, "\", \""));
 }
 
-/// Returns the tables [[collect]] and [[fit]] of a campaign file, for the observables that floc can collect.
+/// Returns those of `columns` that are promised observables.
+std::vector<std::string> promised(const std::vector<std::string>& columns,
+                                  const std::vector<ObservablePrice>& observables) {
+  std::vector<std::string> out;
+  for (const std::string& column : columns)
+    if (std::ranges::count(observables, column, &ObservablePrice::name) > 0) out.push_back(column);
+  return out;
+}
+
+/// Returns the tables [[collect]] and [[fit]] of a campaign file. They contain those observables that a table of floc
+/// gives under the same name with the same meaning; floc plan --check computes the others from the states.
 std::string collections_of(const std::vector<ObservablePrice>& observables) {
-  std::string text;
-  std::vector<std::string> taken;
-  const bool has_fit = std::ranges::any_of(observables, [](const auto& o) { return is_fitted(o.name); });
-  for (const char* table : {"path.csv", "moduli", "network", "structure"}) {
-    std::vector<std::string> columns = columns_in(table, observables, taken);
-    const std::string name = fs::path(table).stem().string();
-    if (columns.empty() && name == "path" && !has_fit) columns = {"phi"};
-    if (!columns.empty())
-      text += fmt::format("\n[[collect]]\ntable = \"{}\"\ncolumns = {}\n", name, quoted_list(columns));
-  }
-  if (has_fit) text += "\n[[fit]]\nlaw = \"consolidation\"\noptions = [\"--law\", \"full\"]\n";
+  std::vector<std::string> of_path = promised({"phi", "z_plus", "z_minus"}, observables);
+  if (of_path.empty()) of_path = {"phi"};
+  std::string text = fmt::format("\n[[collect]]\ntable = \"path\"\ncolumns = {}\n", quoted_list(of_path));
+  if (const auto moduli = promised({"B", "G", "B_reuss"}, observables); !moduli.empty())
+    text += fmt::format("\n[[collect]]\ntable = \"moduli\"\ncolumns = {}\n", quoted_list(moduli));
+  if (std::ranges::any_of(observables, [](const auto& o) { return is_fitted(o.name); }))
+    text += "\n[[fit]]\nlaw = \"consolidation\"\noptions = [\"--law\", \"full\"]\n";
   return text;
 }
 
@@ -74,10 +86,10 @@ std::string promise_of(const Plan& plan, const std::vector<ObservablePrice>& obs
   return fmt::format(
       "\n[plan]                          # promises, with which floc plan --check DIR compares the "
       "runs\nsettings = "
-      "\"{}\"\n"
-      "prices = '{}'\ncore_seconds = {:.6g}\n# half widths of 95 % intervals, divided by the values\nerrors = "
+      "{}\n"
+      "prices = {}\ncore_seconds = {:.6g}\n# half widths of 95 % intervals, divided by the values\nerrors = "
       "{{{}}}\n",
-      plan.settings.name(), prices, plan.core_seconds, fmt::join(errors, ", "));
+      toml_string(plan.settings.name()), toml_string(prices), plan.core_seconds, fmt::join(errors, ", "));
 }
 
 /// Adds to `changes` the changes that give a scene the softening `softening`, unless the scene already has this
@@ -125,9 +137,8 @@ std::vector<std::string> changes_of(const PricedSettings& chosen, const Scene& s
 
 bool allows(const PlanSource& source, const Scene& scene, const PricedSettings& settings) {
   try {
-    std::vector<std::string> changes = source.overrides;
-    for (const std::string& change : changes_of(settings, scene)) changes.push_back(change);
-    (void)read_scene(source.scene_file, changes);
+    (void)parse_scene(scene.text, source.scene_file, fs::path(source.scene_file).parent_path().string(),
+                      changes_of(settings, scene));
     return true;
   } catch (const InputError&) {
     return false;
@@ -147,6 +158,7 @@ std::string plan_file(const Plan& plan, const std::vector<ObservablePrice>& obse
   for (const std::string& change : source.overrides) set(change);
   if (plan.n_grains != scene.grains.count) set(fmt::format("grains.count={}", plan.n_grains));
   for (const std::string& change : changes_of(plan.settings, scene)) set(change);
+  require_separate_keys(changes);
   if (plan.n_samples == 1)
     return fmt::format(
         "# One sample, chosen by floc plan for {}. To make it: floc run {} -o DIR. Promised: {:.4g} s of "
@@ -161,10 +173,10 @@ std::string plan_file(const Plan& plan, const std::vector<ObservablePrice>& obse
       "# A plan for {0}, made by floc plan: {1} samples of {2} grains. The commands\n#\n"
       "#   floc campaign plan {3} -o {4}\n#   cd {4} && snakemake --cores 2\n#   floc plan --check {4}\n#\n"
       "# make the runs and tables of the plan, and compare them with its promises.\n\n[campaign]\nscene = "
-      "\"{5}\"\nseeds = "
+      "{5}\nseeds = "
       "\"{6}..{7}\"\n",
       scene.name, plan.n_samples, plan.n_grains, output, fs::path(output).stem().string(),
-      fs::absolute(source.scene_file).lexically_proximate(folder).generic_string(), scene.seed,
+      toml_string(fs::absolute(source.scene_file).lexically_proximate(folder).generic_string()), scene.seed,
       scene.seed + static_cast<std::uint64_t>(plan.n_samples) - 1);
   text += fmt::format("\n[[case]]\nname = \"plan\"\nset = {{{}}}\n", fmt::join(settings, ", "));
   return text + collections_of(observables) + promise_of(plan, observables, source.prices);

@@ -21,12 +21,18 @@ namespace {
 /// Exponent p of the processor time, which is proportional to N^p for N grains. This value is used if a table of prices
 /// contains only one size. The exponent is above 1 because larger packings need more time steps to come to rest.
 constexpr double kCostExponent = 1.25;
+/// Smallest exponents that are taken from a table, for elastic and for rigid grains. Tables have small samples, which do
+/// not show how the time grows in larger ones. Samples of cohesionless_cycle with 150 and 1200 disks took 1.06 and 10.1 s
+/// (exponent 1.08), of biaxial_dense with 150 and 600 disks 6.8 and 34.8 s (1.18), of rigid_disks_demo with 80, 320 and
+/// 640 disks 0.39, 1.39 and 6.0 s, and of polyhedra_demo with 30 and 300 grains 0.53 and 21.5 s.
+constexpr double kLeastOfElasticGrains = 1.1, kLeastOfRigidGrains = 1.4;
 /// Fraction of the processor time of a run that is proportional to its number of equilibria. This value is used if a
 /// table of prices does not contain the fraction. The fraction is small because most of the time is spent in the
 /// assembly and in rearrangements; the number of rearrangements depends on the range of the load, not on the number of
 /// equilibria. The value was measured on 200 cohesive disks: a load path took 1.6 s with 16 states, and 2.3 s with 40
-/// states.
-constexpr double kShareOfSteps = 0.3;
+/// states. kShareOfStrainSteps applies to tests that impose strains: a test of 150 disks took 0.71 s with 21 states and
+/// 5.99 s with 251 states at the same final strain.
+constexpr double kShareOfSteps = 0.3, kShareOfStrainSteps = 0.68;
 /// Shares of the processor time of a run. kShareOfSoft: time during which springs may be soft; used if a table has no
 /// rows of softening. kShareOfAssembly: time before the first pressure of the load path is reached. Both were measured
 /// on 1400 cohesive disks: 0.57 of the time steps were made before the first pressure was reached. Springs softer by a
@@ -107,7 +113,8 @@ double slope_of(const std::vector<std::pair<double, double>>& points) {
 
 /// Returns the exponent p in the processor time of a sample of N grains, which is proportional to N^p. The exponent is
 /// fitted to samples of several sizes.
-double exponent_of(const PriceTable& table, const PriceRow& as_it_is) {
+/// @param is_rigid  whether the contacts are rigid
+double exponent_of(const PriceTable& table, const PriceRow& as_it_is, bool is_rigid) {
   std::vector<std::pair<double, double>> points;
   const auto add = [&](const PriceRow& row) {
     if (row.n_grains > 0 && row.core_seconds > 0.0)
@@ -115,17 +122,19 @@ double exponent_of(const PriceTable& table, const PriceRow& as_it_is) {
   };
   add(as_it_is);
   for (const PriceRow* row : rows_of(table, "count", as_it_is.observable)) add(*row);
-  return points.size() < 2 ? kCostExponent : std::clamp(slope_of(points), 1.0, 2.0);
+  const double least = is_rigid ? kLeastOfRigidGrains : kLeastOfElasticGrains;
+  return points.size() < 2 ? std::max(kCostExponent, least) : std::clamp(slope_of(points), least, 2.0);
 }
 
 /// Returns the fraction of the processor time that is proportional to the number of equilibria, from samples with
 /// several numbers of steps per decade.
-double share_of_steps(const PriceTable& table, const PriceRow& as_it_is) {
+/// @param unknown  result if the table has no such samples
+double share_of_steps(const PriceTable& table, const PriceRow& as_it_is, double unknown) {
   std::vector<std::pair<double, double>> points = {{1.0, 1.0}};
   for (const PriceRow* row : rows_of(table, "steps_per_decade", as_it_is.observable))
     if (const double factor = number_or_nan(row->value); factor > 0.0 && row->core_seconds > 0.0)
       points.emplace_back(factor, row->core_seconds / as_it_is.core_seconds);
-  return points.size() < 2 ? kShareOfSteps : std::clamp(slope_of(points), 0.0, 1.0);
+  return points.size() < 2 ? unknown : std::clamp(slope_of(points), 0.0, 1.0);
 }
 
 /// Interpolates linearly between points (x, y) in ascending order of x. Beyond the last point, returns the y of the
@@ -170,13 +179,18 @@ void PriceModel::take_table() {
     if (other.parameter == "count" && other.n_grains > 0)
       least_grains_ = std::min(least_grains_, other.n_grains);
   most_grains_ = n_grains_ * kExtrapolation;
-  cost_exponent_ = exponent_of(*table_, *row);
+  cost_exponent_ = exponent_of(*table_, *row, scene_.law.is_rigid());
   // The time of this scene, divided by the time of the scene of the table, is 1 - b + b n/n0. Here n and n0 are the
   // numbers of equilibria of the two scenes, and b is the share of the time that is proportional to this number.
   if (row->n_states > 0) {
-    const double share = share_of_steps(*table_, *row);
+    const double share = share_of_steps(
+        *table_, *row,
+        std::ranges::count(strained_stages(scene_), true) > 0 ? kShareOfStrainSteps : kShareOfSteps);
     cost_factor_ = 1.0 - share + share * number_of_states(scene_) / row->n_states;
   }
+  // Stiffer contacts need shorter time steps: the step is proportional to the inverse root of the stiffness.
+  if (const auto kappa = stiffness_number(scene_); kappa && row->kappa > 0.0)
+    cost_factor_ *= std::sqrt(*kappa / row->kappa);
   for (const std::string& name : table_->observables()) {
     const PriceRow* reference = table_->find("strict", "all", name);
     const double scatter = scatter_of(*table_, name, n_grains_);

@@ -50,9 +50,9 @@ struct PilotResult {
 /// of the processor time on the number of grains comes from the source with the larger samples. The scatters from both
 /// sources are pooled.
 ///
-/// 1. The processor time of a sample of N grains is proportional to N^p (1 - b + b n/n0) for a run with n equilibria,
-/// where n0 is the number of equilibria in the table and b the fraction of the time that is proportional to this
-/// number.
+/// 1. The processor time of a sample of N grains is proportional to N^p sqrt(kappa/kappa0) (1 - b + b n/n0) for a run
+/// with n equilibria and the stiffness number kappa of stiffness_number(), where n0 and kappa0 are those of the table and
+/// b is the fraction of the time that is proportional to the number of equilibria.
 /// 2. The scatter s between samples is proportional to N^(-1/2). The error of a mean over n samples is t s/sqrt(n) with
 /// Student's factor t.
 /// 3. A finite number N of grains changes a mean in proportion to the fraction of grains that the boundary disturbs:

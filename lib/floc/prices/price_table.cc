@@ -1,11 +1,13 @@
 #include "floc/prices/price_table.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
@@ -34,27 +36,29 @@ class Cells {
     const std::string cell = text(column);
     if (cell.empty()) return std::numeric_limits<double>::quiet_NaN();
     const auto value = parse_number<double>(cell);
-    if (!value)
-      throw InputError(table_.place(row_),
-                       fmt::format("the value of column {} is {}: expected a number", column, cell));
+    if (!value) refuse(column, "a number");
     return *value;
   }
-  /// Returns the number in a column, as number() does. @throws InputError if it is negative
-  double magnitude(const std::string& column) const {
+  /// Returns the number in a column, as number() does. @throws InputError if it is less than `least`, or equal to it
+  /// unless `may_be_least`
+  double at_least(const std::string& column, double least, bool may_be_least) const {
     const double value = number(column);
-    if (value < 0.0)
-      throw InputError(table_.place(row_), fmt::format("the value of column {} is {}: expected a number >= 0",
-                                                       column, text(column)));
+    if (value < least || (value == least && !may_be_least))
+      refuse(column, fmt::format("a number {} {:g}", may_be_least ? ">=" : ">", least));
     return value;
   }
+  /// @throws InputError that names the value in a column and what is expected there
+  [[noreturn]] void refuse(const std::string& column, const std::string& expected) const {
+    throw InputError(table_.place(row_),
+                     fmt::format("the value of column {} is {}: expected {}", column, text(column), expected));
+  }
+  double positive(const std::string& column) const { return at_least(column, 0.0, false); }
+  double magnitude(const std::string& column) const { return at_least(column, 0.0, true); }
   /// Returns the whole number in a column; 0 if the cell is empty, or if the table does not have the column.
   int count(const std::string& column) const {
     const double value = number(column);
     if (std::isnan(value)) return 0;
-    if (!(value >= 0.0 && value <= 1e9 && value == std::floor(value)))
-      throw InputError(
-          table_.place(row_),
-          fmt::format("the value of column {} is {}: expected a whole number >= 0", column, text(column)));
+    if (!(value >= 0.0 && value <= 1e9 && value == std::floor(value))) refuse(column, "a whole number >= 0");
     return static_cast<int>(value);
   }
 
@@ -65,18 +69,31 @@ class Cells {
 
 /// Returns a factor by which springs are softer; 1 if the table does not contain it.
 double softening_in(const Cells& cells, const std::string& column) {
-  const double factor = cells.number(column);
+  const double factor = cells.at_least(column, 1.0, true);
   return std::isnan(factor) ? 1.0 : factor;
 }
 
+/// Returns the finish of the relaxation in a row. Rows for rigid grains and for lattices have other words in this column,
+/// which name no finish of a relaxation.
+Finish finish_in(const Cells& cells) {
+  static const std::vector<std::string> kOthers = {"",       "closest",   "canonical", "none",
+                                                   "factor", "automatic", "iterative"};
+  const std::string word = cells.text("finish");
+  std::vector<std::string> names;
+  for (const Finish finish : {Finish::automatic, Finish::dynamic, Finish::statics}) {
+    if (word == finish_name(finish)) return finish;
+    names.emplace_back(finish_name(finish));
+  }
+  if (std::ranges::count(kOthers, word) == 0)
+    cells.refuse("finish", fmt::format("one of {}", fmt::join(names, ", ")));
+  return Finish::automatic;
+}
+
 NumericalSettings settings_in(const Cells& cells) {
-  const std::string finish = cells.text("finish");
-  return {cells.number("tolerance"),
-          cells.number("time_step"),
-          finish == finish_name(Finish::dynamic)   ? Finish::dynamic
-          : finish == finish_name(Finish::statics) ? Finish::statics
-                                                   : Finish::automatic,
-          cells.number("patience"),
+  return {cells.positive("tolerance"),
+          cells.positive("time_step"),
+          finish_in(cells),
+          cells.positive("patience"),
           {softening_in(cells, "assembly_softening"), softening_in(cells, "softening")}};
 }
 
@@ -87,8 +104,8 @@ PriceRow row_of(const Cells& cells) {
   row.settings = settings_in(cells);
   row.observable = cells.text("observable");
   row.unit = cells.text("unit");
-  row.cost_ratio = cells.magnitude("cost_ratio");
-  row.core_seconds = cells.magnitude("core_seconds");
+  row.cost_ratio = cells.positive("cost_ratio");
+  row.core_seconds = cells.positive("core_seconds");
   row.memory_mb = cells.magnitude("memory_mb");
   row.error = std::fmax(cells.magnitude("error_before_high"), cells.magnitude("error_after_high"));
   row.mean_difference = cells.number("mean_difference");
@@ -145,7 +162,14 @@ PriceTable read_price_table(const std::string& csv, const std::string& place) {
                                    "because a table describes scenes of one kind",
                                    kind, table.kind));
     table.kind = kind;
-    table.rows.push_back(row_of(one));
+    PriceRow next = row_of(one);
+    if (table.find(next.parameter, next.value, next.observable) != nullptr)
+      throw InputError(
+          cells.place(row),
+          fmt::format("a row above has the same knob, value and observable ({}, {}, {}): expected one row "
+                      "for each",
+                      next.parameter, next.value, next.observable));
+    table.rows.push_back(std::move(next));
     const PriceRow& read = table.rows.back();
     for (const std::string column : {"softening", "assembly_softening"})
       if (read.parameter == column && !cells.has(column))
@@ -155,6 +179,8 @@ PriceTable read_price_table(const std::string& csv, const std::string& place) {
                                      "has written",
                                      column));
   }
+  if (table.rows.empty())
+    throw InputError(place, "the table has no rows: expected those that floc tradeoff has written");
   return table;
 }
 

@@ -14,6 +14,7 @@
 #include "floc/packing/liquid/liquid.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/scene/rigid_groups.h"
+#include "floc/scene/scene_prices.h"
 #include "floc/scene/scene_scales.h"
 
 namespace floc {
@@ -367,12 +368,15 @@ double expected_cost(const Scene& scene) {
   // Time step in the run with which kSecondsPerGrainStep was measured, in units of sqrt(m/K_N) (mass m of the largest
   // grain, normal stiffness K_N).
   constexpr double kTimedStep = 0.1;
+  // Stiffness number of that run. The number of time steps is proportional to its root.
+  constexpr double kTimedStiffness = 1e5;
+  const double stiffness = stiffness_number(scene).value_or(kTimedStiffness);
   const double step =
       time_step_of_scene(scene) / std::sqrt(mass_of(scene, scene.grains.largest()) / typical_stiffness(scene));
   const Steps steps = count_steps(scene);
   const double start = scene.starts_from_state() ? 1.0 : kAssembly;
   return kSecondsPerGrainAndStep * scene.grains.count * (start + steps.up + kUnloading * steps.down) *
-         kTimedStep / step;
+         std::sqrt(stiffness / kTimedStiffness) * kTimedStep / step;
 }
 
 std::vector<DerivedGroup> derived_groups(const Scene& scene) {

@@ -5,27 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "floc/base/read_text.h"
 #include "floc/loading/run_plan.h"
 #include "floc/scene/cell_defaults.h"
 #include "floc/scene/derived_groups.h"
 #include "floc/scene/scene_kind.h"
+#include "floc/scene/scene_observables.h"
 #include "floc/scene/scene_scales.h"
 
 namespace floc {
 namespace {
-
-/// Returns the stiffness number of a scene: a K_N/F0 for cohesive grains, (E~/P)^(2/3) for elastic spheres, otherwise
-/// K_N/P, with the largest diameter a, the normal stiffness K_N, the pull-off force F0, the first pressure P and E~ =
-/// E/(1 - nu^2). Scenes with rigid contacts have no stiffness number.
-std::optional<double> stiffness_number(const Scene& scene) {
-  if (scene.has_contact_dynamics()) return std::nullopt;
-  const double a = scene.grains.largest(), modulus = scene.law.contact_modulus(scene.dimension, a);
-  if (scene.law.adheres()) return std::pow(a, scene.dimension - 1) * modulus / pull_off_force(scene);
-  if (scene.law.force_exponent() != 1.0) return hertz_kappa(scene, scene.assembly.pressure);
-  return modulus / scene.assembly.pressure;
-}
 
 const char* stiffness_name(const Scene& scene) {
   if (scene.law.adheres()) return "a K_N/F0";
@@ -39,6 +30,13 @@ std::vector<RelaxationOptions> motions_of_cell(const Scene& scene) {
   std::vector<RelaxationOptions> parts = {scene.assembly.cell.applied_to(scene.relaxation)};
   for (const LoadStage& stage : scene.load) parts.push_back(stage.cell.applied_to(scene.relaxation));
   return parts;
+}
+
+/// Returns the first stiffness number in a table; NaN if the table has none.
+double measured_kappa(const PriceTable& table) {
+  for (const PriceRow& row : table.rows)
+    if (std::isfinite(row.kappa)) return row.kappa;
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 std::string errors_in(const PriceTable& table) {
@@ -78,6 +76,11 @@ std::string problem_of(const PriceTable& table, const Scene& scene) {
   for (const PlannedEquilibrium& planned : plan_run(scene.assembly, scene.law, scene.load, scene.dimension)) {
     present.law = planned.law;
     const std::optional<double> kappa = stiffness_number(present);
+    if (kappa && std::isnan(measured_kappa(table)))
+      return fmt::format(
+          "the stiffness number {} is {:g}, but the column kappa of the {} is empty: expected the "
+          "stiffness number of the scene that the table was measured on",
+          stiffness_name(present), *kappa, table.name());
     if (kappa && !covers_stiffness(table, *kappa))
       return fmt::format(
           "the stiffness number {} = {:g}{} is outside the range of the {}, which was measured at {:g} and "
@@ -85,12 +88,20 @@ std::string problem_of(const PriceTable& table, const Scene& scene) {
           "within a factor of ten",
           stiffness_name(present), *kappa,
           planned.branch == "assembly" ? "" : fmt::format(" in the stage {}", planned.branch), errors_in(table),
-          table.rows.empty() ? 0.0 : table.rows[0].kappa);
+          measured_kappa(table));
   }
   return problem_of_cell(table, scene);
 }
 
 }  // namespace
+
+std::optional<double> stiffness_number(const Scene& scene) {
+  if (scene.has_contact_dynamics()) return std::nullopt;
+  const double a = scene.grains.largest(), modulus = scene.law.contact_modulus(scene.dimension, a);
+  if (scene.law.adheres()) return std::pow(a, scene.dimension - 1) * modulus / pull_off_force(scene);
+  if (scene.law.force_exponent() != 1.0) return hertz_kappa(scene, scene.assembly.pressure);
+  return modulus / scene.assembly.pressure;
+}
 
 std::vector<CellFactors> cells_of(const Scene& scene) {
   if (!has_default_cells(scene)) return {};
@@ -119,6 +130,7 @@ ScenePrices prices_of(const Scene& scene, const std::string& file) {
     return {std::nullopt, fmt::format("the scene is of the kind {}, but the {} describes scenes of the kind "
                                       "{}; tables are shipped for the kinds {}",
                                       kind, table->name(), table->kind, fmt::join(priced_kinds(), ", "))};
+  std::erase_if(table->rows, [&](const PriceRow& row) { return !has_observable(scene, row.observable); });
   const std::string problem = problem_of(*table, scene);
   return problem.empty() ? ScenePrices{std::move(table), ""} : ScenePrices{std::nullopt, problem};
 }

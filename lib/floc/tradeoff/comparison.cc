@@ -124,15 +124,6 @@ bool is_of_path(std::size_t k) {
   return declared_observables()[k].source == ObservableSource::path;
 }
 
-/// Returns the value of observable number k for one path. For an observable of single states, this value is the mean
-/// over all states of the path.
-double value_of_path(std::size_t k, const SamplePath& path) {
-  if (is_of_path(k)) return path_value(static_cast<int>(k), path);
-  return mean_over(
-      path.states.size(), [](std::size_t) { return true; },
-      [&](std::size_t i) { return path.states[i].observation[k]; });
-}
-
 /// Adds to `out` the errors of those observables that describe a whole path.
 void add_paths(const std::vector<const SamplePath*>& references, const std::vector<const SamplePath*>& paths,
                const std::optional<PressureWindow>& window, ObservableErrors& out) {
@@ -176,6 +167,13 @@ std::vector<double> deviations_of(std::size_t k, const std::vector<const SampleP
 }
 
 }  // namespace
+
+double value_of_path(std::size_t k, const SamplePath& path) {
+  if (is_of_path(k)) return path_value(static_cast<int>(k), path);
+  return mean_over(
+      path.states.size(), [](std::size_t) { return true; },
+      [&](std::size_t i) { return path.states[i].observation[k]; });
+}
 
 Spread spread_of(std::vector<double> errors) {
   std::erase_if(errors, [](double e) { return !std::isfinite(e); });

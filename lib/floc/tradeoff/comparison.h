@@ -103,6 +103,10 @@ ObservableErrors compare_levels(const std::vector<const SamplePath*>& references
 ObservableErrors sampling_errors(const std::vector<const SamplePath*>& references, int n,
                                  const std::optional<PressureWindow>& window);
 
+/// Returns the value of observable number k for one path. For an observable of single states, this value is the mean
+/// over all states of the path that have a value. The result is NaN if the path has no value.
+double value_of_path(std::size_t k, const SamplePath& path);
+
 /// Returns the mean of every observable over all states and samples or, for an observable of whole paths, over the
 /// samples. A mean is NaN if there is no value.
 Observation mean_values(const std::vector<const SamplePath*>& paths,

@@ -8,67 +8,11 @@
 
 #include "floc/base/error.h"
 #include "floc/base/nearest_name.h"
-#include "floc/contact/law_parameters.h"
 #include "floc/scene/scene_kind.h"
+#include "floc/scene/scene_observables.h"
 
 namespace floc {
 namespace {
-
-bool in_every_scene(const Scene&) {
-  return true;
-}
-
-bool is_elastic_scene(const Scene& scene) {
-  return !scene.law.is_rigid();
-}
-
-bool is_rigid_scene(const Scene& scene) {
-  return scene.law.is_rigid();
-}
-
-bool has_walls(const Scene& scene) {
-  return scene.assembly.box.has_value();
-}
-
-bool has_liquid(const Scene& scene) {
-  return scene.law.parameters().adhesion.holds<CapillaryAdhesion>();
-}
-
-bool is_cohesive(const Scene& scene) {
-  return scene.law.has_adhesion();
-}
-
-bool has_friction(const Scene& scene) {
-  return scene.law.has_friction();
-}
-
-bool has_control(const Scene& scene, std::initializer_list<const char*> controls) {
-  return std::any_of(scene.load.begin(), scene.load.end(), [&](const LoadStage& stage) {
-    return std::find(controls.begin(), controls.end(), stage.control) != controls.end();
-  });
-}
-
-bool is_oedometer(const Scene& scene) {
-  return has_control(scene, {"oedometric"});
-}
-
-bool is_sheared(const Scene& scene) {
-  return has_control(scene, {"triaxial", "constant_volume", "simple_shear"});
-}
-
-bool is_drained_test(const Scene& scene) {
-  return has_control(scene, {"triaxial"});
-}
-
-bool has_lateral_axes(const Scene& scene) {
-  return has_control(scene, {"oedometric", "triaxial", "constant_volume", "axes"});
-}
-
-bool raises_pressure(const Scene& scene) {
-  if (scene.load.empty()) return false;
-  const LoadStage& first = scene.load.front();
-  return first.is_isotropic() ? first.to > scene.assembly.pressure : first.control == "oedometric";
-}
 
 using Source = ObservableSource;
 using M = StateMeasures;
@@ -79,71 +23,67 @@ const std::array<DeclaredObservable, kObservables>& declared_observables() {
   // The index of an entry is its number in the enumeration Observable, with which other functions find the entry. The
   // entries must therefore have the order of this enumeration.
   static const std::array<DeclaredObservable, kObservables> observables = {{
-      {"phi", "1", "solid fraction", Source::state, in_every_scene,
-       [](const M& m) { return m.solid_fraction; }},
-      {"z_plus", "1", "coordination number of contacts in compression", Source::state, in_every_scene,
+      {"phi", "1", "solid fraction", Source::state, [](const M& m) { return m.solid_fraction; }},
+      {"z_plus", "1", "coordination number of contacts in compression", Source::state,
        [](const M& m) { return m.z_plus; }},
-      {"z_minus", "1", "coordination number of contacts in tension", Source::state, in_every_scene,
+      {"z_minus", "1", "coordination number of contacts in tension", Source::state,
        [](const M& m) { return m.z_minus; }},
-      {"B", "stress", "bulk modulus", Source::moduli, is_elastic_scene, [](const M& m) { return m.B; }},
-      {"G", "stress", "shear modulus", Source::moduli, is_elastic_scene, [](const M& m) { return m.G; }},
-      {"B_reuss", "stress", "lower bound of Reuss on the bulk modulus", Source::moduli, is_elastic_scene,
+      {"B", "stress", "bulk modulus", Source::moduli, [](const M& m) { return m.B; }},
+      {"G", "stress", "shear modulus", Source::moduli, [](const M& m) { return m.G; }},
+      {"B_reuss", "stress", "lower bound of Reuss on the bulk modulus", Source::moduli,
        [](const M& m) { return m.B_reuss; }},
       {"tail_plus", "F1", "decay force of the exponential tail of the compressive forces", Source::state,
-       in_every_scene, [](const M& m) { return m.tail_plus; }},
+       [](const M& m) { return m.tail_plus; }},
       {"tail_minus", "F1", "decay force of the exponential tail of the tensile forces", Source::state,
-       is_cohesive, [](const M& m) { return m.tail_minus; }},
+       [](const M& m) { return m.tail_minus; }},
       // The consolidation law is fitted to a whole path, so its parameters have no value in a single state.
-      {"lambda", "1", "slope of the consolidation law", Source::path, raises_pressure, nullptr},
-      {"alpha", "1", "exponent with which the consolidation law approaches Phi_max", Source::path,
-       raises_pressure, nullptr},
-      {"Phi_max", "1", "maximum solid fraction of the consolidation law", Source::path, raises_pressure,
-       nullptr},
-      {"z", "1", "coordination number", Source::state, in_every_scene, [](const M& m) { return m.z; }},
-      {"rattlers", "1", "fraction of grains that carry no force", Source::state, in_every_scene,
+      {"lambda", "1", "slope of the consolidation law", Source::path, nullptr},
+      {"alpha", "1", "exponent with which the consolidation law approaches Phi_max", Source::path, nullptr},
+      {"Phi_max", "1", "maximum solid fraction of the consolidation law", Source::path, nullptr},
+      {"z", "1", "coordination number", Source::state, [](const M& m) { return m.z; }},
+      {"rattlers", "1", "fraction of grains that carry no force", Source::state,
        [](const M& m) { return m.rattlers; }},
       {"Z2", "1", "mean square of the elastic normal forces, divided by the square of the mean", Source::state,
-       in_every_scene, [](const M& m) { return m.force_moment; }},
+       [](const M& m) { return m.force_moment; }},
       {"mobilised", "1", "mean ratio of tangential to normal force in contacts whose force is above the mean",
-       Source::state, has_friction, [](const M& m) { return m.mobilised; }},
+       Source::state, [](const M& m) { return m.mobilised; }},
       {"n_wall_contacts", "1", "number of contacts with walls, divided by the number of grains", Source::state,
-       has_walls, [](const M& m) { return m.wall_contacts; }},
+       [](const M& m) { return m.wall_contacts; }},
       {"lateral_ratio", "1", "ratio of the stress across the driven axis to the stress along it", Source::state,
-       has_lateral_axes, [](const M& m) { return m.lateral_ratio; }},
+       [](const M& m) { return m.lateral_ratio; }},
       {"stress_ratio", "1",
        "mobilised friction: (s1 - s2)/(s1 + s2) in 2D, q/p in 3D; in simple shear, shear stress divided by "
        "normal stress",
-       Source::state, is_sheared, [](const M& m) { return m.stress_ratio; }},
-      {"bridges", "1", "number of liquid bridges, divided by the number of grains", Source::state, has_liquid,
+       Source::state, [](const M& m) { return m.stress_ratio; }},
+      {"bridges", "1", "number of liquid bridges, divided by the number of grains", Source::state,
        [](const M& m) { return m.bridges; }},
       {"bridge_volume", "1", "mean volume of a liquid bridge divided by the cube of the largest diameter",
-       Source::state, has_liquid, [](const M& m) { return m.bridge_volume; }},
+       Source::state, [](const M& m) { return m.bridge_volume; }},
       {"z_pairs", "1", "twice the number of pairs of grains in contact, divided by the number of grains",
-       Source::state, is_rigid_scene, [](const M& m) { return m.pairs; }},
+       Source::state, [](const M& m) { return m.pairs; }},
       {"indeterminacy", "1", "degree of static indeterminacy of the forces, divided by the number of grains",
-       Source::state, is_rigid_scene, [](const M& m) { return m.indeterminacy; }},
+       Source::state, [](const M& m) { return m.indeterminacy; }},
       {"force_freedom", "1", "relative distance of the forces from the forces of least elastic energy",
-       Source::state, is_rigid_scene, [](const M& m) { return m.force_freedom; }},
+       Source::state, [](const M& m) { return m.force_freedom; }},
       {"K0", "1", "ratio of lateral to axial stress in the first loading of an oedometer test", Source::path,
-       is_oedometer, nullptr},
-      {"M_oedometer", "stress", "constrained modulus in the first loading of an oedometer test", Source::path,
-       is_oedometer, nullptr},
-      {"peak_ratio", "1", "largest mobilised friction of a shear test", Source::path, is_sheared, nullptr},
-      {"critical_ratio", "1", "mean mobilised friction over the last quarter of a shear test", Source::path,
-       is_sheared, nullptr},
-      {"dilatancy", "1", "dilatancy angle at the peak of a shear test (degrees)", Source::path, is_drained_test,
        nullptr},
-      {"E_lattice", "stress", "Young's modulus of cemented grains", Source::lattice, in_every_scene, nullptr},
+      {"M_oedometer", "stress", "constrained modulus in the first loading of an oedometer test", Source::path,
+       nullptr},
+      {"peak_ratio", "1", "largest mobilised friction of a shear test", Source::path, nullptr},
+      {"critical_ratio", "1", "mean mobilised friction over the last quarter of a shear test", Source::path,
+       nullptr},
+      {"dilatancy", "1", "dilatancy angle at the peak of a shear test (degrees)", Source::path, nullptr},
+      {"E_lattice", "stress", "Young's modulus of cemented grains", Source::lattice, nullptr},
       {"spread_nodes", "1", "standard deviation of the stress of all nodes divided by its mean",
-       Source::lattice, in_every_scene, nullptr},
+       Source::lattice, nullptr},
       {"beta_grain", "1", "decay rate of the exponential tail of the ratio of a stress in grains to the mean",
-       Source::lattice, in_every_scene, nullptr},
+       Source::lattice, nullptr},
       {"beta_matrix", "1",
        "decay rate of the exponential tail of the ratio of a stress in the matrix to the mean", Source::lattice,
-       in_every_scene, nullptr},
+       nullptr},
       {"beta_forces", "1",
        "decay rate of the exponential tail of the ratio of a force between cemented grains to the mean",
-       Source::lattice, in_every_scene, nullptr},
+       Source::lattice, nullptr},
   }};
   return observables;
 }
@@ -161,7 +101,7 @@ std::string kind_of_study(const Scene& scene, Subject subject) {
 
 bool applies(const DeclaredObservable& observable, const Scene& scene, Subject subject) {
   const bool is_of_lattice = observable.source == ObservableSource::lattice;
-  return is_of_lattice == (subject == Subject::lattice) && observable.applies(scene);
+  return is_of_lattice == (subject == Subject::lattice) && has_observable(scene, observable.name);
 }
 
 std::vector<std::string> observable_names(const Scene& scene, Subject subject) {

@@ -79,13 +79,13 @@ struct StateMeasures {
   double B = 0.0, G = 0.0, B_reuss = 0.0;
 };
 
-/// Declaration of an observable: its name, its unit, its meaning, the scenes that have it, and its value in one state.
+/// Declaration of an observable: its name, its unit, its meaning, and its value in one state.
+/// has_observable() of scene_observables.h gives the scenes that have it.
 struct DeclaredObservable {
   const char* name;
   const char* unit;  ///< unit: "1", "F1" (the force scale) or "stress"
   const char* meaning;
   ObservableSource source;
-  bool (*applies)(const Scene&);
   /// Function that returns the value in one state; null for observables of whole paths (path_value()) and of lattices.
   double (*value)(const StateMeasures&);
 };
@@ -124,6 +124,11 @@ void require_observables(const std::vector<std::string>& names, const Scene& sce
 /// previous state
 template <int Dim>
 Observation observe(const State<Dim>& state, ModuliSequence<Dim>& moduli);
+
+/// Returns the observables of a state except the elastic moduli, which are NaN.
+/// @param state  state with forces in its contact list
+template <int Dim>
+Observation observe_structure(const State<Dim>& state);
 
 /// Returns the observables of a state. The elastic moduli are computed, and all other values are copied from `other`.
 /// @param moduli  object that computes the moduli

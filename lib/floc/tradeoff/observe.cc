@@ -126,14 +126,19 @@ Observation observe_moduli(const State<Dim>& state, ModuliSequence<Dim>& sequenc
 }
 
 template <int Dim>
-Observation observe(const State<Dim>& state, ModuliSequence<Dim>& moduli) {
+Observation observe_structure(const State<Dim>& state) {
   Observation x;
   x.fill(kNoValue);
   StateMeasures m;
   measure_contacts(state, m);
   measure_test(state, m);
   take(m, ObservableSource::state, x);
-  return observe_moduli(state, moduli, x);
+  return x;
+}
+
+template <int Dim>
+Observation observe(const State<Dim>& state, ModuliSequence<Dim>& moduli) {
+  return observe_moduli(state, moduli, observe_structure(state));
 }
 
 template <int Dim>
@@ -156,6 +161,8 @@ std::optional<ShearPoint> start_of_test(const State<Dim>& state) {
   return ShearPoint{axial, (stress.sum() - axial) / (Dim - 1), 0.0, 0.0};
 }
 
+template Observation observe_structure(const State<2>&);
+template Observation observe_structure(const State<3>&);
 template Observation observe(const State<2>&, ModuliSequence<2>&);
 template Observation observe(const State<3>&, ModuliSequence<3>&);
 template Observation observe_moduli(const State<2>&, ModuliSequence<2>&, const Observation&);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <variant>
 
+#include "floc/base/error.h"
+#include "floc/loading/run_plan.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/relaxation/equilibrator.h"
 #include "floc/tradeoff/peak_memory.h"
@@ -35,6 +37,19 @@ ObservedState reached(int stage, State<Dim> state) {
   s.start_of_test = start_of_test(state);
   s.state = std::move(state);
   return s;
+}
+
+/// Reads a state file of a run and adds its state, without the packing, to `path`.
+/// @param stage  number of the stage to which the state belongs; -1 for the assembly
+template <int Dim>
+void read_into(const std::string& file, int stage, SamplePath& path) {
+  AnyState state = read_state(file);
+  if (!std::holds_alternative<State<Dim>>(state))
+    throw InputError(file, fmt::format("expected a state of {} dimensions, as in the scene of the run", Dim));
+  const Observation observation = observe_structure(std::get<State<Dim>>(state));
+  path.states.push_back(reached<Dim>(stage, std::get<State<Dim>>(std::move(state))));
+  path.states.back().observation = observation;
+  path.states.back().state = AnyState{};
 }
 
 /// Continues the run and adds its equilibria to `path`, until equilibrium number end - 1 is reached. Stops earlier if
@@ -142,6 +157,15 @@ SamplePath make_sample(const RunOptions& options, const ModuliOptions& moduli, c
                        const Deadline& deadline) {
   return options.dimension == 2 ? sample_of<2>(options, moduli, reference, deadline)
                                 : sample_of<3>(options, moduli, reference, deadline);
+}
+
+SamplePath read_sample(const Scene& scene, const std::vector<std::string>& files) {
+  SamplePath path;
+  const auto plan = plan_run(scene.assembly, scene.law, scene.load, scene.dimension);
+  for (std::size_t k = 0; k < files.size() && k < plan.size(); ++k)
+    scene.dimension == 2 ? read_into<2>(files[k], plan[k].stage, path)
+                         : read_into<3>(files[k], plan[k].stage, path);
+  return path;
 }
 
 void settle(const RelaxationOptions& strict, const Deadline& deadline, SamplePath& path) {

@@ -57,6 +57,12 @@ struct SamplePath {
 SamplePath make_sample(const RunOptions& options, const ModuliOptions& moduli, const SamplePath* reference,
                        const Deadline& deadline);
 
+/// Reads a sample from the state files of a run that has ended, without the elastic moduli.
+/// @param scene  scene of the run
+/// @param files  names of the state files of all equilibria, in order
+/// @throws InputError if a file cannot be read, or if its state has another dimension than the scene
+SamplePath read_sample(const Scene& scene, const std::vector<std::string>& files);
+
 /// Sets the member `settled` of every state: relaxes the packing further with the strictest settings and computes the
 /// observables of the result. A state of elastic grains that already satisfies these settings does not change. The
 /// processor time of this relaxation is not part of the processor time of the path. If a state does not converge, the

@@ -1,9 +1,14 @@
 #include "floc/prices/accuracy.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "floc/base/error.h"
 
@@ -250,6 +255,25 @@ TEST(PriceTable, RefusesNegativeErrorsAndTablesWithoutTheColumnOfAKnob) {
     return "";
   };
   EXPECT_EQ(refusal(kTable), "");
+  EXPECT_THAT(refusal(kHeader), HasSubstr("prices.csv: the table has no rows"));
+  EXPECT_THAT(refusal(kTable + "strict,all,phi,0,0,0,0,1,1e-8,0.1,auto,2,1e5\n"),
+              HasSubstr("a row above has the same knob, value and observable (strict, all, phi)"));
+  const std::string header =
+      kHeader.substr(0, kHeader.size() - 1) + ",core_seconds,softening,assembly_softening\n";
+  const std::string cells = "strict,all,phi,0,0,0,0,1,1e-8,0.1,auto,2,1e5,1,1,1\n";
+  EXPECT_EQ(refusal(header + cells), "");
+  const std::pair<int, std::string> wrong[] = {
+      {7, "cost_ratio"}, {8, "tolerance"},     {9, "time_step"},  {10, "finish"},
+      {11, "patience"},  {13, "core_seconds"}, {14, "softening"}, {15, "assembly_softening"}};
+  for (const auto& [column, name] : wrong)
+    for (const std::string value : {"-1", "0"}) {
+      std::vector<std::string> row;
+      std::istringstream text(cells.substr(0, cells.size() - 1));
+      for (std::string cell; std::getline(text, cell, ',');) row.push_back(cell);
+      row[column] = value;
+      EXPECT_THAT(refusal(header + fmt::format("{}\n", fmt::join(row, ","))),
+                  HasSubstr("prices.csv:2: the value of column " + name + " is " + value + ": expected "));
+    }
   EXPECT_THAT(refusal(kHeader + "strict,all,phi,-1,0,0,0,1,1e-8,0.1,auto,2,1e5\n"),
               HasSubstr("the value of column error_before_high is -1: expected a number >= 0"));
   for (const std::string knob : {"softening", "assembly_softening"})

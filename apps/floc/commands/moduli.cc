@@ -190,8 +190,10 @@ Command add_moduli(CommandLine program) {
           .excludes(tolerance)
           .one_argument_each();
   app.add_option("--force-tolerance", command->options.moduli.force_tolerance,
-                 "in packings without cohesion, normal force below which a contact is ignored, in units of "
-                 "max(F0, P a^(d-1)) (F0: pull-off force, P: pressure, a: largest diameter, d: dimension)")
+                 "in packings without cohesion, largest normal force that counts as none in the search for "
+                 "rattlers, which "
+                 "are left out with all their contacts; in units of max(F0, P a^(d-1)) (F0: pull-off force, P: "
+                 "pressure, a: largest diameter, d: dimension)")
       .show_default();
   app.add_option("--rolling-stiffness", command->options.rolling_stiffness,
                  "rolling stiffness K_R to use for all touching contacts, in place of the rolling stiffness in "

@@ -5,15 +5,25 @@
 #include <vector>
 
 #include "floc/elasticity/mechanisms.h"
-#include "floc/linalg/least_squares_factor.h"
+#include "floc/linalg/symmetric_factor.h"
 #include "floc/network/rigidity_matrix.h"
 
 namespace floc {
 namespace {
 
-/// A column whose entries are of order 1 counts as linearly dependent on other columns if its component orthogonal to
-/// these columns is shorter than this length.
-constexpr double kDependent = 1e-9;
+/// Singular values of a rigidity matrix, whose entries are of order 1, count as zero below this number. The rank is not
+/// taken from a factorization that leaves out columns one by one: in packings without friction the columns of the grains
+/// alone are independent by the residual forces only, and rounding errors, divided by these, then count as independent
+/// columns. The singular values of the whole matrix are either zero up to rounding or far larger.
+constexpr double kZero = 1e-5;
+
+/// Returns the rank of a matrix: the number of singular values above kZero.
+/// @param group  group of each column, see SymmetricFactor::set_matrix()
+int rank_of(const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& group) {
+  SymmetricFactor factor;
+  factor.set_matrix((matrix.transpose() * matrix).triangularView<Eigen::Lower>(), group);
+  return static_cast<int>(matrix.cols()) - factor.count_eigenvalues_below(kZero * kZero);
+}
 
 }  // namespace
 
@@ -59,14 +69,16 @@ Indeterminacy rigid_indeterminacy(const Packing<Dim>& packing, double smallest_f
   Eigen::SparseMatrix<double> matrix = scaled_rigidity_matrix(network, StrainSet::diagonal);
   // Rotations and strains are converted to lengths. A column that contains only rounding errors, such as the column of
   // a rotation without resistance, is then far smaller than all other columns.
+  std::vector<int> group;
   for (int u = 0; u < matrix.cols(); ++u) {
     const int grain = u / kDofs<Dim>;
+    group.push_back(grain < network.n_grains ? grain : u - (kDofs<Dim> - 1) * network.n_grains);
     if (grain >= network.n_grains)
       matrix.col(u) /= std::max(std::numeric_limits<double>::min(), matrix.col(u).norm());
     else if (u % kDofs<Dim> >= Dim)
       matrix.col(u) /= network.grain_size[grain];
   }
-  const int rank = LeastSquaresFactor(matrix, kDependent).rank();
+  const int rank = rank_of(matrix, group);
   out.n_unknowns = kDofs<Dim> * static_cast<int>(std::count(connected.begin(), connected.end(), true)) + Dim;
   out.n_null_modes = out.n_unknowns - rank;
   out.degree = out.n_components - rank;

@@ -15,6 +15,13 @@ namespace {
 /// Length of the motions for the central differences, divided by the smaller outer radius; also the angle of the
 /// rotations. With this value, rounding errors of a gap (about 1e-16 of the radius) change the stiffness by 1e-10 K_N.
 constexpr double kMove = 1e-6;
+/// Margin by which the gap along other features has to be larger during these motions, divided by kMove and the larger
+/// outer radius. A rotation by kMove changes the difference of two such gaps by at most kMove times the sum of the outer
+/// radii.
+constexpr double kHold = 4.0;
+/// Largest distance between a contact point of the packing and the point of the same pair that stands for it if no point
+/// has its key, divided by the smaller outer radius.
+constexpr double kSamePlace = 1e-3;
 
 /// Displacement of grain j relative to grain i, and rotations of i and of j.
 template <int Dim>
@@ -48,12 +55,16 @@ class MovedContact {
         options_(manifold_options(packing)) {
     if (packing.is_wall(contact.j)) {
       wall_ = packing.wall(contact.j);
+      find_key();
       return;
     }
     second_ = packing.grains.placed(contact.j);
     second_.position = first_.position + branch(packing, contact);
     reach_ += second_.outer_radius();
-    contact_manifold(first_, second_, reach_, &features_, options_);
+    features_ = axis_features(static_cast<std::uint32_t>(contact.key), *first_.shape, *second_.shape);
+    if (features_.kind == AxisKind::kNone) contact_manifold(first_, second_, reach_, &features_, options_);
+    options_.least_margin = kHold * kMove * std::max(first_.outer_radius(), second_.outer_radius());
+    find_key();
   }
 
   /// Returns the radius of the smaller grain of the contact (length).
@@ -63,23 +74,34 @@ class MovedContact {
 
   /// Returns the derivative of the geometry with respect to one component of the motion. The grains are moved forwards
   /// and backwards. If the contact point exists after only one of these motions, because an edge leaves a face at the
-  /// point, the difference is one-sided.
+  /// point, the difference is one-sided. If it exists after neither, there is no derivative.
   /// @param size  value of the component (length, or angle for a rotation)
-  GeometryChange<Dim> change(int component, double size) const {
+  std::optional<GeometryChange<Dim>> change(int component, double size) const {
     const Motion<Dim> motion = size * Motion<Dim>::Unit(component);
     std::optional<GeometryChange<Dim>> after = moved(motion), before = moved(-motion);
     const double span = (after ? size : 0.0) + (before ? size : 0.0);
-    if (span == 0.0) return {};
+    if (span == 0.0) return std::nullopt;
     const GeometryChange<Dim> present{contact_.normal, contact_.gap, contact_.arm_i};
     const GeometryChange<Dim> to = after.value_or(present), from = before.value_or(present);
-    return {(to.normal - from.normal) / span, (to.gap - from.gap) / span, (to.arm_i - from.arm_i) / span};
+    return GeometryChange<Dim>{(to.normal - from.normal) / span, (to.gap - from.gap) / span,
+                               (to.arm_i - from.arm_i) / span};
   }
 
  private:
+  /// Sets the key of the point that is followed: the key of the contact or, if no point of the unmoved grains has it,
+  /// that of the point in the same place. Programs other than floc may write other keys.
+  void find_key() {
+    key_ = static_cast<std::uint32_t>(contact_.key);
+    const Manifold<Dim> present = manifold_after(Motion<Dim>::Zero());
+    if (present.with_key(key_)) return;
+    const ManifoldPoint<Dim>* nearest = present.nearest(contact_.arm_i);
+    if (nearest && (nearest->arm - contact_.arm_i).norm() <= kSamePlace * smaller_radius()) key_ = nearest->key;
+  }
+
   /// Returns the geometry of the contact after a motion of its grains; nothing if no point has the key of the contact.
   std::optional<GeometryChange<Dim>> moved(const Motion<Dim>& motion) const {
     const Manifold<Dim> manifold = manifold_after(motion);
-    const ManifoldPoint<Dim>* point = manifold.with_key(static_cast<std::uint32_t>(contact_.key));
+    const ManifoldPoint<Dim>* point = manifold.with_key(key_);
     if (!point) return std::nullopt;
     return GeometryChange<Dim>{manifold.normal, point->gap, point->arm};
   }
@@ -110,6 +132,7 @@ class MovedContact {
   double reach_;
   ManifoldOptions options_;
   AxisFeatures features_;
+  std::uint32_t key_ = 0;
 };
 
 }  // namespace
@@ -133,8 +156,11 @@ MotionMatrix<Dim> geometric_stiffness(const Packing<Dim>& packing, const Network
     const Vec<Dim> displacement = unit.template head<Dim>();
     const RotationVector<Dim> turn_i = unit.template segment<kRotations<Dim>>(Dim);
     const RotationVector<Dim> turn_j = unit.template tail<kRotations<Dim>>();
-    const GeometryChange<Dim> d = moved.change(a, a < Dim ? length : kMove);
     const Vec<Dim> approach = displacement + cross<double>(turn_j, c.arm_j) - cross<double>(turn_i, c.arm_i);
+    // Without a derivative, the geometry counts as fixed, and the gap changes by the approach alone.
+    const GeometryChange<Dim> d =
+        moved.change(a, a < Dim ? length : kMove)
+            .value_or(GeometryChange<Dim>{Vec<Dim>::Zero(), n.dot(approach), Vec<Dim>::Zero()});
     const double normal_force = c.kn * (n.dot(approach) - d.gap);
     const Vec<Dim> turned = cross<double>(RotationVector<Dim>(0.5 * (turn_i + turn_j)), c.shear_force);
     const Vec<Dim> change = -normal_force * n - c.normal_force * d.normal + turned -

@@ -94,8 +94,9 @@ class PairSearch {
 
  private:
   AxisMargins margins() const {
-    return {kFaceMargin * size_, (options_.exact ? kFaceMargin : kEdgeMargin) * size_,
-            options_.face_preference};
+    const double least = options_.least_margin / first_.scale;
+    return {std::max(kFaceMargin * size_, least),
+            std::max((options_.exact ? kFaceMargin : kEdgeMargin) * size_, least), options_.face_preference};
   }
 
   double world(double own) const { return first_.scale * own; }
@@ -351,6 +352,21 @@ bool is_contact_type_in(ContactType type, int dimension) {
 }
 
 template <int Dim>
+AxisFeatures axis_features(std::uint32_t key, const Shape<Dim>& first, const Shape<Dim>& second) {
+  constexpr std::uint32_t kTenBits = 1023;
+  const bool of_second = (key >> 31) != 0, edges = (key & 1U) != 0;
+  const auto reference = static_cast<std::int16_t>(key >> 21 & kTenBits);
+  const auto incident = static_cast<std::int16_t>(key >> 11 & kTenBits);
+  if (edges)
+    return reference < first.n_edges() && incident < second.n_edges()
+               ? AxisFeatures{AxisKind::kEdgePair, reference, incident}
+               : AxisFeatures{};
+  if ((key >> 1 & kTenBits) == kClosest || reference >= (of_second ? second : first).n_faces()) return {};
+  return of_second ? AxisFeatures{AxisKind::kFaceOfSecond, 0, reference}
+                   : AxisFeatures{AxisKind::kFaceOfFirst, reference, 0};
+}
+
+template <int Dim>
 const ManifoldPoint<Dim>* Manifold<Dim>::with_key(std::uint32_t key) const {
   for (const ManifoldPoint<Dim>& point : points)
     if (point.key == key) return &point;
@@ -381,6 +397,8 @@ Manifold<Dim> contact_manifold(const PlacedShape<Dim>& first, const PlacedShape<
 
 template struct Manifold<2>;
 template struct Manifold<3>;
+template AxisFeatures axis_features(std::uint32_t, const Shape<2>&, const Shape<2>&);
+template AxisFeatures axis_features(std::uint32_t, const Shape<3>&, const Shape<3>&);
 template Manifold<2> contact_manifold(const PlacedShape<2>&, const PlacedShape<2>&, double, AxisFeatures*,
                                       const ManifoldOptions&);
 template Manifold<3> contact_manifold(const PlacedShape<3>&, const PlacedShape<3>&, double, AxisFeatures*,

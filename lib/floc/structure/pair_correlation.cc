@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "floc/base/error.h"
@@ -85,8 +86,10 @@ PairCorrelation pair_correlation(const Packing<Dim>& packing, double reach, int 
   if (!packing.walls.empty()) {
     const double n_inner = count_away_from_walls(packing, points, reach, out);
     const double inner_density = n_inner / inner_volume(packing, reach);
-    for (int b = 0; b < n_bins && n_inner > 0; ++b)
-      out.g[b] = static_cast<double>(out.n_pairs[b]) / (n_inner * inner_density * shell<Dim>(out, b));
+    for (int b = 0; b < n_bins; ++b)
+      out.g[b] = n_inner > 0
+                     ? static_cast<double>(out.n_pairs[b]) / (n_inner * inner_density * shell<Dim>(out, b))
+                     : std::numeric_limits<double>::quiet_NaN();
     return out;
   }
   for (const NeighborPair<Dim>& pair : find_pairs(packing.cell, points, reach, most_per_grain(points))) {

@@ -202,7 +202,9 @@ void add_pairs(const std::string& file, const Packing<Dim>& packing, const Struc
       pair_correlation(packing, reach, static_cast<int>(std::ceil(options.reach * kBinsPerDiameter)));
   const double scale = rescaling(packing, series);
   for (int b = 0; b < static_cast<int>(found.g.size()); ++b)
-    series.pairs.rows.push_back({file, found.middle(b), found.g[b], found.n_pairs[b], scale * found.middle(b)});
+    series.pairs.rows.push_back({file, found.middle(b),
+                                 std::isfinite(found.g[b]) ? TableValue(found.g[b]) : TableValue(),
+                                 found.n_pairs[b], scale * found.middle(b)});
 }
 
 /// Returns the gaps h (length) up to which the neighbours of a grain are counted: 0, and ten values per decade from

@@ -6,7 +6,9 @@
 #include "floc/network/free_motions.h"
 #include "floc/network/geometric_springs.h"
 #include "floc/network/stiffness_matrix.h"
+#include "floc/packing/rotation.h"
 #include "support/angular_packing.h"
+#include "support/rigid_states.h"
 
 /// Networks of grains with corners. The normal forces of such grains have moments, and the number and type of the
 /// contact points depend on the features that meet.
@@ -114,6 +116,58 @@ void expect_forces_turn_with_a_pair() {
 TEST(GeometricSprings, ForcesTurnWithAPair) {
   expect_forces_turn_with_a_pair<2>();
   expect_forces_turn_with_a_pair<3>();
+}
+
+/// Returns two boxes of the sides 1 and `side` in a wide cell, of which two faces touch without a force. The smaller one
+/// is turned by `tilt` out of the plane of these faces.
+template <int Dim>
+Packing<Dim> two_boxes(double side, double tilt, bool smaller_first) {
+  Packing<Dim> packing;
+  packing.law = rigid_law(0.5);
+  packing.cell.matrix = 5.0 * Mat<Dim>::Identity();
+  Grains<Dim>& g = packing.grains;
+  g = Grains<Dim>::with_size(2);
+  set_shape(g, box<Dim>(Vec<Dim>::Ones(), 0.0), std::sqrt(static_cast<double>(Dim)));
+  const int small = smaller_first ? 0 : 1, large = 1 - small;
+  g.scale[small] *= side;
+  g.radius[small] *= side;
+  g.position[large] = g.position[small] = Vec<Dim>::Constant(2.5);
+  // The faces are shifted along each other, so that no two edges coincide.
+  g.position[small] += (0.5 + 0.499 * side) * Vec<Dim>::Unit(0);
+  for (int a = 1; a < Dim; ++a) g.position[small][a] += 0.1 * a;
+  g.orientation[small] = turned(g.orientation[small], RotationVector<Dim>(tilt * RotationVector<Dim>::Ones()));
+  packing.contacts = ContactPoints<Dim>().find(packing, 0.1 * side);
+  for (std::size_t k = 0; k < packing.contacts.size(); ++k) packing.contacts[k].elastic_force = 1.0;
+  return packing;
+}
+
+/// Without forces there is no geometric stiffness: the springs of the contact points alone describe how gaps change. In
+/// contacts of two nearly parallel faces, small motions must not change the face that defines the contact.
+template <int Dim>
+void expect_no_springs_without_forces(bool has_other_keys) {
+  for (const double side : {0.05, 0.3, 1.0})
+    for (const double tilt : {0.0, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5})
+      for (const bool smaller_first : {true, false}) {
+        Packing<Dim> packing = two_boxes<Dim>(side, tilt, smaller_first);
+        ASSERT_GE(packing.contacts.size(), Dim == 2 ? 2u : 4u);
+        if (has_other_keys)
+          for (std::size_t k = 0; k < packing.contacts.size(); ++k)
+            packing.contacts[k].key = static_cast<int>(k);
+        ContactNetwork<Dim> network = contact_network(packing);
+        for (NetworkContact<Dim>& c : network.contacts) {
+          c.kn = 1.0;
+          EXPECT_LE(geometric_stiffness(packing, c).cwiseAbs().maxCoeff(), 1e-4)
+              << Dim << "D, side " << side << ", tilt " << tilt << ", smaller first: " << smaller_first
+              << ", other keys: " << has_other_keys;
+        }
+      }
+}
+
+TEST(GeometricSprings, AreZeroWithoutForces) {
+  for (const bool has_other_keys : {false, true}) {
+    expect_no_springs_without_forces<2>(has_other_keys);
+    expect_no_springs_without_forces<3>(has_other_keys);
+  }
 }
 
 /// Disks or spheres of one size that are described as shapes must have the geometric stiffness of round grains.

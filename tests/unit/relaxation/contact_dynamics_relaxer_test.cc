@@ -8,8 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "floc/elasticity/indeterminacy.h"
 #include "floc/packing/contact_order.h"
 #include "floc/rigid/static_forces.h"
+#include "support/force_components.h"
 #include "support/isostatic.h"
 #include "support/rigid_gas.h"
 
@@ -54,6 +56,26 @@ void expect_repeatable(const RigidGas& gas) {
     options.threads = threads;
     expect_same(whole, relaxed<Dim>(start, options));
   }
+}
+
+/// Without friction, the columns of the grains in the rigidity matrix are independent by the residual forces only.
+template <int Dim>
+void expect_counted_indeterminacy(const std::optional<ShapeOptions>& shape, int count, std::uint64_t n_seeds) {
+  for (std::uint64_t seed = 1; seed <= n_seeds; ++seed) {
+    const RigidEnd<Dim> end = relaxed<Dim>(make_rigid_gas<Dim>({.count = count, .shape = shape, .seed = seed}));
+    if (end.status != RelaxationStatus::converged) continue;
+    const double smallest = 1e-5 * mean_repulsive_force(end.packing);
+    const int degree = rigid_indeterminacy(end.packing, smallest).degree;
+    EXPECT_EQ(degree, counted_indeterminacy(end.packing, false, smallest)) << "seed " << seed;
+    EXPECT_GE(degree, 0) << "seed " << seed;
+  }
+}
+
+TEST(ContactDynamicsRelaxer, IndeterminacyOfFrictionlessPackingsIsCounted) {
+  expect_counted_indeterminacy<2>(std::nullopt, 40, 6);
+  expect_counted_indeterminacy<3>(std::nullopt, 30, 4);
+  expect_counted_indeterminacy<2>(polygons(5), 24, 3);
+  expect_counted_indeterminacy<3>(cut_stones(), 12, 1);
 }
 
 TEST(ContactDynamicsRelaxer, DisksRepeatTheirBits) {

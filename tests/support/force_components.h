@@ -7,8 +7,9 @@
 namespace floc::test {
 
 /// Computes the degree of indeterminacy from its definition: the number of force components minus the rank of a matrix,
-/// which is the number of its singular values above 1e-8. The matrix maps force components to the net forces and moments
-/// of the grains and to the stresses along the axes. Contacts whose elastic force is at most `smallest` are left out.
+/// which is the number of its singular values above 1e-8. The matrix maps force components to the net forces and
+/// moments of the grains and to the stresses along the axes. Contacts whose elastic force is at most `smallest` are
+/// left out.
 /// @param tangential  whether tangential forces are included
 template <int Dim>
 int counted_indeterminacy(const Packing<Dim>& packing, bool tangential, double smallest = -1.0) {

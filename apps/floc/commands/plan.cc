@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "floc/base/error.h"
+#include "floc/base/shell_word.h"
 #include "floc/campaign/campaign_directory.h"
 #include "floc/planning/plans_of_scene.h"
 #include "process/command.h"
@@ -24,8 +25,8 @@ struct PlanCommand {
 
 void write_plan(const PlansOfScene& plans, const std::string& output) {
   write_output(output, plans.file(output));
-  spdlog::info("wrote {0}; you may run next: floc {2} {0} -o {1}", output,
-               std::filesystem::path(output).stem().string(),
+  spdlog::info("wrote {0}; you may run next: floc {2} {0} -o {1}", shell_word(output),
+               shell_word(std::filesystem::path(output).stem().string()),
                plans.best().n_samples > 1 ? "campaign plan" : "run");
 }
 

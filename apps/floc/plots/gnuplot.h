@@ -22,8 +22,8 @@ struct Plot {
   int add(const std::string& columns, std::vector<std::vector<double>> rows);
 };
 
-/// Returns the smallest and the largest finite value in column `column` of the blocks with the indices `blocks`. Without
-/// such a value, the first of the two returned numbers is larger than the second.
+/// Returns the smallest and the largest finite value in column `column` of the blocks with the indices `blocks`.
+/// Without such a value, the first of the two returned numbers is larger than the second.
 /// @param positive  whether only values above zero count
 std::pair<double, double> value_range(const Plot& plot, const std::vector<int>& blocks, int column,
                                       bool positive);

@@ -27,7 +27,8 @@ constexpr const char* kPrintedInPlace = "plan --check";
 
 /// Returns the names of the columns that a command can print, or patterns of these names. Some tables are written only
 /// with an option, such as the table of "moduli --increments". The columns of such tables are included only if the
-/// command has no other table, as for "campaign collect --table runs", or if the table is printed in place of the other.
+/// command has no other table, as for "campaign collect --table runs", or if the table is printed in place of the
+/// other.
 std::vector<std::string> names_printed_by(const std::string& command) {
   std::vector<std::string> printed, with_option;
   for (const DescribedTable& table : described_tables()) {

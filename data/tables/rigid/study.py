@@ -22,6 +22,8 @@ AT_REST = range(1)
 HULL = 'grains.shape={kind="hull", vertices=[12,24], aspect=1.4, count=60}'
 CUBE = 'grains.shape={kind="box", sides=[1,1,1]}'
 SMOOTH = "contact.friction.coefficient=0"
+# The cell and the sweeps with which the polyhedra of points.csv were made; polyhedra.toml has others for its 20 000 grains.
+HEAVY = ["cell.mass=1", "dynamics.max_sweeps=2000"]
 
 # name of the run: scene, changes of the scene, numbers of the states whose means are a row (or of several such cases)
 RUNS = {
@@ -39,13 +41,13 @@ RUNS = {
     "spheres": ("rigid_spheres", ["grains.count=2000", "contact.friction.coefficient=0.5"], {"spheres-sheared": range(6, 11), "spheres": AT_REST}),
     "spheres-20000": ("rigid_spheres", ["contact.friction.coefficient=0.5"], AT_REST),
     "spheres-elastic": ("elastic_spheres", [], AT_REST),
-    "cut": ("polyhedra", ["grains.count=1000"], AT_REST),
-    "cut-5000": ("polyhedra", ["grains.count=5000"], AT_REST),
-    "hull": ("polyhedra", ["grains.count=1000", HULL], AT_REST),
-    "hull-5000": ("polyhedra", ["grains.count=5000", HULL], AT_REST),
-    "cubes": ("polyhedra", ["grains.count=1000", CUBE], AT_REST),
-    "cut-smooth": ("polyhedra", ["grains.count=300", SMOOTH], AT_REST),
-    "hull-smooth": ("polyhedra", ["grains.count=300", SMOOTH, HULL], AT_REST),
+    "cut": ("polyhedra", ["grains.count=1000", *HEAVY], AT_REST),
+    "cut-5000": ("polyhedra", ["grains.count=5000", *HEAVY], AT_REST),
+    "hull": ("polyhedra", ["grains.count=1000", HULL, *HEAVY], AT_REST),
+    "hull-5000": ("polyhedra", ["grains.count=5000", HULL, *HEAVY], AT_REST),
+    "cubes": ("polyhedra", ["grains.count=1000", CUBE, *HEAVY], AT_REST),
+    "cut-smooth": ("polyhedra", ["grains.count=300", SMOOTH, *HEAVY], AT_REST),
+    "hull-smooth": ("polyhedra", ["grains.count=300", SMOOTH, HULL, *HEAVY], AT_REST),
 }
 KINDS = ["vertex_face", "edge_edge", "edge_face", "face_face"]
 COLUMNS = (["phi", "z_star", "z_pairs_star", "x0", "below_mean", "alpha", "beta", "below_mean_pairs", "alpha_pairs", "beta_pairs"] +

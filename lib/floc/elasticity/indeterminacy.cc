@@ -12,9 +12,9 @@ namespace floc {
 namespace {
 
 /// Singular values of a rigidity matrix, whose entries are of order 1, count as zero below this number. The rank is not
-/// taken from a factorization that leaves out columns one by one: in packings without friction the columns of the grains
-/// alone are independent by the residual forces only, and rounding errors, divided by these, then count as independent
-/// columns. The singular values of the whole matrix are either zero up to rounding or far larger.
+/// taken from a factorization that leaves out columns one by one: in packings without friction the columns of the
+/// grains alone are independent by the residual forces only, and rounding errors, divided by these, then count as
+/// independent columns. The singular values of the whole matrix are either zero up to rounding or far larger.
 constexpr double kZero = 1e-5;
 
 /// Returns the rank of a matrix: the number of singular values above kZero.

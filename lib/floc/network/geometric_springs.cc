@@ -16,11 +16,11 @@ namespace {
 /// rotations. With this value, rounding errors of a gap (about 1e-16 of the radius) change the stiffness by 1e-10 K_N.
 constexpr double kMove = 1e-6;
 /// Margin by which the gap along other features has to be larger during these motions, divided by kMove and the larger
-/// outer radius. A rotation by kMove changes the difference of two such gaps by at most kMove times the sum of the outer
-/// radii.
+/// outer radius. A rotation by kMove changes the difference of two such gaps by at most kMove times the sum of the
+/// outer radii.
 constexpr double kHold = 4.0;
-/// Largest distance between a contact point of the packing and the point of the same pair that stands for it if no point
-/// has its key, divided by the smaller outer radius.
+/// Largest distance between a contact point of the packing and the point of the same pair that stands for it if no
+/// point has its key, divided by the smaller outer radius.
 constexpr double kSamePlace = 1e-3;
 
 /// Displacement of grain j relative to grain i, and rotations of i and of j.

@@ -24,8 +24,8 @@ constexpr double kRounding = 1.0 + 1e-12;
 /// Ratio of successive numbers of grains in the list from which a plan is chosen.
 constexpr double kStepOfGrains = 1.1;
 
-/// Largest standard deviation between samples, divided by the mean, of an observable that counts if the user names none.
-/// The parameters of a fit may scatter far more if the path of the scene does not determine them.
+/// Largest standard deviation between samples, divided by the mean, of an observable that counts if the user names
+/// none. The parameters of a fit may scatter far more if the path of the scene does not determine them.
 constexpr double kLargestScatter = 1.0;
 
 /// Returns a number rounded to two significant digits.

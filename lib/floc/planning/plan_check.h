@@ -23,8 +23,8 @@ struct PlanCheck {
 /// Compares the runs of a campaign with the promises of floc plan. For each promised observable, the achieved error is
 /// the half width t s/sqrt(n) of the 95 % interval of the mean over n samples. Here t is Student's factor, and s is the
 /// standard deviation between the samples; the value of a sample is the mean over its states, or the value for its path
-/// (such as K0). The half widths of the parameters of the consolidation law are computed by the jackknife, from at least
-/// three samples. The last comparison concerns the processor time.
+/// (such as K0). The half widths of the parameters of the consolidation law are computed by the jackknife, from at
+/// least three samples. The last comparison concerns the processor time.
 /// @param directory  directory of the campaign
 /// @throws InputError if floc plan has not made the campaign, or if fewer than two samples have succeeded
 std::vector<PlanCheck> check_plan(const Campaign& campaign, const std::vector<CasePlan>& plans,

@@ -21,10 +21,10 @@ namespace {
 /// Exponent p of the processor time, which is proportional to N^p for N grains. This value is used if a table of prices
 /// contains only one size. The exponent is above 1 because larger packings need more time steps to come to rest.
 constexpr double kCostExponent = 1.25;
-/// Smallest exponents that are taken from a table, for elastic and for rigid grains. Tables have small samples, which do
-/// not show how the time grows in larger ones. Samples of cohesionless_cycle with 150 and 1200 disks took 1.06 and 10.1 s
-/// (exponent 1.08), of biaxial_dense with 150 and 600 disks 6.8 and 34.8 s (1.18), of rigid_disks_demo with 80, 320 and
-/// 640 disks 0.39, 1.39 and 6.0 s, and of polyhedra_demo with 30 and 300 grains 0.53 and 21.5 s.
+/// Smallest exponents that are taken from a table, for elastic and for rigid grains. Tables have small samples, which
+/// do not show how the time grows in larger ones. Samples of cohesionless_cycle with 150 and 1200 disks took 1.06 and
+/// 10.1 s (exponent 1.08), of biaxial_dense with 150 and 600 disks 6.8 and 34.8 s (1.18), of rigid_disks_demo with 80,
+/// 320 and 640 disks 0.39, 1.39 and 6.0 s, and of polyhedra_demo with 30 and 300 grains 0.53 and 21.5 s.
 constexpr double kLeastOfElasticGrains = 1.1, kLeastOfRigidGrains = 1.4;
 /// Fraction of the processor time of a run that is proportional to its number of equilibria. This value is used if a
 /// table of prices does not contain the fraction. The fraction is small because most of the time is spent in the

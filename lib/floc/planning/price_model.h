@@ -51,8 +51,8 @@ struct PilotResult {
 /// sources are pooled.
 ///
 /// 1. The processor time of a sample of N grains is proportional to N^p sqrt(kappa/kappa0) (1 - b + b n/n0) for a run
-/// with n equilibria and the stiffness number kappa of stiffness_number(), where n0 and kappa0 are those of the table and
-/// b is the fraction of the time that is proportional to the number of equilibria.
+/// with n equilibria and the stiffness number kappa of stiffness_number(), where n0 and kappa0 are those of the table
+/// and b is the fraction of the time that is proportional to the number of equilibria.
 /// 2. The scatter s between samples is proportional to N^(-1/2). The error of a mean over n samples is t s/sqrt(n) with
 /// Student's factor t.
 /// 3. A finite number N of grains changes a mean in proportion to the fraction of grains that the boundary disturbs:
@@ -82,8 +82,8 @@ class PriceModel {
   int least_grains() const { return least_grains_; }
   int most_grains() const { return most_grains_; }
   bool knows_settings() const { return table_.has_value(); }
-  /// Returns whether the error that a finite number of grains causes is known for any observable. If it is not, plans have
-  /// at least as many grains as the scene.
+  /// Returns whether the error that a finite number of grains causes is known for any observable. If it is not, plans
+  /// have at least as many grains as the scene.
   bool knows_size_errors() const;
 
   /// Returns the processor time (s) of a sample of `n_grains` grains.

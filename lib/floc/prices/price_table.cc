@@ -73,8 +73,8 @@ double softening_in(const Cells& cells, const std::string& column) {
   return std::isnan(factor) ? 1.0 : factor;
 }
 
-/// Returns the finish of the relaxation in a row. Rows for rigid grains and for lattices have other words in this column,
-/// which name no finish of a relaxation.
+/// Returns the finish of the relaxation in a row. Rows for rigid grains and for lattices have other words in this
+/// column, which name no finish of a relaxation.
 Finish finish_in(const Cells& cells) {
   static const std::vector<std::string> kOthers = {"",       "closest",   "canonical", "none",
                                                    "factor", "automatic", "iterative"};

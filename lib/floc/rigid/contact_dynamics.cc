@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "floc/base/error.h"
 #include "floc/geometry/frame.h"
@@ -25,6 +26,11 @@ constexpr double kLongestMove = 2e-2;
 /// Largest allowed displacement, divided by the diameter, of a grain with corners on which a contact force acts. The
 /// limit is lower than kLongestMove because the closest features of two grains may change within a step.
 constexpr double kCarryingMove = 5e-3;
+/// If there are more grains than this number, one in kGrainsPerFast may move kFurther times as far as its limit in a
+/// step that is solved by sweeps, and the limit of grains with corners is kLongestMove, too. The fastest of many grains
+/// would otherwise make all steps short.
+constexpr int kManyGrains = 1000, kGrainsPerFast = 20;
+constexpr double kFurther = 4.0;
 /// Deepest overlap of two grains, divided by the diameter of the smaller grain, that is allowed after a step.
 constexpr double kDeepest = 1e-2;
 /// Deepest overlap, divided by the diameter of the smaller grain, that is allowed after a step from rest. A step from
@@ -328,16 +334,21 @@ auto ContactDynamics<Dim>::solve(double dt, const Method& method) const -> Trial
 template <int Dim>
 double ContactDynamics<Dim>::largest_share_moved(const Trial& trial, double dt, const Method& method) const {
   const Grains<Dim>& g = packing_.grains;
+  const bool has_many = g.size() > kManyGrains && !method.at_once;
   std::vector<double> allowed(trial.motion.size(), kLongestMove);
-  if (!g.are_round() && !method.at_once)
+  if (!g.are_round() && !method.at_once && !has_many)
     for (const StepContact<Dim>& c : trial.contacts)
       if (c.impulse[0] > 0.0) allowed[c.i] = allowed[c.j] = kCarryingMove;
-  double largest = 0.0;
+  std::vector<double> shares;
   for (int i = 0; i < g.size(); ++i) {
     const double speed =
         trial.motion.velocity[i].norm() + trial.motion.angular_velocity[i].norm() * g.radius[i];
-    largest = std::max(largest, speed * dt / (2.0 * g.radius[i] * allowed[i]));
+    shares.push_back(speed * dt / (2.0 * g.radius[i] * allowed[i]));
   }
+  const auto others = shares.begin() + (has_many ? g.size() / kGrainsPerFast : 0);
+  std::ranges::nth_element(shares, others, std::greater<>());
+  double largest = others == shares.end() ? 0.0 : *others;
+  for (auto fast = shares.begin(); fast != others; ++fast) largest = std::max(largest, *fast / kFurther);
   const double a = largest_diameter(g);
   for (std::size_t w = 0; w < packing_.walls.size(); ++w) {
     const std::size_t body = static_cast<std::size_t>(g.size()) + w;

@@ -74,13 +74,14 @@ struct ManifoldOptions {
   /// a face and the gap of an edge pair differ by less than 1e-6 of the smaller inner radius, the face is preferred,
   /// too.
   double face_preference = 0.0;
-  /// Length by which the gap along the axis of other features must at least be larger, so that they replace the features
-  /// of the step before. It takes effect where it exceeds the usual margins, which are shares of the inner radius.
+  /// Length by which the gap along the axis of other features must at least be larger, so that they replace the
+  /// features of the step before. It takes effect where it exceeds the usual margins, which are shares of the inner
+  /// radius.
   double least_margin = 0.0;
 };
 
-/// Returns the features that define the axis of a contact point, from its key; the kind is AxisKind::kNone if the key is
-/// that of closest points, or if the shapes do not have these features.
+/// Returns the features that define the axis of a contact point, from its key; the kind is AxisKind::kNone if the key
+/// is that of closest points, or if the shapes do not have these features.
 template <int Dim>
 AxisFeatures axis_features(std::uint32_t key, const Shape<Dim>& first, const Shape<Dim>& second);
 

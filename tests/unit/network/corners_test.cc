@@ -118,8 +118,8 @@ TEST(GeometricSprings, ForcesTurnWithAPair) {
   expect_forces_turn_with_a_pair<3>();
 }
 
-/// Returns two boxes of the sides 1 and `side` in a wide cell, of which two faces touch without a force. The smaller one
-/// is turned by `tilt` out of the plane of these faces.
+/// Returns two boxes of the sides 1 and `side` in a wide cell, of which two faces touch without a force. The smaller
+/// one is turned by `tilt` out of the plane of these faces.
 template <int Dim>
 Packing<Dim> two_boxes(double side, double tilt, bool smaller_first) {
   Packing<Dim> packing;

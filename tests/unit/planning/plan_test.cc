@@ -163,8 +163,8 @@ TEST_F(Plans, TheCheapestThatKeepsWantsIsThatOfAllCombinations) {
   }
 }
 
-/// With several cores, the plan with the least processor time may take longer than the budget while another plan with the
-/// same errors fits into it.
+/// With several cores, the plan with the least processor time may take longer than the budget while another plan with
+/// the same errors fits into it.
 TEST_F(Plans, ErrorsThatABudgetGivesAreGrantedWithinIt) {
   for (const double budget : {1.0, 10.0, 60.0, 1800.0})
     for (const int cores : {1, 3, 8, 64, 1024}) {

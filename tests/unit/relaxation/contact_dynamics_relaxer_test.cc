@@ -98,8 +98,8 @@ TEST(ContactDynamicsRelaxer, FrictionlessPolyhedraRepeatTheirBits) {
   expect_repeatable<3>({.count = 12, .shape = cut_stones()});
 }
 
-/// Compresses a gas in a cell of 300 times the mass of all grains. A cell of this mass is as slow as that of thousands of
-/// grains, since the mass of a cell is proportional to the number of grains.
+/// Compresses a gas in a cell of 300 times the mass of all grains. A cell of this mass is as slow as that of thousands
+/// of grains, since the mass of a cell is proportional to the number of grains.
 template <int Dim>
 RigidEnd<Dim> compressed_by_heavy_cell(const RigidGas& gas) {
   RelaxationOptions options = rigid_options();

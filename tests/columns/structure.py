@@ -211,9 +211,10 @@ def pair_correlation(s, table, first):
     counts = np.bincount(np.minimum(n - 1, (length[inner[i]] / width).astype(int)), minlength=n)
     pairs = counts if s.walls else counts // 2
     density = inner.sum() / volume if volume else 0.0
-    g = counts / (inner.sum() * density * shell) if inner.any() else np.zeros(n)
+    # Without a grain that is further from all walls than the reach, g is not defined.
+    g = Close(counts / (inner.sum() * density * shell)) if inner.any() else Same([None] * n)
     r = edges[:-1] + width / 2
-    return {"file": Same([s.path] * n), "r": Close(r), "g": Close(g), "n_pairs": Same(pairs.tolist()),
+    return {"file": Same([s.path] * n), "r": Close(r), "g": g, "n_pairs": Same(pairs.tolist()),
             "r_rescaled": Close(r * (s.phi / first.phi)**(1 / s.dim))}
 
 

@@ -42,6 +42,9 @@ int make_plan(const PlanCommand& arguments) {
 }
 
 int check_plan_of(const PlanCommand& arguments) {
+  if (!arguments.plan.scene.empty())
+    throw InputError("--check " + arguments.check,
+                     "expected no scene file beside the directory of a campaign: " + arguments.plan.scene);
   const auto [campaign, plans] = campaign_of(arguments.check);
   print_table(check_table(check_plan(campaign, plans, arguments.check)), arguments.printing);
   return kDone;
@@ -57,7 +60,7 @@ Command add_plan(CommandLine program) {
   const auto arguments = std::make_shared<PlanCommand>();
   // The scene is not a required argument, because --check needs only a directory. The function that runs the command
   // checks that one of the two is given.
-  const Option scene = app.add_option("SCENE", arguments->plan.scene, "scene file (TOML)");
+  app.add_option("SCENE", arguments->plan.scene, "scene file (TOML)");
   const Option budget =
       app.add_option("--budget", arguments->plan.budget,
                      "time that the runs may take on the given number of cores, such as 90s, 30min, "
@@ -95,7 +98,6 @@ Command add_plan(CommandLine program) {
   app.add_option("--check", arguments->check,
                  "DIR: directory of a campaign that floc plan has written: compare its runs with the "
                  "errors and the cost that the plan predicts")
-      .excludes(scene)
       .excludes(budget)
       .excludes(want)
       .excludes(cores)

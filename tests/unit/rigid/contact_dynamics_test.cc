@@ -157,6 +157,35 @@ void slides_to_rest() {
   EXPECT_LT(g.angular_velocity[0].norm(), 1e-12);
 }
 
+/// Returns the length of a step of grains of diameter 0.5 that touch no others, of which `n_fast` have the velocity 1 and
+/// the others are at rest. The longest step is 0.05.
+template <int Dim>
+double step_of_free_grains(int n_grains, int n_fast) {
+  Packing<Dim> packing = empty_packing<Dim>(0.0);
+  constexpr int kRow = 35;
+  for (int k = 0; k < n_grains; ++k) {
+    Vec<Dim> x = Vec<Dim>::Constant(20.0);
+    x[0] = 0.5 + k % kRow;
+    x[1] = 0.5 + k / kRow;
+    add_grain<Dim>(packing, x, 0.25, 1.0);
+    if (k < n_fast) packing.grains.velocity[k][0] = 1.0;
+  }
+  ContactDynamics<Dim> motion = dynamics<Dim>(packing, exact(0.05));
+  motion.step(false);
+  return motion.last_step();
+}
+
+// A grain may move by 2e-2 of its diameter in a step, which is halved until it does. Of more than 1000 grains, one in
+// twenty may move four times as far.
+TEST(ContactDynamics, FewFastGrainsDoNotMakeTheStepsOfManyShort) {
+  EXPECT_EQ(step_of_free_grains<2>(1000, 1), 0.05 / 8);
+  EXPECT_EQ(step_of_free_grains<2>(1100, 1), 0.05 / 2);
+  EXPECT_EQ(step_of_free_grains<2>(1100, 55), 0.05 / 2);
+  EXPECT_EQ(step_of_free_grains<2>(1100, 56), 0.05 / 8);
+  EXPECT_EQ(step_of_free_grains<3>(1000, 1), 0.05 / 8);
+  EXPECT_EQ(step_of_free_grains<3>(1100, 55), 0.05 / 2);
+}
+
 TEST(ContactDynamics, SlidingBlockStopsAfterItsPath) {
   slides_to_rest<2>();
   slides_to_rest<3>();

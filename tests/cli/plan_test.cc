@@ -166,7 +166,7 @@ class CheckOfAPlan : public PlanCommand {
 
 TEST_F(CheckOfAPlan, ComparesEveryQuantityOfRigidGrains) {
   const auto rows = checked(source_directory() + "/data/scenes/rigid_disks_demo.toml --budget 2s");
-  for (const char* quantity : {"phi", "z", "z_pairs", "indeterminacy", "Z2", "force_freedom", "rattlers"}) {
+  for (const char* quantity : {"phi", "z", "z_plus", "z_pairs", "Z2", "mobilised", "tail_plus", "rattlers"}) {
     ASSERT_TRUE(rows.contains(quantity)) << quantity;
     EXPECT_GE(rows.at(quantity)["n_samples"], 4) << quantity;
     EXPECT_FALSE(rows.at(quantity)["achieved"].is_null()) << quantity;

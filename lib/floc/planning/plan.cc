@@ -24,9 +24,9 @@ constexpr double kRounding = 1.0 + 1e-12;
 /// Ratio of successive numbers of grains in the list from which a plan is chosen.
 constexpr double kStepOfGrains = 1.1;
 
-/// Largest standard deviation between samples, divided by the mean, of an observable that counts if the user names
-/// none. The parameters of a fit may scatter far more if the path of the scene does not determine them.
-constexpr double kLargestScatter = 1.0;
+/// Largest error of an observable that counts if the user names none: its smallest error with the largest number of
+/// grains and kMostSamples samples. The parameters of a fit have far larger errors if the paths do not determine them.
+constexpr double kLargestError = 1.0;
 
 /// Returns a number rounded to two significant digits.
 int rounded(double x) {
@@ -108,15 +108,14 @@ class PlanSearch {
         observables_.begin());
   }
 
-  /// Removes the observables whose error is not known for any settings, and those that samples do not determine, unless
-  /// the user has named observables or requested errors.
+  /// Removes the observables whose error is not known for any settings, and those that no number of samples determines,
+  /// unless the user has named observables or requested errors.
   void drop_unpriced() {
     if (!wanted_.empty() || !request_.observables.empty()) return;
     std::erase_if(observables_, [&](const ObservablePrice& o) {
-      return o.scatter > kLargestScatter ||
-             std::none_of(settings_.begin(), settings_.end(), [&](const PricedSettings& s) {
-               return std::isfinite(model_.error(o, s, model_.measured_grains(), 1).total());
-             });
+      return std::none_of(settings_.begin(), settings_.end(), [&](const PricedSettings& s) {
+        return model_.error(o, s, model_.most_grains(), kMostSamples).total() <= kLargestError;
+      });
     });
   }
 

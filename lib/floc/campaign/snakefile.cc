@@ -5,23 +5,10 @@
 #include <algorithm>
 
 #include "floc/base/shell_word.h"
+#include "floc/base/string_literal.h"
 
 namespace floc {
 namespace {
-
-/// Returns a text as a Python string literal.
-std::string python_quoted(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '\n') {
-      quoted += "\\n";
-      continue;
-    }
-    if (c == '"' || c == '\\') quoted += '\\';
-    quoted += c;
-  }
-  return quoted + "\"";
-}
 
 /// Returns a text as a Python string literal that can be a shell command in a Snakefile. Braces are doubled, because
 /// snakemake replaces words in single braces.
@@ -31,7 +18,7 @@ std::string command_quoted(const std::string& text) {
     if (c == '{' || c == '}') doubled += c;
     doubled += c;
   }
-  return python_quoted(doubled);
+  return string_literal(doubled);
 }
 
 constexpr const char* kHead =
@@ -109,7 +96,8 @@ std::vector<std::string> commands_of(const Campaign& campaign, int number, const
 
 std::string run_rule(const Campaign& campaign, const CampaignRun& run, int number, const CasePlan& plan) {
   const CampaignCase& one = campaign.cases[static_cast<std::size_t>(run.case_number)];
-  std::string rule = fmt::format(R"(
+  std::string rule =
+      fmt::format(R"(
 rule run_{}:
     input: "scene.toml"
     output: {}
@@ -117,7 +105,7 @@ rule run_{}:
     shell:
         "exec {{FLOC}} campaign run scene.toml --with-parent --seed {} --threads {{threads}}"
 )",
-                                 number, python_quoted(run.directory + "/outcome.csv"), plan.threads, run.seed);
+                  number, string_literal(run.directory + "/outcome.csv"), plan.threads, run.seed);
   const auto add = [&rule](const std::string& option, const std::string& value) {
     rule += "        " + command_quoted(" " + option + " " + shell_quoted(value)) + "\n";
   };
@@ -139,13 +127,13 @@ std::string snakefile_of(const Campaign& campaign, const std::vector<CasePlan>& 
   const std::vector<CampaignRun> runs = runs_of(campaign);
   std::string outcomes, rules;
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    outcomes += "    " + python_quoted(runs[k].directory + "/outcome.csv") + ",\n";
+    outcomes += "    " + string_literal(runs[k].directory + "/outcome.csv") + ",\n";
     rules += run_rule(campaign, runs[k], static_cast<int>(k) + 1,
                       plans[static_cast<std::size_t>(runs[k].case_number)]);
   }
   std::string name = campaign.name;
   std::replace(name.begin(), name.end(), '\n', ' ');
-  return fmt::format(fmt::runtime(kHead), name, python_quoted(shell_quoted(program)), outcomes) + rules;
+  return fmt::format(fmt::runtime(kHead), name, string_literal(shell_quoted(program)), outcomes) + rules;
 }
 
 }  // namespace floc

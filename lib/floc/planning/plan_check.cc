@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <sstream>
 #include <vector>
@@ -13,7 +12,6 @@
 #include "floc/base/parse_number.h"
 #include "floc/campaign/campaign_tables.h"
 #include "floc/campaign/sample_mean.h"
-#include "floc/fitting/student_t.h"
 #include "floc/planning/plan_file.h"
 #include "floc/run_directory/one_run.h"
 #include "floc/tradeoff/path_fits.h"
@@ -57,10 +55,11 @@ class ObservedSamples {
       samples_.push_back(read_sample(scene, files));
     }
     for (const SamplePath& sample : samples_) paths_.push_back(&sample);
-    if ((window_ = fit_window(paths_))) {
-      fitted_ = fitted_consolidation(paths_, *window_);
-      errors_of_fits_ = sampling_errors_of_fits(paths_, *window_);
-    }
+    const auto window = fit_window(paths_);
+    means_ = mean_values(paths_, window);
+    if (window) errors_of_fits_ = sampling_errors_of_fits(paths_, *window);
+    for (std::size_t k = 0; k < means_.size(); ++k)
+      if (declared_observables()[k].source == ObservableSource::moduli) means_[k] = over_samples(k).difference;
   }
 
   PlanCheck check(const std::string& name, double promised) const {
@@ -68,59 +67,33 @@ class ObservedSamples {
     const std::vector<std::string> names = observable_names();
     const auto k = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
     if (k == names.size()) return check;
-    if (is_fitted(name))
-      check_fit(k - kLambda, check);
-    else
-      check_mean(k, check);
+    // The half widths of fitted parameters are relative already. Those of means are divided by the size of the mean.
+    const bool is_fit = is_fitted(name);
+    const MeanDifference found = is_fit ? errors_of_fits_[k - kLambda] : over_samples(k);
+    check.n_samples = found.n;
+    if (found.n == 0) return check;
+    check.mean = means_[k];
+    if (found.n > 1)
+      check.achieved = found.error95 / (is_fit ? 1.0 : size_of(static_cast<int>(k), means_, means_));
     return check;
   }
 
  private:
-  SampleMean mean_of(std::size_t k) const {
+  /// Returns the mean of an observable over the samples that have a value, with its error.
+  MeanDifference over_samples(std::size_t k) const {
     const DeclaredObservable& observable = declared_observables()[k];
     std::vector<double> values;
-    if (observable.source == ObservableSource::moduli) {
+    if (observable.source == ObservableSource::moduli)
       for (const auto& [seed, mean] : means_of_samples(runs_, observable.name)) values.push_back(mean);
-    } else {
-      for (const SamplePath& sample : samples_)
-        if (const double value = value_of_path(k, sample); std::isfinite(value)) values.push_back(value);
-    }
-    return mean_of_samples(values);
-  }
-
-  /// Returns the number by which the error of a mean is divided to make the error relative: the absolute value of the
-  /// mean. The errors of the coordination numbers z_plus and z_minus (contacts in compression and in tension) are
-  /// divided by the sum of the two numbers, because one of them may be near zero.
-  double size_of(std::size_t k, double mean) const {
-    if (k != kZPlus && k != kZMinus) return std::abs(mean);
-    const SampleMean other = mean_of(k == kZPlus ? kZMinus : kZPlus);
-    return std::abs(mean) + (other.n > 0 ? std::abs(other.mean) : 0.0);
-  }
-
-  void check_mean(std::size_t k, PlanCheck& check) const {
-    const SampleMean mean = mean_of(k);
-    check.n_samples = mean.n;
-    if (mean.n == 0) return;
-    check.mean = mean.mean;
-    if (const auto error = mean.standard_error())
-      check.achieved = student_t_95(mean.n - 1) * *error / size_of(k, mean.mean);
-  }
-
-  /// Stores the value of a parameter of the consolidation law, fitted to the mean of all samples, and the half width of
-  /// its 95 % interval by the jackknife.
-  /// @param p  number of the parameter in ConsolidationValues
-  void check_fit(std::size_t p, PlanCheck& check) const {
-    if (!window_ || errors_of_fits_[p].n == 0) return;
-    check.mean = fitted_[p];
-    check.achieved = errors_of_fits_[p].error95;
-    check.n_samples = errors_of_fits_[p].n;
+    else
+      for (const SamplePath& sample : samples_) values.push_back(value_of_path(k, sample));
+    return mean_of(values);
   }
 
   const CsvTable& runs_;
   std::vector<SamplePath> samples_;
   std::vector<const SamplePath*> paths_;
-  std::optional<PressureWindow> window_;
-  ConsolidationValues fitted_{};
+  Observation means_{};  ///< means over the samples and fitted parameters
   std::array<MeanDifference, 3> errors_of_fits_{};
 };
 

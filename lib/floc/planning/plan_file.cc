@@ -9,6 +9,7 @@
 
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
+#include "floc/base/string_literal.h"
 #include "floc/scene/read_scene.h"
 #include "floc/scene/scene_softening.h"
 
@@ -17,21 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns a text as a string in TOML notation.
-std::string toml_string(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
-  }
-  return out + '"';
-}
-
 /// Returns the value of an override in TOML notation: a word without quotation marks becomes a string.
 std::string as_toml(const std::string& value) {
   const bool is_quoted = !value.empty() && std::string("\"'[{").find(value.front()) != std::string::npos;
   if (is_quoted || value == "true" || value == "false" || parse_number<double>(value)) return value;
-  return toml_string(value);
+  return string_literal(value);
 }
 
 /// Checks that no change sets a table of which another change sets a key: TOML does not allow both in one table.
@@ -89,7 +80,7 @@ std::string promise_of(const Plan& plan, const std::vector<ObservablePrice>& obs
       "{}\n"
       "prices = {}\ncore_seconds = {:.6g}\n# half widths of 95 % intervals, divided by the values\nerrors = "
       "{{{}}}\n",
-      toml_string(plan.settings.name()), toml_string(prices), plan.core_seconds, fmt::join(errors, ", "));
+      string_literal(plan.settings.name()), string_literal(prices), plan.core_seconds, fmt::join(errors, ", "));
 }
 
 /// Adds to `changes` the changes that give a scene the softening `softening`, unless the scene already has this
@@ -176,7 +167,7 @@ std::string plan_file(const Plan& plan, const std::vector<ObservablePrice>& obse
       "{5}\nseeds = "
       "\"{6}..{7}\"\n",
       scene.name, plan.n_samples, plan.n_grains, output, fs::path(output).stem().string(),
-      toml_string(fs::absolute(source.scene_file).lexically_proximate(folder).generic_string()), scene.seed,
+      string_literal(fs::absolute(source.scene_file).lexically_proximate(folder).generic_string()), scene.seed,
       scene.seed + static_cast<std::uint64_t>(plan.n_samples) - 1);
   text += fmt::format("\n[[case]]\nname = \"plan\"\nset = {{{}}}\n", fmt::join(settings, ", "));
   return text + collections_of(observables) + promise_of(plan, observables, source.prices);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <vector>
 
 #include "floc/base/vec.h"
@@ -105,11 +106,14 @@ struct ConeSolution {
   double gap = 0.0;
   int n_factorizations = 0;
 
+  /// Returns the duality gap relative to the objective, which is proportional to the number of blocks.
+  double relative_gap() const { return gap / (1.0 + std::abs(objective)); }
+
   /// Returns whether the program was solved. If rounding errors ended the iteration, the program also counts as solved
-  /// if the residual and the gap are below `nearly`.
-  bool is_solved(double nearly) const {
+  /// if the residual and the relative gap are below the given numbers.
+  bool is_solved(double nearly, double nearly_no_gap) const {
     return status == ConeStatus::kSolved ||
-           (status == ConeStatus::kFailed && residual < nearly && gap < nearly);
+           (status == ConeStatus::kFailed && residual < nearly && relative_gap() < nearly_no_gap);
   }
 };
 

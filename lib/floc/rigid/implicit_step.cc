@@ -279,11 +279,11 @@ bool solve_at_once(BodyMotion<Dim>& bodies, std::vector<StepContact<Dim>>& conta
   InteriorPoint<Dim> method(step.program());
   const bool slides = std::ranges::any_of(contacts, [](const auto& c) { return c.friction > 0.0; });
   ConeSolution<Dim> solution = method.solve(step.program());
-  for (int n = 1; slides && n < kMostSolutions && solution.is_solved(kAcceptedError); ++n) {
+  for (int n = 1; slides && n < kMostSolutions && solution.is_solved(kAcceptedError, kAcceptedError); ++n) {
     if (step.improve_openings(solution) < kSameOpening) break;
     solution = method.solve(step.program());
   }
-  if (!solution.is_solved(kAcceptedError)) return false;
+  if (!solution.is_solved(kAcceptedError, kAcceptedError)) return false;
   step.set_solution(solution, bodies, contacts);
   return true;
 }

@@ -10,7 +10,7 @@
 namespace floc {
 namespace {
 
-constexpr int kMostIterations = 100;
+constexpr int kMostIterations = 200;
 /// Length of the step of an iteration, divided by the longest step (at most 1) after which the point is still in the
 /// cones.
 constexpr double kStepShare = 0.99;
@@ -21,6 +21,9 @@ constexpr double kSoftness = 1e-13;
 /// The iteration ends when the relative residual and the relative duality gap are below this value, which is close to
 /// rounding errors.
 constexpr double kGoal = 1e-13;
+/// In programs with more blocks than kManyBlocks, the iteration ends when the relative residual and the relative
+/// duality gap are below this value. Rounding errors make further iterations slow, and polish() replaces them.
+constexpr double kGoalOfMany = 1e-10;
 /// Weight of the duality gap in the error of an iterate. The objective is flat at its minimum, so a relative gap g
 /// means an error of about sqrt(g) in the solution.
 constexpr double kGapWeight = 1e4;
@@ -28,6 +31,21 @@ constexpr double kGapWeight = 1e4;
 constexpr double kProof = 1e-8;
 /// Number of successive iterations without progress after which the iteration ends.
 constexpr int kPatience = 10;
+/// Factor by which the mean product of complementary variables, or the residual, has to decrease to count as progress.
+constexpr double kProgress = 0.9;
+/// In programs with more blocks than this number, a factorization costs far more than a direction, and additional
+/// directions make the steps longer.
+constexpr int kManyBlocks = 8000;
+/// Step of Mehrotra's corrector below which correctors with other weights are tried.
+constexpr double kShortStep = 0.1;
+/// Largest number of directions that are added to Mehrotra's corrector (Iteration::centred()).
+constexpr int kMostCorrectors = 3;
+/// An additional direction aims at a step that is twice as long as without it and longer by at least kLongerStep. It
+/// is used only if at least the share kWorthwhile of this additional length is reached.
+constexpr double kLongerStep = 0.3, kWorthwhile = 0.1;
+/// After a step, each product of complementary variables, divided by its target, should lie between kLeastProduct and
+/// its inverse.
+constexpr double kLeastProduct = 0.1;
 
 template <int Dim>
 using Blocks = std::vector<Vec<Dim>>;
@@ -150,11 +168,6 @@ ConeSolution<Dim> solution_at(const ConeProgram<Dim>& program, const Point<Dim>&
   return out;
 }
 
-template <int Dim>
-double relative_gap(const ConeSolution<Dim>& solution) {
-  return solution.gap / (1.0 + std::abs(solution.objective));
-}
-
 /// Returns a lower bound of the largest component |A x - b|_max for all x in the cones with entries of order one. The
 /// bound follows from b' y <= |A x - b|_max |y|_1 + x' A' y and from x' A' y <= 0. The second inequality is true up to
 /// a small violation, because -A' y lies in the cones up to this violation. A negative result means that y gives no
@@ -253,21 +266,70 @@ struct InteriorPoint<Dim>::Iteration {
     return d;
   }
 
-  /// Returns the direction of Mehrotra's corrector. The step length of the predictor determines the centring parameter.
+  /// Returns the products of complementary variables after a step, in the scaled space.
+  Vec<Dim> product_after(const Point<Dim>& d, double step, int k) const {
+    const Vec<Dim> x = scaling[k].unscaled(Vec<Dim>(at.x[k] + step * d.x[k]));
+    const Vec<Dim> z = scaling[k].scaled(Vec<Dim>(at.z[k] + step * d.z[k]));
+    return cone::product<Dim>(x, z);
+  }
+
+  /// Adds directions that bring outlying products of complementary variables closer to their target, and thus make the
+  /// step longer (multiple centrality correctors [G1996]). A few outliers among many blocks would otherwise make all
+  /// steps short.
+  Point<Dim> centred(Point<Dim> d, double target) const {
+    double reached = longest_step(at, d);
+    for (int n = 0; n < kMostCorrectors && reached < 1.0 - kWorthwhile; ++n) {
+      const double aim = std::min(1.0, std::max(2.0 * reached, reached + kLongerStep));
+      const double low = kLeastProduct * target, high = target / kLeastProduct;
+      const auto change = [&](double product) {
+        return std::max(std::clamp(product, low, high) - product, -high);
+      };
+      Blocks<Dim> products(at.x.size());
+      for (std::size_t k = 0; k < products.size(); ++k)
+        products[k] = cone::quotient<Dim>(
+            scaled[k], cone::of_eigenvalues<Dim>(product_after(d, aim, static_cast<int>(k)), change));
+      const double tau_kappa = change((at.tau + aim * d.tau) * (at.kappa + aim * d.kappa));
+      Point<Dim> next = d;
+      next.add(direction(0.0, products, tau_kappa), 1.0);
+      const double longer = longest_step(at, next);
+      if (!(longer > reached + kWorthwhile * (aim - reached))) break;
+      reached = longer;
+      d = std::move(next);
+    }
+    return d;
+  }
+
+  /// Returns the direction of Mehrotra's corrector.
+  /// @param centring  mean product of complementary variables at which the direction aims, divided by the present one
+  /// @param weight  factor on the products of the changes of complementary variables in the predictor
+  Point<Dim> corrector(const Point<Dim>& predictor, double centring, double weight) const {
+    const double target = centring * at.mu();
+    Blocks<Dim> products(at.x.size());
+    for (std::size_t k = 0; k < products.size(); ++k) {
+      const Vec<Dim> dx = scaling[k].unscaled(predictor.x[k]), dz = scaling[k].scaled(predictor.z[k]);
+      const Vec<Dim> change = target * Vec<Dim>::Unit(0) - cone::product<Dim>(scaled[k], scaled[k]) -
+                              weight * cone::product<Dim>(dx, dz);
+      products[k] = cone::quotient<Dim>(scaled[k], change);
+    }
+    return direction(1.0 - centring, products,
+                     target - at.tau * at.kappa - weight * predictor.tau * predictor.kappa);
+  }
+
+  /// Returns the direction of the next step. The step length of the predictor determines the centring.
   Point<Dim> direction() const {
     Blocks<Dim> products = scaled;
     for (Vec<Dim>& v : products) v = -v;
     const Point<Dim> predictor = direction(1.0, products, -at.tau * at.kappa);
-    const double step = longest_step(at, predictor);
-    const double centring = std::pow(1.0 - step, 3);
-    const double target = centring * at.mu();
-    for (std::size_t k = 0; k < products.size(); ++k) {
-      const Vec<Dim> dx = scaling[k].unscaled(predictor.x[k]), dz = scaling[k].scaled(predictor.z[k]);
-      const Vec<Dim> change =
-          target * Vec<Dim>::Unit(0) - cone::product<Dim>(scaled[k], scaled[k]) - cone::product<Dim>(dx, dz);
-      products[k] = cone::quotient<Dim>(scaled[k], change);
+    const double centring = std::pow(1.0 - longest_step(at, predictor), 3);
+    Point<Dim> best = corrector(predictor, centring, 1.0);
+    if (program.n_blocks() <= kManyBlocks) return best;
+    // The products of the changes are wrong by far if the predictor reaches far beyond the cones.
+    for (const double weight : {0.3, 0.0}) {
+      if (longest_step(at, best) > kShortStep) break;
+      Point<Dim> next = corrector(predictor, centring, weight);
+      if (longest_step(at, next) > longest_step(at, best)) best = std::move(next);
     }
-    return direction(1.0 - centring, products, target - at.tau * at.kappa - predictor.tau * predictor.kappa);
+    return centred(std::move(best), centring * at.mu());
   }
 };
 
@@ -325,7 +387,8 @@ ConeSolution<Dim> InteriorPoint<Dim>::solve(const ConeProgram<Dim>& program, dou
   at.y = Eigen::VectorXd::Zero(program.n_rows());
   const double size_of_load = std::max(1.0, largest(program.load));
   ConeSolution<Dim> best;
-  double best_error = std::numeric_limits<double>::infinity(), least_mu = best_error;
+  double best_error = std::numeric_limits<double>::infinity(), least_mu = best_error,
+         least_residual = best_error;
   int n_factorizations = 0;
   for (int iteration = 0, idle = 0; iteration < kMostIterations && idle < kPatience; ++iteration) {
     check_interruption();
@@ -335,12 +398,17 @@ ConeSolution<Dim> InteriorPoint<Dim>::solve(const ConeProgram<Dim>& program, dou
     const double residual =
         largest(Eigen::VectorXd(program.balance(now.x) + softened(program, now.motion) - program.load));
     const double error =
-        std::max({residual / size_of_load, kGapWeight * relative_gap(now), stationarity_error(program, at)});
+        std::max({residual / size_of_load, kGapWeight * now.relative_gap(), stationarity_error(program, at)});
     // A decrease of mu counts as progress, too. If the program has no solution, mu decreases while the iterates
-    // approach a proof of this, but the error does not decrease.
+    // approach a proof of this, but the error does not decrease. If the program has hardly a solution, the residual
+    // decreases while mu grows.
     ++idle;
-    if (at.mu() < 0.9 * least_mu) {
+    if (at.mu() < kProgress * least_mu) {
       least_mu = at.mu();
+      idle = 0;
+    }
+    if (residual < kProgress * least_residual) {
+      least_residual = residual;
       idle = 0;
     }
     if (error < best_error) {
@@ -349,6 +417,8 @@ ConeSolution<Dim> InteriorPoint<Dim>::solve(const ConeProgram<Dim>& program, dou
       idle = 0;
     }
     if (error < kGoal) break;
+    if (program.n_blocks() > kManyBlocks && std::max(residual / size_of_load, now.relative_gap()) < kGoalOfMany)
+      break;
     // If a program has no solution, the iterates grow without bound in a direction that proves that there is none. With
     // S > 0 there is always a solution.
     if (program.softness.size() == 0 && at.kappa > at.tau && proved_residual(program, at.y) > tolerance) {
@@ -372,7 +442,8 @@ ConeSolution<Dim> InteriorPoint<Dim>::solve(const ConeProgram<Dim>& program, dou
     at.kappa /= size;
   }
   best.n_factorizations = n_factorizations;
-  if (std::max(best.residual / size_of_load, relative_gap(best)) < tolerance) best.status = ConeStatus::kSolved;
+  if (std::max(best.residual / size_of_load, best.relative_gap()) < tolerance)
+    best.status = ConeStatus::kSolved;
   return best;
 }
 

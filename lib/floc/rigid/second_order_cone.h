@@ -24,6 +24,18 @@ double determinant(const Vec<Dim>& x) {
   return (x[0] - r) * (x[0] + r);
 }
 
+/// Returns the vector with the eigenvectors of v and the eigenvalues f(l_-), f(l_+), where l_- <= l_+ are the
+/// eigenvalues of v.
+template <int Dim>
+Vec<Dim> of_eigenvalues(const Vec<Dim>& v, const auto& f) {
+  const double r = v.template tail<Dim - 1>().norm();
+  const double lower = f(v[0] - r), upper = f(v[0] + r);
+  Vec<Dim> out = Vec<Dim>::Zero();
+  out[0] = 0.5 * (lower + upper);
+  if (r > 0.0) out.template tail<Dim - 1>() = 0.5 * (upper - lower) / r * v.template tail<Dim - 1>();
+  return out;
+}
+
 /// Returns the Jordan product of two vectors.
 template <int Dim>
 Vec<Dim> product(const Vec<Dim>& a, const Vec<Dim>& b) {

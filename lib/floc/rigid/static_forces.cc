@@ -14,9 +14,9 @@ namespace floc {
 namespace {
 
 /// If rounding errors ended the iteration, forces are still accepted if the error of the balance (divided by the mean
-/// normal force) and the duality gap are at most this value. Rounding errors end the iteration early if the balance
-/// determines all forces, because possibly no set of forces lies inside all cones.
-constexpr double kNearlySolved = 1e-6;
+/// normal force) is at most kNearlySolved, and the relative duality gap at most kNearlyClosest. Rounding errors end the
+/// iteration early if no set of forces lies inside all cones, for example because the balance determines all forces.
+constexpr double kNearlySolved = 1e-6, kNearlyClosest = 1e-7;
 
 /// Returns the blocks (P, T/mu) of the present forces, divided by ForceBalance::unit. The tangential part is zero for
 /// contacts without friction.
@@ -73,7 +73,7 @@ BalancedForces<Dim> StaticForces<Dim>::solved(const std::vector<Vec<Dim>>& prefe
     }
   }
   ConeSolution<Dim> solution = method_.solve(program_);
-  if (!solution.is_solved(kNearlySolved)) fail(solution);
+  if (!solution.is_solved(kNearlySolved, kNearlyClosest)) fail(solution);
   method_.polish(program_, solution);
   return forces(solution.x, solution.n_factorizations);
 }

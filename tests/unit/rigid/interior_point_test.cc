@@ -148,6 +148,48 @@ TEST(InteriorPoint, SolutionsSatisfyTheConditionsOfOptimality) {
   }
 }
 
+/// Returns n random programs that share no rows, as one program.
+template <int Dim>
+ConeProgram<Dim> joined_programs(unsigned n) {
+  ConeProgram<Dim> out;
+  std::vector<double> load;
+  for (unsigned seed = 1; seed <= n; ++seed) {
+    const ConeProgram<Dim> part = random_program<Dim>(seed);
+    const int rows = static_cast<int>(load.size()), entries = static_cast<int>(out.row.size());
+    for (const int row : part.row) out.row.push_back(rows + row);
+    for (const int group : part.group) out.group.push_back(rows + group);
+    for (int k = 1; k <= part.n_blocks(); ++k) out.first.push_back(entries + part.first[k]);
+    out.coefficient.insert(out.coefficient.end(), part.coefficient.begin(), part.coefficient.end());
+    out.compliance.insert(out.compliance.end(), part.compliance.begin(), part.compliance.end());
+    out.linear.insert(out.linear.end(), part.linear.begin(), part.linear.end());
+    load.insert(load.end(), part.load.begin(), part.load.end());
+  }
+  out.load = Eigen::Map<const Eigen::VectorXd>(load.data(), static_cast<Eigen::Index>(load.size()));
+  return out;
+}
+
+template <int Dim>
+void expect_parts_as_if_alone(unsigned n) {
+  const ConeProgram<Dim> program = joined_programs<Dim>(n);
+  InteriorPoint<Dim> method(program);
+  ConeSolution<Dim> found = method.solve(program);
+  ASSERT_EQ(found.status, ConeStatus::kSolved);
+  method.polish(program, found);
+  std::size_t at = 0;
+  for (unsigned seed = 1; seed <= n; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const ConeProgram<Dim> part = random_program<Dim>(seed);
+    for (const Vec<Dim>& x : InteriorPoint<Dim>(part).solve(part).x)
+      EXPECT_LT((found.x[at++] - x).norm(), 1e-6);
+  }
+}
+
+TEST(InteriorPoint, ProgramsOfManyBlocksHaveTheSolutionsOfTheirParts) {
+  // 8400 blocks: additional directions follow each factorization.
+  expect_parts_as_if_alone<2>(700);
+  expect_parts_as_if_alone<3>(700);
+}
+
 TEST(InteriorPoint, NoFeasibleDirectionLowersALinearMinimum) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -178,6 +220,13 @@ TEST(SecondOrderCone, ScalingMapsThePairToOnePoint) {
     EXPECT_LT((scaling.scaled(z) - scaling.unscaled(x)).norm(), 1e-14 / margin);
     EXPECT_LT((scaling.unscaled(scaling.scaled(z)) - z).norm(), 1e-14 / margin);
   }
+}
+
+TEST(SecondOrderCone, SquareHasTheSquaresOfTheEigenvalues) {
+  const Vec<3> a(2.0, 0.5, -1.0);
+  const auto square = [](double e) { return e * e; };
+  EXPECT_LT((cone::of_eigenvalues<3>(a, square) - cone::product<3>(a, a)).norm(), 1e-15);
+  EXPECT_LT((cone::of_eigenvalues<3>(Vec<3>::Unit(0), square) - Vec<3>::Unit(0)).norm(), 1e-15);
 }
 
 TEST(SecondOrderCone, QuotientUndoesTheProduct) {

@@ -151,6 +151,17 @@ TEST(FitConsolidation, TooFewPressuresAreRefusedInWords) {
   EXPECT_THAT(o.out, Not(HasSubstr("lambda")));
 }
 
+TEST(FitConsolidation, ATableMayFollowAnOptionWithTwoNumbers) {
+  const auto fit = [](const std::string& arguments) {
+    const Outcome o = run_floc("fit consolidation " + arguments + " --law log --format csv", ".", path_table());
+    EXPECT_EQ(o.code, 0) << arguments << o.err;
+    return o.out;
+  };
+  const std::string before = fit("- --window 0.0237,13.4");
+  EXPECT_EQ(fit("--window 0.0237,13.4 -"), before);
+  EXPECT_EQ(fit("--window 0.0237 13.4 -"), before);
+}
+
 TEST(FitConsolidation, BadTablesAreNamedAndTheOthersStillDone) {
   const ScratchDirectory dir;
   write_text(dir.file("good.csv"), path_table());

@@ -244,8 +244,11 @@ Table empty_fits(const Campaign& campaign) {
 
 void add_fit(const Campaign& campaign, const CampaignCase& one, const CampaignFit& fit, const CsvTable& printed,
              Table& table) {
-  // Values of each fitted parameter, one per sample; the key is the name of the parameter.
+  // Identified values of each fitted parameter, one per sample; the key is the name of the parameter.
   std::map<std::string, std::vector<double>> values;
+  // Number of rows of each sample and parameter.
+  std::map<std::pair<std::string, std::string>, int> n_of_sample;
+  std::set<std::string> samples;
   std::vector<std::string> parameters;  // names of the parameters, in the order of the printed table
   std::set<std::string> pooled;
   const auto cell = [&](int row, const char* column) { return printed.text(row, printed.column(column)); };
@@ -257,13 +260,19 @@ void add_fit(const Campaign& campaign, const CampaignCase& one, const CampaignFi
            (tests.size() > 1 ? "_" + cell(row, "test") : "");
   };
   for (int row = 0; row < printed.n_rows(); ++row) {
-    if (std::count(parameters.begin(), parameters.end(), parameter_of(row)) == 0)
-      parameters.push_back(parameter_of(row));
-    const auto value = parse_number<double>(cell(row, "value"));
-    if (cell(row, "sample") == "pooled")
-      pooled.insert(parameter_of(row));
-    else if (value)
-      values[parameter_of(row)].push_back(*value);
+    std::string parameter = parameter_of(row);
+    const std::string sample = cell(row, "sample");
+    if (sample == "pooled") {
+      pooled.insert(parameter);
+    } else {
+      // A sample with several branches has a row for each branch. Only values of the same branch have a mean.
+      const int branch = ++n_of_sample[{sample, parameter}];
+      if (branch > 1) parameter += "_" + std::to_string(branch);
+      samples.insert(sample);
+      const auto value = parse_number<double>(cell(row, "value"));
+      if (value && cell(row, "identified") == "true") values[parameter].push_back(*value);
+    }
+    if (std::count(parameters.begin(), parameters.end(), parameter) == 0) parameters.push_back(parameter);
   }
   const auto add_row = [&](const std::string& sample, const std::string& parameter, const Row& cells,
                            const SampleMean* mean) {
@@ -284,7 +293,7 @@ void add_fit(const Campaign& campaign, const CampaignCase& one, const CampaignFi
                        as_value(cell(row, "low95")),
                        as_value(cell(row, "high95")),
                        or_undefined(cell(row, "identified")),
-                       all ? TableValue(static_cast<std::int64_t>(values[parameter].size())) : TableValue()};
+                       all ? TableValue(static_cast<std::int64_t>(samples.size())) : TableValue()};
     const auto value = parse_number<double>(cell(row, "value")),
                error = parse_number<double>(cell(row, "stderr"));
     const SampleMean mean = value ? SampleMean{1, *value, error, *value, *value} : SampleMean{};

@@ -17,9 +17,9 @@ namespace {
 
 using Law = ConsolidationLaw;
 
-/// Smallest number of samples for which weights and standard errors of a fit to their mean curve are computed from the
-/// scatter between samples.
-constexpr Eigen::Index kMinSamples = 3;
+/// Smallest numbers of samples for which the weights and the standard errors of a fit to their mean curve are computed
+/// from the scatter between samples.
+constexpr Eigen::Index kMinForWeights = 3, kMinForErrors = 2;
 
 const char* name_of(Law law) {
   return law == Law::log ? "log" : law == Law::power ? "power" : "full";
@@ -31,7 +31,7 @@ const char* place_of(Law law) {
 
 Weighting weighting_of(const ConsolidationCurve& curve, const ConsolidationOptions& options) {
   if (options.weighting != Weighting::automatic) return options.weighting;
-  return curve.samples.cols() >= kMinSamples ? Weighting::scatter : Weighting::relative;
+  return curve.samples.cols() >= kMinForWeights ? Weighting::scatter : Weighting::relative;
 }
 
 /// Returns the deviation of each sample (columns) from the mean of the samples, at each point of the curve (rows).
@@ -244,7 +244,7 @@ ConsolidationFit fit_window(const ConsolidationCurve& curve, LawPoints all, cons
       samples.topRows(n_plateau) = curve.samples.middleRows(window.first_of_plateau(), n_plateau);
     samples.bottomRows(window.n) = curve.samples.middleRows(window.first, window.n);
   }
-  fit.errors_from_samples = samples.cols() >= kMinSamples;
+  fit.errors_from_samples = samples.cols() >= kMinForErrors;
   Covariance covariance = fit.errors_from_samples ? covariance_from_samples(reported, deviations_of(samples))
                                                   : covariance_from_residuals(reported);
   if (!fit.errors_from_samples) check_residuals(reported, fit);

@@ -31,7 +31,8 @@ double correlation_of_neighbours(const Eigen::VectorXd& residuals) {
 }
 
 /// Returns the range of positions of the bend at which the sum of squares is at most `within`. The sum of squares is
-/// interpolated linearly between the grid points of fit.profile.
+/// interpolated linearly between the grid points of fit.profile, and as a parabola between the best position and the
+/// next grid point on each side.
 std::pair<double, double> places_within(const RoundBendFit& fit, double within) {
   const Eigen::VectorXd& left = fit.profile;
   double low = fit.best.bend, high = fit.best.bend;
@@ -45,6 +46,16 @@ std::pair<double, double> places_within(const RoundBendFit& fit, double within) 
     if (left[k] > within && left[k + 1] <= within && fit.places[k + 1] <= low) low = crossing(k + 1, k);
     if (left[k] <= within && left[k + 1] > within && fit.places[k] >= high) high = crossing(k, k + 1);
   }
+  // If the range is so narrow that it contains no grid point on one side, it ends between the best position and the
+  // next grid point on this side.
+  const double best = fit.best.bend, least = fit.best.sum_of_squares;
+  const auto end_towards = [&](Eigen::Index outside) {
+    return best + std::sqrt((within - least) / (left[outside] - least)) * (fit.places[outside] - best);
+  };
+  const auto first_above = std::upper_bound(fit.places.begin(), fit.places.end(), best) - fit.places.begin();
+  const auto first_at = std::lower_bound(fit.places.begin(), fit.places.end(), best) - fit.places.begin();
+  if (low == best && first_at > 0) low = end_towards(first_at - 1);
+  if (high == best && first_above < fit.places.size()) high = end_towards(first_above);
   return {low, high};
 }
 

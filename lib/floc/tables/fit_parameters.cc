@@ -8,6 +8,12 @@ Json number_or_null(const std::optional<double>& x) {
   return x && std::isfinite(*x) ? Json(*x) : Json(nullptr);
 }
 
+/// Returns whether the data identify a parameter. A parameter without a value is not identified, and neither is one
+/// whose value is too large for a number.
+bool is_identified(const FittedParameter& p) {
+  return p.identified && p.value && std::isfinite(*p.value);
+}
+
 Json parameters_as_json(const std::vector<FittedParameter>& parameters) {
   Json object = Json::object();
   for (const FittedParameter& p : parameters)
@@ -15,7 +21,7 @@ Json parameters_as_json(const std::vector<FittedParameter>& parameters) {
                       {"stderr", number_or_null(p.standard_error)},
                       {"low95", number_or_null(p.low95)},
                       {"high95", number_or_null(p.high95)},
-                      {"identified", p.identified}};
+                      {"identified", is_identified(p)}};
   return object;
 }
 
@@ -27,8 +33,10 @@ Json pattern_as_json(const ResidualPattern& pattern) {
 }
 
 std::vector<TableValue> parameter_cells(const FittedParameter& p) {
-  const auto cell = [](const std::optional<double>& x) { return x ? TableValue(*x) : TableValue(); };
-  return {cell(p.value), cell(p.standard_error), cell(p.low95), cell(p.high95), p.identified};
+  const auto cell = [](const std::optional<double>& x) {
+    return x && std::isfinite(*x) ? TableValue(*x) : TableValue();
+  };
+  return {cell(p.value), cell(p.standard_error), cell(p.low95), cell(p.high95), is_identified(p)};
 }
 
 }  // namespace floc

@@ -166,6 +166,25 @@ TEST(Samples, ErrorsOfTheirMeanAreTheScatterOfRepeatedMeans) {
   EXPECT_NEAR(stated / kRepeats / variance, 1.0, 0.35);
 }
 
+TEST(Samples, TwoOfThemScatterByHalfTheirDifference) {
+  std::vector<ConsolidationCurve> samples;
+  for (const double lambda : {0.09, 0.11}) {
+    ConsolidationCurve& line = samples.emplace_back();
+    for (int k = -8; k <= 8; ++k) {
+      line.P_star.push_back(std::pow(10.0, 0.25 * k));
+      line.phi.push_back(1 / (3.0 - lambda * std::log(line.P_star.back())));
+    }
+  }
+  ConsolidationOptions options;
+  options.law = ConsolidationLaw::log;
+  options.window = {1e-3, 1e3};
+  const auto fit = fit_consolidation(mean_curve(samples), options);
+  ASSERT_TRUE(fit.found()) << fit.failure_reason;
+  EXPECT_TRUE(fit.errors_from_samples);
+  EXPECT_NEAR(value(fit, "lambda"), 0.1, 1e-6);
+  EXPECT_NEAR(error(fit, "lambda"), 0.01, 1e-3);
+}
+
 TEST(Bootstrap, AgreesWithTheCovarianceOfACurveAndOfAMean) {
   RandomStream random(6, 0);
   ConsolidationOptions options;

@@ -239,5 +239,23 @@ TEST_F(LatticeCommand, SurvivesAnyMixtureOfOptions) {
   }
 }
 
+TEST_F(LatticeCommand, ReplacesNeitherItsPackingNorItsOtherOutputs) {
+  const std::string before = content_of(scratch_.file("disks.h5"));
+  for (const std::string option : {"-o", "--forces", "--stress", "--pdf"}) {
+    const Outcome o = lattice(kDisks + (option + " disks.h5"));
+    EXPECT_EQ(o.code, 4) << option << o.err;
+    EXPECT_THAT(o.err, HasSubstr("disks.h5: this file is an input of the command")) << option;
+    EXPECT_TRUE(content_of(scratch_.file("disks.h5")) == before) << option;
+  }
+  for (const std::string options :
+       {"-o one --forces one", "--forces one --stress ./one", "--stress one --pdf one"}) {
+    std::filesystem::remove(scratch_.file("one"));
+    const Outcome o = lattice(kDisks + options);
+    EXPECT_EQ(o.code, 4) << options << o.err;
+    EXPECT_THAT(o.err, HasSubstr("one: the command has already written another of its outputs to this file"))
+        << options;
+  }
+}
+
 }  // namespace
 }  // namespace floc::test

@@ -102,6 +102,19 @@ TEST_F(Output, DoesNotReplaceAScene) {
   }
 }
 
+TEST_F(Output, OfTwoKindsDoesNotGoToOneFile) {
+  for (const std::string command :
+       {"network s.h5 --pdf one --particle-stress ./one", "structure s.h5 --gaps one --profile one",
+        "export s.h5 --grains one --contacts one"}) {
+    fs::remove(file("one"));
+    const Outcome o = shell("\"$0\" " + command);
+    EXPECT_EQ(o.code, 4) << command << o.err;
+    EXPECT_THAT(o.err, HasSubstr("one: the command has already written another of its outputs to this file"))
+        << command;
+  }
+  EXPECT_EQ(shell("\"$0\" network s.h5 --pdf /dev/null --particle-stress /dev/null").code, 0);
+}
+
 TEST_F(Output, OfACommandThatFailsLeavesAnOlderFile) {
   for (const std::string command :
        {"structure none.h5 --profile old.csv", "network none.h5 --pdf old.csv",

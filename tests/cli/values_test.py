@@ -71,6 +71,12 @@ SHEARED = "sigma1,sigma3,strain,volumetric_strain\n" + "".join(
 MODULI = "P,phi,B\n" + "".join(f"{10.0 ** k:.6g},{0.7 + 0.03 * k:.6g},{1e3 * 10.0 ** (0.5 * k) + k % 2:.6g}\n" for k in range(6))
 FORCES = "normal_force\n" + "".join(f"{0.1 * k + 0.05}\n" for k in range(30))
 
+
+def outputs(*options):
+    """Returns the options with a file for each of them."""
+    return " ".join(f"--{option}=out/{{n}}-{option}.csv" for option in options)
+
+
 # For each command, a call that takes milliseconds: its arguments, by their names in the help, and its options. Each
 # call replaces {n} by a different name.
 CALLS = {
@@ -79,14 +85,13 @@ CALLS = {
     "scene new": ({"NAME": "new-{n}"}, ""),
     "moduli": ({"STATE": "disks.h5"}, "--force"),
     "modes": ({"STATE": "disks.h5"}, ""),
-    "forces": ({"STATE": "disks.h5"}, "--contacts=out/{n}.csv"),
-    "network": ({"STATE": "disks.h5"}, "--pdf=out/{n}.csv --particle-stress=out/{n}.csv --with=bonds,phases "
-                "--exponents=out/{n}.csv --pressure-pdf=out/{n}.csv --like-neighbours=out/{n}.csv --clusters=out/{n}.csv"),
-    "lattice": ({"STATE": "balls.h5"}, "--matrix=0.05 --per-diameter=3 --pdf=out/{n}.csv"),
-    "structure": ({"STATE": "disks.h5"}, "--intensity=out/{n}.csv --pair-correlation=out/{n}.csv --gaps=out/{n}.csv "
-                  "--pores=out/{n}.csv --map=out/{n}.csv --porosity=out/{n}.csv --profile=out/{n}.csv "
-                  "--prediction=out/{n}.csv"),
-    "compare": ({"STATE": "disks.h5 disks.h5"}, "--displacements=out/{n}.csv --contacts=out/{n}.csv"),
+    "forces": ({"STATE": "disks.h5"}, outputs("contacts")),
+    "network": ({"STATE": "disks.h5"}, "--with=bonds,phases " + outputs(
+        "pdf", "particle-stress", "exponents", "pressure-pdf", "like-neighbours", "clusters")),
+    "lattice": ({"STATE": "balls.h5"}, "--matrix=0.05 --per-diameter=3 " + outputs("pdf")),
+    "structure": ({"STATE": "disks.h5"}, outputs(
+        "intensity", "pair-correlation", "gaps", "pores", "map", "porosity", "profile", "prediction")),
+    "compare": ({"STATE": "disks.h5 disks.h5"}, outputs("displacements", "contacts")),
     "fit consolidation": ({"TABLE": "path.csv"}, "--law=log --window=0.01,100"),
     "fit compression": ({"TABLE": "path.csv"}, "--law=heckel"),
     "fit preconsolidation": ({"TABLE": "path.csv"}, ""),

@@ -23,6 +23,7 @@
 #include "floc/packing/grain_sizes.h"
 #include "floc/tables/lattice_row.h"
 #include "process/output.h"
+#include "process/output_files.h"
 #include "process/printing.h"
 
 namespace floc {
@@ -213,7 +214,7 @@ void write_packing(const std::string& path, const LatticeArguments& arguments, c
   state.provenance.commit = commit();
   if (arguments.file != "-") state.provenance.parent_sha256 = sha256_of_file(arguments.file);
   measure(state);
-  write_state(path, state);
+  write_once(path, [&] { write_state(path, state); });
 }
 
 /// Returns bounds of the bulk and shear moduli of a sample of grains, matrix and voids. The bounds follow from the

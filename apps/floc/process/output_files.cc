@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <sstream>
 #include <system_error>
 
@@ -18,10 +19,16 @@ std::vector<std::filesystem::path>& inputs() {
   return paths;
 }
 
-bool is_input(const std::string& path) {
-  return std::ranges::any_of(inputs(), [&](const std::filesystem::path& input) {
+std::vector<std::filesystem::path>& outputs() {
+  static std::vector<std::filesystem::path> paths;
+  return paths;
+}
+
+/// Returns whether a path names the same file as one of the given paths.
+bool is_one_of(const std::vector<std::filesystem::path>& paths, const std::string& path) {
+  return std::ranges::any_of(paths, [&](const std::filesystem::path& other) {
     std::error_code error;
-    return std::filesystem::equivalent(input, path, error) && !error;
+    return std::filesystem::equivalent(other, path, error) && !error;
   });
 }
 
@@ -44,16 +51,29 @@ void remember_inputs(const std::vector<std::string>& paths) {
     if (std::filesystem::is_regular_file(path, error)) inputs().emplace_back(path);
 }
 
-void write_output(const std::string& path, std::string_view bytes) {
-  if (is_input(path))
+void write_once(const std::string& path, const std::function<void()>& write) {
+  if (is_one_of(inputs(), path))
     throw InputError(path,
                      "this file is an input of the command, which the output would replace: expected another "
                      "name for the output");
-  if (is_existing_state(path))
-    throw InputError(path,
-                     "this file is a state or another file of HDF5, which the output would replace: expected "
-                     "another name for the output");
-  write_bytes_atomically(path, bytes);
+  if (is_one_of(outputs(), path))
+    throw InputError(
+        path,
+        "the command has already written another of its outputs to this file: expected a different "
+        "name for each output");
+  write();
+  std::error_code error;
+  if (std::filesystem::is_regular_file(path, error)) outputs().emplace_back(path);
+}
+
+void write_output(const std::string& path, std::string_view bytes) {
+  write_once(path, [&] {
+    if (is_existing_state(path))
+      throw InputError(path,
+                       "this file is a state or another file of HDF5, which the output would replace: expected "
+                       "another name for the output");
+    write_bytes_atomically(path, bytes);
+  });
 }
 
 void write_csv(const std::string& path, const Table& table) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,20 +9,26 @@
 
 namespace floc {
 
-/// Remembers files that the command reads, so that write_output() does not replace them. Names that are not the names of
-/// existing regular files are ignored.
+/// Remembers files that the command reads, so that write_output() does not replace them. Names that are not the names
+/// of existing regular files are ignored.
 void remember_inputs(const std::vector<std::string>& paths);
 
+/// Calls a function that writes a result of a command to a file.
+/// @throws InputError if the file is an input of the command (remember_inputs()), or a regular file to which the
+/// command has already written another result
+void write_once(const std::string& path, const std::function<void()>& write);
+
 /// Writes a result of a command to a file, as write_bytes_atomically() does.
-/// @throws InputError if the file is an input of the command (remember_inputs()), or a state file, which a table or a
-/// picture would destroy
+/// @throws InputError under the conditions of write_once(), and if the file is a state file, which a table or a picture
+/// would destroy
 /// @throws IoError if the file cannot be written
 void write_output(const std::string& path, std::string_view bytes);
 
 /// Writes a table as csv, as write_output() does.
 void write_csv(const std::string& path, const Table& table);
 
-/// Writes a table as csv, except if the command failed and the table has no rows. The file then keeps what it contained.
+/// Writes a table as csv, except if the command failed and the table has no rows. The file then keeps what it
+/// contained.
 /// @param code  exit code of the command
 void write_csv_unless_failed(const std::string& path, const Table& table, int code);
 

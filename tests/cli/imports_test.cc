@@ -226,6 +226,48 @@ TEST_F(Imports, KeepTheStrengthsOfBonds) {
               HasSubstr("b.csv:2: tensile_strength = -1, expected a strength of 0 or more"));
 }
 
+/// A square lattice of disks with bonds (K_N = 100, K_T = 50) has C11 = C22 = K_N, C33 = K_T/2 and B = K_N/2, whatever
+/// forces its two rows bear. The forces along each row balance each other.
+TEST_F(Imports, BondsHoldGrainsInTensionAndWithoutForce) {
+  write("g.csv", "id,x,y,r\n0,0,0,0.5\n1,1.1,0,0.5\n2,0,1.1,0.5\n3,1.1,1.1,0.5\n");
+  for (const auto& [first, second] :
+       {std::pair{0.0, 0.0}, {1.0, 0.0}, {1.0, -0.5}, {-1.0, 0.0}, {-1.0, -2.0}}) {
+    SCOPED_TRACE(testing::Message() << "forces of the rows: " << first << ", " << second);
+    write("b.csv", fmt::format("id1,id2,image1,image2,normal_force,kn,kt,kr\n"
+                               "0,1,0,0,{0},100,50,1\n1,0,1,0,{0},100,50,1\n"
+                               "2,3,0,0,{1},100,50,1\n3,2,1,0,{1},100,50,1\n"
+                               "0,2,0,0,0,100,50,1\n2,0,0,1,0,100,50,1\n"
+                               "1,3,0,0,0,100,50,1\n3,1,0,1,0,100,50,1\n",
+                               first, second));
+    ASSERT_EQ(
+        convert("g.csv", {"--cell", "2.2,0;0,2.2", "--bonds", scratch_.file("b.csv")}, "normal.stiffness=100")
+            .code,
+        0);
+    const json moduli = row("moduli", {"--strains", "full", "--columns", "all"}), network = row("network");
+    EXPECT_EQ(moduli.at("n_rattlers"), 0);
+    EXPECT_EQ(moduli.at("n_undecided"), 0);
+    EXPECT_NEAR(moduli.at("C11").get<double>(), 100.0, 1e-9);
+    EXPECT_NEAR(moduli.at("C22").get<double>(), 100.0, 1e-9);
+    EXPECT_NEAR(moduli.at("C33").get<double>(), 25.0, 1e-9);
+    EXPECT_NEAR(moduli.at("B").get<double>(), 50.0, 1e-9);
+    EXPECT_NEAR(network.at("z_star").get<double>(), 4.0, 1e-12);
+    EXPECT_EQ(network.at("x0").get<double>(), 0.0);
+    EXPECT_NEAR(network.at("energy_per_grain").get<double>(),
+                2.0 * (first * first + second * second) / (2.0 * 100.0) / 4.0, 1e-12);
+  }
+}
+
+/// The weights of grains without a listed mass follow from the mass d^2 of a disk, which is said.
+TEST_F(Imports, SayWhichMassesAreAssumedUnderGravity) {
+  write("g.csv", "id,x,y,r\n0,0.5,0.499,0.5\n1,1.6,0.499,0.5\n");
+  write("all.csv", "id,x,y,r,mass\n0,0.5,0.499,0.5,2\n1,1.6,0.499,0.5,2\n");
+  const std::vector<std::string> box = {"--cell",    "3,0;0,3", "--walls",     "y=0:3",
+                                        "--gravity", "0,-1",    "--tolerance", "1e9"};
+  const Outcome o = convert("g.csv", box), all = convert("all.csv", box);
+  EXPECT_THAT(o.err, HasSubstr("no mass for 2 of 2 grains")) << o.err;
+  EXPECT_THAT(all.err, Not(HasSubstr("no mass")));
+}
+
 TEST_F(Imports, ReadTheAtomStylesOfLammpsThatHaveRadii) {
   const std::string head = "title\n\n2 atoms\n\n0 4 xlo xhi\n0 4 ylo yhi\n0 4 zlo zhi\n\nAtoms";
   for (const auto& [style, first, second] :

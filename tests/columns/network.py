@@ -221,7 +221,6 @@ def force_shape(forces, suffix):
 def anisotropy_columns(s, of):
     names = ("a_normals", "a_normal_force", "a_tangential_force", "a_branch_normal", "a_branch_tangential", "stress_ratio",
              "stress_ratio_predicted")
-    of = of[~s.distant[of]]
     n, N, T = s.normal[of], s.N[of], -s.shear[of]
     r = s.x[s.j[of]] + s.image[of] @ s.cell - s.x[s.i[of]]
     length = (r * n).sum(1)

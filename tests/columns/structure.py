@@ -367,8 +367,7 @@ def profile(s, table, first):
     contacts = np.bincount(s.i[s.touching], minlength=s.n) + np.bincount(s.j[s.counted], minlength=s.n)
     z = [contacts[own == k].mean() if count[k] else None for k in range(SLICES)]
     p = pressures(s)
-    pressure = Same([None] * SLICES) if s.walls else Close(
-        np.array([p[own == k].mean() if count[k] else None for k in range(SLICES)], object), np.abs(p).max())
+    pressure = Close(np.array([p[own == k].mean() if count[k] else None for k in range(SLICES)], object), np.abs(p).max())
     # The stress of a slice is the mean stress across its planes; each contact crosses the planes between its ends.
     begin = (s.x[s.i] @ inverse - (min(s.walls["position"][s.walls["axis"] == axis]) / height if walled else 0)) * SLICES
     step = s.branch @ inverse * SLICES

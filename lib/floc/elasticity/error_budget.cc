@@ -28,7 +28,7 @@ ErrorBudget error_budget(const State<Dim>& state, const ContactNetwork<Dim>& net
   double held = 0.0;
   for (std::size_t c = 0; c < network.contacts.size(); ++c) {
     const Contact<Dim>& contact = state.packing.contacts[static_cast<std::size_t>(network.contacts[c].source)];
-    if (contact.distant || contact.elastic_force > undecided) continue;
+    if (contact.distant || contact.bonded || contact.elastic_force > undecided) continue;
     ++budget.n_undecided;
     if (step != nullptr) held += std::abs(step->energy[c]);
   }

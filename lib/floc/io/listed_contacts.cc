@@ -439,11 +439,17 @@ class ListedContacts {
     if (!can_touch(c))
       throw InputError(
           row.place.text(),
-          fmt::format(
-              "grains {} and {} carry a force of {:.6g}, but even their nearest images have a "
-              "gap of {:.6g} (radii {:.6g} and {:.6g}): positions, radii or the cell do not fit this contact{}",
-              row.id1, row.id2, force_of(row), gap_of(c), packing_.grains.radius[c.i],
-              packing_.grains.radius[c.j], counting_hint(listed_)));
+          fmt::format("grains {} and {} carry a force of {:.6g}, but even their nearest images have a "
+                      "gap of {:.6g} (radii {:.6g} and {:.6g}): positions, radii or the cell do not fit this "
+                      "contact{}{}",
+                      row.id1, row.id2, force_of(row), gap_of(c), packing_.grains.radius[c.i],
+                      packing_.grains.radius[c.j], hint_of_liquid(row), counting_hint(listed_)));
+  }
+
+  /// Says that a liquid bridge across a gap needs a volume, if the contact may be such a bridge.
+  std::string hint_of_liquid(const ListedContact& row) const {
+    if (packing_.law.liquid() == nullptr || row.bridge_volume) return "";
+    return ", or this is a liquid bridge, whose volume has to be listed (column bridge_volume)";
   }
 
   const ListedPacking& listed_;

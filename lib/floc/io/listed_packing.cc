@@ -143,6 +143,16 @@ void add_doubt_of_liquid(const Packing<Dim>& packing, std::vector<std::string>& 
         sum, all));
 }
 
+/// Says which masses were assumed, if these masses have weights.
+void add_remark_on_masses(const ListedPacking& listed, int dimension, std::vector<std::string>& remarks) {
+  const auto without = std::ranges::count_if(listed.grains, [](const ListedGrain& g) { return !g.mass; });
+  if (without == 0 || listed.gravity.isZero(0.0)) return;
+  remarks.push_back(fmt::format(
+      "the file lists no mass for {} of {} grains: the mass of a ball of diameter d is taken as d^{}, "
+      "and the weights follow from it",
+      without, listed.grains.size(), dimension));
+}
+
 template <int Dim>
 Imported assemble_in(const ListedPacking& listed) {
   State<Dim> state;
@@ -169,6 +179,7 @@ Imported assemble_in(const ListedPacking& listed) {
   imported.contacts_known = listed.contacts.has_value();
   imported.lacks_wall_contacts = listed.lacks_wall_contacts;
   imported.remarks = listed.remarks;
+  add_remark_on_masses(listed, Dim, imported.remarks);
   imported.inconsistencies = listed.inconsistencies;
   if (imported.liquid_known)
     add_doubt_of_liquid(std::get<State<Dim>>(imported.state).packing, imported.inconsistencies);

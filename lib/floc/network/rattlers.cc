@@ -13,6 +13,12 @@ bool carries_force(const Packing<Dim>& packing, double smallest_force) {
                      [&](const Contact<Dim>& c) { return c.normal_force > smallest_force; });
 }
 
+template <int Dim>
+bool has_bonds(const Packing<Dim>& packing) {
+  return std::any_of(packing.contacts.begin(), packing.contacts.end(),
+                     [](const Contact<Dim>& c) { return c.bonded; });
+}
+
 /// Makes one pass through the grains. Marks a grain as a rattler if its contacts with walls and with unmarked grains do
 /// not keep it in place.
 /// @return whether a grain was marked
@@ -41,7 +47,7 @@ bool remove_unheld(const Packing<Dim>& packing, double smallest_force, std::vect
 template <int Dim>
 std::vector<bool> find_rattlers(const Packing<Dim>& packing, double smallest_force) {
   require_in_range("smallest_force", smallest_force, kNotNegativeNumber);
-  const bool cohesive = packing.law.adheres();
+  const bool cohesive = packing.law.adheres() || has_bonds(packing);
   if (cohesive || !carries_force(packing, smallest_force)) {
     std::vector<bool> alone(packing.grains.size(), true);
     for (const Contact<Dim>& c : packing.contacts) {

@@ -17,6 +17,16 @@ double ratio(double value, double scale) {
   return value == 0.0 ? 0.0 : std::numeric_limits<double>::infinity();
 }
 
+/// Returns the mean magnitude of the normal forces of the bonds (force); 0 if there are none.
+template <int Dim>
+double mean_bond_force(const Packing<Dim>& packing) {
+  double sum = 0.0;
+  int n = 0;
+  for (const Contact<Dim>& c : packing.contacts)
+    if (c.bonded) sum += std::abs(c.normal_force), ++n;
+  return n > 0 ? sum / n : 0.0;
+}
+
 /// Returns the residual of the stress (dimensionless). Without walls it is the largest deviation of a diagonal
 /// component from the imposed stress, in units of F1/a^(Dim-1), where F1 is the force scale and a the largest diameter.
 /// With walls it is wall_imbalance() divided by the imposed pressure, because with strong adhesion F1 is much larger
@@ -35,7 +45,11 @@ double stress_residual(const Packing<Dim>& packing, const Vec<Dim>& target_stres
 template <int Dim>
 ForceScale force_scale(const Packing<Dim>& packing, const Vec<Dim>& target_stress) {
   const double a = largest_diameter(packing.grains);
-  return {std::max(pull_off_force(packing), target_stress.mean() * std::pow(a, Dim - 1)), a};
+  double force = std::max(pull_off_force(packing), target_stress.mean() * std::pow(a, Dim - 1));
+  // Bonds may bear tension without any adhesion of the law, and they may bear forces without any stress.
+  if (!(force > 0.0))
+    force = std::max(std::abs(target_stress.mean()) * std::pow(a, Dim - 1), mean_bond_force(packing));
+  return {force, a};
 }
 
 template <int Dim>

@@ -133,7 +133,7 @@ std::optional<ContactAnisotropy> contact_anisotropy(const Packing<Dim>& packing,
   int n = 0;
   for (const int k : carrying.contacts) {
     const Contact<Dim>& c = packing.contacts[k];
-    if (packing.is_wall(c.j) || c.distant) continue;
+    if (packing.is_wall(c.j)) continue;
     const Vec<Dim> r = c.arm_i - c.arm_j, normal = c.normal;
     const Mat<Dim> outer = normal * normal.transpose();
     const double l = r.dot(normal);

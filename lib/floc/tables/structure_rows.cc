@@ -267,8 +267,7 @@ void add_profile(const std::string& file, const Packing<Dim>& packing, const Str
                  Table& table) {
   const int axis = options.profile_axis.value_or(Dim - 1);
   if (axis >= Dim) throw InputError(file, "this state is in 2D and has no axis z: give --profile-axis x or y");
-  std::vector<std::vector<double>> values = {contacts_of_each(packing)};
-  if (packing.walls.empty()) values.push_back(particle_pressure(packing));
+  const std::vector<std::vector<double>> values = {contacts_of_each(packing), particle_pressure(packing)};
   for (const ProfileSlice& s : axis_profile(packing, axis, options.n_slices, values)) {
     std::vector<TableValue> row = {
         file, s.low, s.high, s.solid_fraction, void_ratio(s.solid_fraction), count(s.n_grains), s.mean[0]};

@@ -14,11 +14,13 @@ ContactEnergy energy_of(const Law& law, const Packing<Dim>& packing, const Conta
   const auto history = packed_history<Law, Dim>(c.history);
   ContactEnergy energy;
   if (!c.distant) {
-    energy.normal = law.template elastic_energy_of<Dim>(pair, c.elastic_force, c.kn, history);
+    energy.normal = c.bonded ? spring_energy(c.normal_force * c.normal_force, c.kn)
+                             : law.template elastic_energy_of<Dim>(pair, c.elastic_force, c.kn, history);
     energy.elastic = energy.normal + spring_energy(c.shear_force.squaredNorm(), c.kt) +
                      spring_energy(c.rolling_moment.squaredNorm(), c.kr) +
                      spring_energy(c.twisting_moment * c.twisting_moment, c.ktw);
   }
+  if (c.bonded) return energy;
   energy.attraction =
       law.template attraction_energy_of<Dim>(pair, history, acting_parameters(law, packing.grains, c));
   return energy;

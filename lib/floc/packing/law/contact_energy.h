@@ -16,10 +16,10 @@ struct ContactEnergy {
   /// force and M the moment of the rolling spring; K_N, K_T and K_R are the normal, tangential and rolling stiffness.
   /// If N is proportional to a power of h, the first term is the integral of N over h: N h/2 for linear contacts, (2/5)
   /// N h for Hertz contacts. For all other laws, this term is computed from the gap and the history. The elastic energy
-  /// of a distant attraction is zero.
+  /// of a distant attraction is zero. A bond is a spring: its first term is F_N^2/(2 K_N) with its normal force F_N.
   double elastic = 0.0;
   double normal = 0.0;  ///< elastic energy of the normal force, the first term of `elastic`
-  /// Energy of the adhesion, negative where the surfaces attract each other.
+  /// Energy of the adhesion, negative where the surfaces attract each other; 0 for bonds.
   double attraction = 0.0;
 
   double all() const { return elastic + attraction; }

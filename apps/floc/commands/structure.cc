@@ -83,7 +83,6 @@ Command add_structure(CommandLine program) {
          "LOW,HIGH: range of wave numbers in which I(k) is fitted, in units of 2 pi/a (a: largest diameter)")
       .delimiter(',')
       .expected(2)
-      .one_argument_each()
       .show_default();
   app.add_option("--largest-k", command->options.scattering.largest,
                  "largest wave number k of I(k), in units of 2 pi/a (a: largest diameter)")
@@ -119,7 +118,6 @@ Command add_structure(CommandLine program) {
                  "number of mesh cells of --map along each lattice vector, in 2D")
       .delimiter(',')
       .expected(2)
-      .one_argument_each()
       .within(kMapSide)
       .show_default();
   app.add_option("--porosity", command->porosity,

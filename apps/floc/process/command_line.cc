@@ -132,7 +132,7 @@ Option Option::required() {
 }
 
 Option Option::expected(int count) {
-  option_->expected(count);
+  option_->expected(count)->allow_extra_args(false);
   return *this;
 }
 

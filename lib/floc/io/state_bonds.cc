@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "floc/base/error.h"
+#include "floc/packing/bonds.h"
 
 namespace floc {
 namespace {
@@ -55,12 +56,6 @@ void read_strengths(const Hdf5Reader& file, ReadingArchive& archive, State<Dim>&
 }  // namespace
 
 template <int Dim>
-bool has_bonds(const Packing<Dim>& packing) {
-  return std::any_of(packing.contacts.begin(), packing.contacts.end(),
-                     [](const Contact<Dim>& c) { return c.bonded; });
-}
-
-template <int Dim>
 bool keeps_twisting(const Packing<Dim>& packing) {
   return packing.law.has_twisting() || (Dim == 3 && has_bonds(packing));
 }
@@ -85,7 +80,6 @@ void read_bonds(const Hdf5Reader& file, ReadingArchive& archive, State<Dim>& sta
 }
 
 #define FLOC_INSTANTIATE(Dim)                                    \
-  template bool has_bonds(const Packing<Dim>&);                  \
   template bool keeps_twisting(const Packing<Dim>&);             \
   template void write_bonds(WritingArchive&, const State<Dim>&); \
   template void read_bonds(const Hdf5Reader&, ReadingArchive&, State<Dim>&);

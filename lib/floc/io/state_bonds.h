@@ -8,9 +8,6 @@
 /// strengths of contacts (docs/states.md).
 namespace floc {
 
-template <int Dim>
-bool has_bonds(const Packing<Dim>& packing);
-
 /// Whether a state file contains the twisting moments and stiffnesses of the contacts. This is true if the law has
 /// twisting resistance or if the packing has bonds of spheres, which may resist twisting, too.
 template <int Dim>

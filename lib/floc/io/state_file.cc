@@ -23,6 +23,7 @@
 #include "floc/io/state_layout.h"
 #include "floc/io/state_shapes.h"
 #include "floc/io/state_walls.h"
+#include "floc/packing/bonds.h"
 #include "floc/packing/locate.h"
 #include "floc/packing/overlaps.h"
 

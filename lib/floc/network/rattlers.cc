@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "floc/base/range.h"
+#include "floc/packing/bonds.h"
 
 namespace floc {
 namespace {
@@ -11,12 +12,6 @@ template <int Dim>
 bool carries_force(const Packing<Dim>& packing, double smallest_force) {
   return std::any_of(packing.contacts.begin(), packing.contacts.end(),
                      [&](const Contact<Dim>& c) { return c.normal_force > smallest_force; });
-}
-
-template <int Dim>
-bool has_bonds(const Packing<Dim>& packing) {
-  return std::any_of(packing.contacts.begin(), packing.contacts.end(),
-                     [](const Contact<Dim>& c) { return c.bonded; });
 }
 
 /// Makes one pass through the grains. Marks a grain as a rattler if its contacts with walls and with unmarked grains do

@@ -11,6 +11,7 @@
 #include "floc/base/sha256.h"
 #include "floc/io/law_text.h"
 #include "floc/io/state_file.h"
+#include "floc/packing/bonds.h"
 
 namespace floc {
 namespace {
@@ -63,7 +64,7 @@ std::string refusal_of(const State<Dim>& state, const Scene& scene) {
     return "the state ends in free space along an axis: expected a periodic state, or a table [box] in "
            "the "
            "scene";
-  if (std::ranges::any_of(state.packing.contacts, [](const auto& c) { return c.bonded; }))
+  if (has_bonds(state.packing))
     return "the state has bonds (contacts/bonded), which a run cannot keep: expected a state without bonds";
   const bool has_walls = !state.packing.walls.empty();
   if (has_walls != scene.assembly.box.has_value())

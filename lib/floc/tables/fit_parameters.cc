@@ -3,15 +3,18 @@
 #include <cmath>
 
 namespace floc {
-
-Json number_or_null(const std::optional<double>& x) {
-  return x && std::isfinite(*x) ? Json(*x) : Json(nullptr);
-}
+namespace {
 
 /// Returns whether the data identify a parameter. A parameter without a value is not identified, and neither is one
 /// whose value is too large for a number.
 bool is_identified(const FittedParameter& p) {
   return p.identified && p.value && std::isfinite(*p.value);
+}
+
+}  // namespace
+
+Json number_or_null(const std::optional<double>& x) {
+  return x && std::isfinite(*x) ? Json(*x) : Json(nullptr);
 }
 
 Json parameters_as_json(const std::vector<FittedParameter>& parameters) {

@@ -10,7 +10,7 @@
 namespace floc {
 namespace {
 
-/// Returns the text of a cell of the row of one parameter for all samples ("pooled" or "mean").
+/// Rows of a table of fits, made from the table that floc fit prints for one case.
 class FitsOfACase {
  public:
   explicit FitsOfACase(const std::string& printed) {
@@ -35,14 +35,18 @@ class FitsOfACase {
   Table table_;
 };
 
+void expect_mean(const FitsOfACase& fits, const std::string& parameter, double value, std::int64_t n) {
+  auto mean = fits.row("mean", parameter);
+  EXPECT_EQ(mean["value"], TableValue(value)) << parameter;
+  EXPECT_EQ(mean["n"], TableValue(n)) << parameter;
+}
+
 TEST(TableOfFits, MeansLeaveOutValuesThatTheDataDoNotIdentify) {
   const FitsOfACase fits(
       "sample,parameter,value,stderr,low95,high95,identified\n"
       "x/seed-1/path.csv,B,100,1,98,102,true\nx/seed-2/path.csv,B,104,1,102,106,true\n"
       "x/seed-3/path.csv,B,2e16,3e16,,,false\n");
-  auto mean = fits.row("mean", "B");
-  EXPECT_EQ(mean["value"], TableValue(102.0));
-  EXPECT_EQ(mean["n"], TableValue(std::int64_t{2}));
+  expect_mean(fits, "B", 102.0, 2);
 }
 
 TEST(TableOfFits, EachBranchOfTheSamplesHasItsOwnMean) {
@@ -50,11 +54,8 @@ TEST(TableOfFits, EachBranchOfTheSamplesHasItsOwnMean) {
       "sample,parameter,value,stderr,low95,high95,identified\n"
       "x/seed-1/path.csv,B,100,1,98,102,true\nx/seed-1/path.csv,B,200,1,198,202,true\n"
       "x/seed-2/path.csv,B,104,1,102,106,true\nx/seed-2/path.csv,B,206,1,204,208,true\n");
-  auto first = fits.row("mean", "B"), second = fits.row("mean", "B_2");
-  EXPECT_EQ(first["value"], TableValue(102.0));
-  EXPECT_EQ(first["n"], TableValue(std::int64_t{2}));
-  EXPECT_EQ(second["value"], TableValue(203.0));
-  EXPECT_EQ(second["n"], TableValue(std::int64_t{2}));
+  expect_mean(fits, "B", 102.0, 2);
+  expect_mean(fits, "B_2", 203.0, 2);
 }
 
 TEST(TableOfFits, PooledFitsCountAllSamples) {

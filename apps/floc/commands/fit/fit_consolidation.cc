@@ -240,8 +240,7 @@ Command add_fit_consolidation(CommandLine fit) {
                  "LOW,HIGH: fit only the rows with reduced pressures P* from LOW to HIGH [a window that is "
                  "found from the data]")
       .delimiter(',')
-      .expected(2)
-      .one_argument_each();
+      .expected(2);
   app.add_option("--protocol", arguments->fit.protocol,
                  "published: fit as in the published work: only the mean of the samples is fitted, with P0* "
                  "fixed at the first fitted pressure "

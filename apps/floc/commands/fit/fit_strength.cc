@@ -125,8 +125,7 @@ Command add_fit_strength(CommandLine fit) {
                  "LOW,HIGH: axial stresses between which the constrained modulus is computed [half of "
                  "the largest stress to the largest stress]")
       .delimiter(',')
-      .expected(2)
-      .one_argument_each();
+      .expected(2);
   add_columns_option(app, arguments->columns,
                      "sigma1, sigma3, strain, volumetric_strain, sigma_n, tau, shear_strain");
   add_printing_options(app, arguments->printing);

@@ -87,6 +87,23 @@ TEST(FitStrength, OfSamplesAtFailureIsTheLineThroughTheRows) {
   EXPECT_NEAR(parameters.at("cohesion_peak").at("value").get<double>(), 25 / std::sqrt(3.0), 1e-9);
 }
 
+TEST(FitStrength, OfOneSampleAtFailureIsItsSecantAngle) {
+  for (const auto& [table, angle] : {std::pair("sigma1,sigma3\n50,10\n", degrees_of_sine(40.0 / 60.0)),
+                                     std::pair("sigma_n,tau\n200,100\n", degrees_of_tangent(0.5))}) {
+    const Outcome o = run_floc("fit strength - --format csv", ScratchDirectory().path(), table);
+    EXPECT_EQ(o.code, 0) << o.err;
+    EXPECT_NEAR(value_of(o.out, "pooled", "failure", "secant_angle_peak"), angle, 1e-9);
+  }
+}
+
+TEST(FitStrength, UndrainedNeedsNoVolumetricStrain) {
+  const std::string rows = "0,100,100\n0.02,150,60\n0.04,150,60\n0.06,150,60\n0.08,150,60\n0.1,150,60\n";
+  const Outcome o = run_floc("fit strength - --kind undrained --format csv", ScratchDirectory().path(),
+                             "strain,sigma1,sigma3\n" + rows);
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_NEAR(value_of(o.out, "stdin", "undrained", "undrained_strength_peak"), 45.0, 1e-9) << o.out;
+}
+
 TEST(FitStrength, OfRunsAgreesWithTheColumnsOfTheirPaths) {
   const ScratchDirectory dir;
   const std::string scenes = source_directory() + "/data/scenes/";

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "floc/base/infinity.h"
 #include "floc/fitting/compression_models.h"
@@ -36,14 +37,15 @@ struct DensityResidual {
   }
 };
 
-/// A model fitted to points. The Jacobian has a column of zeros for each coordinate that is fixed or at a
-/// bound.
+/// A model fitted to points. The Jacobian has a column of zeros for a coordinate that was held at a given value.
 struct Solution {
   Eigen::VectorXd theta, residuals;
   Eigen::MatrixXd jacobian;
   double sum_of_squares = 0.0;
-  int n_free = 0;
+  int held = -1;  ///< index of the held coordinate, -1 without one
   bool at_limit = false;
+
+  int n_free() const { return static_cast<int>(theta.size()) - (held >= 0); }
 };
 
 template <class Model>
@@ -81,47 +83,41 @@ std::optional<Solution> solve(const CompressionPoints& points, const Compression
       best = found;
   }
   if (!best) return std::nullopt;
-  Solution solution{best->theta, best->residuals, {}, best->sum_of_squares, Model::kParameters - (held == 0),
-                    false};
+  Solution solution{best->theta, best->residuals, {}, best->sum_of_squares, held};
   // minimize() returns no Jacobian if a parameter is held, so the Jacobian is computed here in all cases.
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows(points.P.size(),
                                                                               Model::kParameters);
   Eigen::VectorXd values(points.P.size());
   DifferentiatedResiduals(residuals).evaluate(solution.theta.data(), values.data(), rows.data());
   solution.jacobian = rows;
-  if (held == 0) solution.jacobian.col(0).setZero();
-  // The bound, and not the data, determines the value of a coordinate at its bound, so that the Jacobian gives no
-  // standard error of this value. With a column of zeros, the coordinate counts as a given number in the errors of the
-  // other coordinates.
+  if (held >= 0) solution.jacobian.col(held).setZero();
+  // The derivatives with respect to a coordinate at its bound are kept: the true limit of the solid fraction may be
+  // smaller, and the errors of the other parameters include this.
   constexpr double kAtBound = 1e-9;
-  if (!limits.empty() && solution.theta[kLimit] > limits.front().high - kAtBound) {
-    solution.jacobian.col(kLimit).setZero();
-    solution.at_limit = true;
-  }
+  solution.at_limit = !limits.empty() && solution.theta[kLimit] > limits.front().high - kAtBound;
   return solution;
 }
 
-/// Returns the covariance of theta; the entries of coordinates that were not fitted are zero. The error of each point
-/// is estimated as the residual of the point divided by 1 - h, where h is the leverage of the point (estimator HC3
-/// [MW1985]). Errors from the weights would be wrong, because the dependence of the errors of D on D is unknown.
+/// Returns the covariance of theta; the entries of a held coordinate are zero, and a coordinate that the data do not
+/// determine has infinite variance. The error of each point is estimated as the residual of the point divided by 1 - h,
+/// where h is the leverage of the point (estimator HC3 [MW1985]). Errors from the weights would be wrong, because the
+/// dependence of the errors of D on D is unknown.
 Eigen::MatrixXd covariance_of(const Solution& solution) {
   const Eigen::MatrixXd& J = solution.jacobian;
   Eigen::MatrixXd c = unit_covariance(J);
-  std::vector<bool> unknown(static_cast<std::size_t>(c.rows()),
-                            false);  // coordinates that the data do not determine
-  for (Eigen::Index k = 0; k < c.rows(); ++k)
-    if (J.col(k).isZero(0.0) || !std::isfinite(c(k, k))) {
-      unknown[static_cast<std::size_t>(k)] = !J.col(k).isZero(0.0);
-      c.row(k).setZero();
-      c.col(k).setZero();
-    }
+  std::vector<Eigen::Index> unknown;
+  for (Eigen::Index k = 0; k < c.rows(); ++k) {
+    if (std::isfinite(c(k, k))) continue;
+    if (k != solution.held) unknown.push_back(k);
+    c.row(k).setZero();
+    c.col(k).setZero();
+  }
   const Eigen::ArrayXd leverage = (J * c).cwiseProduct(J).rowwise().sum();
   constexpr double kMost = 0.99;
   const Eigen::VectorXd error = solution.residuals.array() / (1.0 - leverage.min(kMost));
   const Eigen::MatrixXd change = c * J.transpose() * error.asDiagonal();
   Eigen::MatrixXd covariance = change * change.transpose();
-  for (Eigen::Index k = 0; k < c.rows(); ++k)
-    if (unknown[static_cast<std::size_t>(k)]) covariance(k, k) = kInfinity;
+  for (const Eigen::Index k : unknown) covariance(k, k) = kInfinity;
   return covariance;
 }
 
@@ -164,12 +160,12 @@ std::vector<FittedParameter> parameters_of(const Solution& solution, double fact
 }
 
 /// Sets the parameters that were not fitted freely: D0 if the user gave it, and Phi_max if it is at its bound. In the
-/// second case, Phi_max gets no value, and the bound is the upper end of its interval.
+/// second case, Phi_max gets no value, and the upper end of its interval is the bound.
 void mark_given(const CompressionOptions& options, const Solution& solution, CompressionFit& fit) {
   for (FittedParameter& p : fit.parameters) {
     if (p.name == "D0" && options.D0 > 0.0) p = held_at("D0", options.D0);
     if (p.name != "Phi_max" || !solution.at_limit) continue;
-    p = {"Phi_max", {}, {}, {}, options.phi_limit, false};
+    p = {"Phi_max", {}, {}, p.low95, options.phi_limit, false};
     fit.warnings.push_back(fmt::format(
         "Phi_max is at its bound, {:g}: the best fit without this bound has a larger Phi_max, so that the law "
         "may not describe the data",
@@ -178,12 +174,12 @@ void mark_given(const CompressionOptions& options, const Solution& solution, Com
 }
 
 ResidualPattern pattern_of(const Solution& solution) {
-  return residual_pattern(solution.residuals, projection_on(solution.jacobian));
+  return residual_pattern(solution.residuals, basis_of(solution.jacobian));
 }
 
 double aicc_of(const Solution& solution, Eigen::Index n_points) {
   const auto n = static_cast<double>(n_points);
-  const double k = solution.n_free + 1.0;  // the variance of the residuals counts as one more parameter
+  const double k = solution.n_free() + 1.0;  // the variance of the residuals counts as one more parameter
   const double mean = std::max(solution.sum_of_squares / n, kRoundingOfTables * kRoundingOfTables);
   return n * std::log(mean) + 2.0 * k + 2.0 * k * (k + 1.0) / (n - k - 1.0);
 }
@@ -195,6 +191,31 @@ CompressionFit refused(CompressionLaw law, std::string why) {
   return fit;
 }
 
+/// Returns the reason why the given D0, or the given bound of the solid fraction, contradicts all points; empty if
+/// neither does.
+template <class Model>
+std::string contradiction(const CompressionPoints& points, const CompressionOptions& options) {
+  const double least = points.D.minCoeff(), most = points.D.maxCoeff();
+  if (Model::kHasD0 && options.D0 >= most)
+    return fmt::format("the given D0, {:g}, is not below the largest solid fraction, {:g}", options.D0, most);
+  if (limit_coordinate<Model>() >= 0 && options.phi_limit <= least)
+    return fmt::format("the bound of Phi_max, {:g}, is not above the smallest solid fraction, {:g}",
+                       options.phi_limit, least);
+  return "";
+}
+
+/// Warns if the given D0, or the given bound of the solid fraction, contradicts some points.
+template <class Model>
+void warn_of_contradiction(const CompressionPoints& points, const CompressionOptions& options,
+                           CompressionFit& fit) {
+  if (Model::kHasD0 && options.D0 > points.D.minCoeff())
+    fit.warnings.push_back(fmt::format("the given D0, {:g}, is above the smallest solid fraction, {:g}",
+                                       options.D0, points.D.minCoeff()));
+  if (limit_coordinate<Model>() >= 0 && options.phi_limit < points.D.maxCoeff())
+    fit.warnings.push_back(fmt::format("the bound of Phi_max, {:g}, is below the largest solid fraction, {:g}",
+                                       options.phi_limit, points.D.maxCoeff()));
+}
+
 template <class Model>
 CompressionFit fit_model(CompressionLaw law, const CompressionPoints& all, const CompressionOptions& options) {
   // The corrected Akaike criterion of n points and k parameters has the denominator n - k - 1, where k includes the
@@ -202,6 +223,7 @@ CompressionFit fit_model(CompressionLaw law, const CompressionPoints& all, const
   const auto least = Model::kParameters + 3;
   if (all.P.size() < least)
     return refused(law, fmt::format("there are {} pressures, but this law needs {}", all.P.size(), least));
+  if (std::string why = contradiction<Model>(all, options); !why.empty()) return refused(law, std::move(why));
   const auto whole = solve<Model>(all, options);
   if (!whole) return refused(law, "no parameters of this law describe the data");
   CompressionFit fit{};
@@ -216,7 +238,7 @@ CompressionFit fit_model(CompressionLaw law, const CompressionPoints& all, const
   if (!solution) return refused(law, "no parameters of this law describe the straight part of the data");
   fit.first = first;
   fit.n_points = n;
-  const int dof = n - solution->n_free;
+  const int dof = n - solution->n_free();
   fit.rms = std::sqrt(solution->residuals.cwiseQuotient(part.weight).squaredNorm() / n);
   // The pattern of all residuals shows whether the law describes the whole curve. The variance factor, in contrast,
   // widens the intervals of the parameters, so that the factor is computed from the points that determine the
@@ -224,6 +246,7 @@ CompressionFit fit_model(CompressionLaw law, const CompressionPoints& all, const
   fit.pattern = pattern_of(*whole);
   fit.parameters = parameters_of<Model>(*solution, pattern_of(*solution).variance_factor(), dof);
   mark_given(options, *solution, fit);
+  warn_of_contradiction<Model>(all, options, fit);
   if (fit.pattern.is_systematic())
     fit.warnings.push_back(fmt::format(
         "the residuals of all points are systematic (correlation {:.2f}, probability for independent errors "

@@ -61,23 +61,42 @@ class TinyFunction {
   mutable Rows rows_;
 };
 
+/// Singular value decomposition of a Jacobian whose columns are scaled to unit length. `n_seen` singular values are not
+/// rounding.
+struct ScaledDecomposition {
+  Eigen::VectorXd scale;
+  SingularValues svd;
+  Eigen::Index n_seen;
+
+  explicit ScaledDecomposition(const Eigen::MatrixXd& jacobian) : scale(jacobian.colwise().norm()) {
+    constexpr double kRounding = 1e-13;
+    for (double& s : scale)
+      if (s == 0.0) s = 1.0;
+    svd = singular_values(jacobian * scale.cwiseInverse().asDiagonal());
+    n_seen = (svd.values.array() > kRounding * svd.values[0]).count();
+  }
+  /// Returns the matrix H for which J H has orthonormal columns, and H H^T is (J^T J)^-1.
+  Eigen::MatrixXd half() const {
+    return scale.cwiseInverse().asDiagonal() * svd.right.leftCols(n_seen) *
+           svd.values.head(n_seen).cwiseInverse().asDiagonal();
+  }
+};
+
 }  // namespace
 
 Eigen::MatrixXd unit_covariance(const Eigen::MatrixXd& jacobian) {
-  constexpr double kRounding = 1e-13;
-  Eigen::VectorXd scale = jacobian.colwise().norm();
-  for (double& s : scale)
-    if (s == 0.0) s = 1.0;
-  const SingularValues svd = singular_values(jacobian * scale.cwiseInverse().asDiagonal());
-  const Eigen::VectorXd& sigma = svd.values;
-  const Eigen::Index n_seen = (sigma.array() > kRounding * sigma[0]).count();
-  const Eigen::MatrixXd half = scale.cwiseInverse().asDiagonal() * svd.right.leftCols(n_seen) *
-                               sigma.head(n_seen).cwiseInverse().asDiagonal();
+  const ScaledDecomposition decomposition(jacobian);
+  const Eigen::MatrixXd half = decomposition.half();
   Eigen::MatrixXd covariance = half * half.transpose();
-  const Eigen::VectorXd unseen = svd.right.rightCols(sigma.size() - n_seen).rowwise().squaredNorm();
+  const Eigen::MatrixXd& right = decomposition.svd.right;
+  const Eigen::VectorXd unseen = right.rightCols(right.cols() - decomposition.n_seen).rowwise().squaredNorm();
   for (int k = 0; k < unseen.size(); ++k)
     if (unseen[k] > 1e-6) covariance(k, k) = std::numeric_limits<double>::infinity();
   return covariance;
+}
+
+Eigen::MatrixXd basis_of(const Eigen::MatrixXd& columns) {
+  return columns * ScaledDecomposition(columns).half();
 }
 
 std::optional<LeastSquaresSolution> minimize(const ResidualFunction& function, const Eigen::VectorXd& start,

@@ -28,6 +28,9 @@ struct ParameterLimits {
 /// has infinite variance.
 [[nodiscard]] Eigen::MatrixXd unit_covariance(const Eigen::MatrixXd& jacobian);
 
+/// Returns an orthonormal basis of the space of the columns of a matrix, which may depend on each other.
+[[nodiscard]] Eigen::MatrixXd basis_of(const Eigen::MatrixXd& columns);
+
 /// Interface of the residuals of a least-squares problem, so that the solvers are compiled only once for all problems.
 class ResidualFunction {
  public:

@@ -110,12 +110,12 @@ class FractionProblem {
   double low_, high_;
 };
 
-/// Returns the matrix that projects on the space of the derivatives of ln M with respect to the three parameters.
+/// Returns a basis of the space of the derivatives of ln M with respect to the three parameters.
 Eigen::MatrixXd tangent_of(const FractionProblem& problem, double u) {
   const Eigen::VectorXd x = problem.x_at(u);
   Eigen::MatrixXd columns(x.size(), 3);
   columns << Eigen::VectorXd::Ones(x.size()), x, (-x.array()).exp().matrix();
-  return projection_on(columns);
+  return basis_of(columns);
 }
 
 /// Limits of the sum of squares of a power law in the solid fraction: `least` of the best fit, and `allowed` at the
@@ -186,7 +186,7 @@ ModulusLaw fit_modulus_of_pressure(const std::vector<double>& P, const std::vect
   const Eigen::VectorXd y = logarithms_of(modulus);
   const Eigen::MatrixXd columns = line_columns(logarithms_of(P));
   const LinearFit line = fit_linear(columns, y);
-  law.pattern = residual_pattern(columns * line.coefficients - y, projection_on(columns));
+  law.pattern = residual_pattern(columns * line.coefficients - y, basis_of(columns));
   law.rms = std::sqrt(line.sum_of_squares / static_cast<double>(y.size()));
   const double widened = std::sqrt(law.pattern.variance_factor()), t95 = student_t_95(line.dof);
   const auto error = [&](int k) { return widened * std::sqrt(line.covariance(k, k)); };

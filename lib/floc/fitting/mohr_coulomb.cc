@@ -44,14 +44,14 @@ LinearFit line_of_relative_errors(const Eigen::VectorXd& x, const Eigen::VectorX
 /// For each sample, the imposed stress and the stress at which the sample fails.
 struct Failures {
   Eigen::VectorXd imposed, found;
-  const char* name;  ///< name of the imposed stress in messages
+  const char *name, *name_of_found;  ///< names of both stresses in messages
 };
 
 template <class Stress>
 Failures failures_of(const std::vector<Stress>& stresses, double Stress::*imposed, double Stress::*found,
-                     const char* name) {
+                     const char* name, const char* name_of_found) {
   const auto n = static_cast<Eigen::Index>(stresses.size());
-  Failures failures{Eigen::VectorXd(n), Eigen::VectorXd(n), name};
+  Failures failures{Eigen::VectorXd(n), Eigen::VectorXd(n), name, name_of_found};
   for (Eigen::Index i = 0; i < n; ++i) {
     failures.imposed[i] = stresses[static_cast<std::size_t>(i)].*imposed;
     failures.found[i] = stresses[static_cast<std::size_t>(i)].*found;
@@ -65,10 +65,14 @@ std::string why_no_line(const Failures& f) {
   if (f.imposed.size() < kLeast)
     return fmt::format("there are {} tests, but a line with its error needs at least {}", f.imposed.size(),
                        kLeast);
+  if (const double weakest = f.found.minCoeff(); !(weakest > 0.0))
+    return fmt::format(
+        "a test failed at the {} stress {:.6g}, but a line of relative errors needs stresses above zero",
+        f.name_of_found, weakest);
   // If the imposed stresses are nearly equal, the tests do not determine the slope.
   constexpr double kLeastRange = 0.05;
   const double least = f.imposed.minCoeff(), most = f.imposed.maxCoeff();
-  if (f.found.minCoeff() > 0.0 && most - least >= kLeastRange * most) return "";
+  if (most - least >= kLeastRange * most) return "";
   return fmt::format(
       "the {} stresses of the tests, {:.6g} to {:.6g}, differ by less than 5 %, so that friction angle and "
       "cohesion cannot be separated",
@@ -92,7 +96,8 @@ MohrCoulombFit refused_line(std::string why) {
 }  // namespace
 
 MohrCoulombFit fit_mohr_coulomb(const std::vector<FailureStress>& stresses, const std::string& suffix) {
-  const Failures failures = failures_of(stresses, &FailureStress::minor, &FailureStress::major, "lateral");
+  const Failures failures =
+      failures_of(stresses, &FailureStress::minor, &FailureStress::major, "lateral", "largest");
   if (std::string why = why_no_line(failures); !why.empty()) return refused_line(std::move(why));
   const LinearFit line = line_of_relative_errors(failures.imposed, failures.found);
   const double C = line.coefficients[0], N = line.coefficients[1];
@@ -124,7 +129,7 @@ MohrCoulombFit fit_mohr_coulomb(const std::vector<FailureStress>& stresses, cons
 }
 
 MohrCoulombFit fit_mohr_coulomb_planes(const std::vector<PlaneStress>& stresses, const std::string& suffix) {
-  const Failures failures = failures_of(stresses, &PlaneStress::normal, &PlaneStress::shear, "normal");
+  const Failures failures = failures_of(stresses, &PlaneStress::normal, &PlaneStress::shear, "normal", "shear");
   if (std::string why = why_no_line(failures); !why.empty()) return refused_line(std::move(why));
   const LinearFit line = line_of_relative_errors(failures.imposed, failures.found);
   if (!(line.coefficients[1] > 0.0))

@@ -119,6 +119,47 @@ double residual_of_elasticity(const LawPoints& points) {
   return (y - columns * least_squares_solution(columns, y)).squaredNorm();
 }
 
+/// Finds the regimes of a curve with at most kMostPlaces points.
+std::optional<Regimes> regimes_of(const LawPoints& points) {
+  const int n = points.size();
+  std::vector<Place> ends = ends_before_full_law(points);
+  const std::vector<Place> line_ends = ends_before_line(points);
+  // The curve has no separate regimes if a constant or an elastic line explains it better than a plateau followed by a
+  // law.
+  const double flat = std::min(information(residual_of_constant(points), n, 1),
+                               information(residual_of_elasticity(points), n, 2));
+  const auto explains_more = [flat](const Place& p) { return p.information < flat; };
+  Regimes regimes;
+  regimes.all_in_one = std::none_of(ends.begin(), ends.end(), explains_more) &&
+                       std::none_of(line_ends.begin(), line_ends.end(), explains_more);
+  if (regimes.all_in_one) return regimes;
+
+  const auto least = [](const std::vector<Place>& places) {
+    return places.empty() ? kInfinity
+                          : std::min_element(places.begin(), places.end(), less_information)->information;
+  };
+  // Data that end before P1*, where regime III begins, do not determine the full law. The line of regime II, with fewer
+  // parameters, then has the smaller information criterion.
+  if (least(line_ends) < least(ends)) ends = line_ends;
+  if (ends.empty()) return std::nullopt;
+  const ChangePoint end = change_among(ends, 0);
+  regimes.n_plateau = end.first;
+  if (end.high95 > 0) regimes.plateau_end = end;
+
+  const LawPoints rest = points.range(end.first, n - end.first);
+  regimes.end_of_two = n;
+  const std::vector<Place> onsets = onsets_of_three(rest);
+  if (onsets.empty()) return regimes;
+  const auto best = std::min_element(onsets.begin(), onsets.end(), less_information);
+  // Regime III is reported only if a line followed by a power law has a smaller information criterion than one
+  // line through all points after the plateau.
+  const auto line = residual_of_line(rest);
+  if (line && information(*line, rest.size(), n_parameters(Law::log)) <= best->information) return regimes;
+  regimes.onset_three = change_among(onsets, end.first);
+  regimes.end_of_two = regimes.onset_three->first;
+  return regimes;
+}
+
 }  // namespace
 
 ChangePoint change_among(std::vector<Place> places, int shift) {
@@ -161,43 +202,41 @@ bool keeps_regime_two(Law law, const LawPoints& points, const LawSolution& solut
   return law != Law::full || n_before_regime_three(points, solution) >= kMinInRegimeTwo;
 }
 
+GroupedPoints grouped(const LawPoints& points) {
+  const int n = points.size(), size = (n + kMostPlaces - 1) / kMostPlaces;
+  if (size <= 1) return {points, 1};
+  const int n_groups = (n + size - 1) / size;
+  GroupedPoints means{
+      {Eigen::VectorXd(n_groups), Eigen::VectorXd(n_groups), Eigen::VectorXd(n_groups), points.least_limit},
+      size};
+  for (int k = 0; k < n_groups; ++k) {
+    const LawPoints group = points.range(k * size, std::min(size, n - k * size));
+    const Eigen::ArrayXd w2 = group.weight.array().square();
+    means.points.log_P[k] = (w2 * group.log_P.array()).sum() / w2.sum();
+    means.points.y[k] = (w2 * group.y.array()).sum() / w2.sum();
+    means.points.weight[k] = std::sqrt(w2.sum() / size);
+  }
+  return means;
+}
+
+Regimes by_point(Regimes regimes, int group_size, int n_points) {
+  const auto multiply = [&](int& index) { index = std::min(index * group_size, n_points); };
+  multiply(regimes.n_plateau);
+  multiply(regimes.end_of_two);
+  for (std::optional<ChangePoint>* change : {&regimes.plateau_end, &regimes.onset_three}) {
+    if (!*change) continue;
+    multiply((*change)->first);
+    multiply((*change)->low95);
+    multiply((*change)->high95);
+    for (ChangePlace& place : (*change)->places) multiply(place.first);
+  }
+  return regimes;
+}
+
 std::optional<Regimes> find_regimes(const LawPoints& points) {
-  const int n = points.size();
-  std::vector<Place> ends = ends_before_full_law(points);
-  const std::vector<Place> line_ends = ends_before_line(points);
-  // The curve has no separate regimes if a constant or an elastic line explains it better than a plateau followed by a
-  // law.
-  const double flat = std::min(information(residual_of_constant(points), n, 1),
-                               information(residual_of_elasticity(points), n, 2));
-  const auto explains_more = [flat](const Place& p) { return p.information < flat; };
-  Regimes regimes;
-  regimes.all_in_one = std::none_of(ends.begin(), ends.end(), explains_more) &&
-                       std::none_of(line_ends.begin(), line_ends.end(), explains_more);
-  if (regimes.all_in_one) return regimes;
-
-  const auto least = [](const std::vector<Place>& places) {
-    return places.empty() ? kInfinity
-                          : std::min_element(places.begin(), places.end(), less_information)->information;
-  };
-  // Data that end before P1*, where regime III begins, do not determine the full law. The line of regime II, with fewer
-  // parameters, then has the smaller information criterion.
-  if (least(line_ends) < least(ends)) ends = line_ends;
-  if (ends.empty()) return std::nullopt;
-  const ChangePoint end = change_among(ends, 0);
-  regimes.n_plateau = end.first;
-  if (end.high95 > 0) regimes.plateau_end = end;
-
-  const LawPoints rest = points.range(end.first, n - end.first);
-  regimes.end_of_two = n;
-  const std::vector<Place> onsets = onsets_of_three(rest);
-  if (onsets.empty()) return regimes;
-  const auto best = std::min_element(onsets.begin(), onsets.end(), less_information);
-  // Regime III is reported only if a line followed by a power law has a smaller information criterion than one
-  // line through all points after the plateau.
-  const auto line = residual_of_line(rest);
-  if (line && information(*line, rest.size(), n_parameters(Law::log)) <= best->information) return regimes;
-  regimes.onset_three = change_among(onsets, end.first);
-  regimes.end_of_two = regimes.onset_three->first;
+  const GroupedPoints means = grouped(points);
+  std::optional<Regimes> regimes = regimes_of(means.points);
+  if (regimes) regimes = by_point(*std::move(regimes), means.group_size, points.size());
   return regimes;
 }
 

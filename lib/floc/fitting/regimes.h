@@ -56,6 +56,22 @@ struct Regimes {
   double jump_distance = 0.0;
 };
 
+/// Curve whose points are means over groups of neighbouring points. The search for regimes fits laws to all pairs of
+/// ends, so that its cost grows with the third power of the number of points; tables of laboratories have thousands of
+/// rows.
+struct GroupedPoints {
+  LawPoints points;
+  int group_size = 1;  ///< number of points in a group; the last group may have fewer
+};
+/// Returns the means over groups, at most kMostPlaces of them. A curve with at most kMostPlaces points is unchanged.
+[[nodiscard]] GroupedPoints grouped(const LawPoints& points);
+/// Largest number of points, or groups of points, among which the ends of the regimes are sought.
+inline constexpr int kMostPlaces = 500;
+
+/// Returns regimes whose indices count single points, from regimes whose indices count groups.
+/// @param n_points  number of single points
+[[nodiscard]] Regimes by_point(Regimes regimes, int group_size, int n_points);
+
 /// Finds the regimes of a consolidation curve. Each change between two regimes is put where a least-squares fit has the
 /// smallest Bayesian information criterion.
 ///
@@ -64,7 +80,8 @@ struct Regimes {
 /// last point of the plateau and the next point.
 /// 2. Beginning of regime III: a line followed by a power law is fitted to the points after the plateau.
 ///
-/// The probability of a place of a change is in proportion to exp(-criterion/2).
+/// The probability of a place of a change is in proportion to exp(-criterion/2). Of more than kMostPlaces points, means
+/// over groups are divided (grouped()).
 /// @return the regimes; absent if no end of regime I leaves three points to regime II
 [[nodiscard]] std::optional<Regimes> find_regimes(const LawPoints& points);
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "floc/fitting/incomplete_beta.h"
-#include "floc/fitting/least_squares.h"
 #include "floc/fitting/regimes.h"
 
 namespace floc {
@@ -43,20 +42,27 @@ double runs_probability(const Eigen::VectorXd& r) {
   return std::min(p, 1.0);
 }
 
+/// Returns the changes from each row of a matrix to the next row.
+Eigen::MatrixXd steps_of(const Eigen::MatrixXd& m) {
+  return m.bottomRows(m.rows() - 1) - m.topRows(m.rows() - 1);
+}
+
 /// Returns the probability that a fit to independent data has residuals with a von Neumann ratio below `ratio`.
-double smoothness_probability(double ratio, const Eigen::MatrixXd& hat) {
-  const Eigen::Index n = hat.rows();
-  // matrix D for which r^T D r is the sum of (r_(k+1) - r_k)^2 over k
-  Eigen::MatrixXd differences = Eigen::MatrixXd::Zero(n, n);
-  for (Eigen::Index k = 0; k + 1 < n; ++k) {
-    differences(k, k) += 1.0;
-    differences(k + 1, k + 1) += 1.0;
-    differences(k, k + 1) = differences(k + 1, k) = -1.0;
-  }
-  const Eigen::MatrixXd of_residuals = differences - hat * differences;
-  const double dof = static_cast<double>(n) - hat.trace();
-  const double trace = of_residuals.trace();
-  const double square = of_residuals.cwiseProduct(of_residuals.transpose()).sum();
+double smoothness_probability(double ratio, const Eigen::MatrixXd& basis) {
+  const auto n = static_cast<double>(basis.rows());
+  // The residuals are M e with independent errors e, the projector M = 1 - Q Q^T and the basis Q. Their ratio is
+  // (M e)^T D (M e)/(M e)^2, where D = S^T S and S takes the difference of neighbours. Its mean and variance follow from
+  // the traces of D M and of (D M)^2. With these formulas, the cost grows in proportion to n and not to its cube.
+  const Eigen::MatrixXd steps = steps_of(basis);                               // S Q
+  const Eigen::MatrixXd within = steps.transpose() * steps;                    // Q^T D Q
+  Eigen::MatrixXd second = Eigen::MatrixXd::Zero(basis.rows(), basis.cols());  // D Q
+  second.topRows(steps.rows()) -= steps;
+  second.bottomRows(steps.rows()) += steps;
+  // The diagonal of D is 2 except for 1 at both ends, and its neighbours are -1.
+  const double trace_of_d = 2.0 * (n - 1.0), squares_of_d = 6.0 * n - 8.0;
+  const double dof = n - static_cast<double>(basis.cols());
+  const double trace = trace_of_d - within.trace();
+  const double square = squares_of_d - 2.0 * second.squaredNorm() + within.squaredNorm();
   const double mean = trace / dof;
   const double variance = (2.0 * square + trace * trace) / (dof * (dof + 2.0)) - mean * mean;
   constexpr double kLargest = 4.0;
@@ -82,25 +88,18 @@ double ResidualPattern::variance_factor() const {
   return (1.0 + r) / (1.0 - r);
 }
 
-ResidualPattern residual_pattern(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& hat) {
+ResidualPattern residual_pattern(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& basis) {
   const Eigen::Index n = residuals.size();
   ResidualPattern pattern;
   constexpr double kMinFree = 2.5;
   const double squares = residuals.squaredNorm();
   const bool is_rounding = squares < static_cast<double>(n) * kRoundingOfTables * kRoundingOfTables;
-  if (is_rounding || static_cast<double>(n) - hat.trace() < kMinFree) return pattern;
+  if (is_rounding || static_cast<double>(n - basis.cols()) < kMinFree) return pattern;
   const Eigen::VectorXd steps = residuals.tail(n - 1) - residuals.head(n - 1);
   pattern.correlation = residuals.head(n - 1).dot(residuals.tail(n - 1)) / squares;
-  pattern.smoothness_p = smoothness_probability(steps.squaredNorm() / squares, hat);
+  pattern.smoothness_p = smoothness_probability(steps.squaredNorm() / squares, basis);
   pattern.runs_p = runs_probability(residuals);
   return pattern;
-}
-
-Eigen::MatrixXd projection_on(const Eigen::MatrixXd& columns) {
-  Eigen::MatrixXd covariance = unit_covariance(columns);
-  for (Eigen::Index k = 0; k < covariance.rows(); ++k)
-    if (!std::isfinite(covariance(k, k))) covariance.row(k).setZero(), covariance.col(k).setZero();
-  return columns * covariance * columns.transpose();
 }
 
 }  // namespace floc

@@ -30,10 +30,7 @@ struct ResidualPattern {
 /// (0, 4) with the exact mean and variance, which depend on the Jacobian [DW1951]. Residuals that are only rounding
 /// have no pattern.
 /// @param residuals  weighted residuals in the order of the points
-/// @param hat        matrix that projects on the columns of the Jacobian of the residuals
-[[nodiscard]] ResidualPattern residual_pattern(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& hat);
-
-/// Returns the matrix that projects on the space of the columns of a matrix; columns of zeros are ignored.
-[[nodiscard]] Eigen::MatrixXd projection_on(const Eigen::MatrixXd& columns);
+/// @param basis      orthonormal basis of the columns of the Jacobian of the residuals
+[[nodiscard]] ResidualPattern residual_pattern(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& basis);
 
 }  // namespace floc

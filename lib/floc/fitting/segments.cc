@@ -162,9 +162,8 @@ bool is_elastic(const LawPoints& points, double information) {
   return std::min(criterion({constant, 1}, n), criterion({elastic, 2}, n)) <= information;
 }
 
-}  // namespace
-
-std::optional<Regimes> find_segments(const LawPoints& points, bool bends) {
+/// Divides a curve with at most kMostPlaces points.
+std::optional<Regimes> segments_of(const LawPoints& points, bool bends) {
   const int n = points.size();
   std::vector<Division> divisions = divisions_with_two(points);
   // The third part of a division describes the bend. Without a bend, only those divisions remain in which regime II
@@ -195,6 +194,15 @@ std::optional<Regimes> find_segments(const LawPoints& points, bool bends) {
   if (best.upper_begin < n)
     regimes.onset_three =
         change_of(of_kind, n, best.upper_begin, [](const Division& d) { return d.upper_begin; });
+  return regimes;
+}
+
+}  // namespace
+
+std::optional<Regimes> find_segments(const LawPoints& points, bool bends) {
+  const GroupedPoints means = grouped(points);
+  std::optional<Regimes> regimes = segments_of(means.points, bends);
+  if (regimes) regimes = by_point(*std::move(regimes), means.group_size, points.size());
   return regimes;
 }
 

@@ -15,7 +15,8 @@ namespace floc {
 /// The function chooses the division with the smallest information criterion. This is Bayes' criterion for n points,
 /// but with the penalty for p parameters multiplied by n/(n - p - 1), because some tables of laboratories have only n =
 /// 8 rows. The probability of a division is in proportion to exp(-criterion/2). The probability of each position of one
-/// end of regime II is the sum over all positions of the other end.
+/// end of regime II is the sum over all positions of the other end. Of more than kMostPlaces points, means over groups
+/// are divided (grouped()).
 /// @param bends  whether the curve may bend away from the line of regime II
 /// @return the regimes; absent if the solid fraction grows nowhere as in regime II or III. Without regime II,
 /// `end_of_two` equals `n_plateau`. `all_in_one` is true if a constant or an elastic line explains the curve better

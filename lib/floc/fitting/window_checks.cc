@@ -21,24 +21,28 @@ Eigen::VectorXd all_residuals(const LawEstimate& e) {
   return residuals;
 }
 
-/// Returns the matrix that projects on the columns of the Jacobian of all_residuals().
-Eigen::MatrixXd hat_of(const LawEstimate& e) {
+/// Returns a basis of the columns of the Jacobian of all_residuals(). The recompression line and the law have no
+/// common parameters.
+Eigen::MatrixXd basis_of_all(const LawEstimate& e) {
   const Eigen::Index n_plateau = e.plateau.size(), n = e.points.size();
-  Eigen::MatrixXd hat = Eigen::MatrixXd::Zero(n_plateau + n, n_plateau + n);
+  Eigen::MatrixXd of_line(n_plateau, 0);
   if (n_plateau > 0) {
     Eigen::MatrixXd columns(n_plateau, e.line.slopes ? 2 : 1);
     columns.col(0) = e.plateau.weight;
     if (e.line.slopes) columns.col(1) = e.plateau.weight.cwiseProduct(e.plateau.log_P);
-    hat.topLeftCorner(n_plateau, n_plateau) = projection_on(columns);
+    of_line = basis_of(columns);
   }
-  hat.bottomRightCorner(n, n) = projection_on(e.solution.jacobian);
-  return hat;
+  const Eigen::MatrixXd of_law = basis_of(e.solution.jacobian);
+  Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(n_plateau + n, of_line.cols() + of_law.cols());
+  basis.topLeftCorner(n_plateau, of_line.cols()) = of_line;
+  basis.bottomRightCorner(n, of_law.cols()) = of_law;
+  return basis;
 }
 
 }  // namespace
 
 void check_residuals(const LawEstimate& estimate, ConsolidationFit& fit) {
-  fit.pattern = residual_pattern(all_residuals(estimate), hat_of(estimate));
+  fit.pattern = residual_pattern(all_residuals(estimate), basis_of_all(estimate));
   if (!fit.pattern.is_systematic()) return;
   fit.warnings.push_back(fmt::format(
       "neighbouring residuals are correlated (coefficient {:.2f}; for independent errors, the probability of "

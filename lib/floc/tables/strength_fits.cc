@@ -172,8 +172,9 @@ std::vector<StrengthFit> strength_fits(std::vector<StrengthTest> tests, const St
     fit.n = static_cast<int>(test.n_states());
     fits.push_back(std::move(fit));
   }
+  // Rows of samples at failure have no results of their own, so that they are pooled even if there is only one.
   for (const auto& [kind, pool] : pools)
-    if (pool.n_tests > 1) fits.push_back(pooled(kind, pool));
+    if (pool.n_tests > 1 || kind == TestKind::failure) fits.push_back(pooled(kind, pool));
   for (StrengthFit& fit : fits) fit.unit = tests.front().unit;
   return fits;
 }

@@ -241,8 +241,12 @@ std::vector<StrengthTest> tests_of_laboratory(const std::string& name, const Nam
   std::optional<StrainColumn> strain, volume;
   if (columns.has("strain")) {
     strain = strain_column(columns, "strain");
-    // In an oedometer, the lateral lengths are constant. Therefore the volumetric strain equals the axial strain.
-    volume = kind == TestKind::oedometer ? strain : strain_column(columns, "volumetric_strain");
+    // In an oedometer, the lateral lengths are constant. Therefore the volumetric strain equals the axial strain. The
+    // volume of an undrained test is constant, so that its table need not have this column.
+    if (kind == TestKind::oedometer)
+      volume = strain;
+    else if (kind != TestKind::undrained || columns.has("volumetric_strain"))
+      volume = strain_column(columns, "volumetric_strain");
   }
   StrengthTest test{.sample = name, .kind = strain ? kind : TestKind::failure, .unit = axial.unit};
   for (int row = 0; row < table.n_rows(); ++row) {

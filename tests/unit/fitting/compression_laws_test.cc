@@ -149,6 +149,60 @@ TEST(Kawakita, TendsToOneAtMostUnlessTheBoundIsLifted) {
   EXPECT_FALSE(open.parameters[2].standard_error);
 }
 
+TEST(Kawakita, AtTheBoundOfItsLimitHasIntervalsThatHoldTheTruth) {
+  // With this noise, the best limit of every fifth curve is above 1.
+  constexpr double kD0 = 0.4, kB = 0.05, kLimit = 0.98;
+  const std::map<std::string, double> truth = {
+      {"a", 1 - kD0 / kLimit}, {"b", kB}, {"D0", kD0}, {"Phi_max", kLimit}};
+  const std::vector<double> P = geometric_pressures(1, 100, 15);
+  RandomStream random(11, 0);
+  std::map<std::string, int> held;
+  int n_at_bound = 0;
+  for (int draw = 0; draw < 200; ++draw) {
+    std::vector<double> D;
+    for (const double p : P)
+      D.push_back(kD0 / (1 - truth.at("a") * kB * p / (1 + kB * p)) * (1 + 0.01 * random.normal()));
+    const CompressionFit fit = fit_compression(P, D, std::vector{CompressionLaw::kawakita}, {}).front();
+    if (fit.parameters[3].value) continue;
+    ++n_at_bound;
+    for (const FittedParameter& p : fit.parameters)
+      held[p.name] +=
+          p.low95.value_or(-kInfinity) <= truth.at(p.name) && truth.at(p.name) <= p.high95.value_or(kInfinity);
+  }
+  ASSERT_GT(n_at_bound, 30);
+  for (const auto& [name, n_held] : held) EXPECT_GE(n_held, 0.9 * n_at_bound) << name;
+}
+
+TEST(CooperEaton, HasNoErrorOfATermThatTheDataDoNotHave) {
+  const std::vector<double> P = geometric_pressures(1, 100, 20);
+  RandomStream random(34, 0);
+  for (int draw = 0; draw < 20; ++draw) {
+    std::vector<double> D;
+    for (const double p : P)
+      D.push_back(0.5 / (1 - 0.5 * 0.7 * std::exp(-10 / p)) * (1 + 1e-3 * random.normal()));
+    const CompressionFit fit = fit_compression(P, D, std::vector{CompressionLaw::cooper_eaton}, {}).front();
+    ASSERT_TRUE(fit.found()) << fit.failure_reason;
+    for (const FittedParameter& p : fit.parameters) {
+      EXPECT_EQ(p.identified, p.standard_error.has_value()) << p.name;
+      EXPECT_GT(p.standard_error.value_or(1.0), 0.0) << p.name;
+    }
+  }
+}
+
+TEST(CompressionLaws, GivenNumbersThatContradictTheDataAreNamed) {
+  const std::vector<double> P = geometric_pressures(1, 128, 8);
+  const std::vector<double> D = {0.5, 0.52, 0.54, 0.56, 0.58, 0.6, 0.62, 0.63};
+  const auto fit = [&](double D0, double phi_limit) {
+    return fit_compression(P, D, std::vector{CompressionLaw::kawakita}, {D0, phi_limit}).front();
+  };
+  EXPECT_THAT(fit(0.63, 1.0).failure_reason, HasSubstr("D0, 0.63, is not below the largest solid fraction"));
+  EXPECT_THAT(fit(0.0, 0.5).failure_reason,
+              HasSubstr("Phi_max, 0.5, is not above the smallest solid fraction"));
+  EXPECT_THAT(fit(0.51, 1.0).warnings, Contains(HasSubstr("D0, 0.51, is above the smallest solid fraction")));
+  EXPECT_THAT(fit(0.0, 0.62).warnings,
+              Contains(HasSubstr("Phi_max, 0.62, is below the largest solid fraction")));
+}
+
 TEST(CompressionLaws, TooFewPressuresAreRefused) {
   EXPECT_THAT(fit_compression({1, 2, 3}, {0.5, 0.6, 0.7}, std::vector{CompressionLaw::adams}, {})
                   .front()

@@ -6,6 +6,7 @@
 
 #include "floc/base/random.h"
 #include "floc/fitting/incomplete_beta.h"
+#include "floc/fitting/least_squares.h"
 
 namespace floc {
 namespace {
@@ -21,27 +22,27 @@ TEST(IncompleteBeta, HasItsClosedForms) {
 }
 
 /// Returns the residuals of y from its best straight line.
-/// @param hat  matrix that projects y on the best straight line
-Eigen::VectorXd of_line(const Eigen::VectorXd& y, const Eigen::MatrixXd& hat) {
-  return y - hat * y;
+/// @param basis  basis of the straight lines
+Eigen::VectorXd of_line(const Eigen::VectorXd& y, const Eigen::MatrixXd& basis) {
+  return y - basis * (basis.transpose() * y);
 }
 
-Eigen::MatrixXd line_hat(Eigen::Index n) {
+Eigen::MatrixXd basis_of_lines(Eigen::Index n) {
   Eigen::MatrixXd columns(n, 2);
   columns.col(0).setOnes();
   columns.col(1).setLinSpaced(n, 0.0, 1.0);
-  return projection_on(columns);
+  return basis_of(columns);
 }
 
 TEST(ResidualPattern, IndependentResidualsAreSystematicInOneOfAHundred) {
   constexpr int kDraws = 4000;
   for (const Eigen::Index n : {8, 15, 40}) {
-    const Eigen::MatrixXd hat = line_hat(n);
+    const Eigen::MatrixXd basis = basis_of_lines(n);
     RandomStream random(7, 0);
     int systematic = 0, low = 0;
     for (int draw = 0; draw < kDraws; ++draw) {
       const Eigen::VectorXd noise = Eigen::VectorXd::NullaryExpr(n, [&] { return random.normal(); });
-      const ResidualPattern pattern = residual_pattern(of_line(noise, hat), hat);
+      const ResidualPattern pattern = residual_pattern(of_line(noise, basis), basis);
       systematic += pattern.is_systematic();
       low += pattern.smoothness_p < 0.1;
     }
@@ -54,19 +55,19 @@ TEST(ResidualPattern, IndependentResidualsAreSystematicInOneOfAHundred) {
 
 TEST(ResidualPattern, AParabolaUnderAStraightLineIsSystematic) {
   constexpr Eigen::Index kPoints = 20;
-  const Eigen::MatrixXd hat = line_hat(kPoints);
+  const Eigen::MatrixXd basis = basis_of_lines(kPoints);
   RandomStream random(3, 0);
   const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(kPoints, -1.0, 1.0);
   const Eigen::VectorXd y =
       x.cwiseProduct(x) + Eigen::VectorXd::NullaryExpr(kPoints, [&] { return 0.05 * random.normal(); });
-  const ResidualPattern pattern = residual_pattern(of_line(y, hat), hat);
+  const ResidualPattern pattern = residual_pattern(of_line(y, basis), basis);
   EXPECT_TRUE(pattern.is_systematic());
   EXPECT_GT(pattern.variance_factor(), 3.0);
 }
 
 TEST(ResidualPattern, RoundingHasNone) {
-  const Eigen::MatrixXd hat = line_hat(10);
-  EXPECT_FALSE(residual_pattern(Eigen::VectorXd::Constant(10, 1e-12), hat).is_systematic());
+  const Eigen::MatrixXd basis = basis_of_lines(10);
+  EXPECT_FALSE(residual_pattern(Eigen::VectorXd::Constant(10, 1e-12), basis).is_systematic());
 }
 
 }  // namespace

@@ -78,6 +78,8 @@ TEST(MohrCoulomb, TestsThatHaveNoLineSayWhy) {
               HasSubstr("differ by less than 5 %"));
   EXPECT_THAT(fit_mohr_coulomb({{300, 100}, {310, 200}, {305, 300}}, "").failure_reason,
               HasSubstr("no friction angle"));
+  EXPECT_THAT(fit_mohr_coulomb_planes({{100, -50}, {200, -100}, {300, -150}}, "").failure_reason,
+              HasSubstr("a test failed at the shear stress -150"));
   // An envelope that bends upwards gives a line with a negative cohesion. This cannot happen if the envelope bends
   // downwards.
   EXPECT_THAT(fit_mohr_coulomb({{120, 50}, {300, 100}, {660, 200}, {1380, 400}}, "").warnings,

@@ -85,6 +85,49 @@ TEST(SupportedLaw, IntervalsHoldTheTruth) {
   }
 }
 
+/// Curve of a recompression line up to P = 0.1, the line of regime II up to P = 30 and then a power law. The slope is
+/// continuous at P = 30.
+double three_regimes(double P) {
+  constexpr double kAlpha = 0.5;
+  const TwoLineClay clay{0.005, 0.08, 0.1, 2.0};
+  if (P < 30.0) return 1.0 / clay.inverse_phi(P);
+  const double y_onset = clay.inverse_phi(30.0), A = clay.lambda / kAlpha;
+  return 1.0 / (y_onset - A + A * std::pow(P / 30.0, -kAlpha));
+}
+
+TEST(SupportedLaw, IsFoundInTablesOfThousandsOfRows) {
+  RandomStream random(8, 0);
+  for (const int n : {kMostPlaces + 1, 3000, 20000}) {
+    const auto fit = fit_supported_law(
+        noisy_curve(three_regimes, geometric_pressures(0.01, 1000.0, n), {Noise::of_inverse, 5e-4}, random),
+        {});
+    ASSERT_TRUE(fit.found()) << fit.failure_reason;
+    EXPECT_EQ(fit.law, ConsolidationLaw::log);
+    ASSERT_TRUE(fit.regimes && fit.regimes->plateau_end && fit.regimes->onset_three) << n;
+    EXPECT_EQ(fit.n_plateau, fit.regimes->n_plateau);
+    for (const auto& [name, truth] :
+         {std::pair("lambda", 0.08), {"kappa", 0.005}, {"P0_star", 0.1}, {"alpha", 0.5}}) {
+      const FittedParameter& p = *fit.find(name);
+      ASSERT_TRUE(p.standard_error) << name << ", " << n;
+      EXPECT_NEAR(*p.value, truth, 4.0 * *p.standard_error) << name << ", " << n;
+    }
+    EXPECT_NEAR(std::log(value_in(fit, "P1_star") / 30.0), 0.0, 0.3) << n;
+  }
+}
+
+TEST(Regimes, GroupsAreMeansWithTheWeightOfTheirPoints) {
+  LawPoints points{Eigen::VectorXd::LinSpaced(1203, 0.0, 6.0), {}, Eigen::VectorXd::LinSpaced(1203, 1.0, 2.0)};
+  points.y = 2.0 - 0.1 * points.log_P.array();
+  const GroupedPoints means = grouped(points);
+  EXPECT_EQ(means.group_size, 3);
+  ASSERT_EQ(means.points.size(), 401);
+  EXPECT_LT((means.points.y.array() - 2.0 + 0.1 * means.points.log_P.array()).abs().maxCoeff(), 1e-14);
+  EXPECT_NEAR(means.points.weight.squaredNorm(), points.weight.squaredNorm() / 3.0, 1e-9);
+  const LawPoints few = points.range(0, kMostPlaces);
+  EXPECT_EQ(grouped(few).group_size, 1);
+  EXPECT_EQ(grouped(few).points.y, few.y);
+}
+
 TEST(PhiLimit, IsReportedAsABoundWhereTheFitWouldGoBeyond) {
   std::vector<double> pressures = {2.0, 5.0};
   for (int k = 1; k <= 42; ++k) pressures.push_back(10.0 * k);

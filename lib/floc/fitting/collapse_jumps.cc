@@ -50,7 +50,7 @@ int points_in_lag(const Eigen::VectorXd& log_P, double distance) {
 }
 
 bool samples_bend_at(const Eigen::MatrixXd& samples, const Eigen::VectorXd& log_P, int end) {
-  constexpr double kDeviations = 4.0;
+  constexpr double kDeviations = 2.5;
   const Eigen::Index n = log_P.size();
   assert(end >= 2 && end < n && samples.cols() >= 2);
   // A slope needs two points. If only one point remains from `end` on, the last point before `end` is used too.

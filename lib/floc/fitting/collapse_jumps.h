@@ -27,8 +27,8 @@ namespace floc {
 [[nodiscard]] int points_in_lag(const Eigen::VectorXd& log_P, double distance);
 
 /// Returns whether the mean of samples becomes less steep at the point `end`. Two slopes are compared: the slope of the
-/// points from `end` on has to be smaller than the slope of the points before `end`, by more than four standard
-/// deviations of the difference. This standard deviation is computed from the distance between the jumps, for two
+/// points from `end` on has to be smaller than the slope of the points before `end`, by more than two and a half
+/// standard deviations of the difference. This standard deviation is computed from the distance between the jumps, for two
 /// reasons. First, neighbouring points of the mean are correlated, so that the residuals of the mean do not distinguish
 /// a bend from chance. Second, a standard deviation from the scatter of a few samples would be inaccurate.
 /// @param samples  values of 1/Phi; one row per point, one column per sample (two or more)

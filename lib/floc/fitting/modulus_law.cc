@@ -37,11 +37,11 @@ std::string why_no_power(const char* quantity, const std::vector<double>& x, std
 
 void warn_of_pattern(ModulusLaw& law) {
   if (law.pattern.is_systematic())
-    law.warnings.push_back(
-        fmt::format("neighbouring residuals are correlated (coefficient {:.2f}; for independent errors, the "
-                    "probability of such residuals would be {:.1g}): the modulus does not follow this power "
-                    "law, and the intervals are widened",
-                    law.pattern.correlation, std::min(law.pattern.smoothness_p, law.pattern.runs_p)));
+    law.warnings.push_back(fmt::format(
+        "the residuals follow a pattern (correlation of neighbours {:.2f}; for independent errors, the "
+        "probability of such a pattern would be {:.1g}): the modulus does not follow this power "
+        "law, and the intervals are widened",
+        law.pattern.correlation, std::min(law.pattern.smoothness_p, law.pattern.runs_p)));
 }
 
 /// Fit of the power law M = coefficient (Phi - phi_0)^exponent to moduli M at solid fractions Phi. For a given phi_0, a

@@ -1,5 +1,7 @@
 #include "floc/fitting/supported_law.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -79,18 +81,41 @@ void add_beyond(const ConsolidationCurve& curve, const ConsolidationOptions& opt
   line.parameters.insert(after_indices, {alpha, phi_max, P1});
 }
 
+/// Regimes of a mean over samples, and the regimes with a bend if there is one that the samples do not confirm.
+struct RegimesOfSamples {
+  std::optional<Regimes> chosen, unconfirmed;
+};
+
 /// Returns the regimes of a mean over samples. If the samples do not confirm the bend at the end of regime II, the
-/// curve is divided again without a bend.
-std::optional<Regimes> regimes_of_samples(const ConsolidationCurve& curve, const LawPoints& points) {
+/// curve is divided again without a bend. This division counts only if it keeps the recompression line: a line through
+/// the whole curve would average over the bend and the beginning, and its slope would be far too small.
+RegimesOfSamples regimes_of_samples(const ConsolidationCurve& curve, const LawPoints& points) {
   const std::optional<Regimes> regimes = find_segments(points);
   const int n = points.size();
-  if (!regimes || regimes->all_in_one || regimes->end_of_two == n) return regimes;
+  if (!regimes || regimes->all_in_one || regimes->end_of_two == n) return {regimes, std::nullopt};
   const int first = regimes->n_plateau, end = regimes->end_of_two - first;
   // Without regime II, the position of the bend is unknown, and the middle of the points after the plateau is used.
   const int place = end > 0 ? end : (n - first) / 2;
-  if (samples_bend_at(curve.samples.bottomRows(n - first), points.log_P.tail(n - first), place)) return regimes;
+  if (samples_bend_at(curve.samples.bottomRows(n - first), points.log_P.tail(n - first), place))
+    return {regimes, std::nullopt};
   const std::optional<Regimes> straight = find_segments(points, false);
-  return straight ? straight : regimes;
+  const bool keeps_line = straight && (first == 0 || straight->n_plateau > 0);
+  if (!keeps_line) return {regimes, std::nullopt};
+  return {straight, regimes};
+}
+
+/// Warns if the slope lambda would be outside of its interval if the bend that the samples do not confirm were real.
+void warn_of_unconfirmed(const ConsolidationCurve& curve, ConsolidationOptions options, const Regimes& bent,
+                         ConsolidationFit& line) {
+  options.regimes = bent;
+  const ConsolidationFit other = fit_as(Law::log, curve, options);
+  const FittedParameter *own = line.find("lambda"), *steeper = other.found() ? other.find("lambda") : nullptr;
+  if (!own || !own->value || !own->high95 || !steeper || !steeper->value || *steeper->value <= *own->high95)
+    return;
+  line.warnings.push_back(fmt::format(
+      "the mean bends beyond P* = {:.4g}, but the jumps of so few samples could cause this by chance: if the "
+      "bend is real, lambda is {:.4g} and not {:.4g}; more samples, or larger ones, would show it",
+      other.window_high, *steeper->value, *own->value));
 }
 
 /// Sets the mean distance between the jumps of samples, and the number of points at which the samples lag behind the
@@ -124,11 +149,18 @@ ConsolidationFit fit_supported_law(const ConsolidationCurve& curve, Consolidatio
   const bool has_samples = curve.samples.cols() >= kMinSamples;
   // It is not known how the errors in the user's table depend on Phi; the weighting `between` is a compromise.
   if (options.weighting == Weighting::automatic && !has_samples) options.weighting = Weighting::between;
+  std::optional<Regimes> unconfirmed;
   if (!options.window) {
     const auto n = static_cast<int>(curve.phi.size());
     constexpr int kEnough = 5;  // smallest number of points for a division into regimes
     const LawPoints points = law_points(curve, Weighting::between);
-    if (n >= kEnough) options.regimes = has_samples ? regimes_of_samples(curve, points) : find_segments(points);
+    if (n >= kEnough && has_samples) {
+      const RegimesOfSamples found = regimes_of_samples(curve, points);
+      options.regimes = found.chosen;
+      unconfirmed = found.unconfirmed;
+    } else if (n >= kEnough) {
+      options.regimes = find_segments(points);
+    }
     if (options.regimes && options.regimes->all_in_one) return fit_as(Law::log, curve, options);
   }
   ConsolidationFit full = fit_as(Law::full, curve, options);
@@ -148,6 +180,7 @@ ConsolidationFit fit_supported_law(const ConsolidationCurve& curve, Consolidatio
     find_jumps(curve, law_points(curve, Weighting::between), *lambda->value, *options.regimes);
     line = fit_as(Law::log, curve, options);
   }
+  if (line.found() && unconfirmed) warn_of_unconfirmed(curve, options, *unconfirmed, line);
   add_indices(line);
   add_beyond(curve, options, line);
   return line;

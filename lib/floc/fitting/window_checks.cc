@@ -45,8 +45,9 @@ void check_residuals(const LawEstimate& estimate, ConsolidationFit& fit) {
   fit.pattern = residual_pattern(all_residuals(estimate), basis_of_all(estimate));
   if (!fit.pattern.is_systematic()) return;
   fit.warnings.push_back(fmt::format(
-      "neighbouring residuals are correlated (coefficient {:.2f}; for independent errors, the probability of "
-      "such residuals would be {:.1g}): the curve does not follow this law, or it advances in jumps, so that "
+      "the residuals follow a pattern (correlation of neighbours {:.2f}; for independent errors, the "
+      "probability of such a pattern would be {:.1g}): the curve does not follow this law, or it advances in "
+      "jumps, so that "
       "standard errors computed for independent residuals are too small; fit the mean of several samples, "
       "because the scatter between samples gives better errors",
       fit.pattern.correlation, std::min(fit.pattern.smoothness_p, fit.pattern.runs_p)));

@@ -6,8 +6,11 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "floc/base/shell_word.h"
+#include "floc/fitting/student_t.h"
+#include "floc/io/csv.h"
 #include "support/places.h"
 #include "support/run_program.h"
 
@@ -179,7 +182,7 @@ TEST_F(CheckOfAPlan, TakesTheValuesOfTestsFromTheirPaths) {
   const auto rows =
       checked(source_directory() + "/data/scenes/oedometer.toml --set load.0.steps_per_decade=3 --budget 6s");
   ASSERT_TRUE(rows.contains("K0"));
-  double sum = 0.0;
+  double sum = 0.0, sum_z = 0.0, squares_z = 0.0;
   int n = 0;
   for (const auto& run : std::filesystem::directory_iterator(scratch_.file("c/runs/plan"))) {
     if (!run.is_directory()) continue;
@@ -192,10 +195,21 @@ TEST_F(CheckOfAPlan, TakesTheValuesOfTestsFromTheirPaths) {
     const Outcome fit = run_floc("fit strength first.csv --format json", scratch_.path());
     ASSERT_EQ(fit.code, 0) << fit.err;
     sum += double(json::parse(fit.out)[0]["parameters"]["K0"]["value"]);
+    std::istringstream whole(content_of(run.path().string() + "/path.csv"));
+    const CsvTable states = CsvTable::parse("path.csv", whole);
+    double z_minus = 0.0;
+    for (int row = 0; row < states.n_rows(); ++row)
+      z_minus += states.number(row, states.column("z_minus")) / states.n_rows();
+    sum_z += z_minus;
+    squares_z += z_minus * z_minus;
     ++n;
   }
   ASSERT_EQ(n, rows.at("K0")["n_samples"]);
   EXPECT_NEAR(rows.at("K0")["mean"], sum / n, 1e-6);
+  // The achieved error is relative to the mean of the quantity itself.
+  const double mean = sum_z / n, deviation = std::sqrt((squares_z - n * mean * mean) / (n - 1));
+  EXPECT_NEAR(rows.at("z_minus")["mean"], mean, 1e-9);
+  EXPECT_NEAR(rows.at("z_minus")["achieved"], student_t_95(n - 1) * deviation / std::sqrt(n) / mean, 1e-6);
   EXPECT_EQ(plan("--check c --columns quantity,ratio").code, 0);
 }
 

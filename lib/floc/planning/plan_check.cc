@@ -67,14 +67,14 @@ class ObservedSamples {
     const std::vector<std::string> names = observable_names();
     const auto k = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
     if (k == names.size()) return check;
-    // The half widths of fitted parameters are relative already. Those of means are divided by the size of the mean.
+    // The half widths of fitted parameters are relative already. Those of means are divided by the mean.
     const bool is_fit = is_fitted(name);
     const MeanDifference found = is_fit ? errors_of_fits_[k - kLambda] : over_samples(k);
     check.n_samples = found.n;
     if (found.n == 0) return check;
     check.mean = means_[k];
     if (found.n > 1)
-      check.achieved = found.error95 / (is_fit ? 1.0 : size_of(static_cast<int>(k), means_, means_));
+      check.achieved = found.error95 / (is_fit ? 1.0 : std::abs(means_[k]));
     return check;
   }
 

@@ -103,6 +103,17 @@ std::optional<double> size_of_table(const PriceTable& table, const std::string& 
   return std::hypot(xy / xx, student_t_95(dof) / std::sqrt(xx));
 }
 
+/// Returns the factor ObservablePrice::of_table. It is 1 if the table does not contain the means of z_plus and z_minus.
+double factor_of_table(const PriceTable& table, const std::string& observable) {
+  if (observable != "z_plus" && observable != "z_minus") return 1.0;
+  const auto mean = [&](const char* name) {
+    const PriceRow* row = table.find("strict", "all", name);
+    return row ? row->reference_value : std::numeric_limits<double>::quiet_NaN();
+  };
+  const double z_plus = mean("z_plus"), z_minus = mean("z_minus"), own = observable == "z_plus" ? z_plus : z_minus;
+  return own > 0.0 && std::isfinite(z_plus + z_minus) ? (z_plus + z_minus) / own : 1.0;
+}
+
 /// Returns the slope of the least-squares line through points (x, y).
 double slope_of(const std::vector<std::pair<double, double>>& points) {
   double sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
@@ -198,8 +209,11 @@ void PriceModel::take_table() {
     // the observable out. A scatter that the table does not contain is NaN; the negated comparison is true for NaN,
     // too.
     if (reference == nullptr || !(scatter > 0.0) || reference->n_samples < 2) continue;
-    observables_.push_back({name, reference->unit, scatter, reference->n_samples - 1,
-                            size_of_table(*table_, name, n_grains_, size_exponent_)});
+    ObservablePrice price{name, reference->unit, scatter, reference->n_samples - 1,
+                          size_of_table(*table_, name, n_grains_, size_exponent_),
+                          factor_of_table(*table_, name)};
+    if (price.size) *price.size *= price.of_table;
+    observables_.push_back(std::move(price));
   }
   // Where the table does not know what few grains change, small samples would seem to be as good as large ones.
   if (!knows_size_errors()) least_grains_ = std::clamp(scene_.grains.count, n_grains_, most_grains_);
@@ -288,6 +302,7 @@ PricedError PriceModel::error(const ObservablePrice& observable, const PricedSet
   if (table_) {
     error.settings = settings_error(settings, observable.name);
     for (const PricedSettings& cell : cells_) error.settings += settings_error(cell, observable.name);
+    error.settings *= observable.of_table;
     if (std::isnan(error.settings)) error.settings = std::numeric_limits<double>::infinity();
   }
   error.size = size_error(observable, n_grains);

@@ -32,6 +32,9 @@ struct ObservablePrice {
   /// Factor c in the error c/N^q that the finite number N of grains causes. The exponent q depends on the boundary
   /// (PriceModel). Absent if the table contains only one size.
   std::optional<double> size;
+  /// Factor by which an error in the table is multiplied to be relative to the mean of the observable. It differs from
+  /// 1 for z_plus and z_minus, whose errors in tables are relative to their sum.
+  double of_table = 1.0;
 };
 
 /// Measurements on samples of a scene, returned by run_pilot().

@@ -112,6 +112,7 @@ PriceRow row_of(const Cells& cells) {
   row.mean_stderr = cells.magnitude("mean_stderr");
   row.mean_error = cells.magnitude("mean_error95");
   row.sample_scatter = cells.magnitude("sample_scatter");
+  row.reference_value = cells.number("reference_value");
   row.n_grains = cells.count("n_grains");
   row.n_samples = cells.count("n_samples");
   row.n_states = cells.count("n_states");

@@ -29,6 +29,7 @@ struct PriceRow {
   /// Standard deviation of a quantity between samples, divided by the mean of the quantity. The quantity is the mean of
   /// the observable over the states of a sample, or a parameter fitted to the path of a sample.
   double sample_scatter;
+  double reference_value;  ///< mean of the observable with the strictest settings
   int n_grains;   ///< number of grains of a sample; 0 if the table does not contain it
   int n_samples;  ///< number of samples; 0 if the table does not contain it
   int n_states;   ///< number of states (equilibria) of a sample; 0 if the table does not contain it

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -314,6 +315,29 @@ TEST(PriceModelOfAScene, CostsAsMuchAsItsSofteningSays) {
   EXPECT_NEAR(seconds(soft_prices(), {"load.0.softening=10", "load.1.softening=10"}), 2.0 * (0.57 + 0.43 * 0.5),
               1e-9);
   EXPECT_NEAR(seconds(soft_prices(), {"equilibrium.softening=3.1622776601683795"}), std::sqrt(2.0), 1e-9);
+}
+
+/// The errors of z_plus and z_minus in tables are relative to their sum. Those of plans are relative to their means, as
+/// the scatter between samples is.
+TEST(PriceModelOfAScene, ErrorsOfCoordinationNumbersAreRelativeToTheirMeans) {
+  PriceTable table = prices();
+  const std::vector<PriceRow> rows = table.rows;
+  for (const auto& [name, mean] : {std::pair("z_plus", 3.0), std::pair("z_minus", 1.0)})
+    for (PriceRow row : rows) {
+      if (row.observable != "phi") continue;
+      row.observable = name;
+      row.reference_value = mean;
+      table.rows.push_back(row);
+    }
+  const Scene here = scene();
+  const PriceModel model(here, table);
+  const PricedSettings fast = *std::ranges::find(model.settings(), "patience", &PricedSettings::parameter);
+  const auto error = [&](const char* name) { return model.error(model.observable(name, ""), fast, 50, 4); };
+  for (const auto& [name, factor] : {std::pair("z_plus", 4.0 / 3.0), std::pair("z_minus", 4.0)}) {
+    EXPECT_NEAR(error(name).settings / error("phi").settings, factor, 1e-12) << name;
+    EXPECT_NEAR(error(name).size / error("phi").size, factor, 1e-12) << name;
+    EXPECT_EQ(error(name).scatter, error("phi").scatter) << name;
+  }
 }
 
 /// The number of time steps is proportional to the root of the stiffness.

@@ -55,6 +55,20 @@ TEST(DerivedGroups, LargeRollingStiffnessShortensTheTimeStep) {
             0.5 * group(shipped("type2_no_rolling"), "time_step"));
 }
 
+/// Processor times of the shipped examples of rigid grains, measured on one core of the year 2025.
+TEST(ExpectedCost, OfRigidGrainsIsThatMeasured) {
+  for (const auto& [name, seconds] : {std::pair("rigid_disks_demo", 2.0),
+                                      {"disks_shear_demo", 1.9},
+                                      {"pentagons_demo", 1.9},
+                                      {"pentagons_box_demo", 5.7},
+                                      {"pentagons_shear_demo", 7.7},
+                                      {"polyhedra_demo", 25.0}}) {
+    const double ratio = expected_cost(shipped(name)) / seconds;
+    EXPECT_GT(ratio, 0.5) << name;
+    EXPECT_LT(ratio, 2.0) << name;
+  }
+}
+
 TEST(ExpectedCost, GrowsWithGrainsAndIsCheaperDownwards) {
   EXPECT_NEAR(expected_cost(shipped("demo", {"grains.count=800"})) / expected_cost(shipped("demo")), 2.0,
               1e-12);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "floc/io/csv.h"
 #include "floc/io/state_file.h"
 #include "support/small_run.h"
 
@@ -87,6 +88,28 @@ TEST_F(ForcesCommand, ListContactsWithTheRangesOfTheirForces) {
     const std::vector<std::string> cells = separated(lines[contact + 1], ',');
     EXPECT_LE(std::stod(cells[10]), std::stod(cells[7]) + 1e-9);
     EXPECT_GE(std::stod(cells[11]), std::stod(cells[7]) - 1e-9);
+  }
+}
+
+/// Two disks, one on the other, on a floor under a free surface. The weights alone determine the forces, whatever forces
+/// the file has; without forces in the file, too.
+TEST_F(ForcesCommand, BalanceTheWeightsUnderAFreeSurface) {
+  write_text(file("pile.csv"), "id,x,y,radius,mass\n1,1,0.5,0.5,1\n2,1,1.5,0.5,1\n");
+  const std::string convert =
+      "convert pile.csv pile.h5 --overwrite --law normal.law=rigid,friction.coefficient=0.5 "
+      "--walls x=0:2,y=0: --gravity 0,-1 --tolerance 2 ";
+  for (const auto& [upper, lower] : {std::pair(1.0, 2.0), {1.02, 2.0}, {1.0, 2.02}, {0.3, 5.0}, {0.0, 0.0}}) {
+    std::ostringstream contacts;
+    contacts << "id1,id2,normal_force\n1,2," << upper << "\n1,y-," << lower << "\n";
+    write_text(file("pile_contacts.csv"), contacts.str());
+    const Outcome made = run_floc(convert + "--contacts pile_contacts.csv", file(""));
+    ASSERT_EQ(made.code, 0) << made.err;
+    const Outcome o = forces("pile.h5 --contacts balanced.csv");
+    ASSERT_EQ(o.code, 0) << upper << ", " << lower << ": " << o.err;
+    std::istringstream in(content_of(file("balanced.csv")));
+    const CsvTable table = CsvTable::parse("balanced.csv", in);
+    EXPECT_NEAR(table.number(0, table.column("normal_force")), 1.0, 1e-9) << upper << ", " << lower;
+    EXPECT_NEAR(table.number(1, table.column("normal_force")), 2.0, 1e-9) << upper << ", " << lower;
   }
 }
 

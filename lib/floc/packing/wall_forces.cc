@@ -75,7 +75,8 @@ Vec<Dim> wall_pressure(const Packing<Dim>& packing) {
 template <int Dim>
 std::optional<double> mean_wall_pressure(const Packing<Dim>& packing) {
   int n_axes = 0;
-  for (int a = 0; a < Dim; ++a) n_axes += between_walls(packing.walls, a);
+  for (int a = 0; a < Dim; ++a)
+    n_axes += std::ranges::any_of(packing.walls, [a](const Wall<Dim>& w) { return w.axis == a && !w.open; });
   if (n_axes == 0) return std::nullopt;
   return wall_pressure(packing).sum() / n_axes;
 }

@@ -41,8 +41,8 @@ std::vector<double> wall_forces(const Packing<Dim>& packing);
 template <int Dim>
 Vec<Dim> wall_pressure(const Packing<Dim>& packing);
 
-/// Returns the mean of wall_pressure() over the axes between walls (force/length^(Dim-1)); absent without
-/// walls.
+/// Returns the mean of wall_pressure() over the axes that have a wall (force/length^(Dim-1)), which those open at both
+/// ends have not; absent without walls.
 template <int Dim>
 std::optional<double> mean_wall_pressure(const Packing<Dim>& packing);
 

@@ -8,6 +8,7 @@
 #include "floc/base/error.h"
 #include "floc/network/contact_network.h"
 #include "floc/network/rigidity_matrix.h"
+#include "floc/packing/grain_sizes.h"
 
 namespace floc {
 namespace {
@@ -91,12 +92,13 @@ class BalanceRows {
   Eigen::VectorXd load_;
 };
 
-/// Returns whether the load in a row of the boundary is arbitrary.
+/// Returns whether the load in a row of the boundary is arbitrary, or follows from the balance of the grains: along an
+/// axis with an open end, the weights alone determine the stress.
 /// @param s  number of the row among the rows of the boundary, counted from 0
 template <int Dim>
-bool is_free(const ForceBalanceOptions<Dim>& options, int s) {
+bool is_free(const Packing<Dim>& packing, const ForceBalanceOptions<Dim>& options, int s) {
   if (options.wall_force) return !(*options.wall_force)[static_cast<std::size_t>(s)];
-  return s < Dim && options.open_axis[static_cast<std::size_t>(s)];
+  return s < Dim && (options.open_axis[static_cast<std::size_t>(s)] || is_open_along(packing.walls, s));
 }
 
 /// Returns the present force (F_N, T) of a contact in the frame of the contact.
@@ -250,7 +252,8 @@ ForceBalance<Dim> force_balance(const std::string& place, const Packing<Dim>& pa
   }
   const double n = static_cast<double>(out.unknowns.size());
   const double branch = rows.boundary_scale() / std::sqrt(static_cast<double>(contacts.size()));
-  out.unit = std::max(sum, rows.sum_of_loads() / branch) / n;
+  const double weight = packing.gravity.norm() * total_mass(packing.grains);
+  out.unit = std::max({sum, rows.sum_of_loads() / branch, weight}) / n;
   if (!(out.unit > 0.0))
     throw InputError(
         place, "all contact forces of the packing are zero: give the stress that the forces have to balance");
@@ -263,7 +266,7 @@ ForceBalance<Dim> force_balance(const std::string& place, const Packing<Dim>& pa
       if (coefficient.template lpNorm<Eigen::Infinity>() / rows.scale(row) > kNoCoefficient) number[row] = 0;
     });
   for (int s = 0; s < rows.n_boundary(); ++s)
-    if (is_free(options, s))
+    if (is_free(packing, options, s))
       number[rows.first_of_boundary() + s] = -1, load[rows.first_of_boundary() + s] = 0.0;
   std::vector<double> scaled_load;
   int last_group = -1;

@@ -46,6 +46,8 @@ TEST(OpenEnds, BearNoForceAndOneWallBearsItAlone) {
   EXPECT_EQ(forces[3], 0.0);
   EXPECT_NEAR(wall_pressure(p)[1], forces[2] / wall_area(p, 1), 1e-15 * forces[2]);
   EXPECT_EQ(wall_pressure(p)[0], 0.0);
+  EXPECT_EQ(mean_wall_pressure(p), wall_pressure(p)[1]) << "an axis that is open at both ends has no walls";
+  EXPECT_EQ(mean_wall_pressure(test::packing_with_forces<2>({"oo", "p"}).packing), std::nullopt);
   EXPECT_EQ(load_stress(p)(1, 1), wall_pressure(p)[1]);
   EXPECT_EQ(load_stress(p)(0, 0), static_stress(p)(0, 0));
   EXPECT_TRUE(is_open(p.walls));

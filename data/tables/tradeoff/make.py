@@ -40,7 +40,7 @@ STUDIES = {
     "spheres-cemented": ("cemented3d", ["grains.count=40", 'grains.diameter={distribution="uniform", min=0.5, max=1.0}']),
 }
 # Factor on the budget of kinds whose table is to have eight samples.
-BUDGET = {"disks-cohesive": 3.0}
+BUDGET = {"disks-cohesive": 3.0, "beads-hertz": 3.0, "disks-cohesive-biaxial": 3.0, "disks-cohesive-oedometer": 2.0}
 # Matrix content of the kinds of cemented grains, whose lattices are studied.
 MATRIX = {"disks-cemented": 0.1, "spheres-cemented": 0.2}
 

@@ -47,6 +47,52 @@ TEST(Convert, TakesAPackingFromStdin) {
   EXPECT_NEAR(said["P"].get<double>(), 0.18 / 32.0, 1e-16);
 }
 
+/// The formats of floc and of other programs that are recognised by content give the same state from a file and from
+/// standard input.
+TEST(Convert, RecognisesAFormatOnStdinByItsContent) {
+  const ScratchDirectory scratch;
+  const std::string data = source_directory() + "/data/packings/";
+  const std::string law = "normal.stiffness=1000,friction.coefficient=0.5,friction.stiffness=800";
+  ASSERT_EQ(
+      floc_arguments({"convert", data + "lammps/disks.dump", scratch.file("lammps.h5"), "--law", law}).code, 0);
+  std::vector<std::string> files = {data + "lammps/disks.dump", jambashbulk_file(), scratch.file("lammps.h5")};
+  for (const std::string extension : {".vtu", ".vtkhdf", ".xyz", ".data"}) {
+    files.push_back(scratch.file("p" + extension));
+    ASSERT_EQ(floc_arguments({"convert", scratch.file("lammps.h5"), files.back()}).code, 0);
+  }
+  for (const std::string& path : files) {
+    std::vector<std::string> options = {"--overwrite"};
+    if (path != jambashbulk_file() && !path.ends_with(".h5")) options.insert(options.end(), {"--law", law});
+    const auto state = [&](const std::string& in, const std::string& content) {
+      std::vector<std::string> arguments = {"convert", in, scratch.file("s.h5")};
+      arguments.insert(arguments.end(), options.begin(), options.end());
+      const Outcome result = floc_arguments(arguments, content);
+      EXPECT_EQ(result.code, 0) << path << "\n" << result.err;
+      auto said = info(scratch.file("s.h5"));
+      for (const char* of_file : {"source", "sha256", "file"}) said.erase(of_file);
+      return said;
+    };
+    EXPECT_EQ(state("-", read_file(path)), state(path, "")) << path;
+  }
+}
+
+TEST(Convert, RefusesTwoInputsWithOneOutput) {
+  const ScratchDirectory scratch;
+  for (const char* folder : {"a", "b", "out"}) std::filesystem::create_directory(scratch.file(folder));
+  for (const char* name : {"a/x.txt", "b/x.txt", "b/x.dat"})
+    std::filesystem::copy_file(jambashbulk_file(), scratch.file(name));
+  for (const char* second : {"b/x.txt", "b/x.dat", "a/x.txt"})
+    for (const bool overwrite : {false, true}) {
+      std::vector<std::string> arguments = {"convert", scratch.file("a/x.txt"), scratch.file(second),
+                                            scratch.file("out")};
+      if (overwrite) arguments.emplace_back("--overwrite");
+      const Outcome result = floc_arguments(arguments);
+      EXPECT_EQ(result.code, 4) << second;
+      EXPECT_THAT(result.err, AllOf(HasSubstr("out/x.h5: both "), HasSubstr("would be written to this file")));
+      EXPECT_TRUE(std::filesystem::is_empty(scratch.file("out")));
+    }
+}
+
 TEST(Convert, LeavesAnExistingFileAloneUnlessToldTo) {
   const ScratchDirectory scratch;
   std::ofstream(scratch.file("s.h5")) << "mine";

@@ -6,6 +6,8 @@
 
 #include "floc/io/csv.h"
 #include "floc/io/state_file.h"
+#include "floc/packing/equilibrium.h"
+#include "support/foreign_packing.h"
 #include "support/places.h"
 #include "support/small_run.h"
 #include "support/states.h"
@@ -56,7 +58,10 @@ void expect_equal(const Packing<Dim>& a, const Packing<Dim>& b) {
     EXPECT_EQ(p.kn, q.kn);
     EXPECT_EQ(p.kt, q.kt);
     EXPECT_EQ(p.kr, q.kr);
+    EXPECT_EQ(p.ktw, q.ktw);
+    EXPECT_EQ(p.bonded, q.bonded);
   }
+  EXPECT_EQ(a.walls, b.walls);
 }
 
 TEST_F(Export, AndConvertGiveEveryNumberBack) {
@@ -78,6 +83,57 @@ TEST_F(Export, OfSpheresGivesThemBackToo) {
   round_trip("spheres.h5", "again.h5");
   expect_equal(std::get<State<3>>(read_state(file("spheres.h5"))).packing,
                std::get<State<3>>(read_state(file("again.h5"))).packing);
+}
+
+/// Bonds hold surfaces that touch, in tension and in compression, and keep the stiffnesses and strengths of their own.
+TEST_F(Export, OfBondsThatTouchAndPullGivesThemBack) {
+  for (const int dim : {2, 3}) {
+    write_text(file("g.csv"), dim == 3 ? "x,y,z,radius\n0,0,0,0.5\n0.99,0,0,0.5\n1.98,0,0,0.5\n3.1,0,0,0.5\n"
+                                       : "x,y,radius\n0,0,0.5\n0.99,0,0.5\n1.98,0,0.5\n3.1,0,0.5\n");
+    write_text(file("b.csv"),
+               "id1,id2,normal_force,kn,kt,kr,ktw,tensile_strength\n0,1,-2,70,50,3,2,30\n"
+               "1,2,4,70,50,3,2,0\n2,3,-1,70,50,3,2,20\n");
+    const std::string cell = dim == 3 ? "--cell '9,0,0;0,9,0;0,0,9'" : "--cell '9,0;0,9'";
+    const Outcome made = floc(
+        "convert g.csv bonds.h5 --overwrite --bonds b.csv --law normal.stiffness=1000 "
+        "--tolerance 1e9 " +
+        cell);
+    ASSERT_EQ(made.code, 0) << made.err;
+    round_trip("bonds.h5", "again.h5");
+    const AnyState before = read_state(file("bonds.h5")), after = read_state(file("again.h5"));
+    std::visit(
+        [&](const auto& state) {
+          using State = std::decay_t<decltype(state)>;
+          expect_equal(state.packing, std::get<State>(after).packing);
+          EXPECT_EQ(state.bond_strengths.size(), std::get<State>(after).bond_strengths.size());
+        },
+        before);
+  }
+}
+
+/// Forces move a lid or the walls under a load. The moduli depend on which walls are free to move.
+template <int Dim>
+State<Dim> with_moving_walls(const Ends<Dim>& ends, const std::vector<std::size_t>& moving) {
+  State<Dim> state = packing_with_forces<Dim>(ends);
+  for (const std::size_t w : moving) state.packing.walls[w].mass = 2.5 + static_cast<double>(w) / 3.0;
+  state.tolerance.force = 1e9;
+  state.target_stress.setConstant(1.0);
+  measure(state);
+  return state;
+}
+
+TEST_F(Export, GivesBackTheMassesOfWallsThatForcesMove) {
+  for (const std::vector<std::size_t>& moving : {std::vector<std::size_t>{}, {0}, {3}, {1, 2}, {0, 1, 2, 3}}) {
+    SCOPED_TRACE(testing::PrintToString(moving));
+    const State<2> disks = with_moving_walls<2>({"ww", "ww"}, moving);
+    write_state(file("walls.h5"), disks);
+    round_trip("walls.h5", "again.h5");
+    EXPECT_EQ(std::get<State<2>>(read_state(file("again.h5"))).packing.walls, disks.packing.walls);
+    const State<3> spheres = with_moving_walls<3>({"ww", "p", "ww"}, moving);
+    write_state(file("walls.h5"), spheres);
+    round_trip("walls.h5", "again.h5");
+    EXPECT_EQ(std::get<State<3>>(read_state(file("again.h5"))).packing.walls, spheres.packing.walls);
+  }
 }
 
 TEST_F(Export, NeedsAFileToWriteAndAState) {

@@ -147,7 +147,7 @@ TEST_F(Imports, HaveTheContactsWithWallsOfColumnsOrOfTheGeometry) {
   ASSERT_EQ(found.code, 0) << found.err;
   EXPECT_THAT(found.err, AllOf(HasSubstr("the file of contacts lists no contacts with walls"),
                                Not(HasSubstr("not listed"))));
-  EXPECT_NEAR(row("info").at("p_wall").get<double>(), 1.0, 1e-12);  // the mean of 2 across x and 0 across y
+  EXPECT_NEAR(row("info").at("p_wall").get<double>(), 2.0, 1e-12);  // across x; y has no walls
   std::vector<std::string> with_columns = options;
   with_columns.insert(with_columns.end(), {"--columns", "x-=f_w,x+=f_w"});
   const Outcome listed = convert("s.dump", with_columns, law);
@@ -192,6 +192,32 @@ TEST_F(Imports, SlideAtTheLimitOfTheirForces) {
   EXPECT_EQ(o.code, 0) << o.err;
   EXPECT_THAT(o.err, AllOf(HasSubstr("1 have a tangential force or moment at its limit"),
                            Not(HasSubstr("above their limit"))));
+}
+
+/// Files of positions have no place for gravity, for the place of the box and for the masses of walls. That is said
+/// where a state has them, and only there.
+TEST_F(Imports, SayWhatAFormatDoesNotHold) {
+  write("g.csv", "x,y,radius\n1,1,0.5\n");
+  const auto said = [&](const std::string& name) {
+    const Outcome o = floc_arguments({"convert", scratch_.file("s.h5"), scratch_.file(name), "--overwrite"});
+    EXPECT_EQ(o.code, 0) << o.err;
+    return o.err;
+  };
+  const std::vector<std::string> walls = {"--walls", "x=0.5:3,y=0.5:3"}, cell = {"--cell", "3,0;0,3"};
+  std::vector<std::string> all = walls;
+  all.insert(all.end(), {"--gravity=0,-9.81", "--wall-masses", "y+=2"});
+  ASSERT_EQ(convert("g.csv", all).code, 0);
+  for (const char* name : {"s.vtu", "s.xyz", "s.data"})
+    EXPECT_THAT(said(name),
+                HasSubstr("files of this format do not hold gravity, the place of the box, which begins "
+                          "at zero in the file, the masses of the walls that forces move;"));
+  EXPECT_THAT(said("s.vtkhdf"), Not(HasSubstr("do not hold")));
+  ASSERT_EQ(convert("g.csv", cell).code, 0);
+  for (const char* name : {"s.vtu", "s.xyz", "s.data", "s.vtkhdf"})
+    EXPECT_THAT(said(name), Not(HasSubstr("do not hold")));
+  const Outcome bad = convert("g.csv", {"--walls", "x=0:3,y=0:3", "--wall-masses", "y+=-2"});
+  EXPECT_EQ(bad.code, 4);
+  EXPECT_THAT(bad.err, HasSubstr("--wall-masses: \"y+=-2\": expected a wall and its mass"));
 }
 
 /// The strengths of bonds are preserved in the state, in the table of its contacts and in VTKHDF files.

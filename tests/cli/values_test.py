@@ -154,7 +154,7 @@ TEXTS = {
     "--intensity": "out", "--pair-correlation": "out", "--gaps": "out", "--prediction": "out", "--pores": "out",
     "--porosity": "out", "--sizes": "out", "--knobs": "words", "--phi-limit": "{}", "--profile": "out", "--displacements": "out", "--contacts": "out", "--state": "in",
     "--to": "words", "--from": "words", "--law": "normal.stiffness={}", "--cell": "{},0;0,3", "--contact-columns": "words",
-    "--walls": "x={}:5", "--wall-law": "normal.stiffness={}", "--wall-ids": "{}=x-", "--gravity": "0,{}", ("convert", "--bonds"): "in",
+    "--walls": "x={}:5", "--wall-law": "normal.stiffness={}", "--wall-ids": "{}=x-", "--gravity": "0,{}", "--wall-masses": "x+={}", ("convert", "--bonds"): "in",
     "--view": "{},20", "--slab": "z,{},0.6", "--grains": "out", "--scene": "in", "--table": "words",
     ("run", "--output"): "new", ("demo", "DIR"): "into", ("campaign plan", "--output"): "new",
     ("campaign run", "--output"): "new", ("draw", "--output"): "new", ("convert", "OUT"): "new",

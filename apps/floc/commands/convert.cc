@@ -1,7 +1,9 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
 #include <filesystem>
+#include <map>
 #include <memory>
 
 #include "floc/base/error.h"
@@ -33,6 +35,7 @@ struct ConvertArguments {
   std::string stress;
   std::string units = "reduced";
   std::string walls;
+  std::string wall_masses;
   std::string wall_law;
   std::string wall_ids;
   std::string gravity;
@@ -104,6 +107,22 @@ std::map<std::int64_t, WallSide> parse_wall_ids(const std::string& text) {
   return walls;
 }
 
+/// Parses the option `--wall-masses`, such as "x+=2,y+=3".
+std::vector<std::pair<WallSide, double>> parse_wall_masses(const std::string& text) {
+  std::vector<std::pair<WallSide, double>> masses;
+  for (const auto& [name, number] : parse_columns("--wall-masses", text)) {
+    const auto side = wall_side(name);
+    const auto mass = parse_number<double>(number);
+    if (!side || !mass || !(*mass > 0.0))
+      throw InputError("--wall-masses",
+                       fmt::format("\"{}={}\": expected a wall and its mass, a positive number, for example "
+                                   "x+=2.5",
+                                   name, number));
+    masses.emplace_back(*side, *mass);
+  }
+  return masses;
+}
+
 ImportOptions import_options(const ConvertArguments& arguments) {
   ImportOptions options;
   if (!arguments.law.empty()) options.law = parse_law("--law", arguments.law);
@@ -113,6 +132,7 @@ ImportOptions import_options(const ConvertArguments& arguments) {
   if (!arguments.wall_law.empty()) options.wall_law = parse_law("--wall-law", arguments.wall_law);
   if (!arguments.gravity.empty()) options.gravity = parse_numbers("--gravity", arguments.gravity);
   options.walls = arguments.walls;
+  options.wall_masses = parse_wall_masses(arguments.wall_masses);
   options.wall_ids = parse_wall_ids(arguments.wall_ids);
   options.bonds = arguments.bonds;
   options.touch_gap = arguments.touch_gap;
@@ -191,6 +211,10 @@ int convert(const std::string& in, const std::string& out, const ExportFormat& t
   return_freed_memory();
   to.write(out, imported.state);
   for (const std::string& remark : imported.remarks) spdlog::info("{}: {}", out, remark);
+  if (to.lost != nullptr)
+    if (const std::vector<std::string> lost = to.lost(imported.state); !lost.empty())
+      spdlog::info("{}: files of this format do not hold {}; a state file (.h5) does", out,
+                   fmt::join(lost, ", "));
   for (const std::string& line : summary.lines) spdlog::info("{}: {}", out, line);
   std::visit([&](const auto& state) { report(out, state); }, imported.state);
   for (const std::string& doubt : summary.inconsistencies) spdlog::warn("{}: warning: {}", out, doubt);
@@ -213,10 +237,19 @@ int run_convert(const ConvertArguments& arguments) {
     throw InputError("--contacts",
                      "the file of contacts belongs to a single packing, but several packings are to be "
                      "converted: convert them one by one");
-  return for_each_file(inputs, [&](const std::string& in) {
-    const std::string name = std::filesystem::path(in).stem().string() + to.extension;
-    return convert(in, (std::filesystem::path(out) / name).string(), to, arguments);
-  });
+  const auto output_of = [&](const std::string& in) {
+    return (std::filesystem::path(out) / (std::filesystem::path(in).stem().string() + to.extension)).string();
+  };
+  std::map<std::string, std::string> inputs_of;  // input file of each output file
+  for (const std::string& in : inputs)
+    if (const auto [first, is_new] = inputs_of.try_emplace(output_of(in), in); !is_new)
+      throw InputError(
+          first->first,
+          fmt::format("both {} and {} would be written to this file: convert one of them to another "
+                      "directory",
+                      first->second, in));
+  return for_each_file(inputs,
+                       [&](const std::string& in) { return convert(in, output_of(in), to, arguments); });
 }
 
 /// Returns the keywords of the formats, separated by commas.
@@ -246,6 +279,9 @@ void add_reading_options(CommandLine app, ConvertArguments& arguments) {
       "z+ (a wall at the lower or upper face, and a free surface), z=0:5 (walls at these places), z=0: (a "
       "floor at 0 and a free surface); or an input script of LAMMPS or LIGGGHTS, or an STL file, that has the "
       "walls [the walls given in IN; without walls the packing is periodic or ends in free space]");
+  app.add_option("--wall-masses", arguments.wall_masses,
+                 "WALL=MASS,...: masses of the walls that forces move, e.g. y+=2.5 for a lid under a load [all "
+                 "walls stay where they are]");
   app.add_option("--wall-law", arguments.wall_law,
                  "contact law between grains and walls, given as for --law [the law between grains]");
   app.add_option(

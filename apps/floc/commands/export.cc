@@ -12,6 +12,7 @@
 #include "floc/io/law_text.h"
 #include "floc/packing/body_name.h"
 #include "floc/packing/liquid/liquid.h"
+#include "floc/packing/wall_forces.h"
 #include "floc/tables/column.h"
 #include "process/output.h"
 
@@ -142,6 +143,7 @@ Table contact_table(const State<Dim>& state) {
   }
   if (bonds && Dim == 3) table.columns.emplace_back("ktw");
   for (const auto& [name, k] : given) table.columns.push_back(name);
+  if (bonds) table.columns.emplace_back("bonded");
   for (std::size_t at = 0; at < packing.contacts.size(); ++at) {
     const Contact<Dim>& c = packing.contacts[at];
     auto& row = table.rows.emplace_back();
@@ -161,6 +163,7 @@ Table contact_table(const State<Dim>& state) {
     if (has_points) add_point(packing, c, row);
     if (bonds && Dim == 3) row.emplace_back(c.ktw);
     for (const auto& [name, k] : given) row.emplace_back(strengths[at][k]);
+    if (bonds) row.push_back(count(c.bonded ? 1 : 0));
   }
   return table;
 }
@@ -178,6 +181,12 @@ std::string boundary_options(const Packing<Dim>& packing) {
                          place(packing.walls[w]), place(packing.walls[w + 1]));
   }
   if (!walls.empty()) options = fmt::format(" --walls {} --wall-law '{}'", walls, law_text(packing.wall_law));
+  std::string masses;
+  for (const Wall<Dim>& wall : packing.walls)
+    if (!wall.open && follows_forces(wall))
+      masses += fmt::format("{}{}{}={}", masses.empty() ? "" : ",", kAxes[wall.axis], wall.side < 0 ? "-" : "+",
+                            wall.mass);
+  if (!masses.empty()) options += " --wall-masses " + masses;
   if (!packing.gravity.isZero(0.0))
     options += fmt::format(" --gravity={}", fmt::join(packing.gravity.begin(), packing.gravity.end(), ","));
   return options;

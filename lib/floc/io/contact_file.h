@@ -14,19 +14,19 @@ namespace floc {
 /// YADE, an .fstat file of MercuryDPM or, if none of these is recognised, a csv table with the columns of
 /// read_contacts(). `options.contact_columns` renames the columns of a LAMMPS dump or of a csv table.
 /// @param dimension  dimension of the packing, 2 or 3
-/// @param timestep  time step of the grains, if their file gives one. From a LAMMPS dump, the last frame with this time
-/// step is read; without a time step, the last frame of the dump is read.
-/// @param remarks  if not null, receives a sentence about the layout of the csv table, unless this layout is plain
+/// @param listed  packing with the grains. From a LAMMPS dump, the last frame with their time step is read; if their
+/// file gives no time step, the last frame of the dump is read. From an .fstat file, the contacts at their time are
+/// read. The remarks of the packing receive sentences about the layout of the csv table, unless this layout is plain,
+/// and about columns that are not read.
 /// @return the contacts; nothing if `options.contacts` is empty
 /// @throws InputError naming file, line and column
 std::optional<std::vector<ListedContact>> read_contact_file(const ImportOptions& options, int dimension,
-                                                            std::optional<std::int64_t> timestep = {},
-                                                            std::vector<std::string>* remarks = nullptr);
+                                                            ListedPacking& listed);
 
 /// Reads bonds from the file `options.bonds`, which may have any format that read_contact_file() accepts. Each bond
 /// must have a stiffness kn. A bond acts across a gap. If the file lists no force for a bond, its force is zero.
 /// @return the bonds; none if `options.bonds` is empty
 /// @throws InputError naming file, line and column
-std::vector<ListedContact> read_bond_file(const ImportOptions& options, int dimension);
+std::vector<ListedContact> read_bond_file(const ImportOptions& options, int dimension, ListedPacking& listed);
 
 }  // namespace floc

@@ -18,7 +18,11 @@ Imported read_csv_packing(const std::string& path, const ImportOptions& options)
   const CsvTable table = CsvTable::read(path, wanted_names(grain_names(), options.columns));
   if (!table.description().empty())
     listed.remarks.push_back(fmt::format("read {}: {}", table.rows_in_words(), table.description()));
-  listed.grains = read_grains(NamedColumns(table, options.columns), options.units);
+  const NamedColumns columns(table, options.columns);
+  std::vector<std::string> read = grain_names();
+  read.emplace_back("r");  // another name of the radius
+  add_unread_columns(columns, read, listed.remarks);
+  listed.grains = read_grains(columns, options.units);
   listed.space.place = path;
   return assemble(std::move(listed), options);
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "floc/base/error.h"
@@ -12,7 +13,10 @@
 #include "floc/io/rockable_text.h"
 #include "floc/io/vtkhdf.h"
 #include "floc/io/vtu.h"
+#include "floc/packing/bonds.h"
+#include "floc/packing/liquid/liquid.h"
 #include "floc/packing/require_elastic.h"
+#include "floc/packing/wall_forces.h"
 
 namespace floc {
 namespace {
@@ -32,18 +36,54 @@ void write_text(const std::string& path, const AnyState& state) {
   write_bytes_atomically(path, text(state));
 }
 
+/// Returns the names of the data of a state that a format with grains, walls and boundary alone cannot hold.
+std::vector<std::string> lost_beside_grains(const AnyState& any) {
+  return std::visit(
+      [](const auto& state) {
+        const auto& packing = state.packing;
+        std::vector<std::string> lost;
+        if (!packing.gravity.isZero(0.0)) lost.emplace_back("gravity");
+        const auto is_shifted = [](const auto& wall) { return wall.side < 0 && wall.position != 0.0; };
+        if (std::any_of(packing.walls.begin(), packing.walls.end(), is_shifted))
+          lost.emplace_back("the place of the box, which begins at zero in the file");
+        const auto moves = [](const auto& wall) { return !wall.open && follows_forces(wall); };
+        if (std::any_of(packing.walls.begin(), packing.walls.end(), moves))
+          lost.emplace_back("the masses of the walls that forces move");
+        if (has_bonds(packing)) lost.emplace_back("bonds");
+        return lost;
+      },
+      any);
+}
+
+/// Returns the names of the data of a state that a configuration of Rockable cannot hold.
+std::vector<std::string> lost_in_rockable(const AnyState& any) {
+  return std::visit(
+      [](const auto& state) {
+        std::vector<std::string> lost;
+        const auto moves = [](const auto& wall) { return !wall.open && follows_forces(wall); };
+        if (std::any_of(state.packing.walls.begin(), state.packing.walls.end(), moves))
+          lost.emplace_back("the masses of the walls that forces move");
+        if (holds_liquid(state.packing)) lost.emplace_back("the volumes of the liquid bridges");
+        return lost;
+      },
+      any);
+}
+
 }  // namespace
 
 const std::vector<ExportFormat>& export_formats() {
   static const std::vector<ExportFormat> formats = {
       {"state", "state file of floc", ".h5", write_own_state},
-      {"vtu", "VTK's unstructured grid: grains and contacts, for ParaView", ".vtu", write_text<vtu_text, true>},
+      {"vtu", "VTK's unstructured grid: grains and contacts, for ParaView", ".vtu", write_text<vtu_text, true>,
+       "", lost_beside_grains},
       {"vtkhdf", "VTK's HDF format: grains and contacts, for ParaView", ".vtkhdf", write_vtkhdf},
-      {"extended-xyz", "extended XYZ, for OVITO and ASE", ".xyz", write_text<extended_xyz_text>},
-      {"lammps-data", "data file of LAMMPS, atom_style sphere", ".data", write_text<lammps_data_text>},
+      {"extended-xyz", "extended XYZ, for OVITO and ASE", ".xyz", write_text<extended_xyz_text>, "",
+       lost_beside_grains},
+      {"lammps-data", "data file of LAMMPS, atom_style sphere", ".data", write_text<lammps_data_text>, "",
+       lost_beside_grains},
       {"rockable",
        "configuration of Rockable, with the shapes in a second file of the same name and the extension .shp",
-       ".conf", write_rockable, ".shp"},
+       ".conf", write_rockable, ".shp", lost_in_rockable},
       {"obj", "Wavefront OBJ: surfaces of the grains", ".obj", write_obj},
       {"stl", "stereolithography, as text: surfaces of the grains", ".stl", write_stl},
   };

@@ -17,6 +17,9 @@ struct ExportFormat {
   void (*write)(const std::string& path, const AnyState& state);
   /// extension of the second file, if the format consists of two files in the same directory; else empty
   std::string second_extension = "";
+  /// Returns the names of the data of a state that a file in this format cannot hold, such as "gravity"; null if the
+  /// format holds all data that its reader takes.
+  std::vector<std::string> (*lost)(const AnyState& state) = nullptr;
 };
 
 /// All file formats in which floc can write a state. To add a format, add a writer next to the reader of the format, an

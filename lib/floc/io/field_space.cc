@@ -3,9 +3,31 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "floc/base/error.h"
 
 namespace floc {
+
+namespace {
+
+/// Sets the masses of the walls from the field array wall_masses, which has one number per wall: 0 for a wall that
+/// forces do not move.
+/// @param walls  content of the array walls: axis, side and position of each wall
+void set_masses(const FieldArrays& arrays, const std::vector<double>& walls, ListedSpace& space) {
+  const std::vector<double> masses = arrays.read("wall_masses");
+  const bool is_valid = std::all_of(masses.begin(), masses.end(), [](double mass) { return mass >= 0.0; });
+  if (3 * masses.size() != walls.size() || !is_valid)
+    throw InputError(arrays.place("wall_masses"),
+                     fmt::format("the masses are {}, expected a number >= 0 for each of {} walls",
+                                 fmt::join(masses, " "), walls.size() / 3));
+  for (std::size_t k = 0; k < masses.size(); ++k) {
+    ListedEnds& ends = ends_along(static_cast<int>(walls[3 * k]), space);
+    if (masses[k] > 0.0) (walls[3 * k + 1] < 0.0 ? ends.low_mass : ends.high_mass) = masses[k];
+  }
+}
+
+}  // namespace
 
 ListedSpace space_of_fields(const FieldArrays& arrays) {
   ListedSpace space;
@@ -36,6 +58,7 @@ ListedSpace space_of_fields(const FieldArrays& arrays) {
                         k / 3, walls[k], walls[k + 1]));
       add_wall({static_cast<int>(walls[k]), walls[k + 1] < 0.0 ? -1 : 1}, walls[k + 2], space);
     }
+    if (arrays.has("wall_masses")) set_masses(arrays, walls, space);
   }
   if (arrays.has("periodic")) {
     const std::vector<double> periodic = arrays.read("periodic");

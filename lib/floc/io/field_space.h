@@ -16,7 +16,8 @@ struct FieldArrays {
 };
 
 /// Reads the space that a packing fills from field arrays in a file of floc: cell (three lattice vectors), dimension,
-/// walls (axis, side and position of each wall), periodic (one flag per axis) and gravity.
+/// walls (axis, side and position of each wall), wall_masses (one number per wall, 0 for a wall that forces do not
+/// move), periodic (one flag per axis) and gravity.
 /// @throws InputError naming the array
 ListedSpace space_of_fields(const FieldArrays& arrays);
 

@@ -17,6 +17,8 @@
 #include "floc/io/lmgc90.h"
 #include "floc/io/mercurydpm.h"
 #include "floc/io/rockable.h"
+#include "floc/io/sealed_file.h"
+#include "floc/io/stdin_copy.h"
 #include "floc/io/table_text.h"
 #include "floc/io/vtkhdf.h"
 #include "floc/io/vtu.h"
@@ -36,7 +38,7 @@ bool is_state(const std::string& path) {
 
 bool is_csv(const std::string& path) {
   const std::string extension = named_extension(path);
-  return path == "-" || extension == ".csv" || extension == ".tsv";
+  return extension == ".csv" || extension == ".tsv";
 }
 
 /// Whether a file is a table with the columns of grains. The name of the file does not matter.
@@ -61,6 +63,25 @@ Imported read_own_state(const std::string& path, const ImportOptions& options) {
   imported.state = read_state(path);
   imported.complete = true;
   return imported;
+}
+
+/// Whether a file has the seal of a state file.
+bool is_sealed(const std::string& path) {
+  try {
+    return !SealedFile(path).content_path().empty();
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+/// Returns the format of the packing on standard input, recognised by its content. Afterwards, standard input can be
+/// read again.
+const ImportFormat& format_of_stdin() {
+  const StdinCopy copy;
+  if (is_sealed(copy.path())) return find_import_format("state", "-");
+  for (const ImportFormat& format : import_formats())
+    if (format.recognises(copy.path())) return format;
+  return find_import_format("csv", "-");
 }
 
 }  // namespace
@@ -101,6 +122,7 @@ const std::vector<ImportFormat>& import_formats() {
 }
 
 const ImportFormat& find_import_format(const std::string& keyword, const std::string& path) {
+  if (keyword.empty() && path == "-") return format_of_stdin();
   std::string known;
   for (const ImportFormat& format : import_formats()) {
     if (keyword.empty() ? format.recognises(path) : format.keyword == keyword) return format;

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "floc/contact/law.h"
@@ -21,6 +22,8 @@ struct ImportOptions {
   /// Axes that are not periodic (see parse_walls()) and names of files that describe walls (see read_wall_file()),
   /// separated by commas. If empty, the file of the packing gives the boundary.
   std::string walls;
+  /// Masses of the walls that forces move. A wall that is not in this list stays where it is.
+  std::vector<std::pair<WallSide, double>> wall_masses;
   /// acceleration due to gravity, one component per axis; if empty, the file gives it
   std::vector<double> gravity;
   /// walls among the bodies in the file of contacts: the key is the identifier of the body, the value is the wall
@@ -114,7 +117,7 @@ bool begins_with(const std::string& path, const std::string& text);
 const std::vector<ImportFormat>& import_formats();
 
 /// Returns the format with the keyword `keyword`. If `keyword` is empty, returns the format that recognises the file
-/// `path`.
+/// `path`. Standard input ("-") is recognised by its content; if no format recognises it, it is read as csv.
 /// @throws InputError listing all formats if no format matches
 const ImportFormat& find_import_format(const std::string& keyword, const std::string& path);
 

@@ -55,6 +55,14 @@ std::optional<Eigen::Vector3d> vector_of(const CsvTable& table, int row, const s
   return value;
 }
 
+/// Returns the indices of the columns for the third components of vectors, of those vectors that the table has.
+std::vector<int> third_components(const NamedColumns& columns, const std::vector<std::string>& vectors) {
+  std::vector<int> found;
+  for (const std::string& name : vectors)
+    if (columns.has(name + "1") && columns.has(name + "3")) found.push_back(columns.column(name + "3"));
+  return found;
+}
+
 std::optional<double> number_of(const CsvTable& table, int row, int column) {
   if (column < 0) return std::nullopt;
   return table.number(row, column);
@@ -71,8 +79,11 @@ int image_of(const CsvTable& table, int row, int column) {
 /// Indices of the columns in a table of contacts. The index of a missing column is -1. A list of indices is empty if
 /// its columns are missing.
 struct ContactColumns {
-  int id1, id2, normal_force, kn, kt, kr, ktw, bridge_volume, rolling_moment_2d, twisting_moment, gap, kind;
+  int id1, id2, normal_force, kn, kt, kr, ktw, bridge_volume, bonded, rolling_moment_2d, twisting_moment, gap,
+      kind;
   std::vector<int> image, force, shear_force, rolling_moment, point, normal;
+  /// Columns of third components, which must be zero in two dimensions: those of forces up to rounding.
+  std::vector<int> forces_across, images_across;
   std::array<int, 4> strengths{};
 
   ContactColumns(const NamedColumns& names, int dimension)
@@ -84,6 +95,7 @@ struct ContactColumns {
         kr(column_if(names, "kr")),
         ktw(column_if(names, "ktw")),
         bridge_volume(column_if(names, "bridge_volume")),
+        bonded(column_if(names, "bonded")),
         rolling_moment_2d(dimension == 2 ? column_if(names, "rolling_moment") : -1),
         twisting_moment(dimension == 3 ? column_if(names, "twisting_moment") : -1),
         gap(column_if(names, "gap")),
@@ -94,7 +106,13 @@ struct ContactColumns {
         rolling_moment(dimension == 3 ? numbered(names, "rolling_moment", 3) : std::vector<int>{}),
         point(numbered(names, "point", dimension)),
         normal(numbered(names, "normal", dimension)) {
+    // A scalar force without direction is the normal force, unless the table has the force as a vector.
+    if (normal_force < 0 && force.empty()) normal_force = column_if(names, "force");
     for (std::size_t k = 0; k < strengths.size(); ++k) strengths[k] = column_if(names, kStrengthNames[k]);
+    if (dimension == 2) {
+      forces_across = third_components(names, {"force", "shear_force"});
+      images_across = third_components(names, {"image"});
+    }
   }
 };
 
@@ -124,6 +142,34 @@ std::optional<ContactType> kind_of(const CsvTable& table, int row, int column) {
   return kind;
 }
 
+/// Reads whether a contact is a bond.
+bool is_bond(const CsvTable& table, int row, int column) {
+  if (column < 0) return false;
+  const double value = table.number(row, column);
+  if (value != 0.0 && value != 1.0)
+    throw InputError(table.place(row), fmt::format("{} = {}, expected 1 for a bond or 0 for another contact",
+                                                   table.columns()[column], value));
+  return value == 1.0;
+}
+
+/// Checks that the third components of vectors are zero in a two-dimensional packing.
+/// @throws InputError naming file, line and column
+void require_in_plane(const CsvTable& table, int row, const ContactColumns& columns, const ListedContact& c) {
+  constexpr double kRounding = 1e-9;
+  const auto norm = [](const std::optional<Eigen::Vector3d>& v) { return v ? v->norm() : 0.0; };
+  const double force = std::max({norm(c.force), norm(c.shear_force), std::abs(c.normal_force.value_or(0.0))});
+  const auto require = [&](int column, double largest) {
+    const double value = table.number(row, column);
+    if (std::abs(value) > largest)
+      throw InputError(table.place(row),
+                       fmt::format("{} = {:.6g}, expected 0 for disks in two dimensions; give --dimension 3 if "
+                                   "the grains are spheres",
+                                   table.columns()[column], value));
+  };
+  for (const int column : columns.forces_across) require(column, kRounding * force);
+  for (const int column : columns.images_across) require(column, 0.0);
+}
+
 ListedContact read_contact(const CsvTable& table, int row, const ContactColumns& columns) {
   ListedContact c;
   const bool wall_first = read_bodies(table, row, columns, c);
@@ -135,12 +181,10 @@ ListedContact read_contact(const CsvTable& table, int row, const ContactColumns&
   c.force = vector_of(table, row, columns.force);
   c.normal_force = number_of(table, row, columns.normal_force);
   c.shear_force = vector_of(table, row, columns.shear_force);
+  require_in_plane(table, row, columns, c);
   // If the table also has the columns shear_force1.., the columns force1.. contain the normal force. The tangential
-  // force is then added, so that `force` is the total force.
-  if (c.force && c.shear_force) {
-    *c.force += *c.shear_force;
-    c.shear_force.reset();
-  }
+  // force is then added, so that `force` is the total force. The tangential force is kept for comparison.
+  if (c.force && c.shear_force) *c.force += *c.shear_force;
   c.rolling_moment = vector_of(table, row, columns.rolling_moment);
   // In 2D the rolling moment is a scalar. It is stored as the third component of a vector.
   if (columns.rolling_moment_2d >= 0)
@@ -151,6 +195,7 @@ ListedContact read_contact(const CsvTable& table, int row, const ContactColumns&
   c.kr = number_of(table, row, columns.kr);
   c.ktw = number_of(table, row, columns.ktw);
   c.bridge_volume = number_of(table, row, columns.bridge_volume);
+  c.bond = is_bond(table, row, columns.bonded);
   for (std::size_t k = 0; k < c.strengths.size(); ++k) {
     c.strengths[k] = number_of(table, row, columns.strengths[k]).value_or(0.0);
     if (c.strengths[k] < 0.0)
@@ -180,8 +225,11 @@ void require_unit(const CsvTable& table, const UnitColumn& column, const std::st
 
 void require_one_unit_of_force(const NamedColumns& names, const std::string& units) {
   std::optional<std::string> first;
-  for (const std::string& name : contact_names()) {
-    if (name.find("force") == std::string::npos || !names.has(name)) continue;
+  std::vector<std::string> forces = contact_names();
+  std::erase_if(forces, [](const std::string& name) { return name.find("force") == std::string::npos; });
+  if (!names.has("normal_force") && !names.has("force1")) forces.emplace_back("force");
+  for (const std::string& name : forces) {
+    if (!names.has(name)) continue;
     const UnitColumn column = names.unit_column(name);
     if (units == "SI" && !column.unit.empty()) require_unit(names.table(), column, "N", "the unit of SI");
     if (first) require_unit(names.table(), column, *first, "the unit of the other forces");
@@ -324,6 +372,7 @@ std::vector<std::string> contact_names() {
           "rolling_strength",
           "twisting_strength",
           "bridge_volume",
+          "bonded",
           "point1",
           "point2",
           "point3",
@@ -332,6 +381,31 @@ std::vector<std::string> contact_names() {
           "normal3",
           "gap",
           "kind"};
+}
+
+std::vector<std::string> contact_names_in(const NamedColumns& columns, int dimension) {
+  std::vector<std::string> names = contact_names();
+  const std::string scalar = "rolling_moment";
+  std::erase_if(names, [&](const std::string& name) {
+    if (name == scalar) return dimension == 3;
+    if (name.starts_with(scalar) || name == "twisting_moment") return dimension == 2;
+    // A vector is read only if the table has its first component.
+    const bool is_later = name.ends_with('2') || name.ends_with('3');
+    return is_later && !columns.has(name.substr(0, name.size() - 1) + "1");
+  });
+  if (!columns.has("normal_force") && !columns.has("force1")) names.emplace_back("force");
+  return names;
+}
+
+void add_unread_columns(const NamedColumns& columns, const std::vector<std::string>& names,
+                        std::vector<std::string>& remarks) {
+  std::vector<std::string> unread = columns.table().columns();
+  for (const std::string& name : names)
+    if (columns.has(name)) unread[static_cast<std::size_t>(columns.column(name))].clear();
+  std::erase(unread, "");
+  if (!unread.empty())
+    remarks.push_back(
+        fmt::format("{}: these columns are not read: {}", columns.table().place(), fmt::join(unread, ", ")));
 }
 
 void check_grain_columns(const std::string& option, const std::map<std::string, std::string>& given) {

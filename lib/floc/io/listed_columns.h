@@ -59,10 +59,12 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns, const std::str
 ///   twisting_moment  (3D) twisting moment on grain id1 about the normal from id1 to id2
 ///   kn, kt, kr, ktw  normal, tangential, rolling and twisting stiffness
 ///   bridge_volume    volume of the liquid bridge (length^3)
+///   bonded           1 for a bond, which acts at any gap with its own stiffnesses; 0 for other contacts
 ///   point1..         place of the contact point of grains with corners (length)
 ///   normal1..        contact normal from id1 to id2 at this point; default: computed from the shapes
 ///   gap              gap at this point (length); default: computed from the shapes
-/// Units in the headers are not converted. All forces must have the same unit, which must be N in SI units.
+/// In 2D the third component of a force, normal or image must be zero if the table has it. Units in the headers are not
+/// converted. All forces must have the same unit, which must be N in SI units.
 /// @param units  unit system of the packing, "reduced" or "SI"
 /// @throws InputError naming file, line and column
 std::vector<ListedContact> read_contacts(const NamedColumns& columns, int dimension,
@@ -72,6 +74,15 @@ std::vector<ListedContact> read_contacts(const NamedColumns& columns, int dimens
 /// to find the header of a table.
 std::vector<std::string> grain_names();
 std::vector<std::string> contact_names();
+
+/// Returns the names of the columns that read_contacts() reads from a table in a given dimension. A scalar `force` is
+/// read as the normal force if the table has neither normal_force nor force1...
+std::vector<std::string> contact_names_in(const NamedColumns& columns, int dimension);
+
+/// Adds a sentence to `remarks` that names the columns of a table that are not read; adds nothing if all are read.
+/// @param names  names of the columns that are read, such as grain_names()
+void add_unread_columns(const NamedColumns& columns, const std::vector<std::string>& names,
+                        std::vector<std::string>& remarks);
 
 /// Check that the user renamed only columns that floc reads: check_grain_columns() in tables of grains,
 /// check_contact_columns() in tables of contacts.

@@ -34,8 +34,8 @@ constexpr double kNoForce = 1e-9;
 /// their mean radius. The fraction is large because a file may have few digits.
 constexpr double kFarthestGap = 0.1;
 /// Largest accepted difference, divided by the total force, between the normal force of a contact and the normal
-/// component of its total force, if a file lists both forces. If positions are rounded to six digits, the contact
-/// normal rotates, and the normal component changes by less than this fraction.
+/// component of its total force, if a file lists both forces. The same holds for tangential forces. If positions are
+/// rounded to six digits, the contact normal rotates, and the components change by less than this fraction.
 constexpr double kSameForce = 1e-3;
 
 /// Whether the two grains of a contact must be exchanged so that the grain with the lower index comes first. For a
@@ -69,6 +69,13 @@ GivenForces<Dim> given_forces(const ListedContact& listed, bool reversed, const 
     // component is not subtracted, so that the force keeps all of its digits.
     given.shear = on_first;
     if (std::abs(along) > kRounding * on_first.norm()) *given.shear -= normal * along;
+    const double largest = std::max(on_first.norm(), std::abs(listed.normal_force.value_or(0.0)));
+    if (!listed.force && std::abs(along) > kSameForce * largest)
+      throw InputError(
+          listed.place.text(),
+          fmt::format("the tangential force has the component {:.6g} along the contact normal, expected a "
+                      "force perpendicular to the normal; list a whole force in force1.. instead",
+                      along));
   }
   if (listed.force) {
     const Vec<Dim> on_first = sign * listed.force->template head<Dim>();
@@ -79,7 +86,15 @@ GivenForces<Dim> given_forces(const ListedContact& listed, bool reversed, const 
                        fmt::format("normal_force = {:.6g}, but the total force listed for the same contact has "
                                    "the normal component {:.6g}: leave out one of these two forces",
                                    *listed.normal_force, *given.normal));
-    given.shear = on_first + *given.normal * normal;
+    const Vec<Dim> across = on_first + *given.normal * normal;
+    if (given.shear && (across - *given.shear).norm() > kSameForce * on_first.norm())
+      throw InputError(
+          listed.place.text(),
+          fmt::format("force1.. has a tangential part of {:.6g} beside shear_force1..: beside these columns "
+                      "it must be the normal part of the force; if it is the whole force, leave out one of "
+                      "the two",
+                      (across - *given.shear).norm()));
+    given.shear = across;
   }
   if (listed.rolling_moment) given.rolling = sign * listed.rolling_moment->template tail<kRotations<Dim>>();
   given.twisting = listed.twisting_moment;
@@ -123,7 +138,7 @@ void set_forces(const Packing<Dim>& packing, const ListedContact& listed, const 
 /// @param expected  description of the allowed values, for the message
 /// @throws InputError if `value` is listed and not allowed
 void require_stiffness(const ListedContact& listed, const char* name, const std::optional<double>& value,
-                       bool right, const char* expected) {
+                       bool right, const std::string& expected) {
   if (value && !right)
     throw InputError(listed.place.text(), fmt::format("{} = {}, expected {}", name, *value, expected));
 }
@@ -194,7 +209,11 @@ class ListedContacts {
     set_forces(packing_, row, given, c);
     // For surfaces that touch, kn must be positive. For an attraction across a gap, kn is negative.
     if (!c.distant)
-      require_stiffness(row, "kn", row.kn, row.kn > 0.0, "a positive number, because the surfaces touch");
+      require_stiffness(
+          row, "kn", row.kn, row.kn > 0.0,
+          touches(packing_, c)
+              ? "a positive number, because the surfaces touch"
+              : "a positive number, because the law does not attract across this gap" + hint_of_liquid(row));
     compare_stiffnesses(row, c);
     return c;
   }

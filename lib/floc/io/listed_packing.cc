@@ -78,9 +78,8 @@ std::vector<Wall<Dim>> make_walls(const ListedPacking& listed) {
     for (const ListedGrain& g : listed.grains)
       lowest = std::min(lowest, g.position[ends.axis] - reach_along(listed, g, ends.axis, -1));
     const double low = ends.low ? *ends.low : ends.high ? *ends.high - side : lowest;
-    const double fixed = std::numeric_limits<double>::infinity();
-    walls.push_back({ends.axis, -1, low, 0.0, fixed, !ends.low});
-    walls.push_back({ends.axis, +1, ends.high.value_or(low + side), 0.0, fixed, !ends.high});
+    walls.push_back({ends.axis, -1, low, 0.0, ends.low_mass, !ends.low});
+    walls.push_back({ends.axis, +1, ends.high.value_or(low + side), 0.0, ends.high_mass, !ends.high});
   }
   return walls;
 }
@@ -234,7 +233,7 @@ Imported assemble(const ListedPacking& listed) {
 
 Imported assemble(ListedPacking listed, const ImportOptions& options) {
   const int dimension = settle_space(options, listed);
-  if (auto contacts = read_contact_file(options, dimension, listed.timestep, &listed.remarks)) {
+  if (auto contacts = read_contact_file(options, dimension, listed)) {
     listed.contacts = std::move(contacts);
     add_wall_contacts(listed);
   } else if (!listed.wall_contacts.empty()) {
@@ -246,7 +245,7 @@ Imported assemble(ListedPacking listed, const ImportOptions& options) {
     throw InputError(listed.place,
                      "--pairs-twice merges the contacts of disks and spheres, but the grains have corners");
   if (options.pairs_twice && listed.contacts) listed.remarks.push_back(merge_pairs(*listed.contacts));
-  listed.bonds = read_bond_file(options, dimension);
+  listed.bonds = read_bond_file(options, dimension, listed);
   return assemble(listed);
 }
 

@@ -91,6 +91,11 @@ struct ListedPacking {
   /// time step of the grains. If a file of contacts contains several time steps, the contacts of this time step are
   /// read
   std::optional<std::int64_t> timestep;
+  /// time of the grains. From an .fstat file of MercuryDPM, the contacts of this time are read
+  std::optional<double> time;
+  /// Whether the grains come from a restart file of MercuryDPM. An .fstat file then numbers them in the order of
+  /// `grains`, not by their identifiers.
+  bool in_order_of_fstat = false;
   bool drop_tensile = false;         ///< whether tensile contacts are left out, see ImportOptions
   std::vector<std::string> remarks;  ///< sentences for the user, see Imported
   std::vector<std::string> inconsistencies;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,8 @@ struct ListedEnds {
   int axis = 0;
   /// Position (length) of the wall at each end of the axis; empty if the end is open.
   std::optional<double> low, high;
+  /// Mass of the wall at each end; infinite if forces do not move the wall.
+  double low_mass = std::numeric_limits<double>::infinity(), high_mass = low_mass;
 };
 
 /// Data in a file of another program about the space that a packing fills: its cell, its boundary, its dimension and

@@ -17,6 +17,7 @@
 #include "floc/base/read_text.h"
 #include "floc/io/keyed_line.h"
 #include "floc/io/table_text.h"
+#include "floc/packing/ball.h"
 
 namespace floc {
 namespace {
@@ -225,8 +226,41 @@ bool has_angled_boundary(const RestartFile& file) {
   return found;
 }
 
+/// The densities of the species of a file, from which the masses of fixed particles follow. The file lists no mass for
+/// a fixed particle: its inverse mass is zero.
+class Densities {
+ public:
+  explicit Densities(const RestartFile& file, int dimension) : dimension_(dimension) {
+    file.for_each("Species", [&](const KeyedLine& line) {
+      const std::string_view key = line.has("density") ? "density" : "rho";
+      if (!line.has(key)) return;
+      const std::int64_t id = line.has("id") ? line.integer("id") : std::ssize(densities_);
+      densities_[id] = line.number(key);
+      if (line.has("dim_particle")) dimension_ = line.number("dim_particle") == 2.0 ? 2 : 3;
+    });
+    if (const auto line = file.header("particleDimensions"))
+      dimension_ = line->number("particleDimensions") == 2.0 ? 2 : 3;
+  }
+
+  /// Returns the mass of a particle; nothing if its species or the density of the species is not known. Older files do
+  /// not name the species of a particle: it is known only if all particles have the same.
+  std::optional<double> mass(const KeyedLine& line, double radius) const {
+    auto found = densities_.end();
+    if (line.has("indSpecies"))
+      found = densities_.find(line.integer("indSpecies"));
+    else if (densities_.size() == 1)
+      found = densities_.begin();
+    if (found == densities_.end() || !(found->second > 0.0)) return std::nullopt;
+    return found->second * (dimension_ == 2 ? Ball<2>{radius}.volume() : Ball<3>{radius}.volume());
+  }
+
+ private:
+  int dimension_;  ///< dimension of the particles: 2 for disks, 3 for spheres
+  std::map<std::int64_t, double> densities_;
+};
+
 /// Reads one particle. Recent files name every value; in older files the values have fixed positions after "BP".
-ListedGrain read_particle(const KeyedLine& line, std::int64_t index, int& n_fixed) {
+ListedGrain read_particle(const KeyedLine& line, std::int64_t index, const Densities& densities, int& n_fixed) {
   ListedGrain grain;
   grain.id = index;
   double inverse_mass = 0.0;
@@ -247,6 +281,7 @@ ListedGrain read_particle(const KeyedLine& line, std::int64_t index, int& n_fixe
   if (inverse_mass < 0.0)
     throw InputError(line.place(), fmt::format("invMass = {}, must be 0 or more", inverse_mass));
   if (inverse_mass > 0.0) grain.mass = 1.0 / inverse_mass;
+  if (inverse_mass == 0.0) grain.mass = densities.mass(line, grain.radius);
   n_fixed += inverse_mass == 0.0;
   return grain;
 }
@@ -287,6 +322,14 @@ int dimension_of(const RestartFile& file) {
   return line->has("particleDimensions") && line->number("particleDimensions") == 2.0 ? 2 : 3;
 }
 
+/// Returns the time of a restart file; nothing if the file does not contain it.
+std::optional<double> time_of(const RestartFile& file) {
+  for (const auto& [beside, key] : {std::pair{"timeStep", "time"}, {"dt", "t"}})
+    if (const std::optional<KeyedLine> line = file.header(beside); line && line->has(key))
+      return line->number(key);
+  return std::nullopt;
+}
+
 /// Sets the corner and the sides of the box from the header, and marks all axes as not periodic.
 void set_box(const RestartFile& file, ListedSpace& space) {
   space.cell.assign(3, std::vector<double>(3, 0.0));
@@ -301,6 +344,85 @@ void set_box(const RestartFile& file, ListedSpace& space) {
     space.cell[static_cast<std::size_t>(a)][static_cast<std::size_t>(a)] =
         line ? line->number(high) - space.origin[a] : 1.0;
   }
+}
+
+/// Returns the times of the blocks of an .fstat file. A block begins with a comment that contains its time; older files
+/// have rows without comments. A block without rows has no contacts.
+std::vector<double> times_in_fstat(const std::string& text) {
+  std::vector<double> times;
+  std::istringstream in(text);
+  bool in_comment = false;
+  for (std::string row; std::getline(in, row);) {
+    std::string_view words = trimmed(row);
+    const bool is_comment = words.starts_with('#');
+    if (is_comment) words = trimmed(words.substr(1));
+    const bool has_time = !words.empty() && !(is_comment && in_comment);
+    in_comment = is_comment;
+    if (!has_time) continue;
+    const auto time = parse_number<double>(words.substr(0, words.find_first_of(" \t")));
+    if (time && (times.empty() || times.back() != *time)) times.push_back(*time);
+  }
+  return times;
+}
+
+/// Returns the time whose contacts are read from an .fstat file: the time of the restart file, as the .fstat file
+/// writes it, or, if the grains have no time, the last time in the file.
+/// @throws InputError if the file does not contain the time of the restart file
+double time_in_fstat(const std::string& text, const std::string& path, const ListedPacking& listed) {
+  constexpr double kSixDigits = 5e-6;  // relative; both files may have few digits
+  const std::vector<double> times = times_in_fstat(text);
+  if (times.empty()) throw InputError(path, "the file has no rows of contacts");
+  if (!listed.time) return times.back();
+  const auto distance = [&](double time) { return std::abs(time - *listed.time); };
+  const double nearest = *std::min_element(times.begin(), times.end(),
+                                           [&](double a, double b) { return distance(a) < distance(b); });
+  if (distance(nearest) > kSixDigits * std::max(std::abs(nearest), std::abs(*listed.time)))
+    throw InputError(path,
+                     fmt::format("the grains of {} are those at the time {}, but this file has contacts at "
+                                 "{}the time {}: expected contacts at the time of the grains",
+                                 listed.place, *listed.time,
+                                 times.size() > 1 ? "other times, the nearest of which is " : "", nearest));
+  return nearest;
+}
+
+/// Returns the identifier of a grain in a row of an .fstat file. If the grains come from a restart file, the row
+/// contains the position of the grain in the restart file.
+std::int64_t fstat_grain(const KeyedLine& line, std::size_t k, const char* what, const ListedPacking& listed) {
+  const std::int64_t number = line.integer(k, what);
+  if (!listed.in_order_of_fstat) return number;
+  if (number >= 0 && number < std::ssize(listed.grains))
+    return listed.grains[static_cast<std::size_t>(number)].id;
+  throw InputError(line.place(), fmt::format("{} is {}, but {} has the grains 0 to {}", what, number,
+                                             listed.place, std::ssize(listed.grains) - 1));
+}
+
+/// Reads one row of an .fstat file.
+ListedContact read_fstat_row(const KeyedLine& line, const ImportOptions& options, int dimension,
+                             const ListedPacking& listed) {
+  ListedContact c;
+  c.place = line.file_line();
+  c.id1 = fstat_grain(line, 1, "the first grain", listed);
+  const std::int64_t second = line.integer(2, "the second grain");
+  const bool on_wall = second < 0;
+  const double sign = on_wall ? -1.0 : 1.0;
+  if (on_wall) {
+    const auto found = options.wall_ids.find(second);
+    if (found == options.wall_ids.end())
+      throw InputError(
+          line.place(),
+          fmt::format("the second body is the wall {0}: give the position of this wall, for example "
+                      "--wall-ids {0}=z-",
+                      second));
+    c.wall = found->second;
+  } else {
+    c.id2 = fstat_grain(line, 2, "the second grain", listed);
+  }
+  // Numbers 3 to 7 of the line (counted from 0), the contact point and the overlaps, are not read: the positions of the
+  // grains determine the contact point and the normal overlap, and the force determines the tangential spring.
+  c.force = sign * (line.number(8, "the normal force") * line.vector(10, "the normal") +
+                    line.number(9, "the tangential force") * line.vector(13, "the tangent"));
+  if (dimension == 2) (*c.force)[2] = 0.0;
+  return c;
 }
 
 }  // namespace
@@ -322,9 +444,12 @@ Imported read_mercurydpm(const std::string& path, const ImportOptions& options) 
   read_boundaries(file, listed);
   const auto walls = read_walls(file, !options.walls.empty(), dimension, listed.space);
   if (const auto line = file.header("gravity")) listed.space.gravity = line->vector("gravity");
+  listed.time = time_of(file);
+  listed.in_order_of_fstat = true;
   int n_fixed = 0;
+  const Densities densities(file, dimension);
   file.for_each("Particles", [&](const KeyedLine& line) {
-    listed.grains.push_back(read_particle(line, std::ssize(listed.grains), n_fixed));
+    listed.grains.push_back(read_particle(line, std::ssize(listed.grains), densities, n_fixed));
     listed.grains.back().place = line.file_line();
   });
   if (n_fixed > 0)
@@ -360,44 +485,27 @@ bool is_mercurydpm_fstat(const std::string& path) {
   return false;
 }
 
-std::vector<ListedContact> read_mercurydpm_contacts(const ImportOptions& options, int dimension) {
+std::vector<ListedContact> read_mercurydpm_contacts(const ImportOptions& options, int dimension,
+                                                    const ListedPacking& listed) {
   std::vector<ListedContact> contacts;
-  std::istringstream in(read_text(options.contacts));
+  const std::string text = read_text(options.contacts);
+  const double time = time_in_fstat(text, options.contacts, listed);
   const auto file = std::make_shared<const std::string>(options.contacts + ":");
-  std::optional<double> time;
+  std::istringstream in(text);
   int number = 0;
-  for (std::string text; std::getline(in, text);) {
+  bool begins = true;  // whether the next row is the first one after a comment or a row of another time
+  for (std::string row; std::getline(in, row);) {
     ++number;
-    if (trimmed(text).empty() || trimmed(text).starts_with('#')) continue;
-    const KeyedLine line(file, number, text);
+    if (trimmed(row).starts_with('#')) begins = true;
+    if (trimmed(row).empty() || trimmed(row).starts_with('#')) continue;
+    const KeyedLine line(file, number, row);
     if (line.size() != 16)
       throw InputError(line.place(), fmt::format("the line has {} numbers, expected 16", line.size()));
-    // The file lists the contacts of all times in succession. Only the contacts of the last time are kept.
-    if (const double now = line.number(0, "the time"); time != now) {
-      contacts.clear();
-      time = now;
-    }
-    ListedContact& c = contacts.emplace_back();
-    c.place = line.file_line();
-    c.id1 = line.integer(1, "the first grain");
-    c.id2 = line.integer(2, "the second grain");
-    const bool on_wall = c.id2 < 0;
-    const double sign = on_wall ? -1.0 : 1.0;
-    if (on_wall) {
-      const auto found = options.wall_ids.find(c.id2);
-      if (found == options.wall_ids.end())
-        throw InputError(
-            line.place(),
-            fmt::format("the second body is the wall {0}: give the position of this wall, for example "
-                        "--wall-ids {0}=z-",
-                        c.id2));
-      c.wall = found->second;
-    }
-    // Numbers 3 to 7 of the line (counted from 0), the contact point and the overlaps, are not read: the positions of
-    // the grains determine the contact point and the normal overlap, and the force determines the tangential spring.
-    c.force = sign * (line.number(8, "the normal force") * line.vector(10, "the normal") +
-                      line.number(9, "the tangential force") * line.vector(13, "the tangent"));
-    if (dimension == 2) (*c.force)[2] = 0.0;
+    const bool is_wanted = line.number(0, "the time") == time;
+    // If the file lists the wanted time twice, as after a restart of the run, only the last list is kept.
+    if (is_wanted && begins) contacts.clear();
+    begins = !is_wanted;
+    if (is_wanted) contacts.push_back(read_fstat_row(line, options, dimension, listed));
   }
   return contacts;
 }

@@ -26,12 +26,15 @@ Imported read_mercurydpm(const std::string& path, const ImportOptions& options);
 /// Whether a file is probably an .fstat file of MercuryDPM: rows of 16 numbers, after lines that begin with #.
 bool is_mercurydpm_fstat(const std::string& path);
 
-/// Reads contacts from the file `options.contacts`, an .fstat file of MercuryDPM: the contacts at the last time in the
-/// file. Each row contains time, i, j, contact point (3 numbers), overlap, tangential overlap, normal force f_n,
-/// tangential force f_t, unit normal n (3 numbers), unit tangent t (3 numbers). A negative j is wall number -j - 1. The
-/// force on i is f_n n + f_t t; for a contact with a wall it is -(f_n n + f_t t), because MercuryDPM writes n and t of
-/// these contacts with the opposite sign.
-/// @throws InputError naming file and line
-std::vector<ListedContact> read_mercurydpm_contacts(const ImportOptions& options, int dimension);
+/// Reads contacts from the file `options.contacts`, an .fstat file of MercuryDPM: the contacts at the time of the
+/// grains or, if the grains have no time, at the last time in the file. Each row contains time, i, j, contact point
+/// (3 numbers), overlap, tangential overlap, normal force f_n, tangential force f_t, unit normal n (3 numbers), unit
+/// tangent t (3 numbers). A negative j is wall number -j - 1. The force on i is f_n n + f_t t; for a contact with a
+/// wall it is -(f_n n + f_t t), because MercuryDPM writes n and t of these contacts with the opposite sign.
+/// @param listed  packing with the grains. If they come from a restart file, i and j are their numbers in the order of
+/// this file; if they come from another file, i and j are their identifiers
+/// @throws InputError naming file and line, or if the file has no contacts at the time of the grains
+std::vector<ListedContact> read_mercurydpm_contacts(const ImportOptions& options, int dimension,
+                                                    const ListedPacking& listed);
 
 }  // namespace floc

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -107,7 +108,8 @@ RockableBody read_body(const KeyedLine& line) {
 }
 
 /// Reads an interaction. Its words are i, j, type, two sub-elements, normal (3 numbers), distance, position (3),
-/// velocity (3), normal force, tangential force (3).
+/// velocity (3), normal force, tangential force (3), moment on i (3), damping. Older files end with the tangential
+/// force. The member rolling_moment of the result is the whole moment.
 ListedContact read_interaction(const KeyedLine& line) {
   ListedContact c;
   c.place = line.file_line();
@@ -121,6 +123,8 @@ ListedContact read_interaction(const KeyedLine& line) {
   c.gap = line.number(8, "dn");
   c.point = line.vector(9, "the position");
   c.force = line.number(15, "fn") * to_first + line.vector(16, "ft");
+  constexpr std::size_t kMoment = 19;
+  if (line.size() >= kMoment + 3) c.rolling_moment = line.vector(kMoment, "mom");
   return c;
 }
 
@@ -252,6 +256,31 @@ void add_grains(const Configuration& from, Bodies& bodies, ListedPacking& listed
   }
 }
 
+/// Splits the moment of each contact into a rolling moment and a twisting moment. Moments that the law of a contact
+/// does not have are left out, and a sentence says so.
+void split_moments(ListedPacking& listed) {
+  constexpr double kNoMoment = 1e-9;  // of the whole moment, for rounding
+  int n_left_out = 0;
+  for (ListedContact& c : *listed.contacts) {
+    if (!c.rolling_moment) continue;
+    const Law& law = c.wall ? listed.wall_law.value_or(listed.law) : listed.law;
+    const Eigen::Vector3d moment = *c.rolling_moment;
+    const double twisting = moment.dot(*c.normal);
+    const Eigen::Vector3d rolling = moment - twisting * *c.normal;
+    c.rolling_moment.reset();
+    if (law.has_rolling()) c.rolling_moment = rolling;
+    if (law.has_twisting()) c.twisting_moment = twisting;
+    const double least = kNoMoment * moment.norm();
+    n_left_out +=
+        (!law.has_rolling() && rolling.norm() > least) || (!law.has_twisting() && std::abs(twisting) > least);
+  }
+  if (n_left_out > 0)
+    listed.inconsistencies.push_back(fmt::format(
+        "{} interactions have moments (mom) that the law does not have, and that are left out: give "
+        "rolling and twisting resistance in --law",
+        n_left_out));
+}
+
 }  // namespace
 
 bool is_rockable(const std::string& path) {
@@ -279,7 +308,10 @@ Imported read_rockable(const std::string& path, const ImportOptions& options) {
     walls.emplace(k, add_face(body, bodies.mesh(body), middle, listed.space));
   }
   for (ListedContact& c : from.contacts) name_wall(walls, c);
-  if (!from.contacts.empty()) listed.contacts = std::move(from.contacts);
+  if (!from.contacts.empty()) {
+    listed.contacts = std::move(from.contacts);
+    split_moments(listed);
+  }
   return assemble(std::move(listed), options);
 }
 

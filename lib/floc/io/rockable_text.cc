@@ -301,9 +301,10 @@ class ConfigurationText {
     const double sign = meet.swapped ? -1.0 : 1.0;
     const int i = meet.swapped ? c.j : c.i, j = meet.swapped ? c.i : c.j;
     const Vec<3> point = packing_.grains.position[i] + (meet.swapped ? c.arm_j : c.arm_i);
-    return fmt::format("{} {} {} {} {} {} {} {} 0 0 0 {} {} 0 0 0 0\n", body_of(i), body_of(j),
+    return fmt::format("{} {} {} {} {} {} {} {} 0 0 0 {} {} {} 0\n", body_of(i), body_of(j),
                        static_cast<int>(meet.type), meet.of_first, meet.of_second, words(-sign * c.normal),
-                       c.gap, words(point), c.normal_force, words(sign * c.shear_force));
+                       c.gap, words(point), c.normal_force, words(sign * c.shear_force),
+                       words(sign * spring_moment(c)));
   }
 
   const Packing<3>& packing_;

@@ -171,6 +171,7 @@ void add_stated_ends(int dimension, ListedPacking& listed) {
 void add_walls_of_file(const std::string& file, const ImportOptions& options, int dimension,
                        ListedPacking& listed) {
   const ListedWalls walls = read_wall_file(file);
+  listed.inconsistencies.insert(listed.inconsistencies.end(), walls.doubts.begin(), walls.doubts.end());
   std::string places;
   for (const ListedEnds& ends : ends_of_planes(walls.planes, listed.grains, dimension)) {
     if (find_ends(listed.ends, ends.axis)) continue;
@@ -186,6 +187,35 @@ void add_walls_of_file(const std::string& file, const ImportOptions& options, in
       fmt::format("the gravity of {} is {}; --gravity gives another", file, fmt::join(*walls.gravity, ",")));
 }
 
+/// Checks that the option `--walls` gives no walls across z if the grains are taken as disks only because their z are
+/// equal.
+/// @throws InputError naming the option that makes the grains spheres
+void require_axes_of_guess(const std::string& axes, const ImportOptions& options, int dimension,
+                           const ListedPacking& listed) {
+  const bool is_guess = !options.dimension && options.cell.empty() && !listed.space.dimension;
+  // Only names of axes contain letters.
+  const bool across_z = axes.find('z') != std::string::npos;
+  if (dimension == 2 && is_guess && across_z)
+    throw InputError(
+        "--walls", fmt::format("\"{}\" gives walls across z, but every grain has the same z, so the grains are "
+                               "taken as disks in 2D: give --dimension 3 to make them spheres",
+                               axes));
+}
+
+/// Sets the mass of a wall, which forces then move.
+/// @throws InputError if the packing has no such wall
+void set_mass(const WallSide& wall, double mass, ListedPacking& listed) {
+  for (ListedEnds& ends : listed.ends)
+    if (ends.axis == wall.axis && (wall.side < 0 ? ends.low : ends.high)) {
+      (wall.side < 0 ? ends.low_mass : ends.high_mass) = mass;
+      return;
+    }
+  throw InputError(
+      "--wall-masses",
+      fmt::format("a mass is given for the wall {}, but the packing has no such wall: give --walls",
+                  wall.name()));
+}
+
 /// Sets the ends of the axes that are not periodic. They are taken from the options or, if the options do not contain
 /// them, from the file.
 void set_ends(const ImportOptions& options, int dimension, ListedPacking& listed) {
@@ -195,9 +225,11 @@ void set_ends(const ImportOptions& options, int dimension, ListedPacking& listed
     box.origin.setZero();
   }
   const WallOption walls = split_walls(options.walls);
+  require_axes_of_guess(walls.axes, options, dimension, listed);
   listed.ends = parse_walls(walls.axes, box, dimension);
   for (const std::string& file : walls.files) add_walls_of_file(file, options, dimension, listed);
   if (options.cell.empty()) add_stated_ends(dimension, listed);
+  for (const auto& [wall, mass] : options.wall_masses) set_mass(wall, mass, listed);
   std::sort(listed.ends.begin(), listed.ends.end(),
             [](const ListedEnds& a, const ListedEnds& b) { return a.axis < b.axis; });
 }

@@ -44,6 +44,11 @@ std::string NamedColumns::unit_of(int index) const {
   return "";
 }
 
+std::string NamedColumns::without_unit(const std::string& header) const {
+  const std::string bare = name_and_unit(header).first;
+  return header.ends_with("[1]") && table_.has(header.substr(0, header.size() - 2) + "2]") ? header : bare;
+}
+
 std::optional<UnitColumn> NamedColumns::with_header(const std::string& name, const std::string& header) const {
   const auto refuse = [&](int one, int other) {
     throw InputError(
@@ -53,7 +58,7 @@ std::optional<UnitColumn> NamedColumns::with_header(const std::string& name, con
                     one + 1, other + 1, header));
   };
   const auto is_whole = [&](const std::string& h) { return h == header; };
-  const auto is_bare = [&](const std::string& h) { return name_and_unit(h).first == header; };
+  const auto is_bare = [&](const std::string& h) { return without_unit(h) == header; };
   // The comparison ignores a text in round brackets at the end of a header, which may be an unknown unit or a remark.
   const auto is_before_bracket = [&](const std::string& h) {
     return h.ends_with(')') && trimmed(std::string_view(h).substr(0, h.rfind('('))) == header;
@@ -86,7 +91,7 @@ std::optional<UnitColumn> NamedColumns::find(const std::string& name) const {
   if (is_named(name)) return unit_column(name);
   if (const auto found = find_exactly(name)) return found;
   const auto is_usual = [&](const std::string& header) {
-    return is_usual_name(name, header) || is_usual_name(name, name_and_unit(header).first);
+    return is_usual_name(name, header) || is_usual_name(name, without_unit(header));
   };
   const auto refuse = [&](int one, int other) {
     throw InputError(table_.place(),

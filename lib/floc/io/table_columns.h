@@ -68,6 +68,9 @@ class NamedColumns {
   std::optional<GivenNumber> given_number(const std::string& name) const;
 
  private:
+  /// Returns a header without its unit. The number in the header "force[1]" is no unit if the table also has the column
+  /// "force[2]": the two are components of a vector. Such a header is returned unchanged.
+  std::string without_unit(const std::string& header) const;
   std::optional<UnitColumn> with_header(const std::string& name, const std::string& header) const;
 
   const CsvTable& table_;

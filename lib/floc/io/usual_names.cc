@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <string_view>
+#include <vector>
 
 #include "floc/base/parse_number.h"
 
@@ -216,12 +217,51 @@ const std::map<std::string, Names>& usual_names() {
       {"y", {"Y", "ypos", "posy", "positiony", "yposition", "ycoordinate"}},
       {"z", {"Z", "zpos", "posz", "positionz", "zposition", "zcoordinate"}},
       {"radius", {"R", "radius", "radii", "rayon", "radio", "raggio", "promien", "polomer", "straal"}},
-      {"diameter", {"diameter", "durchmesser", "diametre", "diametro", "srednica", "prumer"}},
-      {"mass", {"mass", "masse", "masa", "massa"}},
-      {"id", {"ID", "Id", "particleid", "grainid", "idparticle"}},
-      {"id1", {"id1", "idi"}},
-      {"id2", {"id2", "idj"}},
-      {"normal_force", {"fn", "Fn", "FN", "normalforce", "normalkraft", "forcenormale", "fuerzanormal"}},
+      {"x_low", {"xlow"}},
+      {"y_low", {"ylow"}},
+      {"z_low", {"zlow"}},
+      {"diameter", {"d", "D", "diameter", "durchmesser", "diametre", "diametro", "srednica", "prumer"}},
+      {"mass", {"m", "mass", "masse", "masa", "massa"}},
+      {"id", {"ID", "Id", "iD", "particleid", "grainid", "idparticle"}},
+      {"id1",
+       {"id1", "idi", "i", "particle1", "particlei", "particleid1", "grain1", "graini", "grainid1", "body1",
+        "bodyi"}},
+      {"id2",
+       {"id2", "idj", "j", "particle2", "particlej", "particleid2", "grain2", "grainj", "grainid2", "body2",
+        "bodyj"}},
+      {"normal_force",
+       {"fn", "Fn", "FN", "fN", "normalforce", "normalcontactforce", "contactnormalforce", "normalkraft",
+        "forcenormale", "fuerzanormal"}},
+      {"force", {"N", "force", "contactforce"}},
+      {"rolling_moment", {"rollingmoment", "rollingtorque", "mr", "Mr", "MR"}},
+      {"twisting_moment",
+       {"twistingmoment", "twistingtorque", "torsionmoment", "torsionalmoment", "torsiontorque"}},
+      {"kn", {"kn", "Kn", "KN", "kN", "normalstiffness"}},
+      {"kt", {"kt", "Kt", "KT", "kT", "ks", "Ks", "KS", "kS", "tangentialstiffness", "shearstiffness"}},
+      {"kr", {"kr", "Kr", "KR", "kR", "rollingstiffness"}},
+      {"ktw", {"ktw", "twistingstiffness", "torsionalstiffness"}},
+      {"tensile_strength", {"tensilestrength", "normalstrength"}},
+      {"shear_strength", {"shearstrength", "tangentialstrength"}},
+      {"rolling_strength", {"rollingstrength"}},
+      {"twisting_strength", {"twistingstrength", "torsionalstrength"}},
+      {"bridge_volume", {"bridgevolume", "liquidvolume", "liquidbridgevolume"}},
+      {"bonded", {"bonded", "isbonded"}},
+      {"gap", {"gap"}},
+      {"kind", {"kind"}},
+  };
+  return names;
+}
+
+/// Usual names of vectors, in the form that plain() returns, without capitals. The name of a component follows from the
+/// name of its vector: "force1", "forcex" and "force[1]" are the first component of "force".
+const std::map<std::string, Names>& usual_vectors() {
+  static const std::map<std::string, Names> names = {
+      {"image", {"image", "img", "cell", "periodicimage"}},
+      {"force", {"force", "f", "contactforce", "totalforce", "normalforce", "fn"}},
+      {"shear_force", {"shearforce", "tangentialforce", "frictionforce", "fs", "ft"}},
+      {"rolling_moment", {"rollingmoment", "rollingtorque", "mr"}},
+      {"point", {"point", "contactpoint", "contactposition", "cp"}},
+      {"normal", {"normal", "contactnormal", "n"}},
   };
   return names;
 }
@@ -273,6 +313,22 @@ std::string without_capitals(std::string name) {
   return name;
 }
 
+/// Whether a header is a usual name of a component of a vector.
+/// @param quantity  name that floc uses for the component, such as "force1"
+bool is_usual_component(const std::string& quantity, std::string_view header) {
+  const char index = quantity.back();
+  if (index < '1' || index > '3') return false;
+  const auto found = usual_vectors().find(quantity.substr(0, quantity.size() - 1));
+  if (found == usual_vectors().end()) return false;
+  std::string name = plain(header);
+  if (name.ends_with(']') && name.size() > 3 && name[name.size() - 3] == '[')
+    name = name.substr(0, name.size() - 3) + name[name.size() - 2];
+  for (char& c : name)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  const bool has_index = name.ends_with(index) || name.ends_with("xyz"[index - '1']);
+  return has_index && found->second.contains(std::string_view(name).substr(0, name.size() - 1));
+}
+
 bool is_one_of(const Names& names, std::string_view part) {
   return names.contains(without_capitals(plain(part)));
 }
@@ -301,6 +357,7 @@ const std::string& key_of(const std::string& quantity) {
 }  // namespace
 
 bool is_usual_name(const std::string& quantity, const std::string& header) {
+  if (is_usual_component(quantity, header)) return true;
   const auto found = usual_names().find(key_of(quantity));
   if (found == usual_names().end()) return false;
   const Names& names = found->second;

@@ -19,8 +19,11 @@
 #include "floc/io/field_space.h"
 #include "floc/io/hdf5_file.h"
 #include "floc/io/point_cloud.h"
+#include "floc/io/stdin_copy.h"
 #include "floc/io/vtk_cells.h"
+#include "floc/packing/liquid/liquid.h"
 #include "floc/packing/require_elastic.h"
+#include "floc/packing/wall_forces.h"
 
 namespace floc {
 namespace {
@@ -57,6 +60,10 @@ class Grid {
       add_point(in_space<Dim>(g.position[i]), g.radius[i], g.mass[i], g.name(i));
     for (int i = 0; i < g.size(); ++i) add_cell_data(packing, Contact<Dim>(), i);
     for (const Contact<Dim>& c : packing.contacts) add_contact(packing, c);
+    if (holds_liquid(packing)) {
+      bridge_volume_.values.resize(static_cast<std::size_t>(n_grains_));
+      for (const Contact<Dim>& c : packing.contacts) bridge_volume_.add(bridge_volume(packing, c));
+    }
     const std::vector<Strengths> strengths = strengths_by_contact(packing.contacts, state.bond_strengths);
     for (std::size_t k = 0; k < strengths_.size() && !strengths.empty(); ++k) {
       strengths_[k].values.resize(static_cast<std::size_t>(n_grains_));
@@ -94,9 +101,9 @@ class Grid {
          {&normal_force_, &shear_force_, &rolling_moment_, &twisting_moment_, &gap_, &image_, &wall_, &bonded_})
       write_column(file, "CellData", *column);
     // A stiffness that the contact law does not have (rigid contacts have none) is left out. A strength that is not
-    // given is left out, too.
-    for (const Column* column :
-         {&kn_, &kt_, &kr_, &ktw_, &strengths_[0], &strengths_[1], &strengths_[2], &strengths_[3]})
+    // given is left out, too, and so are the volumes of liquid bridges of a dry packing.
+    for (const Column* column : {&kn_, &kt_, &kr_, &ktw_, &bridge_volume_, &strengths_[0], &strengths_[1],
+                                 &strengths_[2], &strengths_[3]})
       if (std::any_of(column->values.begin(), column->values.end(), [](double k) { return k != 0.0; }))
         write_column(file, "CellData", *column);
     integers(file, kRoot + "/CellData/id2", id2_);
@@ -154,8 +161,8 @@ class Grid {
   Column radius_{"radius", 1, {}}, mass_{"mass", 1, {}}, normal_force_{"normal_force", 1, {}},
       shear_force_{"shear_force", 3, {}}, rolling_moment_{"rolling_moment", 3, {}},
       twisting_moment_{"twisting_moment", 1, {}}, gap_{"gap", 1, {}}, kn_{"kn", 1, {}}, kt_{"kt", 1, {}},
-      kr_{"kr", 1, {}}, ktw_{"ktw", 1, {}}, image_{"image", 3, {}}, wall_{"wall", 1, {}},
-      bonded_{"bonded", 1, {}};
+      kr_{"kr", 1, {}}, ktw_{"ktw", 1, {}}, bridge_volume_{"bridge_volume", 1, {}}, image_{"image", 3, {}},
+      wall_{"wall", 1, {}}, bonded_{"bonded", 1, {}};
   std::array<Column, 4> strengths_{{{kStrengthNames[0], 1, {}},
                                     {kStrengthNames[1], 1, {}},
                                     {kStrengthNames[2], 1, {}},
@@ -172,19 +179,24 @@ void encode_vtkhdf(const State<Dim>& state, const std::string& path) {
   Grid(state).write(file);
   file.group(kRoot + "/FieldData");
   Column cell{"cell", 3, {}}, dimension{"dimension", 1, {Dim}}, walls{"walls", 3, {}},
-      periodic{"periodic", 1, {}}, gravity{"gravity", 3, {}};
+      wall_masses{"wall_masses", 1, {}}, periodic{"periodic", 1, {}}, gravity{"gravity", 3, {}};
   Eigen::Matrix3d lattice = Eigen::Matrix3d::Identity();
   lattice.topLeftCorner<Dim, Dim>() = packing.cell.matrix;
   for (int a = 0; a < 3; ++a) {
     cell.add(Eigen::Vector3d(lattice.row(a)));
     periodic.add(a < Dim && between_walls(packing.walls, a) ? 0.0 : 1.0);
   }
-  for (const Wall<Dim>& wall : packing.walls)
-    if (!wall.open) walls.add({static_cast<double>(wall.axis), static_cast<double>(wall.side), wall.position});
+  for (const Wall<Dim>& wall : packing.walls) {
+    if (wall.open) continue;
+    walls.add({static_cast<double>(wall.axis), static_cast<double>(wall.side), wall.position});
+    wall_masses.add(follows_forces(wall) ? wall.mass : 0.0);
+  }
   gravity.add(in_space<Dim>(packing.gravity));
   for (const Column* column : {&cell, &dimension, &periodic, &gravity})
     Grid::write_column(file, "FieldData", *column);
   if (!walls.values.empty()) Grid::write_column(file, "FieldData", walls);
+  if (std::any_of(packing.walls.begin(), packing.walls.end(), follows_forces<Dim>))
+    Grid::write_column(file, "FieldData", wall_masses);
   file.close();
 }
 
@@ -202,8 +214,9 @@ struct VtkCells {
 /// Reads the arrays of a file.
 class VtkHdf {
  public:
-  explicit VtkHdf(const std::string& path) : file_(path, path) {
-    if (!file_.has(kRoot)) throw InputError(path, "the HDF5 file has no group VTKHDF");
+  /// @param place  name of the file in messages
+  VtkHdf(const std::string& place, const std::string& path) : file_(place, path) {
+    if (!file_.has(kRoot)) throw InputError(place, "the HDF5 file has no group VTKHDF");
     std::string type;
     file_.attribute(kRoot, "Type", type);
     is_grid_ = type == "UnstructuredGrid";
@@ -318,8 +331,9 @@ std::vector<ListedContact> contacts_of(const VtkHdf& file, const VtkCells& cells
   };
   const CellArray normal_force = array("normal_force"), shear_force = array("shear_force", 3),
                   rolling = array("rolling_moment", 3), twisting = array("twisting_moment"), kn = array("kn"),
-                  kt = array("kt"), kr = array("kr"), ktw = array("ktw"), image = array("image", 3),
-                  wall = array("wall"), bonded = array("bonded"), id2 = array("id2");
+                  kt = array("kt"), kr = array("kr"), ktw = array("ktw"),
+                  bridge_volume = array("bridge_volume"), image = array("image", 3), wall = array("wall"),
+                  bonded = array("bonded"), id2 = array("id2");
   std::vector<CellArray> strengths;
   for (const char* name : kStrengthNames) strengths.push_back(array(name));
   const auto place = std::make_shared<const std::string>(file.place("CellData") + ", cell ");
@@ -355,6 +369,7 @@ std::vector<ListedContact> contacts_of(const VtkHdf& file, const VtkCells& cells
     c.kt = kt.number_if(k);
     c.kr = kr.number_if(k);
     c.ktw = ktw.number_if(k);
+    c.bridge_volume = bridge_volume.number_if(k);
     for (std::size_t s = 0; s < strengths.size(); ++s) {
       c.strengths[s] = strengths[s].number_if(k).value_or(0.0);
       if (c.strengths[s] < 0.0)
@@ -391,7 +406,9 @@ bool is_vtkhdf(const std::string& path) {
 
 Imported read_vtkhdf(const std::string& path, const ImportOptions& options) {
   try {
-    const VtkHdf file(path);
+    std::optional<StdinCopy> copy;
+    if (path == "-") copy.emplace();
+    const VtkHdf file(copy ? "stdin" : path, copy ? copy->path() : path);
     PointCloud cloud;
     cloud.path = path;
     cloud.x = file.numbers("Points");

@@ -58,7 +58,7 @@ std::vector<WallPlane> planes_of_mesh(const std::string& path, double scale, con
 ListedWalls read_wall_file(const std::string& path) {
   std::string end = path.substr(path.size() - std::min<std::size_t>(path.size(), 4));
   std::transform(end.begin(), end.end(), end.begin(), [](unsigned char c) { return std::tolower(c); });
-  if (end == ".stl") return {planes_of_mesh(path), std::nullopt};
+  if (end == ".stl") return {planes_of_mesh(path), std::nullopt, {}};
   return walls_of_script(path);
 }
 

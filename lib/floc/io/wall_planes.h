@@ -25,6 +25,7 @@ struct WallPlane {
 struct ListedWalls {
   std::vector<WallPlane> planes;
   std::optional<Eigen::Vector3d> gravity;  ///< acceleration due to gravity (length/time^2)
+  std::vector<std::string> doubts;         ///< sentences for the user about commands that may change the walls
 };
 
 /// Reads the triangles of an STL file as planes.

@@ -1,8 +1,11 @@
 #include "floc/io/wall_script.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <sstream>
@@ -30,7 +33,41 @@ struct ScriptCommand {
     return static_cast<std::size_t>(std::find(words.begin(), words.end(), word) - words.begin());
   }
   bool has(const std::string& word) const { return find(word) < words.size(); }
+  /// Whether a command of the form "region ID style ..." or "lattice style scale ..." has a keyword after its first
+  /// three words.
+  bool has_option(const std::string& word) const {
+    return words.size() > 3 && std::find(words.begin() + 3, words.end(), word) != words.end();
+  }
 };
+
+/// Settings of a script that give the unit of lengths in regions.
+struct LatticeSettings {
+  ScriptCommand lattice;  ///< last command `lattice`; it has no words if the script has no such command
+  bool has_lj_units = true;
+  int dimension = 3;
+};
+
+/// The command that defines a region, and the settings at this command.
+struct Region {
+  ScriptCommand command;
+  LatticeSettings settings;
+};
+
+/// Unit cell of a style of the command `lattice`: number of points, and sides in lattice constants.
+struct UnitCell {
+  const char* style;
+  double n_points;
+  std::array<double, 3> sides;
+};
+constexpr double kRoot3 = 1.7320508075688772, kRoot83 = 1.632993161855452;  // sqrt(3), sqrt(8/3)
+constexpr std::array<UnitCell, 8> kUnitCells = {{{"sc", 1.0, {1.0, 1.0, 1.0}},
+                                                 {"bcc", 2.0, {1.0, 1.0, 1.0}},
+                                                 {"fcc", 4.0, {1.0, 1.0, 1.0}},
+                                                 {"hcp", 4.0, {1.0, kRoot3, kRoot83}},
+                                                 {"diamond", 8.0, {1.0, 1.0, 1.0}},
+                                                 {"sq", 1.0, {1.0, 1.0, 1.0}},
+                                                 {"sq2", 2.0, {1.0, 1.0, 1.0}},
+                                                 {"hex", 2.0, {1.0, kRoot3, 1.0}}}};
 
 [[noreturn]] void refuse_command(const ScriptCommand& command, const std::string& fault) {
   throw InputError(command.place, fault +
@@ -66,8 +103,11 @@ class WallScript {
       if (fix.word(3).starts_with("wall/gran")) add_walls(fix, walls.planes);
       if (fix.word(3) == "gravity") walls.gravity = gravity_of(fix);
     }
+    walls.doubts = doubts_;
     if (walls.planes.empty())
-      throw InputError(path_, "the script has no wall: expected a command \"fix ID group wall/gran ...\"");
+      throw InputError(path_, fmt::format("the script has no wall: expected a command \"fix ID group wall/gran "
+                                          "...\"{}{}",
+                                          doubts_.empty() ? "" : "; ", fmt::join(doubts_, "; ")));
     return walls;
   }
 
@@ -75,10 +115,41 @@ class WallScript {
   void take(ScriptCommand command) {
     for (std::string& word : command.words) word = substituted(word);
     const std::string& name = command.word(0);
-    if (name == "variable" && command.words.size() == 4) variables_[command.word(1)] = command.word(3);
-    if (name == "region") regions_[command.word(1)] = command;
+    if (name == "variable") take_variable(command);
+    if (name == "next")  // the variables get other values, which are not followed
+      for (std::size_t k = 1; k < command.words.size(); ++k) variables_.erase(command.word(k));
+    if (name == "units") settings_.has_lj_units = command.word(1) == "lj";
+    if (name == "dimension") settings_.dimension = command.word(1) == "2" ? 2 : 3;
+    if (name == "lattice") settings_.lattice = command;
+    if (name == "region") regions_[command.word(1)] = {command, settings_};
     if (name == "fix") fixes_[command.word(1)] = command;
     if (name == "unfix") fixes_.erase(command.word(1));
+    if (name == "clear") {  // variables keep their values
+      regions_.clear();
+      fixes_.clear();
+      settings_ = {};
+    }
+    if (name == "if") take_condition(command);
+  }
+
+  /// Stores the value of a variable. A variable of the style index that exists already keeps its value.
+  void take_variable(const ScriptCommand& command) {
+    const std::string &name = command.word(1), &style = command.word(2);
+    const bool is_index = style == "index";
+    if (style == "delete") variables_.erase(name);
+    if (is_index && variables_.contains(name)) return;
+    if (command.words.size() == 4 || (is_index && command.words.size() > 4)) variables_[name] = command.word(3);
+  }
+
+  /// Records that a command `if`, which is not followed, may add or remove a wall.
+  void take_condition(const ScriptCommand& command) {
+    const std::string text = fmt::format("{}", fmt::join(command.words, " "));
+    if (text.find("wall/gran") != std::string::npos || text.find("unfix ") != std::string::npos)
+      doubts_.push_back(
+          fmt::format("{}: the command if is not followed, but it may add or remove a wall: check the walls "
+                      "that were found, "
+                      "or write their positions after --walls",
+                      command.place));
   }
 
   /// If a word is ${name} or v_name, returns the value of the variable `name`, else the word itself.
@@ -96,13 +167,14 @@ class WallScript {
   }
 
   /// Adds a wall at the position in word `k` of a command. The words NULL and INF mean that there is no wall.
+  /// @param unit  unit of the position (length)
   void add_plane(const ScriptCommand& command, std::size_t k, int axis, std::optional<int> side,
-                 std::vector<WallPlane>& planes) const {
+                 std::vector<WallPlane>& planes, double unit = 1.0) const {
     const std::string& word = command.word(k);
     if (word == "NULL" || word == "INF") return;
     planes.push_back({command.place, axis,
-                      number(command, k, fmt::format("the position of the wall across {}", "xyz"[axis])), side,
-                      std::nullopt});
+                      unit * number(command, k, fmt::format("the position of the wall across {}", "xyz"[axis])),
+                      side, std::nullopt});
   }
 
   void add_walls(const ScriptCommand& fix, std::vector<WallPlane>& planes) const {
@@ -125,12 +197,53 @@ class WallScript {
                                     [&](const std::string& word) { return regions_.contains(word); });
     if (found == fix.words.end())
       refuse_command(fix, "the script does not define the region of this wall before this command");
-    const ScriptCommand& region = regions_.at(*found);
-    if (region.word(2) != "block" || region.has("out"))
+    const ScriptCommand& region = regions_.at(*found).command;
+    if (region.word(2) != "block" || region.has_option("out"))
       refuse_command(region, fmt::format("the region {} is not a block with the grains inside", *found));
-    for (int axis = 0; axis < 3; ++axis)
-      for (const int side : {-1, 1})
-        add_plane(region, 3 + static_cast<std::size_t>(2 * axis + (side > 0)), axis, side, planes);
+    for (const char* motion : {"move", "rotate"})
+      if (region.has_option(motion)) refuse_command(region, fmt::format("the wall moves ({})", motion));
+    const std::array<bool, 6> is_open = open_faces(region);
+    const std::array<double, 3> unit = lattice_spacings(regions_.at(*found));
+    for (std::size_t face = 0; face < is_open.size(); ++face)
+      if (!is_open[face])
+        add_plane(region, 3 + face, static_cast<int>(face / 2), face % 2 == 0 ? -1 : 1, planes, unit[face / 2]);
+  }
+
+  /// Returns for each face of a block, in the order xlo, xhi, ylo, yhi, zlo, zhi, whether it is open.
+  std::array<bool, 6> open_faces(const ScriptCommand& region) const {
+    std::array<bool, 6> is_open{};
+    for (std::size_t k = 3; k < region.words.size(); ++k) {
+      if (region.word(k) != "open") continue;
+      const auto face = parse_number<int>(region.word(k + 1));
+      if (!face || *face < 1 || *face > 6)
+        refuse_command(
+            region, fmt::format("the open face is \"{}\", expected a number from 1 to 6", region.word(k + 1)));
+      is_open[static_cast<std::size_t>(*face - 1)] = true;
+    }
+    return is_open;
+  }
+
+  /// Returns the units of the lengths in a region along x, y and z. Unless the region has "units box", its lengths are
+  /// in spacings of the lattice, which are 1 without a command `lattice`.
+  std::array<double, 3> lattice_spacings(const Region& region) const {
+    const ScriptCommand &command = region.command, &lattice = region.settings.lattice;
+    if (command.word(command.find("units") + 1) == "box" || lattice.words.empty()) return {1.0, 1.0, 1.0};
+    const double scale = number(lattice, 2, "the scale of the lattice");
+    if (lattice.word(1) == "none") return {scale, scale, scale};
+    const auto cell = std::find_if(kUnitCells.begin(), kUnitCells.end(),
+                                   [&](const UnitCell& c) { return c.style == lattice.word(1); });
+    if (cell == kUnitCells.end() || lattice.has_option("orient") || lattice.has_option("spacing"))
+      refuse_command(lattice, fmt::format("the lengths of the region {} are in spacings of this lattice, which "
+                                          "floc does not read: expected a lattice none, sc, bcc, fcc, hcp, "
+                                          "diamond, sq, sq2 or hex without the keywords orient and spacing, or "
+                                          "the keyword \"units box\" in the region",
+                                          command.word(1)));
+    // In units "lj" the scale is the number of points per volume, or per area in two dimensions.
+    const double volume = cell->sides[0] * cell->sides[1] * cell->sides[2];
+    const double constant = region.settings.has_lj_units
+                                ? std::pow(cell->n_points / (volume * scale), 1.0 / region.settings.dimension)
+                                : scale;
+    return {constant * cell->sides[0], constant * cell->sides[1], constant * cell->sides[2]};
   }
 
   void add_meshes(const ScriptCommand& fix, std::vector<WallPlane>& planes) const {
@@ -191,7 +304,10 @@ class WallScript {
 
   std::string path_;
   std::map<std::string, std::string> variables_;
-  std::map<std::string, ScriptCommand> regions_, fixes_;
+  LatticeSettings settings_;
+  std::map<std::string, Region> regions_;
+  std::map<std::string, ScriptCommand> fixes_;
+  std::vector<std::string> doubts_;  ///< sentences for the user, see ListedWalls
 };
 
 }  // namespace

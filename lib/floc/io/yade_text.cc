@@ -144,7 +144,7 @@ std::vector<ListedContact> read_interactions(const CsvTable& table, int dimensio
     names["shear_force" + index] = std::string("fs") + axes[a];
   }
   std::vector<ListedContact> contacts = read_contacts(NamedColumns(table, names), dimension);
-  for (ListedContact& c : contacts) *c.force *= -1.0;
+  for (ListedContact& c : contacts) *c.force *= -1.0, *c.shear_force *= -1.0;
   return contacts;
 }
 

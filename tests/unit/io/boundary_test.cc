@@ -137,6 +137,39 @@ TEST_F(GivenBoundary, ThatCutsThroughGrainsIsRefused) {
   EXPECT_EQ(read().grains.size(), 2);
 }
 
+TEST(WallMasses, BelongToWallsOfThePacking) {
+  const test::ScratchDirectory scratch;
+  test::write_text(scratch.file("g.csv"), "x,y,radius\n1,1,0.5\n");
+  ImportOptions options;
+  options.walls = "x=0:3,y=0:";
+  options.cell = {{3, 0}, {0, 4}};
+  options.wall_masses = {{{0, 1}, 2.5}, {{1, -1}, 4.0}};
+  const Packing<2> p = test::read_packing<2>(scratch.file("g.csv"), options);
+  const double fixed = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(std::tuple(p.walls[0].mass, p.walls[1].mass, p.walls[2].mass), std::tuple(fixed, 2.5, 4.0));
+  for (const WallSide absent : {WallSide{1, 1}, WallSide{2, -1}}) {
+    options.wall_masses = {{absent, 1.0}};
+    EXPECT_THAT([&] { test::read_packing<2>(scratch.file("g.csv"), options); },
+                ThrowsMessage<InputError>(HasSubstr("a mass is given for the wall " + absent.name() +
+                                                    ", but the packing has no such wall")));
+  }
+}
+
+/// Grains of one z are taken as disks. Walls across z show that this guess is wrong.
+TEST(Monolayer, WithWallsAcrossZNeedsItsDimension) {
+  const test::ScratchDirectory scratch;
+  test::write_text(scratch.file("g.csv"), "x,y,z,radius\n1,1,0.5,0.5\n");
+  ImportOptions options;
+  for (const char* walls : {"x=0:3,y=0:3,z=0:", "z=0:1,x=0:3,y=0:3", "x=0:3,y=0:3, z=0:1"}) {
+    options.walls = walls;
+    options.dimension.reset();
+    EXPECT_THAT([&] { test::read_packing<3>(scratch.file("g.csv"), options); },
+                ThrowsMessage<InputError>(HasSubstr("give --dimension 3 to make them spheres")));
+    options.dimension = 3;
+    EXPECT_EQ(test::read_packing<3>(scratch.file("g.csv"), options).grains.size(), 1);
+  }
+}
+
 TEST_F(GivenBoundary, ThatIsPeriodicAlongEveryAxisIsRefusedUnderGravity) {
   options_.cell = {{2.0, 0.0}, {0.0, 2.0}};
   options_.gravity = {0.0, -9.81};

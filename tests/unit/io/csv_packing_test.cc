@@ -1,9 +1,13 @@
 #include "floc/io/csv_packing.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <fstream>
+#include <sstream>
 
 #include "floc/base/error.h"
 #include "floc/io/law_text.h"
@@ -147,6 +151,166 @@ TEST_F(CsvPacking, StretchesTheTwistingSpringToTheMomentOfTheList) {
   EXPECT_DOUBLE_EQ(c.history[HistoryLayout<3>::kTwisting], -0.01);
   *options_.law += test::without("twisting");
   EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("the law has no twisting")));
+}
+
+std::string upper(std::string name) {
+  for (char& c : name) c = static_cast<char>(std::toupper(c));
+  return name;
+}
+
+/// Returns other spellings of the name of a column: in capitals, with a capital at the beginning of each word, and
+/// without underscores.
+std::vector<std::string> other_spellings(const std::string& name) {
+  std::string words = name, joined = name;
+  for (std::size_t k = 0; k < words.size(); ++k)
+    if (k == 0 || words[k - 1] == '_') words[k] = static_cast<char>(std::toupper(words[k]));
+  std::erase(joined, '_');
+  return {upper(name), words, joined};
+}
+
+/// Other usual names of columns, for each of several dimensions.
+const std::vector<std::pair<std::string, std::vector<std::string>>> kUsualNames = {
+    {"id1", {"i", "id_1", "particle1"}},
+    {"id2", {"j", "id_2", "particle2"}},
+    {"image1", {"image_x", "image[1]", "Image(1)"}},
+    {"image2", {"image_y", "image[2]"}},
+    {"image3", {"image_z", "image[3]"}},
+    {"normal_force", {"fn", "Fn", "FN", "f_n", "force", "Force", "contact_force", "N"}},
+    {"shear_force1", {"ft1", "Ft_x", "fsx", "shear_force[1]", "tangential_force_x", "Shear_Force_X"}},
+    {"shear_force2", {"ft2", "Ft_y", "fsy", "shear_force[2]", "tangential_force_y", "Shear_Force_Y"}},
+    {"shear_force3", {"ft3", "Ft_z", "fsz", "shear_force[3]", "tangential_force_z", "Shear_Force_Z"}},
+    {"kn", {"Kn", "KN", "k_n", "normal_stiffness"}},
+    {"kt", {"Kt", "KT", "k_t", "ks", "Ks", "k_s", "tangential_stiffness"}},
+    {"kr", {"Kr", "KR", "k_r"}},
+};
+
+template <int Dim>
+std::string in_words(const Contact<Dim>& c) {
+  std::ostringstream words;
+  words << c.i << " " << c.j << " " << c.image.transpose() << " " << c.normal_force << " "
+        << c.shear_force.transpose() << " " << c.rolling_moment.transpose() << " " << c.twisting_moment << " "
+        << c.kn << " " << c.kt << " " << c.kr << " " << c.ktw;
+  return words.str();
+}
+
+/// Reads a contact once for every other spelling of every name of a column, and expects the same contact each time.
+template <int Dim, class Read, class Write>
+void expect_any_spelling(const std::vector<std::string>& names, const std::string& row, const Write& write,
+                         const Read& read) {
+  const auto with = [&](std::size_t k, const std::string& name) {
+    std::vector<std::string> header = names;
+    if (k < header.size()) header[k] = name;
+    write(fmt::format("{}\n{}\n", fmt::join(header, ","), row));
+    return in_words<Dim>(read());
+  };
+  const std::string expected = with(names.size(), "");
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    std::vector<std::string> spellings = other_spellings(names[k]);
+    for (const auto& [name, usual] : kUsualNames)
+      if (name == names[k]) spellings.insert(spellings.end(), usual.begin(), usual.end());
+    for (const std::string& spelling : spellings) EXPECT_EQ(with(k, spelling), expected) << spelling;
+  }
+}
+
+TEST_F(CsvPacking, TakesColumnsOfContactsInAnyUsualSpelling) {
+  const auto write = [&](const std::string& text) { contacts(text); };
+  grains("id,x,y,radius\n3,3.5,1,0.5\n5,2.6,1,0.5\n");
+  expect_any_spelling<2>({"id1", "id2", "image1", "image2", "normal_force", "shear_force1", "shear_force2",
+                          "rolling_moment", "kn", "kt", "kr"},
+                         "5,3,0,0,2.5,0,0.3,0.04,11,5,3", write, [&] { return read().contacts.at(0); });
+  expect_any_spelling<2>({"id1", "id2", "force1", "force2"}, "5,3,-2.5,0.3", write,
+                         [&] { return read().contacts.at(0); });
+  grains("id,x,y,z,radius\n3,3.5,1,1,0.5\n5,2.6,1,1,0.5\n");
+  options_.cell = {{8, 0, 0}, {0, 8, 0}, {0, 0, 8}};
+  *options_.law += test::twisting_spring(0.5, 4.0);
+  expect_any_spelling<3>({"id1", "id2", "image1", "image2", "image3", "normal_force", "shear_force1",
+                          "shear_force2", "shear_force3", "rolling_moment1", "rolling_moment2",
+                          "rolling_moment3", "twisting_moment", "kn", "kt", "kr", "ktw"},
+                         "5,3,0,0,0,2.5,0,0.3,0.1,0,0.02,0.03,0.04,11,5,3,2", write,
+                         [&] { return read<3>().contacts.at(0); });
+  expect_any_spelling<3>({"id1", "id2", "force1", "force2", "force3"}, "5,3,-2.5,0.3,0.1", write,
+                         [&] { return read<3>().contacts.at(0); });
+}
+
+TEST_F(CsvPacking, TakesForcesAsVectorsByAnyUsualName) {
+  grains("id,x,y,radius\n3,3.5,1,0.5\n5,2.6,1,0.5\n");
+  contacts("id1,id2,force1,force2\n5,3,-2.5,0.3\n");
+  const std::string expected = in_words<2>(read().contacts.at(0));
+  for (const std::string header : {"fx,fy", "Fx,Fy", "force_x,force_y", "force[1],force[2]", "Force1,Force2",
+                                   "FORCE_X,FORCE_Y", "contact_force1,contact_force2", "F1,F2"}) {
+    contacts("id1,id2," + header + "\n5,3,-2.5,0.3\n");
+    EXPECT_EQ(in_words<2>(read().contacts.at(0)), expected) << header;
+  }
+  // Beside a vector, a scalar force is not read.
+  contacts("id1,id2,force,fx,fy\n5,3,9,-2.5,0.3\n");
+  EXPECT_EQ(in_words<2>(read().contacts.at(0)), expected);
+}
+
+TEST_F(CsvPacking, TakesColumnsOfGrainsInAnyUsualSpelling) {
+  const std::vector<std::string> names = {"id", "x", "y", "radius", "mass"};
+  for (std::size_t k = 0; k < names.size(); ++k)
+    for (const std::string& spelling : other_spellings(names[k])) {
+      std::vector<std::string> header = names;
+      header[k] = spelling;
+      grains(fmt::format("{}\n7,1.5,1,0.5,9\n", fmt::join(header, ",")));
+      const Packing<2> p = read();
+      EXPECT_EQ(std::tuple(p.grains.name(0), p.grains.position[0][0], p.grains.position[0][1],
+                           p.grains.radius[0], p.grains.mass[0]),
+                std::tuple(7, 1.5, 1.0, 0.5, 9.0))
+          << spelling;
+    }
+}
+
+TEST_F(CsvPacking, NamesColumnsThatAreNotRead) {
+  const auto remarks = [&] { return read_csv_packing(scratch_.file("g.csv"), options_).remarks; };
+  EXPECT_THAT(remarks(), testing::IsEmpty());
+  contacts("id1,id2,Fn,colour,shear_force,force3,rolling_moment1\n5,3,1,red,7,8,9\n");
+  EXPECT_THAT(remarks(),
+              testing::Contains(HasSubstr(
+                  "c.csv: these columns are not read: colour, shear_force, force3, rolling_moment1")));
+  contacts("id1,id2,bonded,kn,kt,kr,ktw,tensile_strength,bridge_volume\n5,3,1,1,1,1,1,1,0\n");
+  EXPECT_THAT(remarks(), testing::IsEmpty());
+  options_.contacts.clear();
+  grains("id,x,y,r,vx,Temperature\n7,4.4,1,0.5,3,4\n");
+  EXPECT_THAT(remarks(), testing::Contains(HasSubstr("g.csv: these columns are not read: vx, Temperature")));
+}
+
+TEST_F(CsvPacking, RefusesForcesThatItWouldCut) {
+  grains("id,x,y,radius\n3,3.5,1,0.5\n5,2.6,1,0.5\n");
+  contacts("id1,id2,normal_force,shear_force1,shear_force2\n5,3,2,0.5,0.3\n");
+  EXPECT_THAT(refusal(),
+              ThrowsMessage<InputError>(HasSubstr("c.csv:2: the tangential force has the component")));
+  contacts("id1,id2,force1,force2,shear_force1,shear_force2\n5,3,-2,0.3,0,0.3\n");
+  EXPECT_THAT(refusal(),
+              ThrowsMessage<InputError>(HasSubstr("c.csv:2: force1.. has a tangential part of 0.3")));
+  contacts("id1,id2,normal_force,shear_force1,shear_force2\n5,3,2,1e-6,0.3\n");
+  EXPECT_EQ(read().contacts.at(0).normal_force, 2.0);
+  for (const std::string vector : {"force", "shear_force", "image"}) {
+    contacts(fmt::format("id1,id2,normal_force,{0}1,{0}2,{0}3\n5,3,0,0,0,1\n", vector));
+    EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr(
+                               "c.csv:2: " + vector + "3 = 1, expected 0 for disks in two dimensions")))
+        << vector;
+  }
+}
+
+TEST_F(CsvPacking, AsksForTheVolumeOfALiquidBridgeAcrossAGap) {
+  grains("id,x,y,z,radius\n3,3.5,1,1,0.5\n5,2.48,1,1,0.5\n");
+  contacts("id1,id2,normal_force,kn,kt\n5,3,-0.1,-2,0\n");
+  options_.cell = {{8, 0, 0}, {0, 8, 0}, {0, 0, 8}};
+  options_.law = parse_law("",
+                           "normal.stiffness=1000,adhesion.law=capillary,adhesion.surface_tension=1,"
+                           "adhesion.contact_angle=10,adhesion.water_content=0.01,adhesion.density_ratio=2.5");
+  EXPECT_THAT([&] { read<3>(); }, ThrowsMessage<InputError>(
+                                      HasSubstr("or this is a liquid bridge, whose volume has to be listed")));
+}
+
+TEST_F(CsvPacking, TakesBondsOfASurfaceThatTouches) {
+  grains("id,x,y,radius\n3,3.5,1,0.5\n5,2.6,1,0.5\n");
+  contacts("id1,id2,normal_force,kn,kt,bonded\n5,3,-2,7,5,1\n");
+  const Contact<2> c = read().contacts.at(0);
+  EXPECT_EQ(std::tuple(c.normal_force, c.kn, c.kt, c.bonded), std::tuple(-2.0, 7.0, 5.0, true));
+  contacts("id1,id2,normal_force,kn,kt,bonded\n5,3,2,7,5,2\n");
+  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("c.csv:2: bonded = 2, expected 1 for a bond")));
 }
 
 TEST_F(CsvPacking, TakesAForceAcrossTheSmallGapThatRigidGrainsLeave) {

@@ -136,6 +136,94 @@ TEST(MercuryDpm, HasALeesEdwardsCellThatLeansByTheShift) {
   EXPECT_EQ(p.contacts[0].image, (Vec<2, int>(0, -1)));
 }
 
+/// A run writes the contacts of several times to one .fstat file. Those at the time of the restart file belong to its
+/// grains.
+TEST(MercuryDpm, TakesTheContactsAtTheTimeOfTheRestartFile) {
+  const Packing<2> written = test::packing_with_forces<2>({"p", "p"}).packing;
+  const test::ScratchDirectory scratch;
+  const std::string path = scratch.file("s.restart");
+  ImportOptions options;
+  options.contacts = scratch.file("s.fstat");
+  options.pairs_twice = true;
+  // The rows of fstat() are those at time 1. Before and after them, the file has other times.
+  const std::string row = " 0 1 0 0 0 0.01 0 99 0 1 0 0 0 1 0\n", head = "# 0 0 0 4 4 4\n# 0.5 0.5 0 0 0 0\n";
+  const std::string rows = fstat(written);
+  const auto write = [&](const std::string& keys, const std::string& text) {
+    std::string grains = restart(written);
+    grains.insert(grains.find("systemDimensions"), keys);
+    test::write_text(path, grains);
+    test::write_text(options.contacts, text);
+  };
+  const std::string several = "# 0.5 0\n" + head + "0.5" + row + "# 1 0\n" + rows.substr(6) + "# 2 0\n" + head +
+                              "2" + row + "# 3 0\n" + head;
+  for (const std::string keys : {"timeStep 0.1 time 1.0000000001 timeMax 3\n", "dt 0.1 t 1 tmax 3\n"}) {
+    write(keys, several);
+    test::expect_same_packing(test::read_packing<2>(path, options), written, 1e-12);
+  }
+  write("timeStep 0.1 time 3 timeMax 3\n", several);
+  EXPECT_EQ(test::read_packing<2>(path, options).contacts.size(), 0u);
+  write("timeStep 0.1 time 1.5 timeMax 3\n", several);
+  EXPECT_THAT([&] { test::read_packing<2>(path, options); },
+              ThrowsMessage<InputError>(testing::AllOf(HasSubstr("s.fstat: the grains of"),
+                                                       HasSubstr("are those at the time 1.5"),
+                                                       HasSubstr("the nearest of which is the time"))));
+  // A run that is restarted writes a time twice.
+  write("timeStep 0.1 time 1 timeMax 3\n", several + "# 1 0\n" + rows.substr(6));
+  test::expect_same_packing(test::read_packing<2>(path, options), written, 1e-12);
+}
+
+/// Rows of an .fstat file contain positions in the restart file, interactions of the restart file contain identifiers.
+TEST(MercuryDpm, NumbersGrainsOfFstatInTheOrderOfTheRestartFile) {
+  const Packing<2> written = test::packing_with_forces<2>({"p", "p"}).packing;
+  const test::ScratchDirectory scratch;
+  std::string grains = restart(written);
+  grains.erase(grains.find("Interactions"));
+  for (int i = 0; i < written.grains.size(); ++i) {
+    const std::string from = fmt::format("BaseParticle id {} ", i);
+    grains.replace(grains.find(from), from.size(), fmt::format("OtherParticle id {} ", (7 * i + 3) % 16));
+  }
+  test::write_text(scratch.file("s.restart"), grains);
+  ImportOptions options;
+  options.contacts = scratch.file("s.fstat");
+  options.pairs_twice = true;
+  test::write_text(options.contacts, fstat(written));
+  const Packing<2> read = test::read_packing<2>(scratch.file("s.restart"), options);
+  test::expect_same_packing(read, written, 1e-12);
+  EXPECT_EQ(read.grains.name(1), 10);
+  test::write_text(options.contacts, "1 0 16 0 0 0 0.01 0 1 0 1 0 0 0 1 0\n");
+  EXPECT_THAT([&] { test::read_packing<2>(scratch.file("s.restart"), options); },
+              ThrowsMessage<InputError>(HasSubstr("s.fstat:1: the second grain is 16, but")));
+}
+
+/// The file lists no mass for a fixed particle: its mass follows from the density of its species.
+TEST(MercuryDpm, FixedGrainsHaveTheMassOfTheirDensity) {
+  const test::ScratchDirectory scratch;
+  const std::string path = scratch.file("s.restart");
+  ImportOptions options;
+  options.law = parse_law("law", test::kForeignLaw);
+  const auto mass = [&](const std::string& dimensions, const std::string& species,
+                        const std::string& particle) {
+    test::write_text(path, "MercuryDPM 1.0 name test\nxMin 0 xMax 4 yMin 0 yMax 4 zMin 0 zMax 4\n" +
+                               dimensions + "\n" + species + "Particles 1\n" + particle + "\n");
+    return std::visit([](const auto& state) { return state.packing.grains.mass[0]; },
+                      read_mercurydpm(path, options).state);
+  };
+  const double pi = 3.141592653589793, sphere = 4.0 / 3.0 * pi / 8.0, disk = pi / 4.0;
+  const std::string spheres = "systemDimensions 3 particleDimensions 3",
+                    disks = "systemDimensions 3 particleDimensions 2",
+                    two = "Species 2\nLinearSpecies id 0 density 2\nLinearSpecies id 1 density 6\n";
+  const auto fixed = [](int species) {
+    return fmt::format(
+        "BaseParticle id 0 indSpecies {} position 2 2 2 orientation 1 0 0 0 radius 0.5 invMass 0", species);
+  };
+  EXPECT_NEAR(mass(spheres, two, fixed(0)), 2.0 * sphere, 1e-14);
+  EXPECT_NEAR(mass(spheres, two, fixed(1)), 6.0 * sphere, 1e-14);
+  const std::string old = "Species 1\nk 39 disp 0 mu 0.5 rho 2400 dim_particle 3\n";
+  EXPECT_NEAR(mass("dim 3 gravity 0 0 0", old, "TSP BP 2 2 2 0 0 0 0.5 0 0 0 0 0 0 0 0 0 0"), 2400.0 * sphere,
+              1e-10);
+  EXPECT_NEAR(mass(disks, two, fixed(1)), 6.0 * disk, 1e-14);
+}
+
 TEST(MercuryDpm, NamesWhatIsWrong) {
   const test::ScratchDirectory scratch;
   const std::string path = scratch.file("s.restart");

@@ -8,6 +8,8 @@
 #include <numbers>
 
 #include "floc/base/error.h"
+#include "floc/io/rockable_text.h"
+#include "support/contact_laws.h"
 #include "support/foreign_packing.h"
 
 namespace floc {
@@ -73,6 +75,39 @@ void expect_read(const test::Ends<3>& ends) {
 TEST(Rockable, GivesContactsForcesAndBalance) {
   expect_read({"p", "p", "p"});
   expect_read({"ww", "ww", "ww"});
+}
+
+/// The moment of an interaction acts on the first body. It is written and read if the law has it.
+TEST(Rockable, KeepsRollingAndTwistingMoments) {
+  State<3> state = test::packing_with_forces<3>({"ww", "ww", "ww"});
+  Law law = parse_law("law", test::kForeignLaw + ",rolling.coefficient=0.1,rolling.stiffness=3");
+  law += test::twisting_spring(0.5, 4.0);
+  state.packing.law = state.packing.wall_law = law;
+  double next = 0.25;
+  for (Contact<3>& c : state.packing.contacts) {
+    c.rolling_moment = next * 1e-3 * c.normal.cross(Vec<3>(1.0, 2.0, 3.0));
+    c.twisting_moment = (next = -1.1 * next) * 1e-3;
+    if (std::abs(next) > 2.0) next = 0.25;
+  }
+  const test::ScratchDirectory scratch;
+  const std::string path = scratch.file("s.conf");
+  write_rockable(path, state);
+  ImportOptions options;
+  options.law = law;
+  const Packing<3> read = test::read_packing<3>(path, options);
+  ASSERT_EQ(read.contacts.size(), state.packing.contacts.size());
+  for (std::size_t k = 0; k < read.contacts.size(); ++k) {
+    const Contact<3>&a = read.contacts[k], &b = state.packing.contacts[k];
+    EXPECT_NEAR((a.rolling_moment - b.rolling_moment).norm(), 0.0, 1e-15) << k;
+    EXPECT_NEAR(a.twisting_moment, b.twisting_moment, 1e-15) << k;
+  }
+  options.law = parse_law("law", test::kForeignLaw);
+  const Imported without = read_rockable(path, options);
+  EXPECT_THAT(
+      without.inconsistencies,
+      testing::Contains(HasSubstr(fmt::format("{} interactions have moments (mom) that the law does not "
+                                              "have",
+                                              read.contacts.size()))));
 }
 
 TEST(Rockable, NamesWhatIsWrong) {

@@ -5,6 +5,7 @@
 
 #include "floc/base/error.h"
 #include "floc/io/hdf5_file.h"
+#include "floc/packing/liquid/liquid.h"
 #include "support/angular_packing.h"
 #include "support/rigid_states.h"
 #include "support/states.h"
@@ -55,6 +56,47 @@ TEST(VtkHdf, KeepsRigidContactsAndBonds) {
   EXPECT_TRUE(read.bonded);
   EXPECT_EQ(std::tuple(read.kn, read.kt, read.kr, read.ktw), std::tuple(7.0, c.kt, 0.25, 0.5));
   EXPECT_NEAR(read.normal_force, -2.0, 1e-14);
+}
+
+template <int Dim>
+void expect_masses_of_walls(const test::Ends<Dim>& ends) {
+  SCOPED_TRACE(testing::PrintToString(ends));
+  State<Dim> state = test::packing_with_forces<Dim>(ends);
+  const test::ScratchDirectory scratch;
+  const std::string path = scratch.file("p.vtkhdf");
+  for (std::size_t moving = 0; moving < state.packing.walls.size(); ++moving) {
+    if (state.packing.walls[moving].open) continue;
+    state.packing.walls[moving].mass = 2.5 + static_cast<double>(moving);
+    write_vtkhdf(path, state);
+    const std::vector<Wall<Dim>> read = test::read_packing<Dim>(path).walls;
+    ASSERT_EQ(read.size(), state.packing.walls.size());
+    for (std::size_t w = 0; w < read.size(); ++w)
+      EXPECT_EQ(read[w].mass, state.packing.walls[w].mass) << moving << " " << w;
+  }
+}
+
+TEST(VtkHdf, KeepsTheMassesOfWallsThatForcesMove) {
+  expect_masses_of_walls<2>({"ww", "ww"});
+  expect_masses_of_walls<2>({"p", "wo"});
+  expect_masses_of_walls<3>({"ww", "p", "ow"});
+}
+
+TEST(VtkHdf, KeepsTheVolumesOfLiquidBridges) {
+  State<3> wet = test::packing_with_forces<3>({"p", "p", "p"});
+  Packing<3>& p = wet.packing;
+  p.law = parse_law("law", test::kForeignLaw +
+                               ",adhesion.law=capillary,adhesion.surface_tension=1,adhesion.contact_angle=10,"
+                               "adhesion.water_content=0.01,adhesion.density_ratio=2.5");
+  double volume = 1e-4;
+  for (Contact<3>& c : p.contacts) set_bridge_volume(volume *= -1.01, c);
+  const test::ScratchDirectory scratch;
+  write_vtkhdf(scratch.file("w.vtkhdf"), wet);
+  ImportOptions options;
+  options.law = p.law;
+  const Packing<3> read = test::read_packing<3>(scratch.file("w.vtkhdf"), options);
+  ASSERT_EQ(read.contacts.size(), p.contacts.size());
+  for (std::size_t k = 0; k < p.contacts.size(); ++k)
+    EXPECT_EQ(bridge_volume(read, read.contacts[k]), bridge_volume(p, p.contacts[k])) << k;
 }
 
 TEST(VtkHdf, HasVtksLayoutAndTensionPositive) {

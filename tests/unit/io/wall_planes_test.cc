@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 #include "floc/base/error.h"
 #include "floc/io/settle_space.h"
 #include "support/run_program.h"
@@ -64,6 +67,87 @@ TEST_F(WallFile, OfLammpsHasThePlanesOfItsFixes) {
   EXPECT_EQ(
       walls("fix a all wall/gran hooke 1 zplane 0 9\nunfix a\nfix a all wall/gran hooke 1 zplane 0 NULL\n"),
       "z=0: ");
+}
+
+/// In a region, the faces are numbered xlo, xhi, ylo, yhi, zlo, zhi, from 1.
+TEST_F(WallFile, OfARegionHasNoPlaneAtAnOpenFace) {
+  const std::vector<std::string> faces = {"x=0:", "x=:3 ", "y=1:", "y=:4 ", "z=2:", "z=:5 "};
+  const std::string fix = "fix a all wall/gran/region hooke 1 2 region box\n";
+  const std::array<std::string, 3> both = {"x=0:3 ", "y=1:4 ", "z=2:5 "};
+  for (int face = 1; face <= 6; ++face) {
+    std::array<std::string, 3> left = both;
+    const auto axis = static_cast<std::size_t>((face - 1) / 2);
+    left[axis] = face % 2 == 0 ? faces[2 * axis] + " " : faces[2 * axis + 1];
+    EXPECT_EQ(walls(fmt::format("region box block 0 3 1 4 2 5 open {} units box\n{}", face, fix)),
+              left[0] + left[1] + left[2])
+        << face;
+  }
+  EXPECT_EQ(walls("region box block 0 3 1 4 2 5 side in open 1 open 2 open 6\n" + fix), "y=1:4 z=2: ");
+  refused("region box block 0 3 1 4 2 5 open 7\n" + fix, "in.walls:1: the open face is \"7\"");
+  for (const std::string motion : {"move v_x NULL NULL", "rotate v_t 0 0 0 0 0 1"})
+    refused("region box block 0 3 1 4 2 5 units box " + motion + "\n" + fix, "in.walls:1: the wall moves");
+}
+
+/// In units "lj" the argument of `lattice` is the number of points per volume or area; in other units it is the lattice
+/// constant.
+TEST_F(WallFile, OfARegionHasLengthsInSpacingsOfTheLattice) {
+  const std::string rest = "region box block 0 2 0 2 -1 2\nfix a all wall/gran/region hooke 1 2 region box\n";
+  const auto high = [&](const std::string& before) {
+    test::write_text(scratch_.file("in.walls"), before + "\n" + rest);
+    std::vector<double> positions;
+    for (const WallPlane& plane : read_wall_file(scratch_.file("in.walls")).planes)
+      if (plane.side == 1) positions.push_back(plane.position);
+    return positions;
+  };
+  const auto are = [](double x, double y, double z) {
+    return testing::ElementsAre(testing::DoubleNear(x, 1e-14), testing::DoubleNear(y, 1e-14),
+                                testing::DoubleNear(z, 1e-14));
+  };
+  const double root3 = std::sqrt(3.0), third = std::sqrt(8.0 / 3.0);
+  EXPECT_THAT(high(""), are(2, 2, 2));
+  EXPECT_THAT(high("lattice none 0.5"), are(1, 1, 1));
+  for (const auto& [style, n] :
+       {std::pair{"sc", 1.0}, {"bcc", 2.0}, {"fcc", 4.0}, {"diamond", 8.0}, {"sq", 1.0}, {"sq2", 2.0}}) {
+    const double a = std::cbrt(n / 0.125);
+    EXPECT_THAT(high(fmt::format("lattice {} 0.125", style)), are(2 * a, 2 * a, 2 * a)) << style;
+    EXPECT_THAT(high(fmt::format("units si\nlattice {} 0.5", style)), are(1, 1, 1)) << style;
+    const double b = std::sqrt(n / 0.25);
+    EXPECT_THAT(high(fmt::format("dimension 2\nlattice {} 0.25", style)), are(2 * b, 2 * b, 2 * b)) << style;
+  }
+  EXPECT_THAT(high("units real\nlattice hex 0.5"), are(1, root3, 1));
+  EXPECT_THAT(high("units real\nlattice hcp 0.5"), are(1, root3, third));
+  const double of_hex = std::sqrt(2.0 / (root3 * 0.25));
+  EXPECT_THAT(high("dimension 2\nlattice hex 0.25"), are(2 * of_hex, 2 * of_hex * root3, 2 * of_hex));
+  EXPECT_EQ(walls("lattice sc 0.125\nregion box block 0 3 INF INF -1 INF units box\n"
+                  "fix a all wall/gran/region hooke 1 2 region box\n"),
+            "x=0:3 z=-1: ");
+  refused("lattice custom 1 a1 1 0 0\n" + rest, "in.walls:1: the lengths of the region box are in spacings");
+  refused("lattice sc 1 orient x 1 1 0\n" + rest, "in.walls:1: the lengths of the region box are in spacings");
+}
+
+TEST_F(WallFile, FollowsVariablesAndCommandsAsLammpsDoes) {
+  const std::string wall = "fix w all wall/gran hooke 1 xplane 0 ${h}\n";
+  EXPECT_EQ(walls("variable h index 1.994\nvariable h index 5\n" + wall), "x=0:1.994 ");
+  EXPECT_EQ(walls("variable h index 1.994 3\n" + wall), "x=0:1.994 ");
+  EXPECT_EQ(walls("variable h index 1.994\nvariable h delete\nvariable h index 5\n" + wall), "x=0:5 ");
+  EXPECT_EQ(walls("variable h equal 1.994\nvariable h equal 5\n" + wall), "x=0:5 ");
+  refused("variable h index 1 2\nnext h\n" + wall, "is \"${h}\", expected a number");
+  EXPECT_EQ(walls("fix v all wall/gran hooke 1 zplane 0 9\nvariable h index 4\nclear\n" + wall), "x=0:4 ");
+  refused("fix v all wall/gran hooke 1 zplane 0 9\nclear\n", "the script has no wall");
+}
+
+TEST_F(WallFile, SaysThatItDoesNotFollowConditionsWithWalls) {
+  const auto doubts = [&](const std::string& text) {
+    test::write_text(scratch_.file("in.walls"), text);
+    return read_wall_file(scratch_.file("in.walls")).doubts;
+  };
+  const std::string wall = "fix w all wall/gran hooke 1 xplane 0 3\n";
+  EXPECT_THAT(doubts(wall + "if \"${a} > 1\" then \"print yes\"\n"), testing::IsEmpty());
+  for (const std::string then : {"fix v all wall/gran hooke 1 zplane 0 9", "unfix w"})
+    EXPECT_THAT(doubts(wall + "if \"${a} > 1\" then \"" + then + "\"\n"),
+                testing::ElementsAre(HasSubstr("in.walls:2: the command if is not followed")));
+  refused("if \"${a} > 1\" then \"fix w all wall/gran hooke 1 xplane 0 3\"\n",
+          "has no wall: expected a command \"fix ID group wall/gran ...\"; ");
 }
 
 TEST_F(WallFile, OfLiggghtsHasPlanesAndMeshes) {

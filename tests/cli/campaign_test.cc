@@ -300,6 +300,95 @@ TEST_F(Campaigns, TakeTheListOfDiametersAndTheStateOfASceneAlong) {
   EXPECT_THAT(content_of(file("planned/runs/base/seed-1/outcome.csv")), HasSubstr("\n0,"));
 }
 
+/// Text of a campaign of one run, with a fit.
+std::string single_run_campaign() {
+  return "[campaign]\nscene = \"small.toml\"\nseeds = [1]\n[[collect]]\ntable = \"path\"\ncolumns = [\"phi\"]\n"
+         "[[fit]]\nlaw = \"consolidation\"\n";
+}
+
+TEST_F(Campaigns, AcceptTheOptionsThatTheirCommandsAccept) {
+  std::string text = single_run_campaign() + "options = [\"--law\", \"log\", \"--window\", \"0.1,1\"]\n";
+  text +=
+      "[[collect]]\ntable = \"moduli\"\ncolumns = [\"B\"]\noptions = [\"--strains full\", \"--prestress\"]\n";
+  text += "[[collect]]\ntable = \"compare\"\ncolumns = [\"kept_share\"]\nbefore = {step = 1}\n";
+  text += "options = [\"--rigid-tolerance\", \"0.02\"]\n";
+  write_text(file("c.toml"), text);
+  const Outcome o = floc("campaign check c.toml");
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(o.err, HasSubstr("no errors found; 1 case with 1 seed: 1 run, expected"));
+}
+
+TEST_F(Campaigns, AFitThatFailsIsInTheExitCodesAndOnThePage) {
+  plan(single_run_campaign(), "planned");
+  ASSERT_EQ(floc("campaign run planned/scene.toml --seed 1 -o planned/runs/base/seed-1").code, 0);
+  // campaign plan refuses this option, so it is added to the file in the directory of the campaign.
+  const std::string wrong = single_run_campaign() + "options = [\"--law\", \"foo\"]\n";
+  write_text(file("planned/campaign.toml"), wrong);
+  const Outcome fits = floc("campaign collect planned --table fits --format csv");
+  EXPECT_EQ(fits.code, 2);
+  EXPECT_THAT(fits.err,
+              HasSubstr("case base: floc fit consolidation failed with exit code 2: --law: foo not in"));
+  EXPECT_EQ(floc("campaign collect planned --table fits --keep-going").code, 0);
+  const Outcome outcome = floc("campaign outcome planned --format csv");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.out, HasSubstr("base,,failed,2,fit consolidation,\"--law: foo not in"));
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("the only run is done"), HasSubstr("1 fit failed")));
+  for (const std::string table : {"runs", "means", "fits", "outcomes"})
+    write_text(file("planned/" + table + ".csv"),
+               floc("campaign collect planned --format csv --table " + table).out);
+  ASSERT_EQ(floc("campaign page planned -o p.html").code, 0);
+  EXPECT_THAT(
+      content_of(file("p.html")),
+      AllOf(HasSubstr("Fits without a result"), HasSubstr("--law: foo not in"),
+            HasSubstr("fits/base-1-consolidation.log"), HasSubstr("1 case with 1 seed; 1 of 1 run is done.")));
+  // After the option has been corrected, the failure is gone.
+  write_text(file("planned/campaign.toml"), single_run_campaign() + "options = [\"--law\", \"log\"]\n");
+  (void)floc("campaign collect planned --table fits");
+  EXPECT_EQ(floc("campaign outcome planned").code, 0);
+}
+
+TEST_F(Campaigns, AFitWithoutAResultIsOnThePageButIsNoFailedFit) {
+  // The runs of this campaign never unload, so that the elastic law cannot be fitted.
+  std::string scene = small_scene();
+  const std::size_t unload = scene.find("[[load]]\nname = \"unload\"");
+  scene.erase(unload, scene.find("[run]") - unload);
+  write_text(file("loading.toml"), scene);
+  std::string text = single_run_campaign();
+  text.replace(text.find("small.toml"), 10, "loading.toml");
+  text.replace(text.find("consolidation"), 13, "elastic");
+  plan(text, "planned");
+  ASSERT_EQ(floc("campaign run planned/scene.toml --seed 1 -o planned/runs/base/seed-1").code, 0);
+  EXPECT_EQ(floc("campaign collect planned --table fits").code, 3);
+  const Outcome outcome = floc("campaign outcome planned");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  for (const std::string table : {"runs", "means", "fits", "outcomes"})
+    write_text(file("planned/" + table + ".csv"),
+               floc("campaign collect planned --format csv --table " + table).out);
+  ASSERT_EQ(floc("campaign page planned -o p.html").code, 0);
+  EXPECT_THAT(content_of(file("p.html")),
+              AllOf(HasSubstr("Fits without a result"),
+                    HasSubstr("no modulus can be fitted: the pressure never falls")));
+}
+
+TEST_F(Campaigns, KeepTheReasonAndTheExitCodeOfACommandLineThatIsNotValid) {
+  plan(single_run_campaign(), "planned");
+  ASSERT_EQ(floc("campaign run planned/scene.toml --seed 1 -o planned/runs/base/seed-1 --table "
+                 "'1-moduli.csv: moduli state-0001.h5 --foo'")
+                .code,
+            0);
+  EXPECT_THAT(content_of(file("planned/runs/base/seed-1/outcome.csv")),
+              AllOf(HasSubstr("floc moduli has no option --foo"), Not(HasSubstr("Run with --help"))));
+  EXPECT_EQ(floc("campaign outcome planned").code, 2);
+}
+
+TEST_F(Campaigns, MessagesAboutAPlannedFileNameNoOptionThatNobodyGave) {
+  plan(single_run_campaign(), "planned");
+  write_text(file("planned/campaign.toml"), "");
+  const Outcome o = floc("campaign outcome planned");
+  EXPECT_EQ(o.code, 4);
+  EXPECT_THAT(o.err, AllOf(HasSubstr("campaign.toml:1: campaign is missing"), Not(HasSubstr("--set"))));
+}
+
 TEST_F(Campaigns, OfBadFilesAreRefusedWithLineKeyAndWhatIsExpected) {
   const std::string head = "[campaign]\nscene = \"small.toml\"\nseeds = \"1..2\"\n";
   const std::string phi = "[[collect]]\ntable = \"path\"\ncolumns = [\"phi\"]\n";
@@ -323,13 +412,13 @@ TEST_F(Campaigns, OfBadFilesAreRefusedWithLineKeyAndWhatIsExpected) {
        {"c.toml:6: case ", "contact.friction.coefficient = -1: expected"}},
       {head + "[[case]]\nset = {contact.friktion.coefficient = 1}\n" + phi,
        {"c.toml:5: case ", "unknown key contact.friktion; the nearest valid key in [contact] is friction"}},
-      {head + "[[case]]\nname = \"a\"\n" + phi, {"c.toml:4: case.0.set is missing: expected a table of keys"}},
+      {head + "[[case]]\nname = \"a\"\n" + phi, {"c.toml:4: case.1.set is missing: expected a table of keys"}},
       {head + "[[collect]]\ntable = \"paths\"\ncolumns = [\"phi\"]\n",
-       {"c.toml:5: collect.0.table = ",
+       {"c.toml:5: collect.1.table = ",
         "expected \"path\", \"moduli\", \"network\", \"structure\" or \"compare\""}},
       {head + "[[collect]]\ntable = \"path\"\ncolumns = [\"fi\"]\n",
        {"c.toml:4: columns = fi: the table path.csv has no column of this name; the nearest is "}},
-      {head + "[[collect]]\ntable = \"path\"\n", {"c.toml:4: collect.0.columns is missing: expected a list"}},
+      {head + "[[collect]]\ntable = \"path\"\n", {"c.toml:4: collect.1.columns is missing: expected a list"}},
       {head + phi + "states = {P_star = 0.3}\n",
        {"c.toml:7: P_star = 0.3: expected one of the pressures that case base reaches: 0, 0.01, 0.02154, "}},
       {head + phi + "states = {branch = \"laod\", P_star = 0.1}\n",
@@ -337,20 +426,36 @@ TEST_F(Campaigns, OfBadFilesAreRefusedWithLineKeyAndWhatIsExpected) {
       {head + phi + "states = {step = [0, 9]}\n",
        {"c.toml:7: step = 9: the states of case base have the numbers 0 to 8"}},
       {head + phi + "states = \"first\"\n",
-       {"c.toml:7: collect.0.states = ", "expected \"all\", \"last\", {step = "}},
+       {"c.toml:7: collect.1.states = ", "expected \"all\", \"last\", {step = "}},
       {head + "[[collect]]\ntable = \"compare\"\ncolumns = [\"n_kept\"]\n",
-       {"c.toml:4: collect.0.before: expected the one state to compare with"}},
+       {"c.toml:4: collect.1.before: expected the one state to compare with"}},
       {head + phi + "[[collect]]\ntable = \"moduli\"\ncolumns = [\"phi\"]\n",
        {"c.toml:7: columns has phi, which is already collected from path (",
         "c.toml:4): expected each column from one table"}},
-      {head + phi + "[[fit]]\nlaw = \"cycle\"\n", {"c.toml:8: fit.0.law = ", "expected \"consolidation\""}},
+      {head + phi + "[[fit]]\nlaw = \"cycle\"\n", {"c.toml:8: fit.1.law = ", "expected \"consolidation\""}},
+      {head + phi + "[[fit]]\nlaw = \"consolidation\"\noptions = [\"--law\", \"foo\"]\n",
+       {"c.toml:7: options = [\"--law\", \"foo\"]: floc fit consolidation does not accept these options: "
+        "--law: foo "
+        "not in "}},
+      {head + phi + "[[fit]]\nlaw = \"consolidation\"\noptions = [\"--phi-limit\", \"dense\"]\n",
+       {"c.toml:7: options", "--phi-limit: \"dense\": expected a positive solid fraction"}},
+      {head + phi + "[[fit]]\nlaw = \"elastic\"\noptions = [\"--format\", \"json\"]\n", {"c.toml:7: options"}},
+      {head + "[[collect]]\ntable = \"moduli\"\ncolumns = [\"B\"]\noptions = [\"--foo\"]\n" +
+           "[[collect]]\ntable = \"network\"\ncolumns = [\"z\"]\noptions = [\"--help\"]\n",
+       {"c.toml:4: options = [\"--foo\"]: floc moduli does not accept these options: floc moduli has no option "
+        "--foo",
+        "c.toml:8: options = [\"--help\"]: floc network does not accept these options: the command prints its "
+        "help"}},
       {head + phi + "[[reference]]\nof = \"z\"\nstate = \"last\"\nvalue = 1\nsource = \"\"\n",
        {"c.toml:7: of = \"z\": expected a column that a [[collect]] names"}},
       {head + phi + "[[reference]]\nof = \"phi\"\nvalue = 1\n",
-       {"c.toml:7: reference.0.state is missing",
-        "reference.0.source is missing: expected the source of the value, such as a publication"}},
+       {"c.toml:7: reference.1.state is missing",
+        "reference.1.source is missing: expected the source of the value, such as a publication"}},
+      {head + phi + "[[reference]]\nof = \"phi\"\nstate = \"last\"\nvalue = 1\nsource = \"x\"\n" +
+           "[[reference]]\nof = \"phi\"\nstate = \"last\"\nvalue = 1\n",
+       {"c.toml:12: reference.2.source is missing"}},
       {head + phi + "[[reference]]\nof = \"phi\"\nstate = \"last\"\nvalue = 1\nerror = -1\nsource = \"x\"\n",
-       {"c.toml:11: reference.0.error = -1: expected a number >= 0"}},
+       {"c.toml:11: reference.1.error = -1: expected a number >= 0"}},
       {head + phi + "[[reference]]\nof = \"phi\"\nstate = \"all\"\nvalue = 1\nsource = \"x\"\n",
        {"c.toml:9: state: several states are selected: expected the one state whose value is compared"}},
       {head + phi +

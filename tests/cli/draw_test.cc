@@ -54,6 +54,17 @@ TEST_F(Draw, MakesAFilmStripOfAPath) {
   EXPECT_THAT(spread[3]["file"].get<std::string>(), HasSubstr("state-0008.h5"));
 }
 
+TEST_F(Draw, RefusesAWidthInCentimetres) {
+  for (const char* width : {"0", "-3", "177"}) {
+    const Outcome o = floc(std::string("draw run/state-0004.h5 -o w.svg --width ") + width);
+    EXPECT_EQ(o.code, 4);
+    EXPECT_THAT(o.err, HasSubstr(std::string("--width ") + width +
+                                 ": expected a width of the page from 1.8 to 176 cm"));
+  }
+  EXPECT_EQ(floc("draw run/state-0004.h5 -o w.svg --width 1.8").code, 0);
+  EXPECT_EQ(floc("draw run/state-0004.h5 -o w.svg --width 176").code, 0);
+}
+
 /// Returns whether the right margin of a png contains a pixel that is not white.
 /// @param margin  width of the tested margin (points); pixels are 1/200 inch wide
 bool writes_into_margin(const std::string& png, double margin) {

@@ -71,6 +71,15 @@ TEST_F(RunDirectories, OfOtherRunsSayWhereTheyPart) {
   EXPECT_EQ(rows[0].at("identical"), false);
   EXPECT_EQ(rows[1].at("n_values"), 0);
   EXPECT_TRUE(rows[8].at("after").is_null());
+  // Six of the nine rows of the first run have no counterpart in the second run.
+  EXPECT_THAT(o.err, HasSubstr("; of the 3 rows that both tables path.csv have, "));
+}
+
+TEST_F(RunDirectories, AreNotComparedWithADirectoryThatDoesNotExist) {
+  const Outcome o = floc("compare run nodir");
+  EXPECT_EQ(o.code, 4);
+  EXPECT_EQ(o.out, "");
+  EXPECT_THAT(o.err, HasSubstr("nodir: there is no file and no directory of this name"));
 }
 
 TEST_F(RunDirectories, ResumingAnotherSceneNamesTheKeysThatChanged) {

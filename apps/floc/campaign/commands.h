@@ -16,8 +16,8 @@ Command add_campaign_outcome(CommandLine campaign);
 Command add_campaign_page(CommandLine campaign);
 
 /// Reads a campaign file and plans its runs.
-/// @throws InputError if the file has an error, or contains the name of a column that no table has; the message gives
-/// file and line
+/// @throws InputError if the file has an error, or contains the name of a column that no table has, or an option that a
+/// command does not accept; the message gives file and line
 PlannedCampaign planned_campaign(const std::string& file);
 
 }  // namespace floc

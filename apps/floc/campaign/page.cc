@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "campaign/commands.h"
+#include "campaign/counted.h"
 #include "campaign/curves.h"
 #include "floc/base/parse_number.h"
 #include "floc/base/read_file.h"
@@ -160,6 +161,23 @@ std::string failures_section(const CampaignPage& page) {
          sorting_table("failed", page.outcomes, failed);
 }
 
+std::string unsuccessful_fits_section(const CampaignPage& page) {
+  const Campaign& campaign = page.planned.campaign;
+  Table table{{"case", "command", "exit_code", "words", "log"}, {}};
+  for (const auto& [case_number, fit_number, outcome] : unsuccessful_fits(campaign, page.directory)) {
+    const std::string log = path_of_fit(campaign, case_number, fit_number, page.directory) + ".log";
+    table.rows.push_back({campaign.cases[static_cast<std::size_t>(case_number)].label, outcome.command,
+                          std::int64_t{outcome.exit_code}, or_undefined(outcome.words),
+                          fs::path(log).lexically_relative(page.directory).string()});
+  }
+  if (table.rows.empty()) return "";
+  return fmt::format(
+             "<h2>Fits without a result</h2>\n<p>A fit with exit code {} has no result for one sample or more; "
+             "its other results are in the table of fits. A fit with another exit code failed.</p>\n",
+             int{kNotConverged}) +
+         html_table(table);
+}
+
 /// Returns whether the load path of a campaign drives one axis in some states, so that the stresses on the axes differ.
 /// The pressure of such a state is the mean of these stresses.
 bool has_driven_states(const PlannedCampaign& planned) {
@@ -297,11 +315,14 @@ std::string html_of(const CampaignPage& page) {
   const std::string title = "floc campaign: " + campaign.name;
   const std::string body =
       html_text(title, "h1") +
-      html_text(fmt::format("{} cases with {} seeds; {} of {} runs are done.", campaign.cases.size(),
-                            campaign.seeds.size(), n_done, page.outcomes.n_rows()),
+      html_text(fmt::format("{} with {}; {} of {} done.", counted(campaign.cases.size(), "case"),
+                            counted(campaign.seeds.size(), "seed"), n_done,
+                            page.outcomes.n_rows() == 1 ? "1 run is"
+                                                        : fmt::format("{} runs are", page.outcomes.n_rows())),
                 "p") +
-      failures_section(page) + cases_section(campaign) + curves_section(page) + tables_section(page) +
-      pictures_section(page) + cost_section(page) + provenance_section(page);
+      failures_section(page) + unsuccessful_fits_section(page) + cases_section(campaign) +
+      curves_section(page) + tables_section(page) + pictures_section(page) + cost_section(page) +
+      provenance_section(page);
   return html_page(title, body, kHead);
 }
 

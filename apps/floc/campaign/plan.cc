@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -7,6 +8,8 @@
 #include <utility>
 
 #include "campaign/commands.h"
+#include "campaign/counted.h"
+#include "campaign/option_faults.h"
 #include "floc/base/error.h"
 #include "floc/base/nearest_name.h"
 #include "floc/base/read_file.h"
@@ -55,15 +58,22 @@ void check_columns(const Campaign& campaign) {
   }
 }
 
+/// Checks that the commands of all [[collect]] and [[fit]] accept their options. @throws InputError naming all options
+/// that they do not accept, with the lines of the campaign file
+void check_options(const Campaign& campaign) {
+  if (const auto faults = option_faults(campaign); !faults.empty())
+    throw InputError("", fmt::format("{}", fmt::join(faults, "\n")));
+}
+
 /// Returns a text with the number of runs of a campaign and the expected processor time of all runs together.
 std::string extent_of(const PlannedCampaign& planned) {
   const std::size_t n_seeds = planned.campaign.seeds.size();
   double cost = 0.0;
   for (const CasePlan& plan : planned.plans) cost += plan.cost * static_cast<double>(n_seeds);
   return fmt::format(
-      "{} cases with {} seeds: {} runs, expected to take {} on one core (this estimate is correct within a "
-      "factor of two)",
-      planned.plans.size(), n_seeds, planned.plans.size() * n_seeds, duration_text(cost));
+      "{} with {}: {}, expected to take {} on one core (this estimate is correct within a factor of two)",
+      counted(planned.plans.size(), "case"), counted(n_seeds, "seed"),
+      counted(planned.plans.size() * n_seeds, "run"), duration_text(cost));
 }
 
 /// Writes a new file. @throws InputError if a file of this name exists already, because no file of a user may be
@@ -156,6 +166,7 @@ PlannedCampaign planned_campaign(const std::string& file) {
   PlannedCampaign planned{read_campaign(file), {}};
   check_columns(planned.campaign);
   planned.plans = plan_cases(planned.campaign);
+  check_options(planned.campaign);
   return planned;
 }
 

@@ -8,9 +8,8 @@
 #include <sstream>
 
 #include "campaign/commands.h"
+#include "campaign/log_reason.h"
 #include "floc/base/error.h"
-#include "floc/base/parse_number.h"
-#include "floc/base/read_file.h"
 #include "floc/campaign/campaign_tables.h"
 #include "floc/loading/run_options.h"
 #include "process/child_process.h"
@@ -50,25 +49,6 @@ TableCommand table_command(const std::string& text) {
         "--table " + text,
         "the command is missing: expected FILE: COMMAND, such as \"moduli.csv: moduli state-0003.h5\"");
   return command;
-}
-
-/// Returns the last line of a log file that is not blank.
-std::string last_line(const std::string& log) {
-  std::istringstream lines(read_file(log));
-  std::string last;
-  for (std::string line; std::getline(lines, line);) {
-    // Messages of progress end in \r, so that the next message overwrites them on a terminal. Only the text after the
-    // last \r of a line is used.
-    line.erase(0, line.find_last_of('\r') + 1);
-    if (!trimmed(line).empty()) last = trimmed(line);
-  }
-  return last;
-}
-
-std::string words_of(int code, const std::string& log) {
-  constexpr int kSignals = 128;
-  if (code > kSignals && code != kInterrupted) return fmt::format("ended by signal {}", code - kSignals);
-  return last_line(log);
 }
 
 double children_seconds() {
@@ -123,7 +103,7 @@ int run_sample(const CampaignRunArguments& arguments) {
   }
   outcome.seconds = children_seconds() - before;
   if (was_signalled()) return kInterrupted;  // no outcome is written, because the run will be resumed
-  if (outcome.exit_code != kDone) outcome.words = words_of(outcome.exit_code, log);
+  if (outcome.exit_code != kDone) outcome.words = reason_of_failure(outcome.exit_code, log);
   write_csv(arguments.directory + "/" + kOutcomeFile, table_of(outcome));
   if (outcome.exit_code != kDone)
     fmt::print(stderr, "{}: floc {} failed with exit code {}: {} (see the log {})\n", arguments.directory,

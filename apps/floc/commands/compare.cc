@@ -35,7 +35,23 @@ bool are_two_runs(const std::vector<std::string>& inputs) {
          });
 }
 
+/// Checks that all inputs exist if one of them is a directory, before a table is printed. Otherwise, a mistake in the
+/// name of a second directory would give a long table of the states of the first one.
+/// @throws InputError naming the input that does not exist
+void check_directories_exist(const std::vector<std::string>& inputs) {
+  const auto is_directory = [](const std::string& input) {
+    return input != "-" && std::filesystem::is_directory(input);
+  };
+  if (std::ranges::none_of(inputs, is_directory)) return;
+  for (const std::string& input : inputs)
+    if (input != "-" && !std::filesystem::exists(input))
+      throw InputError(input,
+                       "there is no file and no directory of this name: expected a state file, or a "
+                       "directory that floc run wrote");
+}
+
 int run_compare(CompareCommand command) {
+  check_directories_exist(command.files);
   command.options.displacements = !command.displacements.empty();
   command.options.contacts = !command.contacts.empty();
   if (are_two_runs(command.files)) return compare_runs(command.files[0], command.files[1], command.printing);

@@ -49,6 +49,7 @@ struct StepComparison {
   int step = 0;
   std::string before, after;  ///< state files of the step in the two runs; empty if there is none
   bool identical = false;
+  bool has_both_rows = false;          ///< whether the tables path.csv of both runs have a row for this step
   std::vector<std::string> differing;  ///< columns of path.csv whose values differ in this step
   /// Largest relative difference between the two values of a column; absent if no numbers differ.
   std::optional<double> largest;
@@ -93,7 +94,8 @@ StepComparison compare_step(int step, const RunFiles& before, const RunFiles& af
   if (before.states.contains(step)) row.before = before.states.at(step);
   if (after.states.contains(step)) row.after = after.states.at(step);
   row.identical = !row.before.empty() && !row.after.empty() && read_file(row.before) == read_file(row.after);
-  if (!before.rows.contains(step) || !after.rows.contains(step)) return row;
+  row.has_both_rows = before.rows.contains(step) && after.rows.contains(step);
+  if (!row.has_both_rows) return row;
   for (const std::string& column : before.path.columns()) {
     if (column == kTiming) continue;
     const auto other = counterpart(before.path, column, after.path);
@@ -107,7 +109,9 @@ StepComparison compare_step(int step, const RunFiles& before, const RunFiles& af
 /// Returns a sentence about the result of the comparison, which begins with "equal" or "different".
 std::string verdict(const std::vector<StepComparison>& rows) {
   const auto n_same = std::ranges::count_if(rows, &StepComparison::identical);
-  const auto n_rows = std::ranges::count_if(rows, [](const StepComparison& r) { return r.differing.empty(); });
+  const auto n_both = std::ranges::count_if(rows, &StepComparison::has_both_rows);
+  const auto n_rows = std::ranges::count_if(
+      rows, [](const StepComparison& r) { return r.has_both_rows && r.differing.empty(); });
   const auto first = std::ranges::find_if(rows, [](const StepComparison& r) { return !r.identical; });
   if (first == rows.end() && n_rows == static_cast<std::ptrdiff_t>(rows.size()))
     return fmt::format(
@@ -115,10 +119,10 @@ std::string verdict(const std::vector<StepComparison>& rows) {
         "{}",
         rows.size(), kTiming);
   return fmt::format(
-      "different{}: {} of {} states are equal byte by byte, and {} rows of path.csv are equal except for the "
-      "column {}",
-      first == rows.end() ? "" : fmt::format(" from step {} on", first->step), n_same, rows.size(), n_rows,
-      kTiming);
+      "different{}: {} of {} states are equal byte by byte; of the {} rows that both tables path.csv have, {} "
+      "are equal except for the column {}",
+      first == rows.end() ? "" : fmt::format(" from step {} on", first->step), n_same, rows.size(), n_both,
+      n_rows, kTiming);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
+#include "floc/base/range.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/require_elastic.h"
 #include "floc/picture/cross_section.h"
@@ -28,6 +29,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kPointsPerCentimetre = 72.0 / 2.54;
+/// Range of the width of a page (cm), within the range of SheetOptions, which is 50 to 5000 points.
+constexpr NumberRange kWidthRange{.least = 1.8, .most = 176.0};
 constexpr int kPictures = 4;  ///< number of states of a directory that are drawn if --steps is not given
 
 struct DrawArguments {
@@ -294,6 +297,10 @@ int draw(DrawArguments arguments) {
   arguments.sheet.width = arguments.width * kPointsPerCentimetre;
   if (arguments.image || arguments.vectors) arguments.sheet.as_image = arguments.image;
   read_sight(arguments);
+  if (!kWidthRange.holds(arguments.width))
+    throw InputError(
+        fmt::format("--width {}", arguments.width),
+        fmt::format("expected a width of the page from {} to {} cm", kWidthRange.least, kWidthRange.most));
   auto faults = arguments.sheet.validate();
   if (arguments.layer)
     for (const std::string& fault : arguments.layer->validate()) faults.push_back(fault);
@@ -351,7 +358,7 @@ Command add_draw(CommandLine program) {
                  "format of the picture, regardless of the file name: svg, pdf or png [according to the "
                  "extension of the file name, svg without one]")
       .one_of({"svg", "pdf", "png"});
-  app.add_option("--width", arguments->width, "width of the page (cm) [17]");
+  app.add_option("--width", arguments->width, "width of the page (cm), from 1.8 to 176 [17]");
   app.add_option("--columns", arguments->sheet.columns, "number of pictures in each row of a strip [4]");
   app.add_option("--line-width", arguments->sheet.line_width,
                  "line width, in mean diameters, of a contact whose force is the r.m.s. force; line widths are "

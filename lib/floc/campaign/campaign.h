@@ -52,6 +52,7 @@ struct Collection {
 struct CampaignFit {
   std::string law;
   std::vector<std::string> options;
+  std::string place = {};  ///< "FILE:LINE" in the campaign file, for messages
 };
 
 /// A reference value for one result of the campaign. The result is compared with this value.

@@ -127,6 +127,22 @@ std::vector<std::string> joined(std::vector<std::string> a, const std::vector<st
   return a;
 }
 
+/// Reads a file with the outcome of a run or of a fit; absent if there is no such file.
+/// @throws InputError if the file is not valid
+std::optional<RunOutcome> read_outcome(const std::string& file) {
+  if (!fs::is_regular_file(file)) return std::nullopt;
+  const CsvTable table = CsvTable::read(file);
+  if (table.n_rows() != 1)
+    throw InputError(
+        file, fmt::format("this file has {} rows: expected one row, with the outcome of a run or of a fit",
+                          table.n_rows()));
+  return RunOutcome{static_cast<int>(table.integer(0, table.column("exit_code"))),
+                    table.text(0, table.column("command")), table.text(0, table.column("words")),
+                    table.number(0, table.column("seconds")),
+                    table.has("run_seconds") ? parse_number<double>(table.text(0, table.column("run_seconds")))
+                                             : std::nullopt};
+}
+
 }  // namespace
 
 Table table_of(const RunOutcome& outcome) {
@@ -136,18 +152,24 @@ Table table_of(const RunOutcome& outcome) {
 }
 
 std::optional<RunOutcome> outcome_of(const std::string& directory) {
-  std::string file = directory + "/" + kOutcomeFile;
-  if (!fs::is_regular_file(file)) file = directory + "/" + kFailureFile;
-  if (!fs::is_regular_file(file)) return std::nullopt;
-  const CsvTable table = CsvTable::read(file);
-  if (table.n_rows() != 1)
-    throw InputError(file, fmt::format("this file has {} rows: expected one row, with the outcome of a run",
-                                       table.n_rows()));
-  return RunOutcome{static_cast<int>(table.integer(0, table.column("exit_code"))),
-                    table.text(0, table.column("command")), table.text(0, table.column("words")),
-                    table.number(0, table.column("seconds")),
-                    table.has("run_seconds") ? parse_number<double>(table.text(0, table.column("run_seconds")))
-                                             : std::nullopt};
+  const std::string file = directory + "/" + kOutcomeFile;
+  return read_outcome(fs::is_regular_file(file) ? file : directory + "/" + kFailureFile);
+}
+
+std::string path_of_fit(const Campaign& campaign, int case_number, int fit_number,
+                        const std::string& directory) {
+  return fmt::format("{}/fits/{}-{}-{}", directory, campaign.cases[static_cast<std::size_t>(case_number)].label,
+                     fit_number + 1, campaign.fits[static_cast<std::size_t>(fit_number)].law);
+}
+
+std::vector<UnsuccessfulFit> unsuccessful_fits(const Campaign& campaign, const std::string& directory) {
+  std::vector<UnsuccessfulFit> fits;
+  for (int k = 0; k < static_cast<int>(campaign.cases.size()); ++k)
+    for (int fit = 0; fit < static_cast<int>(campaign.fits.size()); ++fit) {
+      const auto outcome = read_outcome(path_of_fit(campaign, k, fit, directory) + kFitOutcome);
+      if (outcome && !is_done(outcome)) fits.push_back({k, fit, *outcome});
+    }
+  return fits;
 }
 
 bool is_done(const std::optional<RunOutcome>& outcome) {

@@ -10,13 +10,14 @@
 
 namespace floc {
 
-/// Outcome of a run of a campaign: the floc command that failed, if any, and processor times.
+/// Outcome of a run or of a fit of a campaign: the floc command that failed, if any, and processor times.
 struct RunOutcome {
   int exit_code = 0;
   std::string command;   ///< floc command that failed; empty if none failed
   std::string words;     ///< error message of that command
-  double seconds = 0.0;  ///< processor time of the commands that made tables after the run (s)
-  /// Processor time (s) of the last attempt of the run; absent in directories that older versions of floc wrote.
+  double seconds = 0.0;  ///< processor time of the commands that made tables after the run (s); 0 for a fit
+  /// Processor time (s) of the last attempt of the run; 0 for a fit; absent in directories that older versions of floc
+  /// wrote.
   std::optional<double> run_seconds = {};
 };
 
@@ -24,6 +25,8 @@ struct RunOutcome {
 /// last attempt. If the last attempt failed and the run is to be repeated, kOutcomeFile is renamed to kFailureFile.
 inline constexpr const char* kOutcomeFile = "outcome.csv";
 inline constexpr const char* kFailureFile = "failed.csv";
+/// End of the name of the file with the outcome of a fit, see path_of_fit().
+inline constexpr const char* kFitOutcome = "-outcome.csv";
 
 Table table_of(const RunOutcome& outcome);
 
@@ -36,6 +39,24 @@ bool is_done(const std::optional<RunOutcome>& outcome);
 
 /// Returns "done" or "failed", or "missing" if the run has not ended.
 const char* word_of(const std::optional<RunOutcome>& outcome);
+
+/// Returns the path of the files of a fit to a case, without the end of their names. The end is ".csv" for the table
+/// that floc fit printed, ".log" for its messages, and "-outcome.csv" for its outcome.
+/// @param fit_number  index of the fit in `campaign.fits`; the number in the path is larger by 1
+std::string path_of_fit(const Campaign& campaign, int case_number, int fit_number,
+                        const std::string& directory);
+
+/// A fit to the runs of a case whose floc command ended with an exit code other than 0.
+struct UnsuccessfulFit {
+  int case_number = 0;
+  int fit_number = 0;  ///< index of the fit in the campaign
+  RunOutcome outcome;
+};
+
+/// Returns the fits of a campaign that were not successful when its table of fits was made.
+/// @param directory  directory of the campaign
+/// @throws InputError if a file with an outcome is not valid
+std::vector<UnsuccessfulFit> unsuccessful_fits(const Campaign& campaign, const std::string& directory);
 
 /// Returns a table of the runs that succeeded, with one row per run and collected state. The columns of the table are
 /// case, the keys in which the cases differ, seed, step, branch, P_star, and the collected columns. A cell is empty if

@@ -227,6 +227,7 @@ Collection read_collection(Part& part) {
 
 CampaignFit read_fit(Part& part) {
   CampaignFit fit;
+  fit.place = part.place();
   const std::vector<std::string> laws = {"consolidation", "elastic", "preconsolidation", "strength"};
   if (const auto which = part.reader.choice("law", laws)) fit.law = laws[*which];
   fit.options = part.reader.texts("options", "a list of options and their values, each a string");
@@ -276,13 +277,15 @@ std::optional<PlanPromise> read_promise(TableReader& root) {
 }
 
 /// Reads an array of tables in the campaign file, such as [[case]]. The function `read` reads one table of the array.
+/// Messages count the tables from 1: case.2 is the second [[case]].
 template <class Read>
 auto read_all(TableReader& root, SceneSource& source, const std::string& key, const char* expectation,
               Read read) {
   std::vector<decltype(read(std::declval<Part&>()))> all;
-  std::vector<TableReader> readers = root.tables(key, expectation);
-  for (std::size_t k = 0; k < readers.size(); ++k) {
-    Part part{readers[k], *source.root().get(key)->as_array()->get(k)->as_table(), source};
+  const std::size_t n = root.tables(key, expectation).size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const toml::table& table = *source.root().get(key)->as_array()->get(k)->as_table();
+    Part part{TableReader(source, &table, fmt::format("{}.{}", key, k + 1)), table, source};
     all.push_back(read(part));
     part.reader.refuse_other_keys();
   }
@@ -329,9 +332,7 @@ void check_collections(const Campaign& campaign, SceneSource& source) {
 
 Campaign read_campaign(const std::string& path, const std::string& scene) {
   if (fs::is_directory(path)) throw InputError(path, "this is a directory: expected a campaign file (TOML)");
-  const std::vector<std::string> overrides =
-      scene.empty() ? std::vector<std::string>{} : std::vector{fmt::format("campaign.scene=\"{}\"", scene)};
-  SceneSource source(read_text(path), path, overrides);
+  SceneSource source(read_text(path), path, {});
   // Errors are collected in `source` and thrown together at the end, so that the user sees all of them at once.
   TableReader root(source);
   Campaign campaign;
@@ -342,7 +343,7 @@ Campaign read_campaign(const std::string& path, const std::string& scene) {
         part.reader.text("name", "a string", Need::optional).value_or(fs::path(path).stem().string());
     if (const auto name =
             part.reader.text("scene", "the name of the scene file, relative to the campaign file"))
-      campaign.scene_file = (fs::path(path).parent_path() / *name).string();
+      campaign.scene_file = (fs::path(path).parent_path() / (scene.empty() ? *name : scene)).string();
     campaign.seeds = read_seeds(part);
     if (!campaign.scene_file.empty() && !fs::is_regular_file(campaign.scene_file))
       refuse(source, "campaign.scene", *part.get("scene"), "a scene file; there is no " + campaign.scene_file);

@@ -33,7 +33,8 @@ OUTCOMES = [
 
 localrules: all, page, table_runs, table_means, table_fits, table_outcomes
 
-# Lists the runs that failed. If there are any, this rule fails, and the next call of snakemake repeats these runs.
+# Lists the runs and the fits that failed. If there are any, this rule fails. The next call of snakemake repeats the
+# runs that failed; snakemake --forcerun table_fits repeats the fits.
 rule all:
     input: "index.html", OUTCOMES
     output: "complete"
@@ -57,7 +58,7 @@ rule table_means:
 rule table_fits:
     input: "campaign.toml", "scene.toml", OUTCOMES
     output: "fits.csv"
-    shell: "{{FLOC}} campaign collect . --table fits --format csv > {{output}}"
+    shell: "{{FLOC}} campaign collect . --table fits --keep-going --format csv > {{output}}"
 
 rule table_outcomes:
     input: "campaign.toml", "scene.toml", OUTCOMES

@@ -218,6 +218,7 @@ TEST_F(Columns, AreAllDescribedAndNothingElseIs) {
                                            "bridge_volume",
                                            "export --contacts ktw",
                                            "tensile_strength",
+                                           "bonded",
                                            "shear_strength",
                                            "rolling_strength",
                                            "twisting_strength",

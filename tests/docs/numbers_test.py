@@ -121,7 +121,7 @@ UNCHECKED_TABLES = {
     "| part of a run |": "defaults, which the tests of scenes hold",
     "| part | what it is |": "words",
     "| cell.mass | samples |": "an hour; study.py makes samples of the kind",
-    "| grains | solid fraction | stress ratio q/p |": "means over flows, whose bits hang on OpenBLAS",
+    "| grains | seeds | solid fraction |": "means over flows, whose bits hang on OpenBLAS",
     "| P | B, dP > 0 |": "floc_pressure_response takes an hour",
 }
 

@@ -141,9 +141,9 @@ Table contact_table(const State<Dim>& state) {
     numbered("normal", Dim);
     table.columns.insert(table.columns.end(), {"gap", "kind"});
   }
+  if (bonds) table.columns.emplace_back("bonded");
   if (bonds && Dim == 3) table.columns.emplace_back("ktw");
   for (const auto& [name, k] : given) table.columns.push_back(name);
-  if (bonds) table.columns.emplace_back("bonded");
   for (std::size_t at = 0; at < packing.contacts.size(); ++at) {
     const Contact<Dim>& c = packing.contacts[at];
     auto& row = table.rows.emplace_back();
@@ -161,9 +161,9 @@ Table contact_table(const State<Dim>& state) {
     if (rolls) row.emplace_back(c.kr);
     if (holds_liquid(packing)) row.emplace_back(bridge_volume(packing, c));
     if (has_points) add_point(packing, c, row);
+    if (bonds) row.push_back(count(c.bonded ? 1 : 0));
     if (bonds && Dim == 3) row.emplace_back(c.ktw);
     for (const auto& [name, k] : given) row.emplace_back(strengths[at][k]);
-    if (bonds) row.push_back(count(c.bonded ? 1 : 0));
   }
   return table;
 }

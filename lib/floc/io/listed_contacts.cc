@@ -87,13 +87,14 @@ GivenForces<Dim> given_forces(const ListedContact& listed, bool reversed, const 
                                    "the normal component {:.6g}: leave out one of these two forces",
                                    *listed.normal_force, *given.normal));
     const Vec<Dim> across = on_first + *given.normal * normal;
-    if (given.shear && (across - *given.shear).norm() > kSameForce * on_first.norm())
+    // The sum of both lists contains the tangential force twice if force1.. is the whole force.
+    const double same = kSameForce * on_first.norm();
+    if (given.shear && given.shear->norm() > same && (across - 2.0 * *given.shear).norm() <= same)
       throw InputError(
           listed.place.text(),
-          fmt::format("force1.. has a tangential part of {:.6g} beside shear_force1..: beside these columns "
-                      "it must be the normal part of the force; if it is the whole force, leave out one of "
-                      "the two",
-                      (across - *given.shear).norm()));
+          fmt::format("force1.. has the tangential part {:.6g} that shear_force1.. lists again: beside these "
+                      "columns it must be the normal part of the force; leave out one of the two",
+                      given.shear->norm()));
     given.shear = across;
   }
   if (listed.rolling_moment) given.rolling = sign * listed.rolling_moment->template tail<kRotations<Dim>>();

@@ -14,6 +14,7 @@
 #include "floc/packing/wall_forces.h"
 #include "floc/packing/wrap.h"
 #include "floc/relaxation/contact_dynamics_relaxer.h"
+#include "floc/rigid/contact_dynamics.h"
 #include "floc/rigid/contact_points.h"
 #include "floc/rigid/least_volume.h"
 #include "floc/rigid/static_forces.h"
@@ -30,7 +31,6 @@ constexpr double kShortestRest = 1e-3;
 /// the more grains there are: 20 000 polyhedra overlapped by 35 times the tolerance after steps of 0.125 T, and three
 /// halvings of the step, with 100 steps each, took seven minutes.
 constexpr double kLongestRestOfMany = 1.0 / 64.0;
-constexpr int kManyGrains = 1000;
 /// After a failed search for balanced forces, the grains move until kCalmSteps plus this number of steps have been
 /// calm. The motion away from an unstable equilibrium grows from rest, so that its first steps are calm, too.
 constexpr int kMoreCalmSteps = 160;

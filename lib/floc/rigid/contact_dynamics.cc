@@ -26,10 +26,10 @@ constexpr double kLongestMove = 2e-2;
 /// Largest allowed displacement, divided by the diameter, of a grain with corners on which a contact force acts. The
 /// limit is lower than kLongestMove because the closest features of two grains may change within a step.
 constexpr double kCarryingMove = 5e-3;
-/// If there are more grains than this number, one in kGrainsPerFast may move kFurther times as far as its limit in a
+/// If there are more than kManyGrains grains, one in kGrainsPerFast may move kFurther times as far as its limit in a
 /// step that is solved by sweeps, and the limit of grains with corners is kLongestMove, too. The fastest of many grains
 /// would otherwise make all steps short.
-constexpr int kManyGrains = 1000, kGrainsPerFast = 20;
+constexpr int kGrainsPerFast = 20;
 constexpr double kFurther = 4.0;
 /// Deepest overlap of two grains, divided by the diameter of the smaller grain, that is allowed after a step.
 constexpr double kDeepest = 1e-2;

@@ -31,6 +31,10 @@ struct BoundaryLoad {
   std::optional<double> wall_speed = {};
 };
 
+/// Packings with more grains than this number count as large: they move in longer steps, and come to rest in shorter
+/// ones.
+inline constexpr int kManyGrains = 1000;
+
 /// Settings of the time steps of contact dynamics.
 struct ContactDynamicsSettings {
   double longest_step;  ///< longest time step (time)

@@ -45,6 +45,13 @@ class BalanceRows {
   int n_boundary() const { return n_boundary_; }
   Eigen::VectorXd& load() { return load_; }
 
+  /// Returns the axis of a row of the boundary: of a strain along an axis, or of a shift of the two walls of an axis.
+  /// The result is Dim or more for a shear strain.
+  int axis_of(int s) const {
+    const int n_strains = n_boundary_ - static_cast<int>(network_.wall_axes.size());
+    return s < n_strains || by_wall_ ? s : network_.wall_axes[static_cast<std::size_t>(s - n_strains)];
+  }
+
   /// Returns the sum, over all contacts, of the normal force times the length of the branch vector. The load determines
   /// this sum: it is the trace of the stress times the volume. If the forces on walls are given, the function returns
   /// the sum of these forces and of the weights of the grains.
@@ -93,12 +100,14 @@ class BalanceRows {
 };
 
 /// Returns whether the load in a row of the boundary is arbitrary, or follows from the balance of the grains: along an
-/// axis with an open end, the weights alone determine the stress.
-/// @param s  number of the row among the rows of the boundary, counted from 0
+/// axis with an open end, the weights alone determine the stress and the force on the wall.
+/// @param s     number of the row among the rows of the boundary, counted from 0
+/// @param axis  axis of this row; Dim or more for a shear component
 template <int Dim>
-bool is_free(const Packing<Dim>& packing, const ForceBalanceOptions<Dim>& options, int s) {
+bool is_free(const Packing<Dim>& packing, const ForceBalanceOptions<Dim>& options, int s, int axis) {
   if (options.wall_force) return !(*options.wall_force)[static_cast<std::size_t>(s)];
-  return s < Dim && (options.open_axis[static_cast<std::size_t>(s)] || is_open_along(packing.walls, s));
+  return axis < Dim &&
+         ((s < Dim && options.open_axis[static_cast<std::size_t>(s)]) || is_open_along(packing.walls, axis));
 }
 
 /// Returns the present force (F_N, T) of a contact in the frame of the contact.
@@ -266,7 +275,7 @@ ForceBalance<Dim> force_balance(const std::string& place, const Packing<Dim>& pa
       if (coefficient.template lpNorm<Eigen::Infinity>() / rows.scale(row) > kNoCoefficient) number[row] = 0;
     });
   for (int s = 0; s < rows.n_boundary(); ++s)
-    if (is_free(packing, options, s))
+    if (is_free(packing, options, s, rows.axis_of(s)))
       number[rows.first_of_boundary() + s] = -1, load[rows.first_of_boundary() + s] = 0.0;
   std::vector<double> scaled_load;
   int last_group = -1;

@@ -282,7 +282,7 @@ TEST_F(CsvPacking, RefusesForcesThatItWouldCut) {
               ThrowsMessage<InputError>(HasSubstr("c.csv:2: the tangential force has the component")));
   contacts("id1,id2,force1,force2,shear_force1,shear_force2\n5,3,-2,0.3,0,0.3\n");
   EXPECT_THAT(refusal(),
-              ThrowsMessage<InputError>(HasSubstr("c.csv:2: force1.. has a tangential part of 0.3")));
+              ThrowsMessage<InputError>(HasSubstr("c.csv:2: force1.. has the tangential part 0.3 that")));
   contacts("id1,id2,normal_force,shear_force1,shear_force2\n5,3,2,1e-6,0.3\n");
   EXPECT_EQ(read().contacts.at(0).normal_force, 2.0);
   for (const std::string vector : {"force", "shear_force", "image"}) {

@@ -91,8 +91,8 @@ TEST_F(ForcesCommand, ListContactsWithTheRangesOfTheirForces) {
   }
 }
 
-/// Two disks, one on the other, on a floor under a free surface. The weights alone determine the forces, whatever forces
-/// the file has; without forces in the file, too.
+/// Two disks, one on the other, on a floor under a free surface. The weights alone determine the forces, whatever
+/// forces the file has; without forces in the file, too.
 TEST_F(ForcesCommand, BalanceTheWeightsUnderAFreeSurface) {
   write_text(file("pile.csv"), "id,x,y,radius,mass\n1,1,0.5,0.5,1\n2,1,1.5,0.5,1\n");
   const std::string convert =

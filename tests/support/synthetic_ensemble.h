@@ -13,9 +13,9 @@
 namespace floc::test {
 
 /// Ensemble of samples that collapse in jumps. All samples follow one curve: a plateau up to P0, then a line of slope
-/// lambda or, with a finite P1, the full consolidation law. Each sample jumps to this curve at its own random pressures, and keeps its density between the jumps. The
-/// distances between successive jumps in ln P are exponentially distributed with the mean `gap`. Each sample is also
-/// shifted by a constant.
+/// lambda or, with a finite P1, the full consolidation law. Each sample jumps to this curve at its own random
+/// pressures, and keeps its density between the jumps. The distances between successive jumps in ln P are exponentially
+/// distributed with the mean `gap`. Each sample is also shifted by a constant.
 struct Staircases {
   double lambda = 0.2, P0 = 0.05, y0 = 1.9;
   double gap = 0.2, shift = 0.01, noise = 1e-4;

@@ -28,9 +28,9 @@ namespace floc {
 
 /// Returns whether the mean of samples becomes less steep at the point `end`. Two slopes are compared: the slope of the
 /// points from `end` on has to be smaller than the slope of the points before `end`, by more than two and a half
-/// standard deviations of the difference. This standard deviation is computed from the distance between the jumps, for two
-/// reasons. First, neighbouring points of the mean are correlated, so that the residuals of the mean do not distinguish
-/// a bend from chance. Second, a standard deviation from the scatter of a few samples would be inaccurate.
+/// standard deviations of the difference. This standard deviation is computed from the distance between the jumps, for
+/// two reasons. First, neighbouring points of the mean are correlated, so that the residuals of the mean do not
+/// distinguish a bend from chance. Second, a standard deviation from the scatter of a few samples would be inaccurate.
 /// @param samples  values of 1/Phi; one row per point, one column per sample (two or more)
 /// @param log_P    ln P of the points, growing
 [[nodiscard]] bool samples_bend_at(const Eigen::MatrixXd& samples, const Eigen::VectorXd& log_P, int end);

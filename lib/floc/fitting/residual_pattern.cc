@@ -50,8 +50,8 @@ Eigen::MatrixXd steps_of(const Eigen::MatrixXd& m) {
 /// Returns the probability that a fit to independent data has residuals with a von Neumann ratio below `ratio`.
 double smoothness_probability(double ratio, const Eigen::MatrixXd& basis) {
   const auto n = static_cast<double>(basis.rows());
-  // The residuals are M e with independent errors e, the projector M = 1 - Q Q^T and the basis Q. Their ratio is
-  // (M e)^T D (M e)/(M e)^2, where D = S^T S and S takes the difference of neighbours. Its mean and variance follow from
+  // The residuals are r = M e with independent errors e, the projector M = 1 - Q Q^T and the basis Q. The ratio is
+  // r^T D r/(r^T r), where D = S^T S and S takes the difference of neighbours. Its mean and variance follow from
   // the traces of D M and of (D M)^2. With these formulas, the cost grows in proportion to n and not to its cube.
   const Eigen::MatrixXd steps = steps_of(basis);                               // S Q
   const Eigen::MatrixXd within = steps.transpose() * steps;                    // Q^T D Q

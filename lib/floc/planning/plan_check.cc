@@ -73,8 +73,7 @@ class ObservedSamples {
     check.n_samples = found.n;
     if (found.n == 0) return check;
     check.mean = means_[k];
-    if (found.n > 1)
-      check.achieved = found.error95 / (is_fit ? 1.0 : std::abs(means_[k]));
+    if (found.n > 1) check.achieved = found.error95 / (is_fit ? 1.0 : std::abs(means_[k]));
     return check;
   }
 

@@ -110,7 +110,8 @@ double factor_of_table(const PriceTable& table, const std::string& observable) {
     const PriceRow* row = table.find("strict", "all", name);
     return row ? row->reference_value : std::numeric_limits<double>::quiet_NaN();
   };
-  const double z_plus = mean("z_plus"), z_minus = mean("z_minus"), own = observable == "z_plus" ? z_plus : z_minus;
+  const double z_plus = mean("z_plus"), z_minus = mean("z_minus"),
+               own = observable == "z_plus" ? z_plus : z_minus;
   return own > 0.0 && std::isfinite(z_plus + z_minus) ? (z_plus + z_minus) / own : 1.0;
 }
 
@@ -209,7 +210,10 @@ void PriceModel::take_table() {
     // the observable out. A scatter that the table does not contain is NaN; the negated comparison is true for NaN,
     // too.
     if (reference == nullptr || !(scatter > 0.0) || reference->n_samples < 2) continue;
-    ObservablePrice price{name, reference->unit, scatter, reference->n_samples - 1,
+    ObservablePrice price{name,
+                          reference->unit,
+                          scatter,
+                          reference->n_samples - 1,
                           size_of_table(*table_, name, n_grains_, size_exponent_),
                           factor_of_table(*table_, name)};
     if (price.size) *price.size *= price.of_table;

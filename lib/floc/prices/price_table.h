@@ -30,9 +30,9 @@ struct PriceRow {
   /// the observable over the states of a sample, or a parameter fitted to the path of a sample.
   double sample_scatter;
   double reference_value;  ///< mean of the observable with the strictest settings
-  int n_grains;   ///< number of grains of a sample; 0 if the table does not contain it
-  int n_samples;  ///< number of samples; 0 if the table does not contain it
-  int n_states;   ///< number of states (equilibria) of a sample; 0 if the table does not contain it
+  int n_grains;            ///< number of grains of a sample; 0 if the table does not contain it
+  int n_samples;           ///< number of samples; 0 if the table does not contain it
+  int n_states;            ///< number of states (equilibria) of a sample; 0 if the table does not contain it
   /// stiffness number a K_N/F0 of the scene on which the price was measured (a largest diameter, K_N normal stiffness,
   /// F0 pull-off force); for cohesive grains only
   double kappa;

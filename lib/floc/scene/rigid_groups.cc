@@ -65,8 +65,8 @@ struct SecondsPerStep {
   double pressed, sheared;
 };
 
-/// Returns the processor times of time steps, measured on packings of 200 to 10 000 disks, 200 pentagons, 2000 spheres and
-/// 200 to 5000 polyhedra.
+/// Returns the processor times of time steps, measured on packings of 200 to 10 000 disks, 200 pentagons, 2000 spheres
+/// and 200 to 5000 polyhedra.
 SecondsPerStep seconds_per_step(const Scene& scene) {
   // Small round grains may move only a short distance in a time step. The time steps are therefore shorter if the
   // smallest diameter is smaller.

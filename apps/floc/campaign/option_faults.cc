@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cstdlib>
-#include <filesystem>
 #include <sstream>
 
 #include "campaign/log_reason.h"
@@ -12,34 +10,13 @@
 #include "floc/base/read_file.h"
 #include "process/child_process.h"
 #include "process/command.h"
+#include "process/scratch_directory.h"
 
 namespace floc {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// Name of a file that cannot exist, because /dev/null is not a directory.
 constexpr const char* kNoFile = "/dev/null/state-0000.h5";
-
-/// A new directory for temporary files. The destructor removes it.
-class ScratchDirectory {
- public:
-  ScratchDirectory() : path_((fs::temp_directory_path() / "floc-options-XXXXXX").string()) {
-    if (::mkdtemp(path_.data()) == nullptr)
-      throw IoError(path_, "no directory for temporary files can be made here");
-  }
-  ~ScratchDirectory() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchDirectory(const ScratchDirectory&) = delete;
-  ScratchDirectory& operator=(const ScratchDirectory&) = delete;
-
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
 
 /// Returns the reason for which a floc command refuses its options; empty if it accepts them.
 /// @param words  words of the command, with kNoFile as the name of the file to read

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <limits>
 
@@ -17,6 +16,7 @@
 #include "floc/base/read_file.h"
 #include "floc/io/transient_file.h"
 #include "process/output_files.h"
+#include "process/scratch_directory.h"
 
 namespace floc {
 namespace {
@@ -167,19 +167,10 @@ void write_plot(const std::string& file, const Plot& plot) {
 }
 
 std::string plot_as_svg(const Plot& plot) {
-  std::string directory = (fs::temp_directory_path() / "floc-plot-XXXXXX").string();
-  if (::mkdtemp(directory.data()) == nullptr)
-    throw IoError(directory, "this temporary directory cannot be made");
-  std::string svg;
-  try {
-    write_plot(directory + "/plot.svg", plot);
-    svg = read_file(directory + "/plot.svg");
-  } catch (...) {
-    fs::remove_all(directory);
-    throw;
-  }
-  fs::remove_all(directory);
-  return svg;
+  const ScratchDirectory directory;
+  const std::string file = directory.path() + "/plot.svg";
+  write_plot(file, plot);
+  return read_file(file);
 }
 
 }  // namespace floc

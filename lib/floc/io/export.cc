@@ -36,6 +36,14 @@ void write_text(const std::string& path, const AnyState& state) {
   write_bytes_atomically(path, text(state));
 }
 
+/// Adds the masses of the walls that forces move, if there are any, to the names of data that a format cannot hold.
+template <int Dim>
+void add_masses_of_walls(const Packing<Dim>& packing, std::vector<std::string>& lost) {
+  const auto moves = [](const Wall<Dim>& wall) { return !wall.open && follows_forces(wall); };
+  if (std::any_of(packing.walls.begin(), packing.walls.end(), moves))
+    lost.emplace_back("the masses of the walls that forces move");
+}
+
 /// Returns the names of the data of a state that a format with grains, walls and boundary alone cannot hold.
 std::vector<std::string> lost_beside_grains(const AnyState& any) {
   return std::visit(
@@ -46,9 +54,7 @@ std::vector<std::string> lost_beside_grains(const AnyState& any) {
         const auto is_shifted = [](const auto& wall) { return wall.side < 0 && wall.position != 0.0; };
         if (std::any_of(packing.walls.begin(), packing.walls.end(), is_shifted))
           lost.emplace_back("the place of the box, which begins at zero in the file");
-        const auto moves = [](const auto& wall) { return !wall.open && follows_forces(wall); };
-        if (std::any_of(packing.walls.begin(), packing.walls.end(), moves))
-          lost.emplace_back("the masses of the walls that forces move");
+        add_masses_of_walls(packing, lost);
         if (has_bonds(packing)) lost.emplace_back("bonds");
         return lost;
       },
@@ -60,9 +66,7 @@ std::vector<std::string> lost_in_rockable(const AnyState& any) {
   return std::visit(
       [](const auto& state) {
         std::vector<std::string> lost;
-        const auto moves = [](const auto& wall) { return !wall.open && follows_forces(wall); };
-        if (std::any_of(state.packing.walls.begin(), state.packing.walls.end(), moves))
-          lost.emplace_back("the masses of the walls that forces move");
+        add_masses_of_walls(state.packing, lost);
         if (holds_liquid(state.packing)) lost.emplace_back("the volumes of the liquid bridges");
         return lost;
       },

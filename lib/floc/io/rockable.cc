@@ -259,7 +259,7 @@ void add_grains(const Configuration& from, Bodies& bodies, ListedPacking& listed
 /// Splits the moment of each contact into a rolling moment and a twisting moment. Moments that the law of a contact
 /// does not have are left out, and a sentence says so.
 void split_moments(ListedPacking& listed) {
-  constexpr double kNoMoment = 1e-9;  // of the whole moment, for rounding
+  constexpr double kNoMoment = 1e-9;  // share of the whole moment that counts as rounding
   int n_left_out = 0;
   for (ListedContact& c : *listed.contacts) {
     if (!c.rolling_moment) continue;

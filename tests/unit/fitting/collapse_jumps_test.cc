@@ -65,13 +65,19 @@ TEST(CollapseJumps, LeaveIntervalsOfLambdaThatHoldTheTruth) {
   }
 }
 
+/// Returns staircases along the full law, which bends at the pressure P1.
+Staircases along_full_law(double gap) {
+  Staircases staircases;
+  staircases.lambda = 0.17;
+  staircases.gap = gap;
+  staircases.P1 = 1.0;
+  return staircases;
+}
+
 TEST(CollapseJumps, BeforeABendAreNotALineThroughTheWholeCurve) {
   constexpr int kEnsembles = 100;
   for (const int n_samples : {3, 4}) {
-    Staircases staircases;
-    staircases.lambda = 0.17;
-    staircases.gap = 0.15;
-    staircases.P1 = 1.0;
+    const Staircases staircases = along_full_law(0.15);
     RandomStream random(3, 0);
     int n = 0, held = 0;
     for (int k = 0; k < kEnsembles; ++k) {
@@ -91,10 +97,7 @@ TEST(CollapseJumps, BeforeABendAreNotALineThroughTheWholeCurve) {
 }
 
 TEST(CollapseJumps, AreSaidToHideABendThatWouldGiveAnotherSlope) {
-  Staircases staircases;
-  staircases.lambda = 0.17;
-  staircases.gap = 0.57;
-  staircases.P1 = 1.0;
+  const Staircases staircases = along_full_law(0.57);
   RandomStream random(3, 0);
   int n_low = 0, n_warned = 0;
   for (int k = 0; k < 100; ++k) {

@@ -50,17 +50,6 @@ double extrapolation(int n) {
   return std::max(1.0, half_width(kQuantile) / half_width(std::pow(1.0 - kConfidence, 1.0 / n)));
 }
 
-/// Returns the divisor that turns a difference between two observations into a relative difference: the mean of the two
-/// absolute values. For each of the coordination numbers z_plus and z_minus, the divisor is instead the sum z_plus +
-/// z_minus, averaged over the two observations, because one of the coordination numbers may be near zero.
-/// @param k  number of the observable
-double size_of(int k, const Observation& x, const Observation& y) {
-  const auto size = [](const Observation& o, int of) {
-    return of == kZPlus || of == kZMinus ? o[kZPlus] + o[kZMinus] : std::abs(o[static_cast<std::size_t>(of)]);
-  };
-  return 0.5 * (size(x, k) + size(y, k));
-}
-
 double relative_difference(int k, const Observation& x, const Observation& reference) {
   const auto at = static_cast<std::size_t>(k);
   const double size = size_of(k, x, reference);

@@ -128,4 +128,11 @@ void require_observables(const std::vector<std::string>& names, const Scene& sce
                       kind_of_study(scene, subject), nearest_name(name, known), fmt::join(known, ", ")));
 }
 
+double size_of(int k, const Observation& x, const Observation& y) {
+  const auto size = [](const Observation& o, int of) {
+    return of == kZPlus || of == kZMinus ? o[kZPlus] + o[kZMinus] : std::abs(o[static_cast<std::size_t>(of)]);
+  };
+  return 0.5 * (size(x, k) + size(y, k));
+}
+
 }  // namespace floc

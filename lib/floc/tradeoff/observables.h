@@ -145,4 +145,10 @@ std::optional<ShearPoint> test_point(const State<Dim>& state);
 template <int Dim>
 std::optional<ShearPoint> start_of_test(const State<Dim>& state);
 
+/// Returns the divisor that turns a difference between two observations into a relative difference: the mean of the two
+/// absolute values. For each of the coordination numbers z_plus and z_minus, the divisor is instead the sum z_plus +
+/// z_minus, averaged over the two observations, because one of the coordination numbers may be near zero.
+/// @param k  number of the observable
+double size_of(int k, const Observation& x, const Observation& y);
+
 }  // namespace floc

@@ -46,7 +46,7 @@ struct ModuliCall {
 void add_moduli(const NamedState& s, const ModuliCall& call, ModuliRows& computation, Table& increments,
                 std::vector<ModuliRow>& rows, const Remarks& remarks) {
   require_equilibrium(s, call.force, remarks);
-  require_strains(s.name, *s.state, call.options.moduli.strains);
+  require_moduli_of(s.name, *s.state, call.options);
   std::vector<ModuliRow> computed = std::visit(
       [&](const auto& state) {
         return computation.of(s.name, state, call.options.increments ? &increments : nullptr, remarks);
@@ -58,15 +58,17 @@ void add_moduli(const NamedState& s, const ModuliCall& call, ModuliRows& computa
   std::ranges::move(computed, std::back_inserter(rows));
 }
 
-py::tuple moduli(const States& states, const py::object& strains, bool prestress, const py::object& tolerance,
-                 const py::object& method, const Names& accuracy, const py::object& force_tolerance,
-                 const py::object& rolling_stiffness, const py::object& kn, const py::object& kt,
-                 const py::object& per, const Names& tables, bool force) {
+py::tuple moduli(const States& states, const py::object& strains, const py::object& prestress,
+                 const py::object& tolerance, const py::object& method, const Names& accuracy,
+                 const py::object& force_tolerance, const py::object& rolling_stiffness, const py::object& kn,
+                 const py::object& kt, const py::object& per, const py::object& asked_tables,
+                 const py::object& force) {
+  const Names tables = texts_of("tables", asked_tables);
   require_tables(tables, {"increments"});
-  ModuliCall call{.options = {}, .force = force};
+  ModuliCall call{.options = {}, .force = flag_of("force", force)};
   ModuliTableOptions& options = call.options;
   options.moduli.strains = strain_set(word_of("strains", strains, {"diagonal", "full"}));
-  options.moduli.prestress = prestress;
+  options.moduli.prestress = flag_of("prestress", prestress);
   if (const auto given = number_if_any("tolerance", tolerance, kPositiveNumber))
     options.moduli.tolerance = *given;
   if (const auto given = number_if_any("force_tolerance", force_tolerance, kNotNegativeNumber))
@@ -114,9 +116,11 @@ py::dict asked_of(const std::vector<FurtherTable>& further) {
 }
 
 py::tuple network(const States& states, const py::object& zero_force, const py::object& least_contacts,
-                  const py::object& unit, const py::object& bin_width, const Names& groups,
+                  const py::object& unit, const py::object& bin_width, const py::object& asked_groups,
                   const py::object& near_zero, const py::object& shuffles, const py::object& pressure_bin_width,
-                  const Names& without, const Names& tables) {
+                  const py::object& left_out, const py::object& asked_tables) {
+  const Names tables = texts_of("tables", asked_tables), groups = texts_of("groups", asked_groups),
+              without = texts_of("without", left_out);
   for (const std::string& group : without) require_one_of("without", group, {"mechanics"});
   for (const std::string& group : groups) require_one_of("groups", group, {"bonds", "phases"});
   require_tables(tables,
@@ -172,14 +176,15 @@ std::vector<int> map_size_of(const py::object& given) {
   return size;
 }
 
-py::tuple structure(const States& states, bool average, const py::object& fit_range,
+py::tuple structure(const States& states, const py::object& average, const py::object& fit_range,
                     const py::object& largest_k, const py::object& cells_per_wave, const py::object& reach,
                     const py::object& map_size, const py::object& probes, const py::object& profile_axis,
-                    const py::object& slices, const Names& tables) {
+                    const py::object& slices, const py::object& asked_tables) {
+  const Names tables = texts_of("tables", asked_tables);
   require_tables(
       tables, {"intensity", "pair_correlation", "gaps", "pores", "map", "prediction", "porosity", "profile"});
   StructureTableOptions options;
-  options.average = average;
+  options.average = flag_of("average", average);
   options.fit_range = fit_range_of(fit_range);
   if (const auto given = number_if_any("largest_k", largest_k, ScatteringOptions::kLargest))
     options.scattering.largest = *given;
@@ -217,7 +222,8 @@ py::tuple structure(const States& states, bool average, const py::object& fit_ra
 }
 
 py::tuple compare(const NamedState& before, const NamedState& after, const py::object& rigid_tolerance,
-                  const Names& tables) {
+                  const py::object& asked_tables) {
+  const Names tables = texts_of("tables", asked_tables);
   require_tables(tables, {"displacements", "contacts"});
   CompareTableOptions options;
   options.rigid_tolerance = number_of("rigid_tolerance", rigid_tolerance, kPositiveNumber);
@@ -245,7 +251,8 @@ py::tuple compare(const NamedState& before, const NamedState& after, const py::o
 
 py::tuple forces(const States& states, const py::object& selection, const py::object& friction,
                  const py::object& kn, const py::object& kt, const py::object& stress, const py::object& gap,
-                 const Names& tables, bool ranges, const py::object& range_of) {
+                 const py::object& asked_tables, const py::object& ranges, const py::object& range_of) {
+  const Names tables = texts_of("tables", asked_tables);
   require_tables(tables, {"contacts"});
   ForcesTableOptions options;
   if (!selection.is_none())
@@ -256,7 +263,11 @@ py::tuple forces(const States& states, const py::object& selection, const py::ob
   options.stress = numbers_of("stress", stress);
   options.gap = number_if_any("gap", gap, kNearGap);
   options.range_of = wholes_of("range_of", range_of, kAnyContact);
-  options.ranges = ranges || !options.range_of.empty();
+  options.ranges = flag_of("ranges", ranges) || !options.range_of.empty();
+  if (options.ranges && !contains(tables, "contacts"))
+    throw InputError(
+        options.range_of.empty() ? "ranges" : "range_of",
+        "ranges are columns of the table of contacts: expected tables=\"contacts\" beside this argument");
   Table contacts;
   const std::vector<FurtherTable> further = {{"contacts", &options.contacts, &contacts}};
   ask_for(tables, further);

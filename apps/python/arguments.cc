@@ -21,6 +21,15 @@ py::object index_of(const py::handle& given) {
   return index;
 }
 
+/// Whether an object is a complex number of Python or a number or array of a complex type of numpy. Python converts
+/// such a number of numpy to a real one and drops its imaginary part.
+bool is_complex(const py::handle& given) {
+  if (PyComplex_Check(given.ptr())) return true;
+  const py::object type = py::getattr(given, "dtype", py::none());
+  return py::isinstance<py::str>(py::getattr(type, "kind", py::none())) &&
+         type.attr("kind").cast<std::string>() == "c";
+}
+
 /// Returns the values of a Python sequence, each converted by `read`.
 /// @param name  name of the argument, for messages
 template <class Value, class Read>
@@ -35,6 +44,7 @@ std::vector<Value> each_of(const char* name, const py::handle& given, const Read
 }  // namespace
 
 double number_of(const char* name, const py::handle& given, const NumberRange& range) {
+  if (is_complex(given)) refuse(name, given, range.words());
   const double value = PyFloat_AsDouble(given.ptr());
   const bool failed = value == -1.0 && PyErr_Occurred() != nullptr;
   if (failed) PyErr_Clear();
@@ -80,9 +90,27 @@ std::uint64_t seed_of(const char* name, const py::handle& given) {
   return value;
 }
 
+std::string text_of(const char* name, const py::handle& given, const std::string& expected) {
+  if (!py::isinstance<py::str>(given)) refuse(name, given, expected);
+  return given.cast<std::string>();
+}
+
+std::vector<std::string> texts_of(const char* name, const py::handle& given) {
+  if (py::isinstance<py::str>(given)) return {given.cast<std::string>()};
+  if (!py::isinstance<py::iterable>(given)) refuse(name, given, "a text or a sequence of texts");
+  std::vector<std::string> texts;
+  for (const py::handle& one : py::iter(given)) texts.push_back(text_of(name, one));
+  return texts;
+}
+
+bool flag_of(const char* name, const py::handle& given) {
+  const bool is_number = PyBool_Check(given.ptr()) || PyNumber_Check(given.ptr());
+  if (!is_number || py::isinstance<py::iterable>(given)) refuse(name, given, "True or False");
+  return PyObject_IsTrue(given.ptr()) == 1;
+}
+
 std::string word_of(const char* name, const py::handle& given, std::initializer_list<const char*> words) {
-  if (!py::isinstance<py::str>(given)) refuse(name, given, fmt::format("one of {}", fmt::join(words, ", ")));
-  const auto word = given.cast<std::string>();
+  const std::string word = text_of(name, given, fmt::format("one of {}", fmt::join(words, ", ")));
   require_one_of(name, word, words);
   return word;
 }

@@ -28,6 +28,15 @@ std::vector<int> wholes_of(const char* name, const py::handle& given, const Whol
 /// Converts a seed of random numbers, a whole number from 0 to 2^64 - 1.
 std::uint64_t seed_of(const char* name, const py::handle& given);
 
+/// Converts a string.
+/// @param expected  what the argument must be, for the message
+std::string text_of(const char* name, const py::handle& given, const std::string& expected = "a text");
+/// Converts a string, or a sequence of strings.
+std::vector<std::string> texts_of(const char* name, const py::handle& given);
+
+/// Converts an object that Python takes for a truth value: True, False or a number, but no text, sequence or array.
+bool flag_of(const char* name, const py::handle& given);
+
 /// Converts a string that must be one of `words`.
 std::string word_of(const char* name, const py::handle& given, std::initializer_list<const char*> words);
 

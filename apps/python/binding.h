@@ -44,6 +44,11 @@ class EquilibriumError : public NumericalError {
   using NumericalError::NumericalError;
 };
 
+/// Returns a message of the library in words of Python: arguments instead of options of the commands (`touch_gap` for
+/// `--touch-gap`) and arrays instead of columns (`image` for `image1..`). Options of commands that the message quotes
+/// (`floc run --resume`) remain.
+std::string in_words_of_python(const std::string& message);
+
 /// Messages that are issued as Python warnings as soon as the global interpreter lock (GIL) is held again.
 using Warnings = std::vector<std::string>;
 void issue(const Warnings& warnings);

@@ -171,7 +171,7 @@ py::object elastic(const py::list& samples, const ColumnNames& columns, const st
 py::object fit_moduli(const std::vector<std::string>& files, const ColumnNames& columns,
                       const py::object& moduli, const py::object& branch, const py::object& phi_limit) {
   ModulusFitOptions options;
-  if (!moduli.is_none()) options.moduli = moduli.cast<std::vector<std::string>>();
+  if (!moduli.is_none()) options.moduli = texts_of("moduli", moduli);
   options.branch = word_of("branch", branch, {"first", "all"});
   options.phi_limit = phi_limit_of(phi_limit);
   return to_python(without_gil([&] {

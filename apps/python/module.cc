@@ -1,4 +1,5 @@
 #include <exception>
+#include <regex>
 #include <utility>
 
 #include "binding.h"
@@ -15,7 +16,7 @@ py::object error_class(const char* name) {
 }
 
 void raise_in_python(const char* name, const std::exception& error) {
-  PyErr_SetString(error_class(name).ptr(), error.what());
+  PyErr_SetString(error_class(name).ptr(), in_words_of_python(error.what()).c_str());
 }
 
 void translate(std::exception_ptr thrown) {
@@ -46,6 +47,24 @@ py::dict column_reference() {
 
 }  // namespace
 
+std::string in_words_of_python(const std::string& message) {
+  static const std::regex option("(^|[\\s\"'(])--([A-Za-z][A-Za-z0-9]*(?:-[a-z0-9]+)*)");
+  static const std::regex command("(?:floc(?: [a-z.]+)+|[a-z]+ \\.)$");
+  static const std::regex columns("\\b([a-z_]+)1\\.\\.");
+  std::string words;
+  auto from = message.cbegin();
+  for (std::smatch found; std::regex_search(from, message.cend(), found, option); from = found[0].second) {
+    words.append(from, found[1].second);
+    // An option after the name of a command is one that the user types.
+    if (std::regex_search(message.cbegin(), found[1].first, command))
+      words += "--" + found.str(2);
+    else
+      words += std::regex_replace(found.str(2), std::regex("-"), "_");
+  }
+  words.append(from, message.cend());
+  return std::regex_replace(words, columns, "$1");
+}
+
 void check_signals() {
   const py::gil_scoped_acquire acquired;
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
@@ -54,7 +73,7 @@ void check_signals() {
 void issue(const Warnings& warnings) {
   const py::object kind = error_class("FlocWarning");
   for (const std::string& words : warnings)
-    if (PyErr_WarnEx(kind.ptr(), words.c_str(), 2) != 0) throw py::error_already_set();
+    if (PyErr_WarnEx(kind.ptr(), in_words_of_python(words).c_str(), 2) != 0) throw py::error_already_set();
 }
 
 }  // namespace floc::python

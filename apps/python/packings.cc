@@ -8,6 +8,8 @@
 #include "floc/imports/complete_import.h"
 #include "floc/imports/conversion_summary.h"
 #include "floc/io/law_text.h"
+#include "floc/io/listed_bodies.h"
+#include "floc/io/listed_images.h"
 #include "floc/io/listed_packing.h"
 #include "floc/io/settle_space.h"
 #include "floc/shape/manifold.h"
@@ -219,6 +221,9 @@ class ContactArrays {
     set_walls(contacts);
     vectors("force", &ListedContact::force, contacts);
     vectors("shear_force", &ListedContact::shear_force, contacts);
+    // Beside a tangential force, the array force is the normal part, as in a csv file that `floc convert` reads.
+    for (ListedContact& contact : contacts)
+      if (contact.force && contact.shear_force) *contact.force += *contact.shear_force;
     rolling(contacts);
     numbers("normal_force", &ListedContact::normal_force, contacts);
     numbers("twisting_moment", &ListedContact::twisting_moment, contacts);
@@ -247,7 +252,13 @@ class ContactArrays {
     const std::int64_t* next = image.data();
     for (ListedContact& contact : contacts) {
       contact.image = Eigen::Vector3i::Zero();
-      for (int a = 0; a < dimension_; ++a) (*contact.image)[a] = static_cast<int>(*next++);
+      for (int a = 0; a < dimension_; ++a) {
+        const std::int64_t cells = *next++;
+        if (static_cast<double>(cells) > kFarthestImage || static_cast<double>(cells) < -kFarthestImage)
+          throw InputError(fmt::format("{}: image[{}]", name_, &contact - contacts.data()),
+                           fmt::format("found {}, expected a number of cells up to 1e9 in magnitude", cells));
+        (*contact.image)[a] = static_cast<int>(cells);
+      }
     }
   }
 
@@ -354,18 +365,34 @@ NamedState assembled(const ListedPacking& listed, const ImportCompletion& comple
           summary = summarize(imported, state);
         },
         imported.state);
+    for (const std::string& remark : imported.remarks) remarks.remark(kName, remark);
     for (const std::string& doubt : summary.inconsistencies) remarks.warn(kName, doubt);
     return NamedState{std::make_shared<const AnyState>(std::move(imported.state)), kName};
   });
 }
 
+/// Converts the argument `wall_ids`, a dict of the identifiers of bodies and the names of the walls that they are.
+std::map<std::int64_t, WallSide> walls_of(const py::dict& wall_ids) {
+  std::map<std::int64_t, WallSide> walls;
+  for (const auto& [id, name] : wall_ids) {
+    const std::string words = text_of("wall_ids", name, "the name of a wall, such as x- or y+");
+    const std::optional<WallSide> side = wall_side(words);
+    if (!side)
+      throw InputError(
+          "wall_ids", fmt::format("\"{}\" is not the name of a wall, expected a name such as x- or y+", words));
+    walls.emplace(id.cast<std::int64_t>(), *side);
+  }
+  return walls;
+}
+
 NamedState from_arrays(const Numbers& position, const std::optional<Numbers>& radius, const Numbers& cell,
                        const std::optional<py::dict>& shapes, const std::string& law,
                        const std::optional<py::dict>& contacts, const std::optional<py::dict>& bonds,
-                       const std::string& walls, const std::optional<std::string>& wall_law,
-                       const py::object& gravity, const std::optional<Numbers>& mass,
-                       const std::optional<Integers>& ids, const py::object& stress,
-                       const py::object& tolerance, const py::object& units, bool drop_tensile) {
+                       const py::object& walls, const std::optional<std::string>& wall_law,
+                       const py::dict& wall_ids, const py::object& touch_gap, const py::object& gravity,
+                       const std::optional<Numbers>& mass, const std::optional<Integers>& ids,
+                       const py::object& stress, const py::object& tolerance, const py::object& units,
+                       const py::object& drop_tensile) {
   if (cell.ndim() != 2 || cell.shape(0) != cell.shape(1) || (cell.shape(0) != 2 && cell.shape(0) != 3))
     throw InputError("cell", fmt::format("this array has shape {}, expected (2, 2) or (3, 3)", shape_of(cell)));
   const auto dimension = static_cast<int>(cell.shape(0));
@@ -374,7 +401,13 @@ NamedState from_arrays(const Numbers& position, const std::optional<Numbers>& ra
   listed.cell_place = "cell";
   listed.law = parse_law("law", law);
   listed.units = word_of("units", units, {"reduced", "SI"});
-  listed.drop_tensile = drop_tensile;
+  listed.drop_tensile = flag_of("drop_tensile", drop_tensile);
+  const std::optional<double> gap = number_if_any("touch_gap", touch_gap, kNotNegativeNumber);
+  if (gap && contacts)
+    throw InputError(
+        "touch_gap",
+        "this argument is for contacts that are found from the geometry: leave out contacts or this "
+        "argument");
   for (int a = 0; a < dimension; ++a) {
     const Eigen::Vector3d vector = row_of("cell", cell, a, dimension);
     listed.space.cell.emplace_back(vector.data(), vector.data() + 3);
@@ -387,17 +420,24 @@ NamedState from_arrays(const Numbers& position, const std::optional<Numbers>& ra
   listed.grains = listed_grains(position, radius, mass, ids, dimension);
   if (shapes) ShapeArrays(*shapes, dimension).give(listed);
   ImportOptions options;
-  options.walls = walls;
+  options.walls = text_of("walls", walls, "a text such as \"x,y\" or \"y=0:5\"");
   options.gravity = numbers_of("gravity", gravity);
   settle_space(options, listed);
   if (contacts) listed.contacts = ContactArrays(*contacts, dimension, "contacts").listed();
-  if (listed.contacts) place_points(listed.grains, *listed.contacts);
   if (bonds) listed.bonds = ContactArrays(*bonds, dimension, "bonds").listed();
+  const std::map<std::int64_t, WallSide> named = walls_of(wall_ids);
+  for (ListedContact& bond : listed.bonds) name_wall(named, bond);
+  if (listed.contacts) {
+    for (ListedContact& contact : *listed.contacts) name_wall(named, contact);
+    place_points(listed.grains, *listed.contacts);
+    add_wall_contacts("the argument contacts", listed);
+  }
   for (ListedContact& bond : listed.bonds) bond.bond = true;
   return assembled(listed, {.law_place = "law",
                             .stress = numbers_of("stress", stress),
                             .stress_place = "stress",
-                            .tolerance = number_if_any("tolerance", tolerance, kPositiveNumber)});
+                            .tolerance = number_if_any("tolerance", tolerance, kPositiveNumber),
+                            .touch_gap = gap.value_or(0.0)});
 }
 
 }  // namespace
@@ -405,8 +445,9 @@ NamedState from_arrays(const Numbers& position, const std::optional<Numbers>& ra
 void bind_packings(py::module_& module) {
   module.def("from_arrays", &from_arrays, py::kw_only(), py::arg("position"), py::arg("radius"),
              py::arg("cell"), py::arg("shapes"), py::arg("law"), py::arg("contacts"), py::arg("bonds"),
-             py::arg("walls"), py::arg("wall_law"), py::arg("gravity"), py::arg("mass"), py::arg("ids"),
-             py::arg("stress"), py::arg("tolerance"), py::arg("units"), py::arg("drop_tensile"));
+             py::arg("walls"), py::arg("wall_law"), py::arg("wall_ids"), py::arg("touch_gap"),
+             py::arg("gravity"), py::arg("mass"), py::arg("ids"), py::arg("stress"), py::arg("tolerance"),
+             py::arg("units"), py::arg("drop_tensile"));
 }
 
 }  // namespace floc::python

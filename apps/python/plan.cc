@@ -10,8 +10,9 @@ namespace {
 /// @return the table of the plans, and remarks about them
 py::tuple plan(const std::string& scene, const std::vector<std::string>& changes, const std::string& prices,
                const std::string& budget, const std::vector<std::string>& want, const py::object& cores,
-               const std::vector<std::string>& observables, bool pilot, const std::string& output) {
-  PlanWishes wishes{scene, changes, prices, budget, want, pilot, 1, observables};
+               const py::object& observables, const py::object& pilot, const std::string& output) {
+  PlanWishes wishes{
+      scene, changes, prices, budget, want, flag_of("pilot", pilot), 1, texts_of("observables", observables)};
   wishes.cores = whole_of("cores", cores, PlanRequest::kCores);
   std::vector<std::string> remarks;
   const Table table = without_gil([&] {

@@ -94,23 +94,29 @@ std::string drive_scene(const Scene& scene, const SceneRunOptions& asked, Watch&
   return report.outcome == DriveReport::gave_up ? ending_of(report, scene_run.run) : "";
 }
 
+[[noreturn]] void refuse_pair(const char* argument, const char* other) {
+  throw InputError(
+      argument,
+      fmt::format("this argument cannot be combined with the argument {}: expected only one of them", other));
+}
+
 void run(const std::string& scene_file, const std::string& directory, const std::vector<std::string>& changes,
          const std::string& prices, const py::object& seed, const py::object& threads, const py::object& until,
-         const py::object& track_contacts, bool track_energy, bool resume, bool overwrite, bool timing,
-         const py::object& told, const py::object& interval) {
-  if (resume && overwrite)
-    throw InputError("resume",
-                     "this argument cannot be combined with the argument overwrite: expected only one of them");
+         const py::object& track_contacts, const py::object& track_energy, const py::object& resume,
+         const py::object& overwrite, const py::object& timing, const py::object& told,
+         const py::object& interval) {
   SceneRunOptions asked;
   asked.directory = directory;
   if (!seed.is_none()) asked.seed = seed_of("seed", seed);
   asked.threads = whole_if_any("threads", threads, RunOptions::kThreads);
   asked.until = whole_if_any("until", until, DriveOptions<2>::kUntil);
   asked.track_contacts = number_if_any("track_contacts", track_contacts, kPositiveNumber);
-  asked.track_energy = track_energy;
-  asked.resume = resume;
-  asked.overwrite = overwrite;
-  asked.no_timing = !timing;
+  asked.track_energy = flag_of("track_energy", track_energy);
+  asked.resume = flag_of("resume", resume);
+  asked.overwrite = flag_of("overwrite", overwrite);
+  asked.no_timing = !flag_of("timing", timing);
+  if (asked.resume && asked.overwrite) refuse_pair("resume", "overwrite");
+  if (asked.track_energy && asked.track_contacts) refuse_pair("track_energy", "track_contacts");
   Watch watch(told, number_of("interval", interval, kNotNegativeNumber));
   const Scene scene = read_scene(scene_file, changes, prices);
   Warnings warnings;

@@ -67,7 +67,7 @@ class Moduli(Same):
                 self.assert_row(floc.moduli(file, method="bounds", force=bool(force)), row)
             else:
                 n_refused += 1
-                with self.assertRaisesRegex(floc.InputError, "--method bounds cannot be applied to this state: "):
+                with self.assertRaisesRegex(floc.InputError, ": method bounds cannot be applied to this state: "):
                     floc.moduli(file, method="bounds", force=True)
         self.assertGreater(n_refused, 0)
         self.assertLess(n_refused, len(samples.SCENES))

@@ -40,8 +40,8 @@ class Plans(unittest.TestCase):
         with self.assertRaisesRegex(floc.InputError, "0 of .* samples are done: expected at least two"):
             floc.check_plan(campaign)
 
-    def test_refuse_in_the_words_of_the_command(self):
-        for arguments, words in (({}, "expected --budget"), ({"budget": "2m"}, "--budget 2m"),
+    def test_refuse_in_the_words_of_the_command_for_the_arguments(self):
+        for arguments, words in (({}, "expected budget"), ({"budget": "2m"}, "budget 2m"),
                                  ({"budget": "1h", "cores": 0}, "cores"), ({"want": {"K0": 0.1}}, "K0 is not a quantity"),
                                  ({"want": {"phi": 0.1}, "observables": ["phi"]}, "cannot be combined"),
                                  ({"budget": float("nan")}, "budget")):

@@ -79,7 +79,8 @@ class Packing(State):
         wall_law: str | _Mapping[str, _Any] | None = None, gravity: _npt.ArrayLike | None = None,
         bonds: _Mapping[str, _npt.ArrayLike] | _npt.NDArray[_np.void] | None = None,
         shapes: _Iterable[_npt.ArrayLike | _Mapping[str, _Any]] | None = None, shape: _npt.ArrayLike | None = None,
-        scale: _npt.ArrayLike | None = None, orientation: _npt.ArrayLike | None = None) -> Packing: ...
+        scale: _npt.ArrayLike | None = None, orientation: _npt.ArrayLike | None = None,
+        touch_gap: float | None = None, wall_ids: _Mapping[int, str] | None = None) -> Packing: ...
 
 class Record(_Mapping[str, _Any]):
     tables: dict[str, _Table]
@@ -197,7 +198,7 @@ class Moduli(Record):
     P_driven_star: float | None
     kn_named: float | None
     kt_named: float | None
-    stiffness_per: str | None
+    stiffness_per: float | None
 
 class Network(Record):
     file: str

@@ -100,7 +100,7 @@ def moduli(state, strains="diagonal", *, prestress=False, tolerance=None, method
     table, further = _core.moduli(
         states, strains=strains, prestress=prestress, tolerance=tolerance, method=method, accuracy=_accuracy(accuracy),
         force_tolerance=force_tolerance, rolling_stiffness=rolling, kn=kn, kt=kt, stiffness_per=stiffness_per,
-        tables=_names(tables), force=force)
+        tables=tables, force=force)
     return records(Moduli, table, further, single and not several)
 
 
@@ -137,8 +137,8 @@ def network(state, *, zero_force=None, least_contacts=None, unit="mean", bin_wid
     states, single = states_of(state)
     table, further = _core.network(
         states, zero_force=zero_force, least_contacts=least_contacts, unit=unit, bin_width=bin_width,
-        groups=_names(groups), near_zero=near_zero, shuffles=shuffles, pressure_bin_width=pressure_bin_width,
-        without=_names(without), tables=_names(tables))
+        groups=groups, near_zero=near_zero, shuffles=shuffles, pressure_bin_width=pressure_bin_width,
+        without=without, tables=tables)
     return records(Network, table, further, single)
 
 
@@ -172,7 +172,7 @@ def structure(state, *, average=False, fit_range=(0.0, 1.0), largest_k=None, cel
     table, further = _core.structure(
         states, average=average, fit_range=fit_range, largest_k=largest_k, cells_per_wave=cells_per_wave,
         reach=reach, map_size=map_size, probes=probes, profile_axis=profile_axis, slices=slices,
-        tables=_names(tables))
+        tables=tables)
     return records(Structure, table, further, single)
 
 
@@ -200,7 +200,7 @@ def compare(before, after, *, rigid_tolerance=0.01, tables=()):
     """
     (first,), _ = states_of(before)
     (second,), _ = states_of(after)
-    table, further = _core.compare(first, second, rigid_tolerance=rigid_tolerance, tables=_names(tables))
+    table, further = _core.compare(first, second, rigid_tolerance=rigid_tolerance, tables=tables)
     return records(Comparison, table, further, True)
 
 
@@ -226,10 +226,10 @@ def forces(state, *, selection=None, friction=None, kn=None, kt=None, stress=(),
     tables : sequence of str
         Additional tables to compute: "contacts" (the force of each contact).
     ranges : bool
-        Adds to the table "contacts" the smallest and the largest normal force that each contact can carry while all
-        forces balance.
+        Adds to the table "contacts", which has to be among `tables`, the smallest and the largest normal force that each
+        contact can carry while all forces balance.
     range_of : sequence of int
-        Restricts the ranges to the contacts with these numbers.
+        Adds the ranges of the contacts with these numbers alone, also without `ranges`.
 
     Returns
     -------
@@ -248,8 +248,8 @@ def forces(state, *, selection=None, friction=None, kn=None, kt=None, stress=(),
     """
     states, single = states_of(state)
     table, further = _core.forces(
-        states, selection=selection, friction=friction, kn=kn, kt=kt, stress=stress, gap=gap,
-        tables=_names(tables), ranges=bool(ranges), range_of=range_of)
+        states, selection=selection, friction=friction, kn=kn, kt=kt, stress=[stress] if np.ndim(stress) == 0 else stress,
+        gap=gap, tables=tables, ranges=ranges, range_of=range_of)
     return records(Forces, table, further, single)
 
 
@@ -282,10 +282,6 @@ def chain(n, R, kn, kt, kr, bend=0.0):
     wanted = ("formula", "solved", "error_bound")
     compliances = {row[which]: Compliance(wanted, [row[names.index(name)] for name in wanted]) for row in rows}
     return Chain(compliances.keys(), compliances.values())
-
-
-def _names(names):
-    return [names] if isinstance(names, str) else list(names)
 
 
 def _accuracy(accuracy):

@@ -75,8 +75,7 @@ def plan(scene, *, budget=None, want=None, cores=1, observables=(), changes=None
     table, remarks = _core.plan(
         os.fspath(scene), changes=changes_of(changes), prices="" if prices is None else os.fspath(prices),
         budget=_budget(budget), want=[f"{name}={number('want', error)!r}" for name, error in (want or {}).items()],
-        cores=cores, observables=[observables] if isinstance(observables, str) else list(observables),
-        pilot=bool(pilot), output="" if output is None else os.fspath(output))
+        cores=cores, observables=observables, pilot=pilot, output="" if output is None else os.fspath(output))
     return Plans(records(Plan, table, None, False), remarks)
 
 

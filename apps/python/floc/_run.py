@@ -1,4 +1,5 @@
 """Runs of scenes."""
+import collections.abc
 import csv
 import dataclasses
 import os
@@ -82,7 +83,8 @@ def run(scene, directory, *, on_progress=None, interval=0.5, changes=None, seed=
         Seed, number of threads, and number of the last equilibrium to compute, as the options ``--seed``,
         ``--threads`` and ``--until``. A warning is issued if there are too few grains for this number of threads.
     track_contacts : float, optional
-        Interval of simulated time at which contacts.csv records which contacts have opened and closed.
+        Interval of simulated time at which contacts.csv records which contacts have opened and closed; not with
+        `track_energy`.
     track_energy : bool
         Whether energy.csv records the energy balance of the run.
     resume, overwrite : bool
@@ -108,6 +110,9 @@ def run(scene, directory, *, on_progress=None, interval=0.5, changes=None, seed=
     """
     told = None
     if on_progress is not None:
+        if not callable(on_progress):
+            raise InputError(f"on_progress = {on_progress!r}: expected a function")
+
         def told(*values):
             on_progress(Progress(*values))
     _core.run(os.fspath(scene), os.fspath(directory),
@@ -120,7 +125,11 @@ def run(scene, directory, *, on_progress=None, interval=0.5, changes=None, seed=
 
 def changes_of(changes):
     """Returns the changes of a scene, a dict or None, as texts KEY=VALUE."""
-    return [f"{key}={_toml(value)}" for key, value in (changes or {}).items()]
+    if changes is None:
+        return []
+    if not isinstance(changes, collections.abc.Mapping):
+        raise InputError(f"changes = {changes!r}: expected a dict of keys of the scene and their values")
+    return [f"{key}={_toml(value)}" for key, value in changes.items()]
 
 
 def _toml(value):

@@ -1,4 +1,5 @@
 """States and packings."""
+import collections.abc
 import operator
 import os
 import pathlib
@@ -156,7 +157,7 @@ class Packing(State):
     @classmethod
     def from_arrays(cls, position, radius, cell, law, contacts=None, *, mass=None, stress=None, tolerance=None,
                     units="reduced", drop_tensile=False, ids=None, walls="", wall_law=None, gravity=None, bonds=None,
-                    shapes=None, shape=None, scale=None, orientation=None):
+                    shapes=None, shape=None, scale=None, orientation=None, touch_gap=None, wall_ids=None):
         """Makes a packing from arrays of any program, as ``floc convert`` makes a packing from files.
 
         Quantities that `contacts` does not give follow from the contact law. Forces that are given are kept to the last
@@ -179,11 +180,12 @@ class Packing(State):
         contacts : dict of arrays, structured array or DataFrame, optional
             id1 and id2: the `ids` of the two grains or, without `ids`, their indices from 0. Optional are image (m, d);
             normal_force (m,), positive in compression, and shear_force (m, d) on id1, or instead force (m, d), the
-            whole force on id1; rolling_moment (m,), in 3D (m, 3); twisting_moment (m,); kn, kt, kr, ktw (m,); and
+            whole force on id1 (beside shear_force its normal part alone); rolling_moment (m,), in 3D (m, 3); twisting_moment (m,); kn, kt, kr, ktw (m,); and
             bridge_volume (m,) for a law with liquid. Contacts of `shapes` need point (m, d), from the centre of mass of id1
             to the contact point, and may have normal (m, d), from id1 to id2, gap (m,) and type (m,), as ``contacts`` of
             a state has them. m is the number of contacts. Where `walls` are given, wall (m,)
-            holds the names of walls, "x-" or "y+", that id1 touches, and empty texts for contacts of two grains.
+            holds the names of walls, "x-" or "y+", that id1 touches, and empty texts for contacts of two grains. If there
+            is no contact of a disk or sphere with a wall, these contacts are found, with the forces of the law.
         mass : array_like, (n,), optional
             Masses of the grains; by default, a disk or sphere with unit diameter has unit mass, and `shapes` its
             density.
@@ -216,6 +218,11 @@ class Packing(State):
             Factor by which the shape of each grain is magnified [1].
         orientation : array_like, (n,), in 3D (n, 4), optional
             Angles (radians) or quaternions in the order x, y, z, w that turn the vertices [no turn].
+        touch_gap : float, optional
+            Without `contacts`: largest gap at which grains and walls count as touching (length) [0]. Contacts with a gap
+            get no force.
+        wall_ids : dict, optional
+            Walls among the bodies of `contacts`: their ids in id1 or id2, and their names, as in ``{0: "x-", 1: "x+"}``.
 
         Returns
         -------
@@ -229,17 +236,21 @@ class Packing(State):
         Warns
         -----
         FlocWarning
-            If contacts, geometry, forces, law and equilibrium disagree.
+            If contacts, geometry, forces, law and equilibrium disagree, or if the arrays are interpreted: points that are
+            no vertices of the convex hull, contacts with walls that are found, masses that weights follow from.
         """
-        cell = _numbers("cell", cell)
+        if wall_ids is not None and contacts is None and bonds is None:
+            raise InputError("wall_ids: this argument says which bodies of contacts or bonds are walls, but none are given")
+        cell = real_numbers("cell", cell)
         if cell.ndim == 1:
             cell = np.diag(cell)
         return cls(_core.from_arrays(
-            position=_numbers("position", position), radius=_radii(radius, shapes), cell=cell,
+            position=real_numbers("position", position), radius=_radii(radius, shapes), cell=cell,
             shapes=_shape_arrays(shapes, shape, scale, orientation), law=_law_text(law),
             contacts=_contact_arrays(contacts, has_points=shapes is not None), bonds=_contact_arrays(bonds, "bonds"), walls=walls,
             wall_law=None if wall_law is None else _law_text(wall_law),
-            gravity=[] if gravity is None else unmasked("gravity", gravity), mass=None if mass is None else _numbers("mass", mass),
+            wall_ids={} if wall_ids is None else _wall_ids(wall_ids), touch_gap=touch_gap,
+            gravity=[] if gravity is None else unmasked("gravity", gravity), mass=None if mass is None else real_numbers("mass", mass),
             stress=[] if stress is None else unmasked("stress", stress), tolerance=tolerance, units=units,
             drop_tensile=drop_tensile, ids=None if ids is None else _integers("ids", np.asarray(unmasked("ids", ids)))))
 
@@ -276,6 +287,8 @@ def states_of(state):
     """Returns a list of states, and whether the argument is a single state or path, not a sequence."""
     if isinstance(state, (_core.State, str, os.PathLike)):
         return [_one(state)], True
+    if not isinstance(state, collections.abc.Iterable):
+        return [_one(state)], False
     return [_one(one) for one in state], False
 
 
@@ -299,8 +312,10 @@ def unmasked(name, values):
 
 
 def number(name, value):
-    """Converts any number of Python to a float."""
+    """Converts any real number of Python to a float."""
     try:
+        if np.iscomplexobj(value):
+            raise TypeError
         return float(value)
     except (TypeError, ValueError, OverflowError):
         raise InputError(f"{name} = {value!r}: expected a number") from None
@@ -317,27 +332,36 @@ def _index(name, value, n):
     return index
 
 
-def _numbers(name, values):
+def real_numbers(name, values):
+    """Converts to an array of floats. Raises InputError for entries that are masked, complex, or no numbers."""
     values = unmasked(name, values)
     try:
-        return np.asarray(values, dtype=float)
+        array = np.asarray(values)
+        if np.iscomplexobj(array):
+            raise InputError(f"{name}: this array has complex numbers, expected real ones")
+        return np.asarray(array, dtype=float)
     except (TypeError, ValueError) as error:
+        if isinstance(error, InputError):
+            raise
         raise InputError(f"{name}: expected an array of numbers: {error}") from None
 
 
 # Names of the arrays that may describe contacts; a structured array or data frame may have further fields.
 _CONTACT_NUMBERS = ("image", "force", "normal_force", "shear_force", "rolling_moment", "twisting_moment", "kn", "kt", "kr",
                     "ktw", "bridge_volume")
-# Fields of the contacts of a state, all zero if its law has no rolling or twisting moments; they are then left out.
 # What contacts of grains with corners have besides.
 _POINT_NUMBERS = ("point", "normal", "gap", "type")
+# Fields of the contacts of a state, all zero if its law has no rolling or twisting moments; they are then left out.
 _MOMENTS = ("rolling_moment", "twisting_moment")
 
 
 def _integers(name, array):
-    """Converts an array to integers. Whole numbers of a real type are accepted too: numpy.loadtxt reads them so."""
+    """Converts an array to integers of 64 bits. Whole numbers of a real type are accepted too: numpy.loadtxt reads them
+    so."""
     if np.issubdtype(array.dtype, np.integer):
-        return array
+        if array.size and int(array.max()) > np.iinfo(np.int64).max:
+            raise InputError(f"{name}: found {array.max()}, expected integers up to {np.iinfo(np.int64).max}")
+        return array.astype(np.int64)
     whole = np.issubdtype(array.dtype, np.floating) and (np.abs(array) <= 2.0**53) & (array == np.floor(array))
     if not np.all(whole):
         raise InputError(f"{name} has values of type {array.dtype}, expected integers")
@@ -347,7 +371,7 @@ def _integers(name, array):
 def _radii(radius, shapes):
     if (radius is None) == (shapes is None):
         raise InputError("radius: expected the radii of disks or spheres, or None beside shapes, from which they follow")
-    return None if radius is None else _numbers("radius", radius)
+    return None if radius is None else real_numbers("radius", radius)
 
 
 # Keys of the dicts in State.shapes. Only the first two are read: the others follow from them.
@@ -361,6 +385,8 @@ def _shape_arrays(shapes, shape, scale, orientation):
         if given:
             raise InputError(f"{next(iter(given))}: expected shapes beside it")
         return None
+    if isinstance(shapes, str) or not isinstance(shapes, collections.abc.Iterable):
+        raise InputError(f"shapes = {shapes!r}: expected a sequence of arrays of vertices")
     arrays = {"shapes": []}
     for k, one in enumerate(shapes):
         words = one if isinstance(one, dict) else {"vertices": one}
@@ -369,10 +395,10 @@ def _shape_arrays(shapes, shape, scale, orientation):
         for word in words:
             if word not in _KEYS_OF_SHAPES:
                 raise InputError(f"shapes[{k}]: unknown key {word!r}, expected vertices and rounding")
-        arrays["shapes"].append({"vertices": _numbers(f"shapes[{k}]: vertices", words["vertices"]),
+        arrays["shapes"].append({"vertices": real_numbers(f"shapes[{k}]: vertices", words["vertices"]),
                                  "rounding": number(f"shapes[{k}]: rounding", words.get("rounding", 0.0))})
     for name, array in given.items():
-        arrays[name] = (_integers if name == "shape" else _numbers)(name, np.asarray(unmasked(name, array)))
+        arrays[name] = _integers(name, np.asarray(unmasked(name, array))) if name == "shape" else real_numbers(name, array)
     return arrays
 
 
@@ -393,13 +419,26 @@ def _contact_arrays(contacts, what="contacts", has_points=False):
         if name not in names:
             continue
         if name == "wall":
+            if np.ndim(contacts[name]) != 1:
+                raise InputError(f"{what}: wall = {contacts[name]!r}: expected names of walls, one per contact")
             arrays[name] = [str(wall) for wall in contacts[name]]
             continue
-        array = np.asarray(unmasked(f"{what}: {name}", contacts[name]))
+        words = f"{what}: {name}"
+        whole = name in ("id1", "id2", "image", "type")
+        given = unmasked(words, contacts[name])
+        array = _integers(words, np.asarray(given)) if whole else real_numbers(words, given)
         if name in _MOMENTS and isinstance(contacts, np.ndarray) and not array.any():
             continue
-        arrays[name] = (_integers if name in ("id1", "id2", "image", "type") else _numbers)(f"{what}: {name}", array)
+        arrays[name] = array
     return arrays
+
+
+def _wall_ids(wall_ids):
+    if not isinstance(wall_ids, collections.abc.Mapping):
+        raise InputError(f"wall_ids = {wall_ids!r}: expected a dict of ids of bodies and names of walls, such as "
+                         "{0: \"x-\", 1: \"x+\"}")
+    ids = _integers("wall_ids", np.asarray(list(wall_ids), dtype=None if wall_ids else int))
+    return dict(zip(ids.tolist(), wall_ids.values()))
 
 
 def _law_text(law):

@@ -4,14 +4,17 @@ Curves are given as arrays, as columns of a data frame, or as the name of a tabl
 wrote, which is read as the command reads it. If the data do not allow a fit, there is no exception: the attribute
 ``refusal`` of the result has the reason.
 """
+import collections.abc
+import copy
+import numbers
 import os
 
 import numpy as np
 
 from . import _core
 from ._errors import InputError
-from ._records import Record
-from ._state import read, unmasked
+from ._records import ReadOnly, Record
+from ._state import read, real_numbers
 
 __all__ = ["Fit", "LoadPath", "Parameter", "compression", "consolidation", "cycle", "dynamic_compaction", "elastic",
            "force_distribution", "moduli", "preconsolidation", "read_table", "strength"]
@@ -30,7 +33,7 @@ class Parameter(Record):
         return self.low95, self.high95
 
 
-class Fit:
+class Fit(ReadOnly):
     """A fit. Its attributes are the entries that ``floc fit ... --format json`` prints.
 
     Attributes
@@ -44,8 +47,8 @@ class Fit:
     """
 
     def __init__(self, values):
-        self._values = values
-        self.parameters = {name: Parameter(p.keys(), p.values()) for name, p in values["parameters"].items()}
+        parameters = {name: Parameter(p.keys(), p.values()) for name, p in values["parameters"].items()}
+        self.__dict__.update(_values=values, parameters=parameters)
 
     @property
     def found(self):
@@ -65,8 +68,8 @@ class Fit:
         return [*super().__dir__(), *self._values]
 
     def to_dict(self):
-        """Returns a dict of all entries, as the command prints them in json."""
-        return self._values
+        """Returns a dict of all entries, as the command prints them in json. It is a copy."""
+        return copy.deepcopy(self._values)
 
     def __repr__(self):
         if not self.found:
@@ -76,7 +79,7 @@ class Fit:
         return "\n".join([f"Fit of {self.sample}:", *lines])
 
 
-class LoadPath:
+class LoadPath(ReadOnly):
     """A load path read from a table of measurements.
 
     Attributes
@@ -119,11 +122,11 @@ def read_table(table, *, columns=None, phi_limit=1.0):
     -------
     LoadPath
     """
-    return LoadPath(_core.read_table(os.fspath(table), columns=columns or {}, phi_limit=phi_limit))
+    return LoadPath(_core.read_table(os.fspath(table), columns=_columns(columns), phi_limit=phi_limit))
 
 
 def consolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None, law="auto", window=None, P0=None,
-                  protocol=None, loading=None, weights=None, loss="squared", bootstrap=0, seed=1, stress="driven",
+                  protocol=None, loading=None, weights=None, loss="squared", bootstrap=0, seed=1, stress=None,
                   phi_limit=1.0, columns=None):
     """Fits the consolidation law: the plasticity index lambda and its other parameters.
 
@@ -135,10 +138,10 @@ def consolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None
     solid_fraction : array_like, (n,), or a sequence of arrays
         Solid fractions.
     void_ratio : array_like, optional
-        Void ratios, instead of `solid_fraction`.
+        Void ratios, instead of `solid_fraction`. This argument, `solid_fraction` and `branch` go with arrays only.
     branch : sequence of str, (n,), optional
-        Name of the branch of the load path for each point, as in ``path.csv``; by default, branches are found from
-        the pressures.
+        Name of the branch of the load path for each point, as in ``path.csv``; of several samples, one such sequence or
+        None for each. By default, branches are found from the pressures.
     law : {"auto", "full", "log", "power"}
         "log": law of regime II; "power": law of regime III; "full": both; "auto": the one that the data support, which
         the attribute `law` of the result names.
@@ -160,10 +163,12 @@ def consolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None
     phi_limit : float or None
         Largest solid fraction to which a law may tend at high pressure, and that the samples may have; None for no bound, as
         for densities measured in a die under load.
-    stress : {"driven", "mean"}, columns : dict
-        For tables only: the stress from which P* of an oedometric test is computed, and the names of the columns for
-        the keys P_star, phi, void_ratio or another density, branch, with a unit if the table has none, as in
-        ``{"void_ratio": "e [%]"}``. Columns with usual names are found without this argument.
+    stress : {"driven", "mean"}, optional
+        For tables only: the stress from which P* of an oedometric test is computed ["driven"].
+    columns : dict, optional
+        For tables only: the names of the columns for the keys P_star, phi, void_ratio or another density, branch, with
+        a unit if the table has none, as in ``{"void_ratio": "e [%]"}``; or numbers, as in
+        ``{"initial_void_ratio": 0.8}``. Columns with usual names are found without this argument.
 
     Returns
     -------
@@ -181,9 +186,9 @@ def consolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None
     1/Phi = 1/Phi0 - lambda ln(P*/P0*) in regime II, 1/Phi = 1/Phi_max + A (P*)^-alpha in regime III [GRC2008].
     """
     fits = _core.fit_consolidation(
-        _samples(pressure, solid_fraction, void_ratio, branch), columns=columns or {}, law=law, window=window, P0=P0,
-        protocol=protocol or "", loading=loading or "", weights=weights or "", loss=loss, bootstrap=bootstrap, seed=seed,
-        stress=stress, phi_limit=phi_limit)
+        _samples(pressure, solid_fraction, void_ratio, branch, columns=columns, stress=stress), columns=_columns(columns),
+        law=law, window=window, P0=P0, protocol=protocol or "", loading=loading or "", weights=weights or "", loss=loss,
+        bootstrap=bootstrap, seed=seed, stress="driven" if stress is None else stress, phi_limit=phi_limit)
     return Fit(fits[0]) if len(fits) == 1 else [Fit(fit) for fit in fits]
 
 
@@ -217,8 +222,8 @@ def compression(pressure, solid_fraction=None, *, void_ratio=None, branch=None, 
     InputError
         If the arrays are not a valid curve; the message names the array, the index and the value.
     """
-    samples = _samples(pressure, solid_fraction, void_ratio, branch)
-    return [Fit(fit) for fit in _core.fit_compression(samples, columns=columns or {}, law=law, density=density, D0=D0,
+    samples = _samples(pressure, solid_fraction, void_ratio, branch, columns=columns)
+    return [Fit(fit) for fit in _core.fit_compression(samples, columns=_columns(columns), law=law, density=density, D0=D0,
                                                       phi_limit=phi_limit)]
 
 
@@ -241,8 +246,8 @@ def preconsolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=N
         One per branch. Parameters P_c (two lines with a round bend), kappa and lambda and, with eight pressures or more,
         P_c_casagrande, P_c_pacheco_silva, P_c_butterfield, P_c_becker, and P_c_agreed, where all of these agree.
     """
-    samples = _samples(pressure, solid_fraction, void_ratio, branch)
-    return [Fit(fit) for fit in _core.fit_preconsolidation(samples, columns=columns or {}, branches=branches or "",
+    samples = _samples(pressure, solid_fraction, void_ratio, branch, columns=columns)
+    return [Fit(fit) for fit in _core.fit_preconsolidation(samples, columns=_columns(columns), branches=branches or "",
                                                            phi_limit=phi_limit)]
 
 
@@ -266,8 +271,8 @@ def elastic(pressure, solid_fraction=None, *, void_ratio=None, branch=None, stat
     list of Fit
         One per unloading branch.
     """
-    samples = _samples(pressure, solid_fraction, void_ratio, branch)
-    fits = _core.fit_elastic(samples, columns=columns or {}, state="" if state is None else os.fspath(state),
+    samples = _samples(pressure, solid_fraction, void_ratio, branch, columns=columns)
+    fits = _core.fit_elastic(samples, columns=_columns(columns), state="" if state is None else os.fspath(state),
                              phi_limit=phi_limit)
     return [Fit(fit) for fit in fits]
 
@@ -287,8 +292,8 @@ def cycle(pressure, solid_fraction=None, *, void_ratio=None, branch=None, phi_li
     dict of arrays
         The columns of ``floc fit cycle``, one row per pressure of a cycle.
     """
-    return _core.fit_cycle(_samples(pressure, solid_fraction, void_ratio, branch), columns=columns or {},
-                           phi_limit=phi_limit)
+    samples = _samples(pressure, solid_fraction, void_ratio, branch, columns=columns)
+    return _core.fit_cycle(samples, columns=_columns(columns), phi_limit=phi_limit)
 
 
 def moduli(tables, *, moduli=None, branch="first", phi_limit=1.0, columns=None):
@@ -298,7 +303,7 @@ def moduli(tables, *, moduli=None, branch="first", phi_limit=1.0, columns=None):
     ----------
     tables : path-like or sequence of them
         Tables of ``floc moduli``, or other tables with a pressure and moduli.
-    moduli : sequence of str, optional
+    moduli : str or sequence of str, optional
         Columns of the moduli [those of B, B_S, G, G_shear, M and E of which the table has values].
     branch : {"first", "all"}
         States to fit: those of the first loading of each sample, or all.
@@ -317,7 +322,7 @@ def moduli(tables, *, moduli=None, branch="first", phi_limit=1.0, columns=None):
     -----
     M = coefficient P^exponent, and M = coefficient (Phi - phi_0)^exponent.
     """
-    return [Fit(fit) for fit in _core.fit_moduli(_names(tables), columns=columns or {}, moduli=moduli, branch=branch,
+    return [Fit(fit) for fit in _core.fit_moduli(_names(tables), columns=_columns(columns), moduli=moduli, branch=branch,
                                                  phi_limit=phi_limit)]
 
 
@@ -342,7 +347,7 @@ def strength(tables, *, kind="drained", critical_from=None, modulus=None, column
     list of Fit
         One per test, then one for all tests of each kind together, with the attribute test.
     """
-    return [Fit(fit) for fit in _core.fit_strength(_names(tables), columns=columns or {}, kind=kind,
+    return [Fit(fit) for fit in _core.fit_strength(_names(tables), columns=_columns(columns), kind=kind,
                                                    critical_from=critical_from, modulus=modulus)]
 
 
@@ -407,17 +412,31 @@ def force_distribution(forces, *, form="all", threshold=None, draws=None, seed=N
 
 def _names(tables):
     """Returns names of files, given as one or several."""
-    if isinstance(tables, (str, os.PathLike)):
-        tables = [tables]
-    return [os.fspath(table) for table in tables]
+    try:
+        return [os.fspath(table) for table in ([tables] if isinstance(tables, (str, os.PathLike)) else tables)]
+    except TypeError:
+        raise InputError(f"tables = {tables!r}: expected the path of a table or a sequence of paths") from None
+
+
+def _columns(columns):
+    """Returns the names of columns for the compiled module: texts, with a number such as an initial void ratio as one."""
+    if columns is None:
+        return {}
+    if not isinstance(columns, collections.abc.Mapping):
+        raise InputError(f"columns = {columns!r}: expected a dict of quantities and the names of their columns")
+    named = {}
+    for quantity, name in columns.items():
+        if isinstance(name, numbers.Real) and not isinstance(name, bool):
+            name = repr(int(name) if isinstance(name, numbers.Integral) else float(name))
+        if not isinstance(quantity, str) or not isinstance(name, str):
+            raise InputError(f"columns: {quantity!r} = {name!r}: expected the name of a quantity, and that of its column "
+                             "or a number")
+        named[quantity] = name
+    return named
 
 
 def _flat(name, values):
-    values = unmasked(name, values)
-    try:
-        array = np.asarray(values, dtype=float)
-    except (TypeError, ValueError) as error:
-        raise InputError(f"{name}: expected an array of numbers: {error}") from None
+    array = real_numbers(name, values)
     if array.ndim != 1:
         raise InputError(f"{name}: this array has shape {array.shape}, expected (n,)")
     if not np.isfinite(array).all():
@@ -426,30 +445,56 @@ def _flat(name, values):
     return array
 
 
-def _samples(pressure, solid_fraction, void_ratio, branch):
+def _samples(pressure, solid_fraction, void_ratio, branch, **for_tables):
     """Returns the samples for the compiled module: a file name, or one tuple (name, pressures, densities, whether the
-    densities are void ratios, branches) per sample."""
+    densities are void ratios, branches) per sample.
+
+    `for_tables` are arguments that only tables take. Arguments that the first one makes useless are refused.
+    """
+    arrays = {"solid_fraction": solid_fraction, "void_ratio": void_ratio, "branch": branch}
     if isinstance(pressure, (str, os.PathLike)):
+        for name, given in arrays.items():
+            if given is not None:
+                raise InputError(f"{name}: this argument is for arrays, but pressure is the path of a table: leave it out")
         return [os.fspath(pressure)]
+    for name, given in for_tables.items():
+        if given:
+            raise InputError(f"{name}: this argument is for tables, but pressure is an array: leave it out")
     if (solid_fraction is None) == (void_ratio is None):
         raise InputError("expected either solid_fraction or void_ratio, in addition to pressure")
     density = solid_fraction if void_ratio is None else void_ratio
     what = "solid_fraction" if void_ratio is None else "void_ratio"
-    if isinstance(pressure, (list, tuple)) and len(pressure) > 0 and np.ndim(pressure[0]) > 0:
-        if len(density) != len(pressure):
-            raise InputError(f"{what}: this argument has {len(density)} samples, but pressure has {len(pressure)}")
-        branches = branch if branch is not None else [None] * len(pressure)
-        return [_sample(f"arrays {k}", *one, what, void_ratio is not None)
-                for k, one in enumerate(zip(pressure, density, branches))]
-    return [_sample("arrays", pressure, density, branch, what, void_ratio is not None)]
+    if not isinstance(pressure, (list, tuple)) or len(pressure) == 0 or np.ndim(pressure[0]) == 0:
+        return [_sample("arrays", pressure, density, branch, what)]
+    n = len(pressure)
+    densities = _one_per_sample(what, density, n)
+    branches = [None] * n if branch is None else _one_per_sample("branch", branch, n)
+    return [_sample(f"arrays {k}", *one, what) for k, one in enumerate(zip(pressure, densities, branches))]
 
 
-def _sample(name, pressure, density, branch, what, is_void_ratio):
+def _one_per_sample(name, values, n):
+    """Returns the items of an argument that has one array or list for each of `n` samples."""
+    try:
+        items = None if isinstance(values, str) else list(values)
+    except TypeError:
+        items = None
+    if items is None:
+        raise InputError(f"{name} = {values!r}: expected one array for each of the {n} samples in pressure")
+    if len(items) != n:
+        raise InputError(f"{name}: this argument has {len(items)} samples, but pressure has {n}")
+    return items
+
+
+def _sample(name, pressure, density, branch, what):
     pressure, density = _flat("pressure", pressure), _flat(what, density)
     if density.shape != pressure.shape:
         raise InputError(f"{what}: this array has shape {density.shape}, expected the shape of pressure, "
                          f"{pressure.shape}")
-    branches = [] if branch is None else [str(one) for one in branch]
-    if branches and len(branches) != len(pressure):
+    if branch is None:
+        return name, pressure, density, what == "void_ratio", []
+    if isinstance(branch, str) or not isinstance(branch, collections.abc.Iterable):
+        raise InputError(f"branch = {branch!r}: expected a sequence of names, one per pressure")
+    branches = [str(one) for one in branch]
+    if len(branches) != len(pressure):
         raise InputError(f"branch: this argument has {len(branches)} names, expected one per pressure, {len(pressure)}")
-    return name, pressure, density, is_void_ratio, branches
+    return name, pressure, density, what == "void_ratio", branches

@@ -8,7 +8,8 @@ from . import Record as _Record
 from . import State as _State
 
 _Curve = npt.ArrayLike | Sequence[npt.ArrayLike]
-_Branch = Sequence[str] | Sequence[Sequence[str]] | None
+_Branch = Sequence[str] | Sequence[Sequence[str] | None] | None
+_Columns = Mapping[str, str | float] | None
 
 class Parameter(_Record):
     value: float | None
@@ -43,38 +44,38 @@ class LoadPath:
     def __len__(self) -> int: ...
 
 def read_table(
-    table: str | _PathLike[str], *, columns: Mapping[str, str] | None = None,
+    table: str | _PathLike[str], *, columns: _Columns = None,
     phi_limit: float | None = 1.0) -> LoadPath: ...
 def consolidation(
     pressure: _Curve | str | _PathLike[str], solid_fraction: _Curve | None = None, *,
     void_ratio: _Curve | None = None, branch: _Branch = None, law: str = "auto",
     window: tuple[float, float] | None = None, P0: float | None = None, protocol: str | None = None,
     loading: str | None = None, weights: str | None = None, loss: str = "squared", bootstrap: int = 0, seed: int = 1,
-    stress: str = "driven", phi_limit: float | None = 1.0, columns: Mapping[str, str] | None = None) -> Fit | list[Fit]: ...
+    stress: str | None = None, phi_limit: float | None = 1.0, columns: _Columns = None) -> Fit | list[Fit]: ...
 def compression(
     pressure: _Curve | str | _PathLike[str], solid_fraction: _Curve | None = None, *,
     void_ratio: _Curve | None = None, branch: _Branch = None, law: str = "all", density: str = "out-of-die",
     D0: float | None = None, phi_limit: float | None = 1.0,
-    columns: Mapping[str, str] | None = None) -> list[Fit]: ...
+    columns: _Columns = None) -> list[Fit]: ...
 def preconsolidation(
     pressure: _Curve | str | _PathLike[str], solid_fraction: _Curve | None = None, *,
     void_ratio: _Curve | None = None, branch: _Branch = None, branches: str | None = None,
-    phi_limit: float | None = 1.0, columns: Mapping[str, str] | None = None) -> list[Fit]: ...
+    phi_limit: float | None = 1.0, columns: _Columns = None) -> list[Fit]: ...
 def elastic(
     pressure: _Curve | str | _PathLike[str], solid_fraction: _Curve | None = None, *,
     void_ratio: _Curve | None = None, branch: _Branch = None, state: str | _PathLike[str] | None = None,
-    phi_limit: float | None = 1.0, columns: Mapping[str, str] | None = None) -> list[Fit]: ...
+    phi_limit: float | None = 1.0, columns: _Columns = None) -> list[Fit]: ...
 def cycle(
     pressure: _Curve | str | _PathLike[str], solid_fraction: _Curve | None = None, *,
     void_ratio: _Curve | None = None, branch: _Branch = None, phi_limit: float | None = 1.0,
-    columns: Mapping[str, str] | None = None) -> dict[str, npt.NDArray[Any]]: ...
+    columns: _Columns = None) -> dict[str, npt.NDArray[Any]]: ...
 def moduli(
-    tables: str | _PathLike[str] | Sequence[str | _PathLike[str]], *, moduli: Sequence[str] | None = None,
-    branch: str = "first", phi_limit: float | None = 1.0, columns: Mapping[str, str] | None = None) -> list[Fit]: ...
+    tables: str | _PathLike[str] | Sequence[str | _PathLike[str]], *, moduli: str | Sequence[str] | None = None,
+    branch: str = "first", phi_limit: float | None = 1.0, columns: _Columns = None) -> list[Fit]: ...
 def strength(
     tables: str | _PathLike[str] | Sequence[str | _PathLike[str]], *, kind: str = "drained",
     critical_from: float | None = None, modulus: tuple[float, float] | None = None,
-    columns: Mapping[str, str] | None = None) -> list[Fit]: ...
+    columns: _Columns = None) -> list[Fit]: ...
 def dynamic_compaction(
     e: npt.ArrayLike, p: npt.ArrayLike, sc: npt.ArrayLike, se: npt.ArrayLike, *, p_D: float | None = None,
     eta_m: float | None = None, plateau: str = "p", p_0: float | None = None) -> Fit: ...

@@ -208,8 +208,9 @@ class ListedContacts {
     if (given.normal && pulls_without_adhesion(row, *given.normal, c)) return std::nullopt;
     require_stiffnesses(row);
     set_forces(packing_, row, given, c);
-    // For surfaces that touch, kn must be positive. For an attraction across a gap, kn is negative.
-    if (!c.distant)
+    // For surfaces that touch, kn must be positive. For an attraction across a gap, kn is negative. Rigid contacts have
+    // no stiffness, and the contacts of a state list it as zero.
+    if (!c.distant && !(row.kn == 0.0 && packing_.law_of(c).is_rigid()))
       require_stiffness(
           row, "kn", row.kn, row.kn > 0.0,
           touches(packing_, c)

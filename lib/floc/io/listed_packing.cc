@@ -146,10 +146,10 @@ void add_doubt_of_liquid(const Packing<Dim>& packing, std::vector<std::string>& 
 void add_remark_on_masses(const ListedPacking& listed, int dimension, std::vector<std::string>& remarks) {
   const auto without = std::ranges::count_if(listed.grains, [](const ListedGrain& g) { return !g.mass; });
   if (without == 0 || listed.gravity.isZero(0.0)) return;
-  remarks.push_back(fmt::format(
-      "the file lists no mass for {} of {} grains: the mass of a ball of diameter d is taken as d^{}, "
-      "and the weights follow from it",
-      without, listed.grains.size(), dimension));
+  remarks.push_back(
+      fmt::format("there is no mass for {} of {} grains: the mass of a ball of diameter d is taken as d^{}, "
+                  "and the weights follow from it",
+                  without, listed.grains.size(), dimension));
 }
 
 template <int Dim>
@@ -185,9 +185,9 @@ Imported assemble_in(const ListedPacking& listed) {
   return imported;
 }
 
-/// Adds `wall_contacts`, the contacts with walls in the file of the grains, to `contacts`. If the packing then has
-/// walls but no contact with a wall, records that the contacts with walls must be found from the geometry.
-void add_wall_contacts(ListedPacking& listed) {
+}  // namespace
+
+void add_wall_contacts(const std::string& list, ListedPacking& listed) {
   std::vector<ListedContact>& contacts = *listed.contacts;
   contacts.insert(contacts.end(), listed.wall_contacts.begin(), listed.wall_contacts.end());
   const bool has_walls = std::any_of(listed.ends.begin(), listed.ends.end(),
@@ -196,12 +196,11 @@ void add_wall_contacts(ListedPacking& listed) {
       std::any_of(contacts.begin(), contacts.end(), [](const ListedContact& c) { return c.wall.has_value(); }))
     return;
   listed.lacks_wall_contacts = true;
-  listed.remarks.emplace_back(
-      "the file of contacts lists no contacts with walls: these contacts are found from the positions and "
-      "radii; they have the normal forces of the contact law and no tangential forces");
+  listed.remarks.push_back(fmt::format(
+      "{} lists no contacts with walls: these contacts are found from the positions and radii; they "
+      "have the normal forces of the contact law and no tangential forces",
+      list));
 }
-
-}  // namespace
 
 const Law& required_law(const std::string& path, const ImportOptions& options) {
   if (!options.law)
@@ -235,7 +234,7 @@ Imported assemble(ListedPacking listed, const ImportOptions& options) {
   const int dimension = settle_space(options, listed);
   if (auto contacts = read_contact_file(options, dimension, listed)) {
     listed.contacts = std::move(contacts);
-    add_wall_contacts(listed);
+    add_wall_contacts("the file of contacts", listed);
   } else if (!listed.wall_contacts.empty()) {
     throw InputError("--columns",
                      "the forces between grains and walls are given, but the forces between grains are not: "

@@ -116,6 +116,12 @@ ListedPacking listed_packing(const std::string& path, const ImportOptions& optio
 /// @throws InputError naming the file `path`, which contains no law, if the user gave no law
 const Law& required_law(const std::string& path, const ImportOptions& options);
 
+/// Adds `wall_contacts`, the contacts with walls in the file of the grains, to `contacts`, which must have a
+/// value. If the packing then has walls but no contact with a wall, records that the contacts with walls must be found
+/// from the geometry.
+/// @param list  words for the list of contacts, for the remark that tells the user
+void add_wall_contacts(const std::string& list, ListedPacking& listed);
+
 /// Assembles a packing from listed grains and contacts. Grains are moved into the periodic cell. Contacts are sorted
 /// and refer to grains by their indices instead of their identifiers. The contact law gives the forces and stiffnesses
 /// that are not listed, and contact springs are stretched to the listed forces. All digits of listed forces are kept:

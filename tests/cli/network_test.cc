@@ -43,6 +43,22 @@ class Network : public testing::Test {
   ScratchDirectory scratch_;
 };
 
+/// Forces below the tolerance of equilibrium are what the balance leaves over. Their signs mean nothing.
+TEST_F(Network, PressuresBelowTheToleranceHaveNoSign) {
+  State<2> unloaded;
+  unloaded.packing = square_frames(4, 1.0, elastic_law(2.0, 0.6, 0.1));
+  unloaded.target_stress.setConstant(0.04);
+  double sign = 1.0;
+  for (Contact<2>& c : unloaded.packing.contacts) c.normal_force = c.elastic_force = 1e-9 * (sign = -sign);
+  write_state(scratch_.file("noise.h5"), unloaded);
+  const Outcome o = network("noise.h5 --format json");
+  ASSERT_EQ(o.code, 0) << o.err;
+  const json row = json::parse(o.out).at(0);
+  for (const char* name :
+       {"pressed_share", "pressed_largest", "pulled_share", "pulled_largest", "z_plus", "z_minus"})
+    EXPECT_EQ(row.at(name), 0.0) << name;
+}
+
 TEST_F(Network, CountsAndWeighsContacts) {
   const Outcome o = network("square.h5 --format json");
   ASSERT_EQ(o.code, 0) << o.err;

@@ -140,6 +140,25 @@ TEST_F(Petsc, SaysAFaultOnceAndGoesOnWithTheNextState) {
   EXPECT_EQ(together(2, "--solver petsc disks.h5").code, 5);
 }
 
+TEST_F(Petsc, GoesOnAfterAStateThatCannotHaveModuli) {
+  convert("disks"), convert("granular");
+  const Outcome o = together(2, "--solver petsc --force --kn 1 --kt 1 disks.h5 granular.h5");
+  EXPECT_EQ(o.code, 4);
+  for (const char* words :
+       {"disks.h5: the contacts of this packing are elastic", "granular.h5: the contacts"}) {
+    EXPECT_THAT(o.err, HasSubstr(words));
+    EXPECT_EQ(o.err.find(words), o.err.rfind(words)) << words;
+  }
+}
+
+TEST_F(Petsc, IsNotTakenWhereIncrementsNeedTheFactor) {
+  convert("granular");
+  const Outcome o = shell("\"$0\" moduli granular.h5 --force --memory 1e-6 --increments i.csv");
+  EXPECT_EQ(o.code, 4);
+  EXPECT_THAT(o.err, HasSubstr("and the increments of the forces need it: give a larger --memory"));
+  EXPECT_FALSE(std::filesystem::exists(file("i.csv")));
+}
+
 TEST_F(Petsc, IsNotForOtherMethodsNorForIncrements) {
   convert("disks");
   for (const char* option : {"--method bounds", "--accuracy 0.1", "--increments i.csv"}) {

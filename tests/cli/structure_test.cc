@@ -61,6 +61,8 @@ TEST_F(Structure, WritesSeriesOfEachState) {
   EXPECT_THAT(table("I.csv").columns(), ElementsAre("file", "k", "I", "n_vectors", "I_fit"));
   EXPECT_THAT(table("g.csv").columns(), ElementsAre("file", "r", "g", "n_pairs", "r_rescaled"));
   EXPECT_THAT(table("p.csv").columns(), ElementsAre("file", "x1", "x2", "area", "gyration_radius", "n_grains"));
+  // The pore of the frames lies between seven grains and around one rattler. Its edge passes most of them twice.
+  EXPECT_EQ(table("p.csv").number(0, 5), 8.0);
   const CsvTable map = table("m.csv");
   ASSERT_EQ(map.n_rows(), 40);
   double mean = 0.0;

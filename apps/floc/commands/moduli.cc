@@ -106,7 +106,7 @@ int run_alone(const ModuliCommand& command, const ModuliTableOptions& options) {
   Table increments;
   const int code =
       for_each_state(command.files, [&](const std::string& file, const AnyState& any, const Remarks& remarks) {
-        require_strains(file, any, options.moduli.strains);
+        require_moduli_of(file, any, options);
         if (!accepts_state(file, any, command.force, remarks)) return int{kVerificationFailed};
         std::vector<ModuliRow> computed = std::visit(
             [&](const auto& state) {
@@ -128,7 +128,7 @@ int run_together(const ModuliCommand& command, const ModuliTableOptions& options
   const std::unique_ptr<ParallelSolver> solver = load_parallel_solver();
   std::vector<ModuliRow> rows;
   const auto check = [&](const std::string& file, const AnyState& any, const Remarks& remarks) {
-    require_strains(file, any, options.moduli.strains);
+    require_moduli_of(file, any, options);
     return accepts_state(file, any, command.force, remarks) ? kDone : kVerificationFailed;
   };
   const auto work = [&](const std::string& file, AnyState& any, const Remarks& remarks) {

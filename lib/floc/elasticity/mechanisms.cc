@@ -23,6 +23,18 @@ double share_in(const Eigen::MatrixXd& columns, const Eigen::VectorXd& v) {
   return (columns.transpose() * v).squaredNorm() / v.squaredNorm();
 }
 
+/// Returns the extensions among the strains that are spanned by the given orthonormal columns, as orthonormal columns:
+/// the strains without shear components.
+template <int Dim>
+Eigen::MatrixXd extensions_in(const Eigen::MatrixXd& strains, double rounding) {
+  const Eigen::MatrixXd shears = strains.bottomRows(strains.rows() - Dim);
+  const SymmetricEigen eigen = symmetric_eigen(shears.transpose() * shears);
+  std::vector<Eigen::Index> which;
+  for (Eigen::Index k = 0; k < strains.cols(); ++k)
+    if (eigen.values[k] <= rounding) which.push_back(k);
+  return strains.topRows<Dim>() * eigen.vectors(Eigen::all, which);
+}
+
 template <int Dim>
 std::vector<std::string> vanishing_moduli(const Eigen::MatrixXd& strains) {
   // Eigenvectors of the eigenvalue zero are accurate up to rounding errors, because all other eigenvalues are much
@@ -36,7 +48,9 @@ std::vector<std::string> vanishing_moduli(const Eigen::MatrixXd& strains) {
   Eigen::VectorXd isotropic = Eigen::VectorXd::Zero(n);
   isotropic.head<Dim>().setOnes();
   if (vanishes(isotropic)) names.emplace_back("B");
-  if (share_in(strains, isotropic) > kRounding) names.emplace_back("B_S");
+  // B_S belongs to extensions without shear strains. A mechanism in which the cell also shears does not act on it.
+  if (share_in(extensions_in<Dim>(strains, kRounding), Eigen::VectorXd::Ones(Dim)) > kRounding)
+    names.emplace_back("B_S");
   bool shears = true;
   for (int a = 1; a < Dim; ++a)
     shears = shears && vanishes(Eigen::VectorXd::Unit(n, 0) - Eigen::VectorXd::Unit(n, a));

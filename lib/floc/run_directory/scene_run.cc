@@ -68,6 +68,10 @@ RunOptions checked_options(const Scene& scene, const SceneRunOptions& asked) {
   if (scene.assembly.box && asked.track_contacts)
     throw InputError("--track-contacts",
                      "the scene has walls (table [box]), but contacts are tracked only in periodic cells");
+  if (asked.track_contacts && asked.track_energy)
+    throw InputError("--track-contacts",
+                     "contacts and energies are not tracked in the same run: expected --track-contacts or "
+                     "--track-energy");
   RunOptions options = run_options(scene, asked);
   if (asked.track_energy) require_energy_account(options);
   (void)plan_run(options.assembly, options.law, options.load, options.dimension);

@@ -49,20 +49,36 @@ ModuliRow described(const std::string& file, const State<Dim>& state) {
 /// Beginning of the message of require_elastic() for a state of rigid grains if --kn and --kt are not given.
 const std::string kNeedsStiffness = "without named stiffnesses --kn and --kt, moduli are computed";
 
+NamedStiffness named_stiffness(const ModuliTableOptions& options) {
+  return {options.kn.value_or(0.0), options.kt.value_or(0.0), options.stiffness_per};
+}
+
+/// Checks that the contacts of a state have stiffnesses: their own, or the stiffnesses --kn and --kt.
+/// @throws InputError if they have none, or if the stiffnesses cannot be given to them
+template <int Dim>
+void require_stiffnesses(const std::string& file, const State<Dim>& state, const ModuliTableOptions& options) {
+  if (!options.kn && !options.kt) {
+    require_elastic(state.packing, kNeedsStiffness, file);
+    return;
+  }
+  if (state.motion)
+    throw InputError(
+        file, "this state is in motion, so its forces do not balance: moduli are computed for states at rest");
+  Packing<Dim> without_grains;
+  without_grains.law = state.packing.law;
+  try {
+    (void)with_named_stiffness(std::move(without_grains), named_stiffness(options));
+  } catch (const InputError& error) {
+    throw InputError(file, error.what());
+  }
+}
+
 /// Returns a state of rigid grains whose contacts are springs with the stiffnesses --kn and --kt. Warns that these
 /// stiffnesses are not a property of the grains.
 template <int Dim>
 State<Dim> with_named_stiffness(const std::string& file, State<Dim> state, const ModuliTableOptions& options,
                                 const Remarks& remarks) {
-  if (state.motion)
-    throw InputError(
-        file, "this state is in motion, so its forces do not balance: moduli are computed for states at rest");
-  try {
-    state.packing = with_named_stiffness(
-        std::move(state.packing), {options.kn.value_or(0.0), options.kt.value_or(0.0), options.stiffness_per});
-  } catch (const InputError& error) {
-    throw InputError(file, error.what());
-  }
+  state.packing = with_named_stiffness(std::move(state.packing), named_stiffness(options));
   remarks.warn(
       file,
       "the grains are rigid: these moduli are those of springs with the stiffnesses --kn and --kt at the "
@@ -204,6 +220,11 @@ std::vector<Moduli> ModuliRows::without_factor(const std::string& file, const Pa
       "the Cholesky factor of the stiffness matrix would take {:.3g} GB of memory, but it may take only {:.3g} "
       "GB",
       bytes / 1e9, options.largest_factor / 1e9);
+  if (options_.increments)
+    throw InputError(file,
+                     size +
+                         ", and the increments of the forces need it: give a larger --memory, or leave out "
+                         "--increments");
   std::vector<Moduli> all;
   if (!has_parallel_solver()) {
     remarks.warn(file,
@@ -247,6 +268,7 @@ std::vector<Moduli> ModuliRows::compute(const std::string& file, const State<Dim
 template <int Dim>
 std::vector<ModuliRow> ModuliRows::of(const std::string& file, const State<Dim>& state, Table* increments,
                                       const Remarks& remarks) {
+  require_stiffnesses(file, state, options_);
   if (!options_.kn && !options_.kt) return of_elastic(file, state, increments, remarks);
   std::vector<ModuliRow> rows =
       of_elastic(file, with_named_stiffness(file, state, options_, remarks), increments, remarks);
@@ -258,7 +280,6 @@ std::vector<ModuliRow> ModuliRows::of(const std::string& file, const State<Dim>&
 template <int Dim>
 std::vector<ModuliRow> ModuliRows::of_elastic(const std::string& file, const State<Dim>& state,
                                               Table* increments, const Remarks& remarks) {
-  require_elastic(state.packing, kNeedsStiffness, file);
   const ModuliRow description = described(file, state);
   warn_of_rounding(file, state, remarks);
   if (!options_.kn) warn_of_stiffnesses(file, state, remarks);
@@ -289,9 +310,9 @@ std::vector<ModuliRow> parallel_moduli_rows(const std::string& file, State<Dim> 
                                             const ModuliTableOptions& asked, ParallelSolver& solver,
                                             const Remarks& remarks) {
   const double began = processor_seconds();
+  require_stiffnesses(file, state, asked);
   if (asked.kn || asked.kt)
     state = with_named_stiffness(file, std::move(state), asked, solver.rank() == 0 ? remarks : Remarks{});
-  require_elastic(state.packing, kNeedsStiffness, file);
   ModuliOptions options = asked.moduli;
   options.unloaded = state.target_stress.isZero(0.0);
   const bool speaks = solver.rank() == 0;
@@ -347,6 +368,18 @@ std::vector<std::string> ModuliTableOptions::validate() const {
   // moduli.method may still have its default value `factor`.
   if (increments && accuracy)
     faults.push_back("increments: needs --method factor; give it instead of --accuracy");
+  // If an accuracy is required, floc chooses the method and its tolerance, and all of its methods have the rolling
+  // stiffness of the state.
+  if (accuracy && !rolling_stiffness.empty())
+    faults.push_back("accuracy: cannot be combined with --rolling-stiffness; give one of them");
+  if (accuracy && moduli.method != ModuliMethod::factor)
+    faults.push_back("accuracy: chooses the method itself; give --accuracy or --method");
+  if (accuracy && moduli.tolerance != ModuliOptions{}.tolerance)
+    faults.push_back("accuracy: chooses the tolerance itself; give --accuracy or --tolerance");
+  if (memory && !(solver == ModuliSolver::automatic && by_factor(*this)))
+    faults.push_back(
+        "memory: is the limit from which --solver automatic computes the moduli of --method factor by PETSc; "
+        "other solvers and methods do not use it");
   if (solver != ModuliSolver::petsc) return faults;
   // PETSc always uses an iterative method of its own. The options --method and --accuracy would choose another method.
   if (!by_factor(*this))
@@ -387,7 +420,9 @@ bool is_free_along_every_axis(const std::vector<Wall<Dim>>& walls) {
 
 }  // namespace
 
-void require_strains(const std::string& file, const AnyState& any, StrainSet strains) {
+void require_moduli_of(const std::string& file, const AnyState& any, const ModuliTableOptions& options) {
+  std::visit([&](const auto& state) { require_stiffnesses(file, state, options); }, any);
+  const StrainSet strains = options.moduli.strains;
   if (std::visit([](const auto& state) { return is_free_along_every_axis(state.packing.walls); }, any))
     throw InputError(file,
                      "this packing ends in free space along every axis, so it resists no strain and has no "
@@ -412,7 +447,7 @@ Table moduli_table(const ModuliTableOptions& options, const std::vector<ModuliRo
 Table moduli_table(const AnyState& state, const ModuliTableOptions& options, const std::string& file,
                    const Remarks& remarks) {
   for (const std::string& fault : options.validate()) throw InputError("floc moduli", "--" + fault);
-  require_strains(file, state, options.moduli.strains);
+  require_moduli_of(file, state, options);
   std::visit([&](const auto& s) { warn_unless_in_equilibrium(file, s, remarks); }, state);
   ModuliRows computation(options);
   return moduli_table(

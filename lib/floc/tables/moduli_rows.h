@@ -98,9 +98,10 @@ std::vector<ModuliRow> parallel_moduli_rows(const std::string& file, State<Dim> 
                                             const ModuliTableOptions& options, ParallelSolver& solver,
                                             const Remarks& remarks = {});
 
-/// Checks that the boundary of a state can impose a set of strains. Walls cannot impose shear strains.
-/// @throws InputError if the boundary cannot impose the strains
-void require_strains(const std::string& file, const AnyState& any, StrainSet strains);
+/// Checks that a state can have moduli: its contacts have stiffnesses, their own or the stiffnesses of the options, and
+/// its boundary can impose the strains. Walls cannot impose shear strains.
+/// @throws InputError if the state cannot have moduli
+void require_moduli_of(const std::string& file, const AnyState& any, const ModuliTableOptions& options);
 
 /// Returns a message if the moduli in a row do not have the required accuracy, otherwise an empty text.
 std::string accuracy_fault(const ModuliRow& row, const std::optional<ModuliAccuracy>& accuracy);

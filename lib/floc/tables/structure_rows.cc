@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "floc/base/error.h"
 #include "floc/base/processor_seconds.h"
@@ -125,8 +126,9 @@ void add_pores(const Packing<2>& packing, const StructureTableOptions& options, 
   if (options.pores) {
     choose_columns(row.file, kPoreColumns, series.pores);
     for (const Pore& p : pores.pores)
-      series.pores.rows.push_back({row.file, p.centre[0], p.centre[1], p.area, p.gyration_radius,
-                                   static_cast<std::int64_t>(p.grains.size())});
+      series.pores.rows.push_back(
+          {row.file, p.centre[0], p.centre[1], p.area, p.gyration_radius,
+           static_cast<std::int64_t>(std::set(p.grains.begin(), p.grains.end()).size())});
   }
   series.pore_area += pores.total_area;
   series.pore_second_moment += pores.total_area * pores.size * pores.size;

@@ -5,6 +5,8 @@
 
 #include <Eigen/Dense>
 #include <array>
+#include <cmath>
+#include <numbers>
 
 #include "support/lattices.h"
 
@@ -12,6 +14,7 @@ namespace floc {
 namespace {
 
 using testing::ElementsAre;
+using testing::IsEmpty;
 
 template <int Dim>
 StrainMechanisms mechanisms_of(const ContactNetwork<Dim>& network, StrainSet strains) {
@@ -34,6 +37,20 @@ TEST(StrainMechanisms, OfAFrictionlessSquareLatticeIsItsShear) {
   const auto network = contact_network(test::square_frames(2, 1.0, test::elastic_law(1.0, 0.0, 0.0)));
   EXPECT_EQ(mechanisms_of(network, StrainSet::diagonal).strains.cols(), 0);
   EXPECT_THAT(mechanisms_of(network, StrainSet::full).vanishing, ElementsAre("C33"));
+}
+
+TEST(StrainMechanisms, ThatShearTheCellLeaveTheExtensionsStiff) {
+  // The disks of an oblique lattice without friction touch along its two lattice vectors. The angle between these can
+  // change at no cost, which both extends and shears the cell. Without shear, no extension is free.
+  Packing<2> packing = test::triangular(1.0, test::elastic_law(1.0, 0.0, 0.0));
+  const double angle = 75.0 * std::numbers::pi / 180.0;
+  packing.cell.matrix << 0.999, 0.0, 0.999 * std::cos(angle), 0.999 * std::sin(angle);
+  find_contacts(packing);
+  const auto network = contact_network(packing);
+  ASSERT_EQ(network.contacts.size(), 2u);
+  const StrainMechanisms found = mechanisms_of(network, StrainSet::full);
+  EXPECT_EQ(found.strains.cols(), 1);
+  EXPECT_THAT(found.vanishing, IsEmpty());
 }
 
 TEST(StrainMechanisms, OfABraceAtFortyFiveDegreesIsPureShear) {

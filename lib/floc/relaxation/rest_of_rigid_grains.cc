@@ -327,6 +327,8 @@ void ContactDynamicsRelaxer<Dim>::set_balanced_forces(Packing<Dim>& packing) con
       load.push_back(imposed_[wall.axis] * wall_area(packing, wall.axis));
     options.wall_force = forces_on_moving_walls(packing, load);
   }
+  // The caller compares the residuals of the forces with all tolerances.
+  options.accepted_error = options_.tolerance.force;
   StaticForces<Dim> forces("the packing", packing, options);
   const bool closest = forces_at_rest(options_, packing) == RigidForces::closest;
   const bool avoids_gaps = !packing.grains.are_round() && !are_smooth_polyhedra(packing);

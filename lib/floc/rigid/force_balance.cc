@@ -222,6 +222,8 @@ std::vector<std::string> ForceBalanceOptions<Dim>::validate() const {
   for (const auto& [name, value] : {std::pair{"kn", kn}, {"kt", kt}})
     if (value && !(*value > 0.0 && std::isfinite(*value)))
       faults.push_back(fmt::format("{} = {}: expected a positive stiffness (force/length)", name, *value));
+  if (!(accepted_error > 0.0))
+    faults.push_back(fmt::format("accepted_error = {}: expected a positive number", accepted_error));
   if (axis_stress && !axis_stress->allFinite()) faults.emplace_back("axis_stress: expected finite components");
   if (!axis_stress && std::ranges::count(open_axis, true) > 0)
     faults.emplace_back("open_axis: expected axis_stress to be given, too");

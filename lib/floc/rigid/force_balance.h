@@ -29,6 +29,10 @@ struct ForceBalanceOptions {
   /// Required force of the grains on each wall, in the order of Packing::walls (force); absent for a wall on which any
   /// force is allowed. Without this list, the required force on each pair of walls follows from the present forces.
   std::optional<std::vector<std::optional<double>>> wall_force = {};
+  /// Largest error of the balance, divided by the mean normal force, with which forces are accepted if rounding errors
+  /// ended the search for them. Rounding errors end a search early if no set of forces lies inside all cones, for
+  /// example because the balance determines all forces.
+  double accepted_error = 1e-6;
 
   /// Returns the faults of the options, each as "key = value: requirement"; empty if the options are valid.
   std::vector<std::string> validate() const;

@@ -13,12 +13,11 @@
 namespace floc {
 namespace {
 
-/// If rounding errors ended the iteration, forces are still accepted if the error of the balance (divided by the mean
-/// normal force) is at most kNearlySolved, and the relative duality gap at most kNearlyClosest. Rounding errors end the
-/// iteration early if no set of forces lies inside all cones, for example because the balance determines all forces.
-constexpr double kNearlySolved = 1e-6, kNearlyClosest = 1e-7;
-/// Largest error of the balance, in the same units, at which polish() is tried: if it finds the forces on the faces of
-/// the cones that are already known, the error falls to rounding. A search with 20 000 polyhedra ended at 1.0e-6.
+/// Largest relative duality gap with which forces are accepted if rounding errors ended the search for them.
+constexpr double kNearlyClosest = 1e-7;
+/// Largest error of the balance, divided by the mean normal force, at which polish() is tried: if it finds the faces of
+/// the cones on which the forces lie, the error falls to rounding. Searches with 20 000 polyhedra ended at 1.0e-6 and
+/// 1.2e-6.
 constexpr double kWorthPolishing = 1e-4;
 
 /// Returns the blocks (P, T/mu) of the present forces, divided by ForceBalance::unit. The tangential part is zero for
@@ -42,7 +41,8 @@ StaticForces<Dim>::StaticForces(const std::string& place, const Packing<Dim>& pa
     : packing_(packing),
       balance_(force_balance(place, packing, options)),
       program_(balance_.program),
-      method_(program_) {}
+      method_(program_),
+      accepted_error_(options.accepted_error) {}
 
 template <int Dim>
 BalancedForces<Dim> StaticForces<Dim>::closest(double costly_gap) {
@@ -78,7 +78,7 @@ BalancedForces<Dim> StaticForces<Dim>::solved(const std::vector<Vec<Dim>>& prefe
   ConeSolution<Dim> solution = method_.solve(program_);
   if (!solution.is_solved(kWorthPolishing, kNearlyClosest)) fail(solution);
   method_.polish(program_, solution);
-  if (solution.status == ConeStatus::kFailed && !(solution.residual < kNearlySolved)) fail(solution);
+  if (solution.status == ConeStatus::kFailed && !(solution.residual < accepted_error_)) fail(solution);
   return forces(solution.x, solution.n_factorizations);
 }
 

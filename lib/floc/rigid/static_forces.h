@@ -73,6 +73,7 @@ class StaticForces {
   ForceBalance<Dim> balance_;
   ConeProgram<Dim> program_;  ///< program of the balance, with the objective of the last call
   InteriorPoint<Dim> method_;
+  double accepted_error_;  ///< ForceBalanceOptions::accepted_error
 };
 
 /// Converts forces on walls to the option ForceBalanceOptions::wall_force. The force on a wall that does not move under

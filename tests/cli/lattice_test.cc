@@ -184,6 +184,14 @@ TEST_F(LatticeCommand, RefusesInWordsWhatCannotBe) {
       {"disks.h5 --matrix 0.05 --load sideways", "expected compression", 4},
       {"disks.h5 --matrix 0.05 --load stress:1,2", "3 numbers", 4},
       {"disks.h5 --matrix 0.05 --load stress:0,0,0", "all components of this load are zero", 4},
+      {"disks.h5 --matrix 0.05 --load stress:0,1e-165,0", "from 1e-60 to 1e+60", 4},
+      {"disks.h5 --matrix 0.05 --load strain:0,1e155,0", "from 1e-60 to 1e+60", 4},
+      {"disks.h5 --matrix 0.05 --stiffness grain=1e155", "from 1e-60 to 1e+60", 4},
+      {"disks.h5 --matrix 0.05 --stiffness grain=1e12", "1e+12 times as stiff as the softest", 4},
+      {"disks.h5 --matrix 0.05 --tolerance 1e300", "0.001", 2},
+      {"disks.h5 --matrix 0.05 --boundary plates --load stress:0,1,0.5", "only along their axis, y", 4},
+      {"disks.h5 --matrix 0.05 --boundary bonded-plates --load strain:1,0,0", "only along their axis, y", 4},
+      {"disks.h5 --matrix 0.05 --boundary plates --moduli", "only one modulus", 4},
       {"disks.h5 --matrix 0.05 --axis z", "expected x or y", 4},
       {"disks.h5 --matrix 0.05 --map map.gif", ".svg, .pdf or .png", 4},
       {"disks.h5 --matrix 0.05 --curve c.csv", "--strength", 4},
@@ -201,6 +209,93 @@ TEST_F(LatticeCommand, RefusesInWordsWhatCannotBe) {
   }
   const Outcome coarse = lattice("disks.h5 --matrix 0.05 --bridge-gap 0.1 --per-diameter 6");
   EXPECT_THAT(coarse.err, HasSubstr("coarse"));
+}
+
+TEST_F(LatticeCommand, MeasuresTheStrengthUnderShearByTheShearStress) {
+  const json row = row_of(std::string(kDisks) +
+                          "--per-diameter 8 --contacts bilateral --load stress:0,0,1 --strength "
+                          "matrix=1,interface=1 --end-at 0.9");
+  EXPECT_GT(row.at("strength").get<double>(), 1e-3);
+  EXPECT_GT(row.at("strain_at_strength").get<double>(), 1e-3);
+  for (const char* name : {"E", "spread_nodes"}) EXPECT_TRUE(row.at(name).is_null()) << name;
+  EXPECT_NEAR(row.at("mean_nodes").get<double>(), 0.0, 1e-8);
+}
+
+TEST_F(LatticeCommand, HasTheSameDistributionsForEveryMagnitudeOfTheLoad) {
+  const auto statistics = [&](const std::string& stress) {
+    json row = row_of(std::string(kDisks) + "--per-diameter 8 --load stress:0," + stress +
+                      ",0 --columns '*share*,*beta*,largest*,spread*'");
+    return row;
+  };
+  const json one = statistics("1");
+  for (const char* stress : {"3", "7", "1e-12", "1e5"}) {
+    const json other = statistics(stress);
+    for (const auto& [name, value] : one.items()) {
+      ASSERT_EQ(value.is_null(), other.at(name).is_null()) << name;
+      if (value.is_null()) continue;
+      EXPECT_NEAR(other.at(name).get<double>(), value.get<double>(), 1e-6 * std::abs(value.get<double>()))
+          << stress << ' ' << name;
+    }
+  }
+}
+
+/// Breaks a sample in which some nodes of grains have no element, so that nodes of the lattice and nodes with elements
+/// have different numbers.
+TEST_F(LatticeCommand, NumbersBrokenElementsByTheNodesOfItsOtherFiles) {
+  const json row = row_of(std::string(kDisks) +
+                          "--per-diameter 8 --load tension --strength matrix=1,interface=1 --end-at 0.9 "
+                          "--curve curve.csv --stress nodes.csv");
+  const CsvTable nodes = CsvTable::read(scratch_.file("nodes.csv"));
+  const CsvTable curve = CsvTable::read(scratch_.file("curve.csv"));
+  ASSERT_GT(curve.n_rows(), 0);
+  const double side = 3 * 0.99;
+  for (int r = 0; r < curve.n_rows(); ++r) {
+    const int a = static_cast<int>(curve.number(r, curve.column("node1"))),
+              b = static_cast<int>(curve.number(r, curve.column("node2")));
+    double square = 0.0;
+    for (const char* x : {"x1", "x2"}) {
+      double d = nodes.number(b, nodes.column(x)) - nodes.number(a, nodes.column(x));
+      d -= side * std::round(d / side);
+      square += d * d;
+    }
+    EXPECT_NEAR(std::sqrt(square) / row.at("spacing").get<double>(), 1.0, 0.1) << r;
+  }
+}
+
+TEST_F(LatticeCommand, ComparesWithStatesOfTheSameGrainsAlone) {
+  row_of(std::string(kDisks) + "--per-diameter 8 --forces forces.h5");
+  const json same = row_of(std::string(kDisks) + "--per-diameter 8 --compare forces.h5");
+  EXPECT_NEAR(same.at("pearson_state").get<double>(), 1.0, 1e-9);
+  EXPECT_EQ(same.at("n_compared"), same.at("n_pairs"));
+  State<2> other = std::get<State<2>>(read_state(scratch_.file("forces.h5")));
+  std::swap(other.packing.grains.radius[0], other.packing.grains.radius[1]);
+  write_state(scratch_.file("other.h5"), other);
+  const Outcome o = lattice(std::string(kDisks) + "--per-diameter 8 --compare other.h5");
+  EXPECT_EQ(o.code, 4);
+  EXPECT_THAT(o.err, HasSubstr("with the same radii"));
+}
+
+TEST_F(LatticeCommand, TakesCellsWithLatticeVectorsAgainstTheAxes) {
+  State<2> state;
+  state.packing = grid_of_grains<2>(3, -0.01);
+  state.packing.cell.matrix.row(1) *= -1.0;
+  write_state(scratch_.file("against.h5"), state);
+  const std::string options =
+      " --bridge-gap 0.1 --matrix 0.08 --per-diameter 8 --load stress:0,1,0.5 --map m.png --phases p.svg "
+      "--columns strain??";
+  const json along = row_of("disks.h5" + options), against = row_of("against.h5" + options);
+  for (const auto& [name, value] : along.items())
+    EXPECT_NEAR(against.at(name).get<double>(), value.get<double>(), 1e-6) << name;
+}
+
+TEST_F(LatticeCommand, LeavesBoundsEmptyThatDoNotHold) {
+  const std::string options = std::string(kDisks) + "--per-diameter 8 --moduli --contacts bilateral ";
+  const json stiff = row_of(
+      "disks.h5 --bridge-gap 0.1 --matrix 0.08 --per-diameter 8 --moduli --stiffness "
+      "grain=20,matrix=1,interface=500");
+  EXPECT_TRUE(stiff.at("B_voigt").is_null() && stiff.at("G_hs_upper").is_null());
+  EXPECT_EQ(stiff.at("B_reuss"), 0.0);  // the material contains voids
+  EXPECT_TRUE(row_of(options).at("B_voigt").is_number());
 }
 
 TEST_F(LatticeCommand, SaysThatBareContactsHaveNoStrengthInTension) {

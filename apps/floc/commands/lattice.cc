@@ -169,18 +169,46 @@ std::vector<double> normal_forces(const std::vector<Contact<Dim>>& contacts) {
   return normal;
 }
 
+/// Reads the state of --compare.
+/// @throws InputError if the grains of this state are not those of the lattice
+template <int Dim>
+Packing<Dim> packing_to_compare(const LatticeArguments& arguments, const Packing<Dim>& packing) {
+  const AnyState other = read_state(arguments.compare);
+  const State<Dim>* same = std::get_if<State<Dim>>(&other);
+  const int n = packing.grains.size();
+  bool equal = same != nullptr && same->packing.grains.size() == n;
+  if (equal) {
+    /// Largest relative difference between the radii of a grain in the two states. States that floc lattice has written
+    /// differ more, but by the same factor for all grains, because the packing was fitted to the lattice.
+    constexpr double kDifferent = 1e-6;
+    const std::vector<double>& here = packing.grains.radius;
+    const std::vector<double>& there = same->packing.grains.radius;
+    const double factor = mean_diameter(there) / mean_diameter(here);
+    for (int i = 0; i < n; ++i)
+      equal = equal && std::abs(there[i] - factor * here[i]) <= kDifferent * factor * here[i];
+  }
+  if (!equal)
+    throw InputError(arguments.compare,
+                     fmt::format("this state, given with --compare, does not have the grains of the lattice: "
+                                 "expected a state of the same {} grains in {}D, with the same radii",
+                                 n, Dim));
+  return same->packing;
+}
+
 /// Computes the normal forces between the grains, and their correlation with the forces of equal beams (see
 /// bonded_forces()). If --compare names a state, also computes their correlation with the contact forces of that state.
-/// @param sign  1 if the load is compressive, -1 if it is tensile
+/// @param sign      1 if the load is compressive, -1 if it is tensile
+/// @param rounding  magnitude below which the stress of a node is a rounding error (stress)
 /// @return the packing of the grains, with the computed forces as contact forces
 template <int Dim>
 Packing<Dim> add_grain_forces(const LatticeArguments& arguments, const State<Dim>& state,
                               const LatticeLoad<Dim>& load, LoadedSample<Dim>& loaded, double sign,
-                              LatticeRow& row) {
+                              double rounding, LatticeRow& row) {
   const auto forces = grain_forces(loaded.sample, loaded.network, loaded.solution);
   row.n_pairs = static_cast<int>(forces.size());
   for (const GrainForce<Dim>& f : forces) loaded.pair_force.push_back(f.normal);
-  row.forces = stress_distribution(loaded.pair_force, sign);
+  row.forces =
+      stress_distribution(loaded.pair_force, sign, rounding * std::pow(loaded.sample.mean_diameter, Dim - 1));
   Packing<Dim> grains = packing_of(loaded.sample, state.packing, forces);
   if (boundary_of(arguments) == LatticeBoundary::periodic && !load.imposed.any()) {
     const double width = loaded.sample.bridge_width * 0.5 * loaded.sample.mean_diameter;
@@ -188,15 +216,20 @@ Packing<Dim> add_grain_forces(const LatticeArguments& arguments, const State<Dim
     row.pearson_bonded = agreement(forces, grains.contacts, bonded).pearson;
   }
   if (!arguments.compare.empty()) {
-    const AnyState other = read_state(arguments.compare);
-    const State<Dim>* same = std::get_if<State<Dim>>(&other);
-    if (same == nullptr || same->packing.grains.size() != state.packing.grains.size())
-      throw InputError(arguments.compare,
-                       fmt::format("this state, given with --compare, does not have the grains of the lattice: "
-                                   "expected a state of the same {} grains in {}D",
-                                   state.packing.grains.size(), Dim));
-    row.pearson_state =
-        agreement(forces, same->packing.contacts, normal_forces(same->packing.contacts)).pearson;
+    const Packing<Dim> other = packing_to_compare(arguments, state.packing);
+    const std::vector<Contact<Dim>> contacts = contacts_in_images_of(loaded.sample, other);
+    const ForceAgreement of_state = agreement(forces, contacts, normal_forces(contacts));
+    /// Smallest share of the contacts of another state that join grains which the lattice joins, too. Of the contacts
+    /// of another packing of equal grains, hardly any do.
+    constexpr double kSmallestCommon = 0.1;
+    if (of_state.n_common < kSmallestCommon * static_cast<double>(contacts.size()))
+      throw InputError(
+          arguments.compare,
+          fmt::format("this state, given with --compare, is another packing: only {} of its {} contacts "
+                      "join grains between which the lattice has a force",
+                      of_state.n_common, contacts.size()));
+    row.pearson_state = of_state.pearson;
+    row.n_compared = of_state.n_common;
   }
   return grains;
 }
@@ -297,6 +330,28 @@ void describe(const LatticeArguments& arguments, const State<Dim>& state, Lattic
   row.boundary = arguments.boundary;
 }
 
+/// Returns the magnitude below which the stress of a node is a rounding error. It is a share of the stress of the cell,
+/// and larger if the tolerance of the solution is large.
+template <int Dim>
+double rounding_stress(const LatticeSolution<Dim>& solution) {
+  /// Margin between the imbalance of a solution, divided by the load, and the errors of single nodes.
+  constexpr double kErrorOfImbalance = 10.0;
+  return std::max(kRoundingShare, kErrorOfImbalance * solution.report.imbalance) *
+         solution.stress.cwiseAbs().maxCoeff();
+}
+
+/// Warns that a state cannot contain the points at which the forces of elements act, if these are not the middles of
+/// the elements.
+template <int Dim>
+void warn_of_arms(const LatticeArguments& arguments, const ElementStiffness& stiffness) {
+  if (Dim == 2 || stiffness.central() || arguments.output.empty()) return;
+  say(fmt::format(
+      "floc: warning: the forces of elements with --shear act at the centres of the facets between the "
+      "nodes in 3D, and a state cannot contain these points: in {} the moments on the nodes are not "
+      "balanced, and floc moduli refuses it; give --moduli for the moduli of the lattice",
+      arguments.output));
+}
+
 template <int Dim>
 int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
   const auto start = Clock::now();
@@ -304,10 +359,17 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
   describe(arguments, state, row);
   const LatticeLoad<Dim> load = load_of<Dim>(arguments);
   const ElementStiffness stiffness = stiffness_of(arguments);
-  // The option --strength and the options of the pictures are used only after the solution. These options are checked
+  // The options --strength and --compare and those of the pictures are used only after the solution. They are checked
   // before the solution, because the solution can take minutes.
   if (!arguments.strength.empty()) (void)strength_of(arguments);
   check_lattice_pictures(arguments, state.packing.cell);
+  if (!arguments.compare.empty()) (void)packing_to_compare(arguments, state.packing);
+  if (arguments.moduli && is_between_plates(arguments))
+    throw InputError(
+        "floc lattice",
+        fmt::format("a sample between plates has only one modulus, E along their axis, because its other "
+                    "sides are free: give --moduli without --boundary {}",
+                    arguments.boundary));
   const CementedSample<Dim> sample = make_sample(arguments, state.packing, row);
   const LatticeNetwork<Dim> network = make_network(arguments, sample, stiffness, row);
   refuse_long_breaking(arguments, row);
@@ -329,6 +391,7 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
   row.n_open = solution.n_open();
   row.strain.assign(solution.strain.begin(), solution.strain.end());
   row.stress.assign(solution.stress.begin(), solution.stress.end());
+  row.loaded_along_axis = measured_component(load, row.axis) == row.axis;
   // If the solution has not converged, its stresses are not valid: the row of the table is printed, but no other file
   // is written.
   if (!solution.report.holds || !solution.report.converged) {
@@ -338,7 +401,8 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
                           arguments.file, solution.report.imbalance)
             : fmt::format(
                   "floc: {}: the sample cannot carry this load: contacts between grains without matrix (bare "
-                  "contacts) open until parts of the sample move freely",
+                  "contacts) open until parts of the sample move freely, or are held by less than 1e-8 of the "
+                  "stiffness of the elements",
                   arguments.file));
     row.seconds = seconds_since(start);
     print_table(table_of(row), arguments.printing);
@@ -346,19 +410,23 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
   }
   LoadedSample<Dim> loaded{sample, network, solution, node_stress(sample.lattice, network, solution), {}};
   // Stresses with the sign of the load are positive in the distributions, both for compression and for tension.
-  const double sign = solution.stress[row.axis] < 0.0 ? -1.0 : 1.0;
-  row.all = stress_distribution(stresses_of(loaded, row.axis, std::nullopt), sign);
-  row.grain = stress_distribution(stresses_of(loaded, row.axis, Phase::grain), sign);
-  row.matrix = stress_distribution(stresses_of(loaded, row.axis, Phase::matrix), sign);
-  Packing<Dim> grains = add_grain_forces(arguments, state, load, loaded, sign, row);
+  // If the load has no stress along the axis, the sign is that of compression.
+  const double rounding = rounding_stress(solution);
+  const double sign = solution.stress[row.axis] < -rounding ? -1.0 : 1.0;
+  row.all = stress_distribution(stresses_of(loaded, row.axis, std::nullopt), sign, rounding);
+  row.grain = stress_distribution(stresses_of(loaded, row.axis, Phase::grain), sign, rounding);
+  row.matrix = stress_distribution(stresses_of(loaded, row.axis, Phase::matrix), sign, rounding);
+  Packing<Dim> grains = add_grain_forces(arguments, state, load, loaded, sign, rounding, row);
   if (arguments.moduli) {
     row.moduli = solver.moduli();
     row.bounds = bounds_of(sample, stiffness, settings);
+    row.bounds_hold = bounds_that_hold(network, stiffness, row.n_open);
   }
   if (!arguments.forces.empty())
     write_packing(arguments.forces, arguments, state, std::move(grains), "lattice-forces");
   if (!arguments.output.empty())
     write_packing(arguments.output, arguments, state, packing_of(sample.lattice, network, solution), "lattice");
+  warn_of_arms<Dim>(arguments, stiffness);
   write_lattice_files(arguments, row, loaded);
   if (!arguments.strength.empty()) {
     // The solver computes a new solution after each broken element. The rounds of the solver are no longer printed,

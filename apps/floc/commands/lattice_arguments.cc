@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -104,7 +105,7 @@ void add_lattice_options(CommandLine app, LatticeArguments& a) {
   app.add_option("--tolerance", a.tolerance,
                  "largest imbalance of the forces on the nodes in the solution, relative to the load [1e-10 in "
                  "2D, 1e-9 in 3D]")
-      .positive();
+      .within(RelaxationSettings::kTolerance);
   app.add_option(
       "--compare", a.compare,
       "state file with the same grains, whose contact forces are compared with those of the lattice");
@@ -211,6 +212,11 @@ LatticeBoundary boundary_of(const LatticeArguments& a) {
   return kBoundaries.at(a.boundary);
 }
 
+bool is_between_plates(const LatticeArguments& a) {
+  const LatticeBoundary boundary = boundary_of(a);
+  return boundary == LatticeBoundary::plates || boundary == LatticeBoundary::bonded_plates;
+}
+
 int axis_of(const LatticeArguments& a, int dimension) {
   if (a.axis.empty()) return dimension - 1;
   const int axis = a.axis[0] - 'x';
@@ -239,11 +245,25 @@ LatticeLoad<Dim> load_of(const LatticeArguments& a) {
   for (int k = 0; k < kSymmetric<Dim>; ++k) {
     const auto number = parse_number<double>(parts[k]);
     if (!number) throw InputError("--load " + a.load, expected);
+    // Squares of the components and their products with stiffnesses must neither overflow nor vanish.
+    constexpr NumberRange kSizes = ElementStiffness::kRange;
+    if (*number != 0.0 && !kSizes.holds(std::abs(*number)))
+      throw InputError("--load " + a.load,
+                       fmt::format("component {}: expected 0 or a number whose magnitude is from {} to {}",
+                                   parts[k], kSizes.least, kSizes.most));
     load.value[k] = *number;
   }
   if (load.value.isZero(0.0))
     throw InputError("--load " + a.load,
                      "all components of this load are zero: expected at least one number other than zero");
+  if (is_between_plates(a))
+    for (int k = 0; k < kSymmetric<Dim>; ++k)
+      if (k != axis && load.value[k] != 0.0)
+        throw InputError(
+            "--load " + a.load,
+            fmt::format("plates load the sample only along their axis, {}: expected zero for all other "
+                        "components of the load with --boundary {}",
+                        static_cast<char>('x' + axis), a.boundary));
   return load;
 }
 

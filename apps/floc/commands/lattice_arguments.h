@@ -62,10 +62,13 @@ std::vector<std::optional<double>> named_numbers(const std::string& option, cons
 ElementStiffness stiffness_of(const LatticeArguments& arguments);
 ElementStrength strength_of(const LatticeArguments& arguments);
 LatticeBoundary boundary_of(const LatticeArguments& arguments);
+/// Returns whether the sample is between plates, bonded to the sample or not.
+bool is_between_plates(const LatticeArguments& arguments);
 int axis_of(const LatticeArguments& arguments, int dimension);
 
 /// Returns the load that the option --load describes. Its keywords compression and tension mean a stress of magnitude 1
 /// along the axis that the option --axis names.
+/// @throws InputError if the load is not valid, or if plates cannot exert it
 template <int Dim>
 LatticeLoad<Dim> load_of(const LatticeArguments& arguments);
 

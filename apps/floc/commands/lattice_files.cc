@@ -82,14 +82,24 @@ std::vector<Named> distributions(const LatticeRow& row, const LoadedSample<Dim>&
           {"forces", of.pair_force, row.forces}};
 }
 
+/// Returns values with zeros in place of rounding errors. A bin at zero contains zero, but the sign of a rounding error
+/// is random.
+/// @param least  smallest magnitude of a value that is not a rounding error
+std::vector<double> without_rounding(std::vector<double> values, double least) {
+  for (double& value : values)
+    if (std::abs(value) < least) value = 0.0;
+  return values;
+}
+
 Table distribution_table(const std::vector<Named>& all, double width) {
   Table table{{"of", "low", "high", "count", "n", "density", "unit", "n_outside"}, {}};
   for (const Named& named : all) {
-    // The histogram contains values divided by `unit`. This unit is the mean of those values that have the sign of the
-    // load. If no value has this sign, `unit` is zero.
+    // The histogram contains values divided by `unit`, and zeros instead of rounding errors. This unit is the mean of
+    // those values that have the sign of the load. If no value has this sign, `unit` is zero.
     const double unit = named.distribution.unit;
     if (unit == 0.0) continue;
-    const ForceDistribution h = distribution_of(named.values, unit, width);
+    const ForceDistribution h =
+        distribution_of(without_rounding(named.values, named.distribution.least), unit, width);
     if (h.n_outside > 0)
       printed_remarks().warn("distribution of " + named.name, outside_bins(h, "values", "--bin-width"));
     for (int b = 0; b < static_cast<int>(h.counts.size()); ++b)
@@ -126,7 +136,7 @@ Plot stress_plot(const LatticeRow& row, const std::vector<Named>& all, double wi
     // The unit is zero if no value has the sign of the load. The abscissa x = stress/unit is then undefined, and
     // nothing is plotted.
     if (d.unit == 0.0) continue;
-    const ForceDistribution h = distribution_of(all[s].values, d.unit, width);
+    const ForceDistribution h = distribution_of(without_rounding(all[s].values, d.least), d.unit, width);
     std::vector<std::vector<double>> points;
     // Empty bins are not plotted, because the axis of the probability density is logarithmic.
     for (int b = 0; b < static_cast<int>(h.counts.size()); ++b)
@@ -251,12 +261,18 @@ template <int Dim>
 void write_fracture_files(const LatticeArguments& arguments, const LatticeRow& row,
                           const LoadedSample<Dim>& of) {
   if (!arguments.curve.empty()) {
+    // The nodes have the numbers that they have in the table of --stress and in the state of --output.
+    std::vector<int> number(of.network.present.size(), -1);
+    int n_present = 0;
+    for (std::size_t k = 0; k < number.size(); ++k)
+      if (of.network.present[k]) number[k] = n_present++;
     Table table{{"broken", "strain", "stress", "kind", "node1", "node2"}, {}};
     for (std::size_t b = 0; b < row.fracture->broken.size(); ++b) {
       const Breakage& breakage = row.fracture->broken[b];
       const LatticeElement<Dim>& element = of.network.elements[breakage.element];
       table.rows.push_back({count(static_cast<std::int64_t>(b) + 1), breakage.strain, breakage.stress,
-                            std::string(name_of(element.kind)), count(element.i), count(element.j)});
+                            std::string(name_of(element.kind)), count(number[element.i]),
+                            count(number[element.j])});
     }
     write_table_whole(arguments.curve, table);
   }

@@ -49,6 +49,7 @@ FracturePath fracture(const LatticeNetwork<Dim>& network, LatticeSolver<Dim>& so
                       const LatticeLoad<Dim>& load, int axis, const FractureOptions& options) {
   refuse_faults(options.strength.validate());
   require_in_range("end_at", options.end_at, FractureOptions::kShare);
+  const int measured = measured_component(load, axis);
   FracturePath path;
   std::vector<bool> gone(network.elements.size(), false);
   while (true) {
@@ -73,8 +74,8 @@ FracturePath fracture(const LatticeNetwork<Dim>& network, LatticeSolver<Dim>& so
     // The response is proportional to the load: a load of another magnitude opens or closes no one-sided element,
     // because these elements have no gap at zero load. Therefore the state at the breakage is the solution times the
     // factor.
-    const Breakage next{weakest.element, weakest.factor * solution.strain[axis],
-                        weakest.factor * solution.stress[axis]};
+    const Breakage next{weakest.element, weakest.factor * solution.strain[measured],
+                        weakest.factor * solution.stress[measured]};
     path.broken.push_back(next);
     if (std::abs(next.stress) > path.strength) {
       path.strength = std::abs(next.stress);

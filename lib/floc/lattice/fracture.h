@@ -22,8 +22,8 @@ struct ElementStrength {
 /// State of a sample when one of its elements breaks.
 struct Breakage {
   int element;    ///< index of the broken element in the lattice network
-  double strain;  ///< strain of the sample along the load when the element broke, shortening positive
-  double stress;  ///< stress of the sample along the load when the element broke, compression positive (stress)
+  double strain;  ///< measured component of the strain when the element broke, shortening positive
+  double stress;  ///< measured component of the stress when the element broke, compression positive (stress)
 };
 
 struct FractureOptions {
@@ -41,9 +41,9 @@ struct FractureOptions {
 /// Result of a simulation in which the elements of a sample break one by one.
 struct FracturePath {
   std::vector<Breakage> broken;  ///< breakages in the order in which they happened
-  /// strength of the sample: largest absolute stress along the load during the simulation; 0 if no element can break
+  /// strength of the sample: largest magnitude of the measured stress during the simulation; 0 if no element can break
   double strength = 0.0;
-  double strain_at_strength = 0.0;  ///< strain along the load when the stress had its largest absolute value
+  double strain_at_strength = 0.0;  ///< measured strain when the measured stress had its largest magnitude
   std::string end;                  ///< reason why the simulation ended, as a sentence
 };
 
@@ -55,7 +55,8 @@ struct FracturePath {
 /// The next element may break at a smaller load than the last element. Under constant load, the sample would then fail
 /// at once.
 /// @param load  direction of the load; its magnitude has no influence
-/// @param axis  axis along which the result contains the strain and the stress
+/// @param axis  axis of the load; the result contains the component of strain and stress that measured_component()
+///              gives for the load and this axis
 /// @throws InputError if an option is invalid
 template <int Dim>
 [[nodiscard]] FracturePath fracture(const LatticeNetwork<Dim>& network, LatticeSolver<Dim>& solver,

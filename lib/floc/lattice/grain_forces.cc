@@ -132,6 +132,24 @@ Packing<Dim> packing_of(const CementedSample<Dim>& sample, const Packing<Dim>& p
 }
 
 template <int Dim>
+std::vector<Contact<Dim>> contacts_in_images_of(const CementedSample<Dim>& sample, const Packing<Dim>& other) {
+  const Grains<Dim>& here = sample.grains;
+  const Grains<Dim>& there = other.grains;
+  assert(here.size() == there.size());
+  std::vector<Contact<Dim>> out;
+  for (Contact<Dim> c : other.contacts) {
+    if (c.i < 0 || c.j < 0 || c.i >= here.size() || c.j >= here.size()) continue;  // contacts with walls
+    const Vec<Dim> branch_there =
+        other.cell.reduced(there.position[c.j] - there.position[c.i]) + c.image.template cast<double>();
+    const Vec<Dim> without_image = sample.lattice.cell.reduced(here.position[c.j] - here.position[c.i]);
+    for (int a = 0; a < Dim; ++a)
+      c.image[a] = static_cast<int>(std::lround(branch_there[a] - without_image[a]));
+    out.push_back(canonical(std::move(c)));
+  }
+  return out;
+}
+
+template <int Dim>
 ForceAgreement agreement(const std::vector<GrainForce<Dim>>& forces, const std::vector<Contact<Dim>>& contacts,
                          const std::vector<double>& normal_force) {
   assert(contacts.size() == normal_force.size());
@@ -156,6 +174,7 @@ ForceAgreement agreement(const std::vector<GrainForce<Dim>>& forces, const std::
                                                      const LatticeSolution<Dim>&);                           \
   template Packing<Dim> packing_of(const CementedSample<Dim>&, const Packing<Dim>&,                          \
                                    const std::vector<GrainForce<Dim>>&);                                     \
+  template std::vector<Contact<Dim>> contacts_in_images_of(const CementedSample<Dim>&, const Packing<Dim>&); \
   template ForceAgreement agreement(const std::vector<GrainForce<Dim>>&, const std::vector<Contact<Dim>>&,   \
                                     const std::vector<double>&);
 FLOC_INSTANTIATE(2)

@@ -37,6 +37,14 @@ template <int Dim>
 Packing<Dim> packing_of(const CementedSample<Dim>& sample, const Packing<Dim>& packing,
                         const std::vector<GrainForce<Dim>>& forces);
 
+/// Returns the contacts of another state of the grains of a sample, with periodic images that belong to the positions
+/// of the grains in the sample. The image of a contact depends on the periodic images in which a state stores its
+/// grains, and two states of the same grains may store different ones. The image of the sample is chosen whose branch
+/// is nearest to the branch of the contact, both in units of the lattice vectors of their cells.
+/// @param other  state of the same grains, in the same order
+template <int Dim>
+std::vector<Contact<Dim>> contacts_in_images_of(const CementedSample<Dim>& sample, const Packing<Dim>& other);
+
 /// Agreement between the normal forces in two lists of contacts, for the pairs of grains that both lists contain.
 struct ForceAgreement {
   /// Pearson's correlation coefficient of the two lists of forces. Absent if fewer than 3 pairs are in both lists, or

@@ -18,6 +18,14 @@ constexpr double kRowHeight = 0.5 * std::numbers::sqrt3;
 /// Largest number of nodes of a lattice.
 constexpr double kMostNodes = 1e8;
 
+/// Replaces the lattice vector of an axis by its opposite. The nodes are shifted into the new cell, and the lattice
+/// remains the same.
+void reverse_axis(int axis, Lattice<2>& lattice) {
+  lattice.cell.matrix(axis, axis) = -lattice.cell.matrix(axis, axis);
+  for (Vec<2>& x : lattice.node) x[axis] += lattice.cell.matrix(axis, axis);
+  for (LatticeBond<2>& b : lattice.bonds) b.image[axis] = -b.image[axis];
+}
+
 }  // namespace
 
 Lattice<2> triangular_lattice(int columns, int rows, double spacing) {
@@ -78,7 +86,10 @@ Lattice<2> triangular_lattice_in(const Cell<2>& cell, double spacing) {
     if (off < best) best = off, best_columns = columns, best_rows = rows;
   }
   const double n = static_cast<double>(best_columns) * best_rows;
-  return triangular_lattice(best_columns, best_rows, std::sqrt(width * height / (n * kRowHeight)));
+  Lattice<2> out = triangular_lattice(best_columns, best_rows, std::sqrt(width * height / (n * kRowHeight)));
+  for (int axis = 0; axis < 2; ++axis)
+    if (cell.matrix(axis, axis) < 0.0) reverse_axis(axis, out);
+  return out;
 }
 
 }  // namespace floc

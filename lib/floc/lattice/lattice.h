@@ -44,7 +44,8 @@ Lattice<2> triangular_lattice(int columns, int rows, double spacing);
 /// Returns the triangular lattice that fits best into a rectangular cell. The number of columns is within 3 % of the
 /// cell's width divided by the spacing. The lattice has the area of the cell. The ratio of its sides is as close as
 /// possible to the ratio of the sides of the cell. The sides of the lattice and of the cell differ by a fraction of
-/// some 1e-4. To fit the lattice, a packing in the cell has to be deformed by this strain.
+/// some 1e-4. To fit the lattice, a packing in the cell has to be deformed by this strain. The lattice vectors have the
+/// signs of those of the cell.
 /// @throws InputError if the cell is not rectangular, or if more than 1e8 nodes would be needed
 Lattice<2> triangular_lattice_in(const Cell<2>& cell, double spacing);
 

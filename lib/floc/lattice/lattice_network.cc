@@ -39,6 +39,8 @@ class NetworkBuilder {
     for (const LatticeElement<Dim>& e : out_.elements) out_.present[e.i] = out_.present[e.j] = true;
     for (int k = 0; k < out_.n_nodes; ++k)
       if (sample_.phase[k] != Phase::none && !out_.present[k]) ++out_.n_removed;
+    if (boundary_ == LatticeBoundary::plates || boundary_ == LatticeBoundary::bonded_plates)
+      out_.volume *= held_distance();
     return std::move(out_);
   }
 
@@ -96,6 +98,23 @@ class NetworkBuilder {
     for (int a = 0; a < Dim; ++a)
       if (out_.held[Dim * node + a]) return true;
     return false;
+  }
+
+  /// Returns the distance between the two layers of fixed nodes, divided by the length of the cell along the axis of
+  /// the plates. The plates lie at the fixed nodes, half a layer of nodes inside the cell. The force on a plate is
+  /// therefore the sum of the products of forces and branches divided by this distance, not by the length of the cell.
+  double held_distance() const {
+    std::array<double, 2> sum{};
+    std::array<int, 2> n{};
+    for (int k = 0; k < out_.n_nodes; ++k) {
+      if (!out_.present[k] || !is_held(k)) continue;
+      const double at = sample_.lattice.cell.reduced(sample_.lattice.node[k])[axis_];
+      const int side = at < 0.5 ? 0 : 1;
+      sum[side] += at;
+      ++n[side];
+    }
+    if (n[0] == 0 || n[1] == 0) return 1.0;
+    return sum[1] / n[1] - sum[0] / n[0];
   }
 
   /// The elements at one node: their number, the direction of the first element, and whether another element has a
@@ -242,8 +261,11 @@ class NetworkBuilder {
 };
 
 void check_stiffness(const char* name, double value, bool zero_allowed, std::vector<std::string>& faults) {
-  if (std::isfinite(value) && (value > 0.0 || (zero_allowed && value == 0.0))) return;
-  faults.push_back(fmt::format("{} = {}: must be {} and finite", name, value, zero_allowed ? ">= 0" : "> 0"));
+  if (ElementStiffness::kRange.holds(value) || (zero_allowed && value == 0.0)) return;
+  if (std::isfinite(value) && value > 0.0)
+    faults.push_back(fmt::format("{} = {}: must be {}", name, value, ElementStiffness::kRange.words()));
+  else
+    faults.push_back(fmt::format("{} = {}: must be {} and finite", name, value, zero_allowed ? ">= 0" : "> 0"));
 }
 
 }  // namespace
@@ -278,7 +300,16 @@ std::vector<std::string> ElementStiffness::validate() const {
   if (shear == 0.0 && bending > 0.0)
     faults.push_back(fmt::format(
         "bending = {}: elements that resist bending must also resist shear, so set shear > 0", bending));
-  if (patch) check_stiffness("patch", *patch, true, faults);
+  if (patch && !(std::isfinite(*patch) && *patch >= 0.0))
+    faults.push_back(fmt::format("patch = {}: must be >= 0 and finite", *patch));
+  if (!faults.empty()) return faults;
+  double least = grain, most = grain;
+  for (const ElementKind kind : {ElementKind::matrix, ElementKind::interface, ElementKind::bare})
+    if (const double k = of(kind); k > 0.0) least = std::min(least, k), most = std::max(most, k);
+  if (most > kLargestRatio * least)
+    faults.push_back(fmt::format(
+        "the stiffest elements are {:.3g} times as stiff as the softest: this ratio must be at most {:.0e}",
+        most / least, kLargestRatio));
   return faults;
 }
 

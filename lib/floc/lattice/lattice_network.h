@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "floc/base/range.h"
 #include "floc/lattice/cemented_sample.h"
 #include "floc/network/contact_network.h"
 
@@ -57,6 +58,13 @@ struct ElementStiffness {
   /// absent, all bare elements are springs, and the contact area depends on the spacing of the lattice.
   std::optional<double> patch;
 
+  /// Range of stiffnesses and of their ratios K_T/K_N and K_R/(K_N spacing^2), apart from zero. Squares of numbers in
+  /// this range and their products with a load neither overflow nor vanish.
+  static constexpr NumberRange kRange{.least = 1e-60, .most = 1e60};
+  /// Largest ratio of two stiffnesses that are not zero. With a larger ratio, the solver could not distinguish soft
+  /// elements from missing elements.
+  static constexpr double kLargestRatio = 1e8;
+
   bool central() const { return shear == 0.0 && bending == 0.0; }
   /// Returns the stiffness of elements of a given kind (force/length, or stress if `by_facet`).
   double of(ElementKind kind) const;
@@ -80,8 +88,10 @@ struct LatticeElement {
 /// Cemented sample as a network of springs.
 template <int Dim>
 struct LatticeNetwork {
-  int n_nodes = 0;       ///< number of nodes of the lattice, including nodes without elements
-  double volume = 0.0;   ///< volume of the cell (2D: area)
+  int n_nodes = 0;  ///< number of nodes of the lattice, including nodes without elements
+  /// Volume (2D: area) to which the stress refers: the volume of the cell; between plates, the section of the cell
+  /// times the distance between the two layers of fixed nodes.
+  double volume = 0.0;
   double spacing = 0.0;  ///< spacing of the lattice (length)
   double shear = 0.0;  ///< ratio K_T/K_N of tangential to normal stiffness of elements that are not unilateral
   /// ratio K_R/(K_N spacing^2) of elements that are not unilateral, with the rolling stiffness K_R

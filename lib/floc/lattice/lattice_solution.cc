@@ -1,6 +1,7 @@
 #include "floc/lattice/lattice_solution.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace floc {
 namespace {
@@ -22,6 +23,15 @@ void read_element(const RelaxedSprings<Dim>& springs, const LatticeNetwork<Dim>&
 }
 
 }  // namespace
+
+template <int Dim>
+int measured_component(const LatticeLoad<Dim>& load, int axis) {
+  int largest = 0;
+  const double size = load.value.cwiseAbs().maxCoeff(&largest);
+  /// Smallest share of the largest component of a load that counts as a load.
+  constexpr double kSmallest = 1e-6;
+  return std::abs(load.value[axis]) > kSmallest * size ? axis : largest;
+}
 
 template <int Dim>
 int LatticeSolution<Dim>::n_open() const {
@@ -73,6 +83,8 @@ Eigen::MatrixXd LatticeSolver<Dim>::moduli() {
   return springs_->tangent_stiffness() / network_.volume;
 }
 
+template int measured_component(const LatticeLoad<2>&, int);
+template int measured_component(const LatticeLoad<3>&, int);
 template struct LatticeSolution<2>;
 template struct LatticeSolution<3>;
 template class LatticeSolver<2>;

@@ -25,6 +25,13 @@ struct LatticeLoad {
   }
 };
 
+/// Returns the component of the stress and strain, in the order of StrainSet::full, in which a proportional load is
+/// measured: the normal component along an axis or, if the load has no such component, the largest component of the
+/// load. If a load has no stress along the axis, the stress along the axis is a rounding error.
+/// @param axis  axis of the load, from 0
+template <int Dim>
+int measured_component(const LatticeLoad<Dim>& load, int axis);
+
 /// State of a lattice network under load.
 template <int Dim>
 struct LatticeSolution {
@@ -58,7 +65,7 @@ class LatticeSolver {
                 LatticeBoundary boundary = LatticeBoundary::periodic, int axis = Dim - 1);
 
   /// Finds the state of the network under a load. Between plates, only the component of the load along the axis of the
-  /// plates is used.
+  /// plates is used, and all other components must be zero.
   [[nodiscard]] LatticeSolution<Dim> solve(const LatticeLoad<Dim>& load);
 
   /// Returns the moduli of the sample: stress per unit of each strain after relaxation of all nodes, in the order of

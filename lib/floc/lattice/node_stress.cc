@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace floc {
@@ -40,29 +41,35 @@ std::vector<Mat<Dim>> node_stress(const Lattice<Dim>& lattice, const LatticeNetw
   return sum;
 }
 
-StressDistribution stress_distribution(const std::vector<double>& values, double sign) {
+StressDistribution stress_distribution(const std::vector<double>& values, double sign, double least) {
   StressDistribution out;
   out.n = static_cast<int>(values.size());
   if (values.empty()) return out;
+  double squares = 0.0;
+  for (const double value : values) out.mean += value, squares += value * value;
+  out.mean /= out.n;
+  // The sign of a rounding error is random. If rounding errors were counted by their sign, the statistics would depend
+  // on the size of the load, and the means of the signs would be too small.
+  out.least = std::max(least, kRoundingShare * std::sqrt(squares / out.n));
+  const auto has_sign = [&out](double of_value) { return of_value > 0.0 && of_value >= out.least; };
   // Before a tail is fitted, the values of each sign are divided by the mean of the values of this sign
   // (docs/physics.md, "Cemented grains"). The two signs are therefore summed and counted separately.
-  double squares = 0.0, loaded = 0.0, other = 0.0;
+  double loaded = 0.0, other = 0.0;
   int n_loaded = 0, n_other = 0;
   for (const double value : values) {
-    out.mean += value;
-    squares += value * value;
-    if (sign * value > 0.0) ++n_loaded, loaded += value;
-    if (sign * value < 0.0) ++n_other, other -= value;
+    if (has_sign(sign * value)) ++n_loaded, loaded += value;
+    if (has_sign(-sign * value)) ++n_other, other -= value;
   }
-  out.mean /= out.n;
-  if (out.mean != 0.0) out.spread = std::sqrt(std::max(0.0, squares / out.n / (out.mean * out.mean) - 1.0));
+  out.spread = out.mean != 0.0 && std::abs(out.mean) >= out.least
+                   ? std::sqrt(std::max(0.0, squares / out.n / (out.mean * out.mean) - 1.0))
+                   : std::numeric_limits<double>::quiet_NaN();
   out.other_share = static_cast<double>(n_other) / out.n;
   if (n_loaded == 0) return out;
   out.unit = loaded / n_loaded;
   std::vector<double> x, minus;
   for (const double value : values) {
-    if (sign * value > 0.0) x.push_back(value / out.unit);
-    if (sign * value < 0.0) minus.push_back(-value * n_other / other);
+    if (has_sign(sign * value)) x.push_back(value / out.unit);
+    if (has_sign(-sign * value)) minus.push_back(-value * n_other / other);
   }
   out.largest = *std::max_element(x.begin(), x.end());
   out.loaded_1 = tail_beyond(x, 1.0);

@@ -27,13 +27,18 @@ struct StressTail {
 };
 
 /// Distribution of a stress component over the nodes of a lattice. The number x of a node is the component at this
-/// node, divided by the mean of the component over the nodes where it has the sign of the load.
+/// node, divided by the mean of the component over the nodes where it has the sign of the load. Values whose magnitude
+/// is below `least` are rounding errors and have neither sign.
 struct StressDistribution {
   int n = 0;          ///< number of nodes in the distribution
   double mean = 0.0;  ///< mean of the component over all nodes (stress)
+  /// smallest magnitude of a component that has a sign (stress)
+  double least = 0.0;
   /// mean of the component over the nodes where it has the same sign as the load (stress); the unit in which x is given
   double unit = 0.0;
-  double spread = 0.0;       ///< standard deviation of the component over all nodes, divided by `mean`
+  /// standard deviation of the component over all nodes, divided by `mean`; NaN if the magnitude of `mean` is below
+  /// `least`
+  double spread = 0.0;
   double other_share = 0.0;  ///< share of the nodes where the component and the load have opposite signs
   double largest = 0.0;      ///< largest value of x
   StressTail loaded_1{1.0}, loaded_2{2.0};  ///< exponential tails of the distribution of x above 1 and above 2
@@ -42,9 +47,15 @@ struct StressDistribution {
   StressTail other_1{1.0};
 };
 
+/// Values below this share of the root mean square of all values count as rounding errors. Of 91 000 nodes of a
+/// thousand disks, 1500 had stresses below 1e-13 of the load, and only one had between 1e-13 and this share of it.
+inline constexpr double kRoundingShare = 1e-6;
+
 /// Computes the distribution of one stress component over nodes of a lattice.
 /// @param values  the component at each of these nodes (stress)
 /// @param sign    sign of the load: 1 for compression, -1 for tension
-StressDistribution stress_distribution(const std::vector<double>& values, double sign);
+/// @param least   magnitude below which a value may be a rounding error (stress); at least kRoundingShare times the
+///                root mean square of the values is used
+StressDistribution stress_distribution(const std::vector<double>& values, double sign, double least = 0.0);
 
 }  // namespace floc

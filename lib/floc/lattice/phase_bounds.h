@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "floc/lattice/lattice_network.h"
+
 namespace floc {
 
 /// Isotropic phase (component) of a composite, and its share of the volume. In 2D the bulk modulus K is the bulk
@@ -19,7 +21,8 @@ struct ModulusBounds {
 
 /// Bounds on the bulk modulus K and shear modulus G of an isotropic composite of isotropic phases that are bonded to
 /// each other. In the bounds of Hashin and Shtrikman, the reference phase is the stiffest phase for the upper bound,
-/// and the softest phase for the lower bound. If there are voids, the lower bounds are zero.
+/// and the softest phase for the lower bound. If there are voids, the lower bounds are zero. Phases whose share is a
+/// rounding error do not count.
 struct CompositeBounds {
   ModulusBounds K, G;
 };
@@ -28,6 +31,20 @@ struct CompositeBounds {
 /// @param phases     phases of the composite, whose shares of the volume add up to 1
 /// @param dimension  2 or 3
 CompositeBounds composite_bounds(const std::vector<ElasticPhase>& phases, int dimension);
+
+/// Whether the bounds of the phases of a cemented sample also bound the moduli of its lattice. The bounds assume that
+/// the phases are bonded to each other. Elements at interfaces and contacts that are stiffer than bonded phases raise
+/// the moduli, so that the upper bounds do not hold. Softer, open or missing elements lower the moduli, so that the
+/// lower bounds do not hold; bounds of zero always hold.
+struct BoundsThatHold {
+  bool upper = true, lower = true;
+};
+
+/// Returns which bounds of the phases of a sample bound the moduli of its lattice.
+/// @param n_open  number of open elements, which carry no force
+template <int Dim>
+BoundsThatHold bounds_that_hold(const LatticeNetwork<Dim>& network, const ElementStiffness& stiffness,
+                                int n_open);
 
 /// Returns the moduli of a triangular lattice of springs with normal and tangential stiffnesses k_n and k_t: K =
 /// sqrt(3)/2 k_n and G = sqrt(3)/4 (k_n + k_t). The moduli do not depend on the spacing or the bending stiffness.

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "floc/base/range.h"
 #include "floc/lattice/spring_rows.h"
 
 namespace floc {
@@ -31,6 +32,8 @@ struct RelaxationSettings {
   /// The relaxation ends when the net forces on the nodes, divided by the load, are at most this number. Both are
   /// measured in the norm of the preconditioner.
   double tolerance = 1e-10;
+  /// Range of `tolerance`. With a larger tolerance, the first iterate would count as the solution.
+  static constexpr NumberRange kTolerance{.least = 0.0, .most = 1e-3, .without_least = true};
   int max_rounds = 100;  ///< largest number of rounds of the relaxation; about ten are usual
   /// Function that is called after each round of the relaxation, if set.
   std::function<void(const RelaxationRound&)> observe = {};

@@ -73,8 +73,9 @@ void add_solution(const LatticeRow& r, Cells& cells) {
   for (std::size_t a = 0; a < names.size(); ++a) cells.add("strain" + names[a], r.strain[a]);
   for (std::size_t a = 0; a < names.size(); ++a) cells.add("stress" + names[a], r.stress[a]);
   const double strain = r.strain[static_cast<std::size_t>(r.axis)];
-  cells.add("E",
-            strain != 0.0 ? TableValue{r.stress[static_cast<std::size_t>(r.axis)] / strain} : TableValue{});
+  cells.add("E", r.loaded_along_axis && strain != 0.0
+                     ? TableValue{r.stress[static_cast<std::size_t>(r.axis)] / strain}
+                     : TableValue{});
 }
 
 void add_distribution(const std::string& of, const StressDistribution& d, Cells& cells) {
@@ -82,7 +83,7 @@ void add_distribution(const std::string& of, const StressDistribution& d, Cells&
   cells.add("mean_" + of, d.mean);
   cells.add("spread_" + of, d.spread);
   cells.add("other_share_" + of, d.other_share);
-  cells.add("largest_" + of, d.largest);
+  cells.add("largest_" + of, d.unit != 0.0 ? TableValue{d.largest} : TableValue{});
   cells.add("beta1_" + of, or_undefined(d.loaded_1.beta));
   cells.add("beta1_error_" + of, or_undefined(d.loaded_1.error));
   cells.add("beta2_" + of, or_undefined(d.loaded_2.beta));
@@ -108,9 +109,17 @@ void add_moduli(const LatticeRow& r, Cells& cells) {
        {"hs_upper", &ModulusBounds::hashin_shtrikman_upper},
        {"hs_lower", &ModulusBounds::hashin_shtrikman_lower},
        {"reuss", &ModulusBounds::reuss}}};
+  const auto bound_cell = [&](ModulusBounds CompositeBounds::*of, Bound bound) {
+    if (!r.bounds) return TableValue{};
+    const double value = ((*r.bounds).*of).*bound;
+    const bool is_upper = bound == &ModulusBounds::voigt || bound == &ModulusBounds::hashin_shtrikman_upper;
+    // A modulus is never below zero, so that a lower bound of zero always holds.
+    const bool holds = is_upper ? r.bounds_hold.upper : r.bounds_hold.lower || value == 0.0;
+    return holds ? TableValue{value} : TableValue{};
+  };
   for (const auto& [name, bound] : bounds) {
-    cells.add(fmt::format("B_{}", name), r.bounds ? TableValue{r.bounds->K.*bound} : TableValue{});
-    cells.add(fmt::format("G_{}", name), r.bounds ? TableValue{r.bounds->G.*bound} : TableValue{});
+    cells.add(fmt::format("B_{}", name), bound_cell(&CompositeBounds::K, bound));
+    cells.add(fmt::format("G_{}", name), bound_cell(&CompositeBounds::G, bound));
   }
 }
 
@@ -140,6 +149,7 @@ Table table_of(const LatticeRow& r) {
   cells.add("seconds_lattice", r.seconds_lattice);
   cells.add("seconds_solve", r.seconds_solve);
   cells.add("seconds", r.seconds);
+  cells.add("n_compared", r.n_compared ? count(*r.n_compared) : TableValue{});
   return cells.take();
 }
 

@@ -27,11 +27,16 @@ struct LatticeRow {
   SpringRelaxationReport report;
   std::vector<double> strain,
       stress;  ///< stress components in the order 11, 22, 12 (2D) or 11, 22, 33, 23, 13, 12 (3D)
+  /// whether the load has a normal component along the axis; otherwise E is undefined
+  bool loaded_along_axis = true;
   StressDistribution all, grain, matrix, forces;
   int n_pairs = 0;  ///< number of pairs of grains that exert forces on each other
+  /// number of pairs of grains whose forces are compared with those of another state; absent without such a state
+  std::optional<int> n_compared;
   std::optional<double> pearson_bonded, pearson_state;
   std::optional<Eigen::MatrixXd> moduli;
   std::optional<CompositeBounds> bounds;
+  BoundsThatHold bounds_hold;
   std::optional<FracturePath> fracture;
   double seconds_lattice = 0.0, seconds_solve = 0.0, seconds = 0.0;
 };

@@ -148,6 +148,51 @@ TEST(LatticeForces, BalanceInSpace) {
   expect_balance<3>(packing, sample, stiffness, 1.0);
 }
 
+/// The lattice vector of an axis can be replaced by its opposite. The packing remains the same, and is not mirrored.
+TEST(CementedSample, DoesNotDependOnTheSignsOfTheLatticeVectors) {
+  const Packing<2> packing = grid_of_grains<2>(4, -0.01);
+  const auto strain_of = [&](double x, double y) {
+    Packing<2> described = packing;
+    described.cell.matrix.row(0) *= x;
+    described.cell.matrix.row(1) *= y;
+    const CementedSample<2> sample = cemented(described, 0.1, 0.08);
+    EXPECT_LT(sample.strain, 0.01);
+    LatticeLoad<2> load;
+    load.value << 0.2, 1.0, 0.3;
+    const LatticeNetwork<2> network = lattice_network(sample, {});
+    LatticeSolver<2> solver(network, exactly());
+    return Eigen::Vector3d(solver.solve(load).strain);
+  };
+  const Eigen::Vector3d expected = strain_of(1.0, 1.0);
+  EXPECT_LT((strain_of(1.0, -1.0) - expected).norm(), 1e-7 * expected.norm());
+  EXPECT_LT((strain_of(-1.0, 1.0) - expected).norm(), 1e-7 * expected.norm());
+}
+
+TEST(ForceAgreement, DoesNotDependOnWhereTheCellIsCut) {
+  const Packing<2> packing = grid_of_grains<2>(3, -0.01);
+  const CementedSample<2> sample = cemented(packing, 0.1, 0.08);
+  const LatticeNetwork<2> network = lattice_network(sample, {});
+  LatticeSolver<2> solver(network, exactly());
+  const auto forces = grain_forces(sample, network, solver.solve(LatticeLoad<2>::uniaxial(1, 1.0)));
+  Packing<2> cut = packing_of(sample, packing, forces);
+  const std::size_t n = cut.contacts.size();
+  std::vector<Vec<2, int>> moved;
+  for (Vec<2>& x : cut.grains.position) {
+    const Vec<2> from = x + Vec<2>(1.3, 0.7);
+    x = cut.cell.wrapped(from);
+    moved.push_back(cut.cell.reduced(x - from).array().round().matrix().cast<int>());
+  }
+  for (Contact<2>& c : cut.contacts) c.image += moved[c.i] - moved[c.j];
+  const std::vector<Contact<2>> contacts = contacts_in_images_of(sample, cut);
+  std::vector<double> normal;
+  for (const Contact<2>& c : contacts) normal.push_back(c.normal_force);
+  const ForceAgreement same = agreement(forces, contacts, normal);
+  EXPECT_EQ(same.n_common, static_cast<int>(n));
+  ASSERT_TRUE(same.pearson);
+  EXPECT_NEAR(*same.pearson, 1.0, 1e-12);
+  EXPECT_LT(agreement(forces, cut.contacts, normal).n_common, static_cast<int>(n)) << "the images differ";
+}
+
 TEST(LatticeNetwork, LeavesOutWhatCanCarryNothing) {
   const Packing<2> packing = grid_of_grains<2>(4, 0.3);  // without bridges every grain is an island
   const CementedSample<2> sample = cemented(packing, 0.08, 0.0);

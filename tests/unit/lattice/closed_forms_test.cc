@@ -233,6 +233,80 @@ TEST(CompositeBounds, AreClosedFormsAndVanishWithVoids) {
   EXPECT_NEAR(one.G.hashin_shtrikman_upper, 2.0, 1e-12);
 }
 
+TEST(CompositeBounds, IgnoreSharesThatAreRoundingErrors) {
+  const ElasticPhase stiff{0.3, 10.0, 5.0}, soft{0.7, 1.0, 0.5};
+  const CompositeBounds with = composite_bounds({stiff, soft, {2e-16, 0.0, 0.0}}, 3);
+  const CompositeBounds without = composite_bounds({stiff, soft}, 3);
+  EXPECT_GT(with.K.reuss, 0.0);
+  EXPECT_EQ(with.K.reuss, without.K.reuss);
+  EXPECT_EQ(with.G.hashin_shtrikman_lower, without.G.hashin_shtrikman_lower);
+}
+
+TEST(CompositeBounds, HoldOnlyIfInterfacesAndContactsAreThoseOfBondedPhases) {
+  RandomStream random(9, 0);
+  const CementedSample<2> sample = sample_of<2>(triangular_lattice(10, 10, 1.0), [&](const Vec<2>& x) {
+    return random.uniform() < 0.2 ? -1 : static_cast<int>(x[0] / 5.0);
+  });
+  const auto holding = [&](const std::function<void(ElementStiffness&)>& change, int n_open = 0) {
+    ElementStiffness stiffness;
+    stiffness.grain = 10.0;
+    stiffness.contact = BareContact::bilateral;
+    change(stiffness);
+    ElementStiffness without_patch = stiffness;
+    without_patch.patch.reset();  // a patch needs the positions of grains, which this sample does not have
+    const BoundsThatHold hold = bounds_that_hold(lattice_network(sample, without_patch), stiffness, n_open);
+    return std::pair(hold.upper, hold.lower);
+  };
+  using Both = std::pair<bool, bool>;
+  EXPECT_EQ(holding([](ElementStiffness&) {}), Both(true, true));
+  EXPECT_EQ(holding([](ElementStiffness& s) { s.interface = 100.0; }), Both(false, true));
+  EXPECT_EQ(holding([](ElementStiffness& s) { s.interface = 0.0; }), Both(true, false));
+  EXPECT_EQ(holding([](ElementStiffness& s) { s.bare = 20.0; }), Both(false, true));
+  EXPECT_EQ(holding([](ElementStiffness& s) { s.bare = 1.0, s.interface = 50.0; }), Both(false, false));
+  EXPECT_EQ(holding([](ElementStiffness& s) { s.contact = BareContact::none; }), Both(true, false));
+  EXPECT_EQ(holding([](ElementStiffness& s) { s.patch = 0.1; }), Both(true, false));
+  EXPECT_EQ(holding([](ElementStiffness& s) { s.contact = BareContact::unilateral; }), Both(true, true));
+  EXPECT_EQ(holding([](ElementStiffness& s) { s.contact = BareContact::unilateral; }, 1), Both(true, false));
+}
+
+TEST(StressDistribution, GivesRoundingErrorsNeitherSign) {
+  const std::vector<double> real = {0.5, 1.0, 2.0, 4.0, -1.0, 1e-4};
+  std::vector<double> positive = real, negative = real;
+  for (int n = 0; n < 20; ++n) positive.push_back(1e-9), negative.push_back(-1e-9);
+  const StressDistribution p = stress_distribution(positive, 1.0), n = stress_distribution(negative, 1.0);
+  EXPECT_EQ(p.other_share, 1.0 / 26);
+  EXPECT_EQ(n.other_share, p.other_share);
+  EXPECT_DOUBLE_EQ(p.unit, 7.5001 / 5);
+  EXPECT_EQ(n.unit, p.unit);
+  EXPECT_EQ(n.loaded_1.n, p.loaded_1.n);
+  EXPECT_EQ(n.largest, p.largest);
+  const StressDistribution none = stress_distribution({1e-9, -3e-9, 1e-10}, 1.0, 1e-6);
+  EXPECT_EQ(none.other_share, 0.0);
+  EXPECT_EQ(none.unit, 0.0);
+  EXPECT_TRUE(std::isnan(none.spread));
+}
+
+/// The plates lie at the fixed rows of nodes. Of a homogeneous lattice, only the elements that cross the free sides are
+/// missing: half a column.
+TEST(Boundary, OfPlatesGivesTheModulusOfAHomogeneousLattice) {
+  for (const auto& [columns, rows, axis] :
+       {std::tuple{40, 16, 1}, std::tuple{40, 60, 1}, std::tuple{20, 60, 0}})
+    for (const LatticeBoundary boundary : {LatticeBoundary::plates, LatticeBoundary::bonded_plates}) {
+      const CementedSample<2> sample =
+          sample_of<2>(triangular_lattice(columns, rows, 1.0), [](const Vec<2>&) { return -1; });
+      const LatticeNetwork<2> network = lattice_network(sample, {}, boundary, axis);
+      LatticeSolver<2> solver(network, exactly(), boundary, axis);
+      const LatticeSolution<2> s = solver.solve(LatticeLoad<2>::uniaxial(axis, 1.0));
+      ASSERT_TRUE(s.report.converged);
+      const double E = s.stress[axis] / s.strain[axis] / (2.0 / std::numbers::sqrt3);
+      if (boundary == LatticeBoundary::plates)
+        EXPECT_NEAR(E, 1.0, 0.015) << columns << ' ' << rows << ' ' << axis;
+      // Plates to which the sample sticks hinder its transverse strain.
+      else
+        EXPECT_GT(E, 0.99) << columns << ' ' << rows << ' ' << axis;
+    }
+}
+
 /// A disk lies between two plates and touches each plate with a few nodes.
 TEST(Disk, PressedOnADiameterHasTheStressOfTheContinuumAtItsCentre) {
   const int across = 60;
@@ -298,6 +372,35 @@ TEST(Fracture, OfATriangularLatticeBeginsAtItsClosedForm) {
     EXPECT_NEAR(path.broken[0].stress, -expected, 1e-8 * expected);
     EXPECT_NEAR(path.strength, expected, 1e-8 * expected);
   }
+}
+
+/// Under a shear stress s, the bonds across the rows of a triangular lattice carry s l and -s l, and those along the
+/// rows carry nothing.
+TEST(Fracture, UnderShearIsMeasuredByTheShearStress) {
+  const double l = 0.5, f_c = 3.0;
+  const LatticeNetwork<2> network = uniform_network(triangular_lattice(6, 6, l), 1.0);
+  LatticeSolver<2> solver(network, exactly());
+  FractureOptions options;
+  options.strength.tension.fill(f_c);
+  options.most_broken = 1;
+  LatticeLoad<2> load;
+  load.value[2] = 1.0;
+  const FracturePath path = fracture(network, solver, load, 1, options);
+  ASSERT_EQ(path.broken.size(), 1u);
+  EXPECT_NEAR(path.strength, f_c / l, 1e-8);
+  EXPECT_NEAR(path.strain_at_strength, f_c / l / (std::numbers::sqrt3 / 4), 1e-7);
+}
+
+TEST(Fracture, IsMeasuredAlongTheAxisUnlessTheLoadHasNoStressThere) {
+  const auto measured = [](double xx, double yy, double xy) {
+    LatticeLoad<2> load;
+    load.value << xx, yy, xy;
+    return measured_component(load, 1);
+  };
+  EXPECT_EQ(measured(0.0, -1.0, 0.0), 1);
+  EXPECT_EQ(measured(5.0, 0.1, 3.0), 1);
+  EXPECT_EQ(measured(1.0, 0.0, -3.0), 2);
+  EXPECT_EQ(measured(-4.0, 1e-9, 3.0), 0);
 }
 
 TEST(Fracture, EndsWhenNothingHoldsAndRemovesOneElementATime) {

@@ -49,6 +49,16 @@ TEST(TriangularLattice, FillsACellToWithinAHundredthOfItsSpacing) {
   }
 }
 
+TEST(TriangularLattice, HasLatticeVectorsAlongThoseOfTheCell) {
+  for (const Vec<2>& sides : {Vec<2>(13.37, -11.3), Vec<2>(-13.37, 11.3), Vec<2>(-13.37, -11.3)}) {
+    Cell<2> cell;
+    cell.matrix = sides.asDiagonal();
+    const Lattice<2> lattice = triangular_lattice_in(cell, 0.5);
+    expect_whole(lattice);
+    for (int a = 0; a < 2; ++a) EXPECT_GT(lattice.cell.matrix(a, a) * sides[a], 0.0);
+  }
+}
+
 TEST(TriangularLattice, InASkewedCellOrOfABillionNodesIsRefused) {
   Cell<2> cell;
   cell.matrix << 10.0, 0.0, 1.0, 10.0;

@@ -29,7 +29,7 @@ std::vector<int> wholes_of(const char* name, const py::handle& given, const Whol
 std::uint64_t seed_of(const char* name, const py::handle& given);
 
 /// Converts a string.
-/// @param expected  what the argument must be, for the message
+/// @param expected  requirement for the argument, as words of the message
 std::string text_of(const char* name, const py::handle& given, const std::string& expected = "a text");
 /// Converts a string, or a sequence of strings.
 std::vector<std::string> texts_of(const char* name, const py::handle& given);

@@ -145,7 +145,7 @@ TEST_F(Petsc, GoesOnAfterAStateThatCannotHaveModuli) {
   const Outcome o = together(2, "--solver petsc --force --kn 1 --kt 1 disks.h5 granular.h5");
   EXPECT_EQ(o.code, 4);
   for (const char* words :
-       {"disks.h5: the contacts of this packing are elastic", "granular.h5: the contacts"}) {
+       {"disks.h5: --kn: the contacts of this packing are elastic", "granular.h5: --kn: the contacts"}) {
     EXPECT_THAT(o.err, HasSubstr(words));
     EXPECT_EQ(o.err.find(words), o.err.rfind(words)) << words;
   }

@@ -50,11 +50,11 @@ def pressures(s):
     return np.trace(s.particle_stress(), axis1=1, axis2=2) / s.dim
 
 
-def phase_columns(s, p):
+def phase_columns(s, p, zero):
     """Returns the columns pressed_* and pulled_*, for grains of positive and of negative pressure."""
     out = {}
+    sign = signs_beyond_zero(s, p, np.zeros(s.n, bool), zero)
     for name, value in (("pressed", 1), ("pulled", -1)):
-        sign = np.sign(p)
         sizes, most, _ = phase(s, sign, value)
         mine = p[sign == value]
         out |= {f"{name}_share": Close(len(mine) / s.n), f"{name}_mean": Close(mine.mean() if len(mine) else 0.0),
@@ -369,7 +369,7 @@ def columns(s):
            "p_wall": Close(s.p_wall), "n_solid_bonds": Same(0),  # no state of the samples has bonds: cli.Imports counts them
             "phi": Close(s.phi), "seconds": Exempt("a time")}
     out |= counted_columns(s, zero)
-    out |= phase_columns(s, p)
+    out |= phase_columns(s, p, zero)
     carrying, kept = carrying_columns(s, zero)
     out |= carrying
     out |= statistics_columns(s, kept)

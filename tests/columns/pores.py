@@ -44,12 +44,13 @@ def find_pores(s):
     for start in range(len(half)):
         if start in seen:
             continue
-        h, at, total, winding, grains = start, np.zeros(2), np.zeros(4), np.zeros(2, int), 0
+        h, at, total, winding, grains = start, np.zeros(2), np.zeros(4), np.zeros(2, int), set()
         while True:
             seen.add(h)
             i, j, image, r = half[h]
             total += moments_of_triangle(at, at + r)
-            at, winding, grains = at + r, winding + image, grains + 1
+            at, winding = at + r, winding + image
+            grains.add(i)
             grain, k = place[h ^ 1]
             angle, after = out[grain][k - 1]
             turn = out[grain][k][0] - angle
@@ -61,7 +62,7 @@ def find_pores(s):
             unbounded = True
         elif total[0] > 0:
             centre = total[1:3] / total[0]
-            pores.append({"area": total[0], "centre": centre + s.x[half[start][0]], "n_grains": grains,
+            pores.append({"area": total[0], "centre": centre + s.x[half[start][0]], "n_grains": len(grains),
                           "gyration_radius": math.sqrt(max(0.0, total[3] / total[0] - centre @ centre))})
     return pores, unbounded
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <iostream>
+#include <optional>
 
 #include "commands/lattice_arguments.h"
 #include "commands/lattice_command.h"
@@ -197,13 +198,14 @@ Packing<Dim> packing_to_compare(const LatticeArguments& arguments, const Packing
 
 /// Computes the normal forces between the grains, and their correlation with the forces of equal beams (see
 /// bonded_forces()). If --compare names a state, also computes their correlation with the contact forces of that state.
+/// @param other     packing of the state of --compare, if any
 /// @param sign      1 if the load is compressive, -1 if it is tensile
 /// @param rounding  magnitude below which the stress of a node is a rounding error (stress)
 /// @return the packing of the grains, with the computed forces as contact forces
 template <int Dim>
 Packing<Dim> add_grain_forces(const LatticeArguments& arguments, const State<Dim>& state,
-                              const LatticeLoad<Dim>& load, LoadedSample<Dim>& loaded, double sign,
-                              double rounding, LatticeRow& row) {
+                              const std::optional<Packing<Dim>>& other, const LatticeLoad<Dim>& load,
+                              LoadedSample<Dim>& loaded, double sign, double rounding, LatticeRow& row) {
   const auto forces = grain_forces(loaded.sample, loaded.network, loaded.solution);
   row.n_pairs = static_cast<int>(forces.size());
   for (const GrainForce<Dim>& f : forces) loaded.pair_force.push_back(f.normal);
@@ -215,12 +217,11 @@ Packing<Dim> add_grain_forces(const LatticeArguments& arguments, const State<Dim
     const std::vector<double> bonded = bonded_forces(grains, load, std::max(width, row.spacing));
     row.pearson_bonded = agreement(forces, grains.contacts, bonded).pearson;
   }
-  if (!arguments.compare.empty()) {
-    const Packing<Dim> other = packing_to_compare(arguments, state.packing);
-    const std::vector<Contact<Dim>> contacts = contacts_in_images_of(loaded.sample, other);
+  if (other) {
+    const std::vector<Contact<Dim>> contacts = contacts_in_images_of(loaded.sample, *other);
     const ForceAgreement of_state = agreement(forces, contacts, normal_forces(contacts));
-    /// Smallest share of the contacts of another state that join grains which the lattice joins, too. Of the contacts
-    /// of another packing of equal grains, hardly any do.
+    // Smallest accepted share of the contacts of the other state between grains that the lattice joins, too. Another
+    // packing of equal grains has hardly any such contacts.
     constexpr double kSmallestCommon = 0.1;
     if (of_state.n_common < kSmallestCommon * static_cast<double>(contacts.size()))
       throw InputError(
@@ -363,7 +364,8 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
   // before the solution, because the solution can take minutes.
   if (!arguments.strength.empty()) (void)strength_of(arguments);
   check_lattice_pictures(arguments, state.packing.cell);
-  if (!arguments.compare.empty()) (void)packing_to_compare(arguments, state.packing);
+  std::optional<Packing<Dim>> other;
+  if (!arguments.compare.empty()) other = packing_to_compare(arguments, state.packing);
   if (arguments.moduli && is_between_plates(arguments))
     throw InputError(
         "floc lattice",
@@ -416,7 +418,7 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
   row.all = stress_distribution(stresses_of(loaded, row.axis, std::nullopt), sign, rounding);
   row.grain = stress_distribution(stresses_of(loaded, row.axis, Phase::grain), sign, rounding);
   row.matrix = stress_distribution(stresses_of(loaded, row.axis, Phase::matrix), sign, rounding);
-  Packing<Dim> grains = add_grain_forces(arguments, state, load, loaded, sign, rounding, row);
+  Packing<Dim> grains = add_grain_forces(arguments, state, other, load, loaded, sign, rounding, row);
   if (arguments.moduli) {
     row.moduli = solver.moduli();
     row.bounds = bounds_of(sample, stiffness, settings);

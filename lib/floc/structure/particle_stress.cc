@@ -1,6 +1,7 @@
 #include "floc/structure/particle_stress.h"
 
 #include <cmath>
+#include <utility>
 
 #include "floc/packing/grain_sizes.h"
 
@@ -34,17 +35,27 @@ std::vector<double> particle_pressure(const Packing<Dim>& packing) {
 
 template <int Dim>
 std::vector<double> pressure_beyond_zero(const Packing<Dim>& packing, std::vector<double> pressure,
-                                         const std::vector<bool>& rattler, double zero_force) {
+                                         double zero_force) {
   const double zero_pressure = zero_force / std::pow(largest_diameter(packing.grains), Dim - 1);
-  for (std::size_t i = 0; i < pressure.size(); ++i)
-    if (rattler[i] || std::abs(pressure[i]) <= zero_pressure) pressure[i] = 0.0;
+  for (double& p : pressure)
+    if (std::abs(p) <= zero_pressure) p = 0.0;
   return pressure;
+}
+
+template <int Dim>
+std::vector<double> pressure_beyond_zero(const Packing<Dim>& packing, std::vector<double> pressure,
+                                         const std::vector<bool>& rattler, double zero_force) {
+  for (std::size_t i = 0; i < pressure.size(); ++i)
+    if (rattler[i]) pressure[i] = 0.0;
+  return pressure_beyond_zero(packing, std::move(pressure), zero_force);
 }
 
 template std::vector<Mat<2>> particle_stress(const Packing<2>&);
 template std::vector<Mat<3>> particle_stress(const Packing<3>&);
 template std::vector<double> particle_pressure(const Packing<2>&);
 template std::vector<double> particle_pressure(const Packing<3>&);
+template std::vector<double> pressure_beyond_zero(const Packing<2>&, std::vector<double>, double);
+template std::vector<double> pressure_beyond_zero(const Packing<3>&, std::vector<double>, double);
 template std::vector<double> pressure_beyond_zero(const Packing<2>&, std::vector<double>,
                                                   const std::vector<bool>&, double);
 template std::vector<double> pressure_beyond_zero(const Packing<3>&, std::vector<double>,

@@ -20,11 +20,16 @@ std::vector<Mat<Dim>> particle_stress(const Packing<Dim>& packing);
 template <int Dim>
 std::vector<double> particle_pressure(const Packing<Dim>& packing);
 
-/// Returns the pressures of the grains, with zero for each pressure whose sign is not significant. There are two such
-/// cases: rattlers, whose forces are rounding errors, and pressures of at most zero_force/a^(Dim-1) in magnitude, where
-/// a is the largest diameter.
+/// Returns the pressures of the grains, with zero for each pressure whose sign is not significant: a pressure of at most
+/// zero_force/a^(Dim-1) in magnitude, where a is the largest diameter.
 /// @param pressure    pressure of each grain (stress)
 /// @param zero_force  largest force that counts as zero (force)
+template <int Dim>
+std::vector<double> pressure_beyond_zero(const Packing<Dim>& packing, std::vector<double> pressure,
+                                         double zero_force);
+
+/// Returns the pressures as above, with zero for rattlers, too. The forces of rattlers are rounding errors.
+/// @param rattler  whether each grain is a rattler
 template <int Dim>
 std::vector<double> pressure_beyond_zero(const Packing<Dim>& packing, std::vector<double> pressure,
                                          const std::vector<bool>& rattler, double zero_force);

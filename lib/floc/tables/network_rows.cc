@@ -208,9 +208,7 @@ NetworkRow network_row(const std::string& file, const State<Dim>& state, const N
   std::vector<double> pressure;
   for (const Mat<Dim>& s : stress) pressure.push_back(s.trace() / Dim);
   // The sign of a pressure below the tolerance would be that of the forces that are left over.
-  row.phases = pressure_phases(
-      contact_network(packing),
-      pressure_beyond_zero(packing, pressure, std::vector<bool>(pressure.size(), false), zero_force));
+  row.phases = pressure_phases(contact_network(packing), pressure_beyond_zero(packing, pressure, zero_force));
   const CarryingStructure held =
       carrying_structure(packing, zero_force, options.least_contacts.value_or(least_contacts(packing)));
   // Contacts with walls support grains, so the search for rattlers includes these contacts. Contacts with walls are
